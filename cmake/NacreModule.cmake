@@ -1,0 +1,36 @@
+# One library per folder, so that the linker holds the order of dependencies.
+#
+#   nacre_module(NAME [DEPENDS target...])
+#
+# Every .cpp beside the call is part of the library nacre_NAME (alias nacre::NAME), except
+# x_test.cpp, which are gathered in the test program nacre_NAME_test.
+
+add_library(nacre_options INTERFACE)
+add_library(nacre::options ALIAS nacre_options)
+target_compile_features(nacre_options INTERFACE cxx_std_20)
+target_compile_options(nacre_options INTERFACE
+  $<BUILD_INTERFACE:-Wall -Wextra -Wpedantic -Wno-psabi -ffp-contract=fast>
+  $<BUILD_INTERFACE:$<$<BOOL:${NACRE_NATIVE}>:-march=native>>
+  $<BUILD_INTERFACE:-fno-math-errno -fno-trapping-math>)
+target_include_directories(nacre_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+
+function(nacre_module name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)
+  if(tests)
+    list(REMOVE_ITEM sources ${tests})
+  endif()
+  add_library(nacre_${name} STATIC ${sources})
+  add_library(nacre::${name} ALIAS nacre_${name})
+  set_target_properties(nacre_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(nacre_${name} PUBLIC nacre::options ${ARG_DEPENDS})
+  if(NACRE_TESTS AND tests)
+    add_executable(nacre_${name}_test ${tests})
+    target_link_libraries(nacre_${name}_test PRIVATE nacre::${name} GTest::gtest GTest::gtest_main GTest::gmock)
+    target_compile_definitions(nacre_${name}_test PRIVATE NACRE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    gtest_discover_tests(nacre_${name}_test DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
+  endif()
+endfunction()

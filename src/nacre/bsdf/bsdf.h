@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "nacre/core/lanes.h"
+#include "nacre/core/vec.h"
+
+// What the renderer sees of a surface. Local frame: z is the outward normal; both directions point
+// away from the surface; a BRDF is in 1/sr, without the cosine (docs/conventions.md). All of
+// Nacre's surfaces are opaque: a direction below the horizon gives zero.
+
+namespace nacre::bsdf {
+
+using Wavelengths = std::array<double, kLanes>;  // nm
+
+struct BsdfSample {
+    Vec3f wo;
+    FloatLanes weight;  ///< f |cos| / pdf; for the mirror, its reflectance over its probability
+    float pdf = 0;      ///< per solid angle; for the mirror, the probability of choosing it
+    bool mirror = false;
+};
+
+/// A surface at eight wavelengths: all that depends on wavelength alone has been worked out, so
+/// that the calls below touch only what depends on direction. Immutable, shared between threads.
+class BoundBsdf {
+ public:
+    virtual ~BoundBsdf() = default;
+
+    /// BRDF without the mirror of a smooth interface. Reciprocal and never negative.
+    virtual FloatLanes eval(Vec3f wi, Vec3f wo) const = 0;
+    /// Draws wo given wi from a mixture that includes the mirror. u_lobe and u in [0, 1).
+    /// Empty where no light can leave (wi below the horizon, or a sample below it).
+    virtual std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const = 0;
+    /// Density per solid angle with which sample() draws wo other than by the mirror.
+    virtual float pdf(Vec3f wi, Vec3f wo) const = 0;
+    /// Directional-hemispherical reflectance, mirror included.
+    virtual FloatLanes albedo(Vec3f wi) const = 0;
+};
+
+class Bsdf {
+ public:
+    virtual ~Bsdf() = default;
+    virtual std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const = 0;
+};
+
+}  // namespace nacre::bsdf

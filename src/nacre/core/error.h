@@ -1,0 +1,40 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+// Errors carry their context: the library throws, the command line prints what() and picks the
+// exit status from the type (docs/conventions.md, "Errors").
+
+namespace nacre {
+
+/// Base of every exception Nacre throws on purpose. Failures while running exit with status 3.
+class Error : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+/// An argument of a public function is outside its valid range. Exit status 2.
+class DomainError : public Error {
+ public:
+    using Error::Error;
+};
+
+/// A file, or a text that a user wrote, is wrong: the message names file, line, key, value and
+/// the allowed range as far as they exist. Exit status 2.
+class InputError : public Error {
+ public:
+    using Error::Error;
+};
+
+/// Throws DomainError unless lo <= value <= hi; NaN is refused too.
+/// `what` names the quantity and its unit, as in "cos_i" or "wavelength in nm".
+inline void require_in_range(double value, double lo, double hi, const char* what) {
+    if (!(value >= lo && value <= hi)) {
+        throw DomainError(fmt::format("{} = {} is outside [{}, {}]", what, value, lo, hi));
+    }
+}
+
+}  // namespace nacre

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+// Wavelengths are the vector lanes. GCC and Clang share the vector extension used here; an
+// arithmetic operator on a Lanes value is one machine instruction where the machine has the width
+// and several where it has not, with the same result.
+
+namespace nacre {
+
+inline constexpr int kLanes = 8;
+
+using FloatLanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+using DoubleLanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+
+/// All lanes equal to x.
+inline FloatLanes splat(float x) { return FloatLanes{} + x; }
+inline DoubleLanes splat(double x) { return DoubleLanes{} + x; }
+
+/// Lane i = f(i).
+template <class V = FloatLanes, class F>
+inline V make_lanes(F&& f) {
+    V v{};
+    for (int i = 0; i < kLanes; ++i) v[i] = f(i);
+    return v;
+}
+
+inline FloatLanes load_lanes(const float* p) {
+    FloatLanes v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+}
+inline DoubleLanes load_lanes(const double* p) {
+    DoubleLanes v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+}
+template <class V, class T>
+inline void store_lanes(T* p, const V& v) {
+    static_assert(sizeof(T) * kLanes == sizeof(V));
+    std::memcpy(p, &v, sizeof v);
+}
+
+template <class V>
+inline V max_lanes(V a, V b) {
+    V r;
+    for (int i = 0; i < kLanes; ++i) r[i] = a[i] > b[i] ? a[i] : b[i];
+    return r;
+}
+template <class V>
+inline V min_lanes(V a, V b) {
+    V r;
+    for (int i = 0; i < kLanes; ++i) r[i] = a[i] < b[i] ? a[i] : b[i];
+    return r;
+}
+template <class V>
+inline V sqrt_lanes(V a) {
+    V r;
+    for (int i = 0; i < kLanes; ++i) r[i] = std::sqrt(a[i]);
+    return r;
+}
+/// Sum, largest and mean over the lanes.
+template <class V>
+inline auto lane_sum(V a) {
+    auto s = a[0];
+    for (int i = 1; i < kLanes; ++i) s += a[i];
+    return s;
+}
+template <class V>
+inline auto lane_max(V a) {
+    auto s = a[0];
+    for (int i = 1; i < kLanes; ++i) s = std::max(s, a[i]);
+    return s;
+}
+template <class V>
+inline auto lane_mean(V a) {
+    return lane_sum(a) / kLanes;
+}
+
+}  // namespace nacre
