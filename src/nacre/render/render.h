@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "nacre/core/progress.h"
+#include "nacre/render/scene.h"
+
+// The picture of a scene by spectral path tracing.
+
+namespace nacre::render {
+
+struct RenderOptions {
+    int width = 512;             ///< pixels, [1, 32768]
+    int height = 512;            ///< pixels, [1, 32768]
+    int samples_per_pixel = 64;  ///< [1, 2^24]
+    std::uint64_t seed = 0;
+    int max_depth = 8;      ///< surface reflections along a path, [1, 1000]
+    int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none
+};
+
+/// A picture, row-major from the top left. Radiance is linear; luminance 1 is the radiance of an
+/// emitter of scale 1 (scene_description.h).
+struct RenderResult {
+    int width = 0, height = 0;
+    std::vector<float> rgb;       ///< 3 per pixel: linear Rec. 709, may be out of gamut
+    std::vector<float> albedo;    ///< 3 per pixel: albedo of the first surface under D65; 0: none
+    std::vector<float> normal;    ///< 3 per pixel: mean shading normal of the first surface
+    std::vector<float> alpha;     ///< 1 per pixel: share of the samples that met a surface
+    std::vector<float> spectral;  ///< bins per pixel: mean spectral radiance about each centre
+    std::vector<double> bin_centres_nm;
+    int samples = 0;       ///< per pixel, finished
+    double seconds = 0;    ///< wall-clock time
+    bool complete = true;  ///< false: stopped by `progress`; a valid picture of `samples` samples
+};
+
+/// Renders by unidirectional path tracing with multiple importance sampling. Uses the threads of
+/// the caller's oneTBB arena; for a given seed the result is the same, bit for bit, however many
+/// there are.
+///
+/// @param progress  may be empty; asked after each pass over the picture (one sample per pixel)
+/// @throws DomainError naming an option out of range
+RenderResult render(const Scene& scene, const RenderOptions& options,
+                    const Progress& progress = {});
+
+}  // namespace nacre::render
