@@ -7,11 +7,16 @@
 
 add_library(nacre_options INTERFACE)
 add_library(nacre::options ALIAS nacre_options)
+set_target_properties(nacre_options PROPERTIES EXPORT_NAME options)
 target_compile_features(nacre_options INTERFACE cxx_std_20)
+# Unsafe "fast-math" stays off: NaN and infinity must keep their meaning in range checks.
 target_compile_options(nacre_options INTERFACE
-  $<BUILD_INTERFACE:-Wall -Wextra -Wpedantic -Wno-psabi -ffp-contract=fast>
-  $<BUILD_INTERFACE:$<$<BOOL:${NACRE_NATIVE}>:-march=native>>
-  $<BUILD_INTERFACE:-fno-math-errno -fno-trapping-math>)
+  $<BUILD_INTERFACE:-Wall -Wextra -Wpedantic -ffp-contract=fast -fno-math-errno
+                    -fno-trapping-math>)
+# Vectors of lanes are passed in registers whose width depends on the processor, so that a program
+# that uses the installed libraries must be compiled for the same one: these two are exported.
+target_compile_options(nacre_options INTERFACE
+  -Wno-psabi $<$<BOOL:${NACRE_NATIVE}>:-march=native>)
 target_include_directories(nacre_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
@@ -23,10 +28,17 @@ function(nacre_module name)
   if(tests)
     list(REMOVE_ITEM sources ${tests})
   endif()
+  if(NOT sources)  # TRANSITION: remove
+    add_library(nacre_${name} INTERFACE)
+    add_library(nacre::${name} ALIAS nacre_${name})
+    target_link_libraries(nacre_${name} INTERFACE nacre::options ${ARG_DEPENDS})
+    return()
+  endif()
   add_library(nacre_${name} STATIC ${sources})
   add_library(nacre::${name} ALIAS nacre_${name})
   set_target_properties(nacre_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(nacre_${name} PUBLIC nacre::options ${ARG_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY NACRE_MODULES nacre_${name})
   if(NACRE_TESTS AND tests)
     add_executable(nacre_${name}_test ${tests})
     target_link_libraries(nacre_${name}_test PRIVATE nacre::${name} GTest::gtest GTest::gtest_main GTest::gmock)
