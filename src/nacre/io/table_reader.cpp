@@ -1,0 +1,270 @@
+#include "nacre/io/table_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "nacre/core/error.h"
+#include "nacre/core/suggest.h"
+
+namespace nacre::io {
+
+namespace {
+
+constexpr std::size_t kLongestShownValue = 60;
+
+/// Printable and short, so that a message stays a line whatever stands in the file.
+std::string shortened(std::string text) {
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+    }
+    if (text.size() <= kLongestShownValue) return text;
+    // Cut before a continuation byte would leave half a UTF-8 character.
+    std::size_t end = kLongestShownValue;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+    return text.substr(0, end) + "...";
+}
+
+std::string shown(const toml::node& node) {
+    if (node.is_table()) return "{...}";
+    if (const toml::array* array = node.as_array()) {
+        return array->empty() ? "[]" : fmt::format("[...] ({} entries)", array->size());
+    }
+    std::ostringstream out;
+    node.visit([&](const auto& value) {
+        if constexpr (toml::is_value<decltype(value)>) out << toml::toml_formatter(value);
+    });
+    return shortened(out.str());
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        if (!text.empty()) text += ", ";
+        text += word;
+    }
+    return text;
+}
+
+/// " (did you mean 'x'?)". A missing unit, as in "thickness" for "thickness_um", is the likeliest
+/// slip: it goes before spelling.
+std::string suggestion(std::string_view unknown, const std::vector<std::string>& allowed) {
+    for (const std::string& key : allowed) {
+        if (key.starts_with(std::string(unknown) + "_")) {
+            return did_you_mean(key, std::vector{key});
+        }
+    }
+    return did_you_mean(unknown, allowed);
+}
+
+std::string place(const std::string& filename, const toml::source_region& where) {
+    return fmt::format("{}:{}:{}: ", filename, where.begin.line, where.begin.column);
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------- the document
+
+TomlDocument::TomlDocument(std::string_view text, std::string filename,
+                           std::filesystem::path base_directory)
+    : filename_(std::move(filename)), base_directory_(std::move(base_directory)) {
+    if (text.size() > kMostTextBytes) {
+        throw InputError(fmt::format("{}: has {} bytes; at most {} are allowed", filename_,
+                                     text.size(), kMostTextBytes));
+    }
+    try {
+        root_ = toml::parse(text, filename_);
+    } catch (const toml::parse_error& error) {
+        throw InputError(place(filename_, error.source()) +
+                         shortened(std::string(error.description())));
+    }
+}
+
+void TomlDocument::note(const std::string& key, const toml::source_region& where) {
+    places_.insert_or_assign(key, where);
+}
+
+std::string TomlDocument::location(std::string key) const {
+    while (!key.empty()) {
+        if (const auto found = places_.find(key); found != places_.end()) {
+            return place(filename_, found->second);
+        }
+        const std::size_t cut = key.find_last_of(".[");
+        key.resize(cut == std::string::npos ? 0 : cut);
+    }
+    return filename_ + ": ";
+}
+
+void rethrow_with_location(const TomlDocument& document, const std::string& message) {
+    const std::string key = message.substr(0, message.find_first_of(" :"));
+    throw InputError(document.location(key) + message);
+}
+
+// ----------------------------------------------------------------------------------- a table
+
+TableReader::TableReader(TomlDocument& document, const Keys& allowed)
+    : TableReader(document, document.root(), "", allowed) {}
+
+TableReader::TableReader(TomlDocument& document, const toml::table& table, std::string path,
+                         const Keys& allowed)
+    : document_(&document), table_(&table), path_(std::move(path)), allowed_(allowed) {
+    for (auto&& [key, node] : table) {
+        if (std::find(allowed_.begin(), allowed_.end(), key.str()) == allowed_.end()) {
+            throw InputError(fmt::format("{}{} = {}: unknown key{}; allowed here: {}",
+                                         place(document.filename(), key.source()),
+                                         path_of(shortened(std::string(key.str()))), shown(node),
+                                         suggestion(key.str(), allowed_), joined(allowed_)));
+        }
+        document.note(path_of(key.str()), node.source());
+    }
+}
+
+std::string TableReader::path_of(std::string_view key) const {
+    return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+void TableReader::fail_at(const std::string& key, const toml::node& node,
+                          std::string_view why) const {
+    throw InputError(fmt::format("{}{} = {}: {}", place(document_->filename(), node.source()), key,
+                                 shown(node), why));
+}
+
+void TableReader::fail(std::string_view key, std::string_view why) const {
+    if (const toml::node* node = find(key)) fail_at(path_of(key), *node, why);
+    throw InputError(
+        fmt::format("{}{}: {}", place(document_->filename(), table_->source()), path_of(key), why));
+}
+
+void TableReader::fail(std::string_view why) const {
+    throw InputError(fmt::format("{}{}: {}", place(document_->filename(), table_->source()),
+                                 path_.empty() ? "file" : path_, why));
+}
+
+const toml::node* TableReader::find(std::string_view key) const {
+    if (std::find(allowed_.begin(), allowed_.end(), key) == allowed_.end()) {
+        throw std::logic_error(fmt::format("key {} was not announced", key));
+    }
+    return table_->get(key);
+}
+
+const toml::node& TableReader::require(std::string_view key, std::string_view what) const {
+    const toml::node* node = find(key);
+    if (!node) fail(key, fmt::format("is missing; it must be {}", what));
+    return *node;
+}
+
+double TableReader::as_number(const toml::node& node, const std::string& key,
+                              const Range& range) const {
+    double number = std::numeric_limits<double>::quiet_NaN();
+    if (const auto* real = node.as_floating_point()) {
+        number = real->get();
+    } else if (const auto* integer = node.as_integer()) {
+        number = static_cast<double>(integer->get());
+    }
+    if (!std::isfinite(number) || !range.contains(number)) {
+        fail_at(key, node, "must be a number in " + range.text());
+    }
+    return number;
+}
+
+double TableReader::number(std::string_view key, const Range& range) const {
+    return as_number(require(key, "a number in " + range.text()), path_of(key), range);
+}
+
+double TableReader::number_or(std::string_view key, double fallback, const Range& range) const {
+    return has(key) ? number(key, range) : fallback;
+}
+
+std::string TableReader::text(std::string_view key, std::size_t longest) const {
+    const std::string what = fmt::format("text of 1 to {} characters", longest);
+    const auto* text = require(key, what).as_string();
+    if (!text || text->get().empty() || text->get().size() > longest) fail(key, "must be " + what);
+    return text->get();
+}
+
+std::string TableReader::text_or(std::string_view key, std::string fallback,
+                                 std::size_t longest) const {
+    const toml::node* node = find(key);
+    if (!node) return fallback;
+    const auto* text = node->as_string();
+    if (!text || text->get().size() > longest) {
+        fail(key, fmt::format("must be text of at most {} characters", longest));
+    }
+    return text->get();
+}
+
+bool TableReader::flag_or(std::string_view key, bool fallback) const {
+    const toml::node* node = find(key);
+    if (!node) return fallback;
+    if (!node->is_boolean()) fail(key, "must be true or false");
+    return node->as_boolean()->get();
+}
+
+std::vector<double> TableReader::numbers(std::string_view key, const Range& range,
+                                         std::size_t fewest, std::size_t most) const {
+    const std::string what =
+        fewest == most ? fmt::format("{} numbers in {}", most, range.text())
+                       : fmt::format("{} to {} numbers in {}", fewest, most, range.text());
+    const toml::array* array = require(key, "a list of " + what).as_array();
+    if (!array || array->size() < fewest || array->size() > most) {
+        fail(key, "must be a list of " + what);
+    }
+    std::vector<double> values;
+    values.reserve(array->size());
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        values.push_back(as_number((*array)[i], fmt::format("{}[{}]", path_of(key), i), range));
+    }
+    return values;
+}
+
+std::size_t TableReader::choice(std::string_view key, const std::vector<std::string>& words) const {
+    const std::string what = "one of: " + joined(words);
+    const auto* text = require(key, what).as_string();
+    if (text) {
+        const auto found = std::find(words.begin(), words.end(), text->get());
+        if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    }
+    fail(key, "must be " + what);
+}
+
+TableReader TableReader::table(std::string_view key, const Keys& allowed) const {
+    const std::string what = "a table with the keys " + joined(allowed);
+    const toml::table* table = require(key, what).as_table();
+    if (!table) fail(key, "must be " + what);
+    return {*document_, *table, path_of(key), allowed};
+}
+
+std::optional<TableReader> TableReader::table_if_present(std::string_view key,
+                                                         const Keys& allowed) const {
+    if (!has(key)) return std::nullopt;
+    return table(key, allowed);
+}
+
+std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t most,
+                                             const Keys& allowed) const {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    const toml::array* array = node->as_array();
+    if (!array || array->empty() || array->size() > most) {
+        fail(key, fmt::format("must be a list of 1 to {} tables [[{}]] with the keys {}", most,
+                              path_of(key), joined(allowed)));
+    }
+    std::vector<TableReader> readers;
+    readers.reserve(array->size());
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        const std::string entry = fmt::format("{}[{}]", path_of(key), i);
+        const toml::table* table = (*array)[i].as_table();
+        if (!table) {
+            fail_at(entry, (*array)[i], "must be a table with the keys " + joined(allowed));
+        }
+        document_->note(entry, table->source());
+        readers.emplace_back(*document_, *table, entry, allowed);
+    }
+    return readers;
+}
+
+bool TableReader::is_table(std::string_view key) const { return has(key) && find(key)->is_table(); }
+bool TableReader::is_array(std::string_view key) const { return has(key) && find(key)->is_array(); }
+bool TableReader::is_text(std::string_view key) const { return has(key) && find(key)->is_string(); }
+
+}  // namespace nacre::io

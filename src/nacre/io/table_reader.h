@@ -1,0 +1,110 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nacre/core/range.h"
+
+// Reads the tables of a TOML text so that whatever is wrong is refused with a message of the form
+//
+//   paint.toml:7:16: layer[0].thickness_um = -3: must be a number in (0, 1000000] um
+//
+// Arrays are counted from 0. Values in messages are shortened.
+
+namespace nacre::io {
+
+/// Characters that a recipe or a scene may have: a megabyte.
+inline constexpr std::size_t kMostTextBytes = 1 << 20;
+
+/// A parsed TOML text: its name for messages, the folder that its relative paths start from, and
+/// where each key stands.
+class TomlDocument {
+ public:
+    /// @throws InputError with file, line and column if the text is not TOML, or is too large
+    TomlDocument(std::string_view text, std::string filename, std::filesystem::path base_directory);
+
+    const toml::table& root() const { return root_; }
+    const std::string& filename() const { return filename_; }
+    const std::filesystem::path& base_directory() const { return base_directory_; }
+
+    /// Remembers where `key` (its full path) stands.
+    void note(const std::string& key, const toml::source_region& where);
+    /// "file:line:column: " of a key, or of the nearest table around it that is known.
+    std::string location(std::string key) const;
+
+ private:
+    toml::table root_;
+    std::string filename_;
+    std::filesystem::path base_directory_;
+    std::map<std::string, toml::source_region> places_;
+};
+
+/// One table. The keys that it may have are named when it is opened; others are refused at once,
+/// with the nearest of those allowed as a suggestion.
+class TableReader {
+ public:
+    using Keys = std::vector<std::string>;
+
+    TableReader(TomlDocument& document, const Keys& allowed);  ///< the outermost table
+    TableReader(TomlDocument& document, const toml::table& table, std::string path,
+                const Keys& allowed);
+
+    bool has(std::string_view key) const { return find(key) != nullptr; }
+
+    /// A finite number in the range.
+    double number(std::string_view key, const Range& range) const;
+    double number_or(std::string_view key, double fallback, const Range& range) const;
+    /// Text of 1 to `longest` characters (0 to `longest` for text_or).
+    std::string text(std::string_view key, std::size_t longest) const;
+    std::string text_or(std::string_view key, std::string fallback, std::size_t longest) const;
+    bool flag_or(std::string_view key, bool fallback) const;
+    /// Numbers in the range, between `fewest` and `most` of them.
+    std::vector<double> numbers(std::string_view key, const Range& range, std::size_t fewest,
+                                std::size_t most) const;
+    /// One of the given words; returns which.
+    std::size_t choice(std::string_view key, const std::vector<std::string>& words) const;
+
+    TableReader table(std::string_view key, const Keys& allowed) const;
+    std::optional<TableReader> table_if_present(std::string_view key, const Keys& allowed) const;
+    /// The entries of an array of tables; empty if the key is absent.
+    std::vector<TableReader> tables(std::string_view key, std::size_t most,
+                                    const Keys& allowed) const;
+
+    bool is_table(std::string_view key) const;
+    bool is_array(std::string_view key) const;
+    bool is_text(std::string_view key) const;
+
+    /// Refuses the value of a key; `why` completes "key = value: ...".
+    [[noreturn]] void fail(std::string_view key, std::string_view why) const;
+    /// Refuses this table as a whole.
+    [[noreturn]] void fail(std::string_view why) const;
+
+    /// Full path of a key of this table.
+    std::string path_of(std::string_view key) const;
+    TomlDocument& document() const { return *document_; }
+
+ private:
+    const toml::node* find(std::string_view key) const;
+    const toml::node& require(std::string_view key, std::string_view what) const;
+    double as_number(const toml::node& node, const std::string& key, const Range& range) const;
+    [[noreturn]] void fail_at(const std::string& key, const toml::node& node,
+                              std::string_view why) const;
+
+    TomlDocument* document_;
+    const toml::table* table_;
+    std::string path_;
+    Keys allowed_;
+};
+
+/// Gives the message of a DomainError ("key = value: ...") the place of its key in the file.
+/// @throws InputError always
+[[noreturn]] void rethrow_with_location(const TomlDocument& document, const std::string& message);
+
+}  // namespace nacre::io
