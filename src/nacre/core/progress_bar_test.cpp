@@ -1,0 +1,62 @@
+#include "nacre/core/progress_bar.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <limits>
+
+#include "nacre/core/interrupt.h"
+
+namespace nacre {
+namespace {
+
+TEST(DurationText, GrowsFromSecondsToHours) {
+    EXPECT_EQ(duration_text(0), "0.0 s");
+    EXPECT_EQ(duration_text(3.21), "3.2 s");
+    EXPECT_EQ(duration_text(59.96), "1:00");
+    EXPECT_EQ(duration_text(65), "1:05");
+    EXPECT_EQ(duration_text(7384), "2:03:04");
+    EXPECT_EQ(duration_text(std::numeric_limits<double>::infinity()), "very long");
+    EXPECT_EQ(duration_text(std::numeric_limits<double>::quiet_NaN()), "very long");
+}
+
+TEST(ProgressLine, ExtrapolatesTheTimeLeft) {
+    EXPECT_EQ(progress_line("render", 0.5, 65, 51),
+              "render  [#####-----]  50 %  1:05 elapsed, 1:05 left");
+    EXPECT_THAT(progress_line("render", 0.25, 1, 60),
+                testing::EndsWith(" 25 %  1.0 s elapsed, 3.0 s left"));
+    EXPECT_EQ(progress_line("render", 1, 65, 40), "render  [##########] 100 %  1:05 elapsed");
+}
+
+TEST(ProgressLine, FitsTheTerminalWhateverItIsGiven) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (double fraction : {-1.0, 0.0, 0.3, 0.999, 1.0, 7.0, nan}) {
+        for (int columns : {0, 1, 10, 40, 79, 300}) {
+            const auto line = progress_line("a rather long label", fraction, 1e9, columns);
+            EXPECT_LE(line.size(), static_cast<std::size_t>(columns));
+        }
+    }
+    EXPECT_NE(progress_line("x", 0.9999, 1, 79).find(" 99 %"), std::string::npos);
+}
+
+TEST(ProgressBar, StopsTheWorkOnAnInterruptEvenWhenQuiet) {
+    const InterruptHandler handler;
+    ProgressBar bar("work", true);
+    const Progress progress = bar.callback();
+    EXPECT_TRUE(progress(0.1));
+    raise(SIGINT);
+    EXPECT_FALSE(progress(0.2));
+}
+
+TEST(ProgressBar, IsSilentWhenStderrIsNoTerminal) {
+    testing::internal::CaptureStderr();
+    {
+        ProgressBar bar("work");
+        bar.callback()(0.5);
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace nacre
