@@ -1,0 +1,58 @@
+#include "nacre/layers/resolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/layers/lane_matrix.h"
+
+namespace nacre::layers {
+
+namespace {
+
+int round_up_to_tile(double x) { return kTile * static_cast<int>(std::ceil(x / kTile)); }
+
+void check_nodes(int value, int most, const char* what) {
+    require_in_range(value, 0, most, what);
+    if (value % kTile != 0) {
+        throw DomainError(fmt::format("{} = {} is not a multiple of {}", what, value, kTile));
+    }
+}
+
+}  // namespace
+
+Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
+    check_nodes(settings.exit_nodes, SolverSettings::kMostNodes, "exit_nodes");
+    check_nodes(settings.inner_nodes, SolverSettings::kMostNodes, "inner_nodes");
+    require_in_range(settings.most_orders, 0, SolverSettings::kMostOrders, "most_orders");
+    require_in_range(settings.tolerance, 1e-12, 0.1, "tolerance");
+
+    double alpha = 1.0;
+    for (const LayerMedium& layer : medium.layers) {
+        for (const FlakeMedium& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
+        for (const PigmentMedium& pigment : layer.pigments) {
+            alpha = std::min(alpha, 1.5 * (1 - std::abs(pigment.anisotropy)));
+        }
+    }
+    Resolution r;
+    r.lobe_alpha = alpha;
+    const bool bare = *std::min_element(medium.ior.begin(), medium.ior.end()) == 1.0;
+    r.exit_nodes = round_up_to_tile(bare ? 16 + 1.6 / alpha : 12 + 0.4 / alpha);
+    r.inner_nodes = round_up_to_tile(8 + 0.4 / alpha);
+    r.exit_nodes = std::min(r.exit_nodes, SolverSettings::kMostNodes);
+    r.inner_nodes = std::min(r.inner_nodes, SolverSettings::kMostNodes);
+    r.orders = SolverSettings::kMostOrders;
+    if (!bare) {
+        // The widest exit direction inside the coat sets the number; the series ends earlier
+        // by its own tail.
+        const double n = *std::min_element(medium.ior.begin(), medium.ior.end());
+        const double tangent = 1 / std::sqrt(n * n - 1);
+        r.orders = static_cast<int>(std::min<double>(r.orders, 12 + 2.5 * tangent / alpha));
+    }
+    if (settings.exit_nodes) r.exit_nodes = settings.exit_nodes;
+    if (settings.inner_nodes) r.inner_nodes = settings.inner_nodes;
+    if (settings.most_orders) r.orders = settings.most_orders;
+    return r;
+}
+
+}  // namespace nacre::layers
