@@ -1,0 +1,59 @@
+#include "nacre/reference/air_interface.h"
+
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/optics/dielectric.h"
+
+namespace nacre::reference {
+namespace {
+
+class SmoothInterface final : public AirInterface {
+ public:
+    explicit SmoothInterface(double index) : index_(index) {}
+
+    Weighted enter(const Direction3& towards_light, RandomStream&) const override {
+        return {-refract_inwards(towards_light), 1 - outer_reflectance(towards_light.z())};
+    }
+
+    Weighted reflect_inside(const Direction3& travel, RandomStream&) const override {
+        return {Direction3(travel.x(), travel.y(), -travel.z()),
+                optics::dielectric_reflectance(index_, 1.0, travel.z())};
+    }
+
+    // Radiance over index squared is kept but for what Fresnel reflects: a cone outside is n^2
+    // times wider, projected, than its image inside.
+    Weighted connect(const Direction3& towards_eye, RandomStream&) const override {
+        return {refract_inwards(towards_eye),
+                (1 - outer_reflectance(towards_eye.z())) / (index_ * index_)};
+    }
+
+    bool scatters() const override { return false; }
+
+    double outer_reflectance(double cosine) const override {
+        return optics::dielectric_reflectance(1.0, index_, cosine);
+    }
+
+ private:
+    /// The unit vector inside along which a ray from (or to) `outside` goes on; z > 0.
+    Direction3 refract_inwards(const Direction3& outside) const {
+        const double x = outside.x() / index_, y = outside.y() / index_;
+        return {x, y, std::sqrt(1 - x * x - y * y)};
+    }
+
+    double index_;
+};
+
+}  // namespace
+
+std::unique_ptr<const AirInterface> make_smooth_interface(double index) {
+    return std::make_unique<SmoothInterface>(index);
+}
+
+std::unique_ptr<const AirInterface> make_air_interface(const layers::Recipe& recipe, double index) {
+    if (recipe.clearcoat && recipe.clearcoat->roughness > 0)
+        throw DomainError("clearcoat.roughness > 0 is not supported by the reference");
+    return make_smooth_interface(index);
+}
+
+}  // namespace nacre::reference

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+
+#include "nacre/reference/medium.h"
+#include "nacre/reference/random_stream.h"
+
+// The boundary between air and the paint, as a random walk uses it: light is sent in from outside,
+// meets the boundary from inside, and is connected from inside to an eye outside. One object per
+// binder index; all functions may be called from several threads.
+
+namespace nacre::reference {
+
+class AirInterface {
+ public:
+    /// A direction of travel inside the paint with the weight that makes its mean right.
+    struct Weighted {
+        Direction3 travel;
+        double weight = 0;
+    };
+
+    virtual ~AirInterface() = default;
+
+    /// Sends light in. @param towards_light  unit vector outside, z > 0
+    /// @return travel inside (z < 0) and the share of the incident flux that travels so
+    virtual Weighted enter(const Direction3& towards_light, RandomStream& random) const = 0;
+
+    /// Light that arrives from inside. @param travel  z > 0
+    /// @return travel after reflection (z < 0) and the share of the flux that is reflected; the
+    ///         rest leaves the paint
+    virtual Weighted reflect_inside(const Direction3& travel, RandomStream& random) const = 0;
+
+    /// Connects the inside with an eye. @param towards_eye  unit vector outside, z > 0
+    /// @return a direction of travel inside (z > 0) and a weight such that the radiance that leaves
+    ///         towards the eye is the mean of  weight * (radiance inside along travel)
+    virtual Weighted connect(const Direction3& towards_eye, RandomStream& random) const = 0;
+
+    /// Whether connect() draws at random, so that each walk wants a connection of its own.
+    virtual bool scatters() const = 0;
+
+    /// Share of light from this cosine outside that the interface throws back at once.
+    virtual double outer_reflectance(double cosine) const = 0;
+};
+
+/// A flat interface: mirror and refraction by Snell and Fresnel.
+/// @param index  of the binder, >= 1
+std::unique_ptr<const AirInterface> make_smooth_interface(double index);
+
+/// The interface of a recipe.
+std::unique_ptr<const AirInterface> make_air_interface(const layers::Recipe& recipe, double index);
+
+}  // namespace nacre::reference

@@ -1,0 +1,159 @@
+#include "nacre/reference/medium.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "nacre/core/quadrature.h"
+
+namespace nacre::reference {
+namespace {
+
+constexpr double kPerMmToPerUm = 1e-3;
+
+Lanes sample_spectrum(const spectra::Spectrum& spectrum, std::span<const double> wavelengths_nm) {
+    Lanes values{};
+    for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) values[i] = spectrum(wavelengths_nm[i]);
+    return values;
+}
+
+}  // namespace
+
+FlakeOptics::FlakeOptics(const layers::FlakeSpecies& species, const optics::Material& binder,
+                         std::span<const double> wavelengths_nm) {
+    if (const auto* given = std::get_if<layers::PrescribedFlake>(&species.body)) {
+        reflectance_ = {sample_spectrum(given->reflectance, wavelengths_nm)};
+        transmittance_ = {sample_spectrum(given->transmittance, wavelengths_nm)};
+        return;
+    }
+    std::vector<double> cosines;
+    for (int i = 0; i <= kPlateletTableIntervals; ++i)
+        cosines.push_back(static_cast<double>(i) / kPlateletTableIntervals);
+    // At grazing incidence a platelet reflects everything; the transfer matrix is 0/0 there.
+    cosines.front() = 1e-9;
+    const optics::PlateletTable table = optics::platelet_table(
+        std::get<optics::Platelet>(species.body), binder, cosines, wavelengths_nm);
+    const std::size_t count = wavelengths_nm.size();
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+        Lanes r{}, t{};
+        for (std::size_t j = 0; j < count; ++j) {
+            r[j] = table.reflectance[i * count + j];
+            t[j] = table.transmittance[i * count + j];
+        }
+        reflectance_.push_back(r);
+        transmittance_.push_back(t);
+    }
+}
+
+Lanes FlakeOptics::interpolate(const std::vector<Lanes>& table, double cosine) {
+    if (table.size() == 1) return table[0];
+    const std::size_t last_interval = table.size() - 2;
+    const double x = std::min(cosine, 1.0) * static_cast<double>(table.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(x), last_interval);
+    return table[i] + (x - static_cast<double>(i)) * (table[i + 1] - table[i]);
+}
+
+Lanes Flakes::scattering(const Direction3& in, const Direction3& out) const {
+    const Direction3 along_normal = out - in;
+    const double vertical_sq = along_normal.z() * along_normal.z();
+    const double length_sq = along_normal.squaredNorm();
+    const double slope_sq = (length_sq - vertical_sq) / vertical_sq;  // inf or NaN if vertical = 0
+    const double exponent = slope_sq / (alpha * alpha);
+    constexpr double kNegligible = 700;  // exp(-700) = 1e-304
+    if (!(exponent < kNegligible)) return Lanes{};
+    const double secant_sq = length_sq / vertical_sq;
+    const double density = std::exp(-exponent) / (std::numbers::pi * alpha * alpha);
+    const double cosine = std::sqrt(length_sq) / 2;  // |in.m|, as |out - in|^2 = 2 - 2 in.out
+    return (area_density_per_um * density * secant_sq * std::sqrt(secant_sq) / 4) *
+           optics.reflectance(cosine);
+}
+
+Lanes Flakes::extinction(double mu) const {
+    // w = (s, 0, mu), m = (-x, -y, 1)/sqrt(1 + x^2 + y^2): w.m has a kink at x = mu / s, so x gets
+    // a panel on each side of it. In y the integrand is Gaussian times a smooth function, for which
+    // equal steps converge exponentially.
+    constexpr double kReach = 6;  // in units of alpha: the tail beyond holds exp(-36) = 2e-16
+    constexpr int kNodesPerPanel = 96, kStepsPerSide = 32;
+    const double s = std::sqrt(std::max(0.0, 1 - mu * mu));
+    const double limit = kReach * alpha;
+    const double step = limit / kStepsPerSide;
+    Lanes sum{};
+    const auto add_panel = [&](double from, double to) {
+        const Quadrature rule = gauss_legendre(kNodesPerPanel, from, to);
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            const double x = rule.nodes[i];
+            const double projected = std::abs(mu - s * x);
+            for (int k = 0; k <= kStepsPerSide; ++k) {
+                const double y = k * step;
+                const double slope_sq = x * x + y * y;
+                const double cosine = projected / std::sqrt(1 + slope_sq);
+                const double mirror_images = k == 0 ? 1 : 2;  // y and -y
+                sum += (mirror_images * step * rule.weights[i] * cosine *
+                        std::exp(-slope_sq / (alpha * alpha))) *
+                       (1 - optics.transmittance(cosine));
+            }
+        }
+    };
+    const double kink = s > 0 ? mu / s : limit;
+    if (kink < limit) {
+        add_panel(-limit, kink);
+        add_panel(kink, limit);
+    } else {
+        add_panel(-limit, 0);
+        add_panel(0, limit);
+    }
+    return (area_density_per_um / (std::numbers::pi * alpha * alpha)) * sum;
+}
+
+Lanes Pigment::scattering(const Direction3& in, const Direction3& out) const {
+    const double g = anisotropy;
+    const double d = 1 + g * g - 2 * g * in.dot(out);
+    return ((1 - g * g) / (4 * std::numbers::pi * d * std::sqrt(d))) * scattering_per_um;
+}
+
+Lanes Slab::scattering(const Direction3& in, const Direction3& out) const {
+    Lanes sum{};
+    for (const Flakes& species : flakes) sum += species.scattering(in, out);
+    for (const Pigment& pigment : pigments) sum += pigment.scattering(in, out);
+    return sum;
+}
+
+Lanes Slab::extinction(double mu) const {
+    Lanes sum = absorption_per_um + pigment_scattering_per_um;
+    for (const Flakes& species : flakes) sum += species.extinction(mu);
+    return sum;
+}
+
+Medium::Medium(const layers::Recipe& recipe, std::span<const double> wavelengths_nm)
+    : lane_count(static_cast<int>(wavelengths_nm.size())),
+      index(recipe.binder.index(wavelengths_nm.front()).real()),
+      substrate_reflectance(sample_spectrum(recipe.substrate_reflectance, wavelengths_nm)) {
+    if (recipe.clearcoat) {
+        Slab slab;
+        slab.thickness_um = recipe.clearcoat->thickness_um;
+        slab.absorption_per_um =
+            kPerMmToPerUm * sample_spectrum(recipe.clearcoat->absorption_per_mm, wavelengths_nm);
+        slabs.push_back(std::move(slab));
+    }
+    for (const layers::Layer& layer : recipe.layers) {
+        Slab slab;
+        slab.thickness_um = layer.thickness_um;
+        for (const layers::FlakeSpecies& species : layer.flakes) {
+            slab.flakes.push_back({species.area_density_per_um(),
+                                   species.orientation.beckmann_alpha,
+                                   FlakeOptics(species, recipe.binder, wavelengths_nm)});
+            slab.flake_rate_per_um += slab.flakes.back().area_density_per_um;
+        }
+        for (const layers::Pigment& pigment : layer.pigments) {
+            slab.pigments.push_back(
+                {kPerMmToPerUm * sample_spectrum(pigment.scattering_per_mm, wavelengths_nm),
+                 pigment.anisotropy});
+            slab.pigment_scattering_per_um += slab.pigments.back().scattering_per_um;
+            slab.absorption_per_um +=
+                kPerMmToPerUm * sample_spectrum(pigment.absorption_per_mm, wavelengths_nm);
+        }
+        slab.pigment_rate_per_um = lane_max(slab.pigment_scattering_per_um);
+        slabs.push_back(std::move(slab));
+    }
+}
+
+}  // namespace nacre::reference

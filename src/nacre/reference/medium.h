@@ -1,0 +1,103 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "nacre/core/lanes.h"
+#include "nacre/layers/recipe.h"
+
+// A recipe as the random walk sees it, for one batch of at most kLanes wavelengths: what a ray may
+// meet in each slab, how often, and what happens then. Everything is derived here from the flakes
+// themselves, not taken from the solver (docs/reference.md). Directions are directions of travel,
+// lengths in um, rates in 1/um.
+
+namespace nacre::reference {
+
+using Direction3 = Eigen::Vector3d;
+
+/// A quantity per wavelength of the batch. Lanes beyond Medium::lane_count hold zeros.
+using Lanes = DoubleLanes;
+
+/// Intervals of the uniform cosine grid on which R and T of a computed platelet are tabulated;
+/// between its nodes they are linear. For 150 nm of TiO2 on 500 nm of mica the interpolated R is
+/// within kPlateletTableError of the transfer matrix at every cosine and wavelength of the visible.
+inline constexpr int kPlateletTableIntervals = 512;
+inline constexpr double kPlateletTableError = 2e-4;
+
+/// Reflectance and transmittance of a flake against the cosine of incidence on it.
+class FlakeOptics {
+ public:
+    FlakeOptics(const layers::FlakeSpecies& species, const optics::Material& binder,
+                std::span<const double> wavelengths_nm);
+
+    /// @param cosine  |w.m| in [0, 1]; rounding above 1 is taken as 1
+    Lanes reflectance(double cosine) const { return interpolate(reflectance_, cosine); }
+    Lanes transmittance(double cosine) const { return interpolate(transmittance_, cosine); }
+
+ private:
+    static Lanes interpolate(const std::vector<Lanes>& table, double cosine);
+
+    std::vector<Lanes> reflectance_, transmittance_;  // one node: the same at every angle
+};
+
+/// Flakes of one kind. Their normals have Gaussian slopes s with density
+/// exp(-|s|^2 / alpha^2) / (pi alpha^2).
+struct Flakes {
+    double area_density_per_um;  ///< c: candidate flakes per um of path, before projection
+    double alpha;
+    FlakeOptics optics;
+
+    /// Scattered power per um of path and sr, from travel direction `in` to `out`, of unit power.
+    ///
+    /// A candidate has its upward normal m with density p(s(m)) / m_z^3 per solid angle; it is in
+    /// the way with probability |in.m|; a mirror of normal m sends light to out = in - 2 (in.m) m,
+    /// and a cone of normals dm to the cone d(out) = 4 |in.m| dm. What remains is
+    /// c p(s) R / (4 m_z^3), m being along out - in. It does not contain in and out other than
+    /// through m and |in.m|: it is reciprocal.
+    Lanes scattering(const Direction3& in, const Direction3& out) const;
+
+    /// What a ray along a direction of cosine mu loses per um, to reflection and absorption:
+    /// c E[(1 - T(|w.m|)) |w.m|] over the slopes, by quadrature in the two slope components.
+    /// Relative error for constant T: kExtinctionRelativeError.
+    Lanes extinction(double mu) const;
+};
+inline constexpr double kExtinctionRelativeError = 2e-8;
+
+/// Particles that scatter by Henyey and Greenstein's phase function.
+struct Pigment {
+    Lanes scattering_per_um;
+    double anisotropy;
+
+    /// [henyey-greenstein-1941, eq. 2], per sr and um of path.
+    Lanes scattering(const Direction3& in, const Direction3& out) const;
+};
+
+/// One homogeneous slab: the clearcoat or a layer.
+struct Slab {
+    double thickness_um = 0;
+    std::vector<Flakes> flakes;
+    std::vector<Pigment> pigments;
+    Lanes absorption_per_um{};          ///< of clearcoat and pigments; flakes absorb by themselves
+    Lanes pigment_scattering_per_um{};  ///< of all pigments
+    double pigment_rate_per_um = 0;     ///< the largest of these lanes: a majorant
+    double flake_rate_per_um = 0;       ///< of all flakes
+
+    double candidate_rate_per_um() const { return flake_rate_per_um + pigment_rate_per_um; }
+    /// Scattered power per um of path and sr of flakes and pigments.
+    Lanes scattering(const Direction3& in, const Direction3& out) const;
+    /// Total extinction along a direction of cosine mu > 0.
+    Lanes extinction(double mu) const;
+};
+
+struct Medium {
+    int lane_count = 0;
+    double index = 1;         ///< of the binder
+    std::vector<Slab> slabs;  ///< from the top down
+    Lanes substrate_reflectance{};
+
+    /// @param wavelengths_nm  1 to kLanes of them, at which the binder's index is the same
+    Medium(const layers::Recipe& recipe, std::span<const double> wavelengths_nm);
+};
+
+}  // namespace nacre::reference
