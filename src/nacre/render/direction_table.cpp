@@ -1,0 +1,139 @@
+#include "nacre/render/direction_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nacre::render {
+namespace {
+
+/// d u d v / d omega of the map to the square.
+float jacobian(Vec3f d) {
+    const float r2 = d.x * d.x + d.y * d.y;
+    const float diamond = std::abs(d.x) + std::abs(d.y);
+    // On the axis itself the azimuth is undefined; its limit along x is as good as any.
+    return r2 > 0 ? 0.125f * r2 / (diamond * diamond) : 0.125f;
+}
+
+/// The cell of a cumulative distribution of `count` cells in which u falls, and how far along it.
+struct Inversion {
+    int cell;
+    float offset;
+};
+Inversion invert(const float* cdf, int count, float u) {
+    const float* above = std::upper_bound(cdf + 1, cdf + count, u);
+    const int cell = static_cast<int>(above - cdf) - 1;
+    const float width = cdf[cell + 1] - cdf[cell];
+    return {cell, width > 0 ? std::clamp((u - cdf[cell]) / width, 0.0f, 1.0f) : 0.5f};
+}
+
+/// Running sums of the weights, normalised to end in exactly 1; uniform where all are zero.
+/// Returns the total.
+double accumulate(const std::vector<double>& weights, float* cdf) {
+    double total = 0;
+    for (double w : weights) total += w;
+    double sum = 0;
+    cdf[0] = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        sum += weights[i];
+        cdf[i + 1] = static_cast<float>(total > 0 ? sum / total : (i + 1.0) / weights.size());
+    }
+    cdf[weights.size()] = 1;
+    return total;
+}
+
+}  // namespace
+
+DirectionTable::DirectionTable(int columns, int rows, const std::function<float(Vec3f)>& brightness)
+    : columns_(columns),
+      rows_(rows),
+      density_(static_cast<std::size_t>(columns) * rows),
+      column_cdf_(static_cast<std::size_t>(columns + 1) * rows),
+      row_cdf_(rows + 1) {
+    constexpr int kSubdivisions = 3;  // squared: evaluations per cell
+    std::vector<double> cell(density_.size()), row_total(rows);
+    double sphere = 0;  // Int brightness d omega, for the mean
+    for (int r = 0; r < rows; ++r) {
+        for (int c = 0; c < columns; ++c) {
+            double sum = 0;
+            for (int k = 0; k < kSubdivisions * kSubdivisions; ++k) {
+                const Vec2f square{(c + (k % kSubdivisions + 0.5f) / kSubdivisions) / columns,
+                                   (r + (k / kSubdivisions + 0.5f) / kSubdivisions) / rows};
+                const Vec3f direction = from_square(square);
+                sum += brightness(direction) / jacobian(direction);
+            }
+            cell[static_cast<std::size_t>(r) * columns + c] = sum;
+            sphere += sum;
+        }
+    }
+    const double cells = static_cast<double>(columns) * rows;
+    constexpr double kPi = 3.14159265358979323846;
+    mean_ = static_cast<float>(sphere / (cells * kSubdivisions * kSubdivisions * 4 * kPi));
+    std::vector<double> weights(columns);
+    for (int r = 0; r < rows; ++r) {
+        std::copy_n(cell.begin() + static_cast<std::ptrdiff_t>(r) * columns, columns,
+                    weights.begin());
+        row_total[r] =
+            accumulate(weights, &column_cdf_[static_cast<std::size_t>(r) * (columns + 1)]);
+    }
+    accumulate(row_total, row_cdf_.data());
+    // The density is that of the rounded distributions, so that samples and pdf agree exactly.
+    for (int r = 0; r < rows; ++r) {
+        const float row = (row_cdf_[r + 1] - row_cdf_[r]) * rows;
+        const float* cdf = &column_cdf_[static_cast<std::size_t>(r) * (columns + 1)];
+        for (int c = 0; c < columns; ++c) {
+            density_[static_cast<std::size_t>(r) * columns + c] =
+                row * (cdf[c + 1] - cdf[c]) * columns;
+        }
+    }
+}
+
+Vec2f DirectionTable::to_square(Vec3f d) {
+    const float sum = std::abs(d.x) + std::abs(d.y);
+    float quarter_turns = 0;  // [0, 4]
+    if (sum > 0) {
+        const float t = d.y / sum;
+        quarter_turns = d.x >= 0 ? (d.y >= 0 ? t : 4 + t) : 2 - t;
+    }
+    return {0.25f * quarter_turns, std::clamp(0.5f * (1 - d.z), 0.0f, 1.0f)};
+}
+
+Vec3f DirectionTable::from_square(Vec2f square) {
+    const float quarter_turns = 4 * square.x;
+    const int quadrant = std::min(static_cast<int>(quarter_turns), 3);
+    const float t = quarter_turns - static_cast<float>(quadrant);
+    const float norm = 1 / std::sqrt(t * t + (1 - t) * (1 - t));
+    const float a = (1 - t) * norm;  // along the quadrant's first axis
+    const float b = t * norm;
+    const float z = 1 - 2 * square.y;
+    const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+    switch (quadrant) {
+        case 0:
+            return {r * a, r * b, z};
+        case 1:
+            return {-r * b, r * a, z};
+        case 2:
+            return {-r * a, -r * b, z};
+        default:
+            return {r * b, -r * a, z};
+    }
+}
+
+DirectionSample DirectionTable::sample(Vec2f u) const {
+    const Inversion row = invert(row_cdf_.data(), rows_, u.y);
+    const Inversion column =
+        invert(&column_cdf_[static_cast<std::size_t>(row.cell) * (columns_ + 1)], columns_, u.x);
+    const Vec3f direction =
+        from_square({(static_cast<float>(column.cell) + column.offset) / columns_,
+                     (static_cast<float>(row.cell) + row.offset) / rows_});
+    const float density = density_[static_cast<std::size_t>(row.cell) * columns_ + column.cell];
+    return {direction, density * jacobian(direction)};
+}
+
+float DirectionTable::pdf(Vec3f direction) const {
+    const Vec2f square = to_square(direction);
+    const int c = std::min(static_cast<int>(square.x * columns_), columns_ - 1);
+    const int r = std::min(static_cast<int>(square.y * rows_), rows_ - 1);
+    return density_[static_cast<std::size_t>(r) * columns_ + c] * jacobian(direction);
+}
+
+}  // namespace nacre::render

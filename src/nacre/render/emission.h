@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/core/lanes.h"
+#include "nacre/spectra/colour.h"
+#include "nacre/spectra/spectrum.h"
+
+// Spectra of light. Whatever shines in a scene shines in a linear combination of a few basis
+// spectra with coefficients that depend on direction alone, so a pass evaluates each of them once
+// at its eight wavelengths, and a look-up into a sky or a picture costs three multiplications.
+
+namespace nacre::render {
+
+/// The basis spectra of one scene.
+class EmissionBasis {
+ public:
+    /// Index of the spectrum; adds it if it is new.
+    int add(const spectra::Spectrum& spectrum);
+    int size() const { return static_cast<int>(spectra_.size()); }
+    const spectra::Spectrum& operator[](int i) const { return spectra_[i]; }
+    /// Every spectrum at the wavelengths of a pass.
+    std::vector<FloatLanes> at(const bsdf::Wavelengths& wavelengths_nm) const;
+
+ private:
+    std::vector<spectra::Spectrum> spectra_;
+};
+
+/// An illuminant scaled to luminance 1 on the film.
+spectra::Spectrum unit_illuminant(spectra::Illuminant illuminant);
+
+/// Three smooth spectra whose combination R, G, B has, as light, the colour R, G, B in linear
+/// Rec. 709: the reflectances of the three primaries under D65. Non-negative, so that any picture
+/// without negative values gives light that is nowhere negative.
+std::vector<spectra::Spectrum> rec709_light_basis();
+
+/// The basis S0, S1, S2 of the phases of daylight.              [cie-15-2018, table T.2 (10 nm)]
+std::vector<spectra::Spectrum> daylight_basis();
+
+}  // namespace nacre::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "nacre/core/lanes.h"
+#include "nacre/core/vec.h"
+#include "nacre/render/emission.h"
+#include "nacre/render/scene_description.h"
+
+namespace nacre::render {
+
+/// Light from infinity as a function of direction, ready for look-ups.
+class EnvironmentRadiance {
+ public:
+    virtual ~EnvironmentRadiance() = default;
+    /// Spectral radiance arriving from the unit vector `direction`. `basis` is
+    /// EmissionBasis::at() of the basis that compile_environment() filled.
+    virtual FloatLanes radiance(Vec3f direction, const FloatLanes* basis) const = 0;
+    /// Its luminance, the brightness that guides sampling.
+    virtual float luminance(Vec3f direction) const = 0;
+};
+
+/// A disk of constant radiance at infinity: the sun.
+struct DistantDisk {
+    Vec3f direction;
+    float cos_radius = 1;
+    float radiance = 0;  ///< times the basis spectrum
+    int spectrum = 0;    ///< in the EmissionBasis
+    double luminance = 0;
+};
+
+struct CompiledEnvironment {
+    std::unique_ptr<const EnvironmentRadiance> radiance;
+    std::optional<DistantDisk> sun;
+    int table_columns = 1, table_rows = 1;  ///< resolution worth sampling it with
+};
+
+CompiledEnvironment compile_environment(const Environment& description, EmissionBasis& basis);
+
+/// Unit vector of an azimuth from +x towards +y and an elevation from the horizon to +z.
+Vec3f direction_from_angles(double azimuth_deg, double elevation_deg);
+
+}  // namespace nacre::render
