@@ -1,9 +1,9 @@
 #include "nacre/io/recipe_file.h"
 
+#include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
 #include "nacre/io/spectrum_reader.h"
 #include "nacre/io/table_reader.h"
-#include "nacre/io/text_file.h"
 #include "nacre/layers/recipe_limits.h"
 
 namespace nacre::io {

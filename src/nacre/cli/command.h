@@ -1,0 +1,40 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <stdexcept>
+
+// One file per command. Each adds its options to the program and hands back what to run once the
+// command line has been read.
+
+namespace nacre::cli {
+
+/// What the shell is told.
+enum class ExitStatus {
+    ok = 0,
+    usage = 1,              ///< the command line is wrong
+    bad_input = 2,          ///< a file, or a value in it, is wrong
+    failure = 3,            ///< something failed while running
+    comparison_failed = 4,  ///< pictures differ by more than was allowed
+};
+
+/// The command line is wrong in a way that only the command itself can see.
+class UsageError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Command {
+    CLI::App* options = nullptr;
+    std::function<ExitStatus()> run;
+};
+
+Command add_film(CLI::App& program);
+Command add_solve(CLI::App& program);
+Command add_eval(CLI::App& program);
+Command add_reference(CLI::App& program);
+Command add_render(CLI::App& program);
+Command add_diff(CLI::App& program);
+Command add_info(CLI::App& program);
+
+}  // namespace nacre::cli

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Pictures of linear light. Pixels are row-major from the top left; R, G, B are linear Rec. 709,
+// where 1 is the perfect diffuser in full light.
+
+namespace nacre::io {
+
+struct Channel {
+    std::string name;  ///< "R", "albedo.R", "S0.550,000000nm"; the part up to the dot is its layer
+    std::vector<float> pixels;
+
+    friend bool operator==(const Channel&, const Channel&) = default;
+};
+
+struct Image {
+    int width = 0, height = 0;
+    std::vector<Channel> channels;
+    std::map<std::string, std::string> metadata;  ///< kept by EXR and PNG
+
+    std::size_t pixel_count() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+    /// The channel of that name, or null.
+    const Channel* find(std::string_view name) const;
+
+    friend bool operator==(const Image&, const Image&) = default;
+};
+
+inline constexpr int kMostPixelsPerSide = 32768;
+inline constexpr std::size_t kMostChannels = 1024;
+/// Pixels times channels that a file may unfold to: 2 GB.
+inline constexpr std::size_t kMostImageValues = std::size_t{1} << 29;
+
+/// Reads OpenEXR (the first part, scan lines or tiles, every channel), Radiance HDR (RGBE) or PNG
+/// (8 and 16 bit, decoded from sRGB; transparency is laid over black), whichever the contents are.
+///
+/// @throws InputError if the file is none of these, is cut short or damaged, or unfolds to more
+///         than `most_values` values
+Image read_image(const std::filesystem::path& path, std::size_t most_values = kMostImageValues);
+/// The same from the bytes of a file; `name` is for messages.
+Image parse_image(std::string_view bytes, const std::string& name,
+                  std::size_t most_values = kMostImageValues);
+
+/// Whether the bytes start like a picture that parse_image() reads.
+bool looks_like_image(std::string_view bytes);
+
+/// R, G and B interleaved, three values a pixel; a picture of the one channel Y is taken as gray.
+/// @throws InputError naming `name` if the picture has neither
+std::vector<float> interleaved_rgb(const Image& image, const std::string& name);
+
+/// Writes every channel in 32 bits with lossless compression, and the metadata as text
+/// attributes; whole or not at all.
+/// @throws DomainError if channel sizes do not fit the picture
+/// @throws Error if the file cannot be written
+void write_exr(const std::filesystem::path& path, const Image& image);
+
+/// How linear light becomes eight bits (tone_map.h).
+struct ToneMap {
+    double exposure_stops = 0;  ///< light is first multiplied by 2 to this power
+};
+
+/// Writes R, G and B, tone-mapped to sRGB, and the metadata as text chunks; whole or not at all.
+/// Errors as for write_exr() and interleaved_rgb().
+void write_png(const std::filesystem::path& path, const Image& image, const ToneMap& tone_map = {});
+
+/// Name of the channel of a spectral radiance at a wavelength, as in "S0.550,000000nm".
+///                                                                   [fichet-2021, section 3]
+std::string spectral_channel_name(double wavelength_nm);
+
+}  // namespace nacre::io

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+#include <png.h>
+
+#include <array>
+#include <cmath>
+#include <csetjmp>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+
+#include "nacre/core/atomic_file.h"
+#include "nacre/core/error.h"
+#include "nacre/io/image_formats.h"
+#include "nacre/io/tone_map.h"
+#include "nacre/spectra/colour.h"
+
+namespace nacre::io {
+
+namespace {
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+
+std::uint32_t big_endian(std::string_view bytes) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<std::uint8_t>(bytes[i]);
+    return value;
+}
+
+/// The uncompressed text chunks: length, "tEXt", keyword, 0, text, checksum.
+std::map<std::string, std::string> text_chunks(std::string_view bytes) {
+    std::map<std::string, std::string> texts;
+    bytes.remove_prefix(kSignature.size());
+    while (bytes.size() >= 12) {
+        const std::size_t length = big_endian(bytes);
+        if (length > bytes.size() - 12) break;
+        const std::string_view data = bytes.substr(8, length);
+        const std::size_t zero = data.find('\0');
+        if (bytes.substr(4, 4) == "tEXt" && zero != std::string_view::npos) {
+            texts[std::string(data.substr(0, zero))] = data.substr(zero + 1);
+        }
+        bytes.remove_prefix(length + 12);
+    }
+    return texts;
+}
+
+/// Everything a PNG writer holds, so that it is released on every way out.
+struct PngWriter {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::string bytes;
+    std::string complaint;
+
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
+};
+
+// libpng is C: it must not see an exception. An error is kept, and a long jump ends the work.
+void on_error(png_structp png, png_const_charp message) {
+    static_cast<PngWriter*>(png_get_error_ptr(png))->complaint = message;
+    png_longjmp(png, 1);
+}
+void on_warning(png_structp, png_const_charp) {}
+void on_write(png_structp png, png_bytep data, std::size_t count) {
+    try {
+        static_cast<PngWriter*>(png_get_io_ptr(png))
+            ->bytes.append(reinterpret_cast<const char*>(data), count);
+    } catch (const std::bad_alloc&) {
+        png_error(png, "out of memory");
+    }
+}
+void on_flush(png_structp) {}
+
+/// Encodes; between setjmp and the end only C functions run and no object is made, as a long jump
+/// past a destructor is undefined.
+bool encode(PngWriter& writer, std::uint32_t width, std::uint32_t height, png_textp texts,
+            int text_count, const std::uint8_t* pixels) {
+    if (setjmp(png_jmpbuf(writer.png))) return false;
+    png_set_write_fn(writer.png, &writer, on_write, on_flush);
+    png_set_IHDR(writer.png, writer.info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (text_count > 0) png_set_text(writer.png, writer.info, texts, text_count);
+    png_write_info(writer.png, writer.info);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        png_write_row(writer.png, pixels + static_cast<std::size_t>(3) * width * y);
+    }
+    png_write_end(writer.png, writer.info);
+    return true;
+}
+
+/// Keeps what PNG allows in a keyword: up to 79 printable characters.
+std::string keyword(const std::string& text) {
+    std::string out = text.substr(0, 79);
+    for (char& c : out) {
+        if (static_cast<unsigned char>(c) < 33 || static_cast<unsigned char>(c) > 126) c = '_';
+    }
+    return out.empty() ? "_" : out;
+}
+
+std::string png_bytes(const std::vector<std::uint8_t>& pixels, int width, int height,
+                      const std::map<std::string, std::string>& metadata) {
+    PngWriter writer;
+    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);
+    if (writer.png) writer.info = png_create_info_struct(writer.png);
+    if (!writer.info) throw Error("cannot start libpng");
+
+    std::vector<std::pair<std::string, std::string>> owned;
+    for (const auto& [key, value] : metadata) owned.emplace_back(keyword(key), value);
+    std::vector<png_text> texts(owned.size());
+    for (std::size_t i = 0; i < owned.size(); ++i) {
+        texts[i].compression = PNG_TEXT_COMPRESSION_NONE;
+        texts[i].key = owned[i].first.data();
+        texts[i].text = owned[i].second.data();
+        texts[i].text_length = owned[i].second.size();
+    }
+    if (!encode(writer, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                texts.data(), static_cast<int>(texts.size()), pixels.data())) {
+        throw Error(fmt::format("cannot encode a PNG: {}", writer.complaint));
+    }
+    return std::move(writer.bytes);
+}
+
+const std::array<float, 256>& decoded_bytes() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> t{};
+        for (int i = 0; i < 256; ++i) t[i] = static_cast<float>(spectra::srgb_decode(i / 255.0));
+        return t;
+    }();
+    return table;
+}
+
+}  // namespace
+
+bool looks_like_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
+
+Image parse_png(std::string_view bytes, const std::string& name, std::size_t most_values) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    const std::unique_ptr<png_image, void (*)(png_image*)> guard(&png, png_image_free);
+    const auto fail = [&] {
+        throw InputError(fmt::format("{}: damaged PNG: {}", name, png.message));
+    };
+    if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) fail();
+    Image image = blank_image(name, png.width, png.height, {"R", "G", "B"}, most_values);
+    image.metadata = text_chunks(bytes);
+    const std::size_t values = 3 * image.pixel_count();
+    const auto store = [&](const auto& pixels, auto&& decode) {
+        for (std::size_t i = 0; i < values; ++i) {
+            image.channels[i % 3].pixels[i / 3] = decode(pixels[i]);
+        }
+    };
+    // Files of 16 bits keep their depth. What is transparent is laid over the zeros in the buffer.
+    if (png.format & PNG_FORMAT_FLAG_LINEAR) {
+        png.format = PNG_FORMAT_LINEAR_RGB;
+        std::vector<std::uint16_t> pixels(values);
+        if (!png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr)) fail();
+        store(pixels, [](std::uint16_t v) { return static_cast<float>(v) / 65535.0f; });
+    } else {
+        png.format = PNG_FORMAT_RGB;
+        std::vector<std::uint8_t> pixels(values);
+        if (!png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr)) fail();
+        store(pixels, [](std::uint8_t v) { return decoded_bytes()[v]; });
+    }
+    return image;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, const ToneMap& tone_map) {
+    const std::vector<float> rgb = interleaved_rgb(image, path.string());
+    const double scale = std::exp2(tone_map.exposure_stops);
+    std::vector<std::uint8_t> pixels(rgb.size());
+    for (std::size_t i = 0; i < rgb.size(); ++i) pixels[i] = display_byte(rgb[i], scale);
+    write_file_atomically(path, png_bytes(pixels, image.width, image.height, image.metadata));
+}
+
+}  // namespace nacre::io

@@ -1,0 +1,361 @@
+#include "nacre/io/recipe_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "nacre/core/error.h"
+#include "nacre/io/table_reader.h"
+
+namespace nacre::io {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+// The recipe of docs/recipe.md, every table once.
+const std::string kViolet = R"(name = "Violet pearl"
+ior = 1.5
+
+[clearcoat]
+thickness_um = 45
+absorption_per_mm = { wavelengths_nm = [400, 700], values = [0.2, 0.0] }
+roughness = 0.0
+
+[[layer]]
+thickness_um = 15
+
+[[layer.flakes]]
+name = "TiO2 on mica"
+volume_fraction = 0.03
+diameter_um = 18
+diameter_spread_um = 6
+orientation = { distribution = "beckmann", alpha = 0.1 }
+core  = { material = "mica", thickness_nm = 500, spread_nm = 60 }
+coats = [ { material = "TiO2_anatase", thickness_nm = 80, spread_nm = 5, distribution = "uniform" } ]
+
+[[layer.pigment]]
+scattering_per_mm = 200.0
+absorption_per_mm = 50.0
+anisotropy = 0.2
+
+[substrate]
+reflectance = 0.05
+)";
+
+const std::string kGray = R"(ior = 1.5
+[[layer]]
+thickness_um = 15
+[[layer.flakes]]
+area_density_per_um = 0.1
+orientation = { distribution = "beckmann", alpha = 0.1 }
+reflectance = 0.6
+transmittance = 0.3
+thickness_um = 0.3
+)";
+
+const std::string kMicrofacet = R"(ior = 1.5
+[microfacet]
+alpha = 0.07
+film_ior = 1.8
+film_thickness_nm = 158.333
+base_ior = 1.08
+base_extinction = 0.51
+[microfacet.facets]
+count = 10_000_000
+cone_deg = 3.0
+thickness_spread_nm = 10.0
+)";
+
+layers::Recipe parse(const std::string& text) { return parse_recipe(text, "paint.toml", ""); }
+
+std::string error_of(const std::string& text) {
+    try {
+        parse(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << "the test looks for text that is not there: " << from;
+    return text.replace(at, from.size(), to);
+}
+
+TEST(RecipeFile, ReadsEveryKeyWithItsUnit) {
+    const layers::Recipe recipe = parse(kViolet);
+    EXPECT_EQ(recipe.name, "Violet pearl");
+    EXPECT_EQ(recipe.binder.index(550), 1.5);
+    ASSERT_TRUE(recipe.clearcoat);
+    EXPECT_EQ(recipe.clearcoat->thickness_um, 45);
+    EXPECT_DOUBLE_EQ(recipe.clearcoat->absorption_per_mm(550), 0.1);
+    ASSERT_EQ(recipe.layers.size(), 1u);
+    const layers::Layer& layer = recipe.layers[0];
+    EXPECT_EQ(layer.thickness_um, 15);
+    ASSERT_EQ(layer.flakes.size(), 1u);
+    const layers::FlakeSpecies& flakes = layer.flakes[0];
+    EXPECT_EQ(flakes.name, "TiO2 on mica");
+    EXPECT_EQ(std::get<layers::VolumeFraction>(flakes.amount).value, 0.03);
+    EXPECT_EQ(flakes.diameter_um, 18);
+    EXPECT_EQ(flakes.diameter_spread_um, 6);
+    EXPECT_EQ(flakes.orientation.beckmann_alpha, 0.1);
+    const auto& platelet = std::get<optics::Platelet>(flakes.body);
+    EXPECT_EQ(platelet.core.material.name(), "mica");
+    EXPECT_EQ(platelet.core.thickness_nm, 500);
+    EXPECT_EQ(platelet.core.spread.standard_deviation_nm, 60);
+    EXPECT_EQ(platelet.core.spread.law, optics::ThicknessSpread::Law::normal);
+    ASSERT_EQ(platelet.coats.size(), 1u);
+    EXPECT_EQ(platelet.coats[0].thickness_nm, 80);
+    EXPECT_EQ(platelet.coats[0].spread.law, optics::ThicknessSpread::Law::uniform);
+    ASSERT_EQ(layer.pigments.size(), 1u);
+    EXPECT_EQ(layer.pigments[0].scattering_per_mm(550), 200);
+    EXPECT_EQ(layer.pigments[0].absorption_per_mm(550), 50);
+    EXPECT_EQ(layer.pigments[0].anisotropy, 0.2);
+    EXPECT_EQ(recipe.substrate_reflectance(550), 0.05);
+    EXPECT_FALSE(recipe.microfacet);
+}
+
+TEST(RecipeFile, ReadsTheMicrofacetTables) {
+    const layers::Recipe recipe = parse(kMicrofacet);
+    ASSERT_TRUE(recipe.microfacet);
+    EXPECT_EQ(recipe.microfacet->film_thickness_nm, 158.333);
+    ASSERT_TRUE(recipe.microfacet->facets);
+    EXPECT_EQ(recipe.microfacet->facets->count, 1e7);
+    EXPECT_TRUE(recipe.layers.empty());
+}
+
+TEST(RecipeFile, AReflectanceMayBeANumberAColourOrASpectrum) {
+    const auto reflectance = [](const std::string& value) {
+        const layers::Recipe recipe =
+            parse(replaced(replaced(kGray, "transmittance = 0.3\n", ""), "= 0.6", "= " + value));
+        return std::get<layers::PrescribedFlake>(recipe.layers[0].flakes[0].body).reflectance;
+    };
+    EXPECT_EQ(reflectance("0.25")(500), 0.25);
+    EXPECT_DOUBLE_EQ(reflectance("{ wavelengths_nm = [400, 500], values = [0.2, 0.4] }")(450), 0.3);
+    const spectra::Spectrum red = reflectance("[0.89, 0.0, 0.13]");
+    EXPECT_GT(red(650), 0.5);
+    EXPECT_LT(red(540), 0.2);
+}
+
+TEST(RecipeFile, WritingAndReadingGivesTheSameRecipe) {
+    for (const std::string& text : {kViolet, kGray, kMicrofacet}) {
+        const layers::Recipe recipe = parse(text);
+        const std::string written = write_recipe(recipe);
+        EXPECT_EQ(parse(written), recipe) << written;
+        EXPECT_EQ(write_recipe(parse(written)), written);
+    }
+}
+
+TEST(RecipeFile, AWrittenRecipeCarriesMaterialsOfTheUsersOwn) {
+    layers::Recipe recipe = parse(kViolet);
+    auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
+    platelet.core.material = optics::Material("my \"glass\"\n", {400, 550.5, 700},
+                                              {{1.6, 0.0}, {1.55, 0.01}, {1.5, 0.1}}, "measured");
+    platelet.coats[0].material = optics::Material("metal", optics::ComplexIndex(3.18, 3.33));
+    recipe.binder = optics::Material(1.0 / 3.0 + 1);  // needs every digit
+    EXPECT_EQ(parse(write_recipe(recipe)), recipe);
+}
+
+TEST(RecipeFile, HashDependsOnMeaningNotOnLayout) {
+    const layers::Recipe recipe = parse(kViolet);
+    EXPECT_EQ(recipe_hash(parse("# a comment\n" + kViolet)), recipe_hash(recipe));
+    EXPECT_NE(recipe_hash(parse(replaced(kViolet, "alpha = 0.1", "alpha = 0.11"))),
+              recipe_hash(recipe));
+    EXPECT_EQ(recipe_hash(recipe).size(), 64u);
+}
+
+struct BadRecipe {
+    const std::string* base;
+    const char* from;      // in the base, replaced by
+    const char* to;        // what is wrong
+    const char* place;     // line:column of what is wrong
+    const char* key;       // with its value where it has one
+    const char* expected;  // what would be allowed
+};
+
+class BadRecipes : public ::testing::TestWithParam<BadRecipe> {};
+
+TEST_P(BadRecipes, AreRefusedNamingPlaceKeyValueAndRange) {
+    const BadRecipe& bad = GetParam();
+    const std::string message = error_of(replaced(*bad.base, bad.from, bad.to));
+    EXPECT_THAT(message, HasSubstr(std::string("paint.toml:") + bad.place + ": "));
+    EXPECT_THAT(message, AllOf(HasSubstr(bad.key), HasSubstr(bad.expected)));
+    EXPECT_LT(message.size(), 600u);
+}
+
+const BadRecipe kBadRecipes[] = {
+    // not TOML
+    {&kViolet, "ior = 1.5", "ior = ", "2:", "", ""},
+    {&kViolet, "ior = 1.5", "ior = 1.5\nior = 1.6", "3:", "ior", ""},
+    {&kViolet, "name = \"Violet", "name = \"\xff", "1:", "", ""},
+    // unknown keys
+    {&kViolet, "ior", "iro", "2:1", "iro = 1.5", "did you mean 'ior'?"},
+    {&kViolet, "thickness_um = 15", "thickness = 15", "10:1", "layer[0].thickness = 15",
+     "did you mean 'thickness_um'?"},
+    {&kViolet, "thickness_um = 15", "thickness_mm = 15", "10:1", "layer[0].thickness_mm",
+     "did you mean 'thickness_um'?"},
+    {&kViolet, "alpha = 0.1", "apha = 0.1", "17:43", "layer[0].flakes[0].orientation.apha",
+     "did you mean 'alpha'?"},
+    {&kViolet, "[substrate]", "[subtrate]", "26:2", "subtrate = {...}",
+     "did you mean 'substrate'?"},
+    {&kViolet, "anisotropy", "colour", "24:1", "layer[0].pigment[0].colour = 0.2",
+     "allowed here: scattering_per_mm, absorption_per_mm, anisotropy"},
+    {&kMicrofacet, "cone_deg", "cone", "10:1", "microfacet.facets.cone = 3",
+     "did you mean 'cone_deg'?"},
+    // missing keys
+    {&kViolet, "ior = 1.5", "", "1:1", "ior", "is missing"},
+    {&kViolet, "thickness_um = 15", "", "9:1", "layer[0].thickness_um",
+     "is missing; it must be a number in (0, 1000000] um"},
+    {&kViolet, "volume_fraction = 0.03", "", "12:1", "layer[0].flakes[0].volume_fraction",
+     "(0, 1], or area_density_per_um in (0, 1000000] 1/um"},
+    {&kViolet, ", alpha = 0.1", "", "17:15", "layer[0].flakes[0].orientation.alpha", "[0.005, 1]"},
+    {&kViolet, "distribution = \"beckmann\", ", "", "17:15",
+     "layer[0].flakes[0].orientation.distribution", "one of: beckmann"},
+    {&kViolet, "thickness_nm = 500, ", "", "18:", "layer[0].flakes[0].core.thickness_nm",
+     "(0, 100000] nm"},
+    {&kViolet, "material = \"mica\", ", "", "18:", "layer[0].flakes[0].core.material",
+     "is missing"},
+    {&kViolet, "reflectance = 0.05", "", "26:1", "substrate.reflectance", "[0, 1]"},
+    {&kGray, "reflectance = 0.6\ntransmittance = 0.3\nthickness_um = 0.3\n", "", "4:1",
+     "layer[0].flakes[0].core", "is missing"},
+    {&kMicrofacet, "alpha = 0.07", "", "2:1", "microfacet.alpha", "(0, 1]"},
+    // wrong types
+    {&kViolet, "ior = 1.5", "ior = true", "2:7", "ior = true", "[1, 3]"},
+    {&kViolet, "name = \"Violet pearl\"", "name = 3", "1:8", "name = 3", "must be text"},
+    {&kViolet, "thickness_um = 15", "thickness_um = \"15\"", "10:16",
+     "layer[0].thickness_um = '15'", "must be a number in (0, 1000000] um"},
+    {&kViolet, "thickness_um = 15", "thickness_um = [15]", "10:16",
+     "layer[0].thickness_um = [...] (1 entries)", "must be a number"},
+    {&kViolet, "thickness_um = 15", "thickness_um = 1979-05-27", "10:16",
+     "layer[0].thickness_um = 1979-05-27", "must be a number"},
+    {&kViolet, "[clearcoat]", "[[clearcoat]]", "4:1", "clearcoat = [...]", "must be a table"},
+    {&kGray, "[[layer]]", "[layer]", "2:1", "layer = {...}", "must be a list of 1 to 64 tables"},
+    {&kViolet, "{ distribution = \"beckmann\", alpha = 0.1 }", "\"flat\"", "17:15",
+     "layer[0].flakes[0].orientation = 'flat'", "must be a table"},
+    {&kViolet, "\"beckmann\"", "\"ggx\"", "17:32",
+     "layer[0].flakes[0].orientation.distribution = 'ggx'", "must be one of: beckmann"},
+    {&kViolet, "\"uniform\"", "\"flat\"",
+     "19:", "layer[0].flakes[0].coats[0].distribution = 'flat'", "one of: normal, uniform"},
+    {&kViolet, "coats = [ {", "coats = [ 3, {", "19:11", "layer[0].flakes[0].coats[0] = 3",
+     "must be a table"},
+    {&kGray, "reflectance = 0.6", "reflectance = [0.6, 0.6]", "7:15",
+     "layer[0].flakes[0].reflectance = [...]", "3 numbers in [0, 1]"},
+    {&kGray, "reflectance = 0.6", "reflectance = [0.6, 1.6, 0.6]", "7:21",
+     "layer[0].flakes[0].reflectance[1] = 1.6", "[0, 1]"},
+    // numbers out of range
+    {&kViolet, "ior = 1.5", "ior = 0.5", "2:7", "ior = 0.5", "[1, 3]"},
+    {&kViolet, "thickness_um = 15", "thickness_um = -3", "10:16", "layer[0].thickness_um = -3",
+     "(0, 1000000] um"},
+    {&kViolet, "thickness_um = 15", "thickness_um = nan", "10:16", "layer[0].thickness_um = nan",
+     "(0, 1000000] um"},
+    {&kViolet, "thickness_um = 15", "thickness_um = inf", "10:16", "layer[0].thickness_um = inf",
+     "(0, 1000000] um"},
+    {&kViolet, "thickness_um = 15", "thickness_um = 1e300", "10:16",
+     "layer[0].thickness_um = 1e+300", "(0, 1000000] um"},
+    {&kViolet, "thickness_um = 45", "thickness_um = -1", "5:16", "clearcoat.thickness_um = -1",
+     "[0, 1000000] um"},
+    {&kViolet, "roughness = 0.0", "roughness = 1.5", "7:13", "clearcoat.roughness = 1.5", "[0, 1]"},
+    {&kViolet, "values = [0.2, 0.0]", "values = [0.2, -0.1]",
+     "6:", "clearcoat.absorption_per_mm.values[1] = -0.1", "[0, 1000000000] 1/mm"},
+    {&kViolet, "values = [0.2, 0.0]", "values = [0.2]",
+     "6:", "clearcoat.absorption_per_mm.values = [...]", "as many entries as wavelengths_nm, 2"},
+    {&kViolet, "[400, 700]", "[700, 400]", "6:", "clearcoat.absorption_per_mm.wavelengths_nm",
+     "must increase, but 400 nm follows 700 nm"},
+    {&kViolet, "[400, 700]", "[]", "6:", "clearcoat.absorption_per_mm.wavelengths_nm = []",
+     "1 to 10000 numbers in [1, 1000000] nm"},
+    {&kViolet, "volume_fraction = 0.03", "volume_fraction = 3", "14:19",
+     "layer[0].flakes[0].volume_fraction = 3", "(0, 1]"},
+    {&kViolet, "diameter_um = 18", "diameter_um = 0", "15:15", "layer[0].flakes[0].diameter_um = 0",
+     "(0, 10000] um"},
+    {&kViolet, "alpha = 0.1", "alpha = 0", "17:51", "layer[0].flakes[0].orientation.alpha = 0",
+     "[0.005, 1]"},
+    {&kViolet, "spread_nm = 60", "spread_nm = -60",
+     "18:", "layer[0].flakes[0].core.spread_nm = -60", "[0, 100000] nm"},
+    {&kViolet, "anisotropy = 0.2", "anisotropy = 1", "24:14", "layer[0].pigment[0].anisotropy = 1",
+     "(-1, 1)"},
+    {&kViolet, "reflectance = 0.05", "reflectance = 1.05", "27:15", "substrate.reflectance = 1.05",
+     "[0, 1]"},
+    {&kGray, "area_density_per_um = 0.1", "area_density_per_um = 0", "5:23",
+     "layer[0].flakes[0].area_density_per_um = 0", "(0, 1000000] 1/um"},
+    {&kMicrofacet, "10_000_000", "0.5", "9:9", "microfacet.facets.count = 0.5", "[1, 1e+15]"},
+    {&kMicrofacet, "film_ior = 1.8", "film_ior = -1.8", "4:12", "microfacet.film_ior = -1.8",
+     "(0, 10]"},
+    // what does not go together
+    {&kGray, "transmittance = 0.3", "transmittance = 0.5", "8:17",
+     "layer[0].flakes[0].transmittance = 0.5", "reflectance + transmittance = 1.1"},
+    {&kViolet, "volume_fraction = 0.03", "volume_fraction = 0.03\narea_density_per_um = 0.1",
+     "15:23", "layer[0].flakes[0].area_density_per_um = 0.1", "not both"},
+    {&kViolet, "core  =", "reflectance = 0.5\ncore =", "18:15",
+     "layer[0].flakes[0].reflectance = 0.5", "not both"},
+    {&kViolet, "core  =", "thickness_um = 0.5\ncore =", "18:16",
+     "layer[0].flakes[0].thickness_um = 0.5", "goes with reflectance"},
+    {&kGray, "thickness_um = 0.3", "coats = []", "9:9", "layer[0].flakes[0].coats = []",
+     "go with a core"},
+    {&kGray, "area_density_per_um = 0.1",
+     "volume_fraction = 0.9\norientation = { distribution = "
+     "\"beckmann\", alpha = 0.1 }\nreflectance = 0.5\nthickness_um = 0.3\n[[layer.flakes]]\n"
+     "volume_fraction = 0.2",
+     "10:19", "layer[0].flakes[1].volume_fraction = 0.2", "at most 1"},
+    // materials
+    {&kViolet, "\"mica\"", "\"unobtainium\"",
+     "18:", "layer[0].flakes[0].core.material = 'unobtainium'", "mica"},
+    {&kViolet, "\"mica\"", "\"nowhere/glass.csv\"", "18:", "layer[0].flakes[0].core.material",
+     "nowhere/glass.csv"},
+    {&kViolet, "ior = 1.5", "ior = \"Al\"", "2:7", "ior", "must be"},
+    {&kViolet, "\"mica\"", "{ n = [1.5, 1.6] }", "18:", "layer[0].flakes[0].core.material.n",
+     "1 numbers"},
+    {&kViolet, "\"mica\"", "{ n = [-1.5] }", "18:", "layer[0].flakes[0].core.material.n[0] = -1.5",
+     "(0, 100]"},
+    // sizes
+    {&kViolet, "name = \"Violet",
+     "name = \"VioletVioletVioletVioletVioletVioletVioletVioletViolet"
+     "VioletVioletVioletVioletVioletVioletVioletVioletVioletVioletVioletVioletVioletVioletViolet"
+     "VioletVioletVioletVioletVioletVioletVioletVioletVioletVioletViolet",
+     "1:8", "name = 'Violet", "at most 200 characters"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Matrix, BadRecipes, ::testing::ValuesIn(kBadRecipes));
+
+TEST(RecipeFile, RefusesAnEmptyListOfLayers) {
+    EXPECT_THAT(error_of("ior = 1.5\n"), HasSubstr("paint.toml:1:1: layer: is missing"));
+    EXPECT_THAT(error_of("ior = 1.5\nlayer = []\n"),
+                HasSubstr("paint.toml:2:9: layer = []: must be a list of 1 to 64 tables"));
+    EXPECT_THAT(error_of(""), HasSubstr("is missing"));
+}
+
+TEST(RecipeFile, RefusesAbsurdSizes) {
+    std::string many = "ior = 1.5\n";
+    for (int i = 0; i < 65; ++i) many += "[[layer]]\nthickness_um = 1\n";
+    EXPECT_THAT(error_of(many), HasSubstr("layer = [...] (65 entries): must be a list of 1 to 64"));
+    EXPECT_THAT(error_of(std::string(kMostTextBytes + 1, '\n')),
+                HasSubstr("at most 1048576 are allowed"));
+    EXPECT_THAT(error_of("a = " + std::string(100000, '[')), HasSubstr("paint.toml:1:"));
+}
+
+TEST(RecipeFile, NamesAFileThatIsNotThere) {
+    try {
+        read_recipe("no/such/paint.toml");
+        FAIL() << "read a file that does not exist";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "no/such/paint.toml: no such file");
+    }
+}
+
+TEST(RecipeFile, LooksForMaterialsBesideTheRecipe) {
+    const std::filesystem::path folder =
+        std::filesystem::path(::testing::TempDir()) / "nacre_recipe_file_test";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "glass.csv") << "wavelength_nm,n,k\n400,1.6,0\n700,1.5,0\n";
+    std::ofstream(folder / "paint.toml") << replaced(kViolet, "\"mica\"", "\"glass.csv\"");
+    const layers::Recipe recipe = read_recipe(folder / "paint.toml");
+    std::filesystem::remove_all(folder);
+    const auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
+    EXPECT_DOUBLE_EQ(platelet.core.material.index(550).real(), 1.55);
+}
+
+}  // namespace
+}  // namespace nacre::io

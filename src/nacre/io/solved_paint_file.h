@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "nacre/layers/solved_paint.h"
+
+// Solved paints as HDF5. The file describes itself: every group and array has its meaning and unit
+// as an attribute; h5dump, h5py, Julia and MATLAB open it.
+//
+//   (user block)             512 bytes of text: what this is, version, size and SHA-256 of the rest
+//   /                        attributes: format, format_version, nacre_version, recipe_sha256
+//   /recipe                  the recipe as TOML, complete in itself
+//   /wavelengths_nm          [w]
+//   /settings, /report       attributes: SolverSettings and SolverReport
+//   /remainder/exit_angle    [i], rad
+//   /remainder/first         [l]
+//   /remainder/basis         [k][w]
+//   /remainder/coefficient   [k][pair], 1/sr
+//
+// The single scattering and everything else is worked out from the recipe when the file is read.
+// The checksum is verified before HDF5 sees a byte: its library is not made for damaged files.
+
+namespace nacre::io {
+
+inline constexpr int kSolvedPaintFormatVersion = 1;
+inline constexpr std::size_t kMostSolvedPaintBytes = std::size_t{1} << 28;
+
+/// Writes a solved paint, whole or not at all.
+/// @throws Error if the file cannot be written
+void write_solved_paint(const std::filesystem::path& path, const layers::SolvedPaint& paint);
+
+/// The bytes of such a file.
+std::string solved_paint_bytes(const layers::SolvedPaint& paint);
+
+/// @throws InputError if the file is cut short, altered, of a newer version, or no solved paint
+layers::SolvedPaint read_solved_paint(const std::filesystem::path& path);
+
+/// The same from the bytes of a file; `name` is for messages.
+layers::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string& name);
+
+/// Whether the bytes start like a solved paint.
+bool looks_like_solved_paint(std::string_view bytes);
+
+}  // namespace nacre::io
