@@ -16,9 +16,8 @@ int main(int argc, char** argv) {
     // A quarter wave of index 1.38 on glass.            [macleod-2010, section 4.1]
     const double wavelength_nm = 550;
     const nacre::optics::ThinFilm film{1.38, wavelength_nm / (4 * 1.38)};
-    const auto rt =
-        nacre::optics::stack_reflectance(1.0, {&film, 1}, 1.52, 1.0, wavelength_nm,
-                                         nacre::optics::Polarization::unpolarized);
+    const auto rt = nacre::optics::stack_reflectance(1.0, {&film, 1}, 1.52, 1.0, wavelength_nm,
+                                                     nacre::optics::Polarization::unpolarized);
     if (std::abs(rt.reflectance - .012600790215) > 1e-12) {
         std::fprintf(stderr, "consumer: R = %.15g\n", rt.reflectance);
         return 1;
