@@ -37,8 +37,8 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     Resolution r;
     r.lobe_alpha = alpha;
     const bool bare = *std::min_element(medium.ior.begin(), medium.ior.end()) == 1.0;
-    r.exit_nodes = round_up_to_tile(bare ? 16 + 1.6 / alpha : 12 + 0.4 / alpha);
-    r.inner_nodes = round_up_to_tile(8 + 0.4 / alpha);
+    r.exit_nodes = round_up_to_tile(bare ? 24 + 2 / alpha : 8 + 0.6 / alpha);
+    r.inner_nodes = round_up_to_tile(4 + 0.45 / alpha);
     r.exit_nodes = std::min(r.exit_nodes, SolverSettings::kMostNodes);
     r.inner_nodes = std::min(r.inner_nodes, SolverSettings::kMostNodes);
     r.orders = SolverSettings::kMostOrders;

@@ -17,7 +17,7 @@ struct SolverSettings {
     int most_orders = 0;   ///< azimuthal Fourier orders at most
     double tolerance = 1e-4;  ///< of the peak: where the Fourier series may end
 
-    static constexpr int kMostNodes = 96;
+    static constexpr int kMostNodes = 128;
     static constexpr int kMostOrders = 1024;
     friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
 };

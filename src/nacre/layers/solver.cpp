@@ -217,6 +217,7 @@ class GroupSolver {
         tbb::enumerable_thread_specific<OrderWorkspace> workspaces(
             [&] { return OrderWorkspace(directions_.size()); });
         const int blocks = static_cast<int>(blocks_.size());
+        double last_chunk = 0;
         for (int from = 0; from < active_.orders(); from += kChunk) {
             const int count = std::min(kChunk, active_.orders() - from);
             std::vector<LaneBuffer> values(static_cast<std::size_t>(count) * blocks);
@@ -229,12 +230,15 @@ class GroupSolver {
                                 workspaces.local(), values[task].data());
                 }
             });
-            double tail = 0;
+            double chunk = 0;
             for (int c = 0; c < count; ++c) {
-                tail = std::max(tail, append_order(out, from + c, &values[c * blocks]));
+                chunk += 2 * append_order(out, from + c, &values[c * blocks]);
             }
-            out.azimuthal_tail = tail;
-            if (tail < tolerance) break;
+            // What the orders left out would add, if they fall on as they fell from chunk to chunk.
+            const double ratio = from > 0 ? chunk / std::max(last_chunk, 1e-300) : 1.0;
+            out.azimuthal_tail = ratio < 1 ? chunk * ratio / (1 - ratio) : chunk;
+            if (from > 0 && out.azimuthal_tail < tolerance) break;
+            last_chunk = chunk;
         }
         return out;
     }
