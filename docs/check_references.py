@@ -81,7 +81,8 @@ def parse_bibliography(text):
 
 
 def main():
-    root = pathlib.Path(__file__).resolve().parent.parent
+    here = pathlib.Path(__file__).resolve()
+    root = here.parent.parent
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--root", type=pathlib.Path, default=root, help="the repository")
     arguments = parser.parse_args()
@@ -94,9 +95,9 @@ def main():
     cited, files = {}, 0
     for folder in ("src", "bench", "fuzz", "docs", "paints", "data", "studies", "scenes"):
         for path in sorted((root / folder).rglob("*")):
-            if path.suffix not in {".h", ".cpp", ".md", ".toml", ".py"} or path == pathlib.Path(
-                __file__
-            ).resolve():
+            if path.suffix not in {".h", ".cpp", ".md", ".toml", ".py"}:
+                continue
+            if "testdata" in path.relative_to(root).parts or path == here:
                 continue
             files += 1
             for line, key in citations(path.read_text(encoding="utf-8")):

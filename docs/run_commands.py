@@ -14,7 +14,8 @@ Every fenced block of README.md, CONTRIBUTING.md and docs/**/*.md is one of
     any other language      shown only
 
 Blocks of one document share a scratch folder with copies of paints/ and scenes/ and find the
-program as `nacre`. Links to files of the repository must lead somewhere.
+program as `nacre`. Links to files of the repository must lead somewhere, and docs/paints.md must
+show every recipe of paints/.
 """
 
 import argparse
@@ -79,7 +80,7 @@ def broken_links(path):
 
 
 def run(script, scratch, environment):
-    process = subprocess.run(
+    return subprocess.run(
         ["bash", "-euo", "pipefail", "-c", script],
         cwd=scratch,
         env=environment,
@@ -88,7 +89,6 @@ def run(script, scratch, environment):
         text=True,
         timeout=HANG_SECONDS,
     )
-    return process
 
 
 def same_output(expected, actual):
@@ -194,6 +194,10 @@ def main():
             tried += check_document(path, environment, ci_steps)
         except (Failure, subprocess.TimeoutExpired) as failure:
             failures.append(str(failure))
+    gallery = (ROOT / "docs/paints.md").read_text(encoding="utf-8")
+    for paint in sorted((ROOT / "paints").glob("*.toml")):
+        if f"(../paints/{paint.name})" not in gallery:
+            failures.append(f"docs/paints.md: {paint.name} is missing")
     if not tried:
         failures.append("no block was tried; is this the right folder?")
     for failure in failures:
