@@ -89,7 +89,7 @@ TEST(Reference, PartsAddUpToTheTotal) {
 
 /// Chandrasekhar's H for isotropic scattering, by iteration of its integral equation in the form
 /// that converges fast:  1/H = sqrt(1 - a) + a/2 Int x H(x)/(mu + x) dx.
-///                                                        [chandrasekhar-1960, chapter V eq. 15]
+///                                                        [chandrasekhar-1960, chapter V]
 class ChandrasekharH {
  public:
     explicit ChandrasekharH(double albedo)

@@ -72,7 +72,7 @@ TEST(FlakeSlab, MatchesAddingDoublingOfTheDesignNotes) {
 }
 
 TEST(FlakeSlab, NearlyFlatFlakesObeyKubelkaAndMunk) {
-    // S = R, K = 1 - R - T, depth beta, light and flakes along one line.  [kubelka-1948, eq. 25]
+    // S = R, K = 1 - R - T, depth beta, light and flakes along one line.  [kubelka-1948]
     constexpr double kAlpha = 0.005;  // leaves the line by some alpha^2: far below the noise
     struct Case {
         double beta, reflectance, transmittance;

@@ -53,7 +53,7 @@ Direction3 sample_henyey_greenstein(const Direction3& in, double g, RandomStream
 /// event of probability P_i at wavelength i is drawn with the weighted mean probability
 /// sum(beta_i P_i) / sum(beta_i), and multiplies beta_i by P_i over that. This is the balance
 /// heuristic over walks for each wavelength by itself, so that no weight exceeds the number of
-/// wavelengths.                                                    [wilkie-2014, section 3]
+/// wavelengths.                                                    [wilkie-2014]
 class Walker {
  public:
     Walker(const Medium& medium, const AirInterface& interface,

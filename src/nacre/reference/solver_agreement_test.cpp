@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "nacre/layers/solver.h"
+#include "nacre/reference/test_support.h"
+
+// The solver against the random walk, over a grid of paints and angles: one z-score per value.
+
+namespace nacre::reference {
+namespace {
+
+struct Case {
+    std::string name;
+    layers::Recipe recipe;
+    std::vector<double> wavelengths_nm = {550};
+};
+
+layers::FlakeSpecies titania_on_mica(double area_density_per_um, double alpha) {
+    auto species = test::flakes(area_density_per_um, alpha, 0, 0);
+    optics::Platelet body;
+    body.core = {optics::Material(1.58), 500, {60, optics::ThicknessSpread::Law::normal}};
+    body.coats = {{optics::Material(2.5), 110, {5, optics::ThicknessSpread::Law::normal}}};  // TiO2
+    species.body = body;
+    return species;
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    const auto add = [&](std::string name, layers::Recipe recipe) {
+        all.push_back({std::move(name), std::move(recipe)});
+    };
+    // alpha, depth, binder
+    add("alpha .05, beta 1.5", test::paint(1.5, {test::flake_layer(1.5, .05, .6, 0)}));
+    add("alpha .1, beta .02", test::paint(1.5, {test::flake_layer(.02, .1, .9, 0)}));
+    add("alpha .1, beta 20", test::paint(1.5, {test::flake_layer(20, .1, .6, 0)}));
+    add("alpha .1, beta 1.5, n 1", test::paint(1, {test::flake_layer(1.5, .1, .6, 0)}));
+    add("alpha .3, beta 2", test::paint(1.5, {test::flake_layer(2, .3, .8, .1)}));
+    add("alpha .3, beta 2, n 1", test::paint(1, {test::flake_layer(2, .3, .8, .1)}));
+    add("alpha .5, beta 5", test::paint(1.5, {test::flake_layer(5, .5, .7, 0)}));
+    // lossless flakes that transmit, over white
+    add("alpha .5, R + T = 1, white", test::paint(1.5, {test::flake_layer(2, .5, .4, .6)}, 1.0));
+    add("alpha .1, R + T = 1, grey", test::paint(1.5, {test::flake_layer(1, .1, .3, .7)}, 0.4));
+    // an absorbing clearcoat
+    auto coated = test::paint(1.5, {test::flake_layer(1.5, .2, .8, 0)}, 0.2);
+    coated.clearcoat = layers::Clearcoat{45, 6.0, 0};
+    add("absorbing clearcoat", coated);
+    // pigments
+    add("pigment g 0", test::paint(1.5, {test::pigment_layer(.9, 2, 0)}, 0.3));
+    add("pigment g .8", test::paint(1.5, {test::pigment_layer(.99, 8, .8)}));
+    auto mixture = test::paint(1.5, {test::flake_layer(1, .2, .6, .1)}, 0.05);
+    mixture.layers[0].pigments.push_back({40.0, 20.0, 0.5});
+    mixture.layers[0].pigments.push_back({10.0, 0.0, -0.3});
+    mixture.layers[0].flakes.push_back(test::flakes(.05, .4, .2, .3));
+    add("two flakes, two pigments", mixture);
+    add("flakes over pigment",
+        test::paint(1.5, {test::flake_layer(.7, .1, .3, .6), test::pigment_layer(.8, 3, .3)}, 0.1));
+    // an interference pigment over black, colours
+    layers::Layer pearl;
+    pearl.thickness_um = 15;
+    pearl.flakes.push_back(titania_on_mica(.12, .1));
+    all.push_back({"TiO2 on mica", test::paint(1.5, {pearl}, 0.05), {450, 550, 650}});
+    // the mixture in a spectrum, for the weights of eight wavelengths on one walk
+    auto spectral = mixture;
+    spectral.layers[0].pigments[0].scattering_per_mm = spectra::Spectrum({400, 700}, {120, 5});
+    spectral.layers[0].pigments[0].absorption_per_mm = spectra::Spectrum({400, 700}, {2, 60});
+    all.push_back({"mixture, three wavelengths", spectral, {400, 550, 700}});
+    return all;
+}
+
+const std::vector<Direction> kIncident{{10, 0}, {45, 0}, {75, 0}};
+const std::vector<Direction> kOutgoing{{0, 0},    {15, 180}, {30, 180}, {45, 180}, {60, 180},
+                                       {75, 180}, {85, 180}, {45, 90},  {30, 0},   {70, 130}};
+
+// Where fewer walks than this make up an estimate, it is too skewed for a z-score: narrow flakes
+// far off their lobe. A relative error e stems from at least 1/e^2 walks that count.
+constexpr double kSkewedRelativeError = 0.05;
+
+// What the solver promises of itself, a share of the peak: see kSolverError.
+constexpr double kSolverError = 1e-4;
+
+double radians(double deg) { return deg * std::numbers::pi / 180; }
+
+struct Scores {
+    std::vector<double> z;
+    int skewed = 0;
+
+    std::string histogram() const {
+        std::array<int, 10> bins{};
+        for (double value : z) ++bins[std::clamp(static_cast<int>(std::floor(value)) + 5, 0, 9)];
+        std::string text = "z of solver against random walk:\n";
+        for (int i = 0; i < 10; ++i)
+            text += fmt::format("{:>3} to {:>2}: {:4}\n", i - 5, i - 4, bins[i]);
+        return text;
+    }
+    double mean_square() const {
+        double sum = 0;
+        for (double value : z) sum += value * value;
+        return sum / static_cast<double>(z.size());
+    }
+};
+
+void compare(const Case& c, layers::Part solver_part, Part part, std::uint64_t samples,
+             Scores& scores) {
+    const layers::SolvedPaint solved = layers::solve(c.recipe, c.wavelengths_nm);
+    const auto found = reference_brdf(c.recipe, kIncident, kOutgoing, c.wavelengths_nm,
+                                      {.samples = samples, .seed = 2016, .part = part});
+    for (std::size_t i = 0; i < kIncident.size(); ++i) {
+        for (std::size_t j = 0; j < kOutgoing.size(); ++j) {
+            const auto expected =
+                solved.brdf(radians(kIncident[i].theta_deg), radians(kOutgoing[j].theta_deg),
+                            radians(kOutgoing[j].phi_deg - kIncident[i].phi_deg), solver_part);
+            for (std::size_t w = 0; w < c.wavelengths_nm.size(); ++w) {
+                const Estimate& estimate =
+                    found[(i * kOutgoing.size() + j) * c.wavelengths_nm.size() + w];
+                if (estimate.standard_error > kSkewedRelativeError * estimate.mean) {
+                    ++scores.skewed;
+                    continue;
+                }
+                const double z = test::z_score(estimate, expected[w], kSolverError * expected[w]);
+                scores.z.push_back(z);
+                EXPECT_LT(std::abs(z), 4.5)
+                    << c.name << ": theta_i " << kIncident[i].theta_deg << ", theta_o "
+                    << kOutgoing[j].theta_deg << ", phi " << kOutgoing[j].phi_deg << ", "
+                    << c.wavelengths_nm[w] << " nm: solver " << expected[w] << ", walk "
+                    << estimate.mean << " +- " << estimate.standard_error;
+            }
+        }
+    }
+}
+
+TEST(SolverAgreement, TotalMatchesTheRandomWalkOverPaintsAndAngles) {
+    Scores scores;
+    for (const Case& c : cases()) compare(c, layers::Part::total, Part::total, 50'000, scores);
+    fmt::print("{}{} values, {} left out; mean z^2 {:.3f}\n", scores.histogram(), scores.z.size(),
+               scores.skewed, scores.mean_square());
+    ASSERT_GT(scores.z.size(), 400u);
+}
+
+}  // namespace
+}  // namespace nacre::reference
