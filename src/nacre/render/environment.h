@@ -24,10 +24,14 @@ class EnvironmentRadiance {
 /// A disk of constant radiance at infinity: the sun.
 struct DistantDisk {
     Vec3f direction;
-    float cos_radius = 1;
+    /// Squared chord between its middle and its rim, 2 (1 - cos radius): as a cosine, a float
+    /// would keep but three digits of the sun's size. Its solid angle is pi times this.
+    float chord_squared = 0;
     float radiance = 0;  ///< times the basis spectrum
     int spectrum = 0;    ///< in the EmissionBasis
     double luminance = 0;
+
+    bool contains(Vec3f d) const { return dot(d - direction, d - direction) <= chord_squared; }
 };
 
 struct CompiledEnvironment {

@@ -16,7 +16,8 @@ struct RenderOptions {
     int samples_per_pixel = 64;  ///< [1, 2^24]
     std::uint64_t seed = 0;
     int max_depth = 8;      ///< surface reflections along a path, [1, 1000]
-    int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none
+    int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
+                            ///< times the pixels at most 2^32
 };
 
 /// A picture, row-major from the top left. Radiance is linear; luminance 1 is the radiance of an
@@ -29,7 +30,9 @@ struct RenderResult {
     std::vector<float> alpha;     ///< 1 per pixel: share of the samples that met a surface
     std::vector<float> spectral;  ///< bins per pixel: mean spectral radiance about each centre
     std::vector<double> bin_centres_nm;
-    int samples = 0;       ///< per pixel, finished
+    int samples = 0;  ///< per pixel, finished
+    /// Paths whose light was not finite, taken as black: always 0 unless a surface is at fault.
+    long invalid_paths = 0;
     double seconds = 0;    ///< wall-clock time
     bool complete = true;  ///< false: stopped by `progress`; a valid picture of `samples` samples
 };

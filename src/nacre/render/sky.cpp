@@ -152,7 +152,8 @@ DistantDisk compile_sun(const SkyEnvironment& sky, Vec3f direction, EmissionBasi
     const double norm = kOutsideKcd / kUnitKcd / film_luminance(spectra::Spectrum(nm, outside));
     for (double& g : ground) g *= norm;
     const spectra::Spectrum spectrum(nm, ground);
-    return {direction, static_cast<float>(std::cos(kSunRadiusDeg * kDegree)),
+    const double half_chord = std::sin(0.5 * kSunRadiusDeg * kDegree);
+    return {direction, static_cast<float>(4 * half_chord * half_chord),
             static_cast<float>(sky.scale), basis.add(spectrum),
             sky.scale * film_luminance(spectrum)};
 }
@@ -172,7 +173,7 @@ DaylightCoefficients ground_radiance(const SkyRadiance& sky, const DistantDisk& 
     DaylightCoefficients mean;
     for (int j = 0; j < 3; ++j) mean[j] = static_cast<float>(kGroundReflectance * sum[j]);
     // The sky's mean is irradiance / pi already; the sun's irradiance / pi, likewise.
-    const double solid_angle = 2 * std::numbers::pi * (1.0 - std::cos(kSunRadiusDeg * kDegree));
+    const double solid_angle = std::numbers::pi * sun.chord_squared;
     const double from_sun = kGroundReflectance * sun.luminance * solid_angle *
                             std::max(0.0f, sun.direction.z) / std::numbers::pi;
     const double from_sky = sky.luminance_of(mean);

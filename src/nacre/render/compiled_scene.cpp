@@ -1,0 +1,224 @@
+#include "nacre/render/compiled_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "nacre/bsdf/lambertian.h"
+#include "nacre/core/error.h"
+#include "nacre/render/embree.h"
+
+namespace nacre::render {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// Throws what Embree reports about `device`, if anything.
+void check(RTCDevice device, const char* doing) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error != RTC_ERROR_NONE) {
+        throw Error(
+            fmt::format("Embree failed while {} (error {})", doing, static_cast<int>(error)));
+    }
+}
+
+std::vector<std::shared_ptr<const bsdf::Bsdf>> compile_materials(
+    const SceneDescription& description, const PaintTable& paints) {
+    std::vector<std::shared_ptr<const bsdf::Bsdf>> compiled;
+    for (const auto& [name, material] : description.materials) {
+        if (const auto* diffuse = std::get_if<DiffuseMaterial>(&material)) {
+            compiled.push_back(std::make_shared<bsdf::Lambertian>(diffuse->reflectance));
+            continue;
+        }
+        const auto paint = paints.find(name);
+        if (paint == paints.end() || !paint->second) {
+            throw DomainError(
+                fmt::format("materials.{} is a paint, and none was given for it", name));
+        }
+        compiled.push_back(paint->second);
+    }
+    return compiled;
+}
+
+Mesh rectangle_mesh(const CompiledRectangle& r) {
+    return mesh_of_surface(1, 1, [&](double u, double v) {
+        return SurfacePoint{
+            r.corner_mm + static_cast<float>(u) * r.edge_u_mm + static_cast<float>(v) * r.edge_v_mm,
+            r.normal};
+    });
+}
+
+RTCRay make_ray(const Ray& ray, float far) {
+    RTCRay r;
+    r.org_x = ray.origin_mm.x;
+    r.org_y = ray.origin_mm.y;
+    r.org_z = ray.origin_mm.z;
+    r.dir_x = ray.direction.x;
+    r.dir_y = ray.direction.y;
+    r.dir_z = ray.direction.z;
+    r.tnear = 0;
+    r.tfar = far;
+    r.time = 0;
+    r.mask = ~0u;
+    r.id = 0;
+    r.flags = 0;
+    return r;
+}
+
+}  // namespace
+
+CompiledScene::CompiledScene(const SceneDescription& description, const PaintTable& paints)
+    : camera(description.camera),
+      materials(compile_materials(description, paints)),
+      device_(rtcNewDevice(nullptr), [](RTCDeviceTy* d) { rtcReleaseDevice(d); }),
+      scene_(nullptr, [](RTCSceneTy* s) { rtcReleaseScene(s); }) {
+    check(device_.get(), "starting");
+    scene_.reset(rtcNewScene(device_.get()));
+    rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
+    for (const Shape& shape : description.shapes) {
+        const auto found = description.materials.find(shape.material);
+        const int material = static_cast<int>(std::distance(description.materials.begin(), found));
+        const AffineMap map(shape.transform);
+        if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+            add_sphere(material, map.point({}),
+                       map.scale() * static_cast<float>(sphere->radius_mm));
+            continue;
+        }
+        Surface surface;
+        surface.material = material;
+        surface.mesh = std::visit(
+            [](const auto& geometry) {
+                if constexpr (requires { make_mesh(geometry); }) return make_mesh(geometry);
+                return Mesh{};  // a sphere: handled above
+            },
+            shape.geometry);
+        apply(map, surface.mesh);
+        add_mesh(std::move(surface));
+    }
+
+    // Sized before the lights' own rectangles join the scene.
+    Vec3f center{};
+    float radius = 1;
+    rtcCommitScene(scene_.get());
+    check(device_.get(), "building the scene");
+    if (!surfaces_.empty()) {
+        RTCBounds b;
+        rtcGetSceneBounds(scene_.get(), &b);
+        const Vec3f low{b.lower_x, b.lower_y, b.lower_z}, high{b.upper_x, b.upper_y, b.upper_z};
+        center = 0.5f * (low + high);
+        radius = 0.5f * length(high - low);
+    }
+    lights.emplace(description.lights, description.environment, center, radius, emission);
+    for (std::size_t i = 0; i < lights->rectangles().size(); ++i) {
+        const CompiledRectangle& r = lights->rectangles()[i];
+        if (!r.visible) continue;
+        Surface surface;
+        surface.rectangle = static_cast<int>(i);
+        surface.mesh = rectangle_mesh(r);
+        add_mesh(std::move(surface));
+    }
+    rtcCommitScene(scene_.get());
+    check(device_.get(), "building the scene");
+}
+
+CompiledScene::~CompiledScene() = default;
+
+void CompiledScene::add_sphere(int material, Vec3f center_mm, float radius_mm) {
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
+    check(device_.get(), "making a sphere");
+    vertex[0] = center_mm.x;
+    vertex[1] = center_mm.y;
+    vertex[2] = center_mm.z;
+    vertex[3] = radius_mm;
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_.get(), geometry, static_cast<unsigned>(surfaces_.size()));
+    rtcReleaseGeometry(geometry);
+    Surface surface;
+    surface.material = material;
+    surface.sphere_center_mm = center_mm;
+    surface.sphere_radius_mm = radius_mm;
+    surfaces_.push_back(std::move(surface));
+}
+
+void CompiledScene::add_mesh(Surface surface) {
+    const Mesh& mesh = surface.mesh;
+    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                             sizeof(Vec3f), mesh.positions_mm.size());
+    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            3 * sizeof(std::uint32_t), mesh.triangles.size());
+    check(device_.get(), "making a mesh");
+    std::memcpy(vertices, mesh.positions_mm.data(), mesh.positions_mm.size() * sizeof(Vec3f));
+    std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_.get(), geometry, static_cast<unsigned>(surfaces_.size()));
+    rtcReleaseGeometry(geometry);
+    surfaces_.push_back(std::move(surface));
+}
+
+std::optional<Hit> CompiledScene::intersect(const Ray& ray, bool coherent) const {
+    RTCRayHit query;
+    query.ray = make_ray(ray, kInfinity);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    embree::intersect(scene_.get(), query, coherent);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+
+    const Surface& surface = surfaces_[query.hit.geomID];
+    Hit hit;
+    hit.material = surface.material;
+    hit.rectangle = surface.rectangle;
+    hit.distance_mm = query.ray.tfar;
+    hit.position_mm = ray.origin_mm + query.ray.tfar * ray.direction;
+    if (surface.sphere_radius_mm > 0) {
+        hit.geometric_normal = normalize(hit.position_mm - surface.sphere_center_mm);
+        // Back onto the sphere: the distance of a far camera has rounded the point off it.
+        hit.position_mm =
+            surface.sphere_center_mm + surface.sphere_radius_mm * hit.geometric_normal;
+        hit.shading_normal = hit.geometric_normal;
+    } else {
+        hit.geometric_normal = normalize({query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z});
+        const auto& [a, b, c] = surface.mesh.triangles[query.hit.primID];
+        const auto& normals = surface.mesh.normals;
+        const Vec3f blend = (1 - query.hit.u - query.hit.v) * normals[a] +
+                            query.hit.u * normals[b] + query.hit.v * normals[c];
+        // Opposite normals of a folded mesh can cancel.
+        hit.shading_normal = dot(blend, blend) > 0 ? normalize(blend) : hit.geometric_normal;
+    }
+    const Vec3f back = -ray.direction;
+    hit.lit_side = dot(hit.geometric_normal, back) > 0;
+    if (!hit.lit_side) hit.geometric_normal = -hit.geometric_normal;
+    if (dot(hit.shading_normal, hit.geometric_normal) < 0) hit.shading_normal = -hit.shading_normal;
+    // At the outline of a coarse mesh an interpolated normal may face away from the ray, which
+    // would be black; it is bent until it is just seen.
+    constexpr float kLeastCosine = 1e-3f;
+    const float facing = dot(hit.shading_normal, back);
+    if (facing < kLeastCosine) {
+        hit.shading_normal = normalize(hit.shading_normal + (kLeastCosine - facing) * back);
+    }
+    return hit;
+}
+
+bool CompiledScene::occluded(const Ray& ray, float distance_mm) const {
+    RTCRay query = make_ray(ray, distance_mm);
+    embree::occluded(scene_.get(), query);
+    return query.tfar < 0;
+}
+
+Vec3f Hit::origin() const {
+    // 64 units in the last place of the largest coordinate that took part.
+    const float size = std::max(
+        {std::abs(position_mm.x), std::abs(position_mm.y), std::abs(position_mm.z), distance_mm});
+    return position_mm + (0x1p-17f * size) * geometric_normal;
+}
+
+Scene::Scene(const SceneDescription& description, const PaintTable& paints) {
+    validate(description);
+    compiled_ = std::make_shared<const CompiledScene>(description, paints);
+}
+
+}  // namespace nacre::render

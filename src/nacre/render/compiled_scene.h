@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/render/emission.h"
+#include "nacre/render/lights.h"
+#include "nacre/render/mesh.h"
+#include "nacre/render/scene.h"
+
+// Embree's handles, named here so that its headers stay out of ours.
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace nacre::render {
+
+struct Ray {
+    Vec3f origin_mm, direction;  ///< direction is a unit vector
+};
+
+struct Hit {
+    Vec3f position_mm;
+    float distance_mm = 0;
+    Vec3f geometric_normal;  ///< unit, on the side from which the ray came
+    Vec3f shading_normal;    ///< unit, likewise; never turned away from the ray
+    int material = -1;       ///< index into CompiledScene::materials; -1: a light
+    int rectangle = -1;      ///< index of the rectangle light that was hit; -1: a surface
+    bool lit_side = false;   ///< of a rectangle: whether the ray met the side that shines
+
+    /// Where a ray that leaves the surface starts: off the surface by more than the rounding of
+    /// the hit point, so that it does not meet it again.
+    Vec3f origin() const;
+};
+
+/// What Scene holds: everything that stays the same over a render.
+struct CompiledScene {
+    CompiledScene(const SceneDescription& description, const PaintTable& paints);
+    ~CompiledScene();
+    CompiledScene(const CompiledScene&) = delete;
+    CompiledScene& operator=(const CompiledScene&) = delete;
+
+    /// The first surface along the ray. `coherent`: neighbouring calls trace similar rays.
+    std::optional<Hit> intersect(const Ray& ray, bool coherent) const;
+    /// Whether anything stands within `distance_mm` along the ray.
+    bool occluded(const Ray& ray, float distance_mm) const;
+
+    Camera camera;
+    std::vector<std::shared_ptr<const bsdf::Bsdf>> materials;
+    EmissionBasis emission;
+    std::optional<LightSet> lights;
+
+ private:
+    struct Surface {  // by Embree's geometry number
+        int material = -1;
+        int rectangle = -1;
+        Vec3f sphere_center_mm;
+        float sphere_radius_mm = 0;  // 0: a mesh
+        Mesh mesh;
+    };
+
+    void add_sphere(int material, Vec3f center_mm, float radius_mm);
+    void add_mesh(Surface surface);
+
+    std::unique_ptr<RTCDeviceTy, void (*)(RTCDeviceTy*)> device_;
+    std::unique_ptr<RTCSceneTy, void (*)(RTCSceneTy*)> scene_;
+    std::vector<Surface> surfaces_;
+};
+
+}  // namespace nacre::render

@@ -1,0 +1,139 @@
+#include "nacre/render/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "nacre/spectra/colour.h"
+
+namespace nacre::render {
+namespace {
+
+/// XYZ of D65 of luminance 1.
+spectra::Vec3 white_xyz() { return spectra::linear_rec709_to_xyz({1, 1, 1}); }
+
+double estimate(const XyzWeights& weights, int channel, FloatLanes radiance) {
+    return lane_sum(weights[channel] * radiance);
+}
+
+}  // namespace
+
+Film::Film(int width, int height, int spectral_bins)
+    : width_(width), height_(height), bins_(spectral_bins), bin_weights_(spectral_bins) {
+    const std::size_t pixels = static_cast<std::size_t>(width) * height;
+    xyz_.resize(pixels);
+    albedo_.resize(pixels);
+    normal_.resize(pixels);
+    met_.resize(pixels);
+    invalid_.resize(pixels);
+    spectral_.resize(pixels * bins_);
+}
+
+void Film::begin_pass(const Pass& pass, bool with_albedo) {
+    with_albedo_ = with_albedo;
+    for (int c = 0; c < 3; ++c) {
+        const double d65 = estimate(pass.xyz_weights, c, pass.d65);
+        d65_[c] += d65;
+        if (with_albedo) albedo_d65_[c] += d65;
+    }
+    if (bins_ == 0) return;
+    for (int i = 0; i < kLanes; ++i) {
+        // Position among the bins' centres; beyond the outermost ones all goes to the outermost.
+        const double x = std::clamp(
+            (pass.wavelengths_nm[i] - kFilmFirstNm) / (kFilmLastNm - kFilmFirstNm) * bins_ - 0.5,
+            0.0, bins_ - 1.0);
+        const int bin = std::min(static_cast<int>(x), std::max(bins_ - 2, 0));
+        const auto next = static_cast<float>(x - bin);
+        splats_[i] = {bin, 1 - next, next};
+        bin_weights_[bin] += splats_[i].weight;
+        if (bin + 1 < bins_) bin_weights_[bin + 1] += splats_[i].next_weight;
+    }
+}
+
+void Film::add(std::size_t pixel, const Pass& pass, const PathLight& path) {
+    std::array<double, 3> xyz;
+    for (int c = 0; c < 3; ++c) xyz[c] = estimate(pass.xyz_weights, c, path.radiance);
+    if (!std::isfinite(xyz[0] + xyz[1] + xyz[2])) {
+        ++invalid_[pixel];
+        return;
+    }
+    for (int c = 0; c < 3; ++c) xyz_[pixel][c] += xyz[c];
+    if (bins_ > 0) {
+        float* bins = &spectral_[pixel * bins_];
+        for (int i = 0; i < kLanes; ++i) {
+            const Splat& s = splats_[i];
+            bins[s.bin] += s.weight * path.radiance[i];
+            if (s.next_weight > 0) bins[s.bin + 1] += s.next_weight * path.radiance[i];
+        }
+    }
+    if (!path.met_surface) return;
+    met_[pixel] += 1;
+    normal_[pixel] = normal_[pixel] + path.normal;
+    if (with_albedo_) {
+        for (int c = 0; c < 3; ++c) {
+            const double albedo = estimate(pass.xyz_weights, c, path.albedo * pass.d65);
+            if (std::isfinite(albedo)) albedo_[pixel][c] += albedo;
+        }
+    }
+}
+
+void Film::end_pass() {
+    ++passes_;
+    if (with_albedo_) ++albedo_passes_;
+}
+
+std::array<double, 3> Film::colour(const Xyz& sum, const Xyz& d65) const {
+    static const spectra::Vec3 white = white_xyz();
+    spectra::Vec3 xyz{};
+    for (int c = 0; c < 3; ++c) xyz[c] = d65[c] > 0 ? sum[c] / d65[c] * white[c] : 0;
+    return spectra::xyz_to_linear_rec709(xyz);
+}
+
+RenderResult Film::develop() const {
+    RenderResult result;
+    result.width = width_;
+    result.height = height_;
+    result.samples = passes_;
+    const std::size_t pixels = xyz_.size();
+    result.rgb.resize(3 * pixels);
+    result.albedo.resize(3 * pixels);
+    result.normal.resize(3 * pixels);
+    result.alpha.resize(pixels);
+    const float per_pass = passes_ > 0 ? 1.0f / static_cast<float>(passes_) : 0;
+    for (std::size_t p = 0; p < pixels; ++p) {
+        const auto rgb = colour(xyz_[p], d65_);
+        const auto albedo = colour(albedo_[p], albedo_d65_);
+        const Vec3f normal = per_pass * normal_[p];
+        for (int c = 0; c < 3; ++c) {
+            result.rgb[3 * p + c] = static_cast<float>(rgb[c]);
+            // A saturated paint's colour may lie outside Rec. 709; denoisers want [0, 1].
+            result.albedo[3 * p + c] = static_cast<float>(std::clamp(albedo[c], 0.0, 1.0));
+        }
+        result.normal[3 * p] = normal.x;
+        result.normal[3 * p + 1] = normal.y;
+        result.normal[3 * p + 2] = normal.z;
+        result.alpha[p] = per_pass * met_[p];
+    }
+    result.invalid_paths = std::accumulate(invalid_.begin(), invalid_.end(), 0L);
+
+    result.spectral.resize(spectral_.size());
+    for (int b = 0; b < bins_; ++b) {
+        result.bin_centres_nm.push_back(kFilmFirstNm +
+                                        (b + 0.5) * (kFilmLastNm - kFilmFirstNm) / bins_);
+        // With fewer wavelengths than bins some bins have seen none: they take after the nearest
+        // one that has.
+        int source = b;
+        for (int step = 1; bin_weights_[source] <= 0 && step < bins_; ++step) {
+            if (b - step >= 0 && bin_weights_[b - step] > 0) source = b - step;
+            if (b + step < bins_ && bin_weights_[b + step] > 0) source = b + step;
+        }
+        if (bin_weights_[source] <= 0) continue;
+        const auto scale = static_cast<float>(1 / bin_weights_[source]);
+        for (std::size_t p = 0; p < pixels; ++p) {
+            result.spectral[p * bins_ + b] = scale * spectral_[p * bins_ + source];
+        }
+    }
+    return result;
+}
+
+}  // namespace nacre::render

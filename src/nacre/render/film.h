@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "nacre/render/integrator.h"
+#include "nacre/render/render.h"
+
+namespace nacre::render {
+
+/// Sums over the paths of each pixel. A pixel is touched by one thread at a time and its sums
+/// grow in the order of the passes, so they do not depend on the number of threads.
+class Film {
+ public:
+    Film(int width, int height, int spectral_bins);
+
+    /// Prepares for the paths of one pass; called once before its add().
+    void begin_pass(const Pass& pass, bool with_albedo);
+    void add(std::size_t pixel, const Pass& pass, const PathLight& path);
+    /// Counts the pass as done by every pixel.
+    void end_pass();
+
+    /// The picture so far.
+    ///
+    /// XYZ are scaled, each by a factor of its own within a percent of 1, so that D65 comes out
+    /// exactly white: this makes up for the eye's sensitivity beyond the film's range and for the
+    /// finite number of wavelengths that a short render has seen.
+    RenderResult develop() const;
+
+ private:
+    struct Splat {  // of one lane onto two neighbouring bins
+        int bin;
+        float weight, next_weight;
+    };
+    using Xyz = std::array<double, 3>;
+
+    std::array<double, 3> colour(const Xyz& sum, const Xyz& d65) const;
+
+    int width_, height_, bins_;
+    int passes_ = 0, albedo_passes_ = 0;
+    bool with_albedo_ = false;
+    std::array<Splat, kLanes> splats_{};
+    Xyz d65_{}, albedo_d65_{};         // sums over passes of the XYZ of D65
+    std::vector<double> bin_weights_;  // sums over passes, the same for all pixels
+    std::vector<Xyz> xyz_, albedo_;
+    std::vector<Vec3f> normal_;
+    std::vector<float> met_;
+    std::vector<float> spectral_;
+    std::vector<std::uint32_t> invalid_;
+};
+
+}  // namespace nacre::render

@@ -1,0 +1,134 @@
+#include "nacre/render/integrator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nacre::render {
+namespace {
+
+/// Weight of the strategy with density `own` where another has density `other`.
+float power_heuristic(float own, float other) {
+    // By the ratio: the squares of densities of a small sun and a sharp lobe could overflow.
+    const float ratio = other / own;
+    return 1 / (1 + ratio * ratio);
+}
+
+/// How the numbers of one vertex are used: see PathSampler::draw.
+struct VertexNumbers {
+    Vec2f light, surface;
+    float which_light, which_lobe, roulette;
+
+    explicit VertexNumbers(const std::array<float, PathSampler::kNumbers>& u)
+        : light{u[0], u[1]},
+          surface{u[2], u[3]},
+          which_light(u[4]),
+          which_lobe(u[5]),
+          roulette(u[6]) {}
+};
+
+FloatLanes direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
+                        const Frame& frame, Vec3f wi, const bsdf::BoundBsdf& surface,
+                        const VertexNumbers& u, DirectLight strategy) {
+    const auto light =
+        scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data());
+    if (!light || dot(light->direction, hit.geometric_normal) <= 0) return FloatLanes{};
+    const Vec3f wo = frame.to_local(light->direction);
+    if (wo.z <= 0) return FloatLanes{};
+    const FloatLanes f = surface.eval(wi, wo);
+    if (!(lane_max(f) > 0)) return FloatLanes{};
+    float weight = 1;
+    if (!light->delta && strategy == DirectLight::combined) {
+        weight = power_heuristic(light->pdf, surface.pdf(wi, wo));
+    }
+    // Stop just short of the light, whose own rectangle is part of the scene.
+    if (scene.occluded({hit.origin(), light->direction}, light->distance * 0.9999f))
+        return FloatLanes{};
+    return (weight * wo.z / light->pdf) * f * light->radiance;
+}
+
+}  // namespace
+
+Pass::Pass(const CompiledScene& scene, std::uint32_t index)
+    : sample_index(index),
+      wavelengths_nm(film_wavelengths(index)),
+      xyz_weights(film_xyz_weights(wavelengths_nm)),
+      emission(scene.emission.at(wavelengths_nm)) {
+    static const spectra::Spectrum d65_spectrum = unit_illuminant(spectra::Illuminant::D65);
+    d65 = make_lanes([&](int i) { return static_cast<float>(d65_spectrum(wavelengths_nm[i])); });
+    surfaces.reserve(scene.materials.size());
+    for (const auto& material : scene.materials) surfaces.push_back(material->bind(wavelengths_nm));
+}
+
+PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
+                     Ray ray, const PathOptions& options) {
+    // Surfaces whose throughput may already end the path.
+    constexpr int kRouletteFrom = 4;
+    const FloatLanes* emission = pass.emission.data();
+    PathLight path;
+    FloatLanes throughput = splat(1.0f);
+    // Density with which the last surface sampled the ray. At the camera and after a mirror no
+    // light sample could have done the same, so what the ray meets counts in full.
+    float surface_pdf = 0;
+    bool alone = true;
+    const auto weight = [&](float light_pdf) {
+        if (alone) return 1.0f;
+        switch (options.direct_light) {
+            case DirectLight::surface_sampling:
+                return 1.0f;
+            case DirectLight::light_sampling:
+                return 0.0f;
+            default:
+                return power_heuristic(surface_pdf, light_pdf);
+        }
+    };
+
+    for (int depth = 0;; ++depth) {
+        const auto hit = scene.intersect(ray, depth == 0);
+        if (!hit) {
+            path.radiance += throughput * scene.lights->escaped(ray.direction, emission, weight);
+            break;
+        }
+        if (hit->rectangle >= 0) {
+            if (hit->lit_side) {
+                const float pdf =
+                    scene.lights->rectangle_pdf(hit->rectangle, ray.direction, hit->distance_mm);
+                path.radiance += weight(pdf) * throughput *
+                                 scene.lights->rectangle_radiance(hit->rectangle, emission);
+            }
+            break;
+        }
+        const bsdf::BoundBsdf& surface = *pass.surfaces[hit->material];
+        const Frame frame = Frame::around(hit->shading_normal);
+        const Vec3f wi = frame.to_local(-ray.direction);
+        if (depth == 0) {
+            path.met_surface = true;
+            path.normal = hit->shading_normal;
+            if (options.albedo) path.albedo = surface.albedo(wi);
+        }
+        if (depth >= options.max_depth) break;
+
+        const VertexNumbers u(sampler.draw(static_cast<std::uint32_t>(depth) + 1));
+        if (options.direct_light != DirectLight::surface_sampling && !scene.lights->empty()) {
+            path.radiance += throughput * direct_light(scene, pass, *hit, frame, wi, surface, u,
+                                                       options.direct_light);
+        }
+        const auto sample = surface.sample(wi, u.which_lobe, u.surface);
+        if (!sample) break;
+        const Vec3f direction = frame.to_world(sample->wo);
+        // An interpolated normal can send light through the surface.
+        if (dot(direction, hit->geometric_normal) <= 0) break;
+        throughput *= sample->weight;
+        const float brightness = lane_max(throughput);
+        if (!(brightness > 0)) break;
+        if (depth + 1 >= kRouletteFrom && brightness < 1) {
+            if (u.roulette >= brightness) break;
+            throughput *= 1 / brightness;
+        }
+        surface_pdf = sample->pdf;
+        alone = sample->mirror;
+        ray = {hit->origin(), direction};
+    }
+    return path;
+}
+
+}  // namespace nacre::render

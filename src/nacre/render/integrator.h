@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/render/compiled_scene.h"
+#include "nacre/render/film_range.h"
+#include "nacre/render/sampler.h"
+
+// Light along one path, at eight wavelengths.
+
+namespace nacre::render {
+
+/// Which estimators of direct light are used. All give the same mean; `combined` is the one to
+/// render with, the others exist to test it against.
+enum class DirectLight { combined, surface_sampling, light_sampling };
+
+/// What depends on the wavelengths of a pass over the picture, worked out once for all its paths.
+struct Pass {
+    Pass(const CompiledScene& scene, std::uint32_t sample_index);
+
+    std::uint32_t sample_index;
+    bsdf::Wavelengths wavelengths_nm;
+    XyzWeights xyz_weights;
+    FloatLanes d65;  ///< of luminance 1
+    std::vector<FloatLanes> emission;
+    std::vector<std::unique_ptr<const bsdf::BoundBsdf>> surfaces;  ///< by material
+};
+
+struct PathLight {
+    FloatLanes radiance{};
+    bool met_surface = false;  ///< by the camera ray
+    Vec3f normal;              ///< of the surface that it met
+    FloatLanes albedo{};       ///< likewise; only if asked for
+};
+
+struct PathOptions {
+    int max_depth = 8;
+    DirectLight direct_light = DirectLight::combined;
+    bool albedo = false;
+};
+
+/// Follows a path from the camera: at each surface one sample of the lights and one of the
+/// surface, weighted by the power heuristic with exponent 2 [veach-1997, eq. 9.13], then Russian
+/// roulette by throughput from the fourth surface on, which keeps the mean.
+PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
+                     Ray ray, const PathOptions& options);
+
+}  // namespace nacre::render

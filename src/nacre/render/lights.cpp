@@ -1,0 +1,137 @@
+#include "nacre/render/lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace nacre::render {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+CompiledRectangle compile(const RectangleLight& light, EmissionBasis& basis) {
+    CompiledRectangle r;
+    r.normal = normalize(light.target_mm - light.center_mm);
+    const Vec3f right = normalize(cross(light.up, r.normal));
+    const Vec3f up = cross(r.normal, right);
+    r.edge_u_mm = static_cast<float>(light.width_mm) * right;
+    r.edge_v_mm = static_cast<float>(light.height_mm) * up;
+    r.corner_mm = light.center_mm - 0.5f * (r.edge_u_mm + r.edge_v_mm);
+    r.area_mm2 = static_cast<float>(light.width_mm * light.height_mm);
+    r.radiance = static_cast<float>(light.radiance.scale);
+    r.spectrum = basis.add(unit_illuminant(light.radiance.illuminant));
+    r.visible = light.visible;
+    return r;
+}
+
+double disk_solid_angle(const DistantDisk& disk) { return kPi * disk.chord_squared; }
+
+}  // namespace
+
+LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environment>& environment,
+                   Vec3f center_mm, float radius_mm, EmissionBasis& basis) {
+    if (environment) {
+        CompiledEnvironment compiled = compile_environment(*environment, basis);
+        environment_ = std::move(compiled.radiance);
+        table_.emplace(compiled.table_columns, compiled.table_rows,
+                       [this](Vec3f d) { return environment_->luminance(d); });
+        add(Kind::environment, 0, kPi * table_->mean_brightness());
+        sun_ = compiled.sun;
+        if (sun_) add(Kind::sun, 0, sun_->luminance * disk_solid_angle(*sun_));
+    }
+    for (const Light& light : lights) {
+        if (const auto* area = std::get_if<RectangleLight>(&light)) {
+            const CompiledRectangle r = compile(*area, basis);
+            // Distance from the scene's rim rather than its middle: a light inside is still finite.
+            const float distance = std::max(length(area->center_mm - center_mm), radius_mm);
+            add(Kind::rectangle, static_cast<int>(rectangles_.size()),
+                r.radiance * r.area_mm2 / (distance * distance));
+            rectangles_.push_back(r);
+        } else {
+            const auto& directional = std::get<DirectionalLight>(light);
+            add(Kind::directional, static_cast<int>(directionals_.size()),
+                directional.irradiance.scale);
+            directionals_.push_back(
+                {normalize(directional.to_light), static_cast<float>(directional.irradiance.scale),
+                 basis.add(unit_illuminant(directional.irradiance.illuminant))});
+        }
+    }
+    normalise();
+}
+
+void LightSet::add(Kind kind, int index, double estimate) {
+    // A black light is never worth a ray.
+    if (estimate > 0) entries_.push_back({kind, index, static_cast<float>(estimate), 0});
+}
+
+void LightSet::normalise() {
+    // A tenth is shared out evenly: the estimate may be far off for a given point.
+    constexpr double kEvenShare = 0.1;
+    double total = 0;
+    for (const Entry& e : entries_) total += e.probability;
+    double sum = 0;
+    rectangle_probability_.assign(rectangles_.size(), 0);
+    for (Entry& e : entries_) {
+        const double p = (1 - kEvenShare) * e.probability / total +
+                         kEvenShare / static_cast<double>(entries_.size());
+        sum += p;
+        e.probability = static_cast<float>(p);
+        e.cumulative = static_cast<float>(sum);
+        if (e.kind == Kind::environment) environment_probability_ = e.probability;
+        if (e.kind == Kind::sun) {
+            sun_pdf_ = static_cast<float>(p / disk_solid_angle(*sun_));
+        }
+        if (e.kind == Kind::rectangle) rectangle_probability_[e.index] = e.probability;
+    }
+    if (!entries_.empty()) entries_.back().cumulative = 1;
+}
+
+std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f u,
+                                            const FloatLanes* basis) const {
+    const Entry* entry = entries_.data();
+    while (u_light >= entry->cumulative) ++entry;  // the last one's is 1
+    switch (entry->kind) {
+        case Kind::environment: {
+            const DirectionSample s = table_->sample(u);
+            const float pdf = environment_probability_ * s.pdf;
+            if (!(pdf > 0)) return std::nullopt;
+            return LightSample{s.direction, kInfinity, pdf, false,
+                               environment_->radiance(s.direction, basis)};
+        }
+        case Kind::sun: {
+            const float drop = 0.5f * u.x * sun_->chord_squared;  // 1 - cos
+            const float sine = std::sqrt(std::max(0.0f, drop * (2 - drop)));
+            const float angle = 2 * std::numbers::pi_v<float> * u.y;
+            const Vec3f local{sine * std::cos(angle), sine * std::sin(angle), 1 - drop};
+            return LightSample{Frame::around(sun_->direction).to_world(local), kInfinity, sun_pdf_,
+                               false, sun_radiance(basis)};
+        }
+        case Kind::rectangle: {
+            const CompiledRectangle& r = rectangles_[entry->index];
+            const Vec3f to = r.corner_mm + u.x * r.edge_u_mm + u.y * r.edge_v_mm - point_mm;
+            const float distance = length(to);
+            const Vec3f direction = (1 / distance) * to;
+            const float pdf = rectangle_pdf(entry->index, direction, distance);
+            if (!(pdf > 0) || !(pdf < kInfinity)) return std::nullopt;
+            return LightSample{direction, distance, pdf, !r.visible,
+                               rectangle_radiance(entry->index, basis)};
+        }
+        case Kind::directional: {
+            const Directional& d = directionals_[entry->index];
+            return LightSample{d.direction, kInfinity, entry->probability, true,
+                               d.irradiance * basis[d.spectrum]};
+        }
+    }
+    return std::nullopt;
+}
+
+float LightSet::rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const {
+    const CompiledRectangle& r = rectangles_[rectangle];
+    const float cos_light = -dot(direction, r.normal);
+    if (cos_light <= 0) return 0;
+    return rectangle_probability_[rectangle] * distance_mm * distance_mm / (cos_light * r.area_mm2);
+}
+
+}  // namespace nacre::render

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nacre/render/direction_table.h"
+#include "nacre/render/environment.h"
+
+// The lights of a scene, ready to be sampled. Lights are chosen with fixed probabilities after a
+// rough estimate of what each gives at the middle of the scene; every pdf below includes that
+// probability.
+
+namespace nacre::render {
+
+struct LightSample {
+    Vec3f direction;      ///< from the surface to the light
+    float distance = 0;   ///< infinity for distant lights
+    float pdf = 0;        ///< per solid angle; of a DirectionalLight: the probability alone
+    bool delta = false;   ///< no BSDF sample can find it: it needs no weight
+    FloatLanes radiance;  ///< of a DirectionalLight: irradiance
+};
+
+/// A rectangle that shines towards its normal.
+struct CompiledRectangle {
+    Vec3f corner_mm, edge_u_mm, edge_v_mm, normal;
+    float area_mm2 = 0, radiance = 0;
+    int spectrum = 0;
+    bool visible = true;
+};
+
+class LightSet {
+ public:
+    /// @param center_mm, radius_mm  a sphere about what the lights are to light
+    LightSet(const std::vector<Light>& lights, const std::optional<Environment>& environment,
+             Vec3f center_mm, float radius_mm, EmissionBasis& basis);
+
+    bool empty() const { return entries_.empty(); }
+    const std::vector<CompiledRectangle>& rectangles() const { return rectangles_; }
+
+    /// Draws a light and a direction towards it. Empty where the light's dark side faces the point.
+    std::optional<LightSample> sample(Vec3f point_mm, float u_light, Vec2f u,
+                                      const FloatLanes* basis) const;
+
+    /// Radiance of what lies behind everything, weighted by `weight(pdf)` for each light there:
+    /// pdf is that with which sample() finds this direction from that light.
+    template <class Weight>
+    FloatLanes escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const;
+
+    FloatLanes rectangle_radiance(int rectangle, const FloatLanes* basis) const {
+        const CompiledRectangle& r = rectangles_[rectangle];
+        return r.radiance * basis[r.spectrum];
+    }
+    /// Density of sample() for a point of the rectangle seen at `distance_mm` in `direction`.
+    float rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const;
+
+ private:
+    enum class Kind { environment, sun, rectangle, directional };
+    struct Entry {
+        Kind kind;
+        int index = 0;
+        float probability = 0, cumulative = 0;
+    };
+    struct Directional {
+        Vec3f direction;
+        float irradiance;
+        int spectrum;
+    };
+
+    void add(Kind kind, int index, double estimate);
+    void normalise();
+    FloatLanes sun_radiance(const FloatLanes* basis) const {
+        return sun_->radiance * basis[sun_->spectrum];
+    }
+
+    std::vector<Entry> entries_;
+    std::vector<CompiledRectangle> rectangles_;
+    std::vector<float> rectangle_probability_;
+    std::vector<Directional> directionals_;
+    std::unique_ptr<const EnvironmentRadiance> environment_;
+    std::optional<DirectionTable> table_;
+    std::optional<DistantDisk> sun_;
+    float sun_pdf_ = 0, environment_probability_ = 0;
+};
+
+template <class Weight>
+FloatLanes LightSet::escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const {
+    FloatLanes sum{};
+    if (environment_) {
+        const float pdf = environment_probability_ * table_->pdf(direction);
+        sum += weight(pdf) * environment_->radiance(direction, basis);
+    }
+    if (sun_ && sun_->contains(direction)) {
+        sum += weight(sun_pdf_) * sun_radiance(basis);
+    }
+    return sum;
+}
+
+}  // namespace nacre::render

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/warp.h"
+#include "nacre/render/scene_description.h"
+
+// Only for tests: a coated paint in a few lines, with a mirror, a sharp lobe whose colour turns
+// with angle, and a diffuse ground. It has all that a renderer must cope with.
+
+namespace nacre::render::testing {
+
+class BoundGlossy final : public bsdf::BoundBsdf {
+ public:
+    BoundGlossy(const bsdf::Wavelengths& wavelengths_nm, float exponent, float mirror)
+        : nm_(make_lanes([&](int i) { return static_cast<float>(wavelengths_nm[i]); })),
+          exponent_(exponent),
+          mirror_(mirror) {}
+
+    FloatLanes eval(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+        const Vec3f h = normalize(wi + wo);
+        const float cos_h = dot(wi, h);
+        const float lobe = density(h) / (4 * cos_h * std::max(wi.z, wo.z));
+        return (1 - mirror_) * (lobe * colour(cos_h) + splat(0.1f * kInvPi));
+    }
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+        if (wi.z <= 0) return std::nullopt;
+        const float p_mirror = mirror_probability();
+        if (u_lobe < p_mirror) {
+            return bsdf::BsdfSample{
+                {-wi.x, -wi.y, wi.z}, splat(mirror_ / p_mirror), p_mirror, true};
+        }
+        Vec3f wo;
+        if ((u_lobe - p_mirror) / (1 - p_mirror) < kLobeShare) {
+            const float z = std::pow(u.x, 1 / (exponent_ + 2));
+            const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+            const float angle = 2 * std::numbers::pi_v<float> * u.y;
+            const Vec3f h{r * std::cos(angle), r * std::sin(angle), z};
+            wo = 2 * dot(wi, h) * h - wi;
+        } else {
+            wo = bsdf::cosine_hemisphere(u);
+        }
+        if (wo.z <= 0) return std::nullopt;
+        const float density = pdf(wi, wo);
+        if (!(density > 0)) return std::nullopt;
+        return bsdf::BsdfSample{wo, (wo.z / density) * eval(wi, wo), density, false};
+    }
+    float pdf(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return 0;
+        const Vec3f h = normalize(wi + wo);
+        return (1 - mirror_probability()) * (kLobeShare * density(h) * h.z / (4 * dot(wi, h)) +
+                                             (1 - kLobeShare) * kInvPi * wo.z);
+    }
+    FloatLanes albedo(Vec3f wi) const override { return 0.8f * colour(wi.z); }
+
+ private:
+    static constexpr float kInvPi = std::numbers::inv_pi_v<float>;
+    static constexpr float kLobeShare = 0.7f;
+
+    float mirror_probability() const { return mirror_ > 0 ? 0.1f : 0; }
+    /// Normalised such that Int D cos(theta_h) d omega = 1.
+    float density(Vec3f h) const {
+        return (exponent_ + 2) * 0.5f * kInvPi * std::pow(std::max(h.z, 0.0f), exponent_);
+    }
+    /// A fringe that moves to shorter wavelengths with angle, as a film's does.
+    FloatLanes colour(float cosine) const {
+        return make_lanes([&](int i) {
+            return 0.4f + 0.35f * std::cos(std::numbers::pi_v<float> * 1300 *
+                                           (0.5f + 0.5f * cosine) / nm_[i]);
+        });
+    }
+
+    FloatLanes nm_;
+    float exponent_, mirror_;
+};
+
+class Glossy final : public bsdf::Bsdf {
+ public:
+    explicit Glossy(float exponent = 60, float mirror = 0.05f)
+        : exponent_(exponent), mirror_(mirror) {}
+    std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths& nm) const override {
+        return std::make_unique<BoundGlossy>(nm, exponent_, mirror_);
+    }
+
+ private:
+    float exponent_, mirror_;
+};
+
+}  // namespace nacre::render::testing
