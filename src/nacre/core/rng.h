@@ -11,7 +11,7 @@
 namespace nacre {
 
 /// Bijective scrambling of 64 bits: the output function of SplitMix64.
-/// [steele-2014, figure 16, with the constants of Stafford's variant 13]
+/// [steele-2014; the constants are those of variant 13 of Stafford]
 constexpr std::uint64_t mix_bits(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
@@ -35,7 +35,7 @@ constexpr float to_unit_float(std::uint32_t bits) {
     return static_cast<float>(bits >> 8) * 0x1p-24f;
 }
 
-/// PCG-XSH-RR 64/32: period 2^64, 2^63 streams.                    [oneill-2014, section 6.3.1]
+/// PCG-XSH-RR 64/32: period 2^64, 2^63 streams.                    [oneill-2014, section 6.3]
 /// A UniformRandomBitGenerator. Not for cryptography.
 class Rng {
  public:

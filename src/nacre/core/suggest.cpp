@@ -42,7 +42,8 @@ std::optional<std::string> closest_match(std::string_view name,
         if (candidate.size() > kLongestName) continue;
         const int longest = static_cast<int>(std::max(name.size(), candidate.size()));
         const int distance = edit_distance(name, candidate);
-        if (distance <= std::max(1, longest / 3) && (!best || distance < best_distance)) {
+        if (distance < longest && distance <= std::max(1, longest / 3) &&
+            (!best || distance < best_distance)) {
             best = candidate;
             best_distance = distance;
         }

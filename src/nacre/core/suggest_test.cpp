@@ -38,6 +38,7 @@ TEST(ClosestMatch, SaysNothingWhenNothingIsNear) {
     EXPECT_EQ(closest_match("viscosity", keys), std::nullopt);
     EXPECT_EQ(closest_match("", keys), std::nullopt);
     EXPECT_EQ(closest_match("x", {}), std::nullopt);
+    EXPECT_EQ(closest_match("B", std::vector<std::string>{"A", "E"}), std::nullopt);
     EXPECT_EQ(did_you_mean("viscosity", keys), "");
 }
 
