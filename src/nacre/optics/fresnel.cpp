@@ -10,16 +10,11 @@ namespace nacre::optics {
 
 namespace {
 
-constexpr double kLargestIndex = 1e3;
-
 void require_passive(ComplexIndex index, const char* name) {
-    const bool valid = index.real() > 0 && index.real() <= kLargestIndex && index.imag() >= 0 &&
-                       index.imag() <= kLargestIndex;
-    if (!valid) {
-        throw DomainError(
-            fmt::format("{} = {}+{}i is outside n in (0, {}], k in [0, {}] (k >= 0 "
-                        "absorbs, gain is not modelled)",
-                        name, index.real(), index.imag(), kLargestIndex, kLargestIndex));
+    if (!kRefractiveIndexRange.contains(index.real()) || !kExtinctionRange.contains(index.imag())) {
+        throw DomainError(fmt::format(
+            "{} = {}{:+}i is outside n in {}, k in {} (k >= 0 absorbs, gain is not modelled)", name,
+            index.real(), index.imag(), kRefractiveIndexRange.text(), kExtinctionRange.text()));
     }
 }
 

@@ -5,19 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "nacre/core/range.h"
+
 // Refractive indices with dispersion. Signs and the meaning of k: docs/conventions.md.
 
 namespace nacre::optics {
 
 using ComplexIndex = std::complex<double>;  // n + i k, k >= 0 absorbs
 
+inline constexpr Range kRefractiveIndexRange{.lo = 0, .hi = 1e3, .lo_open = true};
+inline constexpr Range kExtinctionRange{.lo = 0, .hi = 1e3};
+
 /// A substance by its refractive index: a constant, or samples between which n and k are linear.
 /// A value: copies are cheap enough and compare equal when they describe the same substance.
 class Material {
  public:
     /// A medium without dispersion, named after its index.
-    Material(ComplexIndex index = 1.0);  // NOLINT: a number is a material
-    /// @throws DomainError if sizes differ, wavelengths do not increase, n <= 0 or k < 0.
+    Material(ComplexIndex index = 1.0);                        // NOLINT: a number is a material
+    Material(double index) : Material(ComplexIndex(index)) {}  // NOLINT: likewise
+    /// @throws DomainError if sizes differ or are below 2, wavelengths do not increase, or n or k
+    /// is out of range.
     Material(std::string name, std::vector<double> wavelengths_nm, std::vector<ComplexIndex> index,
              std::string source = {});
     Material(std::string name, ComplexIndex index, std::string source = {});

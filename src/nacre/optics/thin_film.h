@@ -10,6 +10,15 @@
 
 namespace nacre::optics {
 
+inline constexpr Range kFilmThicknessRange{.lo = 0, .hi = 1e9, .unit = "nm"};
+inline constexpr Range kThinFilmWavelengthRange{.lo = 1, .hi = 1e9, .unit = "nm"};
+
+inline constexpr Range kFlakeFilmThicknessRange{.lo = 0, .hi = 1e6, .unit = "nm"};
+
+/// Error of R and T of a stack against 50-digit arithmetic, for up to 20 films of optical
+/// thickness up to 10 wavelengths each.
+inline constexpr double kStackError = 1e-12;
+
 struct ThinFilm {
     ComplexIndex index;
     double thickness_nm = 0;
@@ -21,8 +30,16 @@ struct ReflectanceTransmittance {
 
 enum class Polarization { s, p, unpolarized };
 
-/// R and T of a stack between two half spaces, by transfer (characteristic) matrices.
-/// ambient must be real; the substrate may absorb; T is the power that enters the substrate.
+/// R and T of a stack between two half spaces, by characteristic matrices, scaled so that thick
+/// absorbing films and total reflection need no special care.     [born-wolf-1999, 1.6 eq. 33-55]
+///
+/// @param ambient        index above the stack, real
+/// @param films          from the ambient to the substrate; they may absorb
+/// @param substrate      index below; it may absorb
+/// @param cos_incident   cosine of the incidence angle in the ambient, in [0, 1]; 0 is the limit
+/// @param wavelength_nm  in vacuum, in kThinFilmWavelengthRange
+/// @return  R, and T as the power that enters the substrate; 1 - R - T is absorbed in the films
+/// @throws DomainError naming the argument, its value and its range
 ReflectanceTransmittance stack_reflectance(ComplexIndex ambient, std::span<const ThinFilm> films,
                                            ComplexIndex substrate, double cos_incident,
                                            double wavelength_nm, Polarization polarization);
@@ -53,11 +70,25 @@ struct Platelet {
     friend bool operator==(const Platelet&, const Platelet&) = default;
 };
 
+/// Error of the averages over thickness spreads, against dense sums of stack_reflectance.
+inline constexpr double kPlateletError = 1e-6;
+
 /// Unpolarised R and T of a platelet embedded in `binder` on both sides, averaged over the spread
 /// of each film, for every pair (cosine, wavelength): arrays [cosine][wavelength], row-major.
 struct PlateletTable {
     std::vector<double> reflectance, transmittance;
 };
+
+/// @param binder          transparent medium on both sides; the cosines are measured in it
+/// @param cosines         |cosine| of the angle between light and flake normal, in [0, 1]
+/// @param wavelengths_nm  in vacuum, within the data of all materials
+/// @throws DomainError naming the argument, its value and its range; if the binder absorbs; if so
+///         many films vary that the average would take more than some seconds
+///
+/// Both sides of a coat vary together, so the two coats share their amplitudes, and the core
+/// between them is averaged with one complex sum per coat thickness. Wavelengths are vector lanes
+/// and cosines run in parallel. Films are coherent: flakes thicker than the coherence length of the
+/// light within one wavelength sample need the spread, or finer wavelengths, to lose their fringes.
 PlateletTable platelet_table(const Platelet& platelet, const Material& binder,
                              std::span<const double> cosines,
                              std::span<const double> wavelengths_nm);

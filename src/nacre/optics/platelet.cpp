@@ -1,0 +1,338 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/optics/complex_lanes.h"
+#include "nacre/optics/fresnel.h"
+#include "nacre/optics/thickness_rule.h"
+#include "nacre/optics/thin_film.h"
+
+// A platelet is the core between two mirror images of its coat. For the coat, let r_out be its
+// amplitude reflectance from the binder, r_in the one from the core, and tt the product of its
+// transmittances both ways. With w = e^(2 i phase of the core) the platelet has
+//     r = r_out + tt r_in w / (1 - r_in^2 w),      |t|^2 = |tt|^2 |w| / |1 - r_in^2 w|^2
+// [born-wolf-1999, 7.6 eq. 8-15]. The coat's amplitudes are computed once for each of its
+// thicknesses, then averaged over the core's.
+
+namespace nacre::optics {
+
+namespace {
+
+constexpr double kTargetError = 1e-7;
+constexpr double kLeastCosine = 1e-9;  // stands for the limit at 0, where all is 0/0
+constexpr int kMostNodesPerFilm = 768;
+constexpr double kMostNodes = 4e6;  // of all films together, some seconds of work
+
+/// Wave vectors and interfaces at one cosine for one lane vector of wavelengths.
+struct Lanes {
+    /// e^(i phase_rate d) is a film's factor for the way there and back; core first.
+    std::vector<ComplexLanes> phase_rate;
+    /// Reflectance amplitude of the interfaces, from outside: binder | last coat, ..., first coat |
+    /// core; for s and p.
+    std::vector<ComplexLanes> interface[2];
+    bool core_transmits = true;  ///< the core is transparent and below its critical angle
+};
+
+class PlateletAverage {
+ public:
+    PlateletAverage(const Platelet& platelet, const Material& binder,
+                    std::span<const double> wavelengths_nm)
+        : wavelengths_nm_(wavelengths_nm) {
+        films_.push_back(&platelet.core);
+        for (const auto& coat : platelet.coats) films_.push_back(&coat);
+        for (double w : wavelengths_nm) {
+            const ComplexIndex n = binder.index(w);
+            if (n.imag() != 0) {
+                throw DomainError(fmt::format(
+                    "binder \"{}\" absorbs at {} nm (k = {}); give the absorption to the layer "
+                    "instead, a flake's reflectance needs a transparent binder",
+                    binder.name(), w, n.imag()));
+            }
+            binder_.push_back(n.real());
+        }
+        for (const FilmPopulation* film : films_) {
+            index_.emplace_back();
+            for (double w : wavelengths_nm) index_.back().push_back(film->material.index(w));
+        }
+        core_spreads_ = films_[0]->spread.standard_deviation_nm > 0;
+        if (core_spreads_) arc_ = thickness_arc(films_[0]->thickness_nm, films_[0]->spread);
+    }
+
+    /// Chooses and prepares the nodes for a set of cosines.
+    void prepare(std::span<const double> cosines) {
+        for (double c : cosines) {
+            auto counts = node_counts(std::max(c, kLeastCosine));
+            double all = 1;
+            for (std::size_t f = 0; f < films_.size(); ++f) {
+                all *= f == 0 && core_spreads_ ? std::max<double>(counts[f], 64) : counts[f];
+                auto& rule = rules_[{f, counts[f]}];
+                if (rule.weights.empty()) {
+                    rule = thickness_rule(films_[f]->thickness_nm, films_[f]->spread, counts[f]);
+                }
+            }
+            if (all > kMostNodes) {
+                throw DomainError(fmt::format(
+                    "averaging a platelet of {} films over all their spreads takes {:g} "
+                    "combinations of thicknesses, more than {:g}; give fewer films a spread_nm",
+                    films_.size(), all, kMostNodes));
+            }
+            counts_.push_back(std::move(counts));
+        }
+    }
+
+    void row(std::size_t i, double cosine, double* reflectance, double* transmittance) const {
+        cosine = std::max(cosine, kLeastCosine);
+        std::vector<const ThicknessRule*> rules;
+        for (std::size_t f = 0; f < films_.size(); ++f) {
+            rules.push_back(&rules_.at({f, counts_[i][f]}));
+        }
+        std::vector<ComplexLanes> w;
+        for (std::size_t first = 0; first < wavelengths_nm_.size(); first += kLanes) {
+            const Lanes lanes = make(cosine, first);
+            DoubleLanes r{}, t{};
+            if (core_spreads_ && lanes.core_transmits) {
+                average_arc(lanes, rules, w, r, t);
+            } else {
+                average_real(lanes, rules, w, r, t);
+            }
+            const std::size_t count = std::min<std::size_t>(kLanes, wavelengths_nm_.size() - first);
+            for (std::size_t l = 0; l < count; ++l) {
+                reflectance[first + l] = r[l] / 2;  // mean of the polarisations
+                transmittance[first + l] = t[l] / 2;
+            }
+        }
+    }
+
+ private:
+    Lanes make(double cosine, std::size_t first) const {
+        const std::size_t count = films_.size();
+        Lanes lanes;
+        lanes.phase_rate.resize(count);
+        for (auto& list : lanes.interface) list.resize(count);
+        for (int l = 0; l < kLanes; ++l) {
+            const std::size_t j =
+                std::min(first + static_cast<std::size_t>(l), wavelengths_nm_.size() - 1);
+            std::complex<double> y_s = binder_[j] * cosine, y_p = cosine / binder_[j];
+            for (std::size_t f = count; f-- > 0;) {
+                const ComplexIndex n = index_[f][j];
+                std::complex<double> q = normal_wavevector(binder_[j], n, cosine);
+                // Exactly at the critical angle both waves in the film are one, and the sums below
+                // would be 0/0; a film so close to it is the same to 1e-9.
+                constexpr double least = 1e-9;
+                if (std::abs(q) < least) q = least;
+                const auto below_s = q, below_p = q / (n * n);
+                set(lanes.interface[0][count - 1 - f], l, (y_s - below_s) / (y_s + below_s));
+                set(lanes.interface[1][count - 1 - f], l, (y_p - below_p) / (y_p + below_p));
+                set(lanes.phase_rate[f], l, 4 * std::numbers::pi / wavelengths_nm_[j] * q);
+                y_s = below_s;
+                y_p = below_p;
+                if (f == 0 && (n.imag() != 0 || q.imag() != 0)) lanes.core_transmits = false;
+            }
+        }
+        return lanes;
+    }
+
+    static void set(ComplexLanes& lanes, int l, std::complex<double> value) {
+        lanes.re[l] = value.real();
+        lanes.im[l] = value.imag();
+    }
+
+    struct Coat {
+        ComplexLanes r_out, r_in, tt;
+    };
+
+    /// Calls use(coat, polarisation, weight) for every combination of the coats' thicknesses.
+    template <class Use>
+    void for_each_coat(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
+                       const Use& use) const {
+        Coat start[2];
+        for (int p = 0; p < 2; ++p) {
+            const ComplexLanes f = lanes.interface[p][0];
+            start[p] = {f, -f, splat(1.0) - f * f};
+        }
+        add_coats(lanes, rules, films_.size() - 1, start, 1.0, use);
+    }
+
+    /// Adds film `film` and those below it, the core excepted, under the coats in `above`.
+    template <class Use>
+    void add_coats(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
+                   std::size_t film, const Coat (&above)[2], double weight, const Use& use) const {
+        if (film == 0) {
+            for (int p = 0; p < 2; ++p) use(above[p], weight);
+            return;
+        }
+        const ThicknessRule& rule = *rules[film];
+        for (std::size_t i = 0; i < rule.weights.size(); ++i) {
+            const ComplexLanes e =
+                exp_i(nacre::splat(rule.thickness_nm[i]) * lanes.phase_rate[film]);
+            Coat next[2];
+            for (int p = 0; p < 2; ++p) {
+                const Coat& a = above[p];
+                const ComplexLanes f = lanes.interface[p][films_.size() - film];
+                const ComplexLanes bounce = splat(1.0) / (splat(1.0) - a.r_in * e * f);
+                const ComplexLanes through = splat(1.0) - f * f;
+                const ComplexLanes e_bounce = e * bounce;
+                next[p] = {a.r_out + a.tt * f * e_bounce, through * a.r_in * e_bounce - f,
+                           a.tt * through * e_bounce * bounce};
+            }
+            add_coats(lanes, rules, film - 1, next, weight * rule.weights[i], use);
+        }
+    }
+
+    /// The general case: every thickness of the core by itself.
+    void average_real(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
+                      std::vector<ComplexLanes>& w, DoubleLanes& r, DoubleLanes& t) const {
+        const ThicknessRule& core = *rules[0];
+        const std::size_t count = core.weights.size();
+        w.resize(count);
+        for (std::size_t j = 0; j < count; ++j) {
+            w[j] = exp_i(nacre::splat(core.thickness_nm[j]) * lanes.phase_rate[0]);
+        }
+        std::vector<DoubleLanes> w_abs(count);
+        for (std::size_t j = 0; j < count; ++j) {
+            w_abs[j] = exp_lanes(-core.thickness_nm[j] * lanes.phase_rate[0].im);
+        }
+        for_each_coat(lanes, rules, [&](const Coat& coat, double weight) {
+            const ComplexLanes p = coat.r_in * coat.r_in;
+            const ComplexLanes b = coat.tt * coat.r_in - coat.r_out * p;
+            DoubleLanes sum_r{}, sum_t{};
+            for (std::size_t j = 0; j < count; ++j) {
+                const DoubleLanes share = core.weights[j] / norm(splat(1.0) - p * w[j]);
+                sum_r += share * norm(coat.r_out + b * w[j]);
+                sum_t += share * w_abs[j];
+            }
+            r += weight * sum_r;
+            t += weight * norm(coat.tt) * sum_t;
+        });
+    }
+
+    /// For |w| = 1 on the real axis. With p = r_in^2, 1/|1 - p w|^2 is the real part of
+    /// (1 + p w)/(1 - p w) over 1 - |p|^2, the Poisson kernel; so R and T follow from the mean of
+    /// w/(1 - p w) alone, which is analytic and can be averaged on an arc.
+    void average_arc(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
+                     std::vector<ComplexLanes>& w, DoubleLanes& r, DoubleLanes& t) const {
+        const std::size_t count = arc_.weights.size();
+        w.resize(2 * count);  // w, and w times the weight
+        for (std::size_t j = 0; j < count; ++j) {
+            w[2 * j] = exp_i(splat(arc_.thickness_nm[j]) * lanes.phase_rate[0]);
+            w[2 * j + 1] = splat(arc_.weights[j]) * w[2 * j];
+        }
+        for_each_coat(lanes, rules, [&](const Coat& coat, double weight) {
+            const ComplexLanes p = coat.r_in * coat.r_in;
+            ComplexLanes mean{};
+            for (std::size_t j = 0; j < count; ++j) {
+                mean = mean + w[2 * j + 1] / (splat(1.0) - p * w[2 * j]);
+            }
+            const ComplexLanes through = coat.tt * coat.r_in;
+            // Behind a coat that lets nothing through, 1 - |p|^2 may round to 0, and tt^2 too.
+            constexpr double tiny = 1e-300;
+            const DoubleLanes kernel =
+                (1.0 + 2.0 * (p * mean).re) / (max_lanes(1.0 - norm(p), nacre::splat(tiny)));
+            r += weight * (norm(coat.r_out) + 2.0 * (conj(coat.r_out) * through * mean).re +
+                           norm(through) * kernel);
+            t += weight * norm(coat.tt) * kernel;
+        });
+    }
+
+    // Nodes for the real rules. As a function of its phase a film's R has its nearest pole where
+    // the wave's amplitude after a round trip, p e^(Im phase), reaches 1; the error of Gauss's rule
+    // falls like rho^(-2 n) with rho from the ellipse through that pole [trefethen-2013, theorem
+    // 19.3].
+    static int nodes_for(double half_phase, double p) {
+        p = std::clamp(p, 1e-12, 1 - 1e-9);
+        const double pole = -std::log(p) / std::max(half_phase, 1e-12);
+        const double n = -std::log(kTargetError) / (2 * std::asinh(pole)) + 1;
+        // Few different counts, so that few rules are made.
+        const int rounded = n < 16 ? static_cast<int>(std::ceil(n))
+                                   : 8 * static_cast<int>(std::ceil(std::min(n, 1e4) / 8));
+        return std::clamp(rounded, 1, kMostNodesPerFilm);
+    }
+
+    std::vector<int> node_counts(double cosine) const {
+        const std::size_t count = films_.size();
+        std::vector<int> nodes(count, 1);
+        // Amplitudes in s are the larger ones; two interfaces together reflect at most
+        // (a + b)/(1 + a b).
+        const auto together = [](double a, double b) { return (a + b) / (1 + a * b); };
+        std::vector<double> face(count), rate(count), decay(count);
+        for (std::size_t j = 0; j < wavelengths_nm_.size(); ++j) {
+            std::complex<double> y = binder_[j] * cosine;
+            std::vector<double> outward(count);
+            for (std::size_t f = count; f-- > 0;) {
+                const auto q = normal_wavevector(binder_[j], index_[f][j], cosine);
+                face[f] = y == q ? 0.0 : std::abs((y - q) / (y + q));
+                outward[f] = f + 1 < count ? together(outward[f + 1], face[f]) : face[f];
+                rate[f] = 4 * std::numbers::pi / wavelengths_nm_[j] * std::abs(q);
+                decay[f] = 4 * std::numbers::pi / wavelengths_nm_[j] * q.imag();
+                y = q;
+            }
+            // What comes back from the core's far side, seen from its near one: the mean over the
+            // core's thickness washes out all but a Gaussian remainder.
+            const double core_phase = rate[0] * films_[0]->spread.standard_deviation_nm;
+            const double thinnest_core_nm =
+                thickness_range(films_[0]->thickness_nm, films_[0]->spread).lo_nm;
+            double inward = std::exp(-core_phase * core_phase / 2 - decay[0] * thinnest_core_nm);
+            for (std::size_t f = 0; f < count; ++f) {
+                const auto& spread = films_[f]->spread;
+                // Where the arc serves, the core needs no nodes of its own.
+                const bool on_arc = f == 0 && decay[0] == 0;
+                if (spread.standard_deviation_nm > 0 && !on_arc) {
+                    const auto [lo, hi] = thickness_range(films_[f]->thickness_nm, spread);
+                    const double back = f == 0 ? outward[0] : inward;
+                    const double p = outward[f] * back * std::exp(-decay[f] * lo);
+                    nodes[f] = std::max(nodes[f], nodes_for(rate[f] * (hi - lo) / 2, p));
+                }
+                inward = together(inward, face[f]);
+            }
+        }
+        return nodes;
+    }
+
+    std::span<const double> wavelengths_nm_;
+    std::vector<const FilmPopulation*> films_;  // core first
+    std::vector<double> binder_;
+    std::vector<std::vector<ComplexIndex>> index_;  // [film][wavelength]
+    bool core_spreads_ = false;
+    ThicknessArc arc_;
+    std::map<std::pair<std::size_t, int>, ThicknessRule> rules_;  // by film and count
+    std::vector<std::vector<int>> counts_;                        // [cosine][film]
+};
+
+void require_film(const FilmPopulation& film) {
+    require_in_range(film.thickness_nm, kFlakeFilmThicknessRange.lo, kFlakeFilmThicknessRange.hi,
+                     "thickness of a flake's film in nm");
+    require_in_range(film.spread.standard_deviation_nm, 0, kFlakeFilmThicknessRange.hi,
+                     "standard deviation of a film's thickness in nm");
+}
+
+}  // namespace
+
+PlateletTable platelet_table(const Platelet& platelet, const Material& binder,
+                             std::span<const double> cosines,
+                             std::span<const double> wavelengths_nm) {
+    require_film(platelet.core);
+    for (const auto& coat : platelet.coats) require_film(coat);
+    for (double c : cosines) require_in_range(c, 0, 1, "cosine of the incidence on a flake");
+    for (double w : wavelengths_nm) {
+        require_in_range(w, kThinFilmWavelengthRange.lo, kThinFilmWavelengthRange.hi,
+                         "wavelength in nm");
+    }
+    PlateletAverage average(platelet, binder, wavelengths_nm);
+    average.prepare(cosines);
+    const std::size_t columns = wavelengths_nm.size();
+    PlateletTable table;
+    table.reflectance.resize(cosines.size() * columns);
+    table.transmittance.resize(cosines.size() * columns);
+    parallel_for(0, cosines.size(), [&](std::size_t i) {
+        average.row(i, cosines[i], &table.reflectance[i * columns],
+                    &table.transmittance[i * columns]);
+    });
+    return table;
+}
+
+}  // namespace nacre::optics
