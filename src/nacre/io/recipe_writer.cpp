@@ -39,8 +39,8 @@ std::string list(const std::vector<double>& values) {
 }
 
 std::string spectrum(const Spectrum& s) {
-    // A single sample at a wavelength is constant too, but a different value: keep it as it is.
-    if (s.wavelengths_nm().empty()) return number(s.values()[0]);
+    // A single sample at a wavelength is constant too, but another value: it is written in full.
+    if (s == Spectrum(s.values()[0])) return number(s.values()[0]);
     return fmt::format("{{ wavelengths_nm = {}, values = {} }}", list(s.wavelengths_nm()),
                        list(s.values()));
 }

@@ -12,15 +12,16 @@ namespace nacre::io {
 namespace {
 
 constexpr std::size_t kLongestShownValue = 60;
+constexpr std::size_t kLongestComplaint = 200;  // of the TOML parser, which quotes the text
 
 /// Printable and short, so that a message stays a line whatever stands in the file.
-std::string shortened(std::string text) {
+std::string shortened(std::string text, std::size_t longest = kLongestShownValue) {
     for (char& c : text) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
     }
-    if (text.size() <= kLongestShownValue) return text;
+    if (text.size() <= longest) return text;
     // Cut before a continuation byte would leave half a UTF-8 character.
-    std::size_t end = kLongestShownValue;
+    std::size_t end = longest;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
     return text.substr(0, end) + "...";
 }
@@ -30,6 +31,8 @@ std::string shown(const toml::node& node) {
     if (const toml::array* array = node.as_array()) {
         return array->empty() ? "[]" : fmt::format("[...] ({} entries)", array->size());
     }
+    // TOML writes every digit, as in 0.10000000000000001; the shortest that reads back will do.
+    if (const auto* real = node.as_floating_point()) return fmt::format("{}", real->get());
     std::ostringstream out;
     node.visit([&](const auto& value) {
         if constexpr (toml::is_value<decltype(value)>) out << toml::toml_formatter(value);
@@ -44,6 +47,10 @@ std::string joined(const std::vector<std::string>& words) {
         text += word;
     }
     return text;
+}
+
+std::string with_keys(const std::vector<std::string>& allowed) {
+    return allowed.empty() ? "" : " with the keys " + joined(allowed);
 }
 
 /// " (did you mean 'x'?)". A missing unit, as in "thickness" for "thickness_um", is the likeliest
@@ -76,7 +83,7 @@ TomlDocument::TomlDocument(std::string_view text, std::string filename,
         root_ = toml::parse(text, filename_);
     } catch (const toml::parse_error& error) {
         throw InputError(place(filename_, error.source()) +
-                         shortened(std::string(error.description())));
+                         shortened(std::string(error.description()), kLongestComplaint));
     }
 }
 
@@ -109,7 +116,7 @@ TableReader::TableReader(TomlDocument& document, const toml::table& table, std::
                          const Keys& allowed)
     : document_(&document), table_(&table), path_(std::move(path)), allowed_(allowed) {
     for (auto&& [key, node] : table) {
-        if (std::find(allowed_.begin(), allowed_.end(), key.str()) == allowed_.end()) {
+        if (!may_have(key.str())) {
             throw InputError(fmt::format("{}{} = {}: unknown key{}; allowed here: {}",
                                          place(document.filename(), key.source()),
                                          path_of(shortened(std::string(key.str()))), shown(node),
@@ -117,6 +124,20 @@ TableReader::TableReader(TomlDocument& document, const toml::table& table, std::
         }
         document.note(path_of(key.str()), node.source());
     }
+}
+
+bool TableReader::may_have(std::string_view key) const {
+    return allowed_.empty() || std::find(allowed_.begin(), allowed_.end(), key) != allowed_.end();
+}
+
+TableReader TableReader::narrowed(const Keys& allowed) const {
+    return {*document_, *table_, path_, allowed};
+}
+
+std::vector<std::string> TableReader::keys() const {
+    std::vector<std::string> keys;
+    for (auto&& [key, node] : *table_) keys.emplace_back(key.str());
+    return keys;
 }
 
 std::string TableReader::path_of(std::string_view key) const {
@@ -141,7 +162,7 @@ void TableReader::fail(std::string_view why) const {
 }
 
 const toml::node* TableReader::find(std::string_view key) const {
-    if (std::find(allowed_.begin(), allowed_.end(), key) == allowed_.end()) {
+    if (!may_have(key)) {
         throw std::logic_error(fmt::format("key {} was not announced", key));
     }
     return table_->get(key);
@@ -228,7 +249,7 @@ std::size_t TableReader::choice(std::string_view key, const std::vector<std::str
 }
 
 TableReader TableReader::table(std::string_view key, const Keys& allowed) const {
-    const std::string what = "a table with the keys " + joined(allowed);
+    const std::string what = "a table" + with_keys(allowed);
     const toml::table* table = require(key, what).as_table();
     if (!table) fail(key, "must be " + what);
     return {*document_, *table, path_of(key), allowed};
@@ -246,8 +267,8 @@ std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t m
     if (!node) return {};
     const toml::array* array = node->as_array();
     if (!array || array->empty() || array->size() > most) {
-        fail(key, fmt::format("must be a list of 1 to {} tables [[{}]] with the keys {}", most,
-                              path_of(key), joined(allowed)));
+        fail(key, fmt::format("must be a list of 1 to {} tables [[{}]]{}", most, path_of(key),
+                              with_keys(allowed)));
     }
     std::vector<TableReader> readers;
     readers.reserve(array->size());
@@ -255,7 +276,7 @@ std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t m
         const std::string entry = fmt::format("{}[{}]", path_of(key), i);
         const toml::table* table = (*array)[i].as_table();
         if (!table) {
-            fail_at(entry, (*array)[i], "must be a table with the keys " + joined(allowed));
+            fail_at(entry, (*array)[i], "must be a table" + with_keys(allowed));
         }
         document_->note(entry, table->source());
         readers.emplace_back(*document_, *table, entry, allowed);

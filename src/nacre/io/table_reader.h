@@ -53,8 +53,14 @@ class TableReader {
     using Keys = std::vector<std::string>;
 
     TableReader(TomlDocument& document, const Keys& allowed);  ///< the outermost table
+    /// No keys at all means that they are not known yet: see narrowed().
     TableReader(TomlDocument& document, const toml::table& table, std::string path,
                 const Keys& allowed);
+
+    /// The same table once it is known, from a `type` in it, which keys it may have.
+    TableReader narrowed(const Keys& allowed) const;
+    /// The keys that it has, for tables whose keys are names.
+    std::vector<std::string> keys() const;
 
     bool has(std::string_view key) const { return find(key) != nullptr; }
 
@@ -91,6 +97,7 @@ class TableReader {
     TomlDocument& document() const { return *document_; }
 
  private:
+    bool may_have(std::string_view key) const;
     const toml::node* find(std::string_view key) const;
     const toml::node& require(std::string_view key, std::string_view what) const;
     double as_number(const toml::node& node, const std::string& key, const Range& range) const;

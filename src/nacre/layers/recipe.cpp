@@ -152,9 +152,12 @@ void check_microfacet(const Microfacet& m) {
 }  // namespace
 
 std::optional<double> limits::wavelength_of_excess(const PrescribedFlake& flake) {
-    std::vector<double> samples = flake.reflectance.wavelengths_nm();
-    samples.insert(samples.end(), flake.transmittance.wavelengths_nm().begin(),
-                   flake.transmittance.wavelengths_nm().end());
+    std::vector<double> samples;
+    for (const Spectrum* spectrum : {&flake.reflectance, &flake.transmittance}) {
+        if (spectrum->is_constant()) continue;
+        samples.insert(samples.end(), spectrum->wavelengths_nm().begin(),
+                       spectrum->wavelengths_nm().end());
+    }
     if (samples.empty()) samples.push_back(550);  // both constant: any wavelength will do
     std::sort(samples.begin(), samples.end());
     const auto excess = std::find_if(samples.begin(), samples.end(), [&](double wavelength) {

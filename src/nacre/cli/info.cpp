@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+
+#include "nacre/cli/command.h"
+#include "nacre/cli/common_options.h"
+#include "nacre/core/atomic_file.h"
+#include "nacre/io/image.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/io/scene_file.h"
+#include "nacre/io/solved_paint_file.h"
+
+namespace nacre::cli {
+
+namespace {
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 32;
+
+struct InfoOptions : CommonOptions {
+    std::string file;
+};
+
+/// Lines of "name: value".
+class Facts {
+ public:
+    template <class... Args>
+    void add(const std::string& name, fmt::format_string<Args...> format, Args&&... args) {
+        text_ += fmt::format("{}: {}\n", name, fmt::format(format, std::forward<Args>(args)...));
+    }
+    const std::string& text() const { return text_; }
+
+ private:
+    std::string text_;
+};
+
+void describe_recipe(Facts& facts, const layers::Recipe& recipe) {
+    facts.add("name", "{}", recipe.name);
+    facts.add("recipe SHA-256", "{}", io::recipe_hash(recipe));
+    facts.add("binder", "{}", recipe.binder.name());
+    if (recipe.clearcoat) {
+        facts.add("clearcoat", "{} um, roughness {}", recipe.clearcoat->thickness_um,
+                  recipe.clearcoat->roughness);
+    }
+    for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
+        const layers::Layer& layer = recipe.layers[i];
+        facts.add(fmt::format("layer[{}]", i), "{} um, {} species of flakes, {} pigments",
+                  layer.thickness_um, layer.flakes.size(), layer.pigments.size());
+        for (std::size_t j = 0; j < layer.flakes.size(); ++j) {
+            const layers::FlakeSpecies& flakes = layer.flakes[j];
+            const double density = flakes.area_density_per_um();
+            facts.add(fmt::format("layer[{}].flakes[{}]", i, j),
+                      "{} (thickness {:.6g} um, diameter {} um, roughness {}, area density {:.6g} "
+                      "per um, {:.4g} flakes deep)",
+                      flakes.name.empty() ? "unnamed" : flakes.name, flakes.thickness_um(),
+                      flakes.diameter_um, flakes.orientation.beckmann_alpha, density,
+                      density * layer.thickness_um);
+        }
+    }
+    if (recipe.microfacet) {
+        facts.add("microfacet", "roughness {}, film {} nm of index {}, base {} + {}i",
+                  recipe.microfacet->alpha, recipe.microfacet->film_thickness_nm,
+                  recipe.microfacet->film_ior, recipe.microfacet->base_ior,
+                  recipe.microfacet->base_extinction);
+    }
+}
+
+void describe_solved_paint(Facts& facts, const std::string& bytes, const std::string& name) {
+    const layers::SolvedPaint paint = io::parse_solved_paint(bytes, name);
+    facts.add("kind", "solved paint (HDF5, format {})", io::kSolvedPaintFormatVersion);
+    facts.add("bytes", "{}", bytes.size());
+    describe_recipe(facts, paint.recipe);
+    facts.add("wavelengths", "{} from {} to {} nm", paint.wavelengths_nm().size(),
+              paint.wavelengths_nm().front(), paint.wavelengths_nm().back());
+    facts.add("nodes", "{} that leave the coat, {} beyond the critical angle",
+              paint.report.exit_nodes, paint.report.inner_nodes);
+    facts.add("azimuthal orders", "{}, tail {:.2g} of the peak", paint.report.orders,
+              paint.report.azimuthal_tail);
+    facts.add("unresolved scattering", "{:.2g}", paint.report.unresolved_scattering);
+    facts.add("remainder", "rank {}, {} coefficients", paint.remainder.rank(),
+              paint.remainder.coefficient.size());
+}
+
+void describe_image(Facts& facts, const std::string& bytes, const std::string& name) {
+    const io::Image image = io::parse_image(bytes, name);
+    facts.add("kind", "picture");
+    facts.add("bytes", "{}", bytes.size());
+    facts.add("size", "{} x {} pixels", image.width, image.height);
+    for (const io::Channel& channel : image.channels) {
+        double sum = 0, least = INFINITY, most = -INFINITY;
+        std::size_t finite = 0;
+        for (float v : channel.pixels) {
+            if (!std::isfinite(v)) continue;
+            ++finite;
+            sum += v;
+            least = std::min<double>(least, v);
+            most = std::max<double>(most, v);
+        }
+        facts.add("channel " + channel.name, "mean {:.6g}, from {:.6g} to {:.6g}, {} not finite",
+                  sum / static_cast<double>(std::max<std::size_t>(finite, 1)), least, most,
+                  channel.pixels.size() - finite);
+    }
+    for (const auto& [key, value] : image.metadata) facts.add(key, "{}", value);
+}
+
+void describe_scene(Facts& facts, const render::SceneDescription& scene) {
+    facts.add("kind", "scene");
+    facts.add("name", "{}", scene.name);
+    facts.add("shapes", "{}", scene.shapes.size());
+    facts.add("lights", "{}", scene.lights.size());
+    facts.add("environment", "{}", scene.environment ? "yes" : "no");
+    for (const auto& [name, material] : scene.materials) {
+        const auto* paint = std::get_if<render::PaintMaterial>(&material);
+        facts.add("material " + name, "{}",
+                  !paint                  ? "diffuse"
+                  : paint->recipe.empty() ? "the paint that --paint names"
+                                          : "paint " + paint->recipe.string());
+    }
+}
+
+std::string describe(const std::string& file) {
+    const std::string bytes = read_file(file, kMostBytes);
+    Facts facts;
+    facts.add("file", "{}", file);
+    if (io::looks_like_solved_paint(bytes)) {
+        describe_solved_paint(facts, bytes, file);
+    } else if (io::looks_like_image(bytes)) {
+        describe_image(facts, bytes, file);
+    } else {
+        const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+        if (io::looks_like_scene(bytes, file)) {
+            describe_scene(facts, io::parse_scene(bytes, file, folder));
+        } else {
+            facts.add("kind", "recipe");
+            describe_recipe(facts, io::parse_recipe(bytes, file, folder));
+        }
+    }
+    return facts.text();
+}
+
+}  // namespace
+
+Command add_info(CLI::App& program) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* info = program.add_subcommand("info", "Say what is in a file");
+    info->add_option("FILE", options->file, "Recipe, scene, solved paint or picture")->required();
+    add_output(*info, *options);
+    info->footer(
+        "Checks the file on the way: a solved paint against its checksum, a recipe or a scene "
+        "key by key.\n\n"
+        "Example:\n  nacre info gold.h5");
+    return {info, [options] {
+                emit(*options, describe(options->file));
+                return ExitStatus::ok;
+            }};
+}
+
+}  // namespace nacre::cli

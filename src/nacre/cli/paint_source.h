@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nacre/layers/solver.h"
+
+// Everything that takes a recipe takes a solved paint too.
+
+namespace nacre::cli {
+
+/// A recipe, or the recipe inside a solved paint.
+/// @throws InputError
+layers::Recipe load_recipe(const std::filesystem::path& path);
+
+/// A solved paint as it is, or a recipe solved at the given wavelengths (by default 400 to 700 nm
+/// by 10, layers::default_wavelengths_nm()).
+///
+/// @throws InputError if the file is wrong, or is a solved paint that lacks a wavelength asked for
+/// @throws DomainError, Error as layers::solve()
+layers::SolvedPaint load_paint(const std::filesystem::path& path,
+                               const std::optional<std::vector<double>>& wavelengths_nm,
+                               const layers::SolverSettings& settings = {});
+
+/// Position of a wavelength among those of a solved paint.
+/// @throws InputError if it is not there
+std::size_t wavelength_position(const layers::SolvedPaint& paint, double wavelength_nm,
+                                const std::filesystem::path& path);
+
+/// Refuses every model but those of this version.
+/// @throws UsageError
+void require_known_model(const std::string& model);
+
+}  // namespace nacre::cli

@@ -1,0 +1,183 @@
+#include "nacre/io/image.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "nacre/core/atomic_file.h"
+#include "nacre/core/error.h"
+#include "nacre/io/tone_map.h"
+#include "nacre/spectra/colour.h"
+
+namespace nacre::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ImageFiles : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  (std::string("nacre_image_test_") +
+                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::filesystem::path folder_;
+};
+
+/// 5 x 3 pixels, every value different, beyond [0, 1] too.
+Image example() {
+    Image image{5, 3, {}, {{"nacre:seed", "7"}, {"comments", "two\nlines"}}};
+    float value = -0.25f;
+    for (const char* name : {"B", "G", "R", "albedo.R", "S0.550,000000nm"}) {
+        Channel channel{name, {}};
+        for (int i = 0; i < 15; ++i) channel.pixels.push_back(value += 0.0371f);
+        image.channels.push_back(channel);
+    }
+    return image;
+}
+
+TEST_F(ImageFiles, ExrKeepsEveryChannelBitForBitAndTheMetadata) {
+    const Image image = example();
+    write_exr(folder_ / "a.exr", image);
+    const Image read = read_image(folder_ / "a.exr");
+    EXPECT_EQ(read.width, 5);
+    EXPECT_EQ(read.height, 3);
+    ASSERT_EQ(read.channels.size(), image.channels.size());
+    for (const Channel& channel : image.channels) {
+        ASSERT_TRUE(read.find(channel.name)) << channel.name;
+        EXPECT_EQ(read.find(channel.name)->pixels, channel.pixels);
+    }
+    EXPECT_EQ(read.metadata, image.metadata);
+    // The folder holds the file and nothing else.
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_),
+                            std::filesystem::directory_iterator()),
+              1);
+}
+
+TEST_F(ImageFiles, PngKeepsLightBelowTheShoulderToHalfAStep) {
+    Image image{256, 1, {{"R", {}}, {"G", {}}, {"B", {}}}, {{"nacre:seed", "7"}}};
+    for (Channel& channel : image.channels) {
+        for (int i = 0; i < 256; ++i) {
+            channel.pixels.push_back(static_cast<float>(spectra::srgb_decode(i / 255.0)));
+        }
+    }
+    write_png(folder_ / "a.png", image);
+    const Image read = read_image(folder_ / "a.png");
+    ASSERT_EQ(read.width, 256);
+    EXPECT_EQ(read.metadata.at("nacre:seed"), "7");
+    int compared = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t i = 0; i < 256 && image.channels[c].pixels[i] <= kShoulderStart; ++i) {
+            // A value that is one of the 256 codes comes back as that code.
+            EXPECT_EQ(read.channels[c].pixels[i], image.channels[c].pixels[i]) << i;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 3 * 200);
+}
+
+TEST(ToneMap, IsTheIdentityThenBendsSmoothlyAndNeverBurnsOut) {
+    EXPECT_EQ(soft_shoulder(0), 0);
+    EXPECT_EQ(soft_shoulder(0.5), 0.5);
+    EXPECT_EQ(soft_shoulder(-1), 0);
+    EXPECT_EQ(soft_shoulder(std::nan("")), 0);
+    const double h = 1e-6;
+    EXPECT_NEAR((soft_shoulder(kShoulderStart + h) - kShoulderStart) / h, 1, 1e-4);
+    for (double x = 0.8; x < 4; x += 0.01) EXPECT_LT(soft_shoulder(x), soft_shoulder(x + 0.01));
+    EXPECT_LE(soft_shoulder(1e30), 1);
+    EXPECT_EQ(display_byte(1e30, 1), 255);
+    EXPECT_EQ(display_byte(0.25, 2), display_byte(0.5, 1));
+}
+
+TEST(SpectralChannelName, HasSixDecimalsBehindAComma) {
+    EXPECT_EQ(spectral_channel_name(550), "S0.550,000000nm");
+    EXPECT_EQ(spectral_channel_name(412.5), "S0.412,500000nm");
+}
+
+// 2 x 2 pixels, flat: red 1, then 0.5, black, and 2 in all three.
+const std::string kHdrHeader = "#?RADIANCE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n";
+const std::string kHdrPixels("\x80\x00\x00\x81\x80\x00\x00\x80\x00\x00\x00\x00\x80\x80\x80\x82",
+                             16);
+
+TEST(RadianceHdr, ReadsSharedExponents) {
+    const Image image = parse_image(kHdrHeader + kHdrPixels, "a.hdr");
+    ASSERT_EQ(image.pixel_count(), 4u);
+    const std::vector<float>& red = image.find("R")->pixels;
+    // (128 + 1/2) / 256 * 2^(exponent - 128): the middle of what the mantissa stands for.
+    EXPECT_FLOAT_EQ(red[0], 128.5f / 128);
+    EXPECT_FLOAT_EQ(red[1], 128.5f / 256);
+    EXPECT_EQ(red[2], 0);
+    EXPECT_FLOAT_EQ(image.find("B")->pixels[3], 128.5f / 64);
+}
+
+TEST(RadianceHdr, DividesByTheExposure) {
+    const Image image = parse_image(
+        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=4\nEXPOSURE= 0.5\n\n-Y 2 +X 2\n" + kHdrPixels,
+        "a.hdr");
+    EXPECT_FLOAT_EQ(image.find("R")->pixels[0], 128.5f / 128 / 2);
+}
+
+TEST(RadianceHdr, ReadsBothKindsOfRuns) {
+    // Separate components: nine pixels, a run of nine for each but green, which is spelled out.
+    std::string runs = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 9\n";
+    runs += std::string("\x02\x02\x00\x09", 4) + std::string("\x89\x80", 2) +
+            std::string("\x09\x01\x02\x03\x04\x05\x06\x07\x08\x09", 10) +
+            std::string("\x89\x00", 2) + std::string("\x89\x81", 2);
+    const Image separate = parse_image(runs, "a.hdr");
+    EXPECT_FLOAT_EQ(separate.find("R")->pixels[8], 128.5f / 128);
+    EXPECT_FLOAT_EQ(separate.find("G")->pixels[6], 7.5f / 128);
+    // The older kind: one pixel, then 1 1 1 3 repeats it.
+    std::string old = "#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 4\n";
+    old += std::string("\x80\x00\x00\x81\x01\x01\x01\x03", 8);
+    EXPECT_FLOAT_EQ(parse_image(old, "a.hdr").find("R")->pixels[3], 128.5f / 128);
+}
+
+TEST_F(ImageFiles, CutAnywhereIsRefusedAndNamed) {
+    write_exr(folder_ / "a.exr", example());
+    write_png(folder_ / "a.png", example());
+    const std::string files[] = {read_file(folder_ / "a.exr"), read_file(folder_ / "a.png"),
+                                 kHdrHeader + kHdrPixels};
+    for (const std::string& bytes : files) {
+        // PNG: the last chunk ends the file and holds nothing; without it the pixels are whole.
+        const std::size_t essential = bytes.size() - (bytes[1] == 'P' ? 16 : 0);
+        for (std::size_t size = 0; size < essential; size += 1 + size / 40) {
+            try {
+                parse_image(bytes.substr(0, size), "cut.img");
+                ADD_FAILURE() << "accepted " << size << " of " << bytes.size() << " bytes";
+            } catch (const InputError& error) {
+                EXPECT_THAT(error.what(), HasSubstr("cut.img"));
+            }
+        }
+    }
+}
+
+TEST(ReadImage, RefusesForeignBytesAndAbsurdSizes) {
+    EXPECT_THROW(parse_image("", "x"), InputError);
+    EXPECT_THROW(parse_image("GIF89a", "x"), InputError);
+    EXPECT_THROW(read_image("no/such/file.exr"), InputError);
+    for (const char* size : {"-Y 40000 +X 2", "-Y 0 +X 2", "-Y -1 +X 2", "+Y 2 +X 2", "nonsense"}) {
+        EXPECT_THROW(
+            parse_image("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + std::string(size) + "\n", "x"),
+            InputError)
+            << size;
+    }
+    EXPECT_THROW(parse_image(kHdrHeader + kHdrPixels, "x", 11), InputError);  // 2 x 2 x 3 = 12
+    EXPECT_NO_THROW(parse_image(kHdrHeader + kHdrPixels, "x", 12));
+}
+
+TEST_F(ImageFiles, NothingIsWrittenWhereItCannotBe) {
+    EXPECT_THROW(write_exr(folder_ / "no" / "a.exr", example()), Error);
+    EXPECT_THROW(write_png(folder_ / "no" / "a.png", example()), Error);
+    Image broken = example();
+    broken.channels[0].pixels.pop_back();
+    EXPECT_THROW(write_exr(folder_ / "a.exr", broken), DomainError);
+    EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+}  // namespace
+}  // namespace nacre::io
