@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <ctime>
+#include <functional>
 #include <system_error>
 
 #include "nacre/core/error.h"
@@ -111,8 +113,8 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
             fmt::format("cannot write '{}': the name of a file is expected", path_.string()));
     }
     replace_ = !fs::exists(status) || fs::is_regular_file(status);
-    fs::path folder = replace_ ? target_.parent_path() : fs::temp_directory_path();
-    if (folder.empty()) folder = ".";
+    fs::path folder = replace_ ? target_.parent_path() : fs::temp_directory_path(ec);
+    if (folder.empty()) folder = replace_ ? "." : "/tmp";
     if (!fs::is_directory(folder, ec)) {
         throw InputError(fmt::format("cannot write '{}': there is no folder '{}'", path_.string(),
                                      folder.string()));
