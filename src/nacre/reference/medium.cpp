@@ -28,8 +28,6 @@ FlakeOptics::FlakeOptics(const layers::FlakeSpecies& species, const optics::Mate
     std::vector<double> cosines;
     for (int i = 0; i <= kPlateletTableIntervals; ++i)
         cosines.push_back(static_cast<double>(i) / kPlateletTableIntervals);
-    // At grazing incidence a platelet reflects everything; the transfer matrix is 0/0 there.
-    cosines.front() = 1e-9;
     const optics::PlateletTable table = optics::platelet_table(
         std::get<optics::Platelet>(species.body), binder, cosines, wavelengths_nm);
     const std::size_t count = wavelengths_nm.size();

@@ -22,8 +22,8 @@ using Lanes = DoubleLanes;
 /// Intervals of the uniform cosine grid on which R and T of a computed platelet are tabulated;
 /// between its nodes they are linear. For 150 nm of TiO2 on 500 nm of mica the interpolated R is
 /// within kPlateletTableError of the transfer matrix at every cosine and wavelength of the visible.
-inline constexpr int kPlateletTableIntervals = 512;
-inline constexpr double kPlateletTableError = 2e-4;
+inline constexpr int kPlateletTableIntervals = 2048;
+inline constexpr double kPlateletTableError = 6e-5;
 
 /// Reflectance and transmittance of a flake against the cosine of incidence on it.
 class FlakeOptics {

@@ -112,7 +112,7 @@ TEST(Flakes, TableOfAPlateletKeepsToTheTransferMatrix) {
     const std::array<double, 3> wavelengths{400, 550, 700};
     const FlakeOptics flake(species, binder, wavelengths);
     std::vector<double> cosines;  // between the nodes, where a linear table is worst
-    for (int i = 0; i < kPlateletTableIntervals; i += 7)
+    for (int i = 0; i < kPlateletTableIntervals; i += 3)
         cosines.push_back((i + 0.5) / kPlateletTableIntervals);
     const auto exact = optics::platelet_table(body, binder, cosines, wavelengths);
     double worst = 0;

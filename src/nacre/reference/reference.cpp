@@ -9,7 +9,6 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
-#include <optional>
 
 #include "nacre/core/error.h"
 #include "nacre/reference/walk.h"
@@ -17,10 +16,12 @@
 namespace nacre::reference {
 namespace {
 
-// Walks are cut into blocks with a stream of random numbers each; the cut depends on nothing but
-// the number of walks.
-constexpr std::uint64_t kMostBlocks = 1024;
-constexpr std::uint64_t kSmallestBlock = 64;
+// Walks are cut into blocks of this many, some of them of a few more, with a stream of random
+// numbers each; the cut depends on nothing but the number of walks.
+constexpr std::uint64_t kWalksPerBlock = 256;
+
+// More eyes than this are served by walks of their own, to bound memory.
+constexpr std::size_t kMostEyesPerWalk = 1024;
 
 Direction3 unit_vector(const Direction& direction) {
     const double theta = direction.theta_deg * std::numbers::pi / 180;
@@ -65,11 +66,23 @@ std::vector<std::span<const double>> batches(const layers::Recipe& recipe,
     return result;
 }
 
+std::uint64_t block_count(std::uint64_t samples) {
+    return std::max<std::uint64_t>(samples / kWalksPerBlock, 1);
+}
+
 /// Sums of a random variable and of its square over walks.
 struct Moments {
     std::vector<Lanes> sum, sum_of_squares;
 
-    explicit Moments(std::size_t count) : sum(count), sum_of_squares(count) {}
+    /// Of the radiance per eye, then of the power reflected, then of that absorbed below.
+    explicit Moments(std::size_t eye_count) : sum(eye_count + 2), sum_of_squares(eye_count + 2) {}
+
+    std::size_t eye_count() const { return sum.size() - 2; }
+    void add(const WalkTally& tally) {
+        for (std::size_t j = 0; j < eye_count(); ++j) add(j, tally.radiance[j]);
+        add(eye_count(), tally.reflected);
+        add(eye_count() + 1, tally.absorbed_by_substrate);
+    }
 
     void add(std::size_t i, const Lanes& x) {
         sum[i] += x;
@@ -116,21 +129,16 @@ struct Experiment {
     std::span<const Direction3> towards_eyes;
     std::span<const Connection> connections;  // used by all walks if the interface is smooth
     ReferenceSettings settings;
-    std::uint64_t stream;
-
-    /// Moments of the radiance per eye, then of the power reflected and absorbed below.
-    std::size_t quantity_count() const { return towards_eyes.size() + 2; }
-    std::uint64_t block_count() const {
-        return std::clamp<std::uint64_t>(settings.samples / kSmallestBlock, 1, kMostBlocks);
-    }
+    std::uint64_t number;  ///< among the experiments of one call
 
     void run_block(std::uint64_t block, Moments& moments) const {
-        RandomStream random(settings.seed, stream, block);
+        RandomStream random(settings.seed, number, block);
         WalkTally tally;
         tally.radiance.resize(towards_eyes.size());
         std::vector<Connection> own_connections;
-        const std::uint64_t quotient = settings.samples / block_count();
-        const std::uint64_t count = quotient + (block < settings.samples % block_count() ? 1 : 0);
+        const std::uint64_t blocks = block_count(settings.samples);
+        const std::uint64_t count =
+            settings.samples / blocks + (block < settings.samples % blocks ? 1 : 0);
         for (std::uint64_t i = 0; i < count; ++i) {
             tally.clear();
             if (interface.scatters()) {
@@ -141,10 +149,7 @@ struct Experiment {
             walk(medium, interface, towards_light,
                  interface.scatters() ? own_connections : connections, settings.part, random,
                  tally);
-            for (std::size_t j = 0; j < tally.radiance.size(); ++j)
-                moments.add(j, tally.radiance[j]);
-            moments.add(tally.radiance.size(), tally.reflected);
-            moments.add(tally.radiance.size() + 1, tally.absorbed_by_substrate);
+            moments.add(tally);
         }
     }
 
@@ -152,7 +157,7 @@ struct Experiment {
     Moments run(Ticker& ticker) const {
         using Range = tbb::blocked_range<std::uint64_t>;
         return tbb::parallel_deterministic_reduce(
-            Range(0, block_count(), 1), Moments(quantity_count()),
+            Range(0, block_count(settings.samples), 1), Moments(towards_eyes.size()),
             [&](const Range& range, Moments moments) {
                 for (std::uint64_t block = range.begin(); block < range.end(); ++block) {
                     if (ticker.stopped()) break;
@@ -168,8 +173,15 @@ struct Experiment {
     }
 };
 
-/// Runs every experiment and hands its moments to  sink(incident, first wavelength, medium,
-/// moments).
+/// What came out of one experiment, and where its numbers belong.
+struct Outcome {
+    std::size_t incident, first_outgoing, first_wavelength;
+    const Medium& medium;
+    const AirInterface& interface;
+    const Moments& moments;
+};
+
+/// Runs an experiment for each batch of wavelengths, group of eyes and incident direction.
 template <class Sink>
 void run_all(const layers::Recipe& recipe, std::span<const Direction> incident,
              std::span<const Direction> outgoing, std::span<const double> wavelengths_nm,
@@ -177,35 +189,39 @@ void run_all(const layers::Recipe& recipe, std::span<const Direction> incident,
     check(incident, "incident");
     check(outgoing, "outgoing");
     check(recipe, wavelengths_nm, settings);
-    std::vector<Direction3> towards_eyes;
-    for (const Direction& direction : outgoing) towards_eyes.push_back(unit_vector(direction));
+    std::vector<Direction3> eyes;
+    for (const Direction& direction : outgoing) eyes.push_back(unit_vector(direction));
 
     const auto all_batches = batches(recipe, wavelengths_nm);
-    const double experiments = static_cast<double>(incident.size() * all_batches.size());
-    std::optional<Ticker> ticker;
-    std::uint64_t stream = 0;
+    const std::size_t groups =
+        std::max<std::size_t>(1, (eyes.size() + kMostEyesPerWalk - 1) / kMostEyesPerWalk);
+    Ticker ticker(progress, static_cast<double>(all_batches.size() * groups * incident.size() *
+                                                block_count(settings.samples)));
+    std::uint64_t number = 0;
     for (const std::span<const double>& batch : all_batches) {
         const Medium medium(recipe, batch);
         const auto interface = make_air_interface(recipe, medium.index);
-        std::vector<Connection> connections;
-        if (!interface->scatters()) {
-            RandomStream unused(0, 0, 0);
-            for (const Direction3& eye : towards_eyes)
-                connections.emplace_back(interface->connect(eye, unused), medium);
-        }
-        for (std::size_t i = 0; i < incident.size(); ++i) {
-            const Experiment experiment{medium,       *interface,  unit_vector(incident[i]),
-                                        towards_eyes, connections, settings,
-                                        stream++};
-            if (!ticker) {
-                ticker.emplace(progress,
-                               experiments * static_cast<double>(experiment.block_count()));
+        for (std::size_t group = 0; group < groups; ++group) {
+            const std::size_t first_eye = group * kMostEyesPerWalk;
+            const auto own_eyes = std::span(eyes).subspan(
+                first_eye, std::min(kMostEyesPerWalk, eyes.size() - first_eye));
+            std::vector<Connection> connections;
+            if (!interface->scatters()) {
+                RandomStream unused(0, 0, 0);
+                for (const Direction3& eye : own_eyes)
+                    connections.emplace_back(interface->connect(eye, unused), medium);
             }
-            const Moments moments = experiment.run(*ticker);
-            if (ticker->stopped())
-                throw Error("the reference was stopped before its random walks were done");
-            sink(i, static_cast<std::size_t>(batch.data() - wavelengths_nm.data()), medium,
-                 *interface, moments);
+            for (std::size_t i = 0; i < incident.size(); ++i) {
+                const Experiment experiment{medium,   *interface,  unit_vector(incident[i]),
+                                            own_eyes, connections, settings,
+                                            number++};
+                const Moments moments = experiment.run(ticker);
+                if (ticker.stopped())
+                    throw Error("the reference was stopped before its random walks were done");
+                const auto first_wavelength =
+                    static_cast<std::size_t>(batch.data() - wavelengths_nm.data());
+                sink(Outcome{i, first_eye, first_wavelength, medium, *interface, moments});
+            }
         }
     }
 }
@@ -218,17 +234,15 @@ std::vector<Estimate> reference_brdf(const layers::Recipe& recipe,
                                      std::span<const double> wavelengths_nm,
                                      const ReferenceSettings& settings, const Progress& progress) {
     std::vector<Estimate> result(incident.size() * outgoing.size() * wavelengths_nm.size());
-    run_all(recipe, incident, outgoing, wavelengths_nm, settings, progress,
-            [&](std::size_t i, std::size_t first_wavelength, const Medium& medium,
-                const AirInterface&, const Moments& moments) {
-                for (std::size_t j = 0; j < outgoing.size(); ++j) {
-                    for (int lane = 0; lane < medium.lane_count; ++lane) {
-                        result[(i * outgoing.size() + j) * wavelengths_nm.size() +
-                               first_wavelength + lane] =
-                            moments.estimate(j, lane, settings.samples);
-                    }
-                }
-            });
+    run_all(recipe, incident, outgoing, wavelengths_nm, settings, progress, [&](const Outcome& o) {
+        for (std::size_t j = 0; j < o.moments.eye_count(); ++j) {
+            const std::size_t row = o.incident * outgoing.size() + o.first_outgoing + j;
+            for (int lane = 0; lane < o.medium.lane_count; ++lane) {
+                result[row * wavelengths_nm.size() + o.first_wavelength + lane] =
+                    o.moments.estimate(j, lane, settings.samples);
+            }
+        }
+    });
     return result;
 }
 
@@ -239,17 +253,15 @@ std::vector<Albedo> reference_albedo(const layers::Recipe& recipe,
     ReferenceSettings all_light = settings;
     all_light.part = Part::total;
     std::vector<Albedo> result(incident.size() * wavelengths_nm.size());
-    run_all(recipe, incident, {}, wavelengths_nm, all_light, progress,
-            [&](std::size_t i, std::size_t first_wavelength, const Medium& medium,
-                const AirInterface& interface, const Moments& moments) {
-                const double mirror = interface.outer_reflectance(unit_vector(incident[i]).z());
-                for (int lane = 0; lane < medium.lane_count; ++lane) {
-                    Albedo& albedo = result[i * wavelengths_nm.size() + first_wavelength + lane];
-                    albedo.reflectance = moments.estimate(0, lane, settings.samples);
-                    albedo.reflectance.mean += mirror;
-                    albedo.absorbed_by_substrate = moments.estimate(1, lane, settings.samples);
-                }
-            });
+    run_all(recipe, incident, {}, wavelengths_nm, all_light, progress, [&](const Outcome& o) {
+        const double mirror = o.interface.outer_reflectance(unit_vector(incident[o.incident]).z());
+        for (int lane = 0; lane < o.medium.lane_count; ++lane) {
+            Albedo& albedo = result[o.incident * wavelengths_nm.size() + o.first_wavelength + lane];
+            albedo.reflectance = o.moments.estimate(0, lane, settings.samples);
+            albedo.reflectance.mean += mirror;
+            albedo.absorbed_by_substrate = o.moments.estimate(1, lane, settings.samples);
+        }
+    });
     return result;
 }
 
