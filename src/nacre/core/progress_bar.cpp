@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kRedrawInterval{100};
 constexpr int kUsualColumns = 80;
+// Kept free for " 100 %  1:02:03 elapsed, 1:02:03 left", so that the bar keeps its length.
+constexpr int kTailColumns = 37;
 
 int terminal_columns() {
     winsize size{};
@@ -43,7 +45,7 @@ std::string progress_line(const std::string& label, double fraction, double elap
     }
     const std::string tail =
         fmt::format(" {:3} %  {}", static_cast<int>(std::floor(100 * fraction)), times);
-    const int room = columns - static_cast<int>(label.size() + tail.size()) - 4;
+    const int room = columns - static_cast<int>(label.size()) - 4 - kTailColumns;
     std::string line = label + "  ";
     if (room >= 5) {
         const int width = std::min(room, 40);

@@ -22,11 +22,11 @@ TEST(DurationText, GrowsFromSecondsToHours) {
 }
 
 TEST(ProgressLine, ExtrapolatesTheTimeLeft) {
-    EXPECT_EQ(progress_line("render", 0.5, 65, 51),
+    EXPECT_EQ(progress_line("render", 0.5, 65, 57),
               "render  [#####-----]  50 %  1:05 elapsed, 1:05 left");
     EXPECT_THAT(progress_line("render", 0.25, 1, 60),
                 testing::EndsWith(" 25 %  1.0 s elapsed, 3.0 s left"));
-    EXPECT_EQ(progress_line("render", 1, 65, 40), "render  [##########] 100 %  1:05 elapsed");
+    EXPECT_EQ(progress_line("render", 1, 65, 57), "render  [##########] 100 %  1:05 elapsed");
 }
 
 TEST(ProgressLine, FitsTheTerminalWhateverItIsGiven) {

@@ -38,9 +38,8 @@ struct Frame {
         const float sign = std::copysign(1.0f, n.z);
         const float a = -1.0f / (sign + n.z);
         const float b = n.x * n.y * a;
-        return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x},
-                {b, sign + n.y * n.y * a, -n.y},
-                n};
+        return {
+            {1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
     }
     Vec3f to_local(Vec3f v) const { return {dot(v, s), dot(v, t), dot(v, n)}; }
     Vec3f to_world(Vec3f v) const { return v.x * s + v.y * t + v.z * n; }

@@ -15,7 +15,6 @@ constexpr bool has_equal_steps(const Table& table) {
     return true;
 }
 
-// Braces around numbers are left out of the inner arrays, as C++ allows.
 constexpr ObserverRow kObservers[] = {
 #include "cie_observers.inc"
 };
