@@ -7,7 +7,7 @@ namespace {
 
 using Matrix = std::array<Vec3, 3>;  // rows
 
-constexpr Vec3 apply(const Matrix& m, const Vec3& v) {
+constexpr Vec3 multiply(const Matrix& m, const Vec3& v) {
     Vec3 r{};
     for (int i = 0; i < 3; ++i) r[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
     return r;
@@ -41,7 +41,7 @@ constexpr Matrix derive_rgb_to_xyz() {
         const Vec3 primary = xyz_of(kRec709Primaries[j]);
         for (int i = 0; i < 3; ++i) m[i][j] = primary[i];
     }
-    const Vec3 amounts = apply(inverse(m), xyz_of(kRec709White));
+    const Vec3 amounts = multiply(inverse(m), xyz_of(kRec709White));
     for (Vec3& row : m) {
         for (int j = 0; j < 3; ++j) row[j] *= amounts[j];
     }
@@ -53,8 +53,8 @@ constexpr Matrix kXyzToRgb = inverse(kRgbToXyz);
 
 }  // namespace
 
-Vec3 xyz_to_linear_rec709(const Vec3& xyz) { return apply(kXyzToRgb, xyz); }
-Vec3 linear_rec709_to_xyz(const Vec3& rgb) { return apply(kRgbToXyz, rgb); }
+Vec3 xyz_to_linear_rec709(const Vec3& xyz) { return multiply(kXyzToRgb, xyz); }
+Vec3 linear_rec709_to_xyz(const Vec3& rgb) { return multiply(kRgbToXyz, rgb); }
 
 double srgb_encode(double linear) {
     const double x = std::abs(linear);
