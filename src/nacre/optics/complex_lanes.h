@@ -94,7 +94,7 @@ inline DoubleLanes exp_lanes(DoubleLanes x) {
 inline ComplexLanes cis_lanes(const DoubleLanes& x) {
     // x = k pi/2 + r, |r| <= pi/4, with pi/2 in three parts so that r keeps its digits; the Taylor
     // remainders after r^17 and r^16 are below 1e-17.
-    constexpr double half_pi_1 = 0x1.921fb544p+0, half_pi_2 = 0x1.0b4611a4p-34,
+    constexpr double half_pi_1 = 0x1.921fb544p+0, half_pi_2 = 0x1.0b4611a6p-34,
                      half_pi_3 = 0x1.3198a2e037073p-69;
     static constexpr double sine[] = {1.0,
                                       -1.0 / 6,

@@ -1,0 +1,127 @@
+#include "nacre/optics/material.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "nacre/core/error.h"
+
+namespace nacre::optics {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string error_of(const std::string& text) {
+    try {
+        find_material(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Material, NumbersAreMaterials) {
+    EXPECT_EQ(find_material("1.5").index(550), ComplexIndex(1.5, 0));
+    EXPECT_EQ(find_material("3.18+3.33i").index(550), ComplexIndex(3.18, 3.33));
+    EXPECT_EQ(find_material(" 1e0+2.5e-1i ").index(1), ComplexIndex(1, .25));
+    EXPECT_EQ(find_material("2+0i"), Material(2.0));
+    EXPECT_EQ(find_material("1.5").name(), "1.5");
+    EXPECT_FALSE(find_material("1.5").is_dispersive());
+    EXPECT_EQ(Material(1.5).last_wavelength_nm(), std::numeric_limits<double>::infinity());
+}
+
+TEST(Material, GainAndAbsurdNumbersAreRefused) {
+    EXPECT_THAT(error_of("2-0.1i"), HasSubstr("k = -0.1 is outside [0, 1000]"));
+    EXPECT_THAT(error_of("0"), HasSubstr("n = 0 is outside (0, 1000]"));
+    EXPECT_THAT(error_of("-1.5"), HasSubstr("n = -1.5"));
+    EXPECT_THAT(error_of("1e9"), HasSubstr("n = 1"));
+    for (const char* text : {"nan", "inf", "1.5+", "1.5+i", "1.5i", "1.5+2", "1.5 + 2i", "1e999",
+                             "", "0x1p3", "1.5+2ii", "+-1"}) {
+        EXPECT_THAT(error_of(text), HasSubstr("is not an index")) << text;
+    }
+}
+
+TEST(Material, ShippedDataAreThoseOfTheDatabase) {
+    // In print: Malitson's fused silica, 1.4599 at 550 nm; Johnson and Christy's table at 2.26 eV,
+    // 548.6 nm: gold 0.43 + 2.455 i, silver 0.06 + 3.586 i.
+    const double wavelength_nm = 548.6;
+    EXPECT_NEAR(find_material("SiO2").index(550).real(), 1.4599, 1e-4);
+    EXPECT_LT(std::abs(find_material("Au").index(wavelength_nm) - ComplexIndex(.43, 2.455)), 5e-3);
+    EXPECT_LT(std::abs(find_material("Ag").index(wavelength_nm) - ComplexIndex(.06, 3.586)), 5e-3);
+    EXPECT_EQ(find_material("mica").index(550), ComplexIndex(1.58));
+    EXPECT_EQ(find_material("synthetic_mica").index(400), ComplexIndex(1.55));
+    for (const char* name : {"SnO2", "BiOCl", "polyurethane"}) {
+        EXPECT_FALSE(find_material(name).is_dispersive());
+        EXPECT_THAT(find_material(name).source(), HasSubstr("not in the database"));
+    }
+}
+
+TEST(Material, EveryShippedMaterialCoversTheVisible) {
+    const auto names = material_names();
+    EXPECT_EQ(names.size(), 21u);
+    EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+    for (const auto& name : names) {
+        const auto material = find_material(name);
+        EXPECT_EQ(material.name(), name);
+        EXPECT_FALSE(material.source().empty()) << name;
+        // Devore's rutile begins at 430 nm, PMMA at 405 nm.
+        EXPECT_LE(material.first_wavelength_nm(), 430) << name;
+        EXPECT_GE(material.last_wavelength_nm(), 780) << name;
+    }
+}
+
+TEST(Material, IsLinearBetweenSamplesAndRefusesToExtrapolate) {
+    const Material m("m", {400, 500, 700}, {{1, 0}, {2, .4}, {3, .2}});
+    EXPECT_EQ(m.index(400), ComplexIndex(1, 0));
+    EXPECT_EQ(m.index(700), ComplexIndex(3, .2));
+    EXPECT_NEAR(std::abs(m.index(450) - ComplexIndex(1.5, .2)), 0, 1e-15);
+    EXPECT_NEAR(std::abs(m.index(600) - ComplexIndex(2.5, .3)), 0, 1e-15);
+    for (double wavelength : {399.999, 700.001, std::nan(""), -1.0}) {
+        EXPECT_THROW(m.index(wavelength), DomainError);
+    }
+    EXPECT_THROW(Material(1.5).index(0), DomainError);
+}
+
+TEST(Material, RefusesBadSamples) {
+    const std::vector<ComplexIndex> two{{1, 0}, {2, 0}};
+    EXPECT_THROW(Material("m", {400}, two), DomainError);
+    EXPECT_THROW(Material("m", std::vector<double>{400}, std::vector<ComplexIndex>{1}),
+                 DomainError);
+    EXPECT_THROW(Material("m", {500, 400}, two), DomainError);
+    EXPECT_THROW(Material("m", {400, 400}, two), DomainError);
+    EXPECT_THROW(Material("m", {0, 400}, two), DomainError);
+    EXPECT_THROW(Material("m", {400, 500}, std::vector<ComplexIndex>{1, {1, -1e-9}}), DomainError);
+    EXPECT_THROW(Material("m", ComplexIndex(std::nan(""), 0)), DomainError);
+}
+
+TEST(Material, UnknownNameNamesTheClosestAndAll) {
+    const auto message = error_of("TiO2_anatas");
+    EXPECT_THAT(message, HasSubstr("did you mean 'TiO2_anatase'"));
+    for (const auto& name : material_names()) EXPECT_THAT(message, HasSubstr(name));
+    EXPECT_THAT(error_of(std::string(100000, 'x')), HasSubstr("xxx..."));
+}
+
+TEST(Material, FilesAreTakenFromTheBaseDirectory) {
+    const std::filesystem::path directory =
+        std::filesystem::path(::testing::TempDir()) / "nacre_material_test";
+    std::filesystem::create_directories(directory);
+    std::ofstream(directory / "mine.csv") << "wavelength_nm,n,k\n400,1.5,0\n700,1.4,0.1\n";
+    std::ofstream(directory / "page.YML")
+        << "DATA:\n  - type: tabulated n\n    data: |\n        0.4 1.6\n        0.7 1.5\n";
+    EXPECT_NEAR(find_material("mine.csv", directory).index(550).real(), 1.45, 1e-15);
+    EXPECT_NEAR(find_material("page.YML", directory).index(550).real(), 1.55, 1e-15);
+    EXPECT_EQ(find_material((directory / "mine.csv").string(), "/elsewhere").index(700),
+              ComplexIndex(1.4, .1));
+    EXPECT_THAT(error_of("absent.csv"), HasSubstr("absent.csv: there is no such file"));
+    std::filesystem::create_directories(directory / "folder.csv");
+    EXPECT_THROW(find_material("folder.csv", directory), InputError);
+    std::filesystem::remove_all(directory);
+}
+
+}  // namespace
+}  // namespace nacre::optics
