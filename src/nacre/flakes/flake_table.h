@@ -41,6 +41,10 @@ class FlakeTable {
         return lookup(fine_t_, cosine, block);
     }
 
+    /// Reflectance by wavelength at the cosine node/kFineIntervals of the fine grid (node 0 alone
+    /// where nothing depends on angle).
+    const double* fine_reflectance(int node) const { return fine_r_.data() + node * stride_; }
+
     static constexpr int kFineIntervals = 512;
 
     friend bool operator==(const FlakeTable& a, const FlakeTable& b) {

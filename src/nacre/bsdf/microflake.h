@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/layers/solved_paint.h"
+
+namespace nacre::bsdf {
+
+/// The micro-flake model of Ergun et al. 2016 for rendering: interface + single scattering in
+/// closed form + the solver's remainder from a table.      [ergun-2016; docs/models/microflake.md]
+///
+/// Agrees with SolvedPaint::brdf to kMicroflakeError of the peak of each incident direction.
+/// Wavelengths between those of the paint are interpolated linearly, those beyond its ends take the
+/// end's value.
+class Microflake final : public Bsdf {
+ public:
+    explicit Microflake(std::shared_ptr<const layers::SolvedPaint> paint);
+    ~Microflake() override;
+
+    std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
+
+    struct Tables;
+
+ private:
+    std::shared_ptr<const Tables> tables_;
+};
+
+inline constexpr double kMicroflakeError = 1e-3;
+
+}  // namespace nacre::bsdf

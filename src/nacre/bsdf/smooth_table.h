@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "nacre/core/lanes.h"
+#include "nacre/core/vec.h"
+#include "nacre/layers/remainder.h"
+
+// The smooth part of a paint on a grid, for evaluation in tens of nanoseconds: Fourier sums and
+// polynomial interpolation cost microseconds.
+//
+// Coordinates that follow the lobes, so that few cells do, and that cover all pairs of directions
+// without a hole. With x = tan(theta/2) in [0, 1] of the two directions outside,
+//
+//     a = (x_i + x_o)/2,   b = |x_i - x_o| <= b_max(a) = 2 min(a, 1 - a),   q = sin(phi'/2),
+//
+// phi' the azimuth from the mirror side: a is the glancing angle, b and q lead away from the mirror
+// direction. Grid lines are even in a, sqrt(b/b_max) and sqrt(q), hence dense where the lobes are.
+// A table in these coordinates is reciprocal by construction.
+
+namespace nacre::bsdf {
+
+/// Number of grid lines in each coordinate; a is odd, so that its kink at 1/2 is a line.
+struct SmoothGrid {
+    int a = 0, b = 0, q = 0;
+
+    std::size_t cells() const { return static_cast<std::size_t>(a) * b * q; }
+};
+
+/// Where a pair of directions falls into the grid: the lower corner of a cell and the fractions.
+struct SmoothCell {
+    int index;  // of the lower corner
+    float fa, fb, fq;
+};
+
+/// wi and wo in the upper hemisphere, z up.
+inline SmoothCell locate(const SmoothGrid& grid, Vec3f wi, Vec3f wo) {
+    const float s2_i = wi.x * wi.x + wi.y * wi.y, s2_o = wo.x * wo.x + wo.y * wo.y;
+    const float s_i = std::sqrt(s2_i), s_o = std::sqrt(s2_o);
+    const float x_i = s_i / (1 + wi.z), x_o = s_o / (1 + wo.z);
+    const float a = std::min(0.5f * (x_i + x_o), 1.0f);
+    const float reach = 2 * std::min(a, 1 - a);
+    const float b = reach > 0 ? std::min(std::abs(x_i - x_o) / reach, 1.0f) : 0.0f;
+    // sin^2(phi'/2) = |s_i wo + s_o wi|^2/(2 s_i s_o)^2 without cancellation near the mirror side.
+    const float ux = s_i * wo.x + s_o * wi.x, uy = s_i * wo.y + s_o * wi.y;
+    const float scale = 4 * s2_i * s2_o;
+    const float q2 = scale > 0 ? std::min((ux * ux + uy * uy) / scale, 1.0f) : 0.0f;
+
+    SmoothCell cell;
+    const float ga = a * (grid.a - 1), gb = std::sqrt(b) * (grid.b - 1);
+    const float gq = std::sqrt(std::sqrt(q2)) * (grid.q - 1);
+    const int ia = std::min(static_cast<int>(ga), grid.a - 2);
+    const int ib = std::min(static_cast<int>(gb), grid.b - 2);
+    const int iq = std::min(static_cast<int>(gq), grid.q - 2);
+    cell.index = (ia * grid.b + ib) * grid.q + iq;
+    cell.fa = ga - ia;
+    cell.fb = gb - ib;
+    cell.fq = gq - iq;
+    return cell;
+}
+
+/// Trilinear interpolation of lanes stored by cell.
+inline FloatLanes interpolate(const SmoothGrid& grid, const FloatLanes* values,
+                              const SmoothCell& cell) {
+    const FloatLanes* p = values + cell.index;
+    const int row = grid.q, slab = grid.b * grid.q;
+    const auto line = [&](const FloatLanes* at) { return at[0] + cell.fq * (at[1] - at[0]); };
+    const FloatLanes v00 = line(p), v01 = line(p + row);
+    const FloatLanes v10 = line(p + slab), v11 = line(p + slab + row);
+    const FloatLanes v0 = v00 + cell.fb * (v01 - v00), v1 = v10 + cell.fb * (v11 - v10);
+    return v0 + cell.fa * (v1 - v0);
+}
+
+/// The table before it is bound to wavelengths: coefficients of the remainder's spectral basis.
+class SmoothTable {
+ public:
+    /// Tabulates a remainder; `alpha` is the roughness of its narrowest lobe.
+    SmoothTable(const layers::Remainder& remainder, double alpha);
+
+    const SmoothGrid& grid() const { return grid_; }
+    int rank() const { return rank_; }
+
+    /// Values at eight wavelengths: for each cell sum over k of basis[k] coefficient[k], added to
+    /// `out` (grid().cells() values).
+    void bind(std::span<const FloatLanes> basis, FloatLanes* out) const;
+
+ private:
+    SmoothGrid grid_;
+    int rank_;
+    std::vector<float> coefficient_;  // [cell][k]
+};
+
+}  // namespace nacre::bsdf
