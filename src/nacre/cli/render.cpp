@@ -1,0 +1,225 @@
+#include "nacre/render/render.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "nacre/bsdf/microflake.h"
+#include "nacre/cli/command.h"
+#include "nacre/cli/common_options.h"
+#include "nacre/cli/number_list.h"
+#include "nacre/cli/paint_source.h"
+#include "nacre/cli/stopwatch.h"
+#include "nacre/core/error.h"
+#include "nacre/core/interrupt.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/progress_bar.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/io/render_image.h"
+#include "nacre/io/scene_file.h"
+#include "nacre/render/builtin_scenes.h"
+
+namespace nacre::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostPixelsPerSide = 32768;  // as in render::RenderOptions
+
+struct RenderCommandOptions : CommonOptions {
+    std::string scene;
+    std::string paint;
+    std::string model = "microflake";
+    std::string size = "512x512";
+    render::RenderOptions render;
+    io::ToneMap tone_map;
+};
+
+/// "640x480".
+void parse_size(const std::string& text, render::RenderOptions& options) {
+    const std::vector<std::string> sides = split(text, 'x');
+    const Range range{1, kMostPixelsPerSide, "pixels"};
+    if (sides.size() == 2) {
+        const double width = parse_number("--size (width)", sides[0], range);
+        const double height = parse_number("--size (height)", sides[1], range);
+        options.width = static_cast<int>(width);
+        options.height = static_cast<int>(height);
+        if (options.width == width && options.height == height) return;
+    }
+    throw UsageError(
+        fmt::format("--size = {}: must be WIDTHxHEIGHT in whole pixels, as in 512x512", text));
+}
+
+/// A scene file, or a built-in scene by its name; a file of that name comes first.
+render::SceneDescription load_scene(const std::string& name) {
+    if (fs::exists(name) || fs::path(name).has_extension()) return io::read_scene(name);
+    return render::builtin_scene(name);
+}
+
+struct Paint {
+    std::shared_ptr<const bsdf::Bsdf> bsdf;
+    std::string recipe_sha256;
+};
+
+Paint make_paint(const fs::path& path) {
+    auto solved = std::make_shared<const layers::SolvedPaint>(load_paint(path, std::nullopt));
+    std::string hash = io::recipe_hash(solved->recipe);
+    return {std::make_shared<bsdf::Microflake>(std::move(solved)), std::move(hash)};
+}
+
+/// Every paint of the scene, the slot without a recipe being filled by --paint.
+struct Paints {
+    render::PaintTable table;
+    std::map<std::string, std::string> recipe_sha256;  // by name of the material
+};
+
+Paints make_paints(const render::SceneDescription& scene, const RenderCommandOptions& options) {
+    Paints paints;
+    std::map<fs::path, Paint> made;
+    bool slot_found = false;
+    for (const auto& [name, material] : scene.materials) {
+        const auto* description = std::get_if<render::PaintMaterial>(&material);
+        if (!description) continue;
+        const bool is_slot = description->recipe.empty();
+        slot_found |= is_slot;
+        const fs::path path = is_slot ? fs::path(options.paint) : description->recipe;
+        if (path.empty()) {
+            throw UsageError(
+                fmt::format("the material {} of the scene {} has no recipe: name one with --paint",
+                            name, options.scene));
+        }
+        auto found = made.find(path);
+        if (found == made.end()) found = made.emplace(path, make_paint(path)).first;
+        paints.table[name] = found->second.bsdf;
+        paints.recipe_sha256[name] = found->second.recipe_sha256;
+    }
+    if (!options.paint.empty() && !slot_found) {
+        throw UsageError(fmt::format("--paint = {}: the scene {} has no material without a recipe",
+                                     options.paint, options.scene));
+    }
+    return paints;
+}
+
+std::map<std::string, std::string> metadata(const RenderCommandOptions& options,
+                                            const Paints& paints) {
+    std::map<std::string, std::string> data = {{"nacre:scene", options.scene},
+                                               {"nacre:model", options.model},
+                                               {"nacre:seed", fmt::format("{}", options.seed)}};
+    for (const auto& [name, hash] : paints.recipe_sha256) {
+        data["nacre:recipe_sha256:" + name] = hash;
+    }
+    return data;
+}
+
+ExitStatus run(RenderCommandOptions options) {
+    require_known_model(options.model);
+    parse_size(options.size, options.render);
+    options.render.seed = options.seed;
+    const fs::path exr = options.output;
+    if (exr.extension() != ".exr") {
+        throw UsageError(fmt::format("--output = {}: must end in .exr", options.output));
+    }
+    const fs::path png = fs::path(exr).replace_extension(".png");
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    const Stopwatch watch;
+
+    const render::SceneDescription description = load_scene(options.scene);
+    const Paints paints = make_paints(description, options);
+    const render::Scene scene(description, paints.table);
+    const double prepare_s = watch.seconds();
+    render::RenderResult result;
+    {
+        ProgressBar bar("render", options.quiet);
+        result = render::render(scene, options.render, bar.callback());
+    }
+    const io::Image image = io::image_of(result, metadata(options, paints));
+    io::write_exr(exr, image);
+    io::write_png(png, image, options.tone_map);
+
+    const double samples = static_cast<double>(result.samples) * result.width * result.height;
+    const double msamples_per_s = samples / result.seconds / 1e6;
+    say(options, fmt::format("{}{} and {}: {} x {} pixels, {} samples each, {} ({:.2f} Msamples/s)",
+                             result.complete ? "" : "stopped early; partial picture in ",
+                             exr.string(), png.string(), result.width, result.height,
+                             result.samples, duration_text(result.seconds), msamples_per_s));
+    write_report(options, "render",
+                 {{"scene", options.scene},
+                  {"model", options.model},
+                  {"recipe_sha256", paints.recipe_sha256},
+                  {"output", {exr.string(), png.string()}},
+                  {"width", result.width},
+                  {"height", result.height},
+                  {"samples_per_pixel", result.samples},
+                  {"seed", options.seed},
+                  {"complete", result.complete},
+                  {"prepare_s", prepare_s},
+                  {"render_s", result.seconds},
+                  {"msamples_per_s", msamples_per_s},
+                  {"total_s", watch.seconds()}});
+    return result.complete ? ExitStatus::ok : ExitStatus::failure;
+}
+
+std::string joined_scene_names() {
+    std::string names;
+    for (const std::string& name : render::builtin_scene_names()) {
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    return names;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& program) {
+    auto options = std::make_shared<RenderCommandOptions>();
+    CLI::App* command = program.add_subcommand("render", "Render a picture of a painted scene");
+    command
+        ->add_option("SCENE", options->scene,
+                     "Scene file (TOML), or a built-in scene: " + joined_scene_names())
+        ->required();
+    command
+        ->add_option("--paint", options->paint,
+                     "Recipe (TOML) or solved paint (HDF5) for the scene's unnamed paint")
+        ->type_name("RECIPE");
+    command->add_option("--model", options->model, "Model of the paint")->capture_default_str();
+    command->add_option("--spp", options->render.samples_per_pixel, "Samples per pixel")
+        ->check(CLI::Range(1, 1 << 24))
+        ->capture_default_str();
+    command->add_option("--size", options->size, "Pixels as WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--depth", options->render.max_depth, "Surface reflections along a path")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command
+        ->add_option("--spectral-bins", options->render.spectral_bins,
+                     "Spectral channels over 400 to 700 nm in the EXR; 0: none")
+        ->check(CLI::Range(0, 300))
+        ->capture_default_str();
+    command
+        ->add_option("--exposure", options->tone_map.exposure_stops,
+                     "Exposure of the PNG in stops; the EXR is not touched")
+        ->check(CLI::Range(-50.0, 50.0))
+        ->capture_default_str();
+    command
+        ->add_option("-o,--output", options->output, "File to write (.exr); the .png is put beside")
+        ->required()
+        ->type_name("FILE");
+    add_seed(*command, *options);
+    add_threads(*command, *options);
+    add_quiet(*command, *options);
+    add_report(*command, *options);
+    command->footer(
+        "The EXR holds linear Rec. 709 (1 is the perfect diffuser in full light), albedo and "
+        "normal\n"
+        "for denoisers, and the settings; the PNG is tone-mapped for looking at. For a given seed\n"
+        "the picture does not depend on the number of threads. Ctrl-C writes what is there, marks\n"
+        "it as partial and ends with status 3.\n\n"
+        "Example:\n"
+        "  nacre render sphere --paint paints/red-gold.toml --spp 256 --size 512x512 -o red.exr");
+    return {command, [options] { return run(*options); }};
+}
+
+}  // namespace nacre::cli
