@@ -1,24 +1,16 @@
 #include "nacre/reference/reference.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 #include "nacre/core/error.h"
-#include "nacre/reference/walk.h"
+#include "nacre/reference/experiment.h"
 
 namespace nacre::reference {
 namespace {
-
-// Walks are cut into blocks of this many, some of them of a few more, with a stream of random
-// numbers each; the cut depends on nothing but the number of walks.
-constexpr std::uint64_t kWalksPerBlock = 256;
 
 // More eyes than this are served by walks of their own, to bound memory.
 constexpr std::size_t kMostEyesPerWalk = 1024;
@@ -66,113 +58,6 @@ std::vector<std::span<const double>> batches(const layers::Recipe& recipe,
     return result;
 }
 
-std::uint64_t block_count(std::uint64_t samples) {
-    return std::max<std::uint64_t>(samples / kWalksPerBlock, 1);
-}
-
-/// Sums of a random variable and of its square over walks.
-struct Moments {
-    std::vector<Lanes> sum, sum_of_squares;
-
-    /// Of the radiance per eye, then of the power reflected, then of that absorbed below.
-    explicit Moments(std::size_t eye_count) : sum(eye_count + 2), sum_of_squares(eye_count + 2) {}
-
-    std::size_t eye_count() const { return sum.size() - 2; }
-    void add(const WalkTally& tally) {
-        for (std::size_t j = 0; j < eye_count(); ++j) add(j, tally.radiance[j]);
-        add(eye_count(), tally.reflected);
-        add(eye_count() + 1, tally.absorbed_by_substrate);
-    }
-
-    void add(std::size_t i, const Lanes& x) {
-        sum[i] += x;
-        sum_of_squares[i] += x * x;
-    }
-    void add(const Moments& other) {
-        for (std::size_t i = 0; i < sum.size(); ++i) {
-            sum[i] += other.sum[i];
-            sum_of_squares[i] += other.sum_of_squares[i];
-        }
-    }
-    Estimate estimate(std::size_t i, int lane, std::uint64_t samples) const {
-        const double n = static_cast<double>(samples);
-        const double mean = sum[i][lane] / n;
-        const double variance = (sum_of_squares[i][lane] / n - mean * mean) * n / (n - 1);
-        return {mean, std::sqrt(std::max(0.0, variance) / n)};  // < 0 by rounding alone
-    }
-};
-
-/// Counts blocks and asks the caller whether to go on.
-class Ticker {
- public:
-    Ticker(const Progress& progress, double total) : progress_(progress), total_(total) {}
-
-    void tick() {
-        if (!progress_) return;
-        const std::scoped_lock lock(mutex_);
-        if (!stopped_ && !progress_(++done_ / total_)) stopped_ = true;
-    }
-    bool stopped() const { return stopped_; }
-
- private:
-    const Progress& progress_;
-    double total_, done_ = 0;
-    std::mutex mutex_;
-    std::atomic<bool> stopped_ = false;
-};
-
-/// What walks from one direction at one batch of wavelengths are about.
-struct Experiment {
-    const Medium& medium;
-    const AirInterface& interface;
-    Direction3 towards_light;
-    std::span<const Direction3> towards_eyes;
-    std::span<const Connection> connections;  // used by all walks if the interface is smooth
-    ReferenceSettings settings;
-    std::uint64_t number;  ///< among the experiments of one call
-
-    void run_block(std::uint64_t block, Moments& moments) const {
-        RandomStream random(settings.seed, number, block);
-        WalkTally tally;
-        tally.radiance.resize(towards_eyes.size());
-        std::vector<Connection> own_connections;
-        const std::uint64_t blocks = block_count(settings.samples);
-        const std::uint64_t count =
-            settings.samples / blocks + (block < settings.samples % blocks ? 1 : 0);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            tally.clear();
-            if (interface.scatters()) {
-                own_connections.clear();
-                for (const Direction3& eye : towards_eyes)
-                    own_connections.emplace_back(interface.connect(eye, random), medium);
-            }
-            walk(medium, interface, towards_light,
-                 interface.scatters() ? own_connections : connections, settings.part, random,
-                 tally);
-            moments.add(tally);
-        }
-    }
-
-    /// All blocks. The tree of partial sums is fixed by their number, hence also the rounding.
-    Moments run(Ticker& ticker) const {
-        using Range = tbb::blocked_range<std::uint64_t>;
-        return tbb::parallel_deterministic_reduce(
-            Range(0, block_count(settings.samples), 1), Moments(towards_eyes.size()),
-            [&](const Range& range, Moments moments) {
-                for (std::uint64_t block = range.begin(); block < range.end(); ++block) {
-                    if (ticker.stopped()) break;
-                    run_block(block, moments);
-                    ticker.tick();
-                }
-                return moments;
-            },
-            [](Moments left, const Moments& right) {
-                left.add(right);
-                return left;
-            });
-    }
-};
-
 /// What came out of one experiment, and where its numbers belong.
 struct Outcome {
     std::size_t incident, first_outgoing, first_wavelength;
@@ -196,7 +81,7 @@ void run_all(const layers::Recipe& recipe, std::span<const Direction> incident,
     const std::size_t groups =
         std::max<std::size_t>(1, (eyes.size() + kMostEyesPerWalk - 1) / kMostEyesPerWalk);
     Ticker ticker(progress, static_cast<double>(all_batches.size() * groups * incident.size() *
-                                                block_count(settings.samples)));
+                                                Experiment::block_count(settings.samples)));
     std::uint64_t number = 0;
     for (const std::span<const double>& batch : all_batches) {
         const Medium medium(recipe, batch);
@@ -239,7 +124,7 @@ std::vector<Estimate> reference_brdf(const layers::Recipe& recipe,
             const std::size_t row = o.incident * outgoing.size() + o.first_outgoing + j;
             for (int lane = 0; lane < o.medium.lane_count; ++lane) {
                 result[row * wavelengths_nm.size() + o.first_wavelength + lane] =
-                    o.moments.estimate(j, lane, settings.samples);
+                    o.moments.radiance(j, lane, settings.samples);
             }
         }
     });
@@ -257,9 +142,9 @@ std::vector<Albedo> reference_albedo(const layers::Recipe& recipe,
         const double mirror = o.interface.outer_reflectance(unit_vector(incident[o.incident]).z());
         for (int lane = 0; lane < o.medium.lane_count; ++lane) {
             Albedo& albedo = result[o.incident * wavelengths_nm.size() + o.first_wavelength + lane];
-            albedo.reflectance = o.moments.estimate(0, lane, settings.samples);
+            albedo.reflectance = o.moments.reflected(lane, settings.samples);
             albedo.reflectance.mean += mirror;
-            albedo.absorbed_by_substrate = o.moments.estimate(1, lane, settings.samples);
+            albedo.absorbed_by_substrate = o.moments.absorbed_by_substrate(lane, settings.samples);
         }
     });
     return result;

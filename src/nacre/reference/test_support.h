@@ -64,6 +64,23 @@ inline layers::Recipe paint(double index, std::vector<layers::Layer> layers,
     return recipe;
 }
 
+/// The worked case of the design: n = 1.5, c = 0.1 per um, alpha = 0.1, R = 0.6, T = 0, H = 15 um,
+/// nothing below.
+inline layers::Recipe worked_paint() {
+    layers::Layer layer;
+    layer.thickness_um = 15;
+    layer.flakes.push_back(flakes(.1, .1, .6, 0));
+    return paint(1.5, {layer});
+}
+
+inline const std::vector<double> kGreen{550};
+
+inline std::vector<Estimate> brdf(const layers::Recipe& recipe, const Direction& incident,
+                                  const std::vector<Direction>& outgoing,
+                                  const ReferenceSettings& settings) {
+    return reference_brdf(recipe, std::vector{incident}, outgoing, kGreen, settings);
+}
+
 inline double degrees_of_cosine(double cosine) {
     return std::acos(cosine) * 180 / std::numbers::pi;
 }
