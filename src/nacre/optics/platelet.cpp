@@ -23,10 +23,37 @@ namespace nacre::optics {
 
 namespace {
 
-constexpr double kTargetError = 1e-7;
+// Aimed at for the mean of each film; the first that needs no more than kMostNodes is taken.
+constexpr double kTargetErrors[] = {1e-7, 1e-5, 1e-4};
 constexpr double kLeastCosine = 1e-9;  // stands for the limit at 0, where all is 0/0
 constexpr int kMostNodesPerFilm = 768;
-constexpr double kMostNodes = 4e6;  // of all films together, some seconds of work
+constexpr double kMostNodes = 1e6;  // of all films together, some seconds of work
+
+/// Few different counts, so that few rules are made.
+int rounded_count(double n) {
+    const int rounded = n < 16 ? static_cast<int>(std::ceil(n))
+                               : 8 * static_cast<int>(std::ceil(std::min(n, 1e4) / 8));
+    return std::clamp(rounded, 1, kMostNodesPerFilm);
+}
+
+/// Nodes for a film in which waves run. As a function of its phase, in [-half_phase, half_phase],
+/// R has its nearest pole where the amplitude after a round trip, p e^(Im phase), reaches 1; the
+/// error of Gauss's rule falls like rho^(-2 n) with rho from the ellipse through that pole
+/// [trefethen-2013, theorem 19.3].
+int nodes_for_wave(double half_phase, double p, double target_error) {
+    p = std::clamp(p, 1e-12, 1 - 1e-9);
+    const double pole = -std::log(p) / std::max(half_phase, 1e-12);
+    return rounded_count(-std::log(target_error) / (2 * std::asinh(pole)) + 1);
+}
+
+/// Nodes for a film beyond its critical angle, where waves decay by `decay_per_nm` and nothing
+/// resonates: the pole is at thickness 0, outside [lo, hi].
+int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double target_error) {
+    const double half_nm = (hi_nm - lo_nm) / 2;
+    const double pole = std::max((lo_nm + hi_nm) / 2 / half_nm, 1.05);
+    return rounded_count(-std::log(target_error) / (2 * std::acosh(pole)) +
+                         decay_per_nm * half_nm / 2 + 1);
+}
 
 /// Wave vectors and interfaces at one cosine for one lane vector of wavelengths.
 struct Lanes {
@@ -66,22 +93,14 @@ class PlateletAverage {
     /// Chooses and prepares the nodes for a set of cosines.
     void prepare(std::span<const double> cosines) {
         for (double c : cosines) {
-            auto counts = node_counts(std::max(c, kLeastCosine));
-            double all = 1;
+            counts_.push_back(affordable_counts(std::max(c, kLeastCosine)));
             for (std::size_t f = 0; f < films_.size(); ++f) {
-                all *= f == 0 && core_spreads_ ? std::max<double>(counts[f], 64) : counts[f];
-                auto& rule = rules_[{f, counts[f]}];
+                const int count = counts_.back()[f];
+                ThicknessRule& rule = rules_[{f, count}];
                 if (rule.weights.empty()) {
-                    rule = thickness_rule(films_[f]->thickness_nm, films_[f]->spread, counts[f]);
+                    rule = thickness_rule(films_[f]->thickness_nm, films_[f]->spread, count);
                 }
             }
-            if (all > kMostNodes) {
-                throw DomainError(fmt::format(
-                    "averaging a platelet of {} films over all their spreads takes {:g} "
-                    "combinations of thicknesses, more than {:g}; give fewer films a spread_nm",
-                    films_.size(), all, kMostNodes));
-            }
-            counts_.push_back(std::move(counts));
         }
     }
 
@@ -239,21 +258,22 @@ class PlateletAverage {
         });
     }
 
-    // Nodes for the real rules. As a function of its phase a film's R has its nearest pole where
-    // the wave's amplitude after a round trip, p e^(Im phase), reaches 1; the error of Gauss's rule
-    // falls like rho^(-2 n) with rho from the ellipse through that pole [trefethen-2013, theorem
-    // 19.3].
-    static int nodes_for(double half_phase, double p) {
-        p = std::clamp(p, 1e-12, 1 - 1e-9);
-        const double pole = -std::log(p) / std::max(half_phase, 1e-12);
-        const double n = -std::log(kTargetError) / (2 * std::asinh(pole)) + 1;
-        // Few different counts, so that few rules are made.
-        const int rounded = n < 16 ? static_cast<int>(std::ceil(n))
-                                   : 8 * static_cast<int>(std::ceil(std::min(n, 1e4) / 8));
-        return std::clamp(rounded, 1, kMostNodesPerFilm);
+    std::vector<int> affordable_counts(double cosine) const {
+        double all = 0;
+        for (double target_error : kTargetErrors) {
+            auto counts = node_counts(cosine, target_error);
+            all = core_spreads_ ? static_cast<double>(arc_.weights.size()) : 1.0;
+            all = std::max<double>(all, counts[0]);
+            for (std::size_t f = 1; f < counts.size(); ++f) all *= counts[f];
+            if (all <= kMostNodes) return counts;
+        }
+        throw DomainError(fmt::format(
+            "averaging a platelet of {} films over all their spreads takes {:g} combinations of "
+            "thicknesses at cosine {}, more than {:g}; give fewer films a spread_nm",
+            films_.size(), all, cosine, kMostNodes));
     }
 
-    std::vector<int> node_counts(double cosine) const {
+    std::vector<int> node_counts(double cosine, double target_error) const {
         const std::size_t count = films_.size();
         std::vector<int> nodes(count, 1);
         // Amplitudes in s are the larger ones; two interfaces together reflect at most
@@ -285,7 +305,11 @@ class PlateletAverage {
                     const auto [lo, hi] = thickness_range(films_[f]->thickness_nm, spread);
                     const double back = f == 0 ? outward[0] : inward;
                     const double p = outward[f] * back * std::exp(-decay[f] * lo);
-                    nodes[f] = std::max(nodes[f], nodes_for(rate[f] * (hi - lo) / 2, p));
+                    const bool evanescent = index_[f][j].imag() == 0 && decay[f] > 0;
+                    nodes[f] = std::max(
+                        nodes[f], evanescent
+                                      ? nodes_for_decay(lo, hi, decay[f], target_error)
+                                      : nodes_for_wave(rate[f] * (hi - lo) / 2, p, target_error));
                 }
                 inward = together(inward, face[f]);
             }

@@ -81,6 +81,11 @@ TEST(Platelet, TransparentFlakesAreTheDenseSum) {
     expect_dense_sum({film("SiO2", 400, 40), {film("ZrO2", 60, 15)}}, 300, 60);
 }
 
+TEST(Platelet, CoatsBeyondTheirCriticalAngleAreTheDenseSum) {
+    expect_dense_sum({film("mica", 500, 60), {film("MgF2", 100, 10)}}, 400, 40);
+    expect_dense_sum({film("TiO2_anatase", 60, 6), {film("SiO2", 40, 20)}}, 100, 100);
+}
+
 TEST(Platelet, CoreWithoutSpreadLeavesTheResonancesOfTheCoat) {
     expect_dense_sum({film("mica", 500, 0), {film("TiO2_anatase", 80, 8)}}, 1, 2000);
 }

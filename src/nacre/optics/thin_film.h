@@ -70,7 +70,8 @@ struct Platelet {
     friend bool operator==(const Platelet&, const Platelet&) = default;
 };
 
-/// Error of the averages over thickness spreads, against dense sums of stack_reflectance.
+/// Error of the averages over thickness spreads, against dense sums of stack_reflectance, for
+/// platelets with at most two coats that vary; with more it may reach 1e-4 near grazing incidence.
 inline constexpr double kPlateletError = 1e-6;
 
 /// Unpolarised R and T of a platelet embedded in `binder` on both sides, averaged over the spread
