@@ -1,0 +1,22 @@
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "nacre/core/error.h"
+#include "nacre/io/recipe_file.h"
+
+// A recipe is read or refused with an InputError; one that is read survives being written and
+// read again.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    nacre::layers::Recipe recipe;
+    try {
+        recipe = nacre::io::parse_recipe(text, "fuzz.toml", "/nonexistent");
+    } catch (const nacre::InputError&) {
+        return 0;
+    }
+    if (nacre::io::parse_recipe(nacre::io::write_recipe(recipe), "again.toml", "") != recipe) {
+        __builtin_trap();
+    }
+    return 0;
+}

@@ -1,0 +1,49 @@
+#!/bin/sh
+# Builds the fuzz targets with Clang and its sanitizers and runs each for SECONDS (default 30) on
+# its seed corpus. What it finds beyond the seeds stays in the build folder. Ends with 1, and leaves
+# the input that did it beside, if a target crashes, hangs or takes too much memory.
+#
+#   fuzz/run.sh [SECONDS [TARGET...]]
+set -eu
+
+seconds=${1:-30}
+[ $# -gt 0 ] && shift
+source_dir=$(cd "$(dirname "$0")/.." && pwd)
+build_dir=${NACRE_FUZZ_BUILD_DIR:-$source_dir/build-fuzz}
+targets=${*:-recipe scene solved_paint image material}
+
+if [ ! -f "$build_dir/CMakeCache.txt" ]; then
+    launcher=$(command -v ccache || true)
+    cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+        -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+        -DCMAKE_CXX_FLAGS="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined" \
+        -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" \
+        -DNACRE_FUZZ=ON -DNACRE_TESTS=OFF -DNACRE_BENCH=OFF -DNACRE_NATIVE=OFF
+fi
+cmake --build "$build_dir" --target $(for target in $targets; do echo "fuzz_$target"; done)
+
+# Folders with seeds of a target; what Nacre ships serves as well.
+seeds() {
+    echo "$source_dir/fuzz/corpus/$1"
+    case $1 in
+        recipe) echo "$source_dir/paints" ;;
+        scene) echo "$source_dir/scenes" ;;
+    esac
+}
+
+failed=
+for target in $targets; do
+    found="$build_dir/found/$target"
+    mkdir -p "$found"
+    # The libraries below are not built with the sanitizer: containers that cross the border would
+    # be reported as overflows that are none.
+    if ASAN_OPTIONS=detect_container_overflow=0 "$build_dir/fuzz/fuzz_$target" \
+        -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
+        -verbosity=0 -close_fd_mask=1 -artifact_prefix="$found/../$target-" \
+        "$found" $(seeds "$target"); then
+        echo "fuzz_$target: nothing found in $seconds s"
+    else
+        failed="$failed $target"
+    fi
+done
+[ -z "$failed" ] || { echo "failed:$failed; the inputs are in $build_dir/found" >&2; exit 1; }

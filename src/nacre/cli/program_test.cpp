@@ -1,0 +1,253 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+// The program as a user meets it: what goes where, and with which exit status.
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+struct Outcome {
+    int status = -1;
+    std::string out, err;
+};
+
+std::string contents(const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+class Program : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  (std::string("nacre_program_test_") +
+                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+        std::filesystem::create_directories(folder_);
+        std::ofstream(folder_ / "gray.toml") << R"(ior = 1.5
+[[layer]]
+thickness_um = 15
+[[layer.flakes]]
+area_density_per_um = 0.1
+orientation = { distribution = "beckmann", alpha = 0.2 }
+reflectance = 0.6
+)";
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    /// Runs `nacre ARGUMENTS` in the test's folder.
+    Outcome nacre(const std::string& arguments) const {
+        const std::string command =
+            "cd '" + folder_.string() + "' && '" NACRE_PROGRAM "' " + arguments + " > .out 2> .err";
+        const int code = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(code)) << arguments << " was ended by a signal";
+        return {WEXITSTATUS(code), contents(folder_ / ".out"), contents(folder_ / ".err")};
+    }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name, std::ios::binary) << text;
+    }
+    bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+
+    std::filesystem::path folder_;
+};
+
+/// Cell of a CSV text, row 0 being the header.
+std::string cell(const std::string& csv, int row, int column) {
+    std::istringstream lines(csv);
+    std::string line, value;
+    for (int i = 0; i <= row; ++i) std::getline(lines, line);
+    std::istringstream cells(line);
+    for (int i = 0; i <= column; ++i) std::getline(cells, value, ',');
+    return value;
+}
+
+double number(const std::string& csv, int row, int column) {
+    return std::atof(cell(csv, row, column).c_str());
+}
+
+TEST_F(Program, EveryCommandExplainsItselfWithAnExample) {
+    for (const char* command : {"film", "solve", "eval", "reference", "render", "diff", "info"}) {
+        const Outcome help = nacre(std::string(command) + " --help");
+        EXPECT_EQ(help.status, 0) << command;
+        EXPECT_THAT(help.out, HasSubstr("Example"));
+        EXPECT_THAT(help.out, HasSubstr(std::string("nacre ") + command));
+        EXPECT_THAT(help.err, IsEmpty());
+    }
+    EXPECT_THAT(nacre("--help").out, HasSubstr("Exit status"));
+    EXPECT_THAT(nacre("--version").out, StartsWith("nacre "));
+}
+
+TEST_F(Program, WrongUsageEndsWithOne) {
+    for (const char* arguments :
+         {"",
+          "paint",
+          "film --colour red",
+          "solve gray.toml --wavelength 0.5 -o out.h5",
+          "film --angle 90",
+          "film --angle nan",
+          "film --wavelength 400:700:-10",
+          "film --wavelength 1:2",
+          "film --wavelength ,",
+          "film --wavelength 0:1e6:1e-3",
+          "film --layer 1.5",
+          "film --layer 1.5:-3",
+          "film --polarization x",
+          "eval gray.toml",
+          "eval gray.toml --incident 45",
+          "eval gray.toml --incident 95 --outgoing 0",
+          "eval gray.toml --incident 1,2,3 --outgoing 0",
+          "eval gray.toml --incident 45 --outgoing 0 --model nonsense",
+          "eval gray.toml --incident 45 --outgoing 0 --model special-effect",
+          "eval gray.toml --incident 45 --outgoing 0 --part most",
+          "solve gray.toml",
+          "render sphere --size 0x10 -o a.exr",
+          "render sphere --size 10 -o a.exr",
+          "render sphere --paint gray.toml -o a.jpg",
+          "render sphere -o a.exr",
+          "diff a.exr",
+          "info"}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.err;
+        EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
+        EXPECT_THAT(outcome.err, Not(IsEmpty())) << arguments;
+    }
+}
+
+TEST_F(Program, BadInputEndsWithTwoAndWritesNothing) {
+    write("bad.toml", "ior = 1.5\n[[layer]]\nthickness_um = -3\n");
+    write("bad.h5", "nacre solved paint\nversion 1\n");
+    write("bad_scene.toml", "[camera]\nvertical_fov_deg = 400\n");
+    write("picture.png", "\x89PNG\r\n\x1a\n and no more");
+    for (const char* arguments :
+         {"eval bad.toml --incident 45 --outgoing 0 -o out.csv", "solve bad.toml -o out.h5",
+          "reference bad.toml --incident 45 --outgoing 0 -o out.csv",
+          "render sphere --paint bad.toml -o out.exr", "render bad_scene.toml -o out.exr",
+          "render no-such-scene --paint gray.toml -o out.exr", "info bad.toml -o out.txt",
+          "info bad.h5 -o out.txt", "info no-such-file -o out.txt", "info . -o out.txt",
+          "diff picture.png picture.png -o out.exr", "film --layer unobtainium:80 -o out.csv"}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments << '\n' << outcome.err;
+        EXPECT_THAT(outcome.out, IsEmpty());
+        EXPECT_THAT(outcome.err, StartsWith("nacre: ")) << arguments;
+        for (const char* name : {"out.csv", "out.h5", "out.exr", "out.png", "out.txt"}) {
+            EXPECT_FALSE(exists(name)) << arguments << " left " << name;
+        }
+    }
+    EXPECT_THAT(nacre("info bad.toml").err,
+                HasSubstr("bad.toml:3:16: layer[0].thickness_um = -3: must be a number in "
+                          "(0, 1000000] um"));
+}
+
+TEST_F(Program, FilmPrintsAPublishedQuarterWave) {
+    // MgF2, a quarter wave at 550 nm on glass 1.52: R = ((1.38^2 - 1.52) / (1.38^2 + 1.52))^2.
+    const Outcome film =
+        nacre("film --layer 1.38:99.6376811594 --substrate 1.52 --wavelength 550 --polarization s");
+    EXPECT_EQ(film.status, 0) << film.err;
+    EXPECT_THAT(film.out, StartsWith("wavelength_nm,angle_deg,polarization,R,T\n550,0,s,"));
+    EXPECT_NEAR(number(film.out, 1, 3), 0.012600790215, 1e-11);
+    EXPECT_NEAR(number(film.out, 1, 3) + number(film.out, 1, 4), 1, 1e-11);
+}
+
+TEST_F(Program, ListsOfNumbersIncludeTheirEnds) {
+    const Outcome film = nacre("film --angle 0,30 --wavelength 400:400.3:0.1,700");
+    EXPECT_EQ(std::count(film.out.begin(), film.out.end(), '\n'), 1 + 2 * 5);
+    EXPECT_DOUBLE_EQ(number(film.out, 8, 0), 400.3);
+    EXPECT_EQ(cell(film.out, 10, 0), "700");
+}
+
+TEST_F(Program, EvalAgreesForARecipeAndItsSolvedFile) {
+    ASSERT_EQ(nacre("solve gray.toml --wavelength 500,600 -o gray.h5 --quiet").err, "");
+    const std::string directions = " --incident 45 --outgoing 30,180 --outgoing 45,180";
+    const Outcome recipe = nacre("eval gray.toml --wavelength 500,600" + directions);
+    const Outcome solved = nacre("eval gray.h5" + directions);
+    EXPECT_EQ(recipe.status, 0) << recipe.err;
+    EXPECT_EQ(solved.out, recipe.out);
+    EXPECT_THAT(solved.out, StartsWith("theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf\n"
+                                       "45,0,30,180,500,"));
+    const Outcome other = nacre("eval gray.h5 --wavelength 550" + directions);
+    EXPECT_EQ(other.status, 2);
+    EXPECT_THAT(other.err, HasSubstr("550 nm is not among them"));
+}
+
+TEST_F(Program, SingleAndMultipleScatteringMakeUpTheTotal) {
+    const std::string arguments =
+        "eval gray.toml --wavelength 550 --incident 45 --outgoing 30,180 --part ";
+    const double single = number(nacre(arguments + "single").out, 1, 5);
+    const double multiple = number(nacre(arguments + "multiple").out, 1, 5);
+    const double total = number(nacre(arguments + "total").out, 1, 5);
+    EXPECT_GT(single, 0);
+    EXPECT_GT(multiple, 0);
+    EXPECT_NEAR(single + multiple, total, 1e-8 * total);  // nine digits are printed
+}
+
+TEST_F(Program, ReferenceAgreesWithEvalWithinItsError) {
+    const std::string where = " gray.toml --wavelength 550 --incident 45 --outgoing 30,180";
+    const Outcome walk = nacre("reference" + where + " --samples 40000 --seed 3 --quiet");
+    EXPECT_EQ(walk.status, 0) << walk.err;
+    EXPECT_THAT(walk.out, StartsWith("theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf,stderr\n"));
+    EXPECT_THAT(walk.err, IsEmpty());
+    const double solved = number(nacre("eval" + where).out, 1, 5);
+    const double error = number(walk.out, 1, 6);
+    EXPECT_GT(error, 0);
+    EXPECT_NEAR(number(walk.out, 1, 5), solved,
+                4.5 * error);  // the seed is fixed: no luck involved
+}
+
+TEST_F(Program, RenderWritesBothPicturesWithTheirOrigin) {
+    const std::string arguments =
+        "render sphere --paint gray.toml --spp 2 --size 24x16 --seed 5 --quiet --spectral-bins 3 ";
+    const Outcome first = nacre(arguments + "--threads 1 -o a.exr --report run.json");
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_THAT(first.out + first.err, IsEmpty());
+    ASSERT_EQ(nacre(arguments + "--threads 2 -o b.exr").status, 0);
+
+    const Outcome info = nacre("info a.exr");
+    EXPECT_THAT(info.out, HasSubstr("size: 24 x 16 pixels"));
+    EXPECT_THAT(info.out, HasSubstr("nacre:seed: 5"));
+    EXPECT_THAT(info.out, HasSubstr("nacre:samples_per_pixel: 2"));
+    EXPECT_THAT(info.out, HasSubstr("nacre:state: complete"));
+    EXPECT_THAT(info.out, HasSubstr("nacre:recipe_sha256:"));
+    for (const char* channel :
+         {"channel R:", "channel albedo.G:", "channel normal.Z:", "channel S0.550,000000nm:"}) {
+        EXPECT_THAT(info.out, HasSubstr(channel));
+    }
+    EXPECT_THAT(nacre("info a.png").out, HasSubstr("nacre:seed: 5"));
+    EXPECT_THAT(contents(folder_ / "run.json"), HasSubstr("\"samples_per_pixel\": 2"));
+
+    const Outcome diff = nacre("diff a.exr b.exr --min-psnr 200");
+    EXPECT_EQ(diff.status, 0) << diff.err;  // the number of threads changes nothing
+    EXPECT_THAT(diff.out, HasSubstr("\nmse,0\npsnr_db,inf\n"));
+}
+
+TEST_F(Program, DiffEndsWithFourWhenABoundIsBroken) {
+    const std::string render = "render sphere --paint gray.toml --spp 1 --size 16x16 --quiet ";
+    ASSERT_EQ(nacre(render + "--seed 1 -o a.exr").status, 0);
+    ASSERT_EQ(nacre(render + "--seed 2 -o b.exr").status, 0);
+    const Outcome within = nacre("diff a.exr b.exr -o d.png");
+    EXPECT_EQ(within.status, 0);
+    EXPECT_TRUE(exists("d.png"));
+    const Outcome broken = nacre("diff a.exr b.exr -o d.exr --max-delta-e-mean 1e-6");
+    EXPECT_EQ(broken.status, 4);
+    EXPECT_THAT(broken.err, HasSubstr("is more than 1e-06"));
+    EXPECT_THAT(broken.out, HasSubstr("delta_e_2000_mean,"));
+    EXPECT_THAT(nacre("info d.exr").out, HasSubstr("channel deltaE2000"));
+}
+
+TEST_F(Program, FailuresWhileRunningEndWithThree) {
+    EXPECT_EQ(nacre("film -o /dev/full").status, 3);
+}
+
+}  // namespace

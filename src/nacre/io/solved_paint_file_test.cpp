@@ -1,0 +1,147 @@
+#include "nacre/io/solved_paint_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "nacre/core/error.h"
+#include "nacre/core/sha256.h"
+#include "nacre/io/hdf5_handle.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/layers/solver.h"
+
+namespace nacre::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Silver flakes over white at three wavelengths: quick to solve, with every kind of data.
+const layers::SolvedPaint& silver() {
+    static const layers::SolvedPaint paint = layers::solve(parse_recipe(R"(
+name = "silver"
+ior = 1.5
+[[layer]]
+thickness_um = 10
+[[layer.flakes]]
+area_density_per_um = 0.05
+orientation = { distribution = "beckmann", alpha = 0.3 }
+reflectance = { wavelengths_nm = [400, 700], values = [0.5, 0.9] }
+[substrate]
+reflectance = 0.5
+)",
+                                                                        "silver.toml", ""),
+                                                           {450, 550, 650});
+    return paint;
+}
+
+std::string error_of(const std::string& bytes) {
+    try {
+        parse_solved_paint(bytes, "paint.h5");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+/// The bytes with a head that fits them again: what somebody does who edits a file knowingly.
+std::string resealed(const std::string& bytes) {
+    const std::string body = bytes.substr(512);
+    std::string head = "nacre solved paint\nversion 1\nbytes " + std::to_string(body.size()) +
+                       "\nsha256 " + sha256_hex(body) + "\n";
+    head.resize(512, '\0');
+    return head + body;
+}
+
+TEST(SolvedPaintFile, GivesBackTheSamePaint) {
+    const std::string bytes = solved_paint_bytes(silver());
+    EXPECT_EQ(parse_solved_paint(bytes, "paint.h5"), silver());
+    EXPECT_EQ(solved_paint_bytes(silver()), bytes);  // nothing in it depends on the time
+    EXPECT_EQ(error_of(resealed(bytes)), "accepted");
+}
+
+TEST(SolvedPaintFile, GoesThroughTheDisk) {
+    const std::filesystem::path path =
+        std::filesystem::path(::testing::TempDir()) / "nacre_solved_paint_file_test.h5";
+    write_solved_paint(path, silver());
+    EXPECT_EQ(read_solved_paint(path), silver());
+    std::filesystem::remove(path);
+    EXPECT_THROW(read_solved_paint(path), InputError);
+}
+
+TEST(SolvedPaintFile, IsRefusedWhereverItIsCut) {
+    const std::string bytes = solved_paint_bytes(silver());
+    int cuts = 0;
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 20, ++cuts) {
+        EXPECT_THAT(error_of(bytes.substr(0, size)), HasSubstr("paint.h5: ")) << size;
+    }
+    EXPECT_GT(cuts, 50);
+    EXPECT_THAT(error_of(bytes + "x"), HasSubstr("cut short or altered"));
+}
+
+TEST(SolvedPaintFile, IsRefusedWhicheverBitFlips) {
+    const std::string bytes = solved_paint_bytes(silver());
+    int flips = 0;
+    for (std::size_t at = 0; at < bytes.size(); at += 1 + at / 10) {
+        // The end of the head is for people: a remark, and zeros.
+        if (at >= 120 && at < 512) continue;
+        std::string damaged = bytes;
+        damaged[at] = static_cast<char>(damaged[at] ^ 4);
+        EXPECT_THAT(error_of(damaged), HasSubstr("paint.h5: ")) << at;
+        ++flips;
+    }
+    EXPECT_GT(flips, 40);
+}
+
+TEST(SolvedPaintFile, ForeignFilesAndNewerVersionsAreNamedAsSuch) {
+    EXPECT_THAT(error_of(""), HasSubstr("is not a solved paint of Nacre"));
+    EXPECT_THAT(error_of("\x89HDF\r\n\x1a\n"), HasSubstr("is not a solved paint of Nacre"));
+    std::string newer = solved_paint_bytes(silver());
+    newer.replace(newer.find("version 1"), 9, "version 2");
+    EXPECT_THAT(error_of(newer), HasSubstr("has format version 2; this program reads 1"));
+    std::string no_hdf5 = solved_paint_bytes(silver());
+    no_hdf5.replace(512, 4, "none");
+    EXPECT_THAT(error_of(resealed(no_hdf5)), HasSubstr("cannot open it as an HDF5 file"));
+}
+
+TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
+    layers::SolvedPaint paint = silver();
+    ASSERT_FALSE(paint.remainder.coefficient.empty());
+    paint.remainder.coefficient[0] = NAN;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a coefficient is not finite"));
+
+    paint = silver();
+    paint.remainder.exit_angle[0] = 2;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("exit angles must increase"));
+
+    paint = silver();
+    paint.remainder.first[0] = -1;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a first node is out of range"));
+
+    paint = silver();
+    paint.remainder.coefficient.resize(paint.remainder.coefficient.size() -
+                                       static_cast<std::size_t>(paint.remainder.rank()));
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("do not fit together"));
+
+    paint = silver();
+    std::swap(paint.medium.wavelengths_nm[0], paint.medium.wavelengths_nm[1]);
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("wavelengths must increase"));
+
+    paint = silver();
+    paint.recipe.layers[0].thickness_um = -1;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)),
+                HasSubstr("paint.h5/recipe:5:16: layer[0].thickness_um = -1"));
+}
+
+TEST(SolvedPaintFile, StaysBelow300KilobytesFor31Wavelengths) {
+    const layers::SolvedPaint paint = layers::solve(
+        read_recipe(std::filesystem::path(NACRE_SOURCE_DIR) / "paints" / "tio2-mica-80.toml"),
+        layers::default_wavelengths_nm());
+    EXPECT_EQ(paint.wavelengths_nm().size(), 31u);
+    EXPECT_LE(solved_paint_bytes(paint).size(), 300'000u);
+}
+
+}  // namespace
+}  // namespace nacre::io
