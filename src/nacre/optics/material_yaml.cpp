@@ -1,17 +1,17 @@
 #include <fmt/format.h>
-#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <sstream>
 
 #include "nacre/core/error.h"
 #include "nacre/optics/dispersion_formula.h"
 #include "nacre/optics/material_file.h"
 #include "nacre/optics/number_text.h"
+#include "nacre/optics/sampled_function.h"
+#include "nacre/optics/yaml_guard.h"
 
 namespace nacre::optics {
 
@@ -19,67 +19,6 @@ namespace {
 
 constexpr double kNanometresPerMicrometre = 1e3;
 constexpr std::size_t kMostSamples = 100000;
-
-/// A page needs neither anchors nor deep nesting; both are how a small file makes a parser do
-/// endless work. This pass over the events refuses them before any tree is built.
-class PlainPageCheck : public YAML::EventHandler {
- public:
-    explicit PlainPageCheck(const std::string& name) : name_(name) {}
-
-    void OnDocumentStart(const YAML::Mark&) override {}
-    void OnDocumentEnd() override {}
-    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { refuse(mark, anchor); }
-    void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { refuse(mark, 1); }
-    void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                  const std::string&) override {
-        refuse(mark, anchor);
-    }
-    void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                         YAML::EmitterStyle::value) override {
-        open(mark, anchor);
-    }
-    void OnSequenceEnd() override { --depth_; }
-    void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                    YAML::EmitterStyle::value) override {
-        open(mark, anchor);
-    }
-    void OnMapEnd() override { --depth_; }
-
- private:
-    static constexpr int kDeepest = 16;
-
-    void refuse(const YAML::Mark& mark, YAML::anchor_t anchor) const {
-        if (anchor != 0) {
-            throw InputError(fmt::format("{}:{}: anchors and aliases (& and *) are not allowed",
-                                         name_, mark.line + 1));
-        }
-    }
-    void open(const YAML::Mark& mark, YAML::anchor_t anchor) {
-        refuse(mark, anchor);
-        if (++depth_ > kDeepest) {
-            throw InputError(
-                fmt::format("{}:{}: nested more than {} deep", name_, mark.line + 1, kDeepest));
-        }
-    }
-
-    const std::string& name_;
-    int depth_ = 0;
-};
-
-/// A real function of wavelength, linear between samples.
-struct Samples {
-    std::vector<double> wavelengths_nm, values;
-
-    double at(double wavelength_nm) const {
-        const auto above =
-            std::upper_bound(wavelengths_nm.begin(), wavelengths_nm.end() - 1, wavelength_nm);
-        const auto i =
-            std::max<std::size_t>(1, static_cast<std::size_t>(above - wavelengths_nm.begin()));
-        const double t =
-            (wavelength_nm - wavelengths_nm[i - 1]) / (wavelengths_nm[i] - wavelengths_nm[i - 1]);
-        return values[i - 1] * (1 - t) + values[i] * t;
-    }
-};
 
 /// One page while it is read: `n` and `k` fill as the DATA entries come.
 class Page {
@@ -190,11 +129,12 @@ class Page {
         }
     }
 
-    void require_unset(const std::optional<Samples>& samples, const YAML::Node& entry) const {
+    void require_unset(const std::optional<SampledFunction>& samples,
+                       const YAML::Node& entry) const {
         if (samples) fail(entry, &samples == &n_ ? "n is given twice" : "k is given twice");
     }
 
-    void read_table(const YAML::Node& entry, std::vector<std::optional<Samples>*> columns) {
+    void read_table(const YAML::Node& entry, std::vector<std::optional<SampledFunction>*> columns) {
         for (auto* column : columns) {
             require_unset(*column, entry);
             column->emplace();
@@ -250,69 +190,28 @@ class Page {
             fail(list, fmt::format("coefficients holds {} numbers instead of 1 to {}",
                                    coefficients.size(), kMostDispersionCoefficients));
         }
-        sample_formula(
-            [&](double wavelength_nm) {
-                const double um = wavelength_nm / kNanometresPerMicrometre;
-                const double n = dispersion_formula(number, coefficients, um);
-                if (!kRefractiveIndexRange.contains(n)) {
-                    fail(list, fmt::format("formula {} gives n = {} at {} um, outside {}", number,
-                                           n, um, kRefractiveIndexRange.text()));
-                }
-                return n;
-            },
-            range[0] * kNanometresPerMicrometre, range[1] * kNanometresPerMicrometre, list);
-    }
-
-    /// Halves intervals until linear interpolation is good enough. The error of a smooth function
-    /// is largest in the middle; the quarter of kFormulaSamplingError allowed there leaves room for
-    /// intervals that are not yet quite parabolic.
-    void sample_formula(const std::function<double(double)>& n, double first_nm, double last_nm,
-                        const YAML::Node& list) {
-        constexpr int start = 64;
-        n_.emplace();
-        struct Interval {
-            double left_nm, right_nm, n_left, n_right;
-        };
-        std::vector<Interval> open;  // a stack, leftmost on top
-        const double ratio = last_nm / first_nm;
-        double right_nm = last_nm, n_right = n(last_nm);
-        for (int i = start - 1; i >= 0; --i) {
-            const double left_nm =
-                i == 0 ? first_nm : first_nm * std::pow(ratio, static_cast<double>(i) / start);
-            if (!(left_nm < right_nm)) continue;  // a range of a few roundings
-            const double n_left = n(left_nm);
-            open.push_back({left_nm, right_nm, n_left, n_right});
-            right_nm = left_nm;
-            n_right = n_left;
-        }
-        n_->wavelengths_nm.push_back(first_nm);
-        n_->values.push_back(n_right);
-        while (!open.empty()) {
-            const Interval interval = open.back();
-            open.pop_back();
-            const double middle_nm = (interval.left_nm + interval.right_nm) / 2;
-            const double n_middle = n(middle_nm);
-            const double error = std::abs(n_middle - (interval.n_left + interval.n_right) / 2);
-            const bool divisible = middle_nm > interval.left_nm && middle_nm < interval.right_nm;
-            if (error > kFormulaSamplingError / 4 && divisible) {
-                if (open.size() + n_->values.size() > kMostSamples) {
-                    fail(list, fmt::format("the formula changes so fast near {} um that {} samples "
-                                           "do not follow it; is there a pole in the range?",
-                                           middle_nm / kNanometresPerMicrometre, kMostSamples));
-                }
-                open.push_back({middle_nm, interval.right_nm, n_middle, interval.n_right});
-                open.push_back({interval.left_nm, middle_nm, interval.n_left, n_middle});
-            } else {
-                n_->wavelengths_nm.push_back(interval.right_nm);
-                n_->values.push_back(interval.n_right);
+        const auto formula = [&](double wavelength_nm) {
+            const double um = wavelength_nm / kNanometresPerMicrometre;
+            const double n = dispersion_formula(number, coefficients, um);
+            if (!kRefractiveIndexRange.contains(n)) {
+                fail(list, fmt::format("formula {} gives n = {} at {} um, outside {}", number, n,
+                                       um, kRefractiveIndexRange.text()));
             }
+            return n;
+        };
+        try {
+            n_ = sample_smooth(formula, range[0] * kNanometresPerMicrometre,
+                               range[1] * kNanometresPerMicrometre, kFormulaSamplingError,
+                               kMostSamples);
+        } catch (const DomainError& error) {
+            fail(list, error.what());
         }
     }
 
     static constexpr double kLongestWavelength_um = 1e6;
 
     const std::string& name_;
-    std::optional<Samples> n_, k_;
+    std::optional<SampledFunction> n_, k_;
 };
 
 }  // namespace
@@ -323,10 +222,7 @@ Material parse_material_yaml(std::string_view text, const std::string& name) {
                                      name, kLargestMaterialFile));
     }
     try {
-        std::istringstream check_stream{std::string(text)};
-        PlainPageCheck check(name);
-        YAML::Parser(check_stream).HandleNextDocument(check);
-
+        require_plain_yaml(text, name);
         const YAML::Node root = YAML::Load(std::string(text));
         if (!root.IsMap() || !root["DATA"] || !root["DATA"].IsSequence()) {
             throw InputError(

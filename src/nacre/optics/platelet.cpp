@@ -8,6 +8,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/optics/complex_lanes.h"
+#include "nacre/optics/film_nodes.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/optics/thin_film.h"
@@ -26,34 +27,7 @@ namespace {
 // Aimed at for the mean of each film; the first that needs no more than kMostNodes is taken.
 constexpr double kTargetErrors[] = {1e-7, 1e-5, 1e-4};
 constexpr double kLeastCosine = 1e-9;  // stands for the limit at 0, where all is 0/0
-constexpr int kMostNodesPerFilm = 768;
-constexpr double kMostNodes = 1e6;  // of all films together, some seconds of work
-
-/// Few different counts, so that few rules are made.
-int rounded_count(double n) {
-    const int rounded = n < 16 ? static_cast<int>(std::ceil(n))
-                               : 8 * static_cast<int>(std::ceil(std::min(n, 1e4) / 8));
-    return std::clamp(rounded, 1, kMostNodesPerFilm);
-}
-
-/// Nodes for a film in which waves run. As a function of its phase, in [-half_phase, half_phase],
-/// R has its nearest pole where the amplitude after a round trip, p e^(Im phase), reaches 1; the
-/// error of Gauss's rule falls like rho^(-2 n) with rho from the ellipse through that pole
-/// [trefethen-2013, theorem 19.3].
-int nodes_for_wave(double half_phase, double p, double target_error) {
-    p = std::clamp(p, 1e-12, 1 - 1e-9);
-    const double pole = -std::log(p) / std::max(half_phase, 1e-12);
-    return rounded_count(-std::log(target_error) / (2 * std::asinh(pole)) + 1);
-}
-
-/// Nodes for a film beyond its critical angle, where waves decay by `decay_per_nm` and nothing
-/// resonates: the pole is at thickness 0, outside [lo, hi].
-int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double target_error) {
-    const double half_nm = (hi_nm - lo_nm) / 2;
-    const double pole = std::max((lo_nm + hi_nm) / 2 / half_nm, 1.05);
-    return rounded_count(-std::log(target_error) / (2 * std::acosh(pole)) +
-                         decay_per_nm * half_nm / 2 + 1);
-}
+constexpr double kMostNodes = 1e6;     // of all films together, some seconds of work
 
 /// Wave vectors and interfaces at one cosine for one lane vector of wavelengths.
 struct Lanes {
