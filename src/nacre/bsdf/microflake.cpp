@@ -121,14 +121,10 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
     clearcoat_depth_ =
         at_wavelengths(where_, [&](int w) { return paint.medium.clearcoat_depth[w]; });
     ior_ = at_wavelengths(where_, [&](int w) { return paint.medium.ior[w]; });
-    mean_ior_ = lane_mean(ior_);
-    inverse_mean_ior_ = 1 / mean_ior_;
     dispersive_ = false;
     for (int i = 1; i < kLanes; ++i) dispersive_ = dispersive_ || ior_[i] != ior_[0];
-    if (!dispersive_) {
-        mean_ior_ = ior_[0];
-        inverse_mean_ior_ = 1 / mean_ior_;
-    }
+    mean_ior_ = tables_->mean_ior;
+    inverse_mean_ior_ = 1 / mean_ior_;
 
     for (std::size_t n = 0; n < paint.medium.layers.size(); ++n) {
         const layers::LayerMedium& medium = paint.medium.layers[n];
@@ -216,13 +212,16 @@ FloatLanes BoundMicroflake::eval_at(Vec3f wi, Vec3f wo, float ior) const {
     const Ray i = make_ray(wi, ior), o = make_ray(wo, ior);
     const FloatLanes smooth = interpolate(grid_, smooth_.data(), locate(grid_, wi, wo));
     // The truncated Fourier series may dip below zero by its own error.
-    return (single(i, o) + max_lanes(smooth, FloatLanes{})) *
+    const float scale = ior == mean_ior_ ? i.inside.z + o.inside.z
+                                         : refract_in(wi, inverse_mean_ior_).z +
+                                               refract_in(wo, inverse_mean_ior_).z;
+    return (single(i, o) + max_lanes(smooth, FloatLanes{}) / scale) *
            (i.transmittance * o.transmittance / (ior * ior));
 }
 
 FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
-    if (!dispersive_) return eval_at(wi, wo, mean_ior_);
+    if (!dispersive_) return eval_at(wi, wo, ior_[0]);
     // Each wavelength refracts its own way: rare, and eight times the work.
     FloatLanes f{};
     for (int lane = 0; lane < kLanes; ++lane) f[lane] = eval_at(wi, wo, ior_[lane])[lane];

@@ -59,7 +59,9 @@ double direction_angle(int row) {
 }
 
 Microflake::Tables::Tables(std::shared_ptr<const layers::SolvedPaint> solved)
-    : paint(std::move(solved)), smooth(paint->remainder, narrowest_alpha(paint->medium)) {
+    : paint(std::move(solved)),
+      mean_ior(static_cast<float>(mean(paint->medium.ior))),
+      smooth(paint->remainder, narrowest_alpha(paint->medium), mean_ior) {
     tabulate_extinction();
     choose_lobes();
 }
@@ -102,7 +104,7 @@ void Microflake::Tables::choose_lobes() {
     // Three reflections off Gaussian slopes spread like sqrt(3); five and more, wider still.
     wide_alpha = 2 * flake_alpha;
 
-    const double ior = mean(medium.ior);
+    const double ior = mean_ior;
     const Quadrature polar = gauss_legendre(12, 0.0, std::numbers::pi / 2);
     constexpr int kAzimuths = 12;
     odds.resize(kDirectionIntervals + 1);

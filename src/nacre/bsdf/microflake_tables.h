@@ -23,6 +23,7 @@ struct Microflake::Tables {
     explicit Tables(std::shared_ptr<const layers::SolvedPaint> solved);
 
     std::shared_ptr<const layers::SolvedPaint> paint;
+    float mean_ior;  ///< of the binder over the paint's wavelengths
     SmoothTable smooth;
     /// Roughness of the sampled lobes: flakes (area-weighted mean) and what they scatter again.
     float flake_alpha = 0.1f, wide_alpha = 0.2f;

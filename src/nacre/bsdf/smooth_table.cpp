@@ -13,9 +13,9 @@ namespace {
 // interpolation error below 5e-4 of the peak for alpha from 0.02 to 0.5 (smooth_table_test.cpp).
 SmoothGrid choose_grid(double alpha) {
     SmoothGrid grid;
-    grid.a = 2 * static_cast<int>(std::min(10 + 0.15 / alpha, 24.0)) + 1;
-    grid.b = static_cast<int>(std::min(20 + 0.6 / alpha, 64.0));
-    grid.q = static_cast<int>(std::min(18 + 0.5 / alpha, 64.0));
+    grid.a = static_cast<int>(std::min(26 + 0.5 / alpha, 56.0));
+    grid.b = static_cast<int>(std::min(28 + 1.0 / alpha, 80.0));
+    grid.q = static_cast<int>(std::min(26 + 1.0 / alpha, 80.0));
     return grid;
 }
 
@@ -34,7 +34,7 @@ void pair_weights(const std::vector<double>& w1, const std::vector<double>& w2, 
 
 }  // namespace
 
-SmoothTable::SmoothTable(const layers::Remainder& r, double alpha)
+SmoothTable::SmoothTable(const layers::Remainder& r, double alpha, double ior)
     : grid_(choose_grid(alpha)), rank_(r.rank()), coefficient_(grid_.cells() * rank_) {
     const int orders = r.orders(), nodes = static_cast<int>(r.exit_angle.size());
     const layers::ExitInterpolation interpolation(r.exit_angle);
@@ -48,12 +48,14 @@ SmoothTable::SmoothTable(const layers::Remainder& r, double alpha)
     }
     const std::size_t pairs = r.pair_count();
     parallel_for(0, static_cast<std::size_t>(grid_.a) * grid_.b, [&](std::size_t ab) {
-        const double a = static_cast<double>(ab / grid_.b) / (grid_.a - 1);
-        const double root = static_cast<double>(ab % grid_.b) / (grid_.b - 1);
-        const double half = root * root * std::min(a, 1 - a);
+        const double root_a = static_cast<double>(ab / grid_.b) / (grid_.a - 1);
+        const double root_b = static_cast<double>(ab % grid_.b) / (grid_.b - 1);
+        const double a = root_a * root_a, smaller = a * (1 - root_b * root_b);
         std::vector<double> w1(nodes), w2(nodes);
-        interpolation.weights_at(2 * std::atan(std::min(a + half, 1.0)), w1.data());
-        interpolation.weights_at(2 * std::atan(std::max(a - half, 0.0)), w2.data());
+        const double theta_1 = 2 * std::atan(a), theta_2 = 2 * std::atan(smaller);
+        interpolation.weights_at(theta_1, w1.data());
+        interpolation.weights_at(theta_2, w2.data());
+        const double scale = layers::inside_cosine(ior, theta_1) + layers::inside_cosine(ior, theta_2);
         std::vector<float> weight, by_order(static_cast<std::size_t>(rank_) * orders);
         std::size_t at = 0;
         for (int l = 0; l < orders; ++l) {
@@ -78,7 +80,7 @@ SmoothTable::SmoothTable(const layers::Remainder& r, double alpha)
                 for (int l = 0; l < orders; ++l) {
                     sum += cosine[c * orders + l] * by_order[k * orders + l];
                 }
-                out[k] = sum;
+                out[k] = static_cast<float>(scale) * sum;
             }
         }
     });

@@ -16,15 +16,17 @@
 // Coordinates that follow the lobes, so that few cells do, and that cover all pairs of directions
 // without a hole. With x = tan(theta/2) in [0, 1] of the two directions outside,
 //
-//     a = (x_i + x_o)/2,   b = |x_i - x_o| <= b_max(a) = 2 min(a, 1 - a),   q = sin(phi'/2),
+//     a = max(x_i, x_o),   b = 1 - min(x_i, x_o)/a,   q = sin(phi'/2),
 //
-// phi' the azimuth from the mirror side: a is the glancing angle, b and q lead away from the mirror
-// direction. Grid lines are even in a, sqrt(b/b_max) and sqrt(q), hence dense where the lobes are.
-// A table in these coordinates is reciprocal by construction.
+// phi' the azimuth from the mirror side: b and q lead away from the mirror direction. Grid lines are
+// even in the square roots of all three, hence dense near the normal and the mirror direction, where
+// the lobes are. A table in these coordinates is reciprocal by construction. What is stored is
+// f_multiple without Fresnel factors times mu_i + mu_o (inside), which takes out the growth towards
+// grazing angles of a paint without a coat.
 
 namespace nacre::bsdf {
 
-/// Number of grid lines in each coordinate; a is odd, so that its kink at 1/2 is a line.
+/// Number of grid lines in each coordinate.
 struct SmoothGrid {
     int a = 0, b = 0, q = 0;
 
@@ -42,16 +44,15 @@ inline SmoothCell locate(const SmoothGrid& grid, Vec3f wi, Vec3f wo) {
     const float s2_i = wi.x * wi.x + wi.y * wi.y, s2_o = wo.x * wo.x + wo.y * wo.y;
     const float s_i = std::sqrt(s2_i), s_o = std::sqrt(s2_o);
     const float x_i = s_i / (1 + wi.z), x_o = s_o / (1 + wo.z);
-    const float a = std::min(0.5f * (x_i + x_o), 1.0f);
-    const float reach = 2 * std::min(a, 1 - a);
-    const float b = reach > 0 ? std::min(std::abs(x_i - x_o) / reach, 1.0f) : 0.0f;
+    const float a = std::min(std::max(x_i, x_o), 1.0f);
+    const float b = a > 0 ? std::abs(x_i - x_o) / a : 0.0f;
     // sin^2(phi'/2) = |s_i wo + s_o wi|^2/(2 s_i s_o)^2 without cancellation near the mirror side.
     const float ux = s_i * wo.x + s_o * wi.x, uy = s_i * wo.y + s_o * wi.y;
     const float scale = 4 * s2_i * s2_o;
     const float q2 = scale > 0 ? std::min((ux * ux + uy * uy) / scale, 1.0f) : 0.0f;
 
     SmoothCell cell;
-    const float ga = a * (grid.a - 1), gb = std::sqrt(b) * (grid.b - 1);
+    const float ga = std::sqrt(a) * (grid.a - 1), gb = std::sqrt(b) * (grid.b - 1);
     const float gq = std::sqrt(std::sqrt(q2)) * (grid.q - 1);
     const int ia = std::min(static_cast<int>(ga), grid.a - 2);
     const int ib = std::min(static_cast<int>(gb), grid.b - 2);
@@ -78,8 +79,9 @@ inline FloatLanes interpolate(const SmoothGrid& grid, const FloatLanes* values,
 /// The table before it is bound to wavelengths: coefficients of the remainder's spectral basis.
 class SmoothTable {
  public:
-    /// Tabulates a remainder; `alpha` is the roughness of its narrowest lobe.
-    SmoothTable(const layers::Remainder& remainder, double alpha);
+    /// Tabulates a remainder; `alpha` is the roughness of its narrowest lobe, `ior` the binder's
+    /// mean index.
+    SmoothTable(const layers::Remainder& remainder, double alpha, double ior);
 
     const SmoothGrid& grid() const { return grid_; }
     int rank() const { return rank_; }
