@@ -158,7 +158,7 @@ struct RectangleLight {
     Vec3f up{0, 1, 0};  ///< the direction of height_mm, as far as perpendicular; not to the target
     double width_mm = 500;
     double height_mm = 500;
-    Emitter radiance;
+    Emitter radiance{};
     bool visible = true;  ///< to the camera and in the mirror of a clearcoat
 
     friend bool operator==(const RectangleLight&, const RectangleLight&) = default;
@@ -167,7 +167,7 @@ struct RectangleLight {
 /// Light from one direction.
 struct DirectionalLight {
     Vec3f to_light{0, 0, 1};
-    Emitter irradiance;
+    Emitter irradiance{};
 
     friend bool operator==(const DirectionalLight&, const DirectionalLight&) = default;
 };
@@ -177,7 +177,7 @@ using Light = std::variant<RectangleLight, DirectionalLight>;
 // ------------------------------------------------------------------------------ environment
 
 struct ConstantEnvironment {
-    Emitter radiance;
+    Emitter radiance{};
 
     friend bool operator==(const ConstantEnvironment&, const ConstantEnvironment&) = default;
 };
@@ -197,7 +197,7 @@ struct SoftBox {
 /// Soft boxes on a dim gradient: `horizon` at and below the horizon, `zenith` above (luminances
 /// times radiance.scale). An empty list of boxes means the built-in four (studio_soft_boxes()).
 struct StudioEnvironment {
-    Emitter radiance;
+    Emitter radiance{};
     double horizon = 0.12;
     double zenith = 0.03;
     std::vector<SoftBox> boxes;
