@@ -12,7 +12,7 @@ struct ImageDifference {
     double psnr_db = 0;
     /// Mean of |a - b| / (|b| + kDarkest): relative in the light, absolute in the dark.
     double relative_error = 0;
-    double delta_e_mean = 0, delta_e_95th = 0, delta_e_max = 0;  ///< CIEDE2000
+    double delta_e_mean = 0, delta_e_95th = 0, delta_e_max = 0;  ///< CIEDE2000 [sharma-2005]
 
     /// R, G, B: A - B, signed; deltaE2000: the colour difference of each pixel.
     Image picture;

@@ -8,8 +8,8 @@
 #include "nacre/io/image_formats.h"
 
 // Radiance's picture format: a header of text lines, then scan lines of shared-exponent pixels
-// (RGBE), run-length coded in one of two ways.    [ward-1991; Radiance's src/common/color.c is the
-// reference for rounding and for the codes]
+// (RGBE), run-length coded in one of two ways [ward-1991]. A mantissa stands for the middle of its
+// step, as in Radiance's own programs.
 
 namespace nacre::io {
 

@@ -128,6 +128,10 @@ std::string hdf5_image(hid_t file) {
     return bytes;
 }
 
+/// HDF5 wants a name even for a file in memory, and refuses that of a file that exists: this
+/// cannot.
+constexpr const char* kNoFile = "/dev/null/solved paint";
+
 /// Access to a file that lives in memory only, seeded with `image` unless that is empty.
 Hdf5Handle memory_access(std::string_view image) {
     constexpr std::size_t kGrowth = 1 << 16;
@@ -220,7 +224,7 @@ bool looks_like_solved_paint(std::string_view bytes) {
 std::string solved_paint_bytes(const layers::SolvedPaint& paint) {
     const Hdf5Silence silence;
     const Hdf5Handle access = memory_access({});
-    const Hdf5Handle file(H5Fcreate("solved_paint", H5F_ACC_TRUNC, H5P_DEFAULT, access),
+    const Hdf5Handle file(H5Fcreate(kNoFile, H5F_ACC_TRUNC, H5P_DEFAULT, access),
                           "make an HDF5 file");
     write_attribute(file, "format", std::string(kFormat));
     write_attribute(file, "format_version", kSolvedPaintFormatVersion);
@@ -245,8 +249,7 @@ layers::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string
     const Hdf5Silence silence;
     try {
         const Hdf5Handle access = memory_access(body);
-        const Hdf5Handle file(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access),
-                              "open it as an HDF5 file");
+        const Hdf5Handle file(H5Fopen(kNoFile, H5F_ACC_RDONLY, access), "open it as an HDF5 file");
         return read_contents(file, name);
     } catch (const InputError&) {
         throw;

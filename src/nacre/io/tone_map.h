@@ -11,7 +11,7 @@ inline constexpr double kShoulderStart = 0.8;
 double soft_shoulder(double light);
 
 /// The whole way to eight bits: exposure, shoulder, sRGB transfer function, rounding.
-/// NaN is shown as 0.                                                   [IEC 61966-2-1:1999]
+/// NaN is shown as 0.                                                      [iec-61966-2-1-1999]
 unsigned char display_byte(double light, double exposure_scale);
 
 }  // namespace nacre::io
