@@ -222,10 +222,14 @@ class PlateletAverage {
                 mean = mean + w[2 * j + 1] / (splat(1.0) - p * w[2 * j]);
             }
             const ComplexLanes through = coat.tt * coat.r_in;
-            // Behind a coat that lets nothing through, 1 - |p|^2 may round to 0, and tt^2 too.
+            // 1 - |p|^2 is (1 - |r_in|^2)(1 + |r_in|^2), and 1 - |r_in|^2 >= |tt|, for no coat
+            // amplifies. Behind one that lets next to nothing through, the difference is all
+            // rounding and the bound stands in for it; behind one that lets nothing through, any
+            // positive number does.
             constexpr double tiny = 1e-300;
+            const DoubleLanes least = sqrt_lanes(norm(coat.tt)) * (1.0 + norm(coat.r_in)) + tiny;
             const DoubleLanes kernel =
-                (1.0 + 2.0 * (p * mean).re) / (max_lanes(1.0 - norm(p), nacre::splat(tiny)));
+                (1.0 + 2.0 * (p * mean).re) / max_lanes(1.0 - norm(p), least);
             r += weight * (norm(coat.r_out) + 2.0 * (conj(coat.r_out) * through * mean).re +
                            norm(through) * kernel);
             t += weight * norm(coat.tt) * kernel;

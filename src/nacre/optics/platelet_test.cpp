@@ -212,6 +212,17 @@ TEST(Platelet, VanishesWithItsThickness) {
     for (double t : table.transmittance) EXPECT_NEAR(t, 1, 1e-12);
 }
 
+TEST(Platelet, ThickFrustratingCoatsLetNothingThrough) {
+    // Beyond the critical angle of the coat 1 - |r_in|^2 falls below rounding.
+    const Platelet platelet{film("mica", 300, 18, Law::uniform), {film("MgF2", 20000, 0)}};
+    const std::vector<double> cosines{0, 1e-5, .01, .2};
+    const auto table = platelet_table(platelet, 1.7, cosines, kWavelengths);
+    for (std::size_t i = 0; i < table.reflectance.size(); ++i) {
+        EXPECT_NEAR(table.reflectance[i], 1, 1e-12);
+        EXPECT_NEAR(table.transmittance[i], 0, 1e-12);
+    }
+}
+
 TEST(Platelet, RefusesWhatItCannotAverage) {
     const Platelet mica{film("mica", 500, 60), {}};
     const std::vector<double> one{1}, beyond{1.5}, visible{550}, infrared{2000};
