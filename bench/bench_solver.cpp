@@ -1,0 +1,90 @@
+// How long a paint takes to solve: the whole, and its parts.
+//
+//   ./dev bench --benchmark_filter=Solve
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "nacre/layers/impedance.h"
+#include "nacre/layers/solver.h"
+
+namespace nacre::layers {
+namespace {
+
+// TiO2 on mica in a binder of 1.5; c = 0.1 per um in 15 um.
+Recipe pearl(double alpha) {
+    optics::Platelet platelet;
+    platelet.core = {optics::find_material("mica"), 500, {60}};
+    platelet.coats = {{optics::find_material("TiO2_anatase"), 80, {5}}};
+    FlakeSpecies flake;
+    flake.amount = AreaDensity{0.1};
+    flake.orientation.beckmann_alpha = alpha;
+    flake.body = platelet;
+    Recipe recipe;
+    recipe.layers.push_back({15, {flake}, {}});
+    return recipe;
+}
+
+void BM_SolvePearl31Wavelengths(benchmark::State& state) {
+    const Recipe recipe = pearl(1e-3 * static_cast<double>(state.range(0)));
+    const auto wavelengths = default_wavelengths_nm();
+    SolverReport report;
+    for (auto _ : state) {
+        const SolvedPaint paint = solve(recipe, wavelengths);
+        benchmark::DoNotOptimize(paint.remainder.coefficient.data());
+        report = paint.report;
+    }
+    state.counters["exit_nodes"] = report.exit_nodes;
+    state.counters["orders"] = report.orders;
+}
+BENCHMARK(BM_SolvePearl31Wavelengths)
+    ->ArgName("alpha_thousandths")
+    ->Arg(20)
+    ->Arg(50)
+    ->Arg(90)
+    ->Arg(200)
+    ->Arg(500)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+// The optics alone: films, spectra.
+void BM_SolveMediumOnly(benchmark::State& state) {
+    const Recipe recipe = pearl(0.09);
+    const auto wavelengths = default_wavelengths_nm();
+    for (auto _ : state) {
+        const PaintMedium medium = make_medium(recipe, wavelengths);
+        benchmark::DoNotOptimize(medium.ior.data());
+    }
+}
+BENCHMARK(BM_SolveMediumOnly)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// One slab on one core, eight wavelengths: flops over time is what to hold against the peak.
+void BM_SlabImpedance(benchmark::State& state) {
+    const int n = static_cast<int>(state.range(0));
+    constexpr int kDoublings = 6;
+    LaneBuffer e(n * n), f(n * n), e0(n * n), f0(n * n);
+    ImpedanceWorkspace work(n);
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            e0[i * n + j] = splat(i == j ? 2.0 + i : -0.5 / n);
+            f0[i * n + j] = splat(i == j ? 2.0 + i : 0.5 / n);
+        }
+    }
+    for (auto _ : state) {
+        e = e0;
+        f = f0;
+        slab_impedance(e.data(), f.data(), 10.0, kDoublings, n, work);
+        benchmark::DoNotOptimize(e.data());
+    }
+    // Flops of the inverse: n^3 (Cholesky, triangular inverse and Gram product a third each); of
+    // every step: 7/3 n^3 (Cholesky a third, solve and Gram product one each).
+    const double flops = kLanes * std::pow(n, 3) * (1.0 + (kDoublings + 1) * (7.0 / 3.0));
+    state.counters["GFlop/s"] = benchmark::Counter(flops * 1e-9 * state.iterations(),
+                                                   benchmark::Counter::kIsRate);
+}
+BENCHMARK(BM_SlabImpedance)->ArgName("nodes")->Arg(24)->Arg(28)->Arg(32)->Arg(48)->Arg(72)->Unit(
+    benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace nacre::layers
