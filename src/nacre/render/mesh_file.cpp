@@ -9,6 +9,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/render/mesh.h"
+#include "nacre/render/ply_header.h"
 
 namespace nacre::render {
 namespace {
@@ -67,6 +68,9 @@ Mesh make_mesh(const MeshFile& file) {
     std::error_code status;
     if (!std::filesystem::is_regular_file(file.path, status)) {
         refuse(file, "there is no such file");
+    }
+    if (file.path.extension() == ".ply") {
+        if (const auto fault = ply_fault(file.path)) refuse(file, *fault);
     }
     Assimp::Importer importer;
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE,

@@ -31,7 +31,7 @@ void require_valid(const RenderOptions& options) {
     require_in_range(pixels * options.spectral_bins, 0, 0x1p32, "width x height x spectral bins");
 }
 
-/// A tent of half-width 1 pixel about 0, from a number in [0, 1).       [ernst-2006, section 3]
+/// A tent of half-width 1 pixel about 0, from a number in [0, 1).       [ernst-2006]
 /// Drawing positions by the filter, not weighting by it, lets each pixel keep its own sums.
 float tent(float u) { return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u); }
 

@@ -10,7 +10,7 @@
 // A path needs many numbers; we take them in pairs, each pair from the two-dimensional Sobol
 // sequence, scrambled after Owen and shuffled by a hash of (seed, pixel, vertex, pair). So each
 // pair is evenly spread over any power of two of samples, pairs are independent of each other, and
-// so are pixels.                                                       [burley-2020, sections 3-4]
+// so are pixels.                                                       [burley-2020]
 //
 // Four pairs, all that one vertex of a path needs, are drawn at once in the lanes of a vector.
 
@@ -29,7 +29,7 @@ inline UintLanes reverse_bits(UintLanes x) {
 }
 
 /// A hash in which every bit depends on the lower ones only: applied to bits in reversed order it
-/// is an Owen scramble.                                   [burley-2020, listing 1; laine-2011-lk]
+/// is an Owen scramble.                                   [burley-2020; laine-2011-lk]
 inline UintLanes laine_karras(UintLanes x, UintLanes seed) {
     x += seed;
     x ^= x * 0x6C50B47Cu;

@@ -6,6 +6,7 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/warp.h"
+#include "nacre/render/render_with.h"
 #include "nacre/render/scene_description.h"
 
 // Only for tests: a coated paint in a few lines, with a mirror, a sharp lobe whose colour turns
@@ -89,5 +90,30 @@ class Glossy final : public bsdf::Bsdf {
  private:
     float exponent_, mirror_;
 };
+
+/// Mean of a quantity over renders with different seeds, and the standard error of that mean.
+struct Estimate {
+    double mean = 0, standard_error = 0;
+};
+
+/// Luminance of the whole picture, over `seeds` renders.
+inline Estimate estimate_luminance(const Scene& scene, RenderOptions options,
+                                   DirectLight direct_light, int seeds) {
+    double sum = 0, squares = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        options.seed = static_cast<std::uint64_t>(seed);
+        const RenderResult r = render_with(scene, options, direct_light);
+        double y = 0;
+        for (std::size_t i = 0; i < r.rgb.size(); i += 3) {
+            y += 0.2126 * r.rgb[i] + 0.7152 * r.rgb[i + 1] + 0.0722 * r.rgb[i + 2];
+        }
+        y /= static_cast<double>(r.rgb.size() / 3);
+        sum += y;
+        squares += y * y;
+    }
+    const double mean = sum / seeds;
+    const double variance = std::max(0.0, squares / seeds - mean * mean) / (seeds - 1);
+    return {mean, std::sqrt(variance)};
+}
 
 }  // namespace nacre::render::testing

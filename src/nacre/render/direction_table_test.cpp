@@ -1,0 +1,119 @@
+#include "nacre/render/direction_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nacre/render/environment.h"
+#include "nacre/render/sampler.h"
+
+namespace nacre::render {
+namespace {
+
+/// A dim sky, a bright spot near a pole and one on the seam of the azimuth, and a black part.
+float brightness(Vec3f d) {
+    if (d.z < -0.6f) return 0;
+    const Vec3f pole = normalize({0.1f, 0.05f, 1});
+    const Vec3f seam{1, 0, 0};
+    return 0.2f + 30 * std::exp(40 * (dot(d, pole) - 1)) + 10 * std::exp(60 * (dot(d, seam) - 1));
+}
+
+DirectionTable table() { return DirectionTable(64, 32, brightness); }
+
+/// Evenly spread directions with z and azimuth as coordinates, which the table does not use.
+Vec3f spherical(double u, double v) {
+    const double z = 1 - 2 * v, r = std::sqrt(1 - z * z), a = 2 * M_PI * u;
+    return {static_cast<float>(r * std::cos(a)), static_cast<float>(r * std::sin(a)),
+            static_cast<float>(z)};
+}
+
+TEST(DirectionTable, SquareAndSphereMapBackAndForth) {
+    for (int i = 0; i < 1000; ++i) {
+        const auto u = PathSampler(0, 0, i).draw(0);
+        const Vec3f d = DirectionTable::from_square({u[0], u[1]});
+        EXPECT_NEAR(length(d), 1, 1e-6);
+        const Vec2f back = DirectionTable::to_square(d);
+        EXPECT_NEAR(back.y, u[1], 1e-6);
+        // Near the poles the azimuth loses digits in proportion.
+        EXPECT_NEAR(back.x, u[0], 1e-6 / std::max(1e-2f, std::hypot(d.x, d.y)));
+    }
+}
+
+// Midpoints of a 2000 x 2000 grid. The density jumps at the 64 + 32 edges of cells, each of which
+// the grid places to half a step: a few parts in 1000 where a bright cell has such an edge.
+TEST(DirectionTable, PdfIntegratesToOne) {
+    const DirectionTable t = table();
+    constexpr int kSide = 2000;
+    double sum = 0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        sum += t.pdf(spherical((i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide));
+    }
+    EXPECT_NEAR(sum * 4 * M_PI / (kSide * kSide), 1, 5e-3);
+}
+
+TEST(DirectionTable, SampleReportsThePdfOfItsDirection) {
+    const DirectionTable t = table();
+    int inside = 0;
+    constexpr int kCount = 10000;
+    for (int i = 0; i < kCount; ++i) {
+        const auto u = PathSampler(0, 3, i).draw(0);
+        const DirectionSample s = t.sample({u[0], u[1]});
+        EXPECT_GT(s.pdf, 0);
+        // On an edge between cells rounding may look up the neighbour.
+        inside += std::abs(t.pdf(s.direction) - s.pdf) < 1e-3f * s.pdf;
+    }
+    EXPECT_GT(inside, 0.995 * kCount);
+}
+
+// Pearson's chi-square over 16 x 8 cells of azimuth and height with 2^16 independent samples: the
+// statistic has mean k - 1 and variance 2 (k - 1); 5 standard deviations, with a fixed seed.
+TEST(DirectionTable, SamplesFollowThePdf) {
+    const DirectionTable t = table();
+    constexpr int kColumns = 16, kRows = 8, kSub = 40, kCount = 1 << 16;
+    std::vector<double> expected(kColumns * kRows), seen(kColumns * kRows);
+    for (int i = 0; i < kColumns * kSub * kRows * kSub; ++i) {
+        const int x = i % (kColumns * kSub), y = i / (kColumns * kSub);
+        expected[y / kSub * kColumns + x / kSub] +=
+            t.pdf(spherical((x + 0.5) / (kColumns * kSub), (y + 0.5) / (kRows * kSub))) * 4 * M_PI *
+            kCount / (kColumns * kSub * kRows * kSub);
+    }
+    for (int i = 0; i < kCount; ++i) {
+        // Of a fresh pixel each: independent, not low-discrepancy, as the statistic assumes.
+        const auto u = PathSampler(1, i, 0).draw(0);
+        const Vec3f d = t.sample({u[0], u[1]}).direction;
+        double azimuth = std::atan2(d.y, d.x) / (2 * M_PI);
+        if (azimuth < 0) azimuth += 1;
+        const int x = std::min(static_cast<int>(azimuth * kColumns), kColumns - 1);
+        const int y = std::min(static_cast<int>((1 - d.z) / 2 * kRows), kRows - 1);
+        seen[y * kColumns + x] += 1;
+    }
+    double statistic = 0;
+    int cells = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        if (expected[i] < 5) {
+            // The black part: no more than the seam of a cell may leak into it.
+            EXPECT_LT(seen[i], 20);
+            continue;
+        }
+        statistic += (seen[i] - expected[i]) * (seen[i] - expected[i]) / expected[i];
+        ++cells;
+    }
+    ASSERT_GT(cells, 90);
+    EXPECT_LT(statistic, cells - 1 + 5 * std::sqrt(2.0 * (cells - 1)));
+}
+
+TEST(DirectionTable, BlackEnvironmentIsSampledEvenly) {
+    const DirectionTable t(8, 4, [](Vec3f) { return 0.0f; });
+    EXPECT_EQ(t.mean_brightness(), 0);
+    const DirectionSample s = t.sample({0.3f, 0.7f});
+    EXPECT_GT(s.pdf, 0);
+    EXPECT_NEAR(length(s.direction), 1, 1e-6);
+}
+
+TEST(DirectionTable, MeanBrightnessIsTheMeanOverTheSphere) {
+    const DirectionTable t(64, 64, [](Vec3f d) { return d.z * d.z; });
+    EXPECT_NEAR(t.mean_brightness(), 1.0 / 3, 1e-3);
+}
+
+}  // namespace
+}  // namespace nacre::render

@@ -1,0 +1,179 @@
+#include "nacre/render/emission.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nacre/render/environment.h"
+#include "nacre/render/film_range.h"
+#include "nacre/render/render.h"
+#include "nacre/render/sky.h"
+
+namespace nacre::render {
+namespace {
+
+/// A picture of nothing but the environment.
+RenderResult picture_of(const Environment& environment, int samples = 256, int bins = 0) {
+    SceneDescription scene;
+    scene.environment = environment;
+    scene.camera = {.position_mm = {0, 0, 0}, .target_mm = {0, 100, 50}, .vertical_fov_deg = 1};
+    return render(Scene(scene, {}),
+                  {.width = 2, .height = 2, .samples_per_pixel = samples, .spectral_bins = bins});
+}
+
+TEST(Emission, UnitIlluminantsHaveLuminanceOne) {
+    for (auto illuminant : {spectra::Illuminant::A, spectra::Illuminant::D65,
+                            spectra::Illuminant::FL11, spectra::Illuminant::E}) {
+        EXPECT_NEAR(film_luminance(unit_illuminant(illuminant)), 1, 1e-12);
+    }
+}
+
+TEST(Emission, D65IsWhiteFromTheFirstSample) {
+    for (int samples : {1, 3, 64}) {
+        for (float value : picture_of(ConstantEnvironment{}, samples).rgb) {
+            EXPECT_NEAR(value, 1, 2e-6) << samples;
+        }
+    }
+}
+
+TEST(Emission, IlluminantAIsOrangeAsCieSays) {
+    const auto rgb = picture_of(ConstantEnvironment{.radiance = {spectra::Illuminant::A}}).rgb;
+    // xy of illuminant A: 0.44758, 0.40745 at Y = 1.                        [cie-15-2018, table
+    // T.3]
+    const auto expected = spectra::xyz_to_linear_rec709({0.44758 / 0.40745, 1, 0.14497 / 0.40745});
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgb[c], expected[c], 5e-3);
+}
+
+TEST(Emission, SpectralFilmReturnsTheSpectrum) {
+    const auto d65 = unit_illuminant(spectra::Illuminant::D65);
+    const RenderResult r = picture_of(ConstantEnvironment{}, 512, 30);
+    ASSERT_EQ(r.bin_centres_nm.size(), 30u);
+    EXPECT_EQ(r.bin_centres_nm[0], 405);
+    // A bin shows the mean over its 10 nm and half of its neighbours': D65's steps of 10 nm are up
+    // to 15 % and average out to a few percent; an equal-energy spectrum is exact.
+    for (int b = 0; b < 30; ++b) {
+        EXPECT_NEAR(r.spectral[b], d65(r.bin_centres_nm[b]), 0.06 * d65(r.bin_centres_nm[b]));
+    }
+    const RenderResult e =
+        picture_of(ConstantEnvironment{.radiance = {spectra::Illuminant::E}}, 2, 50);
+    for (float value : e.spectral) EXPECT_NEAR(value, 1, 1e-5);
+}
+
+TEST(Emission, MapTexelsKeepTheirColourAndPlace) {
+    // Four columns over two rows; the middle of the picture lies at azimuth 90, where we look.
+    ImageEnvironment image{.width = 4, .height = 2, .rgb = {}};
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            const bool left = column < 2;
+            for (float value : {left ? 0.8f : 0.2f, 0.5f, 0.1f}) image.rgb.push_back(value);
+        }
+    }
+    EmissionBasis basis;
+    const CompiledEnvironment compiled = compile_environment(image, basis);
+    EXPECT_NEAR(compiled.radiance->luminance(direction_from_angles(135, 0)),
+                0.2126 * 0.8 + 0.7152 * 0.5 + 0.0722 * 0.1, 1e-5);  // left of the middle
+    EXPECT_NEAR(compiled.radiance->luminance(direction_from_angles(45, 0)),
+                0.2126 * 0.2 + 0.7152 * 0.5 + 0.0722 * 0.1, 1e-5);
+    image.rgb.clear();
+    for (int i = 0; i < 8; ++i) image.rgb.insert(image.rgb.end(), {0.8f, 0.5f, 0.1f});
+    const auto rgb = picture_of(image).rgb;
+    // The primaries' reflectances match their colours to the upsampling's own tolerance, and the
+    // film ends at 400 and 700 nm.
+    EXPECT_NEAR(rgb[0], 0.8, 0.01);
+    EXPECT_NEAR(rgb[1], 0.5, 0.01);
+    EXPECT_NEAR(rgb[2], 0.1, 0.01);
+}
+
+// M1 and M2 of D65 (6504 K): the CIE defines D65 by this very sum.       [cie-15-2018, 4.1.3]
+TEST(Emission, DaylightBasisReproducesD65) {
+    const auto basis = daylight_basis();
+    for (double nm = 400; nm <= 700; nm += 10) {
+        const double sum = basis[0](nm) - 0.29634 * basis[1](nm) - 0.68832 * basis[2](nm);
+        EXPECT_NEAR(sum, spectra::illuminant_power(spectra::Illuminant::D65, nm), 0.2) << nm;
+    }
+}
+
+struct Sky {
+    explicit Sky(const SkyEnvironment& description) : compiled(compile_sky(description, basis)) {}
+    EmissionBasis basis;
+    CompiledEnvironment compiled;
+};
+
+/// Illuminance of the sky dome on the ground, in klx.
+double dome_klx(const Sky& sky) {
+    constexpr int kSteps = 64;
+    double sum = 0;
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const double elevation = std::acos(std::sqrt((i / kSteps + 0.5) / kSteps)) * 180 / M_PI;
+        sum += sky.compiled.radiance->luminance(
+            direction_from_angles(360 * (i % kSteps + 0.5) / kSteps, elevation));
+    }
+    return 10 * M_PI * sum / (kSteps * kSteps);
+}
+
+// Measured daylight under clear skies: 80 to 100 klx from the sun at 60 deg, 10 to 25 klx from
+// the dome.                                                     [iesna-2011]
+TEST(Sky, BrightnessIsThatOfClearDays) {
+    const Sky sky({.sun_elevation_deg = 60, .turbidity = 2.5});
+    const DistantDisk& sun = *sky.compiled.sun;
+    const double sun_klx = 10 * sun.luminance * M_PI * sun.chord_squared * sun.direction.z;
+    EXPECT_GT(sun_klx, 70);
+    EXPECT_LT(sun_klx, 105);
+    EXPECT_GT(dome_klx(sky), 8);
+    EXPECT_LT(dome_klx(sky), 30);
+}
+
+TEST(Sky, IsBlueAboveAndTheLowSunIsRed) {
+    const Sky sky({.sun_elevation_deg = 5});
+    const auto red_over_blue = [&](const spectra::Spectrum& s) { return s(650) / s(450); };
+    const auto nm = film_wavelengths(0);
+    const auto basis = sky.basis.at(nm);
+    const FloatLanes zenith = sky.compiled.radiance->radiance({0, 0, 1}, basis.data());
+    EXPECT_GT(zenith[1], 1.5f * zenith[6]);
+    const double low = red_over_blue(sky.basis[sky.compiled.sun->spectrum]);
+    const Sky noon({.sun_elevation_deg = 80});
+    EXPECT_GT(low, 3 * red_over_blue(noon.basis[noon.compiled.sun->spectrum]));
+}
+
+TEST(Sky, RadianceHasTheLuminanceThatGuidesSampling) {
+    const SkyEnvironment description{.sun_azimuth_deg = 30, .sun_elevation_deg = 35};
+    const Sky sky(description);
+    for (double azimuth : {0.0, 100.0, 250.0}) {
+        for (double elevation : {-20.0, 3.0, 40.0, 80.0}) {
+            const Vec3f d = direction_from_angles(azimuth, elevation);
+            double luminance = 0;
+            constexpr int kPasses = 64;
+            for (int k = 0; k < kPasses; ++k) {
+                const auto nm = film_wavelengths(k);
+                const auto basis = sky.basis.at(nm);
+                luminance += lane_sum(film_xyz_weights(nm)[1] *
+                                      sky.compiled.radiance->radiance(d, basis.data())) /
+                             kPasses;
+            }
+            const double expected = sky.compiled.radiance->luminance(d);
+            EXPECT_NEAR(luminance, expected, 2e-3 * expected) << azimuth << " " << elevation;
+        }
+    }
+}
+
+TEST(Sky, EveryDirectionIsFiniteForEveryTurbidityAndSun) {
+    int checked = 0;
+    for (double turbidity : {1.7, 3.0, 6.0, 10.0}) {
+        for (double sun : {0.0, 1.0, 30.0, 90.0}) {
+            const Sky sky({.sun_elevation_deg = sun, .turbidity = turbidity});
+            const auto basis = sky.basis.at(film_wavelengths(3));
+            for (double elevation = -90; elevation <= 90; elevation += 7.5) {
+                const FloatLanes l = sky.compiled.radiance->radiance(
+                    direction_from_angles(17 * elevation, elevation), basis.data());
+                for (int i = 0; i < kLanes; ++i) {
+                    EXPECT_TRUE(std::isfinite(l[i]) && l[i] >= 0) << turbidity << " " << sun;
+                }
+                ++checked;
+            }
+        }
+    }
+    EXPECT_EQ(checked, 4 * 4 * 25);
+}
+
+}  // namespace
+}  // namespace nacre::render

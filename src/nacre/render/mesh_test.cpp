@@ -1,0 +1,165 @@
+#include "nacre/render/mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "nacre/core/error.h"
+#include "nacre/render/compiled_scene.h"
+
+namespace nacre::render {
+namespace {
+
+using ::testing::HasSubstr;
+
+double area(const Mesh& mesh) {
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        sum += 0.5 * length(cross(mesh.positions_mm[b] - mesh.positions_mm[a],
+                                  mesh.positions_mm[c] - mesh.positions_mm[a]));
+    }
+    return sum;
+}
+
+/// Smallest cosine between a triangle's own normal and the shading normals at its corners.
+double worst_normal(const Mesh& mesh) {
+    double worst = 1;
+    for (const auto& t : mesh.triangles) {
+        const Vec3f n = cross(mesh.positions_mm[t[1]] - mesh.positions_mm[t[0]],
+                              mesh.positions_mm[t[2]] - mesh.positions_mm[t[0]]);
+        if (length(n) < 1e-7f) continue;  // the triangles at a tip have no area
+        for (auto i : t) worst = std::min<double>(worst, dot(normalize(n), mesh.normals[i]));
+    }
+    return worst;
+}
+
+TEST(Mesh, PanelsHaveTheirSizeAndFaceUp) {
+    EXPECT_NEAR(area(make_mesh(FlatPanel{150, 100})), 15000, 1e-2);
+    EXPECT_EQ(make_mesh(FlatPanel{150, 100}).normals[0], (Vec3f{0, 0, 1}));
+    EXPECT_EQ(worst_normal(make_mesh(FlatPanel{150, 100})), 1);
+    EXPECT_NEAR(area(make_mesh(GroundPlane{200})), 40000, 1e-2);
+}
+
+TEST(Mesh, CurvedPanelKeepsItsArcLengthAndLiesOnItsCylinder) {
+    const Mesh mesh = make_mesh(CurvedPanel{170, 110, 62});
+    // Chords fall short of the arc by (angle per facet)^2 / 24, below 1e-5.
+    EXPECT_NEAR(area(mesh), 170.0 * 110, 170 * 110 * 1e-5);
+    for (const Vec3f& p : mesh.positions_mm) EXPECT_NEAR(std::hypot(p.x, p.z + 62), 62, 1e-4);
+    EXPECT_GT(worst_normal(mesh), 0.9999);
+}
+
+TEST(Mesh, BackdropIsSmoothFromFloorToWall) {
+    const Mesh mesh = make_mesh(Backdrop{});
+    EXPECT_GT(worst_normal(mesh), 0.999);
+    EXPECT_EQ(mesh.normals.front(), (Vec3f{0, 0, 1}));
+    EXPECT_EQ(mesh.normals.back(), (Vec3f{0, -1, 0}));
+}
+
+// Its normals look outwards, are of unit length and turn gently from facet to facet, or else the
+// reflections would show the mesh.
+TEST(Mesh, SpeedShapeIsSmoothSymmetricAndOnTheGround) {
+    const Mesh mesh = make_mesh(SpeedShape{400});
+    EXPECT_GT(worst_normal(mesh), 0.95);
+    float low = 1e9f, left = 0, right = 0, nose = 0, tail = 0;
+    for (const Vec3f& n : mesh.normals) EXPECT_NEAR(length(n), 1, 1e-5);
+    for (const Vec3f& p : mesh.positions_mm) {
+        low = std::min(low, p.z);
+        left = std::max(left, p.y);
+        right = std::min(right, p.y);
+        nose = std::max(nose, p.x);
+        tail = std::min(tail, p.x);
+    }
+    EXPECT_EQ(low, 0);
+    EXPECT_NEAR(left, -right, 1e-3);
+    EXPECT_NEAR(nose - tail, 400, 1e-3);
+}
+
+TEST(Mesh, TransformScalesThenRotatesAboutXThenYThenZThenMoves) {
+    const AffineMap map({.scale = 2, .rotation_deg = {90, 0, 90}, .translation_mm = {1, 2, 3}});
+    const Vec3f p = map.point({0, 1, 0});  // about x: to z; about z: stays
+    EXPECT_NEAR(p.x, 1, 1e-6);
+    EXPECT_NEAR(p.y, 2, 1e-6);
+    EXPECT_NEAR(p.z, 5, 1e-6);
+    const Vec3f d = map.direction({1, 0, 0});  // about z: to y
+    EXPECT_NEAR(d.y, 1, 1e-6);
+}
+
+class MeshFileTest : public ::testing::Test {
+ protected:
+    std::filesystem::path write(const std::string& name, const std::string& text) {
+        const auto path = std::filesystem::path(::testing::TempDir()) / ("nacre_" + name);
+        std::ofstream(path, std::ios::binary) << text;
+        return path;
+    }
+    static std::string refusal(const std::filesystem::path& path) {
+        try {
+            make_mesh(MeshFile{.path = path});
+        } catch (const InputError& e) {
+            return e.what();
+        }
+        return "accepted";
+    }
+};
+
+const char* const kObj = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const char* const kPly =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n";
+// One triangle (0 0 0) (1 0 0) (0 1 0) in a data URI.
+const char* const kGltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
+
+TEST_F(MeshFileTest, ReadsObjPlyAndGltf) {
+    const Mesh obj = make_mesh(MeshFile{.path = write("quad.obj", kObj), .mm_per_unit = 10});
+    EXPECT_EQ(obj.triangles.size(), 2u);
+    EXPECT_NEAR(area(obj), 200, 1e-3);
+    EXPECT_NEAR(obj.normals[0].z, 1, 1e-6);
+    EXPECT_NEAR(area(make_mesh(MeshFile{.path = write("triangle.ply", kPly)})), 1, 1e-6);
+    // glTF's vertical is y, and the triangle stands upright in it.
+    const Mesh gltf = make_mesh(MeshFile{.path = write("t.gltf", kGltf), .mm_per_unit = 1000});
+    EXPECT_NEAR(area(gltf), 0.5e6, 1);
+    EXPECT_NEAR(std::abs(gltf.normals[0].y), 1, 1e-6);
+}
+
+TEST_F(MeshFileTest, RefusesWhatIsNoMeshAndNamesTheFile) {
+    EXPECT_THAT(refusal("/nonexistent/body.obj"), HasSubstr("'/nonexistent/body.obj'"));
+    EXPECT_THAT(refusal(::testing::TempDir()), HasSubstr("no such file"));
+    for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+             {"empty.obj", ""},
+             {"points.obj", "v 0 0 0\nv 1 0 0\n"},
+             {"headless.ply", "ply\nformat ascii 1.0\nelement vertex 99999\n"},
+             {"short.ply",
+              "ply\nformat ascii 1.0\nelement vertex 99999\nproperty float x\nend_header\n0\n"},
+             {"type.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n"},
+             {"broken.gltf", "{\"asset\":"},
+             {"unknown.xyz9", "hello"},
+             {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}}) {
+        const auto path = write(name, text);
+        EXPECT_THAT(refusal(path), HasSubstr(path.string()));
+    }
+}
+
+TEST(CompiledSceneRays, MeshSphereAndAnalyticSphereAreHitAlike) {
+    SceneDescription description;
+    description.materials["m"] = DiffuseMaterial{};
+    description.shapes.push_back(
+        {Sphere{.radius_mm = 20}, "m", {.scale = 2, .translation_mm = {5, 0, 0}}});
+    const Scene scene(description, {});
+    const auto hit = scene.compiled().intersect({{5, -1000, 10}, {0, 1, 0}}, false);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->position_mm.y, -std::sqrt(40.0 * 40 - 100), 1e-3);
+    EXPECT_NEAR(hit->shading_normal.z, 0.25, 1e-5);
+    EXPECT_FALSE(scene.compiled().intersect({{5, -1000, 41}, {0, 1, 0}}, false).has_value());
+    EXPECT_TRUE(scene.compiled().occluded({{5, -1000, 10}, {0, 1, 0}}, 2000));
+    EXPECT_FALSE(scene.compiled().occluded({{5, -1000, 10}, {0, 1, 0}}, 900));
+    EXPECT_FALSE(scene.compiled().occluded({hit->origin(), {0, -1, 0}}, 900));
+}
+
+}  // namespace
+}  // namespace nacre::render
