@@ -9,26 +9,24 @@ set -eu
 seconds=${1:-30}
 [ $# -gt 0 ] && shift
 source_dir=$(cd "$(dirname "$0")/.." && pwd)
-build_dir=${NACRE_FUZZ_BUILD_DIR:-$source_dir/build-fuzz}
+build_dir=$source_dir/build-fuzz
 targets=${*:-recipe scene solved_paint image material}
 
-if [ ! -f "$build_dir/CMakeCache.txt" ]; then
-    launcher=$(command -v ccache || true)
-    cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-        -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-        -DCMAKE_CXX_FLAGS="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined" \
-        -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" \
-        -DNACRE_FUZZ=ON -DNACRE_TESTS=OFF -DNACRE_BENCH=OFF -DNACRE_NATIVE=OFF
-fi
+cd "$source_dir"
+launcher=$(command -v ccache || true)
+cmake --preset fuzz -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >/dev/null
 cmake --build "$build_dir" --target $(for target in $targets; do echo "fuzz_$target"; done)
 
 # Folders with seeds of a target; what Nacre ships serves as well.
 seeds() {
-    echo "$source_dir/fuzz/corpus/$1"
     case $1 in
-        recipe) echo "$source_dir/paints" ;;
-        scene) echo "$source_dir/scenes" ;;
+        recipe) shipped=$source_dir/paints ;;
+        scene) shipped=$source_dir/scenes ;;
+        *) shipped= ;;
     esac
+    for folder in "$source_dir/fuzz/corpus/$1" "$shipped"; do
+        [ ! -d "$folder" ] || echo "$folder"
+    done
 }
 
 failed=
