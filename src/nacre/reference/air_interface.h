@@ -38,15 +38,25 @@ class AirInterface {
     /// Whether connect() draws at random, so that each walk wants a connection of its own.
     virtual bool scatters() const = 0;
 
-    /// Share of light from this cosine outside that the interface throws back at once.
-    virtual double outer_reflectance(double cosine) const = 0;
+    /// Unbiased estimate of the BRDF of the interface by itself, in 1/sr, a mirror left out.
+    virtual double reflect_outside(const Direction3& towards_light, const Direction3& towards_eye,
+                                   RandomStream& random) const = 0;
 };
 
 /// A flat interface: mirror and refraction by Snell and Fresnel.
 /// @param index  of the binder, >= 1
 std::unique_ptr<const AirInterface> make_smooth_interface(double index);
 
-/// The interface of a recipe.
+/// Facets with Beckmann slopes, as layers/rough_interface.h defines them.
+/// @param index  of the binder, > 1
+/// @param alpha  at least kLeastRoughness
+std::unique_ptr<const AirInterface> make_rough_interface(double index, double alpha);
+
+/// Masked light is found by trial, which takes some 1/alpha^2 trials.
+inline constexpr double kLeastRoughness = 1e-3;
+
+/// The interface of a recipe whose binder has this index.
+/// @throws DomainError if its roughness is above 0 and below kLeastRoughness
 std::unique_ptr<const AirInterface> make_air_interface(const layers::Recipe& recipe, double index);
 
 }  // namespace nacre::reference

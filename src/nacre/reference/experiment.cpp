@@ -62,6 +62,12 @@ void Experiment::run_block(std::uint64_t block, Moments& moments) const {
         }
         walk(medium, interface, towards_light, interface.scatters() ? own_connections : connections,
              settings.part, random, tally);
+        if (interface.scatters() && settings.part == Part::total) {
+            for (std::size_t j = 0; j < towards_eyes.size(); ++j) {
+                tally.radiance[j] +=
+                    interface.reflect_outside(towards_light, towards_eyes[j], random);
+            }
+        }
         moments.add(tally);
     }
 }

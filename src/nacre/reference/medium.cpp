@@ -1,5 +1,6 @@
 #include "nacre/reference/medium.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +15,15 @@ Lanes sample_spectrum(const spectra::Spectrum& spectrum, std::span<const double>
     Lanes values{};
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) values[i] = spectrum(wavelengths_nm[i]);
     return values;
+}
+
+/// Linear in the cosine between equal steps from 0 to 1; a single entry is a constant.
+Lanes interpolate(const std::vector<Lanes>& table, double cosine) {
+    if (table.size() == 1) return table[0];
+    const std::size_t last_interval = table.size() - 2;
+    const double x = std::min(cosine, 1.0) * static_cast<double>(table.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(x), last_interval);
+    return table[i] + (x - static_cast<double>(i)) * (table[i + 1] - table[i]);
 }
 
 }  // namespace
@@ -42,12 +52,10 @@ FlakeOptics::FlakeOptics(const layers::FlakeSpecies& species, const optics::Mate
     }
 }
 
-Lanes FlakeOptics::interpolate(const std::vector<Lanes>& table, double cosine) {
-    if (table.size() == 1) return table[0];
-    const std::size_t last_interval = table.size() - 2;
-    const double x = std::min(cosine, 1.0) * static_cast<double>(table.size() - 1);
-    const std::size_t i = std::min(static_cast<std::size_t>(x), last_interval);
-    return table[i] + (x - static_cast<double>(i)) * (table[i + 1] - table[i]);
+Lanes FlakeOptics::reflectance(double cosine) const { return interpolate(reflectance_, cosine); }
+
+Lanes FlakeOptics::transmittance(double cosine) const {
+    return interpolate(transmittance_, cosine);
 }
 
 Lanes Flakes::scattering(const Direction3& in, const Direction3& out) const {
@@ -74,20 +82,21 @@ Lanes Flakes::extinction(double mu) const {
     const double s = std::sqrt(std::max(0.0, 1 - mu * mu));
     const double limit = kReach * alpha;
     const double step = limit / kStepsPerSide;
+    static const Quadrature unit = gauss_legendre(kNodesPerPanel, 0, 1);
+    std::array<double, kStepsPerSide + 1> weight_y;  // y and -y together
+    for (int k = 0; k <= kStepsPerSide; ++k)
+        weight_y[k] = (k == 0 ? 1 : 2) * step * std::exp(-k * step * k * step / (alpha * alpha));
     Lanes sum{};
     const auto add_panel = [&](double from, double to) {
-        const Quadrature rule = gauss_legendre(kNodesPerPanel, from, to);
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-            const double x = rule.nodes[i];
+        for (int i = 0; i < kNodesPerPanel; ++i) {
+            const double x = from + (to - from) * unit.nodes[i];
             const double projected = std::abs(mu - s * x);
+            const double weight_x =
+                (to - from) * unit.weights[i] * projected * std::exp(-x * x / (alpha * alpha));
             for (int k = 0; k <= kStepsPerSide; ++k) {
-                const double y = k * step;
-                const double slope_sq = x * x + y * y;
-                const double cosine = projected / std::sqrt(1 + slope_sq);
-                const double mirror_images = k == 0 ? 1 : 2;  // y and -y
-                sum += (mirror_images * step * rule.weights[i] * cosine *
-                        std::exp(-slope_sq / (alpha * alpha))) *
-                       (1 - optics.transmittance(cosine));
+                const double shrink = 1 / std::sqrt(1 + x * x + k * step * k * step);
+                sum += (weight_x * weight_y[k] * shrink) *
+                       (1 - optics.transmittance(projected * shrink));
             }
         }
     };
@@ -116,9 +125,17 @@ Lanes Slab::scattering(const Direction3& in, const Direction3& out) const {
 }
 
 Lanes Slab::extinction(double mu) const {
+    if (!extinction_table.empty()) return interpolate(extinction_table, mu);
     Lanes sum = absorption_per_um + pigment_scattering_per_um;
     for (const Flakes& species : flakes) sum += species.extinction(mu);
     return sum;
+}
+
+void Slab::tabulate_extinction() {
+    std::vector<Lanes> table;
+    for (int i = 0; i <= kExtinctionTableIntervals; ++i)
+        table.push_back(extinction(static_cast<double>(i) / kExtinctionTableIntervals));
+    extinction_table = std::move(table);
 }
 
 Medium::Medium(const layers::Recipe& recipe, std::span<const double> wavelengths_nm)

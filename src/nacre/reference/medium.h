@@ -32,12 +32,10 @@ class FlakeOptics {
                 std::span<const double> wavelengths_nm);
 
     /// @param cosine  |w.m| in [0, 1]; rounding above 1 is taken as 1
-    Lanes reflectance(double cosine) const { return interpolate(reflectance_, cosine); }
-    Lanes transmittance(double cosine) const { return interpolate(transmittance_, cosine); }
+    Lanes reflectance(double cosine) const;
+    Lanes transmittance(double cosine) const;
 
  private:
-    static Lanes interpolate(const std::vector<Lanes>& table, double cosine);
-
     std::vector<Lanes> reflectance_, transmittance_;  // one node: the same at every angle
 };
 
@@ -73,6 +71,9 @@ struct Pigment {
     Lanes scattering(const Direction3& in, const Direction3& out) const;
 };
 
+inline constexpr int kExtinctionTableIntervals = 1024;
+inline constexpr double kExtinctionTableError = 2e-5;
+
 /// One homogeneous slab: the clearcoat or a layer.
 struct Slab {
     double thickness_um = 0;
@@ -86,8 +87,14 @@ struct Slab {
     double candidate_rate_per_um() const { return flake_rate_per_um + pigment_rate_per_um; }
     /// Scattered power per um of path and sr of flakes and pigments.
     Lanes scattering(const Direction3& in, const Direction3& out) const;
-    /// Total extinction along a direction of cosine mu > 0.
+    /// Total extinction along a direction of cosine mu > 0: by quadrature, or from the table.
     Lanes extinction(double mu) const;
+    /// Makes extinction() cheap, for many directions: linear between kExtinctionTableIntervals
+    /// equal steps of mu, which is right to kExtinctionTableError of the extinction along the
+    /// normal.
+    void tabulate_extinction();
+
+    std::vector<Lanes> extinction_table;  ///< empty until tabulate_extinction()
 };
 
 struct Medium {

@@ -72,6 +72,22 @@ TEST(Flakes, ExtinctionIsOneMinusTransmittanceOfTheOpaqueOne) {
     EXPECT_NEAR(flakes_of(.3, .2, .7).extinction(.4)[0], 0.3 * opaque, 1e-14);
 }
 
+TEST(Slab, TabulatedExtinctionKeepsToTheQuadrature) {
+    for (double alpha : {0.02, 0.1, 0.5}) {
+        Slab slab;
+        slab.flakes.push_back(flakes_of(alpha, .5, .2));
+        Slab tabulated = slab;
+        tabulated.tabulate_extinction();
+        const double along_normal = slab.extinction(1)[0];
+        for (int i = 0; i < kExtinctionTableIntervals; i += i < 100 ? 1 : 20) {
+            const double mu = (i + 0.5) / kExtinctionTableIntervals;
+            EXPECT_NEAR(tabulated.extinction(mu)[0], slab.extinction(mu)[0],
+                        kExtinctionTableError * along_normal)
+                << "alpha " << alpha << ", mu " << mu;
+        }
+    }
+}
+
 TEST(Flakes, ScatteringIntegratesToTheExtinctionOfPerfectMirrors) {
     for (double alpha : {0.1, 0.3, 0.5}) {
         const Flakes species = flakes_of(alpha, 1, 0);

@@ -62,7 +62,6 @@ std::vector<std::span<const double>> batches(const layers::Recipe& recipe,
 struct Outcome {
     std::size_t incident, first_outgoing, first_wavelength;
     const Medium& medium;
-    const AirInterface& interface;
     const Moments& moments;
 };
 
@@ -105,7 +104,7 @@ void run_all(const layers::Recipe& recipe, std::span<const Direction> incident,
                     throw Error("the reference was stopped before its random walks were done");
                 const auto first_wavelength =
                     static_cast<std::size_t>(batch.data() - wavelengths_nm.data());
-                sink(Outcome{i, first_eye, first_wavelength, medium, *interface, moments});
+                sink(Outcome{i, first_eye, first_wavelength, medium, moments});
             }
         }
     }
@@ -139,11 +138,9 @@ std::vector<Albedo> reference_albedo(const layers::Recipe& recipe,
     all_light.part = Part::total;
     std::vector<Albedo> result(incident.size() * wavelengths_nm.size());
     run_all(recipe, incident, {}, wavelengths_nm, all_light, progress, [&](const Outcome& o) {
-        const double mirror = o.interface.outer_reflectance(unit_vector(incident[o.incident]).z());
         for (int lane = 0; lane < o.medium.lane_count; ++lane) {
             Albedo& albedo = result[o.incident * wavelengths_nm.size() + o.first_wavelength + lane];
             albedo.reflectance = o.moments.reflected(lane, settings.samples);
-            albedo.reflectance.mean += mirror;
             albedo.absorbed_by_substrate = o.moments.absorbed_by_substrate(lane, settings.samples);
         }
     });

@@ -69,7 +69,11 @@ class Walker {
     void run(const Direction3& towards_light) {
         const AirInterface::Weighted entry = interface_.enter(towards_light, random_);
         travel_ = entry.travel;
-        for (int i = 0; i < medium_.lane_count; ++i) beta_[i] = entry.weight;
+        for (int i = 0; i < medium_.lane_count; ++i) {
+            beta_[i] = entry.weight;
+            tally_.reflected[i] += 1 - entry.weight;
+        }
+        alive_ = entry.weight > 0;
         for (std::uint64_t flights = 0; alive_ && std::abs(travel_.z()) > kHorizontal; ++flights) {
             if (part_ == Part::single && !untouched_) return;
             if (flights == kMostFlights) {
@@ -124,6 +128,7 @@ class Walker {
         if (!is_dark(slab.absorption_per_um))
             power *= attenuation(place * slab.absorption_per_um, medium_.lane_count);
         for (std::size_t j = 0; j < connections_.size(); ++j) {
+            if (connections_[j].is_dark()) continue;
             const Lanes scattered = slab.scattering(travel_, connections_[j].travel());
             if (is_dark(scattered)) continue;
             tally_.radiance[j] += power * scattered * connections_[j].from_slab(slab_, depth);

@@ -19,6 +19,7 @@ class Connection {
     Connection(const AirInterface::Weighted& inner, const Medium& medium);
 
     const Direction3& travel() const { return travel_; }
+    bool is_dark() const { return weight_ == 0; }
     /// Radiance outside per unit power scattered per sr and unit area at `depth_um` below the top
     /// of slab number `slab`: attenuation, 1 / mu and the interface's weight.
     Lanes from_slab(std::size_t slab, double depth_um) const;
@@ -36,7 +37,7 @@ class Connection {
 /// Receives what a walk contributes.
 struct WalkTally {
     std::vector<Lanes> radiance;  ///< per connection, for unit irradiance on the paint
-    Lanes reflected{};            ///< power that left upwards, the outer mirror not counted
+    Lanes reflected{};            ///< power that left upwards, or never came in
     Lanes absorbed_by_substrate{};
 
     void clear();
