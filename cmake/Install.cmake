@@ -14,6 +14,7 @@ function(nacre_install)
   get_property(modules GLOBAL PROPERTY NACRE_MODULES)
   install(TARGETS nacre_options ${modules} EXPORT nacre
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS nacre RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(EXPORT nacre NAMESPACE nacre:: DESTINATION ${NACRE_INSTALL_CMAKEDIR}
           FILE nacre-targets.cmake)
 
