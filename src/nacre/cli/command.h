@@ -18,12 +18,6 @@ enum class ExitStatus {
     comparison_failed = 4,  ///< pictures differ by more than was allowed
 };
 
-/// The command line is wrong in a way that only the command itself can see.
-class UsageError : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
-
 struct Command {
     CLI::App* options = nullptr;
     std::function<ExitStatus()> run;

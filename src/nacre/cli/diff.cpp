@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "nacre/cli/command.h"
 #include "nacre/cli/common_options.h"
+#include "nacre/cli/usage_error.h"
 #include "nacre/io/image_difference.h"
 
 namespace nacre::cli {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "nacre/cli/command.h"
 #include "nacre/cli/number_list.h"
+#include "nacre/cli/usage_error.h"
 
 namespace nacre::cli {
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "nacre/cli/number_list.h"
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/stopwatch.h"
+#include "nacre/cli/usage_error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/layers/recipe_limits.h"

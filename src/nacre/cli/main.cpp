@@ -1,10 +1,12 @@
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <exception>
 #include <new>
 #include <vector>
 
 #include "nacre/cli/command.h"
+#include "nacre/cli/usage_error.h"
 #include "nacre/core/error.h"
 #include "nacre/io/version.h"
 

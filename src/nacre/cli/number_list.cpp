@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "nacre/cli/command.h"
+#include "nacre/cli/usage_error.h"
 
 namespace nacre::cli {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/cli/command.h"
+#include "nacre/cli/usage_error.h"
 #include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
 #include "nacre/io/recipe_file.h"

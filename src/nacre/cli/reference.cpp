@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "nacre/cli/number_list.h"
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/stopwatch.h"
+#include "nacre/cli/usage_error.h"
 #include "nacre/core/interrupt.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress_bar.h"

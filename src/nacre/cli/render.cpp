@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "nacre/cli/number_list.h"
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/stopwatch.h"
+#include "nacre/cli/usage_error.h"
 #include "nacre/core/error.h"
 #include "nacre/core/interrupt.h"
 #include "nacre/core/parallel.h"

@@ -13,6 +13,7 @@
 
 #include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
+#include "nacre/io/exr_guard.h"
 #include "nacre/io/image_formats.h"
 
 namespace nacre::io {
@@ -87,10 +88,8 @@ bool looks_like_exr(std::string_view bytes) { return bytes.starts_with(kMagic); 
 
 Image parse_exr(std::string_view bytes, const std::string& name, std::size_t most_values) {
     try {
+        check_exr_headers(bytes, name, most_values);
         MemoryStream stream(bytes, name);
-        // Refused while the header is read, before OpenEXR allocates for it.
-        Imf::Header::setMaxImageSize(kMostPixelsPerSide, kMostPixelsPerSide);
-        Imf::Header::setMaxTileSize(kMostPixelsPerSide, kMostPixelsPerSide);
         Imf::InputFile file(stream, 0);
         return read_pixels(file, name, most_values);
     } catch (const Error&) {

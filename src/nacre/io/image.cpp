@@ -22,24 +22,29 @@ const Channel* Image::find(std::string_view name) const {
     return found == channels.end() ? nullptr : &*found;
 }
 
-Image blank_image(const std::string& name, long width, long height,
-                  const std::vector<std::string>& channels, std::size_t most_values) {
+void check_image_size(const std::string& name, long width, long height, std::size_t channels,
+                      std::size_t most_values) {
     if (width < 1 || height < 1 || width > kMostPixelsPerSide || height > kMostPixelsPerSide) {
         throw InputError(fmt::format("{}: size = {} x {}: each side must be in [1, {}] pixels",
                                      name, width, height, kMostPixelsPerSide));
     }
-    if (channels.empty() || channels.size() > kMostChannels) {
-        throw InputError(fmt::format("{}: has {} channels; must be in [1, {}]", name,
-                                     channels.size(), kMostChannels));
+    if (channels < 1 || channels > kMostChannels) {
+        throw InputError(
+            fmt::format("{}: has {} channels; must be in [1, {}]", name, channels, kMostChannels));
     }
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (pixels * channels.size() > most_values) {
+    if (pixels * channels > most_values) {
         throw InputError(fmt::format("{}: {} x {} pixels of {} channels: more than {} values", name,
-                                     width, height, channels.size(), most_values));
+                                     width, height, channels, most_values));
     }
+}
+
+Image blank_image(const std::string& name, long width, long height,
+                  const std::vector<std::string>& channels, std::size_t most_values) {
+    check_image_size(name, width, height, channels.size(), most_values);
     Image image{static_cast<int>(width), static_cast<int>(height), {}, {}};
     for (const std::string& channel : channels) {
-        image.channels.push_back({channel, std::vector<float>(pixels)});
+        image.channels.push_back({channel, std::vector<float>(image.pixel_count())});
     }
     return image;
 }

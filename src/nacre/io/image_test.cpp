@@ -170,6 +170,22 @@ TEST(ReadImage, RefusesForeignBytesAndAbsurdSizes) {
     EXPECT_NO_THROW(parse_image(kHdrHeader + kHdrPixels, "x", 12));
 }
 
+TEST_F(ImageFiles, AnExrCannotAskForMoreMemoryThanItsSizeJustifies) {
+    write_exr(folder_ / "a.exr", example());
+    const std::string bytes = read_file(folder_ / "a.exr");
+    const auto damaged = [&](const std::string& attribute, std::size_t offset, char value) {
+        std::string copy = bytes;
+        copy.at(copy.find(attribute) + attribute.size() + 1 + offset) = value;
+        return copy;
+    };
+    // The third byte of a text's length: 7 bytes become 4 million.
+    EXPECT_THROW(parse_image(damaged("nacre:seed", 7 + 2, 64), "x"), InputError);
+    // dataWindow: "box2i", its size, then minimum and maximum: 5 x 3 becomes 16 million x 3.
+    EXPECT_THROW(parse_image(damaged("dataWindow", 6 + 4 + 8 + 3, 1), "x"), InputError);
+    EXPECT_NO_THROW(parse_image(bytes, "x", 5 * 15));
+    EXPECT_THROW(parse_image(bytes, "x", 5 * 15 - 1), InputError);
+}
+
 TEST_F(ImageFiles, NothingIsWrittenWhereItCannotBe) {
     EXPECT_THROW(write_exr(folder_ / "no" / "a.exr", example()), Error);
     EXPECT_THROW(write_png(folder_ / "no" / "a.png", example()), Error);

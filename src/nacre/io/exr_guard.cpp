@@ -1,0 +1,119 @@
+#include "nacre/io/exr_guard.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "nacre/core/error.h"
+#include "nacre/io/image_formats.h"
+
+// Layout of the file: magic and version, four bytes each; then a header of attributes (name, 0,
+// type, 0, size, value), ended by an empty name; with the flag "multi-part" several headers, ended
+// by an empty one. Numbers are little-endian, as this program's machines are.
+
+namespace nacre::io {
+
+namespace {
+
+constexpr std::uint32_t kMultiPart = 0x1000;
+constexpr std::size_t kChannelBytes = 16;  // what follows a channel's name
+constexpr char kDwab = 9;                  // the compression with the tallest blocks
+/// Buffers of this many values are let pass however small the picture is.
+constexpr std::size_t kSmallBuffer = std::size_t{1} << 22;
+
+class HeaderScan {
+ public:
+    HeaderScan(std::string_view bytes, const std::string& name, std::size_t most_values)
+        : rest_(bytes), name_(name), most_values_(most_values) {}
+
+    void run() {
+        take(4);
+        const bool multi_part = (number<std::uint32_t>(take(4)) & kMultiPart) != 0;
+        do {
+            one_header();
+        } while (multi_part && !rest_.empty() && rest_[0] != '\0');
+    }
+
+ private:
+    [[noreturn]] void fail(std::string_view why) const {
+        throw InputError(fmt::format("{}: damaged OpenEXR picture: {}", name_, why));
+    }
+
+    std::string_view take(std::size_t count) {
+        if (count > rest_.size()) fail("an attribute is larger than the file");
+        const std::string_view taken = rest_.substr(0, count);
+        rest_.remove_prefix(count);
+        return taken;
+    }
+
+    std::string_view take_text() {
+        const std::size_t zero = rest_.find('\0');
+        if (zero == std::string_view::npos) fail("its header does not end");
+        const std::string_view text = take(zero);
+        take(1);
+        return text;
+    }
+
+    template <class T>
+    T number(std::string_view bytes) const {
+        T value{};
+        if (bytes.size() < sizeof value) fail("an attribute is too short");
+        std::memcpy(&value, bytes.data(), sizeof value);
+        return value;
+    }
+
+    void one_header() {
+        long width = 0, height = 0;
+        std::size_t channels = 0, tile_values = 0, block_lines = 32;
+        for (std::string_view key = take_text(); !key.empty(); key = take_text()) {
+            take_text();  // type
+            const std::string_view value = take(number<std::uint32_t>(take(4)));
+            if (key == "dataWindow") {
+                const auto box = number<std::array<std::int32_t, 4>>(value);
+                width = static_cast<long>(box[2]) - box[0] + 1;
+                height = static_cast<long>(box[3]) - box[1] + 1;
+            } else if (key == "channels") {
+                channels = channel_count(value);
+            } else if (key == "tiles") {
+                const auto size = number<std::array<std::uint32_t, 2>>(value);
+                tile_values = std::size_t{size[0]} * size[1];
+            } else if (key == "compression" && !value.empty() && value[0] == kDwab) {
+                block_lines = 256;
+            }
+        }
+        check_image_size(name_, width, height, channels, most_values_);
+        const std::size_t most = std::max(most_values_, kSmallBuffer);
+        if (tile_values > most / channels) fail("its tiles are too large");
+        if (static_cast<std::size_t>(width) * block_lines > most / channels) {
+            fail("its blocks of scan lines are too large");
+        }
+    }
+
+    std::size_t channel_count(std::string_view list) const {
+        std::size_t count = 0;
+        while (!list.empty() && list[0] != '\0') {
+            const std::size_t zero = list.find('\0');
+            if (zero == std::string_view::npos || list.size() - zero - 1 < kChannelBytes) {
+                fail("its list of channels is cut short");
+            }
+            list.remove_prefix(zero + 1 + kChannelBytes);
+            ++count;
+        }
+        return count;
+    }
+
+    std::string_view rest_;
+    std::string name_;
+    std::size_t most_values_;
+};
+
+}  // namespace
+
+void check_exr_headers(std::string_view bytes, const std::string& name, std::size_t most_values) {
+    HeaderScan(bytes, name, most_values).run();
+}
+
+}  // namespace nacre::io
