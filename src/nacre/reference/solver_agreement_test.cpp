@@ -160,7 +160,7 @@ TEST(SolverAgreement, SingleScatteringMatchesTheRandomWalk) {
     compare_all(layers::Part::single, Part::single, 10'000);
 }
 TEST(SolverAgreement, MultipleScatteringMatchesTheRandomWalk) {
-    compare_all(layers::Part::multiple, Part::multiple, 10'000);
+    compare_all(layers::Part::multiple, Part::multiple, 30'000);
 }
 TEST(SolverAgreement, TotalMatchesTheRandomWalk) {
     compare_all(layers::Part::total, Part::total, 5'000);
