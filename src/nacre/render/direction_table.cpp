@@ -19,11 +19,21 @@ struct Inversion {
     int cell;
     float offset;
 };
-Inversion invert(const float* cdf, int count, float u) {
-    const float* above = std::upper_bound(cdf + 1, cdf + count, u);
-    const int cell = static_cast<int>(above - cdf) - 1;
+Inversion invert(const float* cdf, const std::uint16_t* guide, int count, float u) {
+    int cell = guide[std::min(static_cast<int>(u * static_cast<float>(count)), count - 1)];
+    while (cell < count - 1 && cdf[cell + 1] <= u) ++cell;
     const float width = cdf[cell + 1] - cdf[cell];
     return {cell, width > 0 ? std::clamp((u - cdf[cell]) / width, 0.0f, 1.0f) : 0.5f};
+}
+
+void fill_guide(const float* cdf, int count, std::uint16_t* guide) {
+    int cell = 0;
+    for (int i = 0; i < count; ++i) {
+        // A little early, for invert() may round u up into this step.
+        const float start = static_cast<float>(i) / static_cast<float>(count) - 0x1p-22f;
+        while (cell < count - 1 && cdf[cell + 1] <= start) ++cell;
+        guide[i] = static_cast<std::uint16_t>(cell);
+    }
 }
 
 /// Running sums of the weights, normalised to end in exactly 1; uniform where all are zero.
@@ -48,7 +58,9 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
       rows_(rows),
       density_(static_cast<std::size_t>(columns) * rows),
       column_cdf_(static_cast<std::size_t>(columns + 1) * rows),
-      row_cdf_(rows + 1) {
+      row_cdf_(rows + 1),
+      column_guide_(static_cast<std::size_t>(columns) * rows),
+      row_guide_(rows) {
     constexpr int kSubdivisions = 3;  // squared: evaluations per cell
     std::vector<double> cell(density_.size()), row_total(rows);
     double sphere = 0;  // Int brightness d omega, for the mean
@@ -76,6 +88,11 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
             accumulate(weights, &column_cdf_[static_cast<std::size_t>(r) * (columns + 1)]);
     }
     accumulate(row_total, row_cdf_.data());
+    for (int r = 0; r < rows; ++r) {
+        fill_guide(&column_cdf_[static_cast<std::size_t>(r) * (columns + 1)], columns,
+                   &column_guide_[static_cast<std::size_t>(r) * columns]);
+    }
+    fill_guide(row_cdf_.data(), rows, row_guide_.data());
     // The density is that of the rounded distributions, so that samples and pdf agree exactly.
     for (int r = 0; r < rows; ++r) {
         const float row = (row_cdf_[r + 1] - row_cdf_[r]) * rows;
@@ -119,9 +136,10 @@ Vec3f DirectionTable::from_square(Vec2f square) {
 }
 
 DirectionSample DirectionTable::sample(Vec2f u) const {
-    const Inversion row = invert(row_cdf_.data(), rows_, u.y);
-    const Inversion column =
-        invert(&column_cdf_[static_cast<std::size_t>(row.cell) * (columns_ + 1)], columns_, u.x);
+    const Inversion row = invert(row_cdf_.data(), row_guide_.data(), rows_, u.y);
+    const auto first = static_cast<std::size_t>(row.cell);
+    const Inversion column = invert(&column_cdf_[first * (columns_ + 1)],
+                                    &column_guide_[first * columns_], columns_, u.x);
     const Vec3f direction =
         from_square({(static_cast<float>(column.cell) + column.offset) / columns_,
                      (static_cast<float>(row.cell) + row.offset) / rows_});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -23,7 +24,8 @@ struct DirectionSample {
 class DirectionTable {
  public:
     /// Density in proportion to the mean of `brightness` (finite, >= 0) over each of
-    /// columns x rows cells. Where it vanishes everywhere the density is uniform.
+    /// columns x rows cells, each count in [1, 65535]. Where it vanishes everywhere the density is
+    /// uniform.
     DirectionTable(int columns, int rows, const std::function<float(Vec3f)>& brightness);
 
     DirectionSample sample(Vec2f u) const;
@@ -37,9 +39,15 @@ class DirectionTable {
  private:
     int columns_, rows_;
     float mean_ = 0;
+    // Where the search for a number may start: for the i-th of `count` equal steps of u, the cell
+    // in which the step begins. It makes inversion a matter of one or two cells.  [chen-1974]
+    using Guide = std::vector<std::uint16_t>;
+
     std::vector<float> density_;     // per cell, mean 1 over the square
     std::vector<float> column_cdf_;  // per row: columns + 1 values
     std::vector<float> row_cdf_;     // rows + 1 values
+    Guide column_guide_;             // per row: columns values
+    Guide row_guide_;                // rows values
 };
 
 }  // namespace nacre::render
