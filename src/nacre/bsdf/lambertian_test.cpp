@@ -42,7 +42,8 @@ TEST(Lambertian, SampleWeightIsTheAlbedoAndItsPdfAgrees) {
 }
 
 TEST(Lambertian, MeanCosineOfSamplesIsTwoThirds) {
-    // Int cos (cos / pi) dw = 2/3; midpoints of a 64 x 64 grid leave an error of order 1 / 64^2.
+    // Int cos (cos / pi) dw = 2/3; the cosine ends in a square root at the horizon, so midpoints of a
+    // 64 x 64 grid leave an error of order 64^-1.5.
     const auto bound = Lambertian(1.0).bind(kWavelengths);
     double sum = 0;
     constexpr int kSide = 64;
@@ -50,7 +51,7 @@ TEST(Lambertian, MeanCosineOfSamplesIsTwoThirds) {
         const Vec2f u{(i % kSide + 0.5f) / kSide, (i / kSide + 0.5f) / kSide};
         sum += bound->sample({0, 0, 1}, 0, u)->wo.z;
     }
-    EXPECT_NEAR(sum / (kSide * kSide), 2.0 / 3, 2e-4);
+    EXPECT_NEAR(sum / (kSide * kSide), 2.0 / 3, 2e-3);
 }
 
 TEST(Lambertian, RefusesReflectanceOutOfRange) {

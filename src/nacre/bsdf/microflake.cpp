@@ -113,8 +113,8 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
 
     std::vector<FloatLanes> basis;
     for (int k = 0; k < paint.remainder.rank(); ++k) {
-        basis.push_back(at_wavelengths(
-            where_, [&](int w) { return paint.remainder.basis[k * count + w]; }));
+        basis.push_back(
+            at_wavelengths(where_, [&](int w) { return paint.remainder.basis[k * count + w]; }));
     }
     tables_->smooth.bind(basis, smooth_.data());
 
@@ -140,8 +140,7 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
             out.half_density = static_cast<float>(0.5 * flake.area_density_per_um);
             out.inverse_alpha2 = 1 / alpha2;
             out.norm = 0.5f * std::numbers::inv_pi_v<float> / alpha2;
-            out.intervals =
-                flake.table.cosine_count() > 1 ? flakes::FlakeTable::kFineIntervals : 0;
+            out.intervals = flake.table.cosine_count() > 1 ? flakes::FlakeTable::kFineIntervals : 0;
             for (int c = 0; c <= out.intervals; ++c) {
                 const double* row = flake.table.fine_reflectance(c);
                 out.reflectance.push_back(at_wavelengths(where_, [&](int w) { return row[w]; }));
@@ -165,7 +164,7 @@ Ray BoundMicroflake::make_ray(Vec3f w, float ior) const {
     return ray;
 }
 
-// Single scattering without the interface.        [DESIGN of the split: docs/theory.md, section 3]
+// Single scattering without the interface: layers::single_scattering at eight wavelengths.
 FloatLanes BoundMicroflake::single(const Ray& i, const Ray& o) const {
     const Vec3f h = i.inside + o.inside;
     const float inverse_mu_i = 1 / i.inside.z, inverse_mu_o = 1 / o.inside.z;
@@ -180,7 +179,8 @@ FloatLanes BoundMicroflake::single(const Ray& i, const Ray& o) const {
         for (const BoundFlake& flake : layer.flakes) {
             const float exponent = tan2 * flake.inverse_alpha2;
             if (exponent > 60) continue;
-            const float density = flake.half_density * flake.norm * sec2 * sec * std::exp(-exponent);
+            const float density =
+                flake.half_density * flake.norm * sec2 * sec * std::exp(-exponent);
             const float x = cosine * flake.intervals;
             const int at = std::min(static_cast<int>(x), std::max(flake.intervals - 1, 0));
             FloatLanes reflectance = flake.reflectance[at];
@@ -191,8 +191,8 @@ FloatLanes BoundMicroflake::single(const Ray& i, const Ray& o) const {
         }
         for (const BoundPigment& pigment : layer.pigments) {
             const float g = pigment.g, turn = 1 + g * g + 2 * g * dot(i.inside, o.inside);
-            const float phase = (1 - g * g) * 0.25f * std::numbers::inv_pi_v<float> /
-                                (turn * std::sqrt(turn));
+            const float phase =
+                (1 - g * g) * 0.25f * std::numbers::inv_pi_v<float> / (turn * std::sqrt(turn));
             kernel += phase * pigment.scattering;
         }
         const FloatLanes* e = layer.extinction.data();
@@ -235,7 +235,8 @@ LobeOdds BoundMicroflake::odds_at(Vec3f wi) const {
 
 float BoundMicroflake::pdf_of(const LobeOdds& odds, Vec3f wi, Vec3f wo) const {
     const Vec3f in = refract_in(wi, inverse_mean_ior_), out = refract_in(wo, inverse_mean_ior_);
-    const float inside = odds.flakes * flake_lobe_.pdf(in, out) + odds.wide * wide_lobe_.pdf(in, out);
+    const float inside =
+        odds.flakes * flake_lobe_.pdf(in, out) + odds.wide * wide_lobe_.pdf(in, out);
     return odds.diffuse * std::numbers::inv_pi_v<float> * wo.z +
            inside * wo.z * inverse_mean_ior_ * inverse_mean_ior_ / out.z;
 }
@@ -295,7 +296,8 @@ FloatLanes BoundMicroflake::albedo(Vec3f wi) const {
 
 // Directional-hemispherical reflectance by the model's own sampling, at the points of a Hammersley
 // set: deterministic, and within 1e-3 as weights hardly vary.
-void tabulate_albedo(Microflake::Tables& tables, const std::shared_ptr<const Microflake::Tables>& view) {
+void tabulate_albedo(Microflake::Tables& tables,
+                     const std::shared_ptr<const Microflake::Tables>& view) {
     constexpr int kStride = 8, kPoints = 512;
     const int count = tables.wavelength_count();
     tables.albedo.assign(static_cast<std::size_t>(kDirectionIntervals + 1) * count, 0.0f);

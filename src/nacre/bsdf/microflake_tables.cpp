@@ -120,8 +120,8 @@ void Microflake::Tables::choose_lobes() {
         for (std::size_t t = 0; t < polar.nodes.size(); ++t) {
             const double theta_o = polar.nodes[t];
             const double fresnel =
-                (1 - mirror) *
-                (1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta_o))) / (ior * ior);
+                (1 - mirror) * (1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta_o))) /
+                (ior * ior);
             for (int p = 0; p < kAzimuths; ++p) {
                 const double phi = std::numbers::pi * (p + 0.5) / kAzimuths;
                 slice.coefficients(theta_o, phi, coefficient);
@@ -131,9 +131,9 @@ void Microflake::Tables::choose_lobes() {
                         f += coefficient[k] * paint->remainder.basis[k * wavelength_count() + w];
                     }
                 }
-                const double flux = std::max(0.0, f / wavelength_count()) * fresnel * polar.weights[t] *
-                                    std::sin(theta_o) * std::cos(theta_o) * 2 * std::numbers::pi /
-                                    kAzimuths;
+                const double flux = std::max(0.0, f / wavelength_count()) * fresnel *
+                                    polar.weights[t] * std::sin(theta_o) * std::cos(theta_o) * 2 *
+                                    std::numbers::pi / kAzimuths;
                 energy += flux;
                 if (phi < std::numbers::pi / 2) dark += 2 * flux;
             }
@@ -155,7 +155,7 @@ void Microflake::Tables::choose_lobes() {
         const float f = static_cast<float>(row - from) / kStride;
         const LobeOdds &a = odds[from], &b = odds[from + kStride];
         if (row == from) continue;
-        const auto mix = [&](float LobeOdds::* m) { return a.*m + f * (b.*m - a.*m); };
+        const auto mix = [&](float LobeOdds::*m) { return a.*m + f * (b.*m - a.*m); };
         odds[row] = {mix(&LobeOdds::mirror), mix(&LobeOdds::flakes), mix(&LobeOdds::wide),
                      mix(&LobeOdds::diffuse)};
     }

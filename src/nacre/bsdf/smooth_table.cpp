@@ -9,8 +9,8 @@ namespace nacre::bsdf {
 
 namespace {
 
-// Lines per coordinate: a lobe of roughness alpha must span several cells. The constants bring the
-// interpolation error below 5e-4 of the peak for alpha from 0.02 to 0.5 (smooth_table_test.cpp).
+// Lines per coordinate: a lobe of roughness alpha must span several cells. The constants keep
+// kMicroflakeError (microflake_test.cpp).
 SmoothGrid choose_grid(double alpha) {
     SmoothGrid grid;
     grid.a = static_cast<int>(std::min(26 + 0.5 / alpha, 56.0));
@@ -19,8 +19,8 @@ SmoothGrid choose_grid(double alpha) {
     return grid;
 }
 
-// Products w_i(theta_1) w_j(theta_2) + w_j(theta_1) w_i(theta_2) over the node pairs i >= j >= first,
-// in the order in which a remainder stores them.
+// Products w_i(theta_1) w_j(theta_2) + w_j(theta_1) w_i(theta_2) over the node pairs i >= j >=
+// first, in the order in which a remainder stores them.
 void pair_weights(const std::vector<double>& w1, const std::vector<double>& w2, int first,
                   std::vector<float>& out) {
     out.clear();
@@ -55,7 +55,8 @@ SmoothTable::SmoothTable(const layers::Remainder& r, double alpha, double ior)
         const double theta_1 = 2 * std::atan(a), theta_2 = 2 * std::atan(smaller);
         interpolation.weights_at(theta_1, w1.data());
         interpolation.weights_at(theta_2, w2.data());
-        const double scale = layers::inside_cosine(ior, theta_1) + layers::inside_cosine(ior, theta_2);
+        const double scale =
+            layers::inside_cosine(ior, theta_1) + layers::inside_cosine(ior, theta_2);
         std::vector<float> weight, by_order(static_cast<std::size_t>(rank_) * orders);
         std::size_t at = 0;
         for (int l = 0; l < orders; ++l) {

@@ -18,11 +18,11 @@
 //
 //     a = max(x_i, x_o),   b = 1 - min(x_i, x_o)/a,   q = sin(phi'/2),
 //
-// phi' the azimuth from the mirror side: b and q lead away from the mirror direction. Grid lines are
-// even in the square roots of all three, hence dense near the normal and the mirror direction, where
-// the lobes are. A table in these coordinates is reciprocal by construction. What is stored is
-// f_multiple without Fresnel factors times mu_i + mu_o (inside), which takes out the growth towards
-// grazing angles of a paint without a coat.
+// phi' the azimuth from the mirror side: b and q lead away from the mirror direction. Grid lines
+// are even in the square roots of all three, hence dense near the normal and the mirror direction,
+// where the lobes are. A table in these coordinates is reciprocal by construction. What is stored
+// is f_multiple without Fresnel factors times mu_i + mu_o (inside), which takes out the growth
+// towards grazing angles of a paint without a coat.
 
 namespace nacre::bsdf {
 
