@@ -18,8 +18,6 @@ namespace nacre::cli {
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 32;
-
 struct InfoOptions : CommonOptions {
     std::string file;
 };
@@ -122,7 +120,7 @@ void describe_scene(Facts& facts, const render::SceneDescription& scene) {
 }
 
 std::string describe(const std::string& file) {
-    const std::string bytes = read_file(file, kMostBytes);
+    const std::string bytes = read_file(file, io::kMostImageFileBytes);
     Facts facts;
     facts.add("file", "{}", file);
     if (io::looks_like_solved_paint(bytes)) {

@@ -18,6 +18,8 @@ namespace {
 /// Two wavelengths closer than this are the same one, written in two ways.
 constexpr double kSameWavelengthNm = 1e-6;
 
+constexpr std::size_t kMostSolvedWavelengths = 2000;
+
 std::string read_paint_file(const std::filesystem::path& path) {
     return read_file(path, io::kMostSolvedPaintBytes);
 }
@@ -48,6 +50,11 @@ layers::SolvedPaint load_paint(const std::filesystem::path& path,
         throw InputError(
             fmt::format("{}: layer: is missing; the model microflake needs at least one [[layer]]",
                         path.string()));
+    }
+    if (wavelengths_nm && wavelengths_nm->size() > kMostSolvedWavelengths) {
+        throw UsageError(
+            fmt::format("--wavelength: {} wavelengths to solve; at most {} are allowed",
+                        wavelengths_nm->size(), kMostSolvedWavelengths));
     }
     std::vector<double> wavelengths = wavelengths_nm.value_or(layers::default_wavelengths_nm());
     std::sort(wavelengths.begin(), wavelengths.end());

@@ -10,12 +10,6 @@
 
 namespace nacre::io {
 
-namespace {
-
-constexpr std::size_t kMostFileBytes = std::size_t{1} << 32;
-
-}  // namespace
-
 const Channel* Image::find(std::string_view name) const {
     const auto found = std::find_if(channels.begin(), channels.end(),
                                     [&](const Channel& c) { return c.name == name; });
@@ -62,7 +56,7 @@ Image parse_image(std::string_view bytes, const std::string& name, std::size_t m
 }
 
 Image read_image(const std::filesystem::path& path, std::size_t most_values) {
-    return parse_image(read_file(path, kMostFileBytes), path.string(), most_values);
+    return parse_image(read_file(path, kMostImageFileBytes), path.string(), most_values);
 }
 
 std::vector<float> interleaved_rgb(const Image& image, const std::string& name) {

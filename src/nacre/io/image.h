@@ -38,6 +38,8 @@ inline constexpr std::size_t kMostChannels = 1024;
 /// Pixels times channels that a file may unfold to: 2 GB.
 inline constexpr std::size_t kMostImageValues = std::size_t{1} << 29;
 
+inline constexpr std::size_t kMostImageFileBytes = std::size_t{1} << 30;
+
 /// Reads OpenEXR (the first part, scan lines or tiles, every channel), Radiance HDR (RGBE) or PNG
 /// (8 and 16 bit, decoded from sRGB; transparency is laid over black), whichever the contents are.
 ///
