@@ -40,7 +40,8 @@ SceneDescription panel_scene() {
     scene.shapes.push_back({FlatPanel{.width_mm = 150, .height_mm = 105},
                             "paint",
                             {.rotation_deg = {60, 0, 0}, .translation_mm = {0, 0, 47}}});
-    scene.camera = {.position_mm = {0, -640, 190}, .target_mm = {0, 0, 47}, .vertical_fov_deg = 15.5};
+    scene.camera = {
+        .position_mm = {0, -640, 190}, .target_mm = {0, 0, 47}, .vertical_fov_deg = 15.5};
     return scene;
 }
 
