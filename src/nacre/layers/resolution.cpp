@@ -19,6 +19,26 @@ void check_nodes(int value, int most, const char* what) {
     }
 }
 
+// Under a rough interface single scattering is not split off: its lobes must be resolved by the
+// nodes too. The interface's lobes ask for nothing (rough_interface_operators.h), but masking sets
+// in within its roughness of the horizon, where the spacing of n nodes is of order 1/n^2.
+void choose_rough(double alpha, double roughness, double n, const SolverSettings& settings,
+                  Resolution& r) {
+    const int exit_nodes =
+        round_up_to_tile(std::max(15 + 0.7 / alpha, 12 + 3 / std::sqrt(roughness)));
+    if (exit_nodes > SolverSettings::kMostNodes && !settings.exit_nodes) {
+        throw Error(fmt::format(
+            "flakes of alpha = {} under a rough clearcoat need {} nodes, more than the {} there "
+            "may be: use wider flakes, a smooth clearcoat, or set exit_nodes",
+            alpha, exit_nodes, SolverSettings::kMostNodes));
+    }
+    r.exit_nodes = exit_nodes;
+    r.inner_nodes = std::min(round_up_to_tile(7 + 0.5 / alpha), SolverSettings::kMostNodes);
+    const double tangent = 1 / std::sqrt(n * n - 1);
+    r.orders =
+        static_cast<int>(std::min<double>(SolverSettings::kMostOrders, 16 + 4 * tangent / alpha));
+}
+
 }  // namespace
 
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
@@ -36,7 +56,8 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     }
     Resolution r;
     r.lobe_alpha = alpha;
-    const bool bare = *std::min_element(medium.ior.begin(), medium.ior.end()) == 1.0;
+    const double n_smallest = *std::min_element(medium.ior.begin(), medium.ior.end());
+    const bool bare = n_smallest == 1.0;
     r.exit_nodes = round_up_to_tile(bare ? 24 + 2 / alpha : 8 + 0.6 / alpha);
     r.inner_nodes = round_up_to_tile(4 + 0.45 / alpha);
     r.exit_nodes = std::min(r.exit_nodes, SolverSettings::kMostNodes);
@@ -45,10 +66,11 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     if (!bare) {
         // The widest exit direction inside the coat sets the number; the series ends earlier
         // by its own tail.
-        const double n = *std::min_element(medium.ior.begin(), medium.ior.end());
-        const double tangent = 1 / std::sqrt(n * n - 1);
+        const double tangent = 1 / std::sqrt(n_smallest * n_smallest - 1);
         r.orders = static_cast<int>(std::min<double>(r.orders, 12 + 2.5 * tangent / alpha));
     }
+    if (medium.roughness > 0 && !bare)
+        choose_rough(alpha, medium.roughness, n_smallest, settings, r);
     if (settings.exit_nodes) r.exit_nodes = settings.exit_nodes;
     if (settings.inner_nodes) r.inner_nodes = settings.inner_nodes;
     if (settings.most_orders) r.orders = settings.most_orders;

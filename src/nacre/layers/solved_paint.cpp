@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/layers/rough_interface.h"
 #include "nacre/optics/dielectric.h"
 
 namespace nacre::layers {
@@ -35,11 +36,27 @@ DoubleLanes single_block(const PaintMedium& medium, int block, double ior, doubl
     for (const LayerMedium& layer : medium.layers) {
         const DoubleLanes here = layer.thickness_um * (extinction(layer, mu_i, block) / mu_i +
                                                        extinction(layer, mu_o, block) / mu_o);
-        sum += backscattering(layer, mu_i, mu_o, phi, block) * (layer.thickness_um / (mu_i * mu_o)) *
-               map_lanes(here, escape) * map_lanes(-depth, [](double x) { return std::exp(x); });
+        sum += backscattering(layer, mu_i, mu_o, phi, block) *
+               (layer.thickness_um / (mu_i * mu_o)) * map_lanes(here, escape) *
+               map_lanes(-depth, [](double x) { return std::exp(x); });
         depth += here;
     }
     return interface_factor(ior, theta_i, theta_o) * sum;
+}
+
+// Calls add(wavelength, value) with the values of a tensor. A truncated series may dip below zero
+// by its own error.
+template <class Add>
+void add_tensor(const Remainder& tensor, double theta_i, double theta_o, double phi, Add&& add) {
+    std::vector<double> coefficient(tensor.rank());
+    RemainderSlice(tensor, theta_i).coefficients(theta_o, phi, coefficient);
+    for (int w = 0; w < tensor.wavelength_count; ++w) {
+        double value = 0;
+        for (int k = 0; k < tensor.rank(); ++k) {
+            value += coefficient[k] * tensor.basis[k * tensor.wavelength_count + w];
+        }
+        add(w, std::max(0.0, value));
+    }
 }
 
 }  // namespace
@@ -68,18 +85,31 @@ std::vector<double> SolvedPaint::brdf(double theta_i, double theta_o, double phi
     require_in_range(theta_o, 0, kHorizon, "theta_o in rad");
     require_in_range(phi, -1e6, 1e6, "phi in rad");
     const int count = medium.wavelength_count();
+    const bool any_rough = medium.roughness > 0;
     std::vector<double> f(count, 0.0);
-    if (part != Part::multiple) f = single_scattering(medium, theta_i, theta_o, phi);
-    if (part == Part::single) return f;
-    std::vector<double> coefficient(remainder.rank());
-    RemainderSlice(remainder, theta_i).coefficients(theta_o, phi, coefficient);
-    for (int w = 0; w < count; ++w) {
-        double multiple = 0;
-        for (int k = 0; k < remainder.rank(); ++k) {
-            multiple += coefficient[k] * remainder.basis[k * count + w];
+    if (part != Part::multiple) {
+        if (any_rough)
+            add_tensor(rough_single, theta_i, theta_o, phi,
+                       [&](int w, double value) { f[w] = value; });
+        // At an index of 1 there is no interface, hence nothing rough.
+        const auto one = std::find(medium.ior.begin(), medium.ior.end(), 1.0);
+        if (!any_rough || one != medium.ior.end()) {
+            const std::vector<double> single = single_scattering(medium, theta_i, theta_o, phi);
+            for (int w = 0; w < count; ++w) {
+                if (!is_rough(w)) f[w] = single[w];
+            }
         }
-        // The truncated series may dip below zero by its own error.
-        f[w] += std::max(0.0, multiple * interface_factor(medium.ior[w], theta_i, theta_o));
+    }
+    if (part == Part::single) return f;
+    add_tensor(remainder, theta_i, theta_o, phi, [&](int w, double multiple) {
+        const double factor = is_rough(w) ? 1.0 : interface_factor(medium.ior[w], theta_i, theta_o);
+        f[w] += factor * multiple;
+    });
+    if (part == Part::multiple) return f;
+    for (int w = 0; w < count; ++w) {
+        if (is_rough(w)) {
+            f[w] += rough_interface_brdf(medium.ior[w], medium.roughness, theta_i, theta_o, phi);
+        }
     }
     return f;
 }

@@ -12,9 +12,9 @@ namespace nacre::layers {
 
 /// How finely to solve. Zero means: chosen from the recipe.
 struct SolverSettings {
-    int exit_nodes = 0;    ///< directions that leave the coat, a multiple of 4 up to kMostNodes
-    int inner_nodes = 0;   ///< directions beyond the critical angle, a multiple of 4
-    int most_orders = 0;   ///< azimuthal Fourier orders at most
+    int exit_nodes = 0;       ///< directions that leave the coat, a multiple of 4 up to kMostNodes
+    int inner_nodes = 0;      ///< directions beyond the critical angle, a multiple of 4
+    int most_orders = 0;      ///< azimuthal Fourier orders at most
     double tolerance = 1e-4;  ///< of the peak: where the Fourier series may end
 
     static constexpr int kMostNodes = 128;
@@ -37,18 +37,29 @@ struct SolverReport {
 enum class Part { total, single, multiple };
 
 /// A paint whose light transport has been solved: a value, complete in itself, that evaluates its
-/// BRDF at the wavelengths it was solved for. The mirror of a smooth interface is left out.
+/// BRDF at the wavelengths it was solved for. The mirror of a smooth interface is left out; the
+/// lobe of a rough one (rough_interface.h) is part of the total, but neither of single nor of
+/// multiple.
 struct SolvedPaint {
     Recipe recipe;
     SolverSettings settings;
     SolverReport report;
     PaintMedium medium;
-    Remainder remainder;  ///< f_multiple without the Fresnel factors of a smooth interface
+    /// f_multiple: without Fresnel factors under a smooth interface, complete under a rough one.
+    Remainder remainder;
+    /// f_single, complete, if medium.roughness > 0; empty otherwise, where single_scattering() is
+    /// exact. Zero at wavelengths at which the binder's index is 1: there is no interface.
+    Remainder rough_single;
+
+    /// Whether the interface is rough at this wavelength: which of the two the tensors mean.
+    bool is_rough(int wavelength) const {
+        return medium.roughness > 0 && medium.ior[wavelength] > 1;
+    }
 
     const std::vector<double>& wavelengths_nm() const { return medium.wavelengths_nm; }
 
     /// BRDF in 1/sr at all wavelengths for polar angles in [0, pi/2) and phi = phi_o - phi_i.
-    /// Exact single scattering, interpolated remainder; never negative.
+    /// Exact single scattering under a smooth interface, interpolated remainder; never negative.
     /// @throws DomainError if an angle is out of range
     std::vector<double> brdf(double theta_i, double theta_o, double phi,
                              Part part = Part::total) const;
@@ -57,7 +68,8 @@ struct SolvedPaint {
 };
 
 /// Closed form of the light that met exactly one flake or pigment, in 1/sr, at all wavelengths,
-/// Fresnel factors of a smooth interface included; theta outside the coat, phi = phi_o - phi_i.
+/// under a smooth interface, its Fresnel factors included; theta outside the coat, phi = phi_o -
+/// phi_i.
 std::vector<double> single_scattering(const PaintMedium& medium, double theta_i, double theta_o,
                                       double phi);
 

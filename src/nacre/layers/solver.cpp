@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "nacre/core/error.h"
 #include "nacre/layers/fourier_kernel.h"
 #include "nacre/layers/impedance.h"
 #include "nacre/layers/resolution.h"
+#include "nacre/layers/rough_interface_operators.h"
 #include "nacre/layers/wavelength_groups.h"
 #include "nacre/optics/dielectric.h"
 
@@ -25,7 +27,7 @@ struct LayerBlock {
     double thickness_um = 0;
     FourierKernel kernel;
     LaneBuffer extinction;     // by node; agrees with the kernel's own sum, see below
-    LaneBuffer single_factor;  // by pair of exit nodes: depth integral of single scattering
+    LaneBuffer single_factor;  // by pair of nodes in use: depth integral of single scattering
     int doublings = 0;
 };
 
@@ -34,6 +36,7 @@ struct PaintBlock {
     std::vector<LayerBlock> layers;
     LaneBuffer coat;    // by node: transmittance of the clearcoat, one way
     LaneBuffer mirror;  // by node: reflectance of the interface from inside
+    bool coat_absorbs = false;
     DoubleLanes substrate{};
     double unresolved = 0;
 };
@@ -69,18 +72,20 @@ LaneBuffer balanced_extinction(const LayerMedium& layer, const FourierKernel& ke
     return total;
 }
 
+// Single scattering is wanted between the first `lit` nodes: those that light reaches from outside.
 PaintBlock make_block(const PaintMedium& medium, const Directions& d, const ActiveNodes& active,
-                      int block) {
-    const int n = d.size(), exits = d.exit_count;
+                      int lit, int block) {
+    const int n = d.size();
     PaintBlock out;
     out.substrate = block_lanes(medium.substrate_reflectance, block);
     const DoubleLanes clearcoat = block_lanes(medium.clearcoat_depth, block);
+    out.coat_absorbs = lane_max(clearcoat) > 0;
     for (int i = 0; i < n; ++i) {
         out.coat.push_back(make_lanes<DoubleLanes>(
             [&](int lane) { return std::exp(-clearcoat[lane] / d.mu[i]); }));
         out.mirror.push_back(splat(optics::dielectric_reflectance(d.ior, 1.0, d.mu[i])));
     }
-    LaneBuffer depth(exits, DoubleLanes{});  // above the layer, one way
+    LaneBuffer depth(lit, DoubleLanes{});  // above the layer, one way
     for (const LayerMedium& layer : medium.layers) {
         FourierKernel kernel(layer, d, active, block);
         LaneBuffer total = balanced_extinction(layer, kernel, d, block, out.unresolved);
@@ -88,18 +93,20 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d, const Acti
         for (int i = 0; i < n; ++i) {
             deepest = max_lanes(deepest, layer.thickness_um * total[i] * (1 / d.mu[i]));
         }
-        LaneBuffer factor(triangle(exits));
-        for (int i = 0; i < exits; ++i) {
+        LaneBuffer factor(triangle(lit));
+        for (int i = 0; i < lit; ++i) {
             for (int j = 0; j <= i; ++j) {
                 const DoubleLanes rate = total[i] / d.mu[i] + total[j] / d.mu[j];
-                factor[triangle(i) + j] = make_lanes<DoubleLanes>([&](int lane) {
-                    const double x = layer.thickness_um * rate[lane];
-                    return std::exp(-depth[i][lane] - depth[j][lane]) *
-                           (x > 1e-12 ? -std::expm1(-x) / rate[lane] : layer.thickness_um);
-                }) * out.coat[i] * out.coat[j];
+                factor[triangle(i) + j] =
+                    make_lanes<DoubleLanes>([&](int lane) {
+                        const double x = layer.thickness_um * rate[lane];
+                        return std::exp(-depth[i][lane] - depth[j][lane]) *
+                               (x > 1e-12 ? -std::expm1(-x) / rate[lane] : layer.thickness_um);
+                    }) *
+                    out.coat[i] * out.coat[j];
             }
         }
-        for (int i = 0; i < exits; ++i) depth[i] += layer.thickness_um * total[i] / d.mu[i];
+        for (int i = 0; i < lit; ++i) depth[i] += layer.thickness_um * total[i] / d.mu[i];
         out.layers.push_back({layer.thickness_um, std::move(kernel), std::move(total),
                               std::move(factor), doublings_for(lane_max(deepest))});
     }
@@ -149,44 +156,94 @@ void set_operators(DoubleLanes* e, DoubleLanes* f, const LayerBlock& layer, cons
     }
 }
 
-// One azimuthal order of one block: f_multiple at the exit nodes, [pair][lane], without Fresnel's
-// transmittances, into out.
-void solve_order(const PaintBlock& block, const Directions& d, const ActiveNodes& active, int order,
-                 OrderWorkspace& work, DoubleLanes* out) {
-    const int first = active.first(order), m = d.size() - first, exits = d.exit_count - first;
-    for (int i = 0; i < m; ++i) {
-        work.scale[i] =
-            std::sqrt(2 * std::numbers::pi * d.weight[first + i] / d.mu[first + i]);
+// What meets one flake only, sum of kernel times depth integral, for one pair of active nodes.
+DoubleLanes single_scattering(const PaintBlock& block, int order, int first, int i, int j) {
+    DoubleLanes once{};
+    for (const LayerBlock& layer : block.layers) {
+        once +=
+            __builtin_convertvector(layer.kernel.opposite(order)[triangle(i) + j], DoubleLanes) *
+            layer.single_factor[triangle(first + i) + first + j];
     }
-    DoubleLanes *e = work.e.data(), *f = work.f.data(), *y = work.y.data(), *u = work.u.data();
+    return once;
+}
+
+// The impedance of all layers and the substrate, at the active nodes, into work.y.
+void set_paint_impedance(const PaintBlock& block, const Directions& d, int order, int first,
+                         OrderWorkspace& work) {
+    const int m = d.size() - first;
+    for (int i = 0; i < m; ++i) {
+        work.scale[i] = std::sqrt(2 * std::numbers::pi * d.weight[first + i] / d.mu[first + i]);
+    }
+    DoubleLanes *e = work.e.data(), *f = work.f.data(), *y = work.y.data();
     set_substrate(y, block, d, order, m);
     for (auto layer = block.layers.rbegin(); layer != block.layers.rend(); ++layer) {
         set_operators(e, f, *layer, d, order, first, m, work.scale.data());
         slab_impedance(e, f, layer->thickness_um, layer->doublings, m, work.impedance);
         stack_on(e, f, y, m, work.impedance);
     }
-    impedance_to_reflection(y, m, work.impedance);
+}
+
+// From impedance to reflection, seen through the clearcoat.
+void reflect_under_coat(const PaintBlock& block, DoubleLanes* y, int first, int m,
+                        ImpedanceWorkspace& work) {
+    impedance_to_reflection(y, m, work);
     for (int i = 0; i < m; ++i) {
         for (int j = 0; j < m; ++j) y[i * m + j] *= block.coat[first + i] * block.coat[first + j];
     }
+}
+
+// 2 pi W_i, W = etendue of an active node on the side where f is wanted: operators are
+// R_ij = 2 pi f_ij sqrt(W_i W_j).
+double flux(const Directions& d, int first, int i, int j) {
+    return 2 * std::numbers::pi *
+           std::sqrt(d.weight[first + i] * d.mu[first + i] * d.weight[first + j] * d.mu[first + j]);
+}
+
+// One azimuthal order of one block under a smooth interface: f_multiple at the exit nodes,
+// [pair][lane], without Fresnel's transmittances, into out.
+void solve_order(const PaintBlock& block, const Directions& d, const ActiveNodes& active, int order,
+                 OrderWorkspace& work, DoubleLanes* out) {
+    const int first = active.first(order), m = d.size() - first, exits = d.exit_count - first;
+    set_paint_impedance(block, d, order, first, work);
+    DoubleLanes *y = work.y.data(), *u = work.u.data();
+    reflect_under_coat(block, y, first, m, work.impedance);
     reflect_under_interface(y, block.mirror.data() + first, u, m, exits, work.impedance);
 
-    // Take out what met one flake only, in the same discretisation, and go from operators back to
-    // intensities: R_ij = 2 pi f_ij sqrt(W_i W_j), W = weight x cosine.
+    // Take out what met one flake only, in the same discretisation.
     for (int i = 0; i < exits; ++i) {
-        const int node_i = first + i;
         for (int j = 0; j <= i; ++j) {
-            const int node_j = first + j;
-            DoubleLanes once{};
-            for (const LayerBlock& layer : block.layers) {
-                once += __builtin_convertvector(layer.kernel.opposite(order)[triangle(i) + j],
-                                                DoubleLanes) *
-                        layer.single_factor[triangle(node_i) + node_j];
-            }
-            const double flux = std::sqrt(d.weight[node_i] * d.mu[node_i] * d.weight[node_j] *
-                                          d.mu[node_j]);
-            *out++ = u[i * exits + j] * (1 / (2 * std::numbers::pi * flux)) -
-                     once * (1 / (d.mu[node_i] * d.mu[node_j]));
+            *out++ = u[i * exits + j] * (1 / flux(d, first, i, j)) -
+                     single_scattering(block, order, first, i, j) *
+                         (1 / (d.mu[first + i] * d.mu[first + j]));
+        }
+    }
+}
+
+// The same under a rough interface: f_single and the rest, complete, as seen from outside.
+void solve_rough_order(const PaintBlock& block, const RoughInterfaceOperators::Order& interface,
+                       const Directions& d, int order, OrderWorkspace& work, DoubleLanes* single,
+                       DoubleLanes* rest) {
+    const int m = interface.n, exits = interface.exits, first = d.size() - m;
+    set_paint_impedance(block, d, order, first, work);
+    DoubleLanes *y = work.y.data(), *u = work.u.data(), *s = work.e.data(), *once = work.f.data();
+    if (block.coat_absorbs) {
+        reflect_under_coat(block, y, first, m, work.impedance);
+        impedance_to_reflection(y, m, work.impedance);  // its own inverse
+    }
+    reflect_under_rough_interface(interface, y, u, work.impedance);
+    for (int i = 0; i < m; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            s[i * m + j] = s[j * m + i] =
+                single_scattering(block, order, first, i, j) *
+                (flux(d, first, i, j) / (d.mu[first + i] * d.mu[first + j]));
+        }
+    }
+    reflect_once_under_rough_interface(interface, s, once, work.impedance);
+    for (int i = 0; i < exits; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            const double scale = 1 / (d.ior * d.ior * flux(d, first, i, j));
+            *single++ = once[i * exits + j] * scale;
+            *rest++ = (u[i * exits + j] - once[i * exits + j]) * scale;
         }
     }
 }
@@ -195,12 +252,16 @@ void solve_order(const PaintBlock& block, const Directions& d, const ActiveNodes
 class GroupSolver {
  public:
     GroupSolver(const PaintMedium& medium, const Resolution& resolution)
-        : directions_(make_directions(medium.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
+        : directions_(
+              make_directions(medium.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
           active_(directions_, resolution.lobe_alpha, resolution.orders),
           wavelengths_(medium.wavelength_count()) {
+        const bool rough = medium.roughness > 0 && directions_.ior > 1;
+        if (rough) interface_.emplace(directions_, active_, medium.roughness);
+        const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(flakes::block_count(wavelengths_));
         tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
-            blocks_[b] = make_block(medium, directions_, active_, static_cast<int>(b));
+            blocks_[b] = make_block(medium, directions_, active_, lit, static_cast<int>(b));
         });
         set_peaks(medium);
     }
@@ -214,6 +275,10 @@ class GroupSolver {
         for (const PaintBlock& block : blocks_) {
             out.unresolved_scattering = std::max(out.unresolved_scattering, block.unresolved);
         }
+        if (interface_) {
+            out.unresolved_scattering =
+                std::max(out.unresolved_scattering, interface_->asymmetry());
+        }
         tbb::enumerable_thread_specific<OrderWorkspace> workspaces(
             [&] { return OrderWorkspace(directions_.size()); });
         const int blocks = static_cast<int>(blocks_.size());
@@ -224,10 +289,17 @@ class GroupSolver {
             tbb::parallel_for(0, count * blocks, [&](int task) {
                 const int order = from + task / blocks;
                 const int rows = directions_.exit_count - active_.first(order);
-                values[task].resize(triangle(std::max(rows, 0)));
-                if (rows > 0) {
-                    solve_order(blocks_[task % blocks], directions_, active_, order,
-                                workspaces.local(), values[task].data());
+                if (rows <= 0) return;
+                const PaintBlock& block = blocks_[task % blocks];
+                OrderWorkspace& work = workspaces.local();
+                const std::size_t pairs = triangle(rows);
+                values[task].resize(interface_ ? 2 * pairs : pairs);
+                DoubleLanes* const at = values[task].data();
+                if (interface_) {
+                    solve_rough_order(block, interface_->order(order), directions_, order, work,
+                                      at + pairs, at);
+                } else {
+                    solve_order(block, directions_, active_, order, work, at);
                 }
             });
             double chunk = 0;
@@ -249,6 +321,7 @@ class GroupSolver {
     void set_peaks(const PaintMedium& medium) {
         peak_.assign(static_cast<std::size_t>(directions_.exit_count) * blocks_.size(),
                      DoubleLanes{});
+        if (interface_) return;  // add_to_peaks
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
             for (int i = 0; i < directions_.exit_count; ++i) {
                 const double mu = directions_.mu[i];
@@ -263,18 +336,34 @@ class GroupSolver {
         }
     }
 
+    // Under a rough interface: what the orders so far add up to along the mirror direction.
+    void add_to_peaks(int order, int first, const LaneBuffer* by_block) {
+        const int rows = directions_.exit_count - first;
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+            for (int i = 0; i < rows; ++i) {
+                const std::size_t at = triangle(i) + i;
+                peak_[b * directions_.exit_count + first + i] +=
+                    (order ? 2.0 : 1.0) * (by_block[b][at] + by_block[b][triangle(rows) + at]);
+            }
+        }
+    }
+
     // Appends an order's values as [pair][wavelength]; returns its size relative to the peaks.
     double append_order(GroupSolution& out, int order, const LaneBuffer* by_block) {
         const int first = active_.first(order);
         if (first >= directions_.exit_count) return 0;
         const int rows = directions_.exit_count - first;
         out.first.push_back(first);
+        if (interface_) add_to_peaks(order, first, by_block);
         double size = 0;
         std::size_t pair = 0;
+        const std::size_t pairs = triangle(rows);
         for (int i = 0; i < rows; ++i) {
             for (int j = 0; j <= i; ++j, ++pair) {
                 for (std::size_t b = 0; b < blocks_.size(); ++b) {
-                    const DoubleLanes& value = by_block[b][pair];
+                    DoubleLanes value = by_block[b][pair];
+                    DoubleLanes single{};
+                    if (interface_) value += single = by_block[b][pairs + pair];
                     DoubleLanes* peak = peak_.data() + b * directions_.exit_count + first;
                     // Order 0 of what is diffuse counts as peak too.
                     if (order == 0) {
@@ -290,7 +379,8 @@ class GroupSolver {
                                 "finite; please report the recipe",
                                 order));
                         }
-                        out.values.push_back(value[lane]);
+                        out.values.push_back(value[lane] - single[lane]);
+                        if (interface_) out.single_values.push_back(single[lane]);
                         const double scale = std::min(peak[i][lane], peak[j][lane]);
                         size = std::max(size, std::abs(value[lane]) / std::max(scale, 1e-300));
                     }
@@ -302,6 +392,7 @@ class GroupSolver {
 
     Directions directions_;
     ActiveNodes active_;
+    std::optional<RoughInterfaceOperators> interface_;  // if rough
     int wavelengths_;
     std::vector<PaintBlock> blocks_;
     LaneBuffer peak_;

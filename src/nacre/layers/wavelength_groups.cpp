@@ -45,6 +45,36 @@ flakes::FlakeTable pick_columns(const flakes::FlakeTable& table, const std::vect
                                               static_cast<int>(columns.size()), r, t);
 }
 
+// Values of all groups as [order][pair][wavelength], pairs from first[order].
+std::vector<double> collect(const WavelengthGroups& groups,
+                            const std::vector<GroupSolution>& solutions,
+                            const std::vector<int>& first,
+                            std::vector<double> GroupSolution::*values) {
+    int count = 0;
+    for (const WavelengthGroup& group : groups) count += static_cast<int>(group.members.size());
+    const int exits = static_cast<int>(solutions[0].exit_angle.size());
+    std::vector<double> all;
+    std::vector<const double*> next;  // by group
+    for (const GroupSolution& s : solutions) next.push_back((s.*values).data());
+    for (std::size_t l = 0; l < first.size(); ++l) {
+        for (int i = first[l]; i < exits; ++i) {
+            for (int j = first[l]; j <= i; ++j) {
+                all.resize(all.size() + count, 0.0);
+                double* row = all.data() + all.size() - count;
+                for (std::size_t g = 0; g < groups.size(); ++g) {
+                    const GroupSolution& s = solutions[g];
+                    if ((s.*values).empty() || l >= s.first.size() || j < s.first[l]) continue;
+                    for (std::size_t k = 0; k < groups[g].members.size(); ++k) {
+                        row[groups[g].members[k]] = next[g][groups[g].solved_as[k]];
+                    }
+                    next[g] += s.wavelength_count;
+                }
+            }
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 WavelengthGroups group_wavelengths(const PaintMedium& medium) {
@@ -77,7 +107,8 @@ PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>
     out.clearcoat_depth = pick(medium.clearcoat_depth, wavelengths);
     out.substrate_reflectance = pick(medium.substrate_reflectance, wavelengths);
     for (LayerMedium& layer : out.layers) {
-        for (FlakeMedium& flake : layer.flakes) flake.table = pick_columns(flake.table, wavelengths);
+        for (FlakeMedium& flake : layer.flakes)
+            flake.table = pick_columns(flake.table, wavelengths);
         for (PigmentMedium& pigment : layer.pigments) {
             pigment.scattering_per_um = pick(pigment.scattering_per_um, wavelengths);
             pigment.absorption_per_um = pick(pigment.absorption_per_um, wavelengths);
@@ -101,31 +132,15 @@ void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolutio
             std::max(report.unresolved_scattering, s.unresolved_scattering);
         report.azimuthal_tail = std::max(report.azimuthal_tail, s.azimuthal_tail);
     }
-    const int count = paint.medium.wavelength_count();
     const int exits = static_cast<int>(solutions[0].exit_angle.size());
-    std::vector<double> values;
-    std::vector<const double*> next;  // by group
-    for (const GroupSolution& s : solutions) next.push_back(s.values.data());
-    for (std::size_t l = 0; l < first.size(); ++l) {
-        for (int i = first[l]; i < exits; ++i) {
-            for (int j = first[l]; j <= i; ++j) {
-                values.resize(values.size() + count, 0.0);
-                double* row = values.data() + values.size() - count;
-                for (std::size_t g = 0; g < groups.size(); ++g) {
-                    const GroupSolution& s = solutions[g];
-                    if (l >= s.first.size() || j < s.first[l]) continue;
-                    for (std::size_t k = 0; k < groups[g].members.size(); ++k) {
-                        row[groups[g].members[k]] = next[g][groups[g].solved_as[k]];
-                    }
-                    next[g] += s.wavelength_count;
-                }
-            }
-        }
-    }
     paint.report.exit_nodes = exits;
     paint.report.orders = static_cast<int>(first.size());
-    paint.remainder = compress(solutions[0].exit_angle, std::move(first), count, values,
-                               0.1 * tolerance);
+    const auto merge = [&](std::vector<double> GroupSolution::*values) {
+        return compress(solutions[0].exit_angle, first, paint.medium.wavelength_count(),
+                        collect(groups, solutions, first, values), 0.1 * tolerance);
+    };
+    paint.remainder = merge(&GroupSolution::values);
+    if (paint.medium.roughness > 0) paint.rough_single = merge(&GroupSolution::single_values);
 }
 
 }  // namespace nacre::layers

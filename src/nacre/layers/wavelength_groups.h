@@ -10,9 +10,9 @@ namespace nacre::layers {
 
 /// Wavelengths at which the binder has one and the same index.
 struct WavelengthGroup {
-    std::vector<int> members;   ///< indices of wavelengths
-    std::vector<int> distinct;  ///< those of them at which the paint differs: what is solved
-    std::vector<int> solved_as; ///< by member: its position in distinct
+    std::vector<int> members;    ///< indices of wavelengths
+    std::vector<int> distinct;   ///< those of them at which the paint differs: what is solved
+    std::vector<int> solved_as;  ///< by member: its position in distinct
 };
 using WavelengthGroups = std::vector<WavelengthGroup>;
 
@@ -29,10 +29,11 @@ struct GroupSolution {
     std::vector<double> exit_angle;
     std::vector<int> first;
     std::vector<double> values;
+    std::vector<double> single_values;  ///< likewise, under a rough interface; else empty
     double unresolved_scattering = 0, azimuthal_tail = 0;
 };
 
-/// Puts the groups together into paint.remainder and paint.report.
+/// Puts the groups together into paint.remainder, paint.rough_single and paint.report.
 void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolution>& solutions,
                   double tolerance, SolvedPaint& paint);
 
