@@ -42,8 +42,8 @@ TEST(Lambertian, SampleWeightIsTheAlbedoAndItsPdfAgrees) {
 }
 
 TEST(Lambertian, MeanCosineOfSamplesIsTwoThirds) {
-    // Int cos (cos / pi) dw = 2/3; the cosine ends in a square root at the horizon, so midpoints of a
-    // 64 x 64 grid leave an error of order 64^-1.5.
+    // Int cos (cos / pi) dw = 2/3; the cosine ends in a square root at the horizon, so midpoints of
+    // a 64 x 64 grid leave an error of order 64^-1.5.
     const auto bound = Lambertian(1.0).bind(kWavelengths);
     double sum = 0;
     constexpr int kSide = 64;

@@ -9,6 +9,7 @@
 #include "nacre/bsdf/warp.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/parallel.h"
+#include "nacre/layers/rough_interface.h"
 #include "nacre/optics/dielectric.h"
 
 namespace nacre::bsdf {
@@ -83,9 +84,12 @@ class BoundMicroflake final : public BoundBsdf {
     FloatLanes albedo(Vec3f wi) const override;
 
  private:
+    void bind_layers();
+    void bind_rough_interface();
     Ray make_ray(Vec3f w, float ior) const;
     FloatLanes eval_at(Vec3f wi, Vec3f wo, float ior) const;
     FloatLanes single(const Ray& i, const Ray& o) const;
+    FloatLanes interface_lobe(Vec3f wi, Vec3f wo) const;
     LobeOdds odds_at(Vec3f wi) const;
     float pdf_of(const LobeOdds& odds, Vec3f wi, Vec3f wo) const;
 
@@ -98,7 +102,25 @@ class BoundMicroflake final : public BoundBsdf {
     bool dispersive_;
     float mean_ior_, inverse_mean_ior_;
     FlakeLobe flake_lobe_, wide_lobe_;
+    // A rough interface only: its facets, and by direction the masking over the cosine and what is
+    // masked and given back diffusely.
+    struct Rough {
+        FlakeLobe lobe;
+        float inverse_alpha2;
+        std::vector<float> masking;
+        std::vector<FloatLanes> masked;
+        FloatLanes diffuse_scale;
+    };
+    std::optional<Rough> rough_;
 };
+
+// A function of direction between its rows.
+template <class T>
+T at_direction(const std::vector<T>& table, Vec3f w) {
+    const float x = std::sqrt(w.x * w.x + w.y * w.y) / (1 + w.z) * kDirectionIntervals;
+    const int row = std::min(static_cast<int>(x), kDirectionIntervals - 1);
+    return table[row] + (x - row) * (table[row + 1] - table[row]);
+}
 
 BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> tables,
                                  const Wavelengths& wavelengths)
@@ -112,9 +134,11 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
     const int count = tables_->wavelength_count();
 
     std::vector<FloatLanes> basis;
-    for (int k = 0; k < paint.remainder.rank(); ++k) {
-        basis.push_back(
-            at_wavelengths(where_, [&](int w) { return paint.remainder.basis[k * count + w]; }));
+    for (const layers::Remainder* tensor : tables_->tensors()) {
+        for (int k = 0; k < tensor->rank(); ++k) {
+            basis.push_back(
+                at_wavelengths(where_, [&](int w) { return tensor->basis[k * count + w]; }));
+        }
     }
     tables_->smooth.bind(basis, smooth_.data());
 
@@ -126,6 +150,14 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
     mean_ior_ = tables_->mean_ior;
     inverse_mean_ior_ = 1 / mean_ior_;
 
+    if (tables_->rough) bind_rough_interface();
+    if (!tables_->rough) bind_layers();
+}
+
+// Single scattering of a smooth paint.
+void BoundMicroflake::bind_layers() {
+    const layers::SolvedPaint& paint = *tables_->paint;
+    const int count = tables_->wavelength_count();
     for (std::size_t n = 0; n < paint.medium.layers.size(); ++n) {
         const layers::LayerMedium& medium = paint.medium.layers[n];
         BoundLayer& layer = layers_.emplace_back();
@@ -152,6 +184,33 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
                  at_wavelengths(where_, [&](int w) { return pigment.scattering_per_um[w]; })});
         }
     }
+}
+
+void BoundMicroflake::bind_rough_interface() {
+    const double alpha = tables_->paint->medium.roughness;
+    const float a = static_cast<float>(alpha);
+    Rough rough{FlakeLobe(a), 1 / (a * a), {}, {}, {}};
+    std::array<std::shared_ptr<const layers::RoughInterface>, kLanes> by_lane;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        by_lane[lane] = lane > 0 && ior_[lane] == ior_[lane - 1]
+                            ? by_lane[lane - 1]
+                            : layers::rough_interface(ior_[lane], alpha);
+    }
+    rough.diffuse_scale =
+        make_lanes([&](int lane) { return static_cast<float>(by_lane[lane]->diffuse_scale()); });
+    for (int row = 0; row <= kDirectionIntervals; ++row) {
+        const double theta = direction_angle(row);
+        rough.masking.push_back(static_cast<float>(
+            layers::smith_beckmann_over_cosine(std::cos(theta), std::sin(theta), alpha)));
+        FloatLanes masked{};
+        for (int lane = 0; lane < kLanes; ++lane) {
+            masked[lane] = lane > 0 && by_lane[lane] == by_lane[lane - 1]
+                               ? masked[lane - 1]
+                               : static_cast<float>(by_lane[lane]->masked(theta));
+        }
+        rough.masked.push_back(masked);
+    }
+    rough_ = std::move(rough);
 }
 
 Ray BoundMicroflake::make_ray(Vec3f w, float ior) const {
@@ -219,8 +278,33 @@ FloatLanes BoundMicroflake::eval_at(Vec3f wi, Vec3f wo, float ior) const {
            (i.transmittance * o.transmittance / (ior * ior));
 }
 
+// layers::RoughInterface::brdf at eight wavelengths.
+FloatLanes BoundMicroflake::interface_lobe(Vec3f wi, Vec3f wo) const {
+    const Vec3f h = wi + wo;
+    const float inverse_z2 = 1 / (h.z * h.z);
+    const float tan2 = (h.x * h.x + h.y * h.y) * inverse_z2, sec2 = 1 + tan2;
+    const float exponent = tan2 * rough_->inverse_alpha2;
+    FloatLanes f =
+        rough_->diffuse_scale * at_direction(rough_->masked, wi) * at_direction(rough_->masked, wo);
+    if (exponent < 60) {
+        const float density = std::exp(-exponent) * rough_->inverse_alpha2 *
+                              std::numbers::inv_pi_v<float> * sec2 * sec2;
+        const float cosine = std::min(1.0f, 0.5f * length(h));
+        f += (0.25f * density * at_direction(rough_->masking, wi) *
+              at_direction(rough_->masking, wo)) *
+             optics::dielectric_reflectance(splat(1.0f), ior_, splat(cosine));
+    }
+    return f;
+}
+
 FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+    if (rough_) {
+        const FloatLanes smooth = interpolate(grid_, smooth_.data(), locate(grid_, wi, wo));
+        const float scale =
+            refract_in(wi, inverse_mean_ior_).z + refract_in(wo, inverse_mean_ior_).z;
+        return max_lanes(smooth, FloatLanes{}) / scale + interface_lobe(wi, wo);
+    }
     if (!dispersive_) return eval_at(wi, wo, ior_[0]);
     // Each wavelength refracts its own way: rare, and eight times the work.
     FloatLanes f{};
@@ -237,7 +321,8 @@ float BoundMicroflake::pdf_of(const LobeOdds& odds, Vec3f wi, Vec3f wo) const {
     const Vec3f in = refract_in(wi, inverse_mean_ior_), out = refract_in(wo, inverse_mean_ior_);
     const float inside =
         odds.flakes * flake_lobe_.pdf(in, out) + odds.wide * wide_lobe_.pdf(in, out);
-    return odds.diffuse * std::numbers::inv_pi_v<float> * wo.z +
+    const float interface = rough_ ? odds.interface * rough_->lobe.pdf(wi, wo) : 0.0f;
+    return interface + odds.diffuse * std::numbers::inv_pi_v<float> * wo.z +
            inside * wo.z * inverse_mean_ior_ * inverse_mean_ior_ / out.z;
 }
 
@@ -249,19 +334,19 @@ float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {
 std::optional<BsdfSample> BoundMicroflake::sample(Vec3f wi, float u_lobe, Vec2f u) const {
     if (wi.z <= 0) return std::nullopt;
     const LobeOdds odds = odds_at(wi);
-    if (u_lobe < odds.mirror) {
+    Vec3f wo;
+    if (u_lobe < odds.interface && rough_) {
+        wo = rough_->lobe.sample(wi, u_lobe / odds.interface, u);
+    } else if (u_lobe < odds.interface) {
         BsdfSample s;
         s.wo = {-wi.x, -wi.y, wi.z};
         s.weight = make_lanes([&](int lane) {
-            return optics::dielectric_reflectance(1.0f, ior_[lane], wi.z) / odds.mirror;
+            return optics::dielectric_reflectance(1.0f, ior_[lane], wi.z) / odds.interface;
         });
-        s.pdf = odds.mirror;
+        s.pdf = odds.interface;
         s.mirror = true;
         return s;
-    }
-    u_lobe -= odds.mirror;
-    Vec3f wo;
-    if (u_lobe < odds.flakes + odds.wide) {
+    } else if ((u_lobe -= odds.interface) < odds.flakes + odds.wide) {
         const bool narrow = u_lobe < odds.flakes;
         const float u_sign = narrow ? u_lobe / odds.flakes : (u_lobe - odds.flakes) / odds.wide;
         const Vec3f inside = (narrow ? flake_lobe_ : wide_lobe_)

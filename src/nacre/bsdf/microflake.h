@@ -30,5 +30,7 @@ class Microflake final : public Bsdf {
 };
 
 inline constexpr double kMicroflakeError = 2e-3;
+/// The same under a rough clearcoat, where the table holds single scattering too.
+inline constexpr double kMicroflakeRoughError = 5e-3;
 
 }  // namespace nacre::bsdf

@@ -4,21 +4,37 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/flakes/beckmann.h"
+#include "nacre/layers/rough_interface.h"
 #include "nacre/optics/dielectric.h"
 
 namespace nacre::bsdf {
 
 namespace {
 
+// Roughness that the grid of the smooth table must resolve.
 double narrowest_alpha(const layers::PaintMedium& medium) {
     double alpha = 1.0;
     for (const auto& layer : medium.layers) {
         for (const auto& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
     }
-    return alpha;
+    // Under a rough interface the table holds single scattering too, narrower by the square root
+    // of three, and weighs all of the peak.
+    return medium.roughness > 0 ? alpha / 3 : alpha;
+}
+
+bool has_rough_interface(const layers::SolvedPaint& paint) {
+    int rough = 0;
+    for (int w = 0; w < paint.medium.wavelength_count(); ++w) rough += paint.is_rough(w);
+    if (rough != 0 && rough != paint.medium.wavelength_count()) {
+        throw Error(
+            "a rough clearcoat whose binder has the index 1 at some wavelengths only "
+            "cannot be rendered");
+    }
+    return rough != 0;
 }
 
 double mean(const std::vector<double>& v) {
@@ -61,9 +77,15 @@ double direction_angle(int row) {
 Microflake::Tables::Tables(std::shared_ptr<const layers::SolvedPaint> solved)
     : paint(std::move(solved)),
       mean_ior(static_cast<float>(mean(paint->medium.ior))),
-      smooth(paint->remainder, narrowest_alpha(paint->medium), mean_ior) {
+      rough(has_rough_interface(*paint)),
+      smooth(tensors(), narrowest_alpha(paint->medium), mean_ior) {
     tabulate_extinction();
     choose_lobes();
+}
+
+std::vector<const layers::Remainder*> Microflake::Tables::tensors() const {
+    if (rough) return {&paint->remainder, &paint->rough_single};
+    return {&paint->remainder};
 }
 
 void Microflake::Tables::tabulate_extinction() {
@@ -101,6 +123,8 @@ void Microflake::Tables::choose_lobes() {
     }
     const bool has_flakes = weight > 0;
     if (has_flakes) flake_alpha = static_cast<float>(sum / weight);
+    // Facets of slope m refract as half a flake of that slope reflects, roughly.
+    if (rough) flake_alpha = static_cast<float>(std::hypot(flake_alpha, 0.5 * medium.roughness));
     // Three reflections off Gaussian slopes spread like sqrt(3); five and more, wider still.
     wide_alpha = 2 * flake_alpha;
 
@@ -112,7 +136,9 @@ void Microflake::Tables::choose_lobes() {
     parallel_for(0, kDirectionIntervals / kStride + 1, [&](std::size_t step) {
         const int row = static_cast<int>(step) * kStride;
         const double theta_i = direction_angle(row);
-        const double mirror = optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
+        const double mirror = rough
+                                  ? layers::rough_interface(ior, medium.roughness)->albedo(theta_i)
+                                  : optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
         // Energy of the remainder, and what it would be if its dark side were all there is.
         const layers::RemainderSlice slice(paint->remainder, theta_i);
         std::vector<double> coefficient(paint->remainder.rank());
@@ -156,7 +182,7 @@ void Microflake::Tables::choose_lobes() {
         const LobeOdds &a = odds[from], &b = odds[from + kStride];
         if (row == from) continue;
         const auto mix = [&](float LobeOdds::*m) { return a.*m + f * (b.*m - a.*m); };
-        odds[row] = {mix(&LobeOdds::mirror), mix(&LobeOdds::flakes), mix(&LobeOdds::wide),
+        odds[row] = {mix(&LobeOdds::interface), mix(&LobeOdds::flakes), mix(&LobeOdds::wide),
                      mix(&LobeOdds::diffuse)};
     }
 }

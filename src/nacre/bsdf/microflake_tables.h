@@ -16,7 +16,7 @@ inline constexpr int kDirectionIntervals = 128;
 
 /// Odds of the sampling strategies at one incident direction; they sum to 1.
 struct LobeOdds {
-    float mirror = 0, flakes = 0, wide = 0, diffuse = 0;
+    float interface = 0, flakes = 0, wide = 0, diffuse = 0;
 };
 
 struct Microflake::Tables {
@@ -24,8 +24,10 @@ struct Microflake::Tables {
 
     std::shared_ptr<const layers::SolvedPaint> paint;
     float mean_ior;  ///< of the binder over the paint's wavelengths
+    bool rough;      ///< the interface: its lobe takes the place of the mirror
     SmoothTable smooth;
-    /// Roughness of the sampled lobes: flakes (area-weighted mean) and what they scatter again.
+    /// Roughness of the sampled lobes inside the coat: flakes (area-weighted mean) and what they
+    /// scatter again.
     float flake_alpha = 0.1f, wide_alpha = 0.2f;
     /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
     std::vector<std::vector<float>> extinction;
@@ -34,6 +36,8 @@ struct Microflake::Tables {
     /// tabulate_albedo(), which needs the model itself.
     std::vector<float> albedo;
 
+    /// What the smooth table sums, in the order of its basis.
+    std::vector<const layers::Remainder*> tensors() const;
     int wavelength_count() const { return paint->medium.wavelength_count(); }
 
  private:

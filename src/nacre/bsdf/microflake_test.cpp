@@ -65,6 +65,8 @@ const Model& everything_model() {
     return model;
 }
 
+double chi_square_z_score(const BoundBsdf& bound, double theta_i, std::uint64_t seed);
+
 // Largest difference to the solved paint over the peak of each incident direction.
 double worst_error(const Model& model) {
     const auto bound = model.bsdf->bind(kOnGrid);
@@ -104,6 +106,27 @@ TEST(Microflake, RefractsEachWavelengthItsOwnWay) {
     layers::Recipe recipe = metallic(0.2, 0.8);
     recipe.binder = optics::Material("crown", {400, 700}, {{1.56, 0}, {1.48, 0}});
     EXPECT_LT(worst_error(Model(recipe)), kMicroflakeError);
+}
+
+layers::Recipe rough_pearl(double roughness) {
+    layers::Recipe recipe = everything();
+    recipe.clearcoat->roughness = roughness;
+    return recipe;
+}
+
+TEST(Microflake, AgreesWithTheSolvedPaintUnderARoughClearcoat) {
+    for (const double roughness : {0.1, 0.4}) {
+        SCOPED_TRACE(roughness);
+        EXPECT_LT(worst_error(Model(rough_pearl(roughness))), kMicroflakeRoughError);
+    }
+}
+
+TEST(Microflake, SamplesFollowTheDensityUnderARoughClearcoat) {
+    const Model model(rough_pearl(0.2));
+    const auto bound = model.bsdf->bind(kOnGrid);
+    for (const double theta_i : {10.0, 70.0}) {
+        EXPECT_LT(chi_square_z_score(*bound, theta_i, 21), 3.5) << theta_i;
+    }
 }
 
 TEST(Microflake, InterpolatesBetweenWavelengthsAndKeepsTheEnds) {

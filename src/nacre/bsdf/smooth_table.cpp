@@ -34,9 +34,21 @@ void pair_weights(const std::vector<double>& w1, const std::vector<double>& w2, 
 
 }  // namespace
 
-SmoothTable::SmoothTable(const layers::Remainder& r, double alpha, double ior)
-    : grid_(choose_grid(alpha)), rank_(r.rank()), coefficient_(grid_.cells() * rank_) {
+SmoothTable::SmoothTable(std::span<const layers::Remainder* const> tensors, double alpha,
+                         double ior)
+    : grid_(choose_grid(alpha)) {
+    for (const layers::Remainder* tensor : tensors) rank_ += tensor->rank();
+    coefficient_.resize(grid_.cells() * rank_);
+    int first_rank = 0;
+    for (const layers::Remainder* tensor : tensors) {
+        tabulate(*tensor, ior, first_rank);
+        first_rank += tensor->rank();
+    }
+}
+
+void SmoothTable::tabulate(const layers::Remainder& r, double ior, int first_rank) {
     const int orders = r.orders(), nodes = static_cast<int>(r.exit_angle.size());
+    const int rank = r.rank();
     const layers::ExitInterpolation interpolation(r.exit_angle);
     std::vector<float> cosine(static_cast<std::size_t>(grid_.q) * orders);
     for (int c = 0; c < grid_.q; ++c) {
@@ -57,11 +69,11 @@ SmoothTable::SmoothTable(const layers::Remainder& r, double alpha, double ior)
         interpolation.weights_at(theta_2, w2.data());
         const double scale =
             layers::inside_cosine(ior, theta_1) + layers::inside_cosine(ior, theta_2);
-        std::vector<float> weight, by_order(static_cast<std::size_t>(rank_) * orders);
+        std::vector<float> weight, by_order(static_cast<std::size_t>(rank) * orders);
         std::size_t at = 0;
         for (int l = 0; l < orders; ++l) {
             if (l == 0 || r.first[l] != r.first[l - 1]) pair_weights(w1, w2, r.first[l], weight);
-            for (int k = 0; k < rank_; ++k) {
+            for (int k = 0; k < rank; ++k) {
                 const float* value = r.coefficient.data() + k * pairs + at;
                 FloatLanes sum{};
                 std::size_t p = 0;
@@ -75,8 +87,8 @@ SmoothTable::SmoothTable(const layers::Remainder& r, double alpha, double ior)
             at += weight.size();
         }
         for (int c = 0; c < grid_.q; ++c) {
-            float* out = coefficient_.data() + (ab * grid_.q + c) * rank_;
-            for (int k = 0; k < rank_; ++k) {
+            float* out = coefficient_.data() + (ab * grid_.q + c) * rank_ + first_rank;
+            for (int k = 0; k < rank; ++k) {
                 float sum = 0;
                 for (int l = 0; l < orders; ++l) {
                     sum += cosine[c * orders + l] * by_order[k * orders + l];

@@ -79,20 +79,21 @@ inline FloatLanes interpolate(const SmoothGrid& grid, const FloatLanes* values,
 /// The table before it is bound to wavelengths: coefficients of the remainder's spectral basis.
 class SmoothTable {
  public:
-    /// Tabulates a remainder; `alpha` is the roughness of its narrowest lobe, `ior` the binder's
-    /// mean index.
-    SmoothTable(const layers::Remainder& remainder, double alpha, double ior);
+    /// Tabulates the sum of tensors on the same exit angles; `alpha` is the roughness of the
+    /// narrowest lobe, `ior` the binder's mean index. The spectral bases stand one after the other.
+    SmoothTable(std::span<const layers::Remainder* const> tensors, double alpha, double ior);
 
     const SmoothGrid& grid() const { return grid_; }
-    int rank() const { return rank_; }
 
     /// Values at eight wavelengths: for each cell sum over k of basis[k] coefficient[k], added to
     /// `out` (grid().cells() values).
     void bind(std::span<const FloatLanes> basis, FloatLanes* out) const;
 
  private:
+    void tabulate(const layers::Remainder& tensor, double ior, int first_rank);
+
     SmoothGrid grid_;
-    int rank_;
+    int rank_ = 0;
     std::vector<float> coefficient_;  // [cell][k]
 };
 
