@@ -61,6 +61,11 @@ RemainderSlice::RemainderSlice(const Remainder& r, double theta_i)
     for (int k = 0; k < r.rank(); ++k) {
         for (int l = 0; l < r.orders(); ++l) {
             double* out = by_node_.data() + (static_cast<std::size_t>(k) * r.orders() + l) * n;
+            if (!r.takes_part(l, theta_i)) {
+                const int rows = n - r.first[l];
+                value += rows * (rows + 1) / 2;
+                continue;
+            }
             for (int i = r.first[l]; i < n; ++i) {
                 for (int j = r.first[l]; j < i; ++j, ++value) {
                     out[i] += *value * weight[j];
@@ -82,6 +87,7 @@ void RemainderSlice::coefficients(double theta_o, double phi, std::span<double> 
     for (int k = 0; k < remainder_.rank(); ++k) {
         double sum = 0;
         for (int l = 0; l < remainder_.orders(); ++l) {
+            if (!remainder_.takes_part(l, theta_o)) continue;
             const double* row =
                 by_node_.data() + (static_cast<std::size_t>(k) * remainder_.orders() + l) * n;
             double order = 0;

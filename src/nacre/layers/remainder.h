@@ -24,9 +24,19 @@ struct Remainder {
     std::vector<float> coefficient;  ///< [k][pair], pairs by order, then rows i >= j from first[l]
 
     int orders() const { return static_cast<int>(first.size()); }
-    int rank() const { return wavelength_count ? static_cast<int>(basis.size()) / wavelength_count : 0; }
+    int rank() const {
+        return wavelength_count ? static_cast<int>(basis.size()) / wavelength_count : 0;
+    }
     /// Pairs of nodes over all orders; coefficient.size() = rank() pair_count().
     std::size_t pair_count() const;
+
+    /// Whether an order has anything under theta_e. It is zero at every node before first[order],
+    /// hence also nearer to the normal than the last of them: between such nodes, and beyond the
+    /// first one of all, the polynomial through all nodes would ring instead, alike in hundreds of
+    /// orders. At that last node it vanishes, so nothing jumps.
+    bool takes_part(int order, double theta_e) const {
+        return first[order] == 0 || theta_e > exit_angle[first[order] - 1];
+    }
 
     friend bool operator==(const Remainder&, const Remainder&) = default;
 };
