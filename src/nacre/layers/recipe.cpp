@@ -191,6 +191,10 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
         check("clearcoat.absorption_per_mm", recipe.clearcoat->absorption_per_mm,
               limits::kPerMillimetre);
         check("clearcoat.roughness", recipe.clearcoat->roughness, limits::kRoughness);
+        if (recipe.clearcoat->roughness > 0) {
+            check("clearcoat.roughness (if not 0, a smooth interface)", recipe.clearcoat->roughness,
+                  limits::kRoughInterface);
+        }
     }
     if (recipe.layers.empty() && !recipe.microfacet) {
         throw DomainError("layer: a paint needs at least one layer (or a microfacet table)");

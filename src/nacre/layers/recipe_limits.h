@@ -24,6 +24,9 @@ inline constexpr Range kLayerThickness{0, 1e6, "um", true};
 inline constexpr Range kClearcoatThickness{0, 1e6, "um"};
 inline constexpr Range kPerMillimetre{0, 1e9, "1/mm"};
 inline constexpr Range kRoughness{0, 1};
+/// Roughness of an interface that is not smooth: a lobe below this is a mirror to every use there
+/// is, and smooth interfaces are solved faster and to more digits.
+inline constexpr Range kRoughInterface{0.01, 1};
 inline constexpr Range kFraction{0, 1};  ///< reflectances and transmittances
 inline constexpr Range kVolumeFraction{0, 1, "", true};
 inline constexpr Range kAreaDensity{0, 1e6, "1/um", true};

@@ -33,7 +33,7 @@
 namespace nacre::layers {
 
 /// Smith's masking for Beckmann slopes divided by the cosine, finite at grazing.
-///                                            [walter-2007, eq. 23, 24; heitz-2014, eq. 99]
+///                                            [walter-2007, eq. 23; heitz-2014, sec. 5.3]
 /// @param cosine, sine  of the angle to the normal, cosine >= 0
 double smith_beckmann_over_cosine(double cosine, double sine, double alpha);
 

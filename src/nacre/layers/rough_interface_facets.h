@@ -91,6 +91,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
         return detail.polar * std::min(inside ? 2 * t : t, 0.5 * kPi) +
                detail.order * std::min(2 * t / std::max(s, 1e-9), 1.0);
     };
+    const double base = inside ? 20 : 10;  // steep about the angle of total reflection
     const auto nodes = [](double count) { return 4 * static_cast<int>(std::ceil(count / 4)); };
 
     const auto ring = [&](double t, double weight) {
@@ -125,7 +126,8 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
             const double from = cut[k], width = cut[k + 1] - from;
             if (width < 1e-12) continue;
             // A whole ring is periodic: equal steps converge fastest.
-            const int count = nodes(whole ? 8 + 0.6 * turn(t) : 12 + 1.2 * turn(t) * width / kPi);
+            const int count =
+                nodes(whole ? 2 * base + 0.6 * turn(t) : base + 1.2 * turn(t) * width / kPi);
             const Quadrature& rule = unit_gauss_legendre(count);
             for (int i = 0; i < count; ++i) {
                 const double u = rule.nodes[i];
@@ -164,7 +166,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
     for (int k = 0; k + 1 < cuts; ++k) {
         const double from = cut[k], width = cut[k + 1] - from;
         if (width < 1e-12 * t_max) continue;
-        const int count = nodes(8 + (16 + 0.6 * turn(t_max)) * width / t_max);
+        const int count = nodes(8 + (2 * base + 0.6 * turn(t_max)) * width / t_max);
         const Quadrature& rule = unit_gauss_legendre(count);
         for (int i = 0; i < count; ++i) {
             const double u = rule.nodes[i];
