@@ -51,9 +51,11 @@ LaneBuffer balanced_extinction(const LayerMedium& layer, const FourierKernel& ke
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j <= i; ++j) {
             const std::size_t at = triangle(i) + j;
-            const DoubleLanes both =
-                2 * std::numbers::pi *
-                __builtin_convertvector(kernel.same(0)[at] + kernel.opposite(0)[at], DoubleLanes);
+            // Widened before they are added, as in set_operators: a sum rounded to single precision
+            // would be flux lost or gained, 1e-8 of it per unit of optical depth.
+            const DoubleLanes both = 2 * std::numbers::pi *
+                                     (__builtin_convertvector(kernel.same(0)[at], DoubleLanes) +
+                                      __builtin_convertvector(kernel.opposite(0)[at], DoubleLanes));
             scattering[i] += d.weight[j] * both;
             if (j != i) scattering[j] += d.weight[i] * both;
         }

@@ -39,11 +39,15 @@ TEST(SolverEnergy, LosslessLayersOverWhiteReflectEverything) {
     // flakes are seen edge on: nodes miss up to 7e-4 of their scattering
     // (report.unresolved_scattering), which the matrices give back, but which the closed form of
     // single scattering knows exactly.
-    constexpr double kCoated = 1e-6, kBare = 4e-5;
+    constexpr double kCoated = 1e-6, kBare = 6e-5;
+    // Depth 1e4 shows what each unit of optical depth gains or loses, 1e4 times over.
     for (const Case& c : {Case{0.1, 1, 1.5, 1, kCoated},
                           {0.3, 1, 1.5, 1, kCoated},
                           {0.5, 0.4, 1.5, 3, kCoated},
-                          {0.3, 0.7, 1.0, 1, kBare}}) {
+                          {0.1, 0.5, 1.5, 1e4, kCoated},
+                          {0.5, 1, 1.5, 1e4, kCoated},
+                          {0.3, 0.7, 1.0, 1, kBare},
+                          {0.3, 1, 1.0, 1e4, kBare}}) {
         Recipe recipe = flake_paint(c.alpha, c.reflectance, 1 - c.reflectance, c.depth, c.ior);
         recipe.substrate_reflectance = 1.0;
         const SolvedPaint paint = solve(recipe, kOneWavelength);
