@@ -74,6 +74,8 @@ TEST(ValidateRecipe, NamesKeyValueAndRangeOfWhateverIsWrong) {
         {[&](Recipe& r) { r.layers[0].thickness_um = nan; }, "layer[0].thickness_um = nan", "um"},
         {[](Recipe& r) { r.clearcoat->thickness_um = -1; }, "clearcoat.thickness_um = -1", "um"},
         {[](Recipe& r) { r.clearcoat->roughness = 2; }, "clearcoat.roughness = 2", "[0, 1]"},
+        {[](Recipe& r) { r.clearcoat->roughness = 1e-3; },
+         "clearcoat.roughness (if not 0, a smooth interface) = 0.001", "[0.01, 1]"},
         {[](Recipe& r) { r.substrate_reflectance = 1.1; }, "substrate.reflectance = 1.1", "[0, 1]"},
         {[](Recipe& r) { r.layers[0].pigments[0].anisotropy = 1; },
          "layer[0].pigment[0].anisotropy = 1", "(-1, 1)"},
