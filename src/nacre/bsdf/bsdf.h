@@ -22,6 +22,11 @@ struct BsdfSample {
     bool mirror = false;
 };
 
+struct BsdfValue {
+    FloatLanes f{};  ///< as eval() gives it
+    float pdf = 0;   ///< as pdf() gives it
+};
+
 /// A surface at eight wavelengths: all that depends on wavelength alone has been worked out, so
 /// that the calls below touch only what depends on direction. Immutable, shared between threads.
 class BoundBsdf {
@@ -35,6 +40,8 @@ class BoundBsdf {
     virtual std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const = 0;
     /// Density per solid angle with which sample() draws wo other than by the mirror.
     virtual float pdf(Vec3f wi, Vec3f wo) const = 0;
+    /// Both at once, for light sampling with multiple importance: they share most of the work.
+    virtual BsdfValue evaluate(Vec3f wi, Vec3f wo) const { return {eval(wi, wo), pdf(wi, wo)}; }
     /// Directional-hemispherical reflectance, mirror included.
     virtual FloatLanes albedo(Vec3f wi) const = 0;
 };

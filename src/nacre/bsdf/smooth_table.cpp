@@ -73,6 +73,10 @@ void SmoothTable::tabulate(const layers::Remainder& r, double ior, int first_ran
         std::size_t at = 0;
         for (int l = 0; l < orders; ++l) {
             if (l == 0 || r.first[l] != r.first[l - 1]) pair_weights(w1, w2, r.first[l], weight);
+            if (!r.takes_part(l, theta_2)) {  // theta_2 <= theta_1
+                at += weight.size();
+                continue;
+            }
             for (int k = 0; k < rank; ++k) {
                 const float* value = r.coefficient.data() + k * pairs + at;
                 FloatLanes sum{};

@@ -39,16 +39,14 @@ struct SmoothCell {
     float fa, fb, fq;
 };
 
-/// wi and wo in the upper hemisphere, z up.
-inline SmoothCell locate(const SmoothGrid& grid, Vec3f wi, Vec3f wo) {
-    const float s2_i = wi.x * wi.x + wi.y * wi.y, s2_o = wo.x * wo.x + wo.y * wo.y;
-    const float s_i = std::sqrt(s2_i), s_o = std::sqrt(s2_o);
-    const float x_i = s_i / (1 + wi.z), x_o = s_o / (1 + wo.z);
+/// wi and wo in the upper hemisphere, z up; s their sines, x the tangents of half their angles.
+inline SmoothCell locate(const SmoothGrid& grid, Vec3f wi, Vec3f wo, float s_i, float s_o,
+                         float x_i, float x_o) {
     const float a = std::min(std::max(x_i, x_o), 1.0f);
     const float b = a > 0 ? std::abs(x_i - x_o) / a : 0.0f;
     // sin^2(phi'/2) = |s_i wo + s_o wi|^2/(2 s_i s_o)^2 without cancellation near the mirror side.
     const float ux = s_i * wo.x + s_o * wi.x, uy = s_i * wo.y + s_o * wi.y;
-    const float scale = 4 * s2_i * s2_o;
+    const float scale = 4 * s_i * s_i * s_o * s_o;
     const float q2 = scale > 0 ? std::min((ux * ux + uy * uy) / scale, 1.0f) : 0.0f;
 
     SmoothCell cell;

@@ -40,9 +40,7 @@ inline constexpr double kExpLanesError = 3e-7;
 inline FloatLanes one_minus_exp_lanes(FloatLanes x) {
     const FloatLanes series = x * (1.0f - x * (0.5f - x * (1.0f / 6 - x * (1.0f / 24))));
     const FloatLanes direct = 1.0f - exp_lanes(-x);
-    FloatLanes result;
-    for (int i = 0; i < kLanes; ++i) result[i] = x[i] < 0.05f ? series[i] : direct[i];
-    return result;
+    return x < 0.05f ? series : direct;
 }
 
 }  // namespace nacre

@@ -45,17 +45,14 @@ inline void store_lanes(T* p, const V& v) {
     std::memcpy(p, &v, sizeof v);
 }
 
+/// Larger and smaller of each pair of lanes; b where a is NaN.
 template <class V>
 inline V max_lanes(V a, V b) {
-    V r;
-    for (int i = 0; i < kLanes; ++i) r[i] = a[i] > b[i] ? a[i] : b[i];
-    return r;
+    return a > b ? a : b;
 }
 template <class V>
 inline V min_lanes(V a, V b) {
-    V r;
-    for (int i = 0; i < kLanes; ++i) r[i] = a[i] < b[i] ? a[i] : b[i];
-    return r;
+    return a < b ? a : b;
 }
 template <class V>
 inline V sqrt_lanes(V a) {

@@ -34,16 +34,15 @@ FloatLanes direct_light(const CompiledScene& scene, const Pass& pass, const Hit&
     if (!light || dot(light->direction, hit.geometric_normal) <= 0) return FloatLanes{};
     const Vec3f wo = frame.to_local(light->direction);
     if (wo.z <= 0) return FloatLanes{};
-    const FloatLanes f = surface.eval(wi, wo);
-    if (!(lane_max(f) > 0)) return FloatLanes{};
-    float weight = 1;
-    if (!light->delta && strategy == DirectLight::combined) {
-        weight = power_heuristic(light->pdf, surface.pdf(wi, wo));
-    }
+    const bool weighted = !light->delta && strategy == DirectLight::combined;
+    const bsdf::BsdfValue value =
+        weighted ? surface.evaluate(wi, wo) : bsdf::BsdfValue{surface.eval(wi, wo)};
+    if (!(lane_max(value.f) > 0)) return FloatLanes{};
+    const float weight = weighted ? power_heuristic(light->pdf, value.pdf) : 1.0f;
     // Stop just short of the light, whose own rectangle is part of the scene.
     if (scene.occluded({hit.origin(), light->direction}, light->distance * 0.9999f))
         return FloatLanes{};
-    return (weight * wo.z / light->pdf) * f * light->radiance;
+    return (weight * wo.z / light->pdf) * value.f * light->radiance;
 }
 
 }  // namespace
