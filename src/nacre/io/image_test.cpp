@@ -186,6 +186,13 @@ TEST_F(ImageFiles, AnExrCannotAskForMoreMemoryThanItsSizeJustifies) {
     EXPECT_THROW(parse_image(bytes, "x", 5 * 15 - 1), InputError);
 }
 
+TEST_F(ImageFiles, APngCannotAskForMoreMemoryThanItsSizeJustifies) {
+    write_png(folder_ / "a.png", example());
+    std::string bytes = read_file(folder_ / "a.png");
+    bytes.at(bytes.find("tEXt") - 4) = 0x7f;  // the first byte of its length: two gigabytes
+    EXPECT_THROW(parse_image(bytes, "x"), InputError);
+}
+
 TEST_F(ImageFiles, NothingIsWrittenWhereItCannotBe) {
     EXPECT_THROW(write_exr(folder_ / "no" / "a.exr", example()), Error);
     EXPECT_THROW(write_png(folder_ / "no" / "a.png", example()), Error);

@@ -26,21 +26,35 @@ std::uint32_t big_endian(std::string_view bytes) {
     return value;
 }
 
-/// The uncompressed text chunks: length, "tEXt", keyword, 0, text, checksum.
-std::map<std::string, std::string> text_chunks(std::string_view bytes) {
-    std::map<std::string, std::string> texts;
+struct Chunk {
+    std::string_view type, data;
+};
+
+/// The chunks: length, type, data, checksum. libpng allocates the lengths that it finds, so a file
+/// whose chunks do not fit into it is refused before.
+std::vector<Chunk> chunks(std::string_view bytes, const std::string& name) {
+    std::vector<Chunk> found;
     bytes.remove_prefix(kSignature.size());
-    while (bytes.size() >= 12) {
+    while (bytes.size() >= 12 && (found.empty() || found.back().type != "IEND")) {
         const std::size_t length = big_endian(bytes);
-        if (length > bytes.size() - 12) break;
-        const std::string_view data = bytes.substr(8, length);
-        const std::size_t zero = data.find('\0');
-        if (bytes.substr(4, 4) == "tEXt" && zero != std::string_view::npos) {
-            texts[std::string(data.substr(0, zero))] = data.substr(zero + 1);
+        if (length > bytes.size() - 12) {
+            throw InputError(fmt::format("{}: damaged PNG: a chunk is larger than the file", name));
         }
+        found.push_back({bytes.substr(4, 4), bytes.substr(8, length)});
         bytes.remove_prefix(length + 12);
     }
-    return texts;
+    return found;
+}
+
+/// The uncompressed texts: keyword, 0, text.
+std::map<std::string, std::string> texts(const std::vector<Chunk>& chunks) {
+    std::map<std::string, std::string> found;
+    for (const Chunk& chunk : chunks) {
+        const std::size_t zero = chunk.data.find('\0');
+        if (chunk.type != "tEXt" || zero == std::string_view::npos) continue;
+        found[std::string(chunk.data.substr(0, zero))] = chunk.data.substr(zero + 1);
+    }
+    return found;
 }
 
 /// Everything a PNG writer holds, so that it is released on every way out.
@@ -133,6 +147,7 @@ const std::array<float, 256>& decoded_bytes() {
 bool looks_like_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
 
 Image parse_png(std::string_view bytes, const std::string& name, std::size_t most_values) {
+    const std::vector<Chunk> all_chunks = chunks(bytes, name);
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     const std::unique_ptr<png_image, void (*)(png_image*)> guard(&png, png_image_free);
@@ -141,7 +156,7 @@ Image parse_png(std::string_view bytes, const std::string& name, std::size_t mos
     };
     if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) fail();
     Image image = blank_image(name, png.width, png.height, {"R", "G", "B"}, most_values);
-    image.metadata = text_chunks(bytes);
+    image.metadata = texts(all_chunks);
     const std::size_t values = 3 * image.pixel_count();
     const auto store = [&](const auto& pixels, auto&& decode) {
         for (std::size_t i = 0; i < values; ++i) {
