@@ -17,7 +17,7 @@ target_compile_options(nacre_options INTERFACE
 # that uses the installed libraries must be compiled for the same one: -march is exported. GCC 12
 # takes its own AVX-512 headers for uninitialised variables (GCC bug 105593).
 target_compile_options(nacre_options INTERFACE
-  -Wno-psabi -Wno-maybe-uninitialized $<$<BOOL:${NACRE_NATIVE}>:-march=native>)
+  -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<BOOL:${NACRE_NATIVE}>:-march=native>)
 target_include_directories(nacre_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

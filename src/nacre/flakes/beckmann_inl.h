@@ -46,8 +46,8 @@ void for_each_normal(double mu, double alpha, Visit&& visit) {
             for (std::size_t k = 0; k < azimuth.nodes.size(); ++k) {
                 const double phi = from + (to - from) * azimuth.nodes[k];
                 const double projected = std::abs(mu - b * std::cos(phi));
-                visit(std::min(1.0, projected * cos_m), weight * projected * azimuth.weights[k] *
-                                                            (to - from) * std::numbers::inv_pi);
+                visit(std::min(1.0, projected * cos_m),
+                      weight * projected * azimuth.weights[k] * (to - from) * std::numbers::inv_pi);
             }
         };
         if (phi_edge > 0) arc(0.0, phi_edge);

@@ -46,21 +46,38 @@ std::vector<double> fine_grid(int count, int wavelengths, std::size_t stride, in
     return fine;
 }
 
-// Largest of the upper quarter of the Chebyshev coefficients: how far from resolved the samples are.
+// Largest of the upper eighth of the Chebyshev coefficients: how far from resolved the samples are.
 double unresolved(int count, int wavelengths, std::span<const double> values) {
     const int n = count - 1;
     double worst = 0;
+    std::vector<double> coefficient(wavelengths);
     for (int k = n - n / 8; k <= n; ++k) {
-        for (int w = 0; w < wavelengths; ++w) {
-            double c = 0;
-            for (int i = 0; i <= n; ++i) {
-                const double end = i == 0 || i == n ? 0.5 : 1.0;
-                c += end * values[i * wavelengths + w] * std::cos(std::numbers::pi * k * i / n);
-            }
-            worst = std::max(worst, std::abs(2.0 * c / n));
+        std::fill(coefficient.begin(), coefficient.end(), 0.0);
+        for (int i = 0; i <= n; ++i) {
+            const double end = i == 0 || i == n ? 0.5 : 1.0;
+            const double factor = end * 2.0 / n * std::cos(std::numbers::pi * k * i / n);
+            const double* value = values.data() + static_cast<std::size_t>(i) * wavelengths;
+            for (int w = 0; w < wavelengths; ++w) coefficient[w] += factor * value[w];
         }
+        for (double c : coefficient) worst = std::max(worst, std::abs(c));
     }
     return worst;
+}
+
+// Rows of `even` and `odd` by turns: the points of one level lie between those of the one before.
+std::vector<double> interleave(int wavelengths, const std::vector<double>& even,
+                               const std::vector<double>& odd) {
+    std::vector<double> all;
+    all.reserve(even.size() + odd.size());
+    for (std::size_t row = 0; row * wavelengths < even.size(); ++row) {
+        const auto from = even.begin() + static_cast<std::ptrdiff_t>(row) * wavelengths;
+        all.insert(all.end(), from, from + wavelengths);
+        if (row * wavelengths < odd.size()) {
+            const auto next = odd.begin() + static_cast<std::ptrdiff_t>(row) * wavelengths;
+            all.insert(all.end(), next, next + wavelengths);
+        }
+    }
+    return all;
 }
 
 }  // namespace
@@ -85,10 +102,10 @@ FlakeTable FlakeTable::from_chebyshev(int cosine_count, int wavelength_count,
     const auto expected = static_cast<std::size_t>(std::max(cosine_count, 0)) *
                           static_cast<std::size_t>(std::max(wavelength_count, 0));
     if (expected == 0 || reflectance.size() != expected || transmittance.size() != expected) {
-        throw DomainError(fmt::format("flake table: {} cosines x {} wavelengths do not fit {} and "
-                                      "{} values",
-                                      cosine_count, wavelength_count, reflectance.size(),
-                                      transmittance.size()));
+        throw DomainError(
+            fmt::format("flake table: {} cosines x {} wavelengths do not fit {} and "
+                        "{} values",
+                        cosine_count, wavelength_count, reflectance.size(), transmittance.size()));
     }
     for (std::size_t i = 0; i < expected; ++i) {
         // Sums of averaged transfer matrices round to a little above 1.
@@ -113,15 +130,20 @@ FlakeTable FlakeTable::from_chebyshev(int cosine_count, int wavelength_count,
 FlakeTable FlakeTable::of_platelet(const optics::Platelet& platelet, const optics::Material& binder,
                                    std::span<const double> wavelengths_nm) {
     const int wavelengths = static_cast<int>(wavelengths_nm.size());
-    for (int count = kFirstCosines;; count = 2 * count - 1) {
-        const auto table =
-            optics::platelet_table(platelet, binder, chebyshev_cosines(count), wavelengths_nm);
-        if (count >= kMostCosines ||
-            (unresolved(count, wavelengths, table.reflectance) < kResolved &&
-             unresolved(count, wavelengths, table.transmittance) < kResolved)) {
-            return from_chebyshev(count, wavelengths, table.reflectance, table.transmittance);
-        }
+    int count = kFirstCosines;
+    auto table = optics::platelet_table(platelet, binder, chebyshev_cosines(count), wavelengths_nm);
+    while (count < kMostCosines &&
+           (unresolved(count, wavelengths, table.reflectance) > kResolved ||
+            unresolved(count, wavelengths, table.transmittance) > kResolved)) {
+        count = 2 * count - 1;
+        const std::vector<double> all = chebyshev_cosines(count);
+        std::vector<double> added;
+        for (int i = 1; i < count; i += 2) added.push_back(all[i]);
+        const auto between = optics::platelet_table(platelet, binder, added, wavelengths_nm);
+        table.reflectance = interleave(wavelengths, table.reflectance, between.reflectance);
+        table.transmittance = interleave(wavelengths, table.transmittance, between.transmittance);
     }
+    return from_chebyshev(count, wavelengths, table.reflectance, table.transmittance);
 }
 
 }  // namespace nacre::flakes

@@ -38,7 +38,9 @@ class FlakeTable {
 
     /// R and T of the eight wavelengths of `block` (8 block ... 8 block + 7; lanes beyond the last
     /// wavelength repeat it). cosine in [0, 1].
-    DoubleLanes reflectance(double cosine, int block) const { return lookup(fine_r_, cosine, block); }
+    DoubleLanes reflectance(double cosine, int block) const {
+        return lookup(fine_r_, cosine, block);
+    }
     DoubleLanes transmittance(double cosine, int block) const {
         return lookup(fine_t_, cosine, block);
     }
