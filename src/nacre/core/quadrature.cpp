@@ -1,6 +1,8 @@
 #include "nacre/core/quadrature.h"
 
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <numbers>
 
 #include "nacre/core/error.h"
@@ -59,6 +61,17 @@ Quadrature gauss_legendre(int n, double a, double b) {
         rule.weights[i] = rule.weights[n - 1 - i] = half * weight;
     }
     return rule;
+}
+
+const Quadrature& unit_gauss_legendre(int count) {
+    static std::mutex mutex;
+    static std::vector<std::unique_ptr<const Quadrature>> rules;
+    const std::scoped_lock lock(mutex);
+    if (static_cast<int>(rules.size()) <= count) rules.resize(count + 1);
+    if (!rules[count]) {
+        rules[count] = std::make_unique<const Quadrature>(gauss_legendre(count, 0.0, 1.0));
+    }
+    return *rules[count];
 }
 
 }  // namespace nacre

@@ -18,6 +18,9 @@ struct Quadrature {
 /// @throws DomainError unless 1 <= n <= 100000, a < b and both are finite
 Quadrature gauss_legendre(int n, double a, double b);
 
+/// The rule of that size on [0, 1], made once a process and kept.
+const Quadrature& unit_gauss_legendre(int n);
+
 inline constexpr double kGaussLegendreError = 1e-14;
 
 }  // namespace nacre

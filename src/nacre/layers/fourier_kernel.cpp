@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 #include "nacre/core/quadrature.h"
@@ -16,18 +15,6 @@ namespace nacre::layers {
 namespace {
 
 constexpr std::size_t triangle(std::size_t rows) { return rows * (rows + 1) / 2; }
-
-// Gauss-Legendre rules on [0, 1] by size, made once.
-const Quadrature& unit_rule(int count) {
-    static std::mutex mutex;
-    static std::vector<std::unique_ptr<const Quadrature>> rules;
-    const std::scoped_lock lock(mutex);
-    if (static_cast<int>(rules.size()) <= count) rules.resize(count + 1);
-    if (!rules[count]) {
-        rules[count] = std::make_unique<const Quadrature>(gauss_legendre(count, 0.0, 1.0));
-    }
-    return *rules[count];
-}
 
 // exp(-kNegligible) of the peak is where a lobe ends.
 constexpr double kNegligible = 22.0;
@@ -59,7 +46,7 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
     const double reach = along2 > 0 ? std::sqrt(kNegligible * a2 / along2) : 1.0;
     const double phi_max = reach < 1 ? 2 * std::asin(reach) : std::numbers::pi;
     const int count = 8 * ((16 + static_cast<int>(0.6 * orders * phi_max) + 7) / 8);
-    const Quadrature& rule = unit_rule(count);
+    const Quadrature& rule = unit_gauss_legendre(count);
     scratch.resize(count);
     for (int k = 0; k < count; ++k) {
         const double phi = phi_max * rule.nodes[k];

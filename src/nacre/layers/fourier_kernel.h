@@ -36,8 +36,8 @@ class ActiveNodes {
 /// solver takes extinction from the sums of these very numbers, so that rounding costs no energy.
 class FourierKernel {
  public:
-    FourierKernel(const LayerMedium& layer, const Directions& directions,
-                  const ActiveNodes& active, int block);
+    FourierKernel(const LayerMedium& layer, const Directions& directions, const ActiveNodes& active,
+                  int block);
 
     /// Rows i >= j of order l, both counted from active.first(l): element i (i + 1)/2 + j.
     const FloatLanes* same(int l) const { return same_.data() + offset_[l]; }

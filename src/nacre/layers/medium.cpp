@@ -56,9 +56,10 @@ PaintMedium make_medium(const Recipe& recipe, const std::vector<double>& wavelen
                                   make_table(species, recipe.binder, wavelengths_nm)});
         }
         for (const Pigment& pigment : layer.pigments) {
-            out.pigments.push_back({sampled(pigment.scattering_per_mm, wavelengths_nm, 1 / kUmPerMm),
-                                    sampled(pigment.absorption_per_mm, wavelengths_nm, 1 / kUmPerMm),
-                                    pigment.anisotropy});
+            out.pigments.push_back(
+                {sampled(pigment.scattering_per_mm, wavelengths_nm, 1 / kUmPerMm),
+                 sampled(pigment.absorption_per_mm, wavelengths_nm, 1 / kUmPerMm),
+                 pigment.anisotropy});
         }
     }
     medium.substrate_reflectance = sampled(recipe.substrate_reflectance, wavelengths_nm);
@@ -117,8 +118,8 @@ DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, d
         // cos of the angle between the directions of travel.      [henyey-greenstein-1941, eq. 2]
         const double g = pigment.anisotropy;
         const double turn = -mu_i * mu_o - s_i * s_o * std::cos(phi);
-        const double phase = (1 - g * g) / (4 * std::numbers::pi *
-                                            std::pow(1 + g * g - 2 * g * turn, 1.5));
+        const double phase =
+            (1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * turn, 1.5));
         sum += phase * block_lanes(pigment.scattering_per_um, block);
     }
     return sum;

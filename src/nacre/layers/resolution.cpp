@@ -10,6 +10,9 @@ namespace nacre::layers {
 
 namespace {
 
+// Beyond, the number of Legendre degrees makes a solve take minutes.
+constexpr double kSharpestPigment = 0.97;
+
 int round_up_to_tile(double x) { return kTile * static_cast<int>(std::ceil(x / kTile)); }
 
 void check_nodes(int value, int most, const char* what) {
@@ -41,6 +44,29 @@ void choose_rough(double alpha, double roughness, double n, const SolverSettings
 
 }  // namespace
 
+bool refine(Resolution& resolution, const SolverSettings& settings, double unresolved,
+            double azimuthal_tail) {
+    bool refined = false;
+    const auto raise = [&](int& value, int wanted, int most, bool fixed) {
+        const int next = std::min(wanted, most);
+        if (fixed || next <= value) return;
+        value = next;
+        refined = true;
+    };
+    if (unresolved > kAcceptedUnresolved) {
+        const auto half_again = [](int nodes) { return round_up_to_tile(1.5 * nodes); };
+        raise(resolution.exit_nodes, half_again(resolution.exit_nodes), SolverSettings::kMostNodes,
+              settings.exit_nodes != 0);
+        raise(resolution.inner_nodes, half_again(resolution.inner_nodes),
+              SolverSettings::kMostNodes, settings.inner_nodes != 0);
+    }
+    if (azimuthal_tail > settings.tolerance) {
+        raise(resolution.orders, 2 * resolution.orders, SolverSettings::kMostOrders,
+              settings.most_orders != 0);
+    }
+    return refined;
+}
+
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
     check_nodes(settings.exit_nodes, SolverSettings::kMostNodes, "exit_nodes");
     check_nodes(settings.inner_nodes, SolverSettings::kMostNodes, "inner_nodes");
@@ -51,6 +77,13 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     for (const LayerMedium& layer : medium.layers) {
         for (const FlakeMedium& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
         for (const PigmentMedium& pigment : layer.pigments) {
+            if (std::abs(pigment.anisotropy) > kSharpestPigment) {
+                throw Error(fmt::format(
+                    "pigment.anisotropy = {}: the solver resolves Henyey-Greenstein lobes from {} "
+                    "to {}; use similarity, scattering x (1 - anisotropy) with anisotropy = 0, for "
+                    "sharper ones",
+                    pigment.anisotropy, -kSharpestPigment, kSharpestPigment));
+            }
             alpha = std::min(alpha, 1.5 * (1 - std::abs(pigment.anisotropy)));
         }
     }
@@ -58,16 +91,16 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     r.lobe_alpha = alpha;
     const double n_smallest = *std::min_element(medium.ior.begin(), medium.ior.end());
     const bool bare = n_smallest == 1.0;
-    r.exit_nodes = round_up_to_tile(bare ? 24 + 2 / alpha : 8 + 0.6 / alpha);
+    r.exit_nodes = round_up_to_tile(bare ? 24 + 2 / alpha : 8 + 0.72 / alpha);
     r.inner_nodes = round_up_to_tile(4 + 0.45 / alpha);
     r.exit_nodes = std::min(r.exit_nodes, SolverSettings::kMostNodes);
     r.inner_nodes = std::min(r.inner_nodes, SolverSettings::kMostNodes);
     r.orders = SolverSettings::kMostOrders;
     if (!bare) {
-        // The widest exit direction inside the coat sets the number; the series ends earlier
-        // by its own tail.
+        // The widest exit direction inside the coat sets the number. An estimate: the series ends
+        // by its own tail, and the solver asks for more orders where it has not.
         const double tangent = 1 / std::sqrt(n_smallest * n_smallest - 1);
-        r.orders = static_cast<int>(std::min<double>(r.orders, 12 + 2.5 * tangent / alpha));
+        r.orders = static_cast<int>(std::min<double>(r.orders, 12 + 1.8 * tangent / alpha));
     }
     if (medium.roughness > 0 && !bare)
         choose_rough(alpha, medium.roughness, n_smallest, settings, r);

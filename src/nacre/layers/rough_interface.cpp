@@ -23,17 +23,6 @@ constexpr int kNodes = 64;
 
 }  // namespace
 
-const Quadrature& unit_gauss_legendre(int count) {
-    static std::mutex mutex;
-    static std::vector<std::unique_ptr<const Quadrature>> rules;
-    const std::scoped_lock lock(mutex);
-    if (static_cast<int>(rules.size()) <= count) rules.resize(count + 1);
-    if (!rules[count]) {
-        rules[count] = std::make_unique<const Quadrature>(gauss_legendre(count, 0.0, 1.0));
-    }
-    return *rules[count];
-}
-
 double smith_beckmann_over_cosine(double cosine, double sine, double alpha) {
     // G1 = 2/(1 + erf a + e^(-a^2)/(a sqrt(pi))), a = 1/(alpha tan theta).
     const double across = alpha * sine;

@@ -14,9 +14,6 @@
 
 namespace nacre::layers {
 
-/// Gauss-Legendre rules on [0, 1] by size, made once a process.
-const Quadrature& unit_gauss_legendre(int count);
-
 /// Light that left the surface: `towards` is where it goes on.
 struct FacetExit {
     double share = 0;  ///< of the light that met the surface

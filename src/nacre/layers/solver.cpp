@@ -274,6 +274,7 @@ class GroupSolver {
         GroupSolution out;
         out.wavelength_count = wavelengths_;
         out.exit_angle = directions_.exit_angle;
+        out.inner_nodes = directions_.size() - directions_.exit_count;
         for (const PaintBlock& block : blocks_) {
             out.unresolved_scattering = std::max(out.unresolved_scattering, block.unresolved);
         }
@@ -414,13 +415,20 @@ SolvedPaint solve(const Recipe& recipe, const std::vector<double>& wavelengths_n
     paint.recipe = recipe;
     paint.settings = settings;
     paint.medium = make_medium(recipe, wavelengths_nm);
-    const Resolution resolution = choose_resolution(paint.medium, settings);
-    std::vector<GroupSolution> solutions;
+    Resolution resolution = choose_resolution(paint.medium, settings);
     const WavelengthGroups groups = group_wavelengths(paint.medium);
-    for (const WavelengthGroup& group : groups) {
-        GroupSolver solver(select_wavelengths(paint.medium, group.distinct), resolution);
-        solutions.push_back(solver.run(settings.tolerance));
-    }
+    std::vector<GroupSolution> solutions;
+    double unresolved, tail;
+    do {
+        solutions.clear();
+        unresolved = tail = 0;
+        for (const WavelengthGroup& group : groups) {
+            GroupSolver solver(select_wavelengths(paint.medium, group.distinct), resolution);
+            solutions.push_back(solver.run(settings.tolerance));
+            unresolved = std::max(unresolved, solutions.back().unresolved_scattering);
+            tail = std::max(tail, solutions.back().azimuthal_tail);
+        }
+    } while (refine(resolution, settings, unresolved, tail));
     merge_groups(groups, solutions, settings.tolerance, paint);
     return paint;
 }

@@ -130,6 +130,7 @@ void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolutio
         SolverReport& report = paint.report;
         report.unresolved_scattering =
             std::max(report.unresolved_scattering, s.unresolved_scattering);
+        report.inner_nodes = std::max(report.inner_nodes, s.inner_nodes);
         report.azimuthal_tail = std::max(report.azimuthal_tail, s.azimuthal_tail);
     }
     const int exits = static_cast<int>(solutions[0].exit_angle.size());

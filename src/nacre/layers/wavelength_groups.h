@@ -26,6 +26,7 @@ PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>
 /// i >= j of exit nodes from first[order].
 struct GroupSolution {
     int wavelength_count = 0;
+    int inner_nodes = 0;
     std::vector<double> exit_angle;
     std::vector<int> first;
     std::vector<double> values;
