@@ -19,8 +19,7 @@ struct Ray {
 
 Direction3 flipped(const Direction3& v) { return {v.x(), v.y(), -v.z()}; }
 
-/// Smith's G1 for Beckmann slopes, in its exact form.                         [walter-2007]
-/// heitz-2014]
+/// Smith's G1 for Beckmann slopes, in its exact form.                [walter-2007], [heitz-2014]
 double smith_g1(double cosine, double alpha) {
     const double tangent_sq = (1 - cosine * cosine) / (cosine * cosine);
     if (tangent_sq <= 0) return 1;
