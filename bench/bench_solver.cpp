@@ -80,11 +80,17 @@ void BM_SlabImpedance(benchmark::State& state) {
     // Flops of the inverse: n^3 (Cholesky, triangular inverse and Gram product a third each); of
     // every step: 7/3 n^3 (Cholesky a third, solve and Gram product one each).
     const double flops = kLanes * std::pow(n, 3) * (1.0 + (kDoublings + 1) * (7.0 / 3.0));
-    state.counters["GFlop/s"] = benchmark::Counter(flops * 1e-9 * state.iterations(),
-                                                   benchmark::Counter::kIsRate);
+    state.counters["GFlop/s"] =
+        benchmark::Counter(flops * 1e-9 * state.iterations(), benchmark::Counter::kIsRate);
 }
-BENCHMARK(BM_SlabImpedance)->ArgName("nodes")->Arg(24)->Arg(28)->Arg(32)->Arg(48)->Arg(72)->Unit(
-    benchmark::kMicrosecond);
+BENCHMARK(BM_SlabImpedance)
+    ->ArgName("nodes")
+    ->Arg(24)
+    ->Arg(28)
+    ->Arg(32)
+    ->Arg(48)
+    ->Arg(72)
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace nacre::layers
