@@ -186,6 +186,16 @@ layers::Microfacet read_microfacet(const TableReader& table) {
     return m;
 }
 
+/// 0, a smooth interface, or a roughness that is solved as one.
+double read_roughness(const TableReader& coat) {
+    const double roughness = coat.number_or("roughness", 0, {});
+    if (roughness != 0 && !limits::kRoughInterface.contains(roughness)) {
+        coat.fail("roughness", "must be 0, a smooth interface, or a number in " +
+                                   limits::kRoughInterface.text());
+    }
+    return roughness;
+}
+
 layers::Recipe read_recipe_table(const TableReader& table) {
     layers::Recipe recipe;
     recipe.name = table.text_or("name", "", limits::kNameLength);
@@ -195,7 +205,7 @@ layers::Recipe read_recipe_table(const TableReader& table) {
         recipe.clearcoat = layers::Clearcoat{
             coat->number("thickness_um", limits::kClearcoatThickness),
             read_spectrum_or(*coat, "absorption_per_mm", 0.0, limits::kPerMillimetre),
-            coat->number_or("roughness", 0, limits::kRoughness)};
+            read_roughness(*coat)};
     }
     for (const TableReader& layer :
          table.tables("layer", limits::kLayers, {"thickness_um", "flakes", "pigment"})) {

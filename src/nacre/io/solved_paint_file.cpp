@@ -97,13 +97,22 @@ void write_solver_report(hid_t file, const layers::SolverReport& report) {
     write_attribute(group, "azimuthal_tail", report.azimuthal_tail);
 }
 
-void write_remainder(hid_t file, const layers::Remainder& r) {
-    const Hdf5Handle group = make_group(
-        file, "remainder",
-        "multiple scattering without the Fresnel factors of a smooth interface: f(theta_i, "
-        "theta_o, phi; wavelength) = sum_l (2 - delta_l0) cos(l (phi - pi)) sum_k "
+/// Where the tensors stand, and what their meaning says before the formula.
+struct TensorGroup {
+    const char* name;
+    const char* meaning;
+};
+constexpr TensorGroup kRemainder = {
+    "remainder", "multiple scattering, without its Fresnel factors if the interface is smooth"};
+constexpr TensorGroup kRoughSingle = {"rough_single", "single scattering under a rough interface"};
+
+void write_tensor(hid_t file, const TensorGroup& where, const layers::Remainder& r) {
+    const std::string meaning = fmt::format(
+        "{}: f(theta_i, theta_o, phi; wavelength) = sum_l (2 - delta_l0) cos(l (phi - pi)) sum_k "
         "basis[k][wavelength] coefficient[k][pair(l, i, j)]; pairs by order l, then rows i >= j "
-        "from node first[l]; phi = phi_o - phi_i");
+        "from node first[l]; phi = phi_o - phi_i",
+        where.meaning);
+    const Hdf5Handle group = make_group(file, where.name, meaning.c_str());
     const auto size = [](const auto& v) { return static_cast<hsize_t>(v.size()); };
     const hsize_t rank = static_cast<hsize_t>(r.rank());
     const hsize_t pairs = rank > 0 ? size(r.coefficient) / rank : 0;
@@ -156,8 +165,9 @@ void require_finite(const std::vector<T>& values, const char* what) {
     require(std::all_of(values.begin(), values.end(), [](T v) { return std::isfinite(v); }), what);
 }
 
-layers::Remainder read_remainder(hid_t file, std::size_t wavelengths) {
-    const Hdf5Handle group(H5Gopen2(file, "remainder", H5P_DEFAULT), "open group remainder");
+layers::Remainder read_tensor(hid_t file, const TensorGroup& where, std::size_t wavelengths) {
+    const Hdf5Handle group(H5Gopen2(file, where.name, H5P_DEFAULT),
+                           fmt::format("open group {}", where.name));
     layers::Remainder r;
     r.wavelength_count = static_cast<int>(wavelengths);
     r.exit_angle = read_doubles(group, "exit_angle", 1, kMostExitNodes);
@@ -210,8 +220,16 @@ layers::SolvedPaint read_contents(hid_t file, const std::string& name) {
                         read_double_attribute(group, "unresolved_scattering"),
                         read_double_attribute(group, "azimuthal_tail")};
     }
-    paint.remainder = read_remainder(file, wavelengths.size());
     paint.medium = layers::make_medium(paint.recipe, wavelengths);
+    paint.remainder = read_tensor(file, kRemainder, wavelengths.size());
+    if (paint.medium.roughness > 0) {
+        paint.rough_single = read_tensor(file, kRoughSingle, wavelengths.size());
+        require(paint.rough_single.exit_angle == paint.remainder.exit_angle,
+                "the exit angles of remainder and rough_single differ");
+    } else {
+        require(H5Lexists(file, kRoughSingle.name, H5P_DEFAULT) == 0,
+                "there is a group rough_single, but the interface is smooth");
+    }
     return paint;
 }
 
@@ -235,7 +253,8 @@ std::string solved_paint_bytes(const layers::SolvedPaint& paint) {
                 paint.wavelengths_nm().data(), "nm", "vacuum wavelengths");
     write_settings(file, paint.settings);
     write_solver_report(file, paint.report);
-    write_remainder(file, paint.remainder);
+    write_tensor(file, kRemainder, paint.remainder);
+    if (paint.medium.roughness > 0) write_tensor(file, kRoughSingle, paint.rough_single);
     const std::string body = hdf5_image(file);
     return user_block(body) + body;
 }

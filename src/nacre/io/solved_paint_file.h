@@ -19,13 +19,15 @@
 //   /remainder/first         [l]
 //   /remainder/basis         [k][w]
 //   /remainder/coefficient   [k][pair], 1/sr
+//   /rough_single            under a rough interface only: single scattering, in the same arrays
 //
-// The single scattering and everything else is worked out from the recipe when the file is read.
-// The checksum is verified before HDF5 sees a byte: its library is not made for damaged files.
+// Under a smooth interface the single scattering and everything else is worked out from the recipe
+// when the file is read. The checksum is verified before HDF5 sees a byte: its library is not made
+// for damaged files.
 
 namespace nacre::io {
 
-inline constexpr int kSolvedPaintFormatVersion = 1;
+inline constexpr int kSolvedPaintFormatVersion = 2;
 inline constexpr std::size_t kMostSolvedPaintBytes = std::size_t{1} << 28;
 
 /// Writes a solved paint, whole or not at all.
@@ -35,7 +37,7 @@ void write_solved_paint(const std::filesystem::path& path, const layers::SolvedP
 /// The bytes of such a file.
 std::string solved_paint_bytes(const layers::SolvedPaint& paint);
 
-/// @throws InputError if the file is cut short, altered, of a newer version, or no solved paint
+/// @throws InputError if the file is cut short, altered, of another version, or no solved paint
 layers::SolvedPaint read_solved_paint(const std::filesystem::path& path);
 
 /// The same from the bytes of a file; `name` is for messages.

@@ -37,6 +37,16 @@ reflectance = 0.5
     return paint;
 }
 
+/// The same under a rough interface, whose single scattering is a tensor too.
+const layers::SolvedPaint& satin() {
+    static const layers::SolvedPaint paint = [] {
+        layers::Recipe recipe = silver().recipe;
+        recipe.clearcoat = layers::Clearcoat{40, 0.0, 0.3};
+        return layers::solve(recipe, {450, 550, 650});
+    }();
+    return paint;
+}
+
 std::string error_of(const std::string& bytes) {
     try {
         parse_solved_paint(bytes, "paint.h5");
@@ -49,7 +59,7 @@ std::string error_of(const std::string& bytes) {
 /// The bytes with a head that fits them again: what somebody does who edits a file knowingly.
 std::string resealed(const std::string& bytes) {
     const std::string body = bytes.substr(512);
-    std::string head = "nacre solved paint\nversion 1\nbytes " + std::to_string(body.size()) +
+    std::string head = "nacre solved paint\nversion 2\nbytes " + std::to_string(body.size()) +
                        "\nsha256 " + sha256_hex(body) + "\n";
     head.resize(512, '\0');
     return head + body;
@@ -60,6 +70,19 @@ TEST(SolvedPaintFile, GivesBackTheSamePaint) {
     EXPECT_EQ(parse_solved_paint(bytes, "paint.h5"), silver());
     EXPECT_EQ(solved_paint_bytes(silver()), bytes);  // nothing in it depends on the time
     EXPECT_EQ(error_of(resealed(bytes)), "accepted");
+}
+
+TEST(SolvedPaintFile, GivesBackTheSingleScatteringUnderARoughInterface) {
+    ASSERT_GT(satin().rough_single.rank(), 0);
+    const layers::SolvedPaint read = parse_solved_paint(solved_paint_bytes(satin()), "paint.h5");
+    EXPECT_EQ(read, satin());
+    for (const auto part : {layers::Part::single, layers::Part::multiple, layers::Part::total}) {
+        for (const double theta_o : {0.0, 0.4, 1.5}) {
+            const std::vector<double> before = satin().brdf(0.7, theta_o, 2.5, part);
+            EXPECT_EQ(read.brdf(0.7, theta_o, 2.5, part), before);
+            EXPECT_GT(before[0], 0);
+        }
+    }
 }
 
 TEST(SolvedPaintFile, GoesThroughTheDisk) {
@@ -101,8 +124,8 @@ TEST(SolvedPaintFile, ForeignFilesAndNewerVersionsAreNamedAsSuch) {
     EXPECT_THAT(error_of(""), HasSubstr("is not a solved paint of Nacre"));
     EXPECT_THAT(error_of("\x89HDF\r\n\x1a\n"), HasSubstr("is not a solved paint of Nacre"));
     std::string newer = solved_paint_bytes(silver());
-    newer.replace(newer.find("version 1"), 9, "version 2");
-    EXPECT_THAT(error_of(newer), HasSubstr("has format version 2; this program reads 1"));
+    newer.replace(newer.find("version 2"), 9, "version 3");
+    EXPECT_THAT(error_of(newer), HasSubstr("has format version 3; this program reads 2"));
     std::string no_hdf5 = solved_paint_bytes(silver());
     no_hdf5.replace(512, 4, "none");
     EXPECT_THAT(error_of(resealed(no_hdf5)), HasSubstr("cannot open it as an HDF5 file"));
@@ -135,6 +158,32 @@ TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     paint.recipe.layers[0].thickness_um = -1;
     EXPECT_THAT(error_of(solved_paint_bytes(paint)),
                 HasSubstr("paint.h5/recipe:5:16: layer[0].thickness_um = -1"));
+}
+
+TEST(SolvedPaintFile, TensorsThatDoNotFitTheInterfaceAreRefused) {
+    layers::SolvedPaint paint = satin();
+    paint.rough_single.coefficient.resize(paint.rough_single.coefficient.size() -
+                                          static_cast<std::size_t>(paint.rough_single.rank()));
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("do not fit together"));
+
+    paint = satin();
+    paint.rough_single.basis[0] = INFINITY;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("spectral basis is not finite"));
+
+    paint = satin();
+    paint.rough_single.first[0] = 1000;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a first node is out of range"));
+
+    paint = satin();
+    paint.rough_single.exit_angle[0] /= 2;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("exit angles of remainder and"));
+
+    paint = satin();  // a smooth paint whose file has been given a rough recipe, and the reverse
+    paint.medium.roughness = 0;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("cannot open group rough_single"));
+    paint = satin();
+    paint.recipe.clearcoat->roughness = 0;
+    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("the interface is smooth"));
 }
 
 TEST(SolvedPaintFile, StaysBelow300KilobytesFor31Wavelengths) {
