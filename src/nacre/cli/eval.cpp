@@ -39,7 +39,7 @@ ExitStatus run(const EvalOptions& options) {
     if (!options.wavelengths.empty()) {
         wanted = parse_numbers("--wavelength", options.wavelengths, layers::limits::kWavelength);
     }
-    const layers::SolvedPaint paint = load_paint(options.recipe, wanted);
+    const layers::SolvedPaint paint = load_paint(options.recipe, wanted, options);
     const std::vector<double> wavelengths = wanted.value_or(paint.wavelengths_nm());
     if (incident.size() * outgoing.size() * wavelengths.size() > kMostRows) {
         throw UsageError(

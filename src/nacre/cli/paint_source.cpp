@@ -10,6 +10,7 @@
 #include "nacre/core/error.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
+#include "nacre/layers/resolution.h"
 
 namespace nacre::cli {
 
@@ -24,28 +25,48 @@ std::string read_paint_file(const std::filesystem::path& path) {
     return read_file(path, io::kMostSolvedPaintBytes);
 }
 
-}  // namespace
+/// The series may end somewhat above its tolerance before anybody needs to know: what follows its
+/// last orders is smaller than they are.
+constexpr double kTailOverTolerance = 10;
 
-layers::Recipe load_recipe(const std::filesystem::path& path) {
-    const std::string bytes = read_paint_file(path);
-    if (io::looks_like_solved_paint(bytes)) {
-        return io::parse_solved_paint(bytes, path.string()).recipe;
+/// What remains to be done about it: drop the option that held the solver back, or distrust.
+std::string advice(bool held_back, std::string_view options) {
+    if (held_back) {
+        return fmt::format("solve it without {}, and they are chosen from the recipe", options);
     }
-    return io::parse_recipe(bytes, path.string(), path.parent_path());
+    return "the solver is at its limits: compare with nacre reference before relying on this "
+           "paint, or make its narrowest lobe wider (alpha of the flakes, anisotropy of the "
+           "pigments)";
 }
 
-layers::SolvedPaint load_paint(const std::filesystem::path& path,
-                               const std::optional<std::vector<double>>& wavelengths_nm,
-                               const layers::SolverSettings& settings) {
-    const std::string bytes = read_paint_file(path);
-    if (io::looks_like_solved_paint(bytes)) {
-        layers::SolvedPaint paint = io::parse_solved_paint(bytes, path.string());
-        if (wavelengths_nm) {
-            for (double wavelength : *wavelengths_nm) wavelength_position(paint, wavelength, path);
-        }
-        return paint;
+void warn_if_unresolved(const layers::SolvedPaint& paint, const std::filesystem::path& path,
+                        const CommonOptions& options) {
+    const layers::SolverSettings& settings = paint.settings;
+    const layers::SolverReport& report = paint.report;
+    if (report.unresolved_scattering > layers::kAcceptedUnresolved) {
+        say(options,
+            fmt::format(
+                "nacre: warning: {}: {} + {} nodes miss {:.2g} % of the scattering in some "
+                "direction (unresolved_scattering; up to {:g} % does no harm), so that its "
+                "multiple scattering may be off by a fraction of that; {}",
+                path.string(), report.exit_nodes, report.inner_nodes,
+                100 * report.unresolved_scattering, 100 * layers::kAcceptedUnresolved,
+                advice(settings.exit_nodes || settings.inner_nodes, "--nodes and --inner-nodes")));
     }
-    const layers::Recipe recipe = io::parse_recipe(bytes, path.string(), path.parent_path());
+    if (report.azimuthal_tail > kTailOverTolerance * settings.tolerance) {
+        say(options,
+            fmt::format("nacre: warning: {}: the azimuthal series ends after {} orders at {:.2g} "
+                        "of its peak, not at {:g} (azimuthal_tail and tolerance), so that its "
+                        "multiple scattering may ring around the azimuth by a share like that; {}",
+                        path.string(), report.orders, report.azimuthal_tail, settings.tolerance,
+                        advice(settings.most_orders != 0, "--orders")));
+    }
+}
+
+layers::SolvedPaint solve_recipe(std::string_view text, const std::filesystem::path& path,
+                                 const std::optional<std::vector<double>>& wavelengths_nm,
+                                 const layers::SolverSettings& settings) {
+    const layers::Recipe recipe = io::parse_recipe(text, path.string(), path.parent_path());
     if (recipe.layers.empty()) {
         throw InputError(
             fmt::format("{}: layer: is missing; the model microflake needs at least one [[layer]]",
@@ -64,6 +85,34 @@ layers::SolvedPaint load_paint(const std::filesystem::path& path,
     } catch (const DomainError& error) {  // as a material whose data end too early
         throw InputError(fmt::format("{}: {}", path.string(), error.what()));
     }
+}
+
+}  // namespace
+
+layers::Recipe load_recipe(const std::filesystem::path& path) {
+    const std::string bytes = read_paint_file(path);
+    if (io::looks_like_solved_paint(bytes)) {
+        return io::parse_solved_paint(bytes, path.string()).recipe;
+    }
+    return io::parse_recipe(bytes, path.string(), path.parent_path());
+}
+
+layers::SolvedPaint load_paint(const std::filesystem::path& path,
+                               const std::optional<std::vector<double>>& wavelengths_nm,
+                               const CommonOptions& options,
+                               const layers::SolverSettings& settings) {
+    const std::string bytes = read_paint_file(path);
+    if (io::looks_like_solved_paint(bytes)) {
+        layers::SolvedPaint paint = io::parse_solved_paint(bytes, path.string());
+        if (wavelengths_nm) {
+            for (double wavelength : *wavelengths_nm) wavelength_position(paint, wavelength, path);
+        }
+        warn_if_unresolved(paint, path, options);
+        return paint;
+    }
+    layers::SolvedPaint paint = solve_recipe(bytes, path, wavelengths_nm, settings);
+    warn_if_unresolved(paint, path, options);
+    return paint;
 }
 
 std::size_t wavelength_position(const layers::SolvedPaint& paint, double wavelength_nm,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/cli/common_options.h"
 #include "nacre/layers/solver.h"
 
 // Everything that takes a recipe takes a solved paint too.
@@ -16,12 +17,14 @@ namespace nacre::cli {
 layers::Recipe load_recipe(const std::filesystem::path& path);
 
 /// A solved paint as it is, or a recipe solved at the given wavelengths (by default 400 to 700 nm
-/// by 10, layers::default_wavelengths_nm()).
+/// by 10, layers::default_wavelengths_nm()). Says on stderr, unless quiet, what the solver could
+/// not resolve in it.
 ///
 /// @throws InputError if the file is wrong, or is a solved paint that lacks a wavelength asked for
 /// @throws DomainError, Error as layers::solve()
 layers::SolvedPaint load_paint(const std::filesystem::path& path,
                                const std::optional<std::vector<double>>& wavelengths_nm,
+                               const CommonOptions& options,
                                const layers::SolverSettings& settings = {});
 
 /// Position of a wavelength among those of a solved paint.

@@ -182,6 +182,36 @@ TEST_F(Program, EvalAgreesForARecipeAndItsSolvedFile) {
     EXPECT_THAT(other.err, HasSubstr("550 nm is not among them"));
 }
 
+TEST_F(Program, WarnsOfWhatTheSolverCouldNotResolve) {
+    write("sharp.toml", R"(ior = 1.5
+[[layer]]
+thickness_um = 50
+[[layer.pigment]]
+scattering_per_mm = 200
+anisotropy = 0.95
+)");
+    const std::string solve = "solve sharp.toml --wavelength 550 -o sharp.h5 ";
+    const std::string few = "--nodes 12 --inner-nodes 8 --orders 3 ";
+    const Outcome coarse = nacre(solve + few);
+    EXPECT_EQ(coarse.status, 0) << coarse.err;
+    EXPECT_THAT(coarse.err, HasSubstr("nacre: warning: sharp.toml: 12 + 8 nodes miss "));
+    EXPECT_THAT(coarse.err, HasSubstr("solve it without --nodes and --inner-nodes"));
+    EXPECT_THAT(coarse.err, HasSubstr("nacre: warning: sharp.toml: the azimuthal series ends "
+                                      "after 3 orders at "));
+    EXPECT_THAT(coarse.err, HasSubstr("solve it without --orders"));
+
+    // Whoever is handed the solved file is told too, on stderr alone.
+    const Outcome eval = nacre("eval sharp.h5 --incident 45 --outgoing 0");
+    EXPECT_THAT(eval.err, HasSubstr("nacre: warning: sharp.h5: 12 + 8 nodes miss "));
+    EXPECT_THAT(eval.out, Not(HasSubstr("warning")));
+    const Outcome render = nacre("render sphere --paint sharp.h5 --spp 1 --size 4x4 -o sharp.exr");
+    EXPECT_EQ(render.status, 0);
+    EXPECT_THAT(render.err, HasSubstr("nacre: warning: sharp.h5: 12 + 8 nodes miss "));
+
+    EXPECT_THAT(nacre(solve + few + "--quiet").err, IsEmpty());
+    EXPECT_THAT(nacre(solve).err, Not(HasSubstr("warning")));  // what the advice leads to
+}
+
 TEST_F(Program, SingleAndMultipleScatteringMakeUpTheTotal) {
     const std::string arguments =
         "eval gray.toml --wavelength 550 --incident 45 --outgoing 30,180 --part ";

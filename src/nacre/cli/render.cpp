@@ -67,8 +67,9 @@ struct Paint {
     std::string recipe_sha256;
 };
 
-Paint make_paint(const fs::path& path) {
-    auto solved = std::make_shared<const layers::SolvedPaint>(load_paint(path, std::nullopt));
+Paint make_paint(const fs::path& path, const CommonOptions& options) {
+    auto solved =
+        std::make_shared<const layers::SolvedPaint>(load_paint(path, std::nullopt, options));
     std::string hash = io::recipe_hash(solved->recipe);
     return {std::make_shared<bsdf::Microflake>(std::move(solved)), std::move(hash)};
 }
@@ -95,7 +96,7 @@ Paints make_paints(const render::SceneDescription& scene, const RenderCommandOpt
                             name, options.scene));
         }
         auto found = made.find(path);
-        if (found == made.end()) found = made.emplace(path, make_paint(path)).first;
+        if (found == made.end()) found = made.emplace(path, make_paint(path, options)).first;
         paints.table[name] = found->second.bsdf;
         paints.recipe_sha256[name] = found->second.recipe_sha256;
     }

@@ -30,7 +30,7 @@ ExitStatus run(const SolveOptions& options) {
     const layers::SolvedPaint paint =
         load_paint(options.recipe,
                    parse_numbers("--wavelength", options.wavelengths, layers::limits::kWavelength),
-                   options.settings);
+                   options, options.settings);
     const double solve_s = watch.seconds();
     const std::string bytes = io::solved_paint_bytes(paint);
     emit(options, bytes);
