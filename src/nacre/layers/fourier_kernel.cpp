@@ -14,8 +14,6 @@ namespace nacre::layers {
 
 namespace {
 
-constexpr std::size_t triangle(std::size_t rows) { return rows * (rows + 1) / 2; }
-
 // exp(-kNegligible) of the peak is where a lobe ends.
 constexpr double kNegligible = 22.0;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "nacre/core/lanes.h"
@@ -14,6 +15,9 @@
 // of travel, "opposite" changes it.
 
 namespace nacre::layers {
+
+/// Number of elements of a packed lower triangle, and so where row `rows` begins.
+constexpr std::size_t triangle(std::size_t rows) { return rows * (rows + 1) / 2; }
 
 /// Which nodes take part in which order. A direction near the normal has hardly any high orders
 /// (they vanish like sin^l theta); the nodes that do are the last ones.

@@ -20,8 +20,6 @@ using test::kPi;
 // over R >= 0.2. Single precision and the exp(-22) of a lobe that is left out are less.
 constexpr double kKernelError = 4e-6;
 
-constexpr std::size_t triangle(std::size_t i) { return i * (i + 1) / 2; }
-
 // R = 0.2 + 0.6 (1 - cos)^2: some dependence on angle.
 double reflectance(double cosine) { return 0.2 + 0.6 * (1 - cosine) * (1 - cosine); }
 

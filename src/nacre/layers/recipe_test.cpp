@@ -102,9 +102,8 @@ TEST(ValidateRecipe, NamesKeyValueAndRangeOfWhateverIsWrong) {
              std::get<optics::Platelet>(flakes(r).body).coats[0].spread.standard_deviation_nm = -1;
          },
          "layer[0].flakes[0].coats[0].spread_nm = -1", "nm"},
-        {[](Recipe& r) { r.microfacet = Microfacet{.alpha = 0}; }, "microfacet.alpha = 0",
-         "(0, 1]"},
-        {[](Recipe& r) { r.microfacet = Microfacet{.facets = MicrofacetFacets{.count = 0}}; },
+        {[](Recipe& r) { r.microfacet.emplace().alpha = 0; }, "microfacet.alpha = 0", "(0, 1]"},
+        {[](Recipe& r) { r.microfacet.emplace().facets.emplace().count = 0; },
          "microfacet.facets.count = 0", "[1, 1000000000000000]"},
     };
     for (const BrokenRecipe& broken : cases) {

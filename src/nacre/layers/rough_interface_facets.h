@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "nacre/core/quadrature.h"
 #include "nacre/layers/rough_interface.h"
@@ -117,7 +118,9 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
             if (cosine > eta * turned) cut_at((cosine * length - c) / s);
         }
         cut[cuts++] = end;
-        std::sort(cut.begin(), cut.begin() + cuts);
+        for (int k = 1; k < cuts; ++k) {  // by insertion: there are seven at most
+            for (int j = k; j > 0 && cut[j] < cut[j - 1]; --j) std::swap(cut[j], cut[j - 1]);
+        }
         const bool whole = cuts == 2 && end == kPi;
         for (int k = 0; k + 1 < cuts; ++k) {
             const double from = cut[k], width = cut[k + 1] - from;
