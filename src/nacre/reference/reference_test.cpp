@@ -57,7 +57,7 @@ TEST(Reference, PartsAddUpToTheTotal) {
     recipe.layers[0].pigments.push_back({20.0, 5.0, 0.3});
     const std::vector<Direction> outgoing{{30, 180}, {60, 70}};
     const auto part = [&](Part p, std::uint64_t seed) {
-        return brdf(recipe, {40, 0}, outgoing, {.samples = 100'000, .seed = seed, .part = p});
+        return brdf(recipe, {40, 0}, outgoing, {.samples = 60'000, .seed = seed, .part = p});
     };
     const auto total = part(Part::total, 1), single = part(Part::single, 2),
                multiple = part(Part::multiple, 3);
@@ -107,7 +107,7 @@ TEST(Reference, MatchesChandrasekharsHalfSpace) {
     const auto recipe = test::paint(1, {test::pigment_layer(.9, 100, 0)});
     const std::vector<Direction> outgoing{{0, 0}, {60, 0}, {60, 123}, {85, 0}, {30, 180}};
     for (double theta_i : {0.0, 70.0}) {
-        const auto found = brdf(recipe, {theta_i, 0}, outgoing, {.samples = 100'000});
+        const auto found = brdf(recipe, {theta_i, 0}, outgoing, {.samples = 60'000});
         const auto cosine = [](double deg) { return std::cos(deg * std::numbers::pi / 180); };
         for (std::size_t i = 0; i < outgoing.size(); ++i) {
             const double expected = h.brdf(cosine(theta_i), cosine(outgoing[i].theta_deg));
@@ -122,8 +122,8 @@ TEST(Reference, HelmholtzReciprocityHolds) {
         test::paint(1.5, {test::flake_layer(1, .3, .6, .2), test::pigment_layer(.8, 1, .4)}, 0.7);
     recipe.clearcoat = layers::Clearcoat{40, 2.0, 0};
     const Direction a{20, 0}, b{65, 150};
-    const auto there = brdf(recipe, a, {b}, {.samples = 200'000, .seed = 5});
-    const auto back = brdf(recipe, b, {a}, {.samples = 200'000, .seed = 6});
+    const auto there = brdf(recipe, a, {b}, {.samples = 80'000, .seed = 5});
+    const auto back = brdf(recipe, b, {a}, {.samples = 80'000, .seed = 6});
     EXPECT_LT(std::abs(z_score(there[0], back[0])), kWorstZ)
         << there[0].mean << ' ' << back[0].mean;
     EXPECT_LT(there[0].standard_error, 0.01 * there[0].mean);
@@ -140,7 +140,7 @@ TEST(Reference, BrdfIntegratesToTheAlbedo) {
     for (double m : mu.nodes)
         for (int k = 0; k < kPhiSteps; ++k)
             outgoing.push_back({test::degrees_of_cosine(m), 360.0 * (k + 0.5) / kPhiSteps});
-    const auto found = brdf(recipe, incident, outgoing, {.samples = 6'000});
+    const auto found = brdf(recipe, incident, outgoing, {.samples = 2'000});
     Estimate integral;
     for (std::size_t i = 0; i < outgoing.size(); ++i) {
         const std::size_t j = i / kPhiSteps;
@@ -173,12 +173,12 @@ TEST(Reference, WavelengthsWalkTogetherAsTheyWouldAlone) {
     recipe.substrate_reflectance = falling;
     const std::vector<Direction> incident{{45, 0}}, outgoing{{30, 180}};
     const auto together =
-        reference_brdf(recipe, incident, outgoing, wavelengths, {.samples = 200'000, .seed = 1});
+        reference_brdf(recipe, incident, outgoing, wavelengths, {.samples = 80'000, .seed = 1});
     ASSERT_EQ(together.size(), wavelengths.size());
     for (std::size_t i = 0; i < wavelengths.size(); ++i) {
         const auto alone =
             reference_brdf(recipe, incident, outgoing, std::vector<double>{wavelengths[i]},
-                           {.samples = 50'000, .seed = 2 + i});
+                           {.samples = 20'000, .seed = 2 + i});
         EXPECT_LT(std::abs(z_score(together[i], alone[0])), kWorstZ)
             << wavelengths[i] << " nm: " << together[i].mean << ' ' << alone[0].mean;
         EXPECT_LT(together[i].standard_error, 0.02 * together[i].mean);

@@ -74,8 +74,7 @@ std::vector<Case> cases() {
     return all;
 }
 
-// Under a rough interface every walk has connections of its own, each with its own extinction:
-// fewer of them.
+// Under a rough interface every connection has a path and an extinction of its own: fewer of them.
 std::vector<Case> rough_cases() {
     const auto roughened = [](layers::Recipe recipe, double roughness, double absorption_per_mm) {
         recipe.clearcoat = layers::Clearcoat{45, absorption_per_mm, roughness};
@@ -92,6 +91,10 @@ std::vector<Case> rough_cases() {
 const std::vector<Direction> kIncident{{10, 0}, {45, 0}, {75, 0}};
 const std::vector<Direction> kOutgoing{{0, 0},    {15, 180}, {30, 180}, {45, 180}, {60, 180},
                                        {75, 180}, {85, 180}, {45, 90},  {30, 0},   {70, 130}};
+// For rough interfaces: the specular directions, near the horizon, and out of the plane. Not fewer
+// walks instead: that two facets mask is drawn by lot and rare, and where no walk met it the
+// standard error knows nothing of it.
+const std::vector<Direction> kRoughOutgoing{{10, 180}, {45, 180}, {75, 180}, {70, 130}};
 
 // An estimate with a larger relative error rests on a few walks that carry the sum (narrow flakes
 // far off their lobe); its law is skewed and its z-score none.
@@ -101,7 +104,7 @@ constexpr double kSkewedRelativeError = 0.05;
 // (SolverSettings::tolerance). It adds to the walk's in quadrature.
 constexpr double kSolverError = 1e-5;
 
-// |z| > 4.5 in one of 150000 values; there are some 1500.
+// |z| > 4.5 in one of 150000 values; there are some 1700.
 constexpr double kWorstOfManyZ = 4.5;
 
 double radians(double deg) { return deg * std::numbers::pi / 180; }
@@ -125,14 +128,14 @@ struct Scores {
     }
 };
 
-void compare(const Case& c, layers::Part solver_part, Part part, std::uint64_t samples,
-             Scores& scores) {
+void compare(const Case& c, const std::vector<Direction>& outgoing, layers::Part solver_part,
+             Part part, std::uint64_t samples, Scores& scores) {
     const layers::SolvedPaint solved = layers::solve(c.recipe, c.wavelengths_nm);
-    const auto found = reference_brdf(c.recipe, kIncident, kOutgoing, c.wavelengths_nm,
+    const auto found = reference_brdf(c.recipe, kIncident, outgoing, c.wavelengths_nm,
                                       {.samples = samples, .seed = 2016, .part = part});
     std::vector<double> expected;
     for (const Direction& in : kIncident) {
-        for (const Direction& out : kOutgoing) {
+        for (const Direction& out : outgoing) {
             for (double value : solved.brdf(radians(in.theta_deg), radians(out.theta_deg),
                                             radians(out.phi_deg - in.phi_deg), solver_part))
                 expected.push_back(value);
@@ -140,7 +143,7 @@ void compare(const Case& c, layers::Part solver_part, Part part, std::uint64_t s
     }
     ASSERT_EQ(expected.size(), found.size());
     const double solver_error = kSolverError * *std::max_element(expected.begin(), expected.end());
-    const std::size_t values_per_incident = kOutgoing.size() * c.wavelengths_nm.size();
+    const std::size_t values_per_incident = outgoing.size() * c.wavelengths_nm.size();
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (!(found[i].standard_error <= kSkewedRelativeError * found[i].mean)) {
             ++scores.skewed;
@@ -149,7 +152,7 @@ void compare(const Case& c, layers::Part solver_part, Part part, std::uint64_t s
         const double z = test::z_score(found[i], expected[i], solver_error);
         scores.z.push_back(z);
         const Direction& in = kIncident[i / values_per_incident];
-        const Direction& out = kOutgoing[i % values_per_incident / c.wavelengths_nm.size()];
+        const Direction& out = outgoing[i % values_per_incident / c.wavelengths_nm.size()];
         EXPECT_LT(std::abs(z), kWorstOfManyZ)
             << c.name << ": theta_i " << in.theta_deg << ", theta_o " << out.theta_deg << ", phi "
             << out.phi_deg << ", " << c.wavelengths_nm[i % c.wavelengths_nm.size()]
@@ -158,10 +161,10 @@ void compare(const Case& c, layers::Part solver_part, Part part, std::uint64_t s
     }
 }
 
-void compare_all(const std::vector<Case>& all, layers::Part solver_part, Part part,
-                 std::uint64_t samples, std::size_t fewest) {
+void compare_all(const std::vector<Case>& all, const std::vector<Direction>& outgoing,
+                 layers::Part solver_part, Part part, std::uint64_t samples, std::size_t fewest) {
     Scores scores;
-    for (const Case& c : all) compare(c, solver_part, part, samples, scores);
+    for (const Case& c : all) compare(c, outgoing, solver_part, part, samples, scores);
     fmt::print("{}{} values, {} too skewed for a z-score; mean z^2 {:.3f}\n", scores.histogram(),
                scores.z.size(), scores.skewed, scores.mean_square());
     ASSERT_GT(scores.z.size(), fewest);
@@ -172,16 +175,16 @@ void compare_all(const std::vector<Case>& all, layers::Part solver_part, Part pa
 }
 
 TEST(SolverAgreement, SingleScatteringMatchesTheRandomWalk) {
-    compare_all(cases(), layers::Part::single, Part::single, 10'000, 350);
+    compare_all(cases(), kOutgoing, layers::Part::single, Part::single, 10'000, 350);
 }
 TEST(SolverAgreement, MultipleScatteringMatchesTheRandomWalk) {
-    compare_all(cases(), layers::Part::multiple, Part::multiple, 30'000, 350);
+    compare_all(cases(), kOutgoing, layers::Part::multiple, Part::multiple, 30'000, 350);
 }
 TEST(SolverAgreement, TotalMatchesTheRandomWalk) {
-    compare_all(cases(), layers::Part::total, Part::total, 5'000, 350);
+    compare_all(cases(), kOutgoing, layers::Part::total, Part::total, 5'000, 350);
 }
 TEST(SolverAgreement, RoughInterfacesMatchTheRandomWalk) {
-    compare_all(rough_cases(), layers::Part::total, Part::total, 3'000, 60);
+    compare_all(rough_cases(), kRoughOutgoing, layers::Part::total, Part::total, 4'000, 25);
 }
 
 }  // namespace
