@@ -126,6 +126,18 @@ void write_tensor(hid_t file, const TensorGroup& where, const layers::Remainder&
                 "by component k and pair of nodes");
 }
 
+/// The recipe as text, materials from a user's files written out by their samples. It is read back
+/// at once: those files may hold more samples than a recipe may.
+std::string kept_recipe(const layers::Recipe& recipe) {
+    std::string text = write_recipe(recipe);
+    try {
+        parse_recipe(text, "recipe", "");
+    } catch (const InputError& error) {
+        throw Error(fmt::format("a solved file cannot keep this paint: {}", error.what()));
+    }
+    return text;
+}
+
 std::string hdf5_image(hid_t file) {
     if (H5Fflush(file, H5F_SCOPE_GLOBAL) < 0) throw Error("cannot finish the HDF5 file");
     const ssize_t size = H5Fget_file_image(file, nullptr, 0);
@@ -248,7 +260,7 @@ std::string solved_paint_bytes(const layers::SolvedPaint& paint) {
     write_attribute(file, "format_version", kSolvedPaintFormatVersion);
     write_attribute(file, "nacre_version", std::string(version()));
     write_attribute(file, "recipe_sha256", recipe_hash(paint.recipe));
-    write_text(file, "recipe", write_recipe(paint.recipe), "the paint's recipe, TOML");
+    write_text(file, "recipe", kept_recipe(paint.recipe), "the paint's recipe, TOML");
     write_array(file, "wavelengths_nm", {paint.wavelengths_nm().size()},
                 paint.wavelengths_nm().data(), "nm", "vacuum wavelengths");
     write_settings(file, paint.settings);

@@ -12,7 +12,8 @@
 //
 //   (user block)             512 bytes of text: what this is, version, size and SHA-256 of the rest
 //   /                        attributes: format, format_version, nacre_version, recipe_sha256
-//   /recipe                  the recipe as TOML, complete in itself
+//   /recipe                  the recipe as TOML, complete in itself: shipped materials by name,
+//                            those of a user's files by their samples
 //   /wavelengths_nm          [w]
 //   /settings, /report       attributes: SolverSettings and SolverReport
 //   /remainder/exit_angle    [i], rad
@@ -31,10 +32,11 @@ inline constexpr int kSolvedPaintFormatVersion = 2;
 inline constexpr std::size_t kMostSolvedPaintBytes = std::size_t{1} << 28;
 
 /// Writes a solved paint, whole or not at all.
-/// @throws Error if the file cannot be written
+/// @throws Error if the file cannot be written, or a material has more samples than a recipe may
 void write_solved_paint(const std::filesystem::path& path, const layers::SolvedPaint& paint);
 
 /// The bytes of such a file.
+/// @throws Error if a material has more samples than a recipe may
 std::string solved_paint_bytes(const layers::SolvedPaint& paint);
 
 /// @throws InputError if the file is cut short, altered, of another version, or no solved paint

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "nacre/core/error.h"
 #include "nacre/core/sha256.h"
@@ -94,6 +95,60 @@ TEST(SolvedPaintFile, GoesThroughTheDisk) {
     EXPECT_THROW(read_solved_paint(path), InputError);
 }
 
+/// Glass flakes, their material taken from a user's file in a folder of its own.
+class SolvedPaintOfAUsersMaterial : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  (std::string("nacre_solved_") +
+                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    void write_material(const std::string& rows) const {
+        std::ofstream(folder_ / "glass.csv") << "wavelength_nm,n,k\n" << rows;
+    }
+    layers::SolvedPaint solved() const {
+        return layers::solve(parse_recipe(R"(
+ior = 1.5
+[[layer]]
+thickness_um = 10
+[[layer.flakes]]
+area_density_per_um = 0.05
+orientation = { distribution = "beckmann", alpha = 0.3 }
+core = { material = "glass.csv", thickness_nm = 400 }
+)",
+                                          "glass.toml", folder_),
+                             {450, 650});
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(SolvedPaintOfAUsersMaterial, NeedsItsFileNoMore) {
+    write_material("400,1.9,0.01\n700,1.7,0\n");
+    const layers::SolvedPaint paint = solved();
+    const std::string bytes = solved_paint_bytes(paint);
+    write_material("400,1.1,0\n700,1.1,0\n");  // another file of that name
+    EXPECT_EQ(parse_solved_paint(bytes, "paint.h5"), paint);
+    std::filesystem::remove_all(folder_);
+    EXPECT_EQ(parse_solved_paint(bytes, "elsewhere/paint.h5"), paint);
+}
+
+TEST_F(SolvedPaintOfAUsersMaterial, IsNotWrittenIfItCouldNotBeReadBack) {
+    std::string rows;
+    for (int i = 0; i <= 10'000; ++i) rows += std::to_string(400 + 0.03 * i) + ",1.9,0\n";
+    write_material(rows);
+    try {
+        solved_paint_bytes(solved());
+        FAIL() << "written";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("a solved file cannot keep this paint: recipe:"));
+        EXPECT_THAT(error.what(), HasSubstr("1 to 10000 numbers"));
+    }
+}
+
 TEST(SolvedPaintFile, IsRefusedWhereverItIsCut) {
     const std::string bytes = solved_paint_bytes(silver());
     int cuts = 0;
@@ -154,9 +209,11 @@ TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     std::swap(paint.medium.wavelengths_nm[0], paint.medium.wavelengths_nm[1]);
     EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("wavelengths must increase"));
 
-    paint = silver();
-    paint.recipe.layers[0].thickness_um = -1;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)),
+    std::string bytes = solved_paint_bytes(silver());
+    const std::string thickness = "thickness_um = 10";
+    ASSERT_NE(bytes.find(thickness), std::string::npos);
+    bytes.replace(bytes.find(thickness), thickness.size(), "thickness_um = -1");
+    EXPECT_THAT(error_of(resealed(bytes)),
                 HasSubstr("paint.h5/recipe:5:16: layer[0].thickness_um = -1"));
 }
 
