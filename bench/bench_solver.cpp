@@ -92,5 +92,21 @@ BENCHMARK(BM_SlabImpedance)
     ->Arg(72)
     ->Unit(benchmark::kMicrosecond);
 
+// What the core can do at best: multiply-adds of lanes in registers, nothing else.
+void BM_PeakMultiplyAdd(benchmark::State& state) {
+    constexpr int kChains = 12, kRounds = 1000;  // enough chains to hide the latency
+    DoubleLanes sum[kChains] = {};
+    const DoubleLanes factor = splat(0.999), term = splat(1e-3);
+    for (auto _ : state) {
+        for (int k = 0; k < kRounds; ++k) {
+            for (DoubleLanes& x : sum) x = x * factor + term;
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+    state.counters["GFlop/s"] = benchmark::Counter(
+        2e-9 * kLanes * kChains * kRounds * state.iterations(), benchmark::Counter::kIsRate);
+}
+BENCHMARK(BM_PeakMultiplyAdd);
+
 }  // namespace
 }  // namespace nacre::layers
