@@ -81,6 +81,12 @@ void BoundMicroflake::bind_layers() {
             layer.extinction.push_back(at_wavelengths(
                 where_, [&](int w) { return tables_->extinction[n][row * count + w]; }));
         }
+        float thinnest = INFINITY;
+        for (const FloatLanes& extinction : layer.extinction) {
+            thinnest = std::min(thinnest, -lane_max(-extinction) * layer.thickness_um);
+        }
+        layer.thick = thinnest > 0.1f;  // cosines only make it deeper
+        layer.buried = n > 0 || lane_max(clearcoat_depth_) > 0;
         for (const layers::FlakeMedium& flake : medium.flakes) {
             const float alpha2 = static_cast<float>(flake.alpha * flake.alpha);
             BoundFlake& out = layer.flakes.emplace_back();

@@ -45,6 +45,8 @@ struct BoundPigment {
 
 struct BoundLayer {
     float thickness_um;
+    bool thick;   ///< 1 - e^-x needs no care: optical depth above 0.1 along every direction
+    bool buried;  ///< under a layer or an absorbing clearcoat
     std::vector<FloatLanes> extinction;  // by direction
     std::vector<BoundFlake> flakes;
     std::vector<BoundPigment> pigments;
@@ -95,7 +97,7 @@ class BoundMicroflake final : public BoundBsdf {
     FloatLanes clearcoat_depth_, ior_, inverse_ior2_;
     bool dispersive_ = false;
     float mean_ior_, inverse_mean_ior_;
-    FlakeLobe flake_lobe_, wide_lobe_;
+    FlakeLobe flake_lobe_, wide_lobe_;  // the second twice as rough
     /// By direction: transmittance of a smooth interface over the cosine, finite at grazing.
     std::vector<FloatLanes> transmittance_over_cosine_;
     /// A rough interface: its facets, and by direction the masking over the cosine and what is

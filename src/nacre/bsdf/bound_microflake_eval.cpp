@@ -60,10 +60,15 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
             kernel += phase * pigment.scattering;
         }
         if (any) {
-            // (1 - e^-x)/x stays finite for a layer without any extinction.
-            const FloatLanes safe = max_lanes(here, splat(1e-20f));
-            sum += kernel * exp_lanes(-depth) *
-                   (layer.thickness_um * one_minus_exp_lanes(safe) / safe);
+            FloatLanes escape;
+            if (layer.thick) {
+                escape = (1.0f - exp_lanes(-here)) / rate;
+            } else {
+                // (1 - e^-x)/x stays finite for a layer without any extinction.
+                const FloatLanes safe = max_lanes(here, splat(1e-20f));
+                escape = layer.thickness_um * one_minus_exp_lanes(safe) / safe;
+            }
+            sum += layer.buried ? kernel * exp_lanes(-depth) * escape : kernel * escape;
         }
         depth += here;
     }
@@ -113,8 +118,7 @@ const LobeOdds& BoundMicroflake::odds_at(const Ray& i) const {
 }
 
 float BoundMicroflake::density(const LobeOdds& odds, const Ray& i, const Ray& o) const {
-    const float inside = odds.flakes * flake_lobe_.pdf(i.inside, o.inside) +
-                         odds.wide * wide_lobe_.pdf(i.inside, o.inside);
+    const float inside = flake_lobe_.mixed_pdf(i.inside, o.inside, odds.flakes, odds.wide);
     const float interface = rough_ ? odds.interface * rough_->lobe.pdf(i.outside, o.outside) : 0.0f;
     return interface + o.outside.z * (odds.diffuse * std::numbers::inv_pi_v<float> +
                                       inside * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z);

@@ -55,16 +55,21 @@ class FlakeLobe {
     }
 
     /// Density of sample() per solid angle inside the coat; wi and wo upwards.
-    float pdf(Vec3f wi, Vec3f wo) const {
+    float pdf(Vec3f wi, Vec3f wo) const { return mixed_pdf(wi, wo, 1, 0); }
+
+    /// Mixture, with these weights, of pdf() and of that of a lobe with twice the roughness, whose
+    /// exponential is the fourth root of this one's.
+    float mixed_pdf(Vec3f wi, Vec3f wo, float weight, float wide_weight) const {
         const float hx = wi.x + wo.x, hy = wi.y + wo.y, hz = wi.z + wo.z;
         const float inverse_hz = 1 / hz;
         const float tan2 = (hx * hx + hy * hy) * inverse_hz * inverse_hz;
         const float exponent = tan2 * inverse_alpha2_;
-        if (exponent > 80) return 0;
+        if (exponent > 160) return 0;
         // 1 - x/c with x/c = -(h . e_i)/h_z s/mu: no division by s.
         const float tilt = (hx * wi.x + hy * wi.y) * inverse_hz / wi.z;
-        return norm_ * std::exp(-exponent) * std::clamp(1 + tilt, 0.0f, 2.0f) * (1 + tan2) * 0.5f *
-               inverse_hz;
+        const float root = std::exp(-0.25f * exponent), square = root * root;
+        const float slopes = norm_ * (weight * square * square + 0.25f * wide_weight * root);
+        return slopes * std::clamp(1 + tilt, 0.0f, 2.0f) * (1 + tan2) * 0.5f * inverse_hz;
     }
 
  private:

@@ -28,7 +28,7 @@ struct Microflake::Tables {
     SmoothTable smooth;
     /// Roughness of the sampled lobes inside the coat: flakes (area-weighted mean) and what they
     /// scatter again.
-    float flake_alpha = 0.1f, wide_alpha = 0.2f;
+    float flake_alpha = 0.1f, wide_alpha = 0.2f;  // the second always twice the first
     /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
     std::vector<std::vector<float>> extinction;
     std::vector<LobeOdds> odds;  ///< by direction
