@@ -1,6 +1,7 @@
 #include "nacre/layers/remainder.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,42 @@ std::size_t Remainder::pair_count() const {
     return count;
 }
 
+namespace {
+
+// Calls visit(i, j) for all pairs of all orders, in the order in which they are stored.
+template <class Visit>
+void for_each_pair(const Remainder& r, Visit&& visit) {
+    for (int first : r.first) {
+        for (int i = first; i < static_cast<int>(r.exit_angle.size()); ++i) {
+            for (int j = first; j <= i; ++j) visit(i, j);
+        }
+    }
+}
+
+// For each pair, the smaller of the largest values that its two directions have.
+std::vector<double> pair_scales(const Remainder& r, const Eigen::VectorXd& largest) {
+    std::vector<double> by_node(r.exit_angle.size(), 0.0), scale;
+    Eigen::Index pair = 0;
+    for_each_pair(r, [&](int i, int j) {
+        by_node[i] = std::max(by_node[i], largest[pair]);
+        by_node[j] = std::max(by_node[j], largest[pair]);
+        ++pair;
+    });
+    scale.reserve(pair);
+    for_each_pair(r, [&](int i, int j) { scale.push_back(std::min(by_node[i], by_node[j])); });
+    return scale;
+}
+
+// To a multiple of the largest power of two that is not above `step`: a float with few digits,
+// which a file packs well.
+float round_to(double value, double step) {
+    if (!(step > 0)) return static_cast<float>(value);
+    const double unit = std::exp2(std::floor(std::log2(step)));
+    return static_cast<float>(std::round(value / unit) * unit);
+}
+
+}  // namespace
+
 Remainder compress(std::vector<double> exit_angle, std::vector<int> first, int wavelength_count,
                    std::span<const double> values, double tolerance) {
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -23,29 +60,42 @@ Remainder compress(std::vector<double> exit_angle, std::vector<int> first, int w
     out.first = std::move(first);
     out.wavelength_count = wavelength_count;
     const auto pairs = static_cast<Eigen::Index>(values.size()) / std::max(wavelength_count, 1);
+    if (pairs == 0) return out;
     const Eigen::Map<const Matrix> all(values.data(), pairs, wavelength_count);
-    const double peak = pairs ? all.cwiseAbs().maxCoeff() : 0.0;
+    const std::vector<double> scale = pair_scales(out, all.cwiseAbs().rowwise().maxCoeff());
 
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(all.transpose() * all);
     int rank = 0;
     Matrix residual = all;
-    Matrix basis, coefficient;
+    const auto resolved = [&] {
+        // Half of the tolerance is for the rank, half for rounding.
+        for (Eigen::Index p = 0; p < pairs; ++p) {
+            if (residual.row(p).cwiseAbs().maxCoeff() > 0.5 * tolerance * scale[p]) return false;
+        }
+        return true;
+    };
     // Largest eigenvalues come last.
-    while (peak > 0 && rank < wavelength_count) {
+    while (rank < wavelength_count && !resolved()) {
         const Eigen::VectorXd direction = eigen.eigenvectors().col(wavelength_count - 1 - rank);
         const Eigen::VectorXd projected = all * direction;
         residual -= projected * direction.transpose();
         ++rank;
-        if (residual.cwiseAbs().maxCoeff() < tolerance * peak) break;
     }
-    basis = eigen.eigenvectors().rightCols(rank).rowwise().reverse().transpose();
-    coefficient = (all * basis.transpose()).transpose();
+    const Matrix basis = eigen.eigenvectors().rightCols(rank).rowwise().reverse().transpose();
+    const Matrix coefficient = (all * basis.transpose()).transpose();
+    // The errors of the terms add up in squares, and no element of an orthonormal basis exceeds 1;
+    // at worst they add up as they are, hence the root.
+    // Order 0 carries the energy and costs little: it is kept to more digits.
+    const double step = tolerance / std::sqrt(std::max(rank, 1)), finer = 1.0 / 64;
+    const std::size_t order_0 =
+        (out.exit_angle.size() - out.first[0]) * (out.exit_angle.size() - out.first[0] + 1) / 2;
     for (int k = 0; k < rank; ++k) {
         for (int w = 0; w < wavelength_count; ++w) {
             out.basis.push_back(static_cast<float>(basis(k, w)));
         }
         for (Eigen::Index p = 0; p < pairs; ++p) {
-            out.coefficient.push_back(static_cast<float>(coefficient(k, p)));
+            const double here = static_cast<std::size_t>(p) < order_0 ? finer * step : step;
+            out.coefficient.push_back(round_to(coefficient(k, p), here * scale[p]));
         }
     }
     return out;

@@ -42,7 +42,8 @@ struct Remainder {
 };
 
 /// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
-/// the largest one.
+/// the smaller of the largest values that its two directions have: a cut of the spectral basis, and
+/// coefficients of few digits.
 Remainder compress(std::vector<double> exit_angle, std::vector<int> first, int wavelength_count,
                    std::span<const double> values, double tolerance);
 
