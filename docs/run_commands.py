@@ -4,7 +4,8 @@
 Every fenced block of README.md, CONTRIBUTING.md and docs/**/*.md is one of
 
     ```sh                   run in a scratch folder, must succeed
-    ```sh ci                each line must be a step of .ci/run, which runs it
+    ```sh ci                each line must be a step of .ci/run, which runs it,
+                            perhaps with more options
     ```text output          what the sh block before printed to stdout; numbers to 5 digits
     ```toml recipe=NAME     written to NAME in the scratch folder, must be a valid recipe
     ```toml refused         must be refused with status 2 and the message of the next block,
@@ -137,7 +138,7 @@ def check_document(path, environment, ci_steps):
                 print(f"{block.place}: ok, {time.monotonic() - start:.1f} s")
             elif kind == ("sh", "ci"):
                 for line in filter(None, (l.split("#")[0].strip() for l in block.text.split("\n"))):
-                    if line not in ci_steps:
+                    if not any(step == line or step.startswith(line + " ") for step in ci_steps):
                         raise Failure(f"{block.place}: '{line}' is no step of .ci/run")
             elif kind == ("text", "output"):
                 if previous is None or not same_output(block.text, previous.stdout):

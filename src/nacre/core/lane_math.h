@@ -36,7 +36,10 @@ inline FloatLanes exp_lanes(FloatLanes x) {
 
 inline constexpr double kExpLanesError = 3e-7;
 
-/// 1 - e^-x for x >= 0, relative error below 1e-5: by series where e^-x is near 1.
+inline constexpr double kOneMinusExpLanesError = 1e-5;
+
+/// 1 - e^-x for x >= 0, relative error below kOneMinusExpLanesError: by series where e^-x is
+/// near 1.
 inline FloatLanes one_minus_exp_lanes(FloatLanes x) {
     const FloatLanes series = x * (1.0f - x * (0.5f - x * (1.0f / 6 - x * (1.0f / 24))));
     const FloatLanes direct = 1.0f - exp_lanes(-x);
