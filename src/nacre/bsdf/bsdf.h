@@ -27,6 +27,14 @@ struct BsdfValue {
     float pdf = 0;   ///< as pdf() gives it
 };
 
+/// The piece of a surface that one sample of a picture looks at: a parallelogram about (u, v) in the
+/// unit square over which the shape is laid out (render/compiled_scene.h), spanned by two edges.
+/// Without edges it is a point. Surfaces that show single flakes depend on it.
+struct Patch {
+    double u = 0, v = 0;
+    Vec2f edge_1, edge_2;
+};
+
 /// A surface at eight wavelengths: all that depends on wavelength alone has been worked out, so
 /// that the calls below touch only what depends on direction. Immutable, shared between threads.
 class BoundBsdf {
@@ -42,6 +50,16 @@ class BoundBsdf {
     virtual float pdf(Vec3f wi, Vec3f wo) const = 0;
     /// Both at once, for light sampling with multiple importance: they share most of the work.
     virtual BsdfValue evaluate(Vec3f wi, Vec3f wo) const { return {eval(wi, wo), pdf(wi, wo)}; }
+    /// The same on one patch of the surface. A surface that is alike everywhere has only the above;
+    /// one that shows single flakes has their mean above, and here those of the patch.
+    virtual BsdfValue evaluate_on(const Patch&, Vec3f wi, Vec3f wo) const {
+        return evaluate(wi, wo);
+    }
+    virtual std::optional<BsdfSample> sample_on(const Patch&, Vec3f wi, float u_lobe,
+                                                Vec2f u) const {
+        return sample(wi, u_lobe, u);
+    }
+
     /// Directional-hemispherical reflectance, mirror included.
     virtual FloatLanes albedo(Vec3f wi) const = 0;
 };
