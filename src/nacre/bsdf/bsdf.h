@@ -20,6 +20,9 @@ struct BsdfSample {
     FloatLanes weight;  ///< f |cos| / pdf; for the mirror, its reflectance over its probability
     float pdf = 0;      ///< per solid angle; for the mirror, the probability of choosing it
     bool mirror = false;
+    /// Where the light leaves, from where it came in, in the local frame, in mm: other than zero
+    /// only for surfaces that follow it through their volume (volume/).
+    Vec3f exit_mm;
 };
 
 struct BsdfValue {
@@ -27,9 +30,9 @@ struct BsdfValue {
     float pdf = 0;   ///< as pdf() gives it
 };
 
-/// The piece of a surface that one sample of a picture looks at: a parallelogram about (u, v) in the
-/// unit square over which the shape is laid out (render/compiled_scene.h), spanned by two edges.
-/// Without edges it is a point. Surfaces that show single flakes depend on it.
+/// The piece of a surface that one sample of a picture looks at: a parallelogram about (u, v) in
+/// the unit square over which the shape is laid out (render/compiled_scene.h), spanned by two
+/// edges. Without edges it is a point. Surfaces that show single flakes depend on it.
 struct Patch {
     double u = 0, v = 0;
     Vec2f edge_1, edge_2;
