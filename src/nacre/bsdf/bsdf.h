@@ -22,7 +22,7 @@ struct BsdfSample {
     bool mirror = false;
     /// Where the light leaves, from where it came in, in the local frame, in mm: other than zero
     /// only for surfaces that follow it through their volume (volume/).
-    Vec3f exit_mm;
+    Vec3f exit_mm{};
 };
 
 struct BsdfValue {
@@ -71,6 +71,9 @@ class Bsdf {
  public:
     virtual ~Bsdf() = default;
     virtual std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const = 0;
+    /// Whether evaluate_on() and sample_on() differ from patch to patch. Such a surface needs a
+    /// shape that is laid out over the unit square.
+    virtual bool varies_over_surface() const { return false; }
 };
 
 }  // namespace nacre::bsdf

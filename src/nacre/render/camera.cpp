@@ -26,10 +26,19 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
 
 CameraRay CameraRays::operator()(float x, float y, Vec2f lens) const {
     const Vec3f on_plane = corner_ + x * per_x_ + y * per_y_;
-    if (aperture_radius_mm_ <= 0) return {position_mm_, normalize(on_plane)};
+    // The direction is that of a vector `to` which changes by `per_x` and `per_y` from pixel to
+    // pixel.
+    const auto ray = [](Vec3f origin, Vec3f to, Vec3f per_x, Vec3f per_y) {
+        const float scale = 1 / length(to);
+        const Vec3f direction = scale * to;
+        const auto turn = [&](Vec3f d) { return scale * (d - dot(d, direction) * direction); };
+        return CameraRay{origin, direction, {{}, {turn(per_x), turn(per_y)}}};
+    };
+    if (aperture_radius_mm_ <= 0) return ray(position_mm_, on_plane, per_x_, per_y_);
     const Vec2f disk = bsdf::concentric_disk(lens);
     const Vec3f offset = aperture_radius_mm_ * (disk.x * right_ + disk.y * up_);
-    return {position_mm_ + offset, normalize(focus_distance_mm_ * on_plane - offset)};
+    return ray(position_mm_ + offset, focus_distance_mm_ * on_plane - offset,
+               focus_distance_mm_ * per_x_, focus_distance_mm_ * per_y_);
 }
 
 }  // namespace nacre::render

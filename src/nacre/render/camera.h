@@ -1,12 +1,14 @@
 #pragma once
 
 #include "nacre/core/vec.h"
+#include "nacre/render/ray_differential.h"
 #include "nacre/render/scene_description.h"
 
 namespace nacre::render {
 
 struct CameraRay {
     Vec3f origin_mm, direction;
+    RayDifferential differential;  ///< from pixel to pixel
 };
 
 /// Rays of a perspective camera for a picture of a given size.

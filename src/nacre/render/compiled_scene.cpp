@@ -9,6 +9,7 @@
 #include "nacre/bsdf/lambertian.h"
 #include "nacre/core/error.h"
 #include "nacre/render/embree.h"
+#include "nacre/render/surface_patch.h"
 
 namespace nacre::render {
 namespace {
@@ -94,6 +95,13 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
                 return Mesh{};  // a sphere: handled above
             },
             shape.geometry);
+        if (materials[material]->varies_over_surface() && surface.mesh.uv.empty()) {
+            throw InputError(
+                fmt::format("mesh '{}': has no texture coordinates; the paint of the material '{}' "
+                            "shows single "
+                            "flakes, whose places they give",
+                            std::get<MeshFile>(shape.geometry).path.string(), shape.material));
+        }
         apply(map, surface.mesh);
         add_mesh(std::move(surface));
     }
@@ -172,6 +180,9 @@ std::optional<Hit> CompiledScene::intersect(const Ray& ray, bool coherent) const
     Hit hit;
     hit.material = surface.material;
     hit.rectangle = surface.rectangle;
+    hit.surface = static_cast<int>(query.hit.geomID);
+    hit.triangle = query.hit.primID;
+    hit.barycentric = {query.hit.u, query.hit.v};
     hit.distance_mm = query.ray.tfar;
     hit.position_mm = ray.origin_mm + query.ray.tfar * ray.direction;
     if (surface.sphere_radius_mm > 0) {
@@ -201,6 +212,16 @@ std::optional<Hit> CompiledScene::intersect(const Ray& ray, bool coherent) const
         hit.shading_normal = normalize(hit.shading_normal + (kLeastCosine - facing) * back);
     }
     return hit;
+}
+
+bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const {
+    const Surface& surface = surfaces_[hit.surface];
+    if (surface.sphere_radius_mm > 0) {
+        return sphere_patch(normalize(hit.position_mm - surface.sphere_center_mm),
+                            (1 / surface.sphere_radius_mm) * edge_1_mm,
+                            (1 / surface.sphere_radius_mm) * edge_2_mm);
+    }
+    return triangle_patch(surface.mesh, hit.triangle, hit.barycentric, edge_1_mm, edge_2_mm);
 }
 
 bool CompiledScene::occluded(const Ray& ray, float distance_mm) const {

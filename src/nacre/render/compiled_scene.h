@@ -28,6 +28,9 @@ struct Hit {
     int material = -1;       ///< index into CompiledScene::materials; -1: a light
     int rectangle = -1;      ///< index of the rectangle light that was hit; -1: a surface
     bool lit_side = false;   ///< of a rectangle: whether the ray met the side that shines
+    int surface = -1;        ///< which shape was hit, for CompiledScene::patch()
+    std::uint32_t triangle = 0;
+    Vec2f barycentric;  ///< weights of the triangle's second and third corner
 
     /// Where a ray that leaves the surface starts: off the surface by more than the rounding of
     /// the hit point, so that it does not meet it again.
@@ -45,6 +48,12 @@ struct CompiledScene {
     std::optional<Hit> intersect(const Ray& ray, bool coherent) const;
     /// Whether anything stands within `distance_mm` along the ray.
     bool occluded(const Ray& ray, float distance_mm) const;
+    /// The parallelogram with the given edges, tangent to the surface at the hit, in the unit
+    /// square over which the shape is laid out. Meshes: linear on the triangle that was hit.
+    /// Spheres: the equal-area map of direction_table.h with its pole towards -y; where the edges
+    /// cross a fold of that map they are taken from the side that does not. Of a shape whose paint
+    /// varies over the surface (Bsdf::varies_over_surface).
+    bsdf::Patch patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const;
 
     Camera camera;
     std::vector<std::shared_ptr<const bsdf::Bsdf>> materials;

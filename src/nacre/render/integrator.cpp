@@ -26,8 +26,24 @@ struct VertexNumbers {
           roulette(u[6]) {}
 };
 
+/// A surface at a hit: where it varies, the patch that the sample stands for.
+struct LocalSurface {
+    const bsdf::BoundBsdf& bsdf;
+    std::optional<bsdf::Patch> patch;
+
+    bsdf::BsdfValue evaluate(Vec3f wi, Vec3f wo) const {
+        return patch ? bsdf.evaluate_on(*patch, wi, wo) : bsdf.evaluate(wi, wo);
+    }
+    FloatLanes eval(Vec3f wi, Vec3f wo) const {
+        return patch ? bsdf.evaluate_on(*patch, wi, wo).f : bsdf.eval(wi, wo);
+    }
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const {
+        return patch ? bsdf.sample_on(*patch, wi, u_lobe, u) : bsdf.sample(wi, u_lobe, u);
+    }
+};
+
 FloatLanes direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
-                        const Frame& frame, Vec3f wi, const bsdf::BoundBsdf& surface,
+                        const Frame& frame, Vec3f wi, const LocalSurface& surface,
                         const VertexNumbers& u, DirectLight strategy) {
     const auto light =
         scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data());
@@ -55,15 +71,20 @@ Pass::Pass(const CompiledScene& scene, std::uint32_t index)
     static const spectra::Spectrum d65_spectrum = unit_illuminant(spectra::Illuminant::D65);
     d65 = make_lanes([&](int i) { return static_cast<float>(d65_spectrum(wavelengths_nm[i])); });
     surfaces.reserve(scene.materials.size());
-    for (const auto& material : scene.materials) surfaces.push_back(material->bind(wavelengths_nm));
+    for (const auto& material : scene.materials) {
+        surfaces.push_back(material->bind(wavelengths_nm));
+        has_varying_surfaces |= material->varies_over_surface();
+    }
 }
 
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-                     Ray ray, const PathOptions& options) {
+                     const CameraRay& camera_ray, const PathOptions& options) {
     // Surfaces whose throughput may already end the path.
     constexpr int kRouletteFrom = 4;
     const FloatLanes* emission = pass.emission.data();
     PathLight path;
+    Ray ray{camera_ray.origin_mm, camera_ray.direction};
+    std::optional<RayDifferential> differential = camera_ray.differential;
     FloatLanes throughput = splat(1.0f);
     // Density with which the last surface sampled the ray. At the camera and after a mirror no
     // light sample could have done the same, so what the ray meets counts in full.
@@ -96,15 +117,23 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
             }
             break;
         }
-        const bsdf::BoundBsdf& surface = *pass.surfaces[hit->material];
+        LocalSurface surface{*pass.surfaces[hit->material], {}};
         const Frame frame = Frame::around(hit->shading_normal);
         const Vec3f wi = frame.to_local(-ray.direction);
         if (depth == 0) {
             path.met_surface = true;
             path.normal = hit->shading_normal;
-            if (options.albedo) path.albedo = surface.albedo(wi);
+            if (options.albedo) path.albedo = surface.bsdf.albedo(wi);
         }
         if (depth >= options.max_depth) break;
+        std::optional<RayDifferential::Edges> edges;
+        if (differential && pass.has_varying_surfaces) {
+            edges = differential->at(ray.direction, hit->distance_mm, hit->geometric_normal);
+            if (scene.materials[hit->material]->varies_over_surface()) {
+                surface.patch = scene.patch(*hit, options.footprint_pixels * edges->edge_mm[0],
+                                            options.footprint_pixels * edges->edge_mm[1]);
+            }
+        }
 
         const VertexNumbers u(sampler.draw(static_cast<std::uint32_t>(depth) + 1));
         if (options.direct_light != DirectLight::surface_sampling && !scene.lights->empty()) {
@@ -125,7 +154,12 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
         }
         surface_pdf = sample->pdf;
         alone = sample->mirror;
-        ray = {hit->origin(), direction};
+        if (alone && edges) {
+            differential = differential->mirrored(*edges, hit->geometric_normal);
+        } else {
+            differential.reset();
+        }
+        ray = {hit->origin() + frame.to_world(sample->exit_mm), direction};
     }
     return path;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/render/camera.h"
 #include "nacre/render/compiled_scene.h"
 #include "nacre/render/film_range.h"
 #include "nacre/render/sampler.h"
@@ -26,6 +27,7 @@ struct Pass {
     FloatLanes d65;  ///< of luminance 1
     std::vector<FloatLanes> emission;
     std::vector<std::unique_ptr<const bsdf::BoundBsdf>> surfaces;  ///< by material
+    bool has_varying_surfaces = false;
 };
 
 struct PathLight {
@@ -39,12 +41,17 @@ struct PathOptions {
     int max_depth = 8;
     DirectLight direct_light = DirectLight::combined;
     bool albedo = false;
+    /// Side of the patch that one sample stands for where a surface varies, in pixels.
+    float footprint_pixels = 1;
 };
 
 /// Follows a path from the camera: at each surface one sample of the lights and one of the
 /// surface, weighted by the power heuristic with exponent 2 [veach-1997, eq. 9.13], then Russian
 /// roulette by throughput from the fourth surface on, which keeps the mean.
+///
+/// Surfaces that vary are looked at through the footprint of the pixel as long as the path has met
+/// mirrors only; further on, where neighbouring paths run apart, their mean is taken.
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-                     Ray ray, const PathOptions& options);
+                     const CameraRay& camera_ray, const PathOptions& options);
 
 }  // namespace nacre::render

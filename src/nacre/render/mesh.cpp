@@ -11,10 +11,12 @@ Mesh mesh_of_surface(int columns, int rows,
     mesh.positions_mm.reserve(static_cast<std::size_t>(columns + 1) * (rows + 1));
     for (int r = 0; r <= rows; ++r) {
         for (int c = 0; c <= columns; ++c) {
-            const SurfacePoint p =
-                surface(static_cast<double>(c) / columns, static_cast<double>(r) / rows);
+            const double u = static_cast<double>(c) / columns;
+            const double v = static_cast<double>(r) / rows;
+            const SurfacePoint p = surface(u, v);
             mesh.positions_mm.push_back(p.position_mm);
             mesh.normals.push_back(p.normal);
+            mesh.uv.push_back({static_cast<float>(u), static_cast<float>(v)});
         }
     }
     const auto stride = static_cast<std::uint32_t>(columns + 1);

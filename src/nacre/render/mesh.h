@@ -14,6 +14,7 @@ namespace nacre::render {
 struct Mesh {
     std::vector<Vec3f> positions_mm;
     std::vector<Vec3f> normals;  ///< unit, one per position
+    std::vector<Vec2f> uv;       ///< one per position; empty: not laid out over the unit square
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 

@@ -28,6 +28,24 @@ bool is_y_up(const MeshFile& file) {
     return file.y_up || extension == ".gltf" || extension == ".glb";
 }
 
+/// Texture coordinates as the file has them, brought into the unit square by their whole part (a
+/// texture repeats); none for the whole mesh if a part has none.
+void append_uv(const aiMesh& part, Mesh& mesh) {
+    const bool complete = mesh.uv.size() + part.mNumVertices == mesh.positions_mm.size();
+    if (!complete || !part.HasTextureCoords(0)) {
+        mesh.uv.clear();
+        return;
+    }
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+        const aiVector3D& t = part.mTextureCoords[0][i];
+        if (!is_finite(t)) {
+            mesh.uv.clear();
+            return;
+        }
+        mesh.uv.push_back({t.x, t.y});
+    }
+}
+
 void append(const aiMesh& part, const MeshFile& file, Mesh& mesh) {
     const auto first = mesh.positions_mm.size();
     if (first + part.mNumVertices > std::numeric_limits<std::uint32_t>::max()) {
@@ -47,6 +65,7 @@ void append(const aiMesh& part, const MeshFile& file, Mesh& mesh) {
             part.HasNormals() && is_finite(part.mNormals[i]) && part.mNormals[i].SquareLength() > 0;
         mesh.normals.push_back(usable ? normalize(turn(part.mNormals[i])) : Vec3f{0, 0, 1});
     }
+    append_uv(part, mesh);
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
         const aiFace& face = part.mFaces[i];
         if (face.mNumIndices != 3) continue;  // points and lines have no area

@@ -24,6 +24,7 @@ void require_valid(const RenderOptions& options) {
     require_in_range(options.height, 1, 32768, "height in pixels");
     require_in_range(options.samples_per_pixel, 1, 1 << 24, "samples per pixel");
     require_in_range(options.max_depth, 1, 1000, "max depth");
+    require_in_range(options.footprint_pixels, 0, 1000, "footprint in pixels");
     require_in_range(options.spectral_bins, 0, 300, "spectral bins");
     // Sums take about 100 bytes a pixel and 4 more per bin.
     const double pixels = static_cast<double>(options.width) * options.height;
@@ -46,6 +47,10 @@ class Renderer {
           tiles_down_((options.height + kTile - 1) / kTile) {
         path_options_.max_depth = options.max_depth;
         path_options_.direct_light = direct_light;
+        path_options_.footprint_pixels =
+            static_cast<float>(options.footprint_pixels > 0
+                                   ? options.footprint_pixels
+                                   : 1 / std::sqrt(static_cast<double>(options.samples_per_pixel)));
     }
 
     void run(const Pass& pass) {
@@ -74,9 +79,7 @@ class Renderer {
                 const CameraRay ray =
                     camera_(static_cast<float>(x) + 0.5f + tent(u[0]),
                             static_cast<float>(y) + 0.5f + tent(u[1]), {u[2], u[3]});
-                film_.add(pixel, pass,
-                          trace_path(scene_, pass, sampler, {ray.origin_mm, ray.direction},
-                                     path_options_));
+                film_.add(pixel, pass, trace_path(scene_, pass, sampler, ray, path_options_));
             }
         }
     }

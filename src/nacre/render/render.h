@@ -15,7 +15,10 @@ struct RenderOptions {
     int height = 512;            ///< pixels, [1, 32768]
     int samples_per_pixel = 64;  ///< [1, 2^24]
     std::uint64_t seed = 0;
-    int max_depth = 8;      ///< surface reflections along a path, [1, 1000]
+    int max_depth = 8;  ///< surface reflections along a path, [1, 1000]
+    /// Side of the piece of surface that a sample stands for where single flakes show, [0, 1000]
+    /// pixels; 0: the samples of a pixel share it out, 1 / sqrt(samples_per_pixel).
+    double footprint_pixels = 0;
     int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
                             ///< times the pixels at most 2^32
 };

@@ -1,0 +1,68 @@
+#include "nacre/render/surface_patch.h"
+
+#include <array>
+#include <cmath>
+
+#include "nacre/render/octahedral_square.h"
+
+namespace nacre::render {
+namespace {
+
+std::array<double, 2> place(Vec3f n) { return octahedral_square({n.x, n.z, -n.y}); }
+
+/// The change of place over an edge centred on n; twice that over its shorter half where the other
+/// half crosses a fold of the map.
+Vec2f change(Vec3f n, const std::array<double, 2>& here, Vec3f edge) {
+    const Vec3f half = 0.5f * edge;
+    const auto ahead = place(normalize(n + half)), behind = place(normalize(n - half));
+    const auto step = [&](const std::array<double, 2>& to, double scale) {
+        return std::array{scale * (to[0] - here[0]), scale * (to[1] - here[1])};
+    };
+    const auto a = step(ahead, 2), b = step(behind, -2);
+    const double size_a = std::hypot(a[0], a[1]), size_b = std::hypot(b[0], b[1]);
+    // On either side of a smooth place both agree to first order; a fold sends one of them far off.
+    constexpr double kFolded = 4;
+    double weight_a = 0.5;
+    if (size_a > kFolded * size_b) weight_a = 0;
+    if (size_b > kFolded * size_a) weight_a = 1;
+    return {static_cast<float>(weight_a * a[0] + (1 - weight_a) * b[0]),
+            static_cast<float>(weight_a * a[1] + (1 - weight_a) * b[1])};
+}
+
+double fraction(double x) { return x - std::floor(x); }
+
+}  // namespace
+
+bsdf::Patch sphere_patch(Vec3f n, Vec3f edge_1, Vec3f edge_2) {
+    const auto here = place(n);
+    return {here[0], here[1], change(n, here, edge_1), change(n, here, edge_2)};
+}
+
+bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycentric,
+                           Vec3f edge_1_mm, Vec3f edge_2_mm) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const Vec2f uv_a = mesh.uv[a], uv_b = mesh.uv[b], uv_c = mesh.uv[c];
+    const double u1 = double{uv_b.x} - uv_a.x, v1 = double{uv_b.y} - uv_a.y;
+    const double u2 = double{uv_c.x} - uv_a.x, v2 = double{uv_c.y} - uv_a.y;
+    bsdf::Patch patch;
+    patch.u = fraction(uv_a.x + barycentric.x * u1 + barycentric.y * u2);
+    patch.v = fraction(uv_a.y + barycentric.x * v1 + barycentric.y * v2);
+
+    // Weights of the corners along an edge: least squares on the two sides of the triangle.
+    const Vec3f side_1 = mesh.positions_mm[b] - mesh.positions_mm[a];
+    const Vec3f side_2 = mesh.positions_mm[c] - mesh.positions_mm[a];
+    const double d11 = dot(side_1, side_1), d12 = dot(side_1, side_2), d22 = dot(side_2, side_2);
+    const double determinant = d11 * d22 - d12 * d12;
+    if (!(determinant > 0)) return patch;
+    const auto change = [&](Vec3f edge) {
+        const double e1 = dot(edge, side_1), e2 = dot(edge, side_2);
+        const double w1 = (d22 * e1 - d12 * e2) / determinant;
+        const double w2 = (d11 * e2 - d12 * e1) / determinant;
+        return Vec2f{static_cast<float>(w1 * u1 + w2 * u2), static_cast<float>(w1 * v1 + w2 * v2)};
+    };
+    patch.edge_1 = change(edge_1_mm);
+    patch.edge_2 = change(edge_2_mm);
+    return patch;
+}
+
+}  // namespace nacre::render

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/render/mesh.h"
+
+// Where a point of a shape lies in the unit square over which the shape is laid out, and what
+// becomes of a small parallelogram about it.
+
+namespace nacre::render {
+
+/// On a sphere of radius 1, by octahedral_square() with its pole towards -y, where cameras stand.
+///
+/// @param n            the point, a unit vector
+/// @param edge_1, edge_2  of the parallelogram, tangent to the sphere there, in radii
+bsdf::Patch sphere_patch(Vec3f n, Vec3f edge_1, Vec3f edge_2);
+
+/// On a triangle of a mesh that has coordinates (uv), linearly. Coordinates repeat with period 1.
+///
+/// @param barycentric  weights of the second and third corner
+/// @param edge_1_mm, edge_2_mm  in the plane of the triangle
+/// @return  a patch without edges where the triangle is degenerate
+bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycentric,
+                           Vec3f edge_1_mm, Vec3f edge_2_mm);
+
+}  // namespace nacre::render
