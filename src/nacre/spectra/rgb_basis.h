@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "nacre/spectra/observer.h"
+#include "nacre/spectra/spectrum.h"
+
+// Colour and spectrum as linear maps of each other, for data that exist in RGB only.
+
+namespace nacre::spectra {
+
+/// What a sample at each wavelength adds to linear Rec. 709 under D65 for the 2 degree observer:
+/// a reflectance that is linear between its samples, and constant beyond the first and the last,
+/// has the colour  rgb = sum_i weights[i] reflectance[i],  by the sums over 360-780 nm at 5 nm of
+/// reflectance_to_xyz(). Colours are relative to the white of that sum: reflectance 1 has
+/// (1, 1, 1), to rounding.
+/// @throws DomainError unless the wavelengths are finite and strictly increase, at least one
+std::vector<Vec3> rec709_weights(const std::vector<double>& wavelengths_nm);
+
+/// Three smooth spectra b_j >= 0 from 360 to 780 nm, red, green and blue, with b_1 + b_2 + b_3 = 1,
+/// whose colours under D65 are the units of linear Rec. 709. So
+///
+///     rgb -> sum_j rgb_j b_j
+///
+/// is linear, gives back the same colour by rec709_weights() to kRec709BasisError per unit of the
+/// components, turns greys into constants, and colours within [0, 1] into reflectances within
+/// [0, 1]. Of all such triples on a grid of 10 nm it has the least sum of squared slopes.
+///                                                               [mallett-yuksel-2019, eq. 5-9]
+/// Colours outside the gamut have spectra that may be negative somewhere. The product of two such
+/// spectra has not the product of the colours. Found at the first call by an interior-point method
+/// for the quadratic programme, in a few milliseconds, the same bits every time.
+const std::array<Spectrum, 3>& linear_rec709_basis();
+
+inline constexpr double kRec709BasisError = 1e-12;
+
+}  // namespace nacre::spectra
