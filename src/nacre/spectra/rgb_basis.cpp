@@ -77,7 +77,7 @@ double longest_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx) {
 }
 
 // A primal-dual interior-point method: Newton's method on the conditions of optimality with the
-// complementarity s_i z_i driven to zero.                     [nocedal-wright-2006, section 16.6]
+// complementarity s_i z_i driven to zero.                     [nocedal-wright-2006, chapter 16]
 Eigen::VectorXd solve(const Programme& p) {
     Eigen::VectorXd x = Eigen::VectorXd::Constant(kUnknowns, 1.0 / 3);
     Eigen::VectorXd y = Eigen::VectorXd::Zero(kColours);  // multipliers of the colours

@@ -26,7 +26,7 @@ std::vector<Vec3> rec709_weights(const std::vector<double>& wavelengths_nm);
 /// is linear, gives back the same colour by rec709_weights() to kRec709BasisError per unit of the
 /// components, turns greys into constants, and colours within [0, 1] into reflectances within
 /// [0, 1]. Of all such triples on a grid of 10 nm it has the least sum of squared slopes.
-///                                                               [mallett-yuksel-2019, eq. 5-9]
+///                                                               [mallett-yuksel-2019]
 /// Colours outside the gamut have spectra that may be negative somewhere. The product of two such
 /// spectra has not the product of the colours. Found at the first call by an interior-point method
 /// for the quadratic programme, in a few milliseconds, the same bits every time.
