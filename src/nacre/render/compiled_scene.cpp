@@ -214,6 +214,18 @@ std::optional<Hit> CompiledScene::intersect(const Ray& ray, bool coherent) const
     return hit;
 }
 
+Vec3f CompiledScene::origin(const Hit& hit, Vec3f exit_mm) const {
+    Hit exit = hit;
+    exit.position_mm = hit.position_mm + exit_mm;
+    const Surface& surface = surfaces_[hit.surface];
+    if (surface.sphere_radius_mm > 0 && dot(exit_mm, exit_mm) > 0) {
+        exit.geometric_normal = normalize(exit.position_mm - surface.sphere_center_mm);
+        exit.position_mm =
+            surface.sphere_center_mm + surface.sphere_radius_mm * exit.geometric_normal;
+    }
+    return exit.origin();
+}
+
 bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const {
     const Surface& surface = surfaces_[hit.surface];
     if (surface.sphere_radius_mm > 0) {

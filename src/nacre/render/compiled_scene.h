@@ -48,6 +48,9 @@ struct CompiledScene {
     std::optional<Hit> intersect(const Ray& ray, bool coherent) const;
     /// Whether anything stands within `distance_mm` along the ray.
     bool occluded(const Ray& ray, float distance_mm) const;
+    /// Where a ray starts that leaves the surface `exit_mm` away from the hit, as light does that
+    /// has gone through a volume (BsdfSample::exit_mm): off the surface, as Hit::origin().
+    Vec3f origin(const Hit& hit, Vec3f exit_mm) const;
     /// The parallelogram with the given edges, tangent to the surface at the hit, in the unit
     /// square over which the shape is laid out. Meshes: linear on the triangle that was hit.
     /// Spheres: the equal-area map of direction_table.h with its pole towards -y; where the edges

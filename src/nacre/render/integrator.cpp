@@ -143,8 +143,10 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
         const auto sample = surface.sample(wi, u.which_lobe, u.surface);
         if (!sample) break;
         const Vec3f direction = frame.to_world(sample->wo);
-        // An interpolated normal can send light through the surface.
-        if (dot(direction, hit->geometric_normal) <= 0) break;
+        // An interpolated normal can send light through the surface. Where light leaves a volume
+        // elsewhere the surface has another normal.
+        const Vec3f exit_mm = frame.to_world(sample->exit_mm);
+        if (dot(exit_mm, exit_mm) == 0 && dot(direction, hit->geometric_normal) <= 0) break;
         throughput *= sample->weight;
         const float brightness = lane_max(throughput);
         if (!(brightness > 0)) break;
@@ -159,7 +161,7 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
         } else {
             differential.reset();
         }
-        ray = {hit->origin() + frame.to_world(sample->exit_mm), direction};
+        ray = {scene.origin(*hit, exit_mm), direction};
     }
     return path;
 }
