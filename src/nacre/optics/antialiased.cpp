@@ -1,0 +1,186 @@
+#include "nacre/optics/antialiased.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "nacre/core/error.h"
+#include "nacre/spectra/rgb.h"
+
+namespace nacre::optics {
+namespace {
+
+using Complex = std::complex<double>;
+using Rgb = spectra::Vec3;
+using RgbWave = std::array<Complex, 3>;
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+const spectra::Vec3& white_xyz() {
+    static const spectra::Vec3 white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    return white;
+}
+
+// What a sample at each wavelength adds to the colour, with samples every `step_nm`.
+struct ColourSums {
+    std::vector<double> wavelengths_nm;
+    std::vector<Rgb> weights;
+
+    explicit ColourSums(int step_nm) {
+        using namespace spectra;
+        spectra::Vec3 sum{};
+        for (int nm = 360; nm <= 780; nm += step_nm) {
+            spectra::Vec3 xyz = colour_matching(Observer::cie1931_2deg, nm);
+            for (int c = 0; c < 3; ++c) {
+                xyz[c] *= illuminant_power(Illuminant::D65, nm);
+                sum[c] += xyz[c];
+            }
+            wavelengths_nm.push_back(nm);
+            weights.push_back(xyz);
+        }
+        for (spectra::Vec3& w : weights) {
+            for (int c = 0; c < 3; ++c) w[c] *= white_xyz()[c] / sum[c];
+            w = xyz_to_linear_rec709(w);
+        }
+    }
+
+    static const ColourSums& at(int step_nm) {
+        static const ColourSums fine(1), medium(5), coarse(10);
+        switch (step_nm) {
+            case 1:
+                return fine;
+            case 5:
+                return medium;
+            case 10:
+                return coarse;
+            default:
+                throw DomainError(fmt::format("step = {} nm: must be 1, 5 or 10", step_nm));
+        }
+    }
+};
+
+// The transform turns about as fast as the wave number of green; without that turn it is smooth, so
+// that cubic pieces from values and slopes every 25 nm are enough.
+class TransformTable {
+ public:
+    static constexpr double kStep_nm = 25, kCarrier_per_nm = 1 / 540.0;
+
+    TransformTable() {
+        const ColourSums& sums = ColourSums::at(1);
+        const auto count = static_cast<std::size_t>(kTransformReach_nm / kStep_nm) + 1;
+        knots_.resize(count);
+        for (std::size_t w = 0; w < sums.weights.size(); ++w) {
+            const double k = kTwoPi * (1 / sums.wavelengths_nm[w] - kCarrier_per_nm);
+            const Complex turn = std::polar(1.0, k * kStep_nm);
+            Complex wave = 1;
+            for (std::size_t n = 0; n < count; ++n, wave *= turn) {
+                const Complex slope = wave * Complex(0, k * kStep_nm);
+                for (int c = 0; c < 3; ++c) {
+                    knots_[n].value[c] += sums.weights[w][c] * wave;
+                    knots_[n].slope[c] += sums.weights[w][c] * slope;
+                }
+            }
+        }
+    }
+
+    RgbWave operator()(double path_nm) const {
+        const double x = path_nm / kStep_nm;
+        if (!(x < static_cast<double>(knots_.size() - 1))) return {};
+        const auto n = static_cast<std::size_t>(x);
+        const double t = x - static_cast<double>(n), u = 1 - t;
+        const Complex carrier = std::polar(1.0, kTwoPi * kCarrier_per_nm * path_nm);
+        RgbWave s;
+        for (int c = 0; c < 3; ++c) {
+            s[c] = carrier *
+                   (u * u * ((1 + 2 * t) * knots_[n].value[c] + t * knots_[n].slope[c]) +
+                    t * t * ((1 + 2 * u) * knots_[n + 1].value[c] - u * knots_[n + 1].slope[c]));
+        }
+        return s;
+    }
+
+ private:
+    struct Knot {
+        RgbWave value{}, slope{};
+    };
+    std::vector<Knot> knots_;
+};
+
+// Belcour & Barla's Gaussians: area, centre and variance in wave number, 1/m. X has two lobes.
+RgbWave paper_transform(double path_nm) {
+    struct Gaussian {
+        int channel;
+        double height, centre_per_m, variance_per_m2;
+        double area() const { return height * std::sqrt(kTwoPi * variance_per_m2); }
+    };
+    static constexpr Gaussian kLobes[] = {{0, 5.4856e-13, 1.6810e6, 4.3278e9},
+                                          {1, 4.4201e-13, 1.7953e6, 9.3046e9},
+                                          {2, 5.2481e-13, 2.2084e6, 6.6121e9},
+                                          {0, 9.7470e-14, 2.2399e6, 4.5282e9}};
+    static const spectra::Vec3 total = [] {
+        spectra::Vec3 sum{};
+        for (const Gaussian& g : kLobes) sum[g.channel] += g.area();
+        return sum;
+    }();
+    const double phase = kTwoPi * path_nm * 1e-9;
+    spectra::Vec3 re{}, im{};
+    for (const Gaussian& g : kLobes) {
+        const double size = g.area() / total[g.channel] * white_xyz()[g.channel] *
+                            std::exp(-phase * phase * g.variance_per_m2);
+        re[g.channel] += size * std::cos(phase * g.centre_per_m);
+        im[g.channel] += size * std::sin(phase * g.centre_per_m);
+    }
+    re = spectra::xyz_to_linear_rec709(re);
+    im = spectra::xyz_to_linear_rec709(im);
+    return {Complex(re[0], im[0]), Complex(re[1], im[1]), Complex(re[2], im[2])};
+}
+
+}  // namespace
+
+std::array<Complex, 3> observer_transform(ObserverTransform transform, double optical_path_nm) {
+    if (transform == ObserverTransform::paper) return paper_transform(optical_path_nm);
+    static const TransformTable table;
+    return table(optical_path_nm);
+}
+
+spectra::Vec3 antialiased_rgb(const AiryFilm& film, double cosine, double thickness_nm,
+                              const Antialiasing& how) {
+    const auto terms = film.terms(cosine);
+    if (!terms) return integrated_rgb(film, cosine, thickness_nm, 5);
+
+    constexpr double kNegligible = 1e-6;
+    const double path_nm = terms->optical_path_per_thickness * thickness_nm;
+    const Complex step_s = std::polar(terms->s.ratio, terms->s.phase);
+    const Complex step_p = std::polar(terms->p.ratio, terms->p.phase);
+    const double c0 = (terms->s.c0 + terms->p.c0) / 2;
+    Rgb rgb{c0, c0, c0};
+    Complex s = terms->s.strength * step_s, p = terms->p.strength * step_p;
+    for (int m = 1; m <= how.orders; ++m, s *= step_s, p *= step_p) {
+        // What is left out are this and all higher orders, at most this over 1 - ratio.
+        if (std::abs(s) < kNegligible * (1 - terms->s.ratio) &&
+            std::abs(p) < kNegligible * (1 - terms->p.ratio)) {
+            break;
+        }
+        if (m * path_nm > kTransformReach_nm) break;
+        const RgbWave transform = observer_transform(how.transform, m * path_nm);
+        for (int c = 0; c < 3; ++c) rgb[c] += ((s + p) * transform[c]).real();
+    }
+    return rgb;
+}
+
+spectra::Vec3 integrated_rgb(const AiryFilm& film, double cosine, double thickness_nm,
+                             int step_nm) {
+    const ColourSums& sums = ColourSums::at(step_nm);
+    const auto angle = film.at<double>(cosine);
+    Rgb rgb{};
+    const std::size_t count = sums.weights.size();
+    for (std::size_t w = 0; w < count; w += kLanes) {
+        const DoubleLanes R = angle.reflectance(make_lanes<DoubleLanes>(
+            [&](int i) { return thickness_nm / sums.wavelengths_nm[std::min(w + i, count - 1)]; }));
+        for (std::size_t i = 0; i < kLanes && w + i < count; ++i) {
+            for (int c = 0; c < 3; ++c) rgb[c] += sums.weights[w + i][c] * R[i];
+        }
+    }
+    return rgb;
+}
+
+}  // namespace nacre::optics
