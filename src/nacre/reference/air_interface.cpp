@@ -1,5 +1,6 @@
 #include "nacre/reference/air_interface.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "nacre/core/error.h"
@@ -19,6 +20,20 @@ class SmoothInterface final : public AirInterface {
     Weighted reflect_inside(const Direction3& travel, RandomStream&) const override {
         return {Direction3(travel.x(), travel.y(), -travel.z()),
                 optics::dielectric_reflectance(index_, 1.0, travel.z())};
+    }
+
+    Passage meet_from_outside(const Direction3& towards_light,
+                              RandomStream& random) const override {
+        if (random.uniform() < transmittance(towards_light.z()))
+            return {-refract_inwards(towards_light), true};
+        return {{-towards_light.x(), -towards_light.y(), towards_light.z()}, false};
+    }
+
+    Passage meet_from_inside(const Direction3& travel, RandomStream& random) const override {
+        if (random.uniform() < optics::dielectric_reflectance(index_, 1.0, travel.z()))
+            return {{travel.x(), travel.y(), -travel.z()}, true};
+        const double x = travel.x() * index_, y = travel.y() * index_;
+        return {{x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))}, false};
     }
 
     // Radiance over index squared is kept but for what Fresnel reflects: a cone outside is n^2

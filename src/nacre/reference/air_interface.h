@@ -19,6 +19,12 @@ class AirInterface {
         double weight = 0;
     };
 
+    /// A direction of travel after a meeting with the boundary, and on which side of it.
+    struct Passage {
+        Direction3 travel;
+        bool inside = false;
+    };
+
     virtual ~AirInterface() = default;
 
     /// Sends light in. @param towards_light  unit vector outside, z > 0
@@ -29,6 +35,13 @@ class AirInterface {
     /// @return travel after reflection (z < 0) and the share of the flux that is reflected; the
     ///         rest leaves the paint
     virtual Weighted reflect_inside(const Direction3& travel, RandomStream& random) const = 0;
+
+    /// The same two by lot: all of the light goes one way, reflected or through.
+    /// @param towards_light  unit vector outside, z > 0
+    virtual Passage meet_from_outside(const Direction3& towards_light,
+                                      RandomStream& random) const = 0;
+    /// @param travel  inside, z > 0
+    virtual Passage meet_from_inside(const Direction3& travel, RandomStream& random) const = 0;
 
     /// Connects the inside with an eye. @param towards_eye  unit vector outside, z > 0
     /// @return a direction of travel inside (z > 0) and a weight such that the radiance that leaves

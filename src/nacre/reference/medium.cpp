@@ -138,6 +138,12 @@ void Slab::tabulate_extinction() {
     extinction_table = std::move(table);
 }
 
+void Slab::sum_pigments() {
+    pigment_scattering_per_um = Lanes{};
+    for (const Pigment& pigment : pigments) pigment_scattering_per_um += pigment.scattering_per_um;
+    pigment_rate_per_um = lane_max(pigment_scattering_per_um);
+}
+
 Medium::Medium(const layers::Recipe& recipe, std::span<const double> wavelengths_nm)
     : lane_count(static_cast<int>(wavelengths_nm.size())),
       index(recipe.binder.index(wavelengths_nm.front()).real()),
@@ -162,11 +168,10 @@ Medium::Medium(const layers::Recipe& recipe, std::span<const double> wavelengths
             slab.pigments.push_back(
                 {kPerMmToPerUm * sample_spectrum(pigment.scattering_per_mm, wavelengths_nm),
                  pigment.anisotropy});
-            slab.pigment_scattering_per_um += slab.pigments.back().scattering_per_um;
             slab.absorption_per_um +=
                 kPerMmToPerUm * sample_spectrum(pigment.absorption_per_mm, wavelengths_nm);
         }
-        slab.pigment_rate_per_um = lane_max(slab.pigment_scattering_per_um);
+        slab.sum_pigments();
         slabs.push_back(std::move(slab));
     }
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "nacre/core/lanes.h"
@@ -30,10 +31,17 @@ class FlakeOptics {
  public:
     FlakeOptics(const layers::FlakeSpecies& species, const optics::Material& binder,
                 std::span<const double> wavelengths_nm);
+    /// From tables on the uniform cosine grid, or of one node each.
+    FlakeOptics(std::vector<Lanes> reflectances, std::vector<Lanes> transmittances)
+        : reflectance_(std::move(reflectances)), transmittance_(std::move(transmittances)) {}
 
     /// @param cosine  |w.m| in [0, 1]; rounding above 1 is taken as 1
     Lanes reflectance(double cosine) const;
     Lanes transmittance(double cosine) const;
+
+    /// The tables: from cosine 0 to 1, or one node.
+    const std::vector<Lanes>& reflectances() const { return reflectance_; }
+    const std::vector<Lanes>& transmittances() const { return transmittance_; }
 
  private:
     std::vector<Lanes> reflectance_, transmittance_;  // one node: the same at every angle
@@ -93,6 +101,8 @@ struct Slab {
     /// equal steps of mu, which is right to kExtinctionTableError of the extinction along the
     /// normal.
     void tabulate_extinction();
+    /// Fills in pigment_scattering_per_um and pigment_rate_per_um.
+    void sum_pigments();
 
     std::vector<Lanes> extinction_table;  ///< empty until tabulate_extinction()
 };

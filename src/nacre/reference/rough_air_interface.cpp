@@ -41,6 +41,17 @@ class RoughAirInterface final : public AirInterface {
         return {ray.inside ? ray.away : flipped(travel), ray.inside ? 1.0 : 0.0};
     }
 
+    Passage meet_from_outside(const Direction3& towards_light,
+                              RandomStream& random) const override {
+        const Ray ray = scatter({towards_light, false}, random);
+        return {ray.away, ray.inside};
+    }
+
+    Passage meet_from_inside(const Direction3& travel, RandomStream& random) const override {
+        const Ray ray = scatter({-travel, true}, random);
+        return {ray.away, ray.inside};
+    }
+
     // The kernel between basic radiances is symmetric: the light that an eye sees comes from the
     // directions to which light from the eye would go. 1/n^2 turns radiance inside into basic.
     Weighted connect(const Direction3& towards_eye, RandomStream& random) const override {

@@ -1,0 +1,154 @@
+#include "nacre/volume/bound_walk.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "nacre/optics/dielectric.h"
+
+namespace nacre::volume {
+namespace {
+
+/// The walk is a function of the sample's numbers: all their bits count.
+RandomStream stream_of(Vec3f wi, float u_lobe, Vec2f u) {
+    const auto pair = [](float a, float b) {
+        return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 |
+               std::bit_cast<std::uint32_t>(b);
+    };
+    return RandomStream(pair(u.x, u.y), pair(wi.x, wi.y), pair(wi.z, u_lobe));
+}
+
+Vec3f to_float(const Direction3& v) {
+    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+FloatLanes to_float(const Lanes& x) { return __builtin_convertvector(x, FloatLanes); }
+
+bsdf::BsdfSample sample_of(const Direction3& wo, const Lanes& weight,
+                           const Direction3& exit_um = Direction3::Zero()) {
+    constexpr double kMmPerUm = 1e-3;
+    bsdf::BsdfSample sample;
+    sample.wo = to_float(wo);
+    sample.weight = to_float(weight);
+    sample.pdf = 1;
+    sample.mirror = true;
+    sample.exit_mm = to_float(Direction3(kMmPerUm * exit_um));
+    return sample;
+}
+
+}  // namespace
+
+BoundWalk::BoundWalk(const WalkTables& tables, const bsdf::Wavelengths& wavelengths_nm)
+    : medium_(tables.grid.at(wavelengths_nm)) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+        index_[lane] = tables.grid.index(wavelengths_nm[lane]);
+        const bool like_last = lane > 0 && index_[lane] == index_[lane - 1];
+        interfaces_[lane] =
+            like_last ? interfaces_[lane - 1]
+                      : std::shared_ptr(reference::make_air_interface(tables.recipe, index_[lane]));
+        rough_ = rough_ || interfaces_[lane]->scatters();
+        dispersive_ = dispersive_ || index_[lane] != index_[0];
+    }
+}
+
+BoundWalk::Packet BoundWalk::draw_packet(RandomStream& random) const {
+    if (!dispersive_) return {splat(1.0), 0};
+    const int lane = static_cast<int>(kLanes * random.uniform());
+    Packet packet{{}, lane};
+    packet.weight[lane] = kLanes;
+    return packet;
+}
+
+Lanes BoundWalk::mirror_reflectance(double cosine) const {
+    if (rough_) return Lanes{};
+    if (!dispersive_) return splat(optics::dielectric_reflectance(1.0, index_[0], cosine));
+    return make_lanes<Lanes>(
+        [&](int i) { return optics::dielectric_reflectance(1.0, index_[i], cosine); });
+}
+
+std::optional<bsdf::BsdfSample> BoundWalk::sample(Vec3f wi, float u_lobe, Vec2f u) const {
+    if (!(wi.z > 0)) return {};
+    RandomStream random = stream_of(wi, u_lobe, u);
+    const Direction3 towards_light = Direction3(wi.x, wi.y, wi.z).normalized();
+    const Packet packet = draw_packet(random);
+    if (rough_) {
+        const auto escape = meet_rough(towards_light, packet, random);
+        if (!escape) return {};
+        return sample_of(escape->direction, escape->weight);
+    }
+    // In proportion to what each way contributes in a white room, as a root mean square.
+    const Lanes mirror = mirror_reflectance(towards_light.z());
+    const double f = lane_mean(mirror);
+    const double inside = (1 - f) * typical_weight_;
+    const double odds = f / (f + inside);
+    if (u_lobe < odds) {
+        return sample_of({-towards_light.x(), -towards_light.y(), towards_light.z()},
+                         mirror / odds);
+    }
+    const Lanes share = (1 - mirror) * ((f + inside) / inside);
+    const auto escape =
+        enter_and_follow(towards_light, {packet.weight * share, packet.lane}, random);
+    if (!escape) return {};
+    return sample_of(escape->direction, escape->weight, escape->position_um);
+}
+
+std::optional<Escape> BoundWalk::enter_and_follow(const Direction3& wi, const Packet& packet,
+                                                  RandomStream& random) const {
+    return follow({interface(packet.lane).enter(wi, random).travel, packet.weight, packet.lane},
+                  random);
+}
+
+std::optional<Escape> BoundWalk::meet_rough(const Direction3& wi, const Packet& packet,
+                                            RandomStream& random) const {
+    const auto passage = interface(packet.lane).meet_from_outside(wi, random);
+    if (!passage.inside) return Escape{.direction = passage.travel, .weight = packet.weight};
+    return follow({passage.travel, packet.weight, packet.lane}, random);
+}
+
+Lanes BoundWalk::mean_weight(double cosine, int walks, std::uint64_t number,
+                             double* mean_square) const {
+    const Direction3 wi(std::sqrt(1 - cosine * cosine), 0, cosine);
+    RandomStream random(0, number, 0);
+    Lanes sum{}, sum_of_squares{};
+    for (int i = 0; i < walks; ++i) {
+        const Packet packet = draw_packet(random);
+        const auto escape =
+            rough_ ? meet_rough(wi, packet, random) : enter_and_follow(wi, packet, random);
+        if (!escape) continue;
+        sum += escape->weight;
+        sum_of_squares += escape->weight * escape->weight;
+    }
+    if (mean_square) *mean_square = lane_mean(sum_of_squares) / walks;
+    return sum / static_cast<double>(walks);
+}
+
+void BoundWalk::weigh_mirror() {
+    constexpr int kWalks = 64;
+    constexpr double kTypicalCosine = 0.8;
+    // A mirror drawn less often than this would make its weight large where walks are rarely
+    // bright.
+    constexpr double kLeast = 0.1;
+    double mean_square = 0;
+    mean_weight(kTypicalCosine, kWalks, 0, &mean_square);
+    typical_weight_ = std::max(std::sqrt(mean_square), kLeast);
+}
+
+FloatLanes BoundWalk::albedo(Vec3f wi) const {
+    if (!(wi.z > 0)) return FloatLanes{};
+    std::call_once(albedo_once_, [&] {
+        for (int i = 0; i <= kAlbedoIntervals; ++i) {
+            constexpr double kLeastCosine = 1e-3;
+            const double cosine = std::max(static_cast<double>(i) / kAlbedoIntervals, kLeastCosine);
+            inner_albedo_.push_back(
+                mean_weight(cosine, kAlbedoWalks, static_cast<std::uint64_t>(i) + 1, nullptr));
+        }
+    });
+    const double cosine = std::min(static_cast<double>(wi.z), 1.0);
+    const double x = cosine * kAlbedoIntervals;
+    const int i = std::min(static_cast<int>(x), kAlbedoIntervals - 1);
+    const Lanes inner = inner_albedo_[i] + (x - i) * (inner_albedo_[i + 1] - inner_albedo_[i]);
+    const Lanes mirror = mirror_reflectance(cosine);
+    return to_float(Lanes(mirror + (1 - mirror) * inner));
+}
+
+}  // namespace nacre::volume

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/reference/air_interface.h"
+#include "nacre/reference/medium.h"
+#include "nacre/reference/random_stream.h"
+#include "nacre/volume/walk_tables.h"
+
+// What the two walks have in common: how light comes in, by which lot, and what a renderer is told.
+
+namespace nacre::volume {
+
+using reference::Direction3;
+using reference::Lanes;
+using reference::RandomStream;
+
+/// Light that has just come in at the origin of the local frame.
+struct Entry {
+    Direction3 travel;  ///< inside, z < 0
+    Lanes weight{};
+    int lane = 0;  ///< whose index of refraction holds
+};
+
+/// Light that has just left.
+struct Escape {
+    Direction3 direction;
+    Direction3 position_um{0, 0, 0};  ///< from where it came in
+    Lanes weight{};
+};
+
+class BoundWalk : public bsdf::BoundBsdf {
+ public:
+    FloatLanes eval(Vec3f, Vec3f) const override { return FloatLanes{}; }
+    float pdf(Vec3f, Vec3f) const override { return 0; }
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override;
+    /// Estimated by kAlbedoWalks walks from each of kAlbedoIntervals + 1 directions, at the first
+    /// call; the mirror of a smooth interface is exact.
+    FloatLanes albedo(Vec3f wi) const override;
+
+    static constexpr int kAlbedoIntervals = 16, kAlbedoWalks = 512;
+
+ protected:
+    BoundWalk(const WalkTables& tables, const bsdf::Wavelengths& wavelengths_nm);
+
+    /// Follows light until it leaves; empty if it is absorbed.
+    virtual std::optional<Escape> follow(const Entry& entry, RandomStream& random) const = 0;
+
+    /// Sends out a few walks, to know how often the mirror is worth a sample. To be called once,
+    /// when follow() is ready.
+    void weigh_mirror();
+
+    const reference::Medium& medium() const { return medium_; }
+    double index(int lane) const { return index_[lane]; }
+    const reference::AirInterface& interface(int lane) const { return *interfaces_[lane]; }
+
+ private:
+    struct Packet {
+        Lanes weight;
+        int lane;
+    };
+    Packet draw_packet(RandomStream& random) const;
+    Lanes mirror_reflectance(double cosine) const;
+    std::optional<Escape> enter_and_follow(const Direction3& wi, const Packet& packet,
+                                           RandomStream& random) const;
+    std::optional<Escape> meet_rough(const Direction3& wi, const Packet& packet,
+                                     RandomStream& random) const;
+    Lanes mean_weight(double cosine, int walks, std::uint64_t number, double* mean_square) const;
+
+    reference::Medium medium_;
+    std::array<double, kLanes> index_;
+    std::array<std::shared_ptr<const reference::AirInterface>, kLanes> interfaces_;
+    bool rough_ = false, dispersive_ = false;
+    /// Root mean square of the weight with which light leaves that came in with weight 1.
+    double typical_weight_ = 1;
+
+    mutable std::once_flag albedo_once_;
+    mutable std::vector<Lanes> inner_albedo_;  // over the outer cosine
+};
+
+}  // namespace nacre::volume
