@@ -127,24 +127,29 @@ RemainderSlice::RemainderSlice(const Remainder& r, double theta_i)
     }
 }
 
-void RemainderSlice::coefficients(double theta_o, double phi, std::span<double> out) const {
+void RemainderSlice::by_order(double theta_o, std::span<double> out) const {
     const int n = static_cast<int>(remainder_.exit_angle.size());
-    std::vector<double> weight(n), cosine(remainder_.orders());
+    std::vector<double> weight(n);
     interpolation_.weights_at(theta_o, weight.data());
-    for (int l = 0; l < remainder_.orders(); ++l) {
-        cosine[l] = (l ? 2.0 : 1.0) * std::cos(l * (phi - std::numbers::pi));
-    }
+    std::size_t at = 0;
     for (int k = 0; k < remainder_.rank(); ++k) {
-        double sum = 0;
-        for (int l = 0; l < remainder_.orders(); ++l) {
+        for (int l = 0; l < remainder_.orders(); ++l, ++at) {
+            out[at] = 0;
             if (!remainder_.takes_part(l, theta_o)) continue;
-            const double* row =
-                by_node_.data() + (static_cast<std::size_t>(k) * remainder_.orders() + l) * n;
-            double order = 0;
-            for (int j = remainder_.first[l]; j < n; ++j) order += row[j] * weight[j];
-            sum += cosine[l] * order;
+            const double* row = by_node_.data() + at * n;
+            for (int j = remainder_.first[l]; j < n; ++j) out[at] += row[j] * weight[j];
         }
-        out[k] = sum;
+    }
+}
+
+void RemainderSlice::coefficients(double theta_o, double phi, std::span<double> out) const {
+    const int orders = remainder_.orders();
+    std::vector<double> term(static_cast<std::size_t>(remainder_.rank()) * orders);
+    by_order(theta_o, term);
+    std::fill(out.begin(), out.end(), 0.0);
+    for (int l = 0; l < orders; ++l) {
+        const double cosine = (l ? 2.0 : 1.0) * std::cos(l * (phi - std::numbers::pi));
+        for (int k = 0; k < remainder_.rank(); ++k) out[k] += cosine * term[k * orders + l];
     }
 }
 

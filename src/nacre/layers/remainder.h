@@ -53,6 +53,9 @@ class RemainderSlice {
     RemainderSlice(const Remainder& remainder, double theta_i);
     /// Coefficients of the spectral basis, rank() values.
     void coefficients(double theta_o, double phi, std::span<double> out) const;
+    /// The same by azimuthal order, [k][l], rank() orders() values: what is to be multiplied by
+    /// (2 - delta_l0) cos(l (phi - pi)) and summed over l.
+    void by_order(double theta_o, std::span<double> out) const;
 
  private:
     const Remainder& remainder_;

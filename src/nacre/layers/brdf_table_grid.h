@@ -1,0 +1,103 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "nacre/core/vec.h"
+
+// Where a tabulated BRDF has its nodes, and how it is interpolated between them.
+//
+// A table holds, for n polar angles of either direction and m azimuths, the BRDF in linear Rec. 709
+// under D65 without the factor of the interface,
+//
+//     f = g t_i t_o / (ior^2 (mu_i + mu_o)),
+//
+// t the Fresnel transmittances of a smooth interface, mu the cosines inside the coat. What is
+// tabulated is g, which stays finite at grazing angles. Under a rough interface, whose lobe is part
+// of the table, f = g / (mu_i + mu_o) with the cosines outside.
+//
+// Polar nodes are even in x = tan(theta/2), theta outside the coat: denser towards the horizon.
+// Azimuthal nodes follow the half vector h inside the coat, because the lobe of the flakes is a
+// function of its angle: for two polar angles
+//
+//     tan^2 theta_h = t^2 + b v^2,   v = sin(phi'/2),   b = 4 s_i s_o / (mu_i + mu_o)^2,
+//
+// with phi' the azimuth from the mirror side and s the sines inside (a rough interface: outside);
+// the nodes are even in
+//
+//     u = sqrt(ln(1 + b v^2/a^2) / ln(1 + b/a^2)) in [0, 1],   a = lobe_alpha:
+//
+// dense within the lobe, sparse outside, and the same part of the lobe at the same u whatever the
+// polar angles. That makes the table nearly a sum of few products, hence easy to compress.
+
+namespace nacre::layers {
+
+/// Four nodes of either polar angle pair and four azimuths, and their weights: bilinear in x,
+/// cubic in u (the polynomial through the four azimuths nearest to u).
+struct BrdfCell {
+    std::array<std::size_t, 4> pair;  ///< i * angles + o
+    std::array<float, 4> pair_weight;
+    int azimuth = 0;  ///< the first of four
+    std::array<float, 4> azimuth_weight;
+};
+
+struct BrdfGrid {
+    int angles = 256;         ///< n, at least 2
+    int azimuths = 128;       ///< m, at least 4
+    double ior = 1.5;         ///< mean index of the binder over the paint's wavelengths, [1, 3]
+    double roughness = 0;     ///< Beckmann alpha of the interface, [0, 1]; 0: smooth
+    double lobe_alpha = 0.1;  ///< a, the roughness of the narrowest lobe, (0, 1]
+
+    /// Index of the side on which angles of half vectors are measured: inside the coat, but
+    /// outside of a rough one, whose own lobe is the narrowest there.
+    double side_ior() const { return roughness > 0 ? 1.0 : ior; }
+    std::size_t pairs() const { return static_cast<std::size_t>(angles) * angles; }
+    std::size_t values() const { return pairs() * azimuths; }
+
+    /// theta of a polar node outside the coat, rad; just short of the horizon at the last.
+    double angle(int node) const;
+    /// phi_o - phi_i in [0, pi] of an azimuthal node between two polar angles; pi at node 0.
+    double azimuth(double theta_i, double theta_o, int node) const;
+    /// f / g between two polar angles.
+    double factor(double theta_i, double theta_o) const;
+
+    friend bool operator==(const BrdfGrid&, const BrdfGrid&) = default;
+};
+
+/// Where two directions in the upper hemisphere fall: s their sines outside, mu their cosines on
+/// the side of grid.side_ior().
+inline BrdfCell locate(const BrdfGrid& grid, Vec3f wi, Vec3f wo, float s_i, float s_o, float mu_i,
+                       float mu_o) {
+    BrdfCell cell;
+    const int n = grid.angles;
+    const float gi = std::min(s_i / (1 + wi.z), 1.0f) * (n - 1);
+    const float go = std::min(s_o / (1 + wo.z), 1.0f) * (n - 1);
+    const int i = std::min(static_cast<int>(gi), n - 2), o = std::min(static_cast<int>(go), n - 2);
+    const float fi = gi - i, fo = go - o;
+    const std::size_t corner = static_cast<std::size_t>(i) * n + o;
+    cell.pair = {corner, corner + 1, corner + n, corner + n + 1};
+    cell.pair_weight = {(1 - fi) * (1 - fo), (1 - fi) * fo, fi * (1 - fo), fi * fo};
+
+    // s_i s_o v^2 = |s_i wo + s_o wi|^2/(4 s_i s_o), without cancellation near the mirror side.
+    const float product = s_i * s_o;
+    const float ux = s_i * wo.x + s_o * wi.x, uy = s_i * wo.y + s_o * wi.y;
+    const float v2 =
+        product > 0 ? std::min((ux * ux + uy * uy) / (4 * product * product), 1.0f) : 0.0f;
+    const float ior = static_cast<float>(grid.side_ior()),
+                alpha = static_cast<float>(grid.lobe_alpha);
+    const float scale = ior * alpha * (mu_i + mu_o);
+    const float ratio = 4 * product / (scale * scale);  // b/a^2
+    // Near the normal nothing depends on azimuth, and the quotient of logarithms tends to v^2.
+    const float u2 = ratio > 1e-4f ? std::log1p(ratio * v2) / std::log1p(ratio) : v2;
+    const int m = grid.azimuths;
+    const float g = std::sqrt(std::min(u2, 1.0f)) * (m - 1);
+    cell.azimuth = std::clamp(static_cast<int>(g) - 1, 0, m - 4);
+    const float t = g - cell.azimuth, t1 = t - 1, t2 = t - 2, t3 = t - 3;
+    cell.azimuth_weight = {-t1 * t2 * t3 * (1.0f / 6), t * t2 * t3 * 0.5f, -t * t1 * t3 * 0.5f,
+                           t * t1 * t2 * (1.0f / 6)};
+    return cell;
+}
+
+}  // namespace nacre::layers
