@@ -1,6 +1,6 @@
 # One library per folder, so that the linker holds the order of dependencies.
 #
-#   nacre_module(NAME [DEPENDS target...])
+#   nacre_module(NAME [DEPENDS target...] [TEST_DEPENDS target...])
 #
 # Every .cpp beside the call is part of the library nacre_NAME (alias nacre::NAME), except
 # x_test.cpp, which are gathered in the test program nacre_NAME_test.
@@ -23,7 +23,7 @@ target_include_directories(nacre_options INTERFACE
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 function(nacre_module name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;TEST_DEPENDS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)
   if(tests)
@@ -36,7 +36,7 @@ function(nacre_module name)
   set_property(GLOBAL APPEND PROPERTY NACRE_MODULES nacre_${name})
   if(NACRE_TESTS AND tests)
     add_executable(nacre_${name}_test ${tests})
-    target_link_libraries(nacre_${name}_test PRIVATE nacre::${name} GTest::gtest GTest::gtest_main GTest::gmock)
+    target_link_libraries(nacre_${name}_test PRIVATE nacre::${name} ${ARG_TEST_DEPENDS} GTest::gtest GTest::gtest_main GTest::gmock)
     target_compile_definitions(nacre_${name}_test PRIVATE NACRE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     gtest_discover_tests(nacre_${name}_test DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
   endif()

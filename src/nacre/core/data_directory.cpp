@@ -31,14 +31,26 @@ fs::path data_directory() {
         fmt::format("Nacre's data folder was not found; tried {}. Set NACRE_DATA_DIR.", tried));
 }
 
-fs::path data_file(const std::string& name) {
-    const fs::path path = data_directory() / name;
+namespace {
+
+fs::path file_in(const fs::path& folder, const std::string& name, const char* what) {
     std::error_code ec;
-    if (!fs::is_regular_file(path, ec)) {
-        throw InputError(fmt::format("there is no file '{}' in the data folder '{}'", name,
-                                     path.parent_path().string()));
+    if (!fs::is_regular_file(folder / name, ec)) {
+        throw InputError(
+            fmt::format("there is no file '{}' in {} '{}'", name, what, folder.string()));
     }
-    return path;
+    return folder / name;
+}
+
+}  // namespace
+
+fs::path data_file(const std::string& name) {
+    return file_in(data_directory(), name, "the data folder");
+}
+
+fs::path shipped_file(const std::string& name) {
+    return file_in(fs::absolute(data_directory()).lexically_normal().parent_path(), name,
+                   "the folder with Nacre's data,");
 }
 
 }  // namespace nacre

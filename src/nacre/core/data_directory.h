@@ -15,4 +15,8 @@ std::filesystem::path data_directory();
 /// @throws InputError if it is not there
 std::filesystem::path data_file(const std::string& name);
 
+/// A file that is shipped beside that folder, as "paints/metallic-gray.toml".
+/// @throws InputError if it is not there
+std::filesystem::path shipped_file(const std::string& name);
+
 }  // namespace nacre

@@ -1,0 +1,75 @@
+#include "nacre/models/make_surface.h"
+
+#include <fmt/format.h>
+
+#include "nacre/bsdf/microflake.h"
+#include "nacre/bsdf/special_effect.h"
+#include "nacre/bsdf/tabulated.h"
+#include "nacre/core/error.h"
+#include "nacre/volume/plane_walk.h"
+
+namespace nacre::models {
+namespace {
+
+void require_ingredients(const ModelInfo& model, const layers::Recipe& recipe) {
+    if (model.ingredients == Ingredients::layers && recipe.layers.empty()) {
+        throw DomainError(fmt::format(
+            "layer: is missing; the model {} needs at least one [[layer]]", model.name));
+    }
+    if (model.ingredients != Ingredients::microfacet) return;
+    if (!recipe.microfacet) {
+        throw DomainError(fmt::format(
+            "microfacet: is missing; the model {} needs the table [microfacet]", model.name));
+    }
+    if (model.model == Model::special_effect && !recipe.microfacet->facets) {
+        throw DomainError(fmt::format(
+            "microfacet.facets: is missing; the model {} needs the table [microfacet.facets]",
+            model.name));
+    }
+}
+
+std::shared_ptr<const bsdf::Bsdf> make_microflake(const Paint& paint, const SurfaceOptions& options,
+                                                  const Progress& progress) {
+    if (paint.table) return std::make_shared<bsdf::Tabulated>(*paint.table);
+    if (!paint.solved) throw DomainError("the model microflake needs a solved paint");
+    if (options.table == Table::split) return std::make_shared<bsdf::Microflake>(paint.solved);
+    return std::make_shared<bsdf::Tabulated>(make_table(*paint.solved, options, progress));
+}
+
+}  // namespace
+
+std::shared_ptr<const bsdf::Bsdf> make_surface(Model model, const Paint& paint,
+                                               const SurfaceOptions& options,
+                                               const Progress& progress) {
+    if (!paint.table) require_ingredients(info(model), paint.recipe);
+    switch (model) {
+        case Model::microflake:
+            return make_microflake(paint, options, progress);
+        case Model::thin_film:
+            return std::make_shared<bsdf::ThinFilm>(paint.recipe, options.colour);
+        case Model::special_effect:
+            return std::make_shared<bsdf::SpecialEffect>(paint.recipe, options.seed);
+        case Model::walk:
+            return std::make_shared<volume::PlaneWalk>(paint.recipe);
+        case Model::volume:
+            return std::make_shared<volume::ShellWalk>(
+                paint.recipe, volume::ShellSettings{.radius_mm = options.radius_mm,
+                                                    .tracking = options.tracking,
+                                                    .simpson_panels = options.simpson_panels});
+    }
+    throw DomainError("no such model");
+}
+
+std::string_view name(Table table) {
+    switch (table) {
+        case Table::split:
+            return "split";
+        case Table::raw:
+            return "raw";
+        case Table::svd:
+            return "svd";
+    }
+    return "";
+}
+
+}  // namespace nacre::models

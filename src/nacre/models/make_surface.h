@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/thin_film.h"
+#include "nacre/core/progress.h"
+#include "nacre/layers/brdf_table.h"
+#include "nacre/layers/recipe.h"
+#include "nacre/layers/solved_paint.h"
+#include "nacre/models/model.h"
+#include "nacre/volume/shell_walk.h"
+
+namespace nacre::models {
+
+/// In which form the BRDF of a solved paint is kept for rendering.
+enum class Table {
+    split,  ///< ours: interface, single scattering in closed form, a low-rank remainder; spectral
+    raw,    ///< as the paper tabulates it: angles times angles, RGB         [ergun-2016; mir-2022]
+    svd     ///< the same after its singular value decomposition
+};
+
+/// What may be chosen about a model. Each model reads its own lines.
+struct SurfaceOptions {
+    Table table = Table::split;                                    ///< microflake
+    bsdf::ThinFilmColour colour = bsdf::ThinFilmColour::spectral;  ///< thin-film
+    volume::Tracking tracking = volume::Tracking::delta;           ///< volume
+    int simpson_panels = volume::ShellSettings{}.simpson_panels;   ///< volume
+    /// volume: radius of the painted sphere; infinity is a flat panel.
+    double radius_mm = std::numeric_limits<double>::infinity();
+    std::uint64_t seed = 0;  ///< special-effect: which facets there are
+};
+
+/// A paint as the user gives it.
+struct Paint {
+    layers::Recipe recipe;
+    std::shared_ptr<const layers::SolvedPaint>
+        solved;                                      ///< microflake: needed unless `table` is set
+    std::shared_ptr<const layers::BrdfTable> table;  ///< microflake: a table made earlier
+};
+
+/// The surface that a model makes of a paint.
+///
+/// @throws DomainError if the recipe lacks what the model reads (layers or [microfacet] with its
+///         [microfacet.facets]), holds what it cannot do, or an option is out of range
+/// @throws Error if `progress` asks to stop
+std::shared_ptr<const bsdf::Bsdf> make_surface(Model model, const Paint& paint,
+                                               const SurfaceOptions& options,
+                                               const Progress& progress = {});
+
+/// Names on the command line.
+std::string_view name(Table table);
+
+}  // namespace nacre::models

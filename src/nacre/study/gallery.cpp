@@ -1,0 +1,163 @@
+#include "nacre/study/gallery.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "nacre/core/atomic_file.h"
+#include "nacre/core/sha256.h"
+#include "nacre/io/brdf_table_file.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/io/render_image.h"
+#include "nacre/io/solved_paint_file.h"
+#include "nacre/io/version.h"
+#include "nacre/layers/solver.h"
+#include "nacre/render/builtin_scenes.h"
+#include "nacre/study/peak_memory.h"
+
+namespace nacre::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::uintmax_t kMostRecordBytes = 1 << 20;
+
+layers::Recipe recipe_of(const PictureJob& job) {
+    layers::Recipe recipe = io::read_recipe(job.paint);
+    if (job.facet_count > 0) {
+        if (!recipe.microfacet || !recipe.microfacet->facets) {
+            throw InputError(fmt::format("{}: microfacet.facets: is missing; the study sets count",
+                                         job.paint.string()));
+        }
+        recipe.microfacet->facets->count = job.facet_count;
+    }
+    return recipe;
+}
+
+json description(const PictureJob& job) {
+    const render::RenderOptions& r = job.render;
+    return {{"version", io::version()},
+            {"scene", job.scene},
+            {"model", models::info(job.model).name},
+            {"recipe_sha256", io::recipe_hash(recipe_of(job))},
+            {"table", models::name(job.surface.table)},
+            {"colour", static_cast<int>(job.surface.colour)},
+            {"tracking", static_cast<int>(job.surface.tracking)},
+            {"simpson_panels", job.surface.simpson_panels},
+            {"surface_seed", job.surface.seed},
+            {"width", r.width},
+            {"height", r.height},
+            {"samples_per_pixel", r.samples_per_pixel},
+            {"footprint_pixels", r.footprint_pixels},
+            {"seed", r.seed},
+            {"max_depth", r.max_depth}};
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What the model needs of the paint, through the files that a user would keep: solved paints and
+/// tables are written and read back.
+struct Prepared {
+    std::shared_ptr<const bsdf::Bsdf> surface;
+    std::size_t file_bytes = 0;
+};
+
+Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& progress) {
+    models::Paint paint{.recipe = recipe_of(job)};
+    Prepared out;
+    if (job.model == models::Model::microflake) {
+        auto solved = std::make_shared<const layers::SolvedPaint>(
+            layers::solve(paint.recipe, layers::default_wavelengths_nm(), {}));
+        fs::create_directories(tables);
+        const fs::path file = tables / (job.key + ".h5");
+        if (job.surface.table == models::Table::split) {
+            io::write_solved_paint(file, *solved);
+            paint.solved = std::make_shared<const layers::SolvedPaint>(io::read_solved_paint(file));
+        } else {
+            io::write_brdf_table(file, models::make_table(*solved, job.surface.table, progress));
+            paint.table = std::make_shared<const layers::BrdfTable>(io::read_brdf_table(file));
+        }
+        out.file_bytes = fs::file_size(file);
+    }
+    out.surface = models::make_surface(job.model, paint, job.surface, progress);
+    return out;
+}
+
+}  // namespace
+
+std::string fingerprint(const PictureJob& job) { return sha256_hex(description(job).dump()); }
+
+Gallery::Gallery(fs::path folder, Stage stage)
+    : folder_(std::move(folder)), stage_(std::move(stage)) {
+    std::error_code ec;
+    fs::create_directories(folder_ / "pictures", ec);
+    if (ec) {
+        throw InputError(fmt::format("cannot make the folder '{}': {}",
+                                     (folder_ / "pictures").string(), ec.message()));
+    }
+}
+
+Picture Gallery::make(const PictureJob& job) const {
+    const fs::path base = folder_ / "pictures" / job.key;
+    const fs::path exr = fs::path(base).concat(".exr"), png = fs::path(base).concat(".png"),
+                   record_file = fs::path(base).concat(".json");
+    const std::string print = fingerprint(job);
+    const auto load = [&](const json& record) {
+        Picture picture;
+        picture.image = io::read_image(exr);
+        picture.png = read_file(png);
+        picture.prepare_s = record.at("prepare_s");
+        picture.render_s = record.at("render_s");
+        picture.msamples_per_s = record.at("msamples_per_s");
+        picture.peak_mib = record.at("peak_mib");
+        picture.file_bytes = record.at("file_bytes");
+        return picture;
+    };
+    if (fs::is_regular_file(record_file)) {
+        const json record = json::parse(read_file(record_file, kMostRecordBytes), nullptr, false);
+        // A damaged record is no loss: the picture is made again.
+        if (record.is_object() && record.value("fingerprint", "") == print) return load(record);
+    }
+
+    json record = description(job);
+    stage_(job.title, [&](const Progress& progress) {
+        const PeakMemory memory;
+        const auto start = std::chrono::steady_clock::now();
+        const Prepared prepared = prepare(job, folder_ / "tables", progress);
+        const render::SceneDescription scene = render::builtin_scene(job.scene);
+        render::PaintTable paints;
+        for (const auto& [name, material] : scene.materials) {
+            if (std::holds_alternative<render::PaintMaterial>(material)) {
+                paints[name] = prepared.surface;
+            }
+        }
+        const render::Scene compiled(scene, paints);
+        const double prepare_s = seconds_since(start);
+        const render::RenderResult result = render::render(compiled, job.render, progress);
+        if (!result.complete) throw Interrupted("stopped");
+        const double samples = static_cast<double>(result.samples) * result.width * result.height;
+        io::Image image = io::image_of(result, {{"nacre:study", job.title}});
+        // Only what the report reads: the pictures of a whole study stay small on disk.
+        std::erase_if(image.channels, [](const io::Channel& c) {
+            return c.name != "R" && c.name != "G" && c.name != "B" && c.name != "A";
+        });
+        io::write_exr(exr, image);
+        io::write_png(png, image);
+        record["fingerprint"] = print;
+        record["title"] = job.title;
+        record["prepare_s"] = prepare_s;
+        record["render_s"] = result.seconds;
+        record["msamples_per_s"] = samples / result.seconds / 1e6;
+        record["peak_mib"] = memory.mebibytes();
+        record["file_bytes"] = prepared.file_bytes;
+        write_file_atomically(record_file, record.dump(2) + "\n");
+    });
+    return load(record);
+}
+
+}  // namespace nacre::study

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "nacre/core/error.h"
+#include "nacre/core/progress.h"
+#include "nacre/io/image.h"
+#include "nacre/models/make_surface.h"
+#include "nacre/models/model.h"
+#include "nacre/render/render.h"
+
+// The pictures of a study: rendered once, kept on disk with what they cost, found again when the
+// study goes on after an interruption.
+
+namespace nacre::study {
+
+/// Thrown when the user asked to stop. What has been finished is kept.
+class Interrupted : public Error {
+ public:
+    using Error::Error;
+};
+
+/// Runs a piece of work under a label, with a progress callback for it. The library is silent; the
+/// command line draws a bar.
+using Stage =
+    std::function<void(const std::string& label, const std::function<void(const Progress&)>& work)>;
+
+/// How a picture is asked for.
+struct PictureJob {
+    std::string key;    ///< file name, unique in the study
+    std::string title;  ///< for people
+    std::filesystem::path paint;
+    models::Model model = models::Model::microflake;
+    models::SurfaceOptions surface;
+    render::RenderOptions render;
+    std::string scene = "sphere";  ///< a built-in scene
+    double facet_count = 0;        ///< in place of the recipe's, where above zero
+};
+
+/// A finished picture and what it cost.
+struct Picture {
+    io::Image image;
+    std::string png;  ///< the bytes of a PNG
+    double prepare_s = 0, render_s = 0;
+    double msamples_per_s = 0;
+    double peak_mib = 0;         ///< largest resident memory of the process while it was made
+    std::size_t file_bytes = 0;  ///< of the file with the solved paint or its table; 0: none
+};
+
+class Gallery {
+ public:
+    /// @param folder  made if it does not exist; pictures go to its sub-folder pictures/, files
+    /// with
+    ///                tables to tables/
+    /// @param stage   runs the work
+    Gallery(std::filesystem::path folder, Stage stage);
+
+    /// The picture, from disk if one with the same description by the same version is there.
+    /// @throws Interrupted, and what reading the recipe, solving and rendering throw
+    Picture make(const PictureJob& job) const;
+
+    const std::filesystem::path& folder() const { return folder_; }
+    const Stage& stage() const { return stage_; }
+
+ private:
+    std::filesystem::path folder_;
+    Stage stage_;
+};
+
+/// SHA-256 over all that the picture depends on.
+std::string fingerprint(const PictureJob& job);
+
+}  // namespace nacre::study

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <set>
+
+#include "nacre/study/gallery.h"
+
+namespace nacre::study {
+
+/// The parts of the comparison. A figure shows the pictures that a table counts: Figure 2 belongs
+/// to Table 1, 3 to 2, 4 to 4.
+enum class MirPart {
+    table_1,      ///< reference, raw and compressed tables of two paints; with Figure 2
+    table_2,      ///< facets and time; with Figure 3
+    table_3,      ///< what the models can do
+    table_4,      ///< three models of two pearls; with Figure 4
+    agreement,    ///< three solutions of one paint, pixel by pixel
+    antialiasing  ///< spectral antialiasing against integration
+};
+
+std::set<MirPart> all_mir_parts();
+
+struct MirSettings {
+    std::filesystem::path folder;
+    int size = 512;      ///< pixels a side, [16, 4096]
+    int samples = 1024;  ///< per pixel, [8, 2^20]
+    std::uint64_t seed = 0;
+    bool quick = false;  ///< smaller tables, fewer curves: to see that all works
+    std::set<MirPart> parts = all_mir_parts();
+};
+
+/// Reproduces the comparison of Mir, Yildirim and Kurt [mir-2022]: renders what is not yet in
+/// `folder`, and writes index.html (one self-contained page) and results.json (every figure) there.
+///
+/// @return the page
+/// @throws DomainError naming a setting out of range; Interrupted; what solving and rendering throw
+std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& stage);
+
+}  // namespace nacre::study
