@@ -1,0 +1,109 @@
+#include "nacre/sparkle/footprint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nacre::sparkle {
+namespace {
+
+struct Point {
+    double u, v;
+};
+
+// A convex polygon: a parallelogram cut by four lines has at most eight corners.
+struct Polygon {
+    static constexpr int kMostCorners = 8;
+    std::array<Point, kMostCorners> corners;
+    int count = 0;
+
+    // Rounding can make a sliver look as if a line cut it more than twice; its area is nothing.
+    void add(Point p) {
+        if (count < kMostCorners) corners[count++] = p;
+    }
+    double area() const {
+        double twice = 0;
+        for (int i = 2; i < count; ++i) {
+            const Point a = corners[0], b = corners[i - 1], c = corners[i];
+            twice += (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+        }
+        return 0.5 * std::abs(twice);
+    }
+};
+
+// What of a polygon has depth(p) >= 0.
+template <class Depth>
+Polygon cut(const Polygon& polygon, Depth&& depth) {
+    Polygon out;
+    for (int i = 0; i < polygon.count; ++i) {
+        const Point a = polygon.corners[i], b = polygon.corners[(i + 1) % polygon.count];
+        const double in_a = depth(a), in_b = depth(b);
+        if (in_a >= 0) out.add(a);
+        if ((in_a >= 0) != (in_b >= 0)) {
+            const double f = in_a / (in_a - in_b);
+            out.add({a.u + f * (b.u - a.u), a.v + f * (b.v - a.v)});
+        }
+    }
+    return out;
+}
+
+Polygon cut_to(const Box& box, Polygon polygon) {
+    polygon = cut(polygon, [&](Point p) { return p.u - box.u_lo; });
+    polygon = cut(polygon, [&](Point p) { return box.u_hi - p.u; });
+    polygon = cut(polygon, [&](Point p) { return p.v - box.v_lo; });
+    return cut(polygon, [&](Point p) { return box.v_hi - p.v; });
+}
+
+Polygon corners_of(double u, double v, Vec2f a, Vec2f b) {
+    Polygon out;
+    const double sum_x = 0.5 * (static_cast<double>(a.x) + b.x);
+    const double sum_y = 0.5 * (static_cast<double>(a.y) + b.y);
+    const double rest_x = 0.5 * (static_cast<double>(a.x) - b.x);
+    const double rest_y = 0.5 * (static_cast<double>(a.y) - b.y);
+    out.add({u - sum_x, v - sum_y});
+    out.add({u + rest_x, v + rest_y});
+    out.add({u + sum_x, v + sum_y});
+    out.add({u - rest_x, v - rest_y});
+    return out;
+}
+
+}  // namespace
+
+Footprint::Footprint(double u, double v, Vec2f edge_1, Vec2f edge_2)
+    : u_(u), v_(v), edge_1_(edge_1), edge_2_(edge_2) {
+    const double a = edge_1.x, b = edge_1.y, c = edge_2.x, d = edge_2.y;
+    const double twist = a * d - b * c;
+    if (!std::isfinite(u) || !std::isfinite(v) || !std::isfinite(1 / twist)) return;
+    s_ = {d / twist, -c / twist};
+    t_ = {-b / twist, a / twist};
+    if (!std::isfinite(s_.du + s_.dv) || !std::isfinite(t_.du + t_.dv)) return;
+    const double reach_u = 0.5 * (std::abs(a) + std::abs(c));
+    const double reach_v = 0.5 * (std::abs(b) + std::abs(d));
+    bounds_ = {std::max(0.0, u - reach_u), std::max(0.0, v - reach_v), std::min(1.0, u + reach_u),
+               std::min(1.0, v + reach_v)};
+    const bool whole = u - reach_u >= 0 && v - reach_v >= 0 && u + reach_u <= 1 && v + reach_v <= 1;
+    const double area = whole ? std::abs(twist) : shared_area({0, 0, 1, 1});
+    area_ = std::isfinite(area) ? area : 0;
+}
+
+Overlap Footprint::overlap(const Box& box) const {
+    if (box.u_lo >= bounds_.u_hi || box.u_hi <= bounds_.u_lo || box.v_lo >= bounds_.v_hi ||
+        box.v_hi <= bounds_.v_lo) {
+        return Overlap::none;
+    }
+    const double half_u = 0.5 * (box.u_hi - box.u_lo), half_v = 0.5 * (box.v_hi - box.v_lo);
+    const double u = box.u_lo + half_u - u_, v = box.v_lo + half_v - v_;
+    const double s = std::abs(s_.at(u, v)), t = std::abs(t_.at(u, v));
+    const double reach_s = std::abs(s_.du) * half_u + std::abs(s_.dv) * half_v;
+    const double reach_t = std::abs(t_.du) * half_u + std::abs(t_.dv) * half_v;
+    constexpr double kSlack = 1e-12;
+    if (s > 0.5 + reach_s + kSlack || t > 0.5 + reach_t + kSlack) return Overlap::none;
+    const bool whole = s + reach_s < 0.5 - kSlack && t + reach_t < 0.5 - kSlack;
+    return whole ? Overlap::whole : Overlap::partial;
+}
+
+double Footprint::shared_area(const Box& box) const {
+    return cut_to(box, corners_of(u_, v_, edge_1_, edge_2_)).area();
+}
+
+}  // namespace nacre::sparkle

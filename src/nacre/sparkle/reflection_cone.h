@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "nacre/core/lanes.h"
+#include "nacre/core/vec.h"
+
+// The facets that mirror light from one direction into a narrow cone of others. The normals that do
+// form Omega_h, a region of the sphere with a spherical conic for a border.  [jakob-2014, section
+// 4]
+
+namespace nacre::sparkle {
+
+/// The cone of half-angle gamma about wo, seen from wi. Both are unit vectors.
+struct ReflectionCone {
+    Vec3f wi, wo;
+    float chord2;  ///< squared chord of gamma, 4 sin^2(gamma / 2)
+
+    ReflectionCone(Vec3f wi, Vec3f wo, float gamma_chord2) : wi(wi), wo(wo), chord2(gamma_chord2) {}
+
+    /// Whether a facet with this unit normal mirrors wi into the cone: the conic test, by mirroring
+    /// the ray. Chords keep the digits that the cosine of a small angle loses. Mirroring is an
+    /// isometry and its own inverse, so the same facets count when wi and wo change places.
+    bool contains(Vec3f m) const {
+        const Vec3f miss = (2 * dot(wi, m)) * m - (wi + wo);
+        return dot(miss, miss) <= chord2;
+    }
+};
+
+/// Mean over the cone of functions of the facet normal: a product rule, Gauss-Legendre in the
+/// cosine from the axis and evenly spaced around it, made once for a cone's width.
+class ConeRule {
+ public:
+    /// @param gamma_rad  half-angle of the cone, in (0, pi/2]
+    /// @param alpha      roughness of the facets the rule is for: the rougher, the fewer nodes
+    ConeRule(double gamma_rad, double alpha);
+
+    /// Solid angle of the cone, 2 pi (1 - cos gamma). (Not pi (1 - cos gamma).)
+    double solid_angle() const { return solid_angle_; }
+    float chord2() const { return chord2_; }
+    int nodes() const { return kLanes * static_cast<int>(groups_.size()); }
+
+    struct Means {
+        float density;  ///< mean over the cone of the Beckmann density D(m)
+        float
+            projected;  ///< mean of D(m) (m.n) / (4 wi.m): times solid_angle(), the share of facets
+    };
+    /// Of the normals m that mirror wi into the directions of the cone about wo, for Beckmann
+    /// facets of this roughness.                                          [walter-2007, eq. 14, 25]
+    Means means(Vec3f wi, Vec3f wo) const {
+        return visit(wi, wo, [](FloatLanes, FloatLanes, FloatLanes, FloatLanes) {});
+    }
+
+    /// The same, showing visit(x, y, z, share) the normals of each eight nodes and the share of
+    /// facets that each node stands for.
+    template <class Visit>
+    Means visit(Vec3f wi, Vec3f wo, Visit&& visit) const;
+
+    /// The direction at (u.x, u.y) in [0, 1)^2 of the cone about wo, evenly over its solid angle.
+    Vec3f sample(Vec3f wo, Vec2f u) const;
+
+ private:
+    struct Group {
+        FloatLanes x, y, z, weight;  // directions about the z axis; weights sum to 1
+    };
+    std::vector<Group> groups_;
+    double solid_angle_;
+    float chord2_, versine_, inverse_alpha2_, norm_;
+};
+
+}  // namespace nacre::sparkle
+
+#include "nacre/sparkle/reflection_cone_inl.h"  // IWYU pragma: export
