@@ -20,15 +20,18 @@ struct Axis {
     std::optional<double> hi = {};  ///< where it ends; else where the data do
 };
 
-/// Points, and perhaps the line through them. A point with NaN or infinity in x or y is left out
-/// and interrupts the line; so does one that a logarithmic axis cannot show. What lies beyond the
-/// ends of an axis is cut off.
+/// Values beyond this, and of course infinity, are not shown: the length of an axis must be finite.
+inline constexpr double kLargestShown = 1e150;
+
+/// Points, and perhaps the line through them. A point whose x or y is not finite is left out and
+/// interrupts the line; so does one that a logarithmic axis cannot show. What lies beyond the ends
+/// of an axis is cut off.
 struct Series {
     std::string name = {};       ///< plain text for the legend
     std::vector<double> x = {};  ///< as many as y
     std::vector<double> y = {};
     std::vector<double> y_error = {};  ///< bars from y - y_error to y + y_error; empty,
-                                       ///< or as many as y; not finite: no bar
+                                       ///< or as many as y, each >= 0; not finite: no bar
     std::vector<std::string> point_colours =
         {};                                      ///< each dot's own colour, "#rrggbb", such as that
                                                  ///< of the sample it stands for; empty, or as many
@@ -51,9 +54,9 @@ struct Plot {
 };
 
 /// Checks what a caller can get wrong.
-/// @throws DomainError naming the plot and the series if lists differ in length, a colour is not
-/// "#rrggbb", lo or hi is not finite, lo >= hi, a logarithmic axis begins at or below 0, or
-/// equal_scale meets a logarithmic axis
+/// @throws DomainError naming the plot and the series if lists differ in length, an error is
+/// negative, a colour is not "#rrggbb", lo or hi is not finite, lo >= hi, a logarithmic axis begins
+/// at or below 0, or equal_scale meets a logarithmic axis
 void check(const Plot& plot);
 
 }  // namespace nacre::report

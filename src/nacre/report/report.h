@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/report/page.h"
 #include "nacre/report/plot.h"
 
 // A report for people: headings, text, tables, pictures and plots in one HTML page that needs no
@@ -93,12 +94,6 @@ class Report {
     std::string html() const;
 
  private:
-    struct Heading {
-        int level;
-        std::string text;
-        std::string anchor;
-    };
-
     std::string title_;
     std::string subtitle_;
     std::vector<Heading> headings_;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace nacre::report {
+
+struct Heading {
+    int level = 1;       ///< 1 to 3
+    std::string text;    ///< with markup
+    std::string anchor;  ///< its name in the page
+};
+
+/// A name for links made of a text's letters and digits, as in "table-1-the-reference".
+std::string slug(const std::string& text);
+
+/// A list of links to the headings of levels 1 and 2; empty for fewer than two.
+std::string contents_html(const std::vector<Heading>& headings);
+
+/// The plotting scripts as elements, with their licences before them.
+/// @throws InputError if a file is not in the data folder
+std::string plotting_scripts();
+
+/// The page around its body.
+/// @param with_plots whether the plotting scripts follow the body
+/// @throws InputError as plotting_scripts
+std::string page_html(const std::string& title, const std::string& subtitle,
+                      const std::vector<Heading>& headings, const std::string& body,
+                      bool with_plots);
+
+}  // namespace nacre::report
