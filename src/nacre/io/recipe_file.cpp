@@ -172,6 +172,11 @@ layers::Layer read_layer(const TableReader& table) {
 layers::Microfacet read_microfacet(const TableReader& table) {
     layers::Microfacet m;
     m.alpha = table.number("alpha", limits::kMicrofacetAlpha);
+    if (table.has("distribution")) {
+        m.distribution = table.choice("distribution", {"beckmann", "ggx"}) == 0
+                             ? layers::FacetDistribution::beckmann
+                             : layers::FacetDistribution::ggx;
+    }
     m.film_ior = table.number("film_ior", limits::kMicrofacetIndex);
     m.film_thickness_nm = table.number("film_thickness_nm", limits::kMicrofacetFilmThickness);
     m.base_ior = table.number("base_ior", limits::kMicrofacetIndex);
@@ -216,7 +221,8 @@ layers::Recipe read_recipe_table(const TableReader& table) {
     }
     if (const auto microfacet = table.table_if_present(
             "microfacet",
-            {"alpha", "film_ior", "film_thickness_nm", "base_ior", "base_extinction", "facets"})) {
+            {"alpha", "distribution", "film_ior", "film_thickness_nm", "base_ior",
+             "base_extinction", "facets"})) {
         recipe.microfacet = read_microfacet(*microfacet);
     }
     if (recipe.layers.empty() && !recipe.microfacet) {

@@ -119,10 +119,20 @@ TEST(RecipeFile, ReadsEveryKeyWithItsUnit) {
     EXPECT_FALSE(recipe.microfacet);
 }
 
+TEST(RecipeFile, ReadsTheDistributionOfFacets) {
+    std::string text = kMicrofacet;
+    text.insert(text.find("alpha"), "distribution = \"ggx\"\n");
+    const layers::Recipe recipe = parse(text);
+    ASSERT_TRUE(recipe.microfacet);
+    EXPECT_EQ(recipe.microfacet->distribution, layers::FacetDistribution::ggx);
+    EXPECT_EQ(parse(write_recipe(recipe)), recipe);
+}
+
 TEST(RecipeFile, ReadsTheMicrofacetTables) {
     const layers::Recipe recipe = parse(kMicrofacet);
     ASSERT_TRUE(recipe.microfacet);
     EXPECT_EQ(recipe.microfacet->film_thickness_nm, 158.333);
+    EXPECT_EQ(recipe.microfacet->distribution, layers::FacetDistribution::beckmann);
     ASSERT_TRUE(recipe.microfacet->facets);
     EXPECT_EQ(recipe.microfacet->facets->count, 1e7);
     EXPECT_TRUE(recipe.layers.empty());
@@ -222,7 +232,7 @@ const BadRecipe kBadRecipes[] = {
     {&kViolet, "reflectance = 0.05", "", "26:1", "substrate.reflectance", "[0, 1]"},
     {&kGray, "reflectance = 0.6\ntransmittance = 0.3\nthickness_um = 0.3\n", "", "4:1",
      "layer[0].flakes[0].core", "is missing"},
-    {&kMicrofacet, "alpha = 0.07", "", "2:1", "microfacet.alpha", "(0, 1]"},
+    {&kMicrofacet, "alpha = 0.07", "", "2:1", "microfacet.alpha", "[0.001, 1]"},
     // wrong types
     {&kViolet, "ior = 1.5", "ior = true", "2:7", "ior = true", "[1, 3]"},
     {&kViolet, "name = \"Violet pearl\"", "name = 3", "1:8", "name = 3", "must be text"},
@@ -286,6 +296,8 @@ const BadRecipe kBadRecipes[] = {
      "layer[0].flakes[0].area_density_per_um = 0", "(0, 1000000] 1/um"},
     {&kMicrofacet, "10_000_000", "0.5", "9:9", "microfacet.facets.count = 0.5",
      "[1, 1000000000000000]"},
+    {&kMicrofacet, "alpha = 0.07", "alpha = 0.07\ndistribution = \"phong\"", "4:16",
+     "microfacet.distribution = 'phong'", "must be one of: beckmann, ggx"},
     {&kMicrofacet, "film_ior = 1.8", "film_ior = -1.8", "4:12", "microfacet.film_ior = -1.8",
      "(0, 10]"},
     // what does not go together

@@ -130,9 +130,11 @@ std::string layer_text(const layers::Layer& layer) {
 
 std::string microfacet_text(const layers::Microfacet& m) {
     std::string out = fmt::format(
-        "\n[microfacet]\nalpha = {}\nfilm_ior = {}\nfilm_thickness_nm = {}\nbase_ior = {}\n"
-        "base_extinction = {}\n",
-        number(m.alpha), number(m.film_ior), number(m.film_thickness_nm), number(m.base_ior),
+        "\n[microfacet]\nalpha = {}\ndistribution = {}\nfilm_ior = {}\nfilm_thickness_nm = {}\n"
+        "base_ior = {}\nbase_extinction = {}\n",
+        number(m.alpha),
+        quoted(m.distribution == layers::FacetDistribution::ggx ? "ggx" : "beckmann"),
+        number(m.film_ior), number(m.film_thickness_nm), number(m.base_ior),
         number(m.base_extinction));
     if (m.facets) {
         out += fmt::format(

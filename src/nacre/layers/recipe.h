@@ -90,8 +90,12 @@ struct MicrofacetFacets {
 
     friend bool operator==(const MicrofacetFacets&, const MicrofacetFacets&) = default;
 };
+/// The law of facet normals: Beckmann's (Gaussian slopes) or GGX (Trowbridge and Reitz), with long
+/// tails.                                                          [walter-2007, eq. 25 and 33]
+enum class FacetDistribution { beckmann, ggx };
 struct Microfacet {
     double alpha = 0.1;
+    FacetDistribution distribution = FacetDistribution::beckmann;
     double film_ior = 1;
     double film_thickness_nm = 0;
     double base_ior = 1;

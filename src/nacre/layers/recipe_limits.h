@@ -5,6 +5,7 @@
 
 #include "nacre/core/range.h"
 #include "nacre/layers/recipe.h"
+#include "nacre/optics/airy.h"
 
 // What a recipe may say. validate() and the reader of recipe files (io/recipe_file.h) share these
 // bounds; docs/recipe.md lists them. They are wide: they keep out slips of a decimal point and
@@ -38,9 +39,10 @@ inline constexpr Range kFilmThickness{0, 1e5, "nm", true};
 inline constexpr Range kFilmSpread{0, 1e5, "nm"};
 inline constexpr Range kAnisotropy{-1, 1, "", true, true};
 
-inline constexpr Range kMicrofacetAlpha{0, 1, "", true};
-inline constexpr Range kMicrofacetIndex{0, 10, "", true};
-inline constexpr Range kMicrofacetExtinction{0, 100};
+/// Below the least alpha a direction in single precision cannot tell slopes apart.
+inline constexpr Range kMicrofacetAlpha{0.001, 1};
+inline constexpr Range kMicrofacetIndex = optics::kAiryIndexRange;
+inline constexpr Range kMicrofacetExtinction = optics::kAiryExtinctionRange;
 inline constexpr Range kMicrofacetFilmThickness{0, 1e5, "nm"};
 inline constexpr Range kFacetCount{1, 1e15};
 inline constexpr Range kConeHalfAngle{0, 90, "deg", true};

@@ -49,7 +49,7 @@ struct Antialiasing {
 
 /// Colour of the film's unpolarised reflectance by spectral antialiasing:
 ///   c0 + 2 sum_m strength ratio^m Re[e^(i m phase) S(m OPD)], s and p averaged.
-///   [belcour-barla-2017, sec. 5]
+///   [belcour-barla-2017]
 /// Where the film's wave is evanescent, which has no such sum: by sums over wavelengths at 5 nm.
 /// @param cosine  of incidence, outside, in [0, 1]
 /// @param thickness_nm  d >= 0
