@@ -39,6 +39,14 @@ class MicrofacetCoat {
     }
     /// Reflectance of the coat's mirror; 0 without a coat.
     float mirror_reflectance(const Ray& i) const { return 1 - i.transmittance; }
+    /// The mirror's direction, when it is sampled with this probability.
+    BsdfSample mirror_sample(const Ray& i, float probability) const {
+        return {.wo = {-i.outside.x, -i.outside.y, i.outside.z},
+                .weight = splat(mirror_reflectance(i) / probability),
+                .pdf = probability,
+                .mirror = true,
+                .exit_mm = {}};
+    }
     bool present() const { return present_; }
 
  private:
