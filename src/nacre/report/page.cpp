@@ -25,8 +25,10 @@ std::string script_element(std::string_view source) {
 }  // namespace
 
 std::string slug(const std::string& text) {
+    constexpr std::size_t kLongest = 60;
     std::string name;
     for (const char c : markup_to_plain(text)) {
+        if (name.size() >= kLongest) break;
         if (std::isalnum(static_cast<unsigned char>(c))) {
             name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         } else if (!name.empty() && name.back() != '-') {
@@ -61,7 +63,8 @@ std::string plotting_scripts() {
     };
     // The licences ask to be in every copy. No "*/" of theirs may end the comment.
     std::string notice = read("NOTICE.txt");
-    for (std::size_t at; (at = notice.find("*/")) != std::string::npos;) notice.insert(at + 1, 1, ' ');
+    for (std::size_t at; (at = notice.find("*/")) != std::string::npos;)
+        notice.insert(at + 1, 1, ' ');
     return script_element("/*\n" + notice + "*/\n" + read("d3.min.js")) +
            script_element(read("plot.umd.min.js")) + script_element(plots_js());
 }

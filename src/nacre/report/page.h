@@ -11,7 +11,8 @@ struct Heading {
     std::string anchor;  ///< its name in the page
 };
 
-/// A name for links made of a text's letters and digits, as in "table-1-the-reference".
+/// A name for links made of a text's letters and digits, as in "table-1-the-reference", cut off
+/// after 60.
 std::string slug(const std::string& text);
 
 /// A list of links to the headings of levels 1 and 2; empty for fewer than two.

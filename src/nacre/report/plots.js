@@ -11,14 +11,17 @@
   const plain = d3.format(",~g");
   const precise = d3.format(".4~g");
 
-  // On an axis of several decades only the powers of ten have labels.
+  // The more decades an axis spans, the fewer of its ticks have labels; d3 leaves out more of them
+  // where they would be too close.
   function logarithmicTick(domain) {
     const decades = Math.log10(domain[1] / domain[0]);
+    const labelled = decades <= 3 ? [1, 2, 5] : [1];
     return (value) => {
-      const exponent = Math.round(Math.log10(value));
+      const exponent = Math.floor(Math.log10(value) + 1e-9);
       const digit = Math.round(value / 10 ** exponent * 10) / 10;
-      if (digit !== 1) return decades < 1.5 ? plain(value) : "";
-      return exponent >= -3 && exponent <= 4 ? plain(value) : "10" + superscript(exponent);
+      if (decades > 1 && !labelled.includes(digit)) return "";
+      if (exponent >= -3 && exponent <= 4) return plain(value);
+      return (digit === 1 ? "" : `${digit}·`) + "10" + superscript(exponent);
     };
   }
 
@@ -27,17 +30,53 @@
       type: axis.log ? "log" : "linear",
       domain: axis.domain,
       nice: axis.round,
-      tickFormat: axis.log ? logarithmicTick(axis.domain) : undefined,
-      labelArrow: "none",
-      label: axis.label,
     };
   }
 
-  function seriesMarks(series, y) {
+  const hasPlace = (p) => p.x !== null;
+  const onAxis = (axis, value) => axis.round || (value >= axis.domain[0] && value <= axis.domain[1]);
+
+  function axisOptions(axis, tickSpacing) {
+    return {
+      label: axis.label, labelArrow: "none", fill: "#1f1f1f", fontSize: 13, tickSize: 0, tickSpacing,
+      tickFormat: axis.log ? logarithmicTick(axis.domain) : undefined,
+    };
+  }
+
+  // The labels of a series' points stand on the outer side of its curve, in one of eight directions
+  // (a mark of Plot has one direction). toPixels turns a point into about where it is drawn.
+  function labelMarks(series, isInside, toPixels) {
+    const points = series.points.filter(hasPlace);
+    if (!points.some((p) => p.label)) return [];
+    const pixels = points.map(toPixels);
+    const at = (i) => pixels[Math.min(Math.max(i, 0), pixels.length - 1)];
+    const normals = pixels.map((_, i) => {
+      const [x, y] = [at(i + 1)[0] - at(i - 1)[0], at(i + 1)[1] - at(i - 1)[1]];
+      const length = Math.hypot(x, y);
+      return length > 0 ? [y / length, -x / length] : [0.7, -0.7];
+    });
+    const bend = d3.sum(pixels.slice(1, -1), ([x, y], i) =>  // pixels[i + 1] is the point
+      (pixels[i][0] + pixels[i + 2][0] - 2 * x) * normals[i + 1][0] +
+      (pixels[i][1] + pixels[i + 2][1] - 2 * y) * normals[i + 1][1]);
+    const upwards = d3.sum(normals, ([x, y]) => x - y);
+    const side = Math.abs(bend) > 1 ? -Math.sign(bend) : upwards < 0 ? -1 : 1;
+    const octant = (i) => (Math.round(Math.atan2(side * normals[i][1], side * normals[i][0]) / (Math.PI / 4)) + 8) % 8;
+    return Array.from(d3.group(points.keys(), octant), ([direction, indices]) => {
+      const [right, down] = [Math.cos(direction * Math.PI / 4), Math.sin(direction * Math.PI / 4)];
+      const side3 = (value, names) => names[Math.abs(value) < 0.1 ? 1 : value < 0 ? 0 : 2];
+      return Plot.text(indices.map((i) => points[i]).filter((p) => p.label && isInside(p)), {
+        x: "x", y: "y", text: "label", dx: 10 * right, dy: 10 * down,
+        textAnchor: side3(right, ["end", "middle", "start"]),
+        lineAnchor: side3(down, ["bottom", "middle", "top"]),
+        fill: "#333333", stroke: "#ffffff", strokeWidth: 3, fontSize: 12,
+      });
+    });
+  }
+
+  function lineMarks(series, y) {
     const points = series.points;
-    const place = {x: "x", y: "y", clip: true};
     const marks = [];
-    const bars = points.filter((p) => p.x !== null && "high" in p);
+    const bars = points.filter((p) => hasPlace(p) && "high" in p);
     if (bars.length) {
       marks.push(Plot.ruleX(bars, {
         x: "x", y1: (p) => p.low ?? y.domain[0], y2: "high",
@@ -46,31 +85,28 @@
     }
     if (series.line) {
       marks.push(Plot.line(points, {
-        ...place, stroke: series.colour, strokeWidth: 2, strokeLinejoin: "round",
+        x: "x", y: "y", clip: true, stroke: series.colour, strokeWidth: 2, strokeLinejoin: "round",
         strokeDasharray: series.dashed ? "6 4" : undefined,
-      }));
-    }
-    if (series.dots) {
-      const own = points.some((p) => p.colour);
-      marks.push(Plot.dot(points, {
-        ...place, clip: false, filter: (p) => p.x !== null, r: own ? 6 : 4, symbol: series.symbol,
-        fill: own ? (p) => p.colour ?? "#ffffff" : series.colour,
-        stroke: own ? "#333333" : "#ffffff", strokeWidth: own ? 1 : 0.8,
-      }));
-    }
-    if (points.some((p) => p.label)) {
-      marks.push(Plot.text(points.filter((p) => p.x !== null && p.label), {
-        ...place, clip: false, text: "label", dx: 9, dy: -9, textAnchor: "start", fill: "#333333",
-        stroke: "#ffffff", strokeWidth: 3, fontSize: 12,
       }));
     }
     return marks;
   }
 
+  function dotMarks(series, isInside) {
+    if (!series.dots) return [];
+    const points = series.points.filter(isInside);
+    const own = points.some((p) => p.colour);
+    return [Plot.dot(points, {
+      x: "x", y: "y", r: own ? 7 : 4, symbol: series.symbol,
+      fill: own ? (p) => p.colour ?? "#ffffff" : series.colour,
+      stroke: own ? "#333333" : "#ffffff", strokeWidth: own ? 1 : 0.8,
+    })];
+  }
+
   // What the pointer shows.
-  function tip(data) {
+  function tip(data, isInside) {
     const all = data.series.flatMap((series) =>
-      series.points.filter((p) => p.x !== null).map((p) => ({...p, series: series.name})));
+      series.points.filter(isInside).map((p) => ({...p, series: series.name})));
     const line = (axis, value) => `${axis.label}: ${precise(value)}`;
     return Plot.tip(all, Plot.pointer({
       x: "x", y: "y",
@@ -81,13 +117,20 @@
 
   function draw(data, width) {
     const narrow = width < 480;
-    const axis = {fontSize: 13, fill: "#1f1f1f", stroke: null};
     const grid = {stroke: "#000000", strokeOpacity: 0.1, strokeWidth: 0.8};
     const zero = {stroke: "#777777", strokeWidth: 1};
-    const tickSpacing = {x: narrow ? 60 : 80, y: 50};
+    const tickSpacing = data.equal ? {x: 60, y: 60} : {x: narrow ? 60 : 80, y: 50};
+    const height = data.equal
+      ? width * (data.y.domain[1] - data.y.domain[0]) / (data.x.domain[1] - data.x.domain[0])
+      : Math.round(Math.max(280, width * 0.56));
+    const onScreen = (axis, length) => (axis.log ? d3.scaleLog() : d3.scaleLinear()).domain(axis.domain).range(length);
+    const [screenX, screenY] = [onScreen(data.x, [0, width]), onScreen(data.y, [height, 0])];
+    const toPixels = (p) => [screenX(p.x), screenY(p.y)];
+    const isInside = (p) => hasPlace(p) && onAxis(data.x, p.x) && onAxis(data.y, p.y);
+    const empty = !data.series.some((series) => series.points.some(hasPlace));
     return Plot.plot({
       width,
-      height: data.equal ? undefined : Math.round(Math.max(280, width * 0.56)),
+      height: data.equal ? undefined : height,  // else it follows from aspectRatio
       aspectRatio: data.equal ? 1 : undefined,
       marginTop: 32, marginRight: 28, marginBottom: 48, marginLeft: 62,
       style: {fontFamily: "inherit", fontSize: "13px", color: "#1f1f1f", background: "#ffffff"},
@@ -98,10 +141,13 @@
         Plot.gridX({...grid, tickSpacing: tickSpacing.x}),
         Plot.gridY({...grid, tickSpacing: tickSpacing.y}),
         data.equal ? [Plot.ruleX([0], zero), Plot.ruleY([0], zero)] : Plot.frame({stroke: "#bbbbbb"}),
-        Plot.axisX({...axis, tickSpacing: tickSpacing.x, tickSize: 0, labelAnchor: "center", labelOffset: 40}),
-        Plot.axisY({...axis, tickSpacing: tickSpacing.y, tickSize: 0, labelAnchor: "top"}),
-        ...data.series.flatMap((series) => seriesMarks(series, data.y)),
-        tip(data),
+        Plot.axisX({...axisOptions(data.x, tickSpacing.x), labelAnchor: "center", labelOffset: 40}),
+        Plot.axisY({...axisOptions(data.y, tickSpacing.y), labelAnchor: "top"}),
+        ...data.series.flatMap((series) => lineMarks(series, data.y)),
+        ...data.series.flatMap((series) => labelMarks(series, isInside, toPixels)),
+        ...data.series.flatMap((series) => dotMarks(series, isInside)),
+        empty ? Plot.text(["No point can be shown"], {frameAnchor: "middle", fontSize: 14, fill: "#5c5c5c"})
+              : tip(data, isInside),
       ],
     });
   }
