@@ -69,15 +69,26 @@ float sample_visible_beckmann_slope(float cotangent, float u) {
     float b = std::clamp((1 + end) * u - 1, kLeast, top);
     float x = erf_inverse(b);
     for (int step = 0; step < 12; ++step) {
-        const float excess = c * (1 + b) + g * std::exp(-x * x) - target;
+        const float gauss = std::exp(-x * x);
+        const float excess = c * (1 + b) + g * gauss - target;
         const float slope = c - scale * x;
-        // A guess next to the end, where the slope vanishes, must not throw it out of range.
-        const float next = slope > 1e-6f ? b - excess / slope : 0.5f * (b + kLeast);
-        const float moved = std::clamp(next, 0.5f * (b + kLeast), 0.5f * (b + top));
-        const bool done = std::abs(moved - b) < 1e-6f;
-        b = moved;
+        const float dx = 0.5f / (kInvSqrtPi * gauss);  // dx/db
+        if (slope <= 1e-6f) {                          // next to the end, where the slope vanishes
+            b = 0.5f * (b + kLeast);
+        } else {
+            // Halley's correction of Newton's step: the slope falls by scale dx/db. It is for steps
+            // that are small against the distance to where the slope vanishes.
+            const float newton = -excess / slope;
+            const float bend = std::min(0.5f, 0.5f * newton * scale * dx / slope);
+            const float move = newton / (1 - bend);
+            const float moved = move * dx;
+            // So small a step needs no new inverse: x to second order.
+            if (std::abs(moved) < 0.01f && std::abs(bend) < 0.01f) {
+                return x + moved * (1 + x * moved);
+            }
+            b = std::clamp(b + move, 0.5f * (b + kLeast), 0.5f * (b + top));
+        }
         x = erf_inverse(b);
-        if (done) break;
     }
     return x;
 }
