@@ -1,5 +1,8 @@
 #include "nacre/sparkle/facet_field.h"
 
+#include <tuple>
+#include <utility>
+
 #include "nacre/core/error.h"
 
 namespace nacre::sparkle {
@@ -179,6 +182,8 @@ void FacetField::count_facets(const Footprint& footprint, const ReflectionCone& 
 
 void FacetField::count_cells(const Footprint& footprint, Vec3f wi, Vec3f wo,
                              FacetTally& tally) const {
+    // The same normals mirror wo into the cone about wi; the rule must not tell which was which.
+    if (std::tie(wi.z, wi.x, wi.y) < std::tie(wo.z, wo.x, wo.y)) std::swap(wi, wo);
     Touched touched;
     rule_.visit(wi, wo, [&](FloatLanes x, FloatLanes y, FloatLanes z, FloatLanes share) {
         for (int i = 0; i < kLanes; ++i) {
