@@ -20,7 +20,7 @@ inline constexpr Range kAiryExtinctionRange{.lo = 0, .hi = 100};
 /// Error of AiryFilm::reflectance against stack_reflectance, in double lanes and in float lanes,
 /// for films of up to 10 wavelengths' optical thickness, without extreme contrasts (indices 0.5 to
 /// 4). In float it grows in proportion with the thickness: the phase is a float.
-inline constexpr double kAiryError = 1e-12;
+inline constexpr double kAiryError = 2e-13;
 inline constexpr double kAiryFloatError = 2e-5;
 
 /// The film seen under one angle. It holds the characteristic matrix's amplitudes, which do not

@@ -104,6 +104,33 @@ TEST(AiryFilm, TakesTheExtinctionItselfNotItsRatioToTheIndex) {
     EXPECT_NEAR(AiryFilm(1, 1.5, n, k).reflectance(1.0, 0.0, splat(1 / 550.0))[0], expected, 1e-14);
 }
 
+TEST(AiryTerms, PhasesAreThoseOfTheProjectsConvention) {
+    // exp(-i w t), k > 0 absorbs: with n - i k the phase off a metal would have the other sign.
+    const double film = 1.5, cosine = 0.8, inside = std::sqrt(1 - (1 - 0.64) / (film * film));
+    const auto top = fresnel(1, film, cosine), base = fresnel(film, {0.2, 3.6}, inside);
+    const auto terms = AiryFilm(1, film, 0.2, 3.6).terms(cosine);
+    ASSERT_TRUE(terms);
+    EXPECT_NEAR(
+        std::remainder(terms->s.phase - std::arg(-top.r_s * base.r_s), 2 * std::numbers::pi), 0,
+        1e-12);
+    EXPECT_NEAR(
+        std::remainder(terms->p.phase - std::arg(-top.r_p * base.r_p), 2 * std::numbers::pi), 0,
+        1e-12);
+    EXPECT_GT(std::abs(std::sin(terms->s.phase)), 0.5);  // so that the sign matters
+}
+
+TEST(AiryFilm, UnpolarisedLightIsHalvedOnce) {
+    // At normal incidence both polarisations reflect alike, and so does their mean.
+    const auto angle = AiryFilm(1, 1.8, 1.08, 0.51).at(1.0);
+    const DoubleLanes d = splat(158.333 / 550);
+    EXPECT_NEAR(angle.polarised_reflectance(d).s[0], angle.reflectance(d)[0], 1e-15);
+    EXPECT_NEAR(angle.polarised_reflectance(d).p[0], angle.reflectance(d)[0], 1e-15);
+    // And the series halves once too: a thick film's mean over fringes is its c0.
+    const auto terms = AiryFilm(1, 1.8, 1.08, 0.51).terms(1);
+    const AiryMoments m = AiryFilm(1, 1.8, 1.08, 0.51).moments(1, {0, 550 / (2 * 1.8)}, 550);
+    EXPECT_NEAR(m.mean, terms->s.c0, 1e-12);
+}
+
 TEST(AiryFilm, ConductorWithoutExtinctionIsADielectric) {
     for (const double cosine : kCosines) {
         const double dielectric =
