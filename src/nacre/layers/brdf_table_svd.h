@@ -61,21 +61,28 @@ constexpr int terms_of_rank(int r) { return (r * r + r) / 2; }
 struct CompressionSettings {
     /// r, 1 to kLargestRank, so that k = (r^2 + r)/2; 0: the smallest that meets `tolerance`.
     int rank = 0;
-    /// Relative error of the table in the L2 norm over all its values; (0, 1).
+    /// The relative_error() that is good enough; (0, 1).
     double tolerance = 1e-3;
+    /// Values below zero, of colours outside the gamut of Rec. 709, count as zero: a channel that
+    /// has no others is then left out.
+    bool clip_to_gamut = false;
 
     static constexpr int kLargestRank = 10;
 };
 
-/// Singular values come from the eigenvalues of the m x m Gram matrix in double precision: the
-/// error of what is kept is that of single precision, 1e-7. A channel whose largest value is below
-/// kZeroChannel of the table's largest is left out.
+/// Errors count relative to the largest values that a row's two directions have (relative_error):
+/// plain least squares would spend all terms on the few directions near grazing where the table of
+/// a paint without a coat, or with a rough one, is largest. Singular values come from the
+/// eigenvalues of the m x m Gram matrix in double precision: the error of what is kept is that of
+/// single precision, 1e-7. A channel whose largest value is below kZeroChannel of the table's
+/// largest is left out.
 /// @throws DomainError if a setting is out of range; Error if no rank meets the tolerance
 CompressedBrdfTable compress(const RawBrdfTable& raw, const CompressionSettings& settings = {});
 
 inline constexpr double kZeroChannel = 1e-6;
 
-/// How much a table lost: || compressed - raw || / || raw || over all values of all channels.
+/// How much a table lost: || compressed - raw || / || raw || over all values of all channels, the
+/// squares of row (i, o) divided by peak_i peak_o, the largest values that each direction has.
 double relative_error(const CompressedBrdfTable& compressed, const RawBrdfTable& raw);
 
 /// Loss of PSNR in dB of a picture whose root mean square error was `error`, if an independent one

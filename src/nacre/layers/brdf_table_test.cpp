@@ -213,6 +213,15 @@ TEST(BrdfTableSvd, LeavesOutAChannelThatIsZero) {
     EXPECT_EQ(relative_error(black, table), 0);
 }
 
+TEST(BrdfTableSvd, ClipsToTheGamutWhenAsked) {
+    RawBrdfTable table = pearl_table();
+    for (std::size_t at = 1; at < table.values.size(); at += 3) table.values[at] *= -0.01f;
+    EXPECT_EQ(compress(table, {3, 0.5, false}).rank, (std::array<int, 3>{6, 6, 6}));
+    const CompressedBrdfTable clipped = compress(table, {3, 0.5, true});
+    EXPECT_EQ(clipped.rank, (std::array<int, 3>{6, 0, 6}));
+    EXPECT_EQ(clipped.bytes(), 2u * (64 * 64 + 48) * 6 * 4);
+}
+
 TEST(BrdfTableSvd, StaysReciprocal) {
     const CompressedBrdfTable c = compress(pearl_table(), {3, 0.5});
     const int n = c.grid.angles, all = c.terms();

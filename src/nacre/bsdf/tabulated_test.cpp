@@ -1,0 +1,292 @@
+#include "nacre/bsdf/tabulated.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "nacre/bsdf/microflake.h"
+#include "nacre/core/error.h"
+#include "nacre/core/rng.h"
+#include "nacre/layers/solver.h"
+#include "nacre/spectra/rgb_basis.h"
+
+namespace nacre::bsdf {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+const Wavelengths kWavelengths = {418, 456, 493, 531, 568, 606, 643, 681};
+
+Vec3f direction(double theta_deg, double phi_deg) {
+    const double s = std::sin(theta_deg * kDegree);
+    return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
+            static_cast<float>(s * std::sin(phi_deg * kDegree)),
+            static_cast<float>(std::cos(theta_deg * kDegree))};
+}
+
+layers::Recipe metallic(double alpha, const spectra::Spectrum& reflectance) {
+    layers::FlakeSpecies flake;
+    flake.amount = layers::AreaDensity{0.1};
+    flake.orientation.beckmann_alpha = alpha;
+    flake.body = layers::PrescribedFlake{reflectance, 0.0, 0.3};
+    layers::Recipe recipe;
+    recipe.layers.push_back({20, {flake}, {}});
+    return recipe;
+}
+
+const spectra::Spectrum kGold({400.0, 500.0, 700.0}, {0.3, 0.5, 0.9});
+
+struct Model {
+    layers::SolvedPaint paint;
+    std::shared_ptr<const layers::RawBrdfTable> raw;
+    std::shared_ptr<const layers::CompressedBrdfTable> compressed;
+
+    explicit Model(const layers::Recipe& recipe, const layers::BrdfTableSettings& settings = {})
+        : paint(layers::solve(recipe, layers::default_wavelengths_nm())),
+          raw(std::make_shared<const layers::RawBrdfTable>(
+              layers::make_raw_table(paint, settings))),
+          compressed(std::make_shared<const layers::CompressedBrdfTable>(
+              layers::compress(*raw, {3, 0.5}))) {}
+};
+
+const Model& gold() {
+    static const Model model(metallic(0.1, kGold));
+    return model;
+}
+
+// What the model should give at eight wavelengths: the colour of the solved spectrum, in the basis.
+FloatLanes expected(const layers::SolvedPaint& paint, double theta_i, double theta_o, double phi) {
+    const auto f = paint.brdf(theta_i * kDegree, theta_o * kDegree, phi * kDegree);
+    const auto weights = spectra::rec709_weights(paint.wavelengths_nm());
+    spectra::Vec3 rgb{};
+    for (std::size_t w = 0; w < f.size(); ++w) {
+        for (int c = 0; c < 3; ++c) rgb[c] += weights[w][c] * f[w];
+    }
+    return make_lanes([&](int lane) {
+        double sum = 0;
+        for (int j = 0; j < 3; ++j) {
+            sum += rgb[j] * spectra::linear_rec709_basis()[j](kWavelengths[lane]);
+        }
+        return static_cast<float>(std::max(0.0, sum));
+    });
+}
+
+// Largest difference to that over the peak of each incident direction.
+template <class Table>
+double worst_error(const layers::SolvedPaint& paint, std::shared_ptr<const Table> table) {
+    const auto bound = Tabulated(table).bind(kWavelengths);
+    double worst = 0;
+    for (const double theta_i : {0.1, 20.0, 45.0, 60.0, 75.0, 85.0, 89.0}) {
+        double peak = 0, error = 0;
+        for (const double phi : {180.0, 178.3, 174.2, 165.5, 150.0, 120.0, 60.0, 1.0}) {
+            for (double theta_o = 0.5; theta_o < 90; theta_o += 2.9) {
+                const FloatLanes wanted = expected(paint, theta_i, theta_o, phi);
+                const FloatLanes found =
+                    bound->eval(direction(theta_i, 0), direction(theta_o, phi));
+                peak = std::max<double>(peak, lane_max(wanted));
+                error =
+                    std::max<double>(error, lane_max(max_lanes(found - wanted, wanted - found)));
+            }
+        }
+        worst = std::max(worst, error / peak);
+    }
+    return worst;
+}
+
+TEST(Tabulated, AgreesWithTheColourOfTheSolvedPaintWhateverItsRoughness) {
+    for (const double alpha : {0.07, 0.1, 0.4}) {
+        SCOPED_TRACE(alpha);
+        const Model model(metallic(alpha, kGold));
+        EXPECT_LT(worst_error(model.paint, model.raw), kTabulatedError);
+        EXPECT_LT(worst_error(model.paint, model.compressed), kTabulatedCompressedError);
+    }
+}
+
+TEST(Tabulated, AgreesWithTheSolvedPaintWithoutACoat) {
+    layers::Recipe recipe = metallic(0.1, kGold);
+    recipe.binder = optics::Material(1.0);
+    const Model model(recipe);
+    EXPECT_LT(worst_error(model.paint, model.raw), kTabulatedError);
+}
+
+// A rough interface has lobes that sharpen towards grazing: 2 % of the peak beyond 85 deg.
+TEST(Tabulated, FollowsARoughInterface) {
+    layers::Recipe recipe = metallic(0.1, kGold);
+    recipe.clearcoat = layers::Clearcoat{40, 0.0, 0.2};
+    const Model model(recipe);
+    EXPECT_LT(worst_error(model.paint, model.raw), 5e-3);
+    EXPECT_LT(worst_error(model.paint, model.compressed), 4e-2);
+}
+
+TEST(Tabulated, GreyIsTheSameAtEveryWavelength) {
+    const Model model(metallic(0.2, 0.6), {64, 32});
+    const FloatLanes f =
+        Tabulated(model.raw).bind(kWavelengths)->eval(direction(45, 0), direction(40, 170));
+    for (int lane = 1; lane < kLanes; ++lane) EXPECT_NEAR(f[lane], f[0], 1e-5 * f[0]);
+}
+
+TEST(Tabulated, IsReciprocalAndNeverNegative) {
+    const auto bound = Tabulated(gold().compressed).bind(kWavelengths);
+    const auto raw = Tabulated(gold().raw).bind(kWavelengths);
+    Rng rng(7, 1);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3f a = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
+        const Vec3f b = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
+        for (const BoundBsdf* model : {bound.get(), raw.get()}) {
+            const FloatLanes forth = model->eval(a, b), back = model->eval(b, a);
+            for (int lane = 0; lane < kLanes; ++lane) {
+                ASSERT_GE(forth[lane], 0);
+                // Interpolation weights of single precision in another order.
+                ASSERT_NEAR(forth[lane], back[lane], 1e-5f + 1e-4f * forth[lane]);
+            }
+        }
+    }
+}
+
+TEST(Tabulated, IsBlackBelowTheHorizon) {
+    const auto bound = Tabulated(gold().raw).bind(kWavelengths);
+    const Vec3f up = direction(30, 0), down = {0.6f, 0, -0.8f};
+    EXPECT_EQ(lane_max(bound->eval(up, down)), 0);
+    EXPECT_EQ(lane_max(bound->eval(down, up)), 0);
+    EXPECT_EQ(bound->pdf(up, down), 0);
+    EXPECT_EQ(lane_max(bound->albedo(down)), 0);
+    EXPECT_FALSE(bound->sample(down, 0.5f, {0.5f, 0.5f}).has_value());
+}
+
+TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
+    const auto bound = Tabulated(gold().compressed).bind(kWavelengths);
+    Rng rng(3, 1);
+    int mirrors = 0, others = 0;
+    double largest = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3f wi = direction(89 * rng.uniform_double(), 40);
+        const auto s =
+            bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
+        if (!s) continue;
+        if (s->mirror) {
+            ++mirrors;
+            EXPECT_FLOAT_EQ(s->wo.z, wi.z);
+            continue;
+        }
+        ++others;
+        const BsdfValue both = bound->evaluate(wi, s->wo);
+        ASSERT_NEAR(s->pdf, both.pdf, 1e-4f * s->pdf);
+        ASSERT_NEAR(s->pdf, bound->pdf(wi, s->wo), 1e-4f * s->pdf);
+        ASSERT_NEAR(s->weight[2], both.f[2] * s->wo.z / s->pdf, 1e-3f * s->weight[2]);
+        largest = std::max<double>(largest, lane_max(s->weight));
+    }
+    EXPECT_GT(mirrors, 100);
+    EXPECT_GT(others, 2000);
+    // A twentieth of all samples goes everywhere, and the lobes fit: weights stay bounded.
+    EXPECT_LT(largest, 8);
+}
+
+// Chi-square of sampled directions against the density over bins of cosine and azimuth; what is not
+// a direction, or falls into bins that expect fewer than ten, has one bin. Returned as a standard
+// normal variable.                                                    [wilson-hilferty-1931]
+double chi_square_z_score(const BoundBsdf& bound, double theta_i, std::uint64_t seed) {
+    constexpr int kCosines = 12, kAzimuths = 16, kSub = 16, kSamples = 100000;
+    const Vec3f wi = direction(theta_i, 0);
+    std::vector<double> wanted(kCosines * kAzimuths), found(kCosines * kAzimuths);
+    for (int c = 0; c < kCosines * kSub; ++c) {
+        const double z = (c + 0.5) / (kCosines * kSub);
+        for (int a = 0; a < kAzimuths * kSub; ++a) {
+            const double phi = 360 * (a + 0.5) / (kAzimuths * kSub);
+            wanted[c / kSub * kAzimuths + a / kSub] +=
+                bound.pdf(wi, direction(std::acos(z) / kDegree, phi)) * kSamples * 2 *
+                std::numbers::pi / (kCosines * kSub * kAzimuths * kSub);
+        }
+    }
+    Rng rng(seed, 1);
+    for (int i = 0; i < kSamples; ++i) {
+        const auto s =
+            bound.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
+        if (!s || s->mirror) continue;
+        const double turn = std::atan2(s->wo.y, s->wo.x) / (2 * std::numbers::pi);
+        const int a = static_cast<int>((turn < 0 ? turn + 1 : turn) * kAzimuths);
+        const int c = std::min(static_cast<int>(s->wo.z * kCosines), kCosines - 1);
+        ++found[c * kAzimuths + std::min(a, kAzimuths - 1)];
+    }
+    double statistic = 0, other_wanted = kSamples, other_found = kSamples;
+    int bins = 1;
+    for (std::size_t b = 0; b < wanted.size(); ++b) {
+        if (wanted[b] < 10) continue;
+        statistic += std::pow(found[b] - wanted[b], 2) / wanted[b];
+        other_wanted -= wanted[b];
+        other_found -= found[b];
+        ++bins;
+    }
+    EXPECT_GT(other_wanted, 10);
+    EXPECT_GT(bins, 20);
+    statistic += std::pow(other_found - other_wanted, 2) / other_wanted;
+    const double freedom = bins - 1, spread = 2 / (9 * freedom);
+    return (std::cbrt(statistic / freedom) - (1 - spread)) / std::sqrt(spread);
+}
+
+TEST(Tabulated, SamplesFollowTheDensity) {
+    layers::Recipe satin = metallic(0.2, kGold);
+    satin.clearcoat = layers::Clearcoat{40, 0.0, 0.2};
+    const Model rough(satin, {64, 48}), diffuse(metallic(0.4, kGold), {64, 48});
+    int tests = 0;
+    for (const Model* model : {&gold(), &rough, &diffuse}) {
+        const auto bound = Tabulated(model->raw).bind(kWavelengths);
+        for (const double theta_i : {0.5, 35.0, 65.0, 85.0}) {
+            // One-sided, twelve tests with fixed seeds: 3.5 deviations are one false alarm in 400.
+            EXPECT_LT(chi_square_z_score(*bound, theta_i, 11 + tests), 3.5)
+                << theta_i << ' ' << tests;
+            ++tests;
+        }
+    }
+    EXPECT_EQ(tests, 12);
+}
+
+TEST(Tabulated, AlbedoIsTheMeanWeightAndThatOfTheSolvedPaint) {
+    // Grey, so that colours and spectra are the same.
+    const Model model(metallic(0.1, 0.8), {128, 64});
+    const auto bound = Tabulated(model.compressed).bind(kWavelengths);
+    const auto spectral =
+        Microflake(std::make_shared<const layers::SolvedPaint>(model.paint)).bind(kWavelengths);
+    Rng rng(9, 1);
+    for (const double theta_i : {0.5, 40.0, 70.0, 86.0}) {
+        constexpr int kSamples = 40000;
+        double sum = 0, square = 0;
+        for (int i = 0; i < kSamples; ++i) {
+            const auto s = bound->sample(direction(theta_i, 0), rng.uniform_float(),
+                                         {rng.uniform_float(), rng.uniform_float()});
+            const double w = s ? s->weight[4] : 0.0;
+            sum += w;
+            square += w * w;
+        }
+        const double mean = sum / kSamples;
+        const double error = std::sqrt((square / kSamples - mean * mean) / kSamples);
+        const double albedo = bound->albedo(direction(theta_i, 0))[4];
+        EXPECT_NEAR(albedo, mean, 4 * error + 1e-3);  // quadrature and linear rows add up to 1e-3
+        EXPECT_NEAR(albedo, spectral->albedo(direction(theta_i, 0))[4], 6e-3);  // its own 5e-3
+        EXPECT_LT(albedo, 1);
+    }
+}
+
+TEST(Tabulated, RefusesTablesThatDoNotFit) {
+    layers::RawBrdfTable raw;
+    raw.grid.angles = raw.grid.azimuths = 8;
+    raw.values.resize(3 * raw.grid.values() - 1);
+    const auto make = [](const auto& table) {
+        Tabulated(std::make_shared<const std::decay_t<decltype(table)>>(table));
+    };
+    EXPECT_THROW(make(raw), DomainError);
+    raw.values.push_back(0);
+    EXPECT_NO_THROW(make(raw));  // black
+    raw.grid.ior = 0.9;
+    EXPECT_THROW(make(raw), DomainError);
+
+    layers::CompressedBrdfTable compressed;
+    compressed.grid.angles = compressed.grid.azimuths = 8;
+    EXPECT_NO_THROW(make(compressed));  // black
+    compressed.rank[1] = 2;
+    EXPECT_THROW(make(compressed), DomainError);
+    compressed.rank[1] = -1;
+    EXPECT_THROW(make(compressed), DomainError);
+}
+
+}  // namespace
+}  // namespace nacre::bsdf
