@@ -30,5 +30,6 @@ Command add_reference(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_diff(CLI::App& program);
 Command add_info(CLI::App& program);
+Command add_study(CLI::App& program);
 
 }  // namespace nacre::cli

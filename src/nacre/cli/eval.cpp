@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "nacre/cli/brdf_options.h"
 #include "nacre/cli/command.h"
 #include "nacre/cli/direction_list.h"
+#include "nacre/cli/model_options.h"
 #include "nacre/cli/number_list.h"
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/stopwatch.h"
@@ -16,6 +18,7 @@
 #include "nacre/core/parallel.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/layers/recipe_limits.h"
+#include "nacre/models/spectral_brdf.h"
 
 namespace nacre::cli {
 
@@ -25,12 +28,89 @@ constexpr std::size_t kMostRows = 5'000'000;
 constexpr double kDegree = std::numbers::pi / 180;
 
 struct EvalOptions : BrdfOptions {
-    std::string model = "microflake";
+    ModelOptions model;
     // Without wavelengths: those of a solved paint, else 400 to 700 nm by 10.
+    std::string at, footprint;
 };
 
+/// BRDF values by wavelength for angles in rad.
+using Evaluate = std::function<std::vector<double>(double theta_i, double theta_o, double phi)>;
+
+struct Source {
+    layers::Recipe recipe;
+    std::vector<double> wavelengths;
+    Evaluate evaluate;
+};
+
+/// The solved paint itself: in double precision, by parts.
+Source solved_source(const EvalOptions& options, const std::optional<std::vector<double>>& wanted) {
+    auto paint =
+        std::make_shared<const layers::SolvedPaint>(load_paint(options.recipe, wanted, options));
+    std::vector<double> wavelengths = wanted.value_or(paint->wavelengths_nm());
+    std::vector<std::size_t> positions;
+    for (double wavelength : wavelengths) {
+        positions.push_back(wavelength_position(*paint, wavelength, options.recipe));
+    }
+    const auto part = parse_part<layers::Part>(options.part);
+    return {paint->recipe, std::move(wavelengths),
+            [paint, positions, part](double theta_i, double theta_o, double phi) {
+                const std::vector<double> brdf = paint->brdf(theta_i, theta_o, phi, part);
+                std::vector<double> values;
+                for (std::size_t position : positions) values.push_back(brdf[position]);
+                return values;
+            }};
+}
+
+/// The square that --at and --footprint describe; none without them.
+std::optional<bsdf::Patch> parse_patch(const EvalOptions& options, const models::ModelInfo& model) {
+    if (options.at.empty() && options.footprint.empty()) return std::nullopt;
+    if (!model.can.sparkle) {
+        throw UsageError(
+            fmt::format("--at and --footprint: {} is alike all over the surface", model.name));
+    }
+    if (options.at.empty() || options.footprint.empty()) {
+        throw UsageError("--at and --footprint belong together");
+    }
+    const std::vector<std::string> place = split(options.at, ',');
+    if (place.size() != 2) {
+        throw UsageError(fmt::format("--at = {}: must be U,V as in 0.25,0.5", options.at));
+    }
+    const Range unit{0, 1};
+    const auto side =
+        static_cast<float>(parse_number("--footprint", options.footprint, {0, 1, "", true}));
+    return bsdf::Patch{parse_number("--at", place[0], unit),
+                       parse_number("--at", place[1], unit),
+                       {side, 0},
+                       {0, side}};
+}
+
+/// Any model that gives values, through the surface that a renderer sees.
+Source model_source(const EvalOptions& options, const models::ModelInfo& model,
+                    const std::optional<std::vector<double>>& wanted) {
+    if (model.can.reference_only) {
+        throw UsageError(
+            fmt::format("--model = {}: follows light and has no values to give; see "
+                        "nacre reference",
+                        model.name));
+    }
+    if (options.part != "total") {
+        throw UsageError(
+            fmt::format("--part = {}: only --model microflake knows parts", options.part));
+    }
+    const std::optional<bsdf::Patch> patch = parse_patch(options, model);
+    models::Paint paint = load_model_paint(options.recipe, model.model, options);
+    const auto surface = models::make_surface(model.model, paint,
+                                              parse_surface_options(options.model, options.seed));
+    std::vector<double> wavelengths = wanted.value_or(layers::default_wavelengths_nm());
+    const auto brdf = std::make_shared<const models::SpectralBrdf>(*surface, wavelengths);
+    return {std::move(paint.recipe), std::move(wavelengths),
+            [brdf, patch](double theta_i, double theta_o, double phi) {
+                return (*brdf)(theta_i, theta_o, phi, patch);
+            }};
+}
+
 ExitStatus run(const EvalOptions& options) {
-    require_known_model(options.model);
+    const models::ModelInfo& model = parse_model(options.model);
     const ThreadLimit threads(options.threads);
     const Stopwatch watch;
     const std::vector<Direction> incident = parse_directions("--incident", options.incident);
@@ -39,36 +119,34 @@ ExitStatus run(const EvalOptions& options) {
     if (!options.wavelengths.empty()) {
         wanted = parse_numbers("--wavelength", options.wavelengths, layers::limits::kWavelength);
     }
-    const layers::SolvedPaint paint = load_paint(options.recipe, wanted, options);
-    const std::vector<double> wavelengths = wanted.value_or(paint.wavelengths_nm());
+    const bool is_solved =
+        model.model == models::Model::microflake && options.model.table == ModelOptions{}.table;
+    const Source source =
+        is_solved ? solved_source(options, wanted) : model_source(options, model, wanted);
+    const std::vector<double>& wavelengths = source.wavelengths;
     if (incident.size() * outgoing.size() * wavelengths.size() > kMostRows) {
         throw UsageError(
             fmt::format("{} incident times {} outgoing directions times {} wavelengths are too "
                         "many: at most {} rows",
                         incident.size(), outgoing.size(), wavelengths.size(), kMostRows));
     }
-    std::vector<std::size_t> positions;
-    for (double wavelength : wavelengths) {
-        positions.push_back(wavelength_position(paint, wavelength, options.recipe));
-    }
     std::string table = "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf\n";
     for (const Direction& in : incident) {
         for (const Direction& out : outgoing) {
-            const std::vector<double> brdf = paint.brdf(
-                in.theta_deg * kDegree, out.theta_deg * kDegree,
-                (out.phi_deg - in.phi_deg) * kDegree, parse_part<layers::Part>(options.part));
+            const std::vector<double> brdf =
+                source.evaluate(in.theta_deg * kDegree, out.theta_deg * kDegree,
+                                (out.phi_deg - in.phi_deg) * kDegree);
             for (std::size_t i = 0; i < wavelengths.size(); ++i) {
                 fmt::format_to(std::back_inserter(table), "{},{},{},{},{},{:.9g}\n", in.theta_deg,
-                               in.phi_deg, out.theta_deg, out.phi_deg, wavelengths[i],
-                               brdf[positions[i]]);
+                               in.phi_deg, out.theta_deg, out.phi_deg, wavelengths[i], brdf[i]);
             }
         }
     }
     emit(options, table);
     write_report(options, "eval",
                  {{"recipe", options.recipe},
-                  {"recipe_sha256", io::recipe_hash(paint.recipe)},
-                  {"model", options.model},
+                  {"recipe_sha256", io::recipe_hash(source.recipe)},
+                  {"model", options.model.model},
                   {"part", options.part},
                   {"values", incident.size() * outgoing.size() * wavelengths.size()},
                   {"total_s", watch.seconds()}});
@@ -81,7 +159,14 @@ Command add_eval(CLI::App& program) {
     auto options = std::make_shared<EvalOptions>();
     CLI::App* eval = program.add_subcommand("eval", "Evaluate the BRDF of a paint");
     add_brdf_options(*eval, *options);
-    eval->add_option("--model", options->model, "Model of the paint")->capture_default_str();
+    add_model_options(*eval, options->model);
+    eval->add_option(
+        "--at", options->at,
+        "special-effect: U,V, the middle of a patch in the object's unit square; without "
+        "it, the mean over the object");
+    eval->add_option("--footprint", options->footprint,
+                     "special-effect: side of that patch, as a share of the unit square's");
+    add_seed(*eval, *options);
     eval->add_option("--wavelength", options->wavelengths,
                      "Vacuum wavelengths, nm [those of a solved paint, else 400:700:10]");
     add_output(*eval, *options);

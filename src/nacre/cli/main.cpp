@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
         nacre::cli::add_film(program),   nacre::cli::add_solve(program),
         nacre::cli::add_eval(program),   nacre::cli::add_reference(program),
         nacre::cli::add_render(program), nacre::cli::add_diff(program),
-        nacre::cli::add_info(program)};
+        nacre::cli::add_study(program),  nacre::cli::add_info(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -129,11 +129,12 @@ std::size_t wavelength_position(const layers::SolvedPaint& paint, double wavelen
     return static_cast<std::size_t>(found - solved.begin());
 }
 
-void require_known_model(const std::string& model) {
-    if (model == "microflake") return;
-    const bool planned = model == "thin-film" || model == "special-effect" || model == "nacre";
-    throw UsageError(fmt::format("--model = {}: {}; available: microflake", model,
-                                 planned ? "is not available in this version" : "is no model"));
+models::Paint load_model_paint(const std::filesystem::path& path, models::Model model,
+                               const CommonOptions& options) {
+    if (model != models::Model::microflake) return {.recipe = load_recipe(path)};
+    auto solved =
+        std::make_shared<const layers::SolvedPaint>(load_paint(path, std::nullopt, options));
+    return {.recipe = solved->recipe, .solved = solved};
 }
 
 }  // namespace nacre::cli

@@ -7,6 +7,7 @@
 
 #include "nacre/cli/common_options.h"
 #include "nacre/layers/solver.h"
+#include "nacre/models/make_surface.h"
 
 // Everything that takes a recipe takes a solved paint too.
 
@@ -32,8 +33,10 @@ layers::SolvedPaint load_paint(const std::filesystem::path& path,
 std::size_t wavelength_position(const layers::SolvedPaint& paint, double wavelength_nm,
                                 const std::filesystem::path& path);
 
-/// Refuses every model but those of this version.
-/// @throws UsageError
-void require_known_model(const std::string& model);
+/// What a model reads of a paint: the recipe, and for the model microflake its solution (or the
+/// table of a BRDF that was solved earlier).
+/// @throws as load_recipe() and load_paint()
+models::Paint load_model_paint(const std::filesystem::path& path, models::Model model,
+                               const CommonOptions& options);
 
 }  // namespace nacre::cli

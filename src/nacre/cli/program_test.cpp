@@ -79,7 +79,7 @@ double number(const std::string& csv, int row, int column) {
 }
 
 TEST_F(Program, EveryCommandExplainsItselfWithAnExample) {
-    for (const char* command : {"film", "solve", "eval", "reference", "render", "diff", "info"}) {
+    for (const char* command : {"film", "solve", "eval", "reference", "render", "diff", "study", "info"}) {
         const Outcome help = nacre(std::string(command) + " --help");
         EXPECT_EQ(help.status, 0) << command;
         EXPECT_THAT(help.out, HasSubstr("Example"));
@@ -110,7 +110,12 @@ TEST_F(Program, WrongUsageEndsWithOne) {
           "eval gray.toml --incident 95 --outgoing 0",
           "eval gray.toml --incident 1,2,3 --outgoing 0",
           "eval gray.toml --incident 45 --outgoing 0 --model nonsense",
-          "eval gray.toml --incident 45 --outgoing 0 --model special-effect",
+          "eval gray.toml --incident 45 --outgoing 0 --model walk",
+          "eval gray.toml --incident 45 --outgoing 0 --model thin-film --table raw",
+          "eval gray.toml --incident 45 --outgoing 0 --at 0.5,0.5",
+          "render speed-shape --paint gray.toml --model volume -o a.exr",
+          "study nonsense -o x",
+          "study mir-2022 -o x --table 5",
           "eval gray.toml --incident 45 --outgoing 0 --part most",
           "solve gray.toml",
           "render sphere --size 0x10 -o a.exr",
@@ -274,6 +279,70 @@ TEST_F(Program, DiffEndsWithFourWhenABoundIsBroken) {
     EXPECT_THAT(broken.err, HasSubstr("is more than 1e-06"));
     EXPECT_THAT(broken.out, HasSubstr("delta_e_2000_mean,"));
     EXPECT_THAT(nacre("info d.exr").out, HasSubstr("channel deltaE2000"));
+}
+
+TEST_F(Program, EveryModelIsEvaluatedOrRendered) {
+    write("facets.toml", R"(ior = 1.5
+[clearcoat]
+thickness_um = 40
+[microfacet]
+alpha = 0.1
+film_ior = 2.5
+film_thickness_nm = 80
+base_ior = 1.58
+[microfacet.facets]
+count = 10_000
+cone_deg = 3
+thickness_spread_nm = 5
+)");
+    const std::string directions = " --incident 30 --outgoing 30,180 --wavelength 550 ";
+    for (const char* model : {"thin-film", "thin-film --colour table", "special-effect"}) {
+        const Outcome eval = nacre(std::string("eval facets.toml --model ") + model + directions);
+        EXPECT_EQ(eval.status, 0) << eval.err;
+        EXPECT_GT(number(eval.out, 1, 5), 0.01) << model;
+    }
+    // Patches that share out the whole square have the mean's value on average; one alone has not.
+    const std::string facets = "eval facets.toml --model special-effect" + directions;
+    const double mean = number(nacre(facets).out, 1, 5);
+    const double patch = number(nacre(facets + "--at 0.3,0.6 --footprint 0.02").out, 1, 5);
+    const double whole = number(nacre(facets + "--at 0.5,0.5 --footprint 1").out, 1, 5);
+    EXPECT_NE(patch, mean);
+    // 10 000 facets, of which about one in ten lies in the cone: 3 % of standard deviation.
+    EXPECT_NEAR(whole / mean, 1, 0.15);
+    for (const char* paint : {"facets.toml --model thin-film", "facets.toml --model special-effect",
+                              "gray.toml --model walk", "gray.toml --model volume",
+                              "gray.toml --model volume --tracking simpson"}) {
+        const Outcome render = nacre(std::string("render sphere --quiet --spp 1 --size 16x16 -o a.exr "
+                                                 "--paint ") +
+                                     paint);
+        EXPECT_EQ(render.status, 0) << paint << ": " << render.err;
+    }
+    const Outcome missing = nacre("eval gray.toml --model special-effect" + directions);
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_THAT(missing.err, HasSubstr("gray.toml: microfacet: is missing"));
+}
+
+TEST_F(Program, StudyWritesOnePageAndGoesOnWhereItStopped) {
+    const std::string study = "study mir-2022 -o s --quick --table 4 --quiet";
+    const Outcome first = nacre(study);
+    ASSERT_EQ(first.status, 0) << first.err;
+    const std::string page = contents(folder_ / "s/index.html");
+    EXPECT_THAT(page, HasSubstr("Table 4"));
+    EXPECT_THAT(page, Not(HasSubstr("Table 2 and Figure 3")));
+    EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));
+    EXPECT_THAT(page, HasSubstr("Scaled down"));
+    const std::string results = contents(folder_ / "s/results.json");
+    EXPECT_THAT(results, HasSubstr("\"special-effect\""));
+
+    // A lost picture is made again, the others are taken as they are: times included.
+    const auto kept = folder_ / "s/pictures/table-4-tio2-80-thin-film.exr";
+    const auto lost = folder_ / "s/pictures/table-4-tio2-80-microflake";
+    const auto written = std::filesystem::last_write_time(kept);
+    std::filesystem::remove(lost.string() + ".json");
+    std::filesystem::remove(lost.string() + ".exr");
+    ASSERT_EQ(nacre(study).status, 0);
+    EXPECT_TRUE(std::filesystem::exists(lost.string() + ".exr"));
+    EXPECT_EQ(std::filesystem::last_write_time(kept), written);
 }
 
 TEST_F(Program, FailuresWhileRunningEndWithThree) {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "nacre/bsdf/microflake.h"
 #include "nacre/cli/command.h"
 #include "nacre/cli/common_options.h"
+#include "nacre/cli/model_options.h"
 #include "nacre/cli/number_list.h"
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/stopwatch.h"
@@ -35,7 +35,7 @@ constexpr int kMostPixelsPerSide = 32768;  // as in render::RenderOptions
 struct RenderCommandOptions : CommonOptions {
     std::string scene;
     std::string paint;
-    std::string model = "microflake";
+    ModelOptions model;
     std::string size = "512x512";
     render::RenderOptions render;
     io::ToneMap tone_map;
@@ -67,11 +67,44 @@ struct Paint {
     std::string recipe_sha256;
 };
 
-Paint make_paint(const fs::path& path, const CommonOptions& options) {
-    auto solved =
-        std::make_shared<const layers::SolvedPaint>(load_paint(path, std::nullopt, options));
-    std::string hash = io::recipe_hash(solved->recipe);
-    return {std::make_shared<bsdf::Microflake>(std::move(solved)), std::move(hash)};
+/// The radius of the spheres that a paint lies on; infinite on flat panels. The model volume needs
+/// to know the shape that its paint follows.
+double radius_of_shape(const render::SceneDescription& scene, const std::string& material) {
+    std::optional<double> radius;
+    for (const render::Shape& shape : scene.shapes) {
+        if (shape.material != material) continue;
+        double r = std::numeric_limits<double>::infinity();
+        if (const auto* sphere = std::get_if<render::Sphere>(&shape.geometry)) {
+            r = sphere->radius_mm * shape.transform.scale;
+        } else if (!std::holds_alternative<render::FlatPanel>(shape.geometry)) {
+            throw UsageError(
+                fmt::format("--model = volume: the material {} is on a shape that is neither a "
+                            "sphere nor a flat "
+                            "panel; --model walk goes on any shape",
+                            material));
+        }
+        if (radius && *radius != r) {
+            throw UsageError(fmt::format(
+                "--model = volume: the material {} is on shapes of different radii", material));
+        }
+        radius = r;
+    }
+    return radius.value_or(std::numeric_limits<double>::infinity());
+}
+
+Paint make_paint(const render::SceneDescription& scene, const std::string& material,
+                 const fs::path& path, const RenderCommandOptions& options) {
+    const models::Model model = parse_model(options.model).model;
+    models::SurfaceOptions surface = parse_surface_options(options.model, options.seed);
+    if (model == models::Model::volume) surface.radius_mm = radius_of_shape(scene, material);
+    const models::Paint paint = load_model_paint(path, model, options);
+    try {
+        ProgressBar bar("prepare", options.quiet);
+        return {models::make_surface(model, paint, surface, bar.callback()),
+                io::recipe_hash(paint.recipe)};
+    } catch (const DomainError& error) {
+        throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+    }
 }
 
 /// Every paint of the scene, the slot without a recipe being filled by --paint.
@@ -82,7 +115,6 @@ struct Paints {
 
 Paints make_paints(const render::SceneDescription& scene, const RenderCommandOptions& options) {
     Paints paints;
-    std::map<fs::path, Paint> made;
     bool slot_found = false;
     for (const auto& [name, material] : scene.materials) {
         const auto* description = std::get_if<render::PaintMaterial>(&material);
@@ -95,10 +127,9 @@ Paints make_paints(const render::SceneDescription& scene, const RenderCommandOpt
                 fmt::format("the material {} of the scene {} has no recipe: name one with --paint",
                             name, options.scene));
         }
-        auto found = made.find(path);
-        if (found == made.end()) found = made.emplace(path, make_paint(path, options)).first;
-        paints.table[name] = found->second.bsdf;
-        paints.recipe_sha256[name] = found->second.recipe_sha256;
+        const Paint paint = make_paint(scene, name, path, options);
+        paints.table[name] = paint.bsdf;
+        paints.recipe_sha256[name] = paint.recipe_sha256;
     }
     if (!options.paint.empty() && !slot_found) {
         throw UsageError(fmt::format("--paint = {}: the scene {} has no material without a recipe",
@@ -110,7 +141,7 @@ Paints make_paints(const render::SceneDescription& scene, const RenderCommandOpt
 std::map<std::string, std::string> metadata(const RenderCommandOptions& options,
                                             const Paints& paints) {
     std::map<std::string, std::string> data = {{"nacre:scene", options.scene},
-                                               {"nacre:model", options.model},
+                                               {"nacre:model", options.model.model},
                                                {"nacre:seed", fmt::format("{}", options.seed)}};
     for (const auto& [name, hash] : paints.recipe_sha256) {
         data["nacre:recipe_sha256:" + name] = hash;
@@ -119,7 +150,7 @@ std::map<std::string, std::string> metadata(const RenderCommandOptions& options,
 }
 
 ExitStatus run(RenderCommandOptions options) {
-    require_known_model(options.model);
+    parse_surface_options(options.model, options.seed);  // before any work
     parse_size(options.size, options.render);
     options.render.seed = options.seed;
     const fs::path exr = options.output;
@@ -152,7 +183,7 @@ ExitStatus run(RenderCommandOptions options) {
                              result.samples, duration_text(result.seconds), msamples_per_s));
     write_report(options, "render",
                  {{"scene", options.scene},
-                  {"model", options.model},
+                  {"model", options.model.model},
                   {"recipe_sha256", paints.recipe_sha256},
                   {"output", {exr.string(), png.string()}},
                   {"width", result.width},
@@ -188,7 +219,13 @@ Command add_render(CLI::App& program) {
         ->add_option("--paint", options->paint,
                      "Recipe (TOML) or solved paint (HDF5) for the scene's unnamed paint")
         ->type_name("RECIPE");
-    command->add_option("--model", options->model, "Model of the paint")->capture_default_str();
+    add_model_options(*command, options->model);
+    command
+        ->add_option("--footprint", options->render.footprint_pixels,
+                     "special-effect: side of the patch that a sample stands for, pixels; 0: the "
+                     "samples of a pixel share it out")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
     command->add_option("--spp", options->render.samples_per_pixel, "Samples per pixel")
         ->check(CLI::Range(1, 1 << 24))
         ->capture_default_str();

@@ -28,15 +28,33 @@ void require_ingredients(const ModelInfo& model, const layers::Recipe& recipe) {
     }
 }
 
+std::shared_ptr<const bsdf::Bsdf> tabulated(const BrdfTable& table) {
+    return std::visit(
+        [](const auto& t) -> std::shared_ptr<const bsdf::Bsdf> {
+            return std::make_shared<const bsdf::Tabulated>(t);
+        },
+        table);
+}
+
 std::shared_ptr<const bsdf::Bsdf> make_microflake(const Paint& paint, const SurfaceOptions& options,
                                                   const Progress& progress) {
-    if (paint.table) return std::make_shared<bsdf::Tabulated>(*paint.table);
+    if (paint.table) return tabulated(*paint.table);
     if (!paint.solved) throw DomainError("the model microflake needs a solved paint");
     if (options.table == Table::split) return std::make_shared<bsdf::Microflake>(paint.solved);
-    return std::make_shared<bsdf::Tabulated>(make_table(*paint.solved, options, progress));
+    return tabulated(make_table(*paint.solved, options, progress));
 }
 
 }  // namespace
+
+BrdfTable make_table(const layers::SolvedPaint& paint, const SurfaceOptions& options,
+                     const Progress& progress) {
+    layers::RawBrdfTable raw = layers::make_raw_table(paint, options.table_size, progress);
+    if (options.table == Table::svd) {
+        return std::make_shared<const layers::CompressedBrdfTable>(
+            layers::compress(raw, options.compression));
+    }
+    return std::make_shared<const layers::RawBrdfTable>(std::move(raw));
+}
 
 std::shared_ptr<const bsdf::Bsdf> make_surface(Model model, const Paint& paint,
                                                const SurfaceOptions& options,

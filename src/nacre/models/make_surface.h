@@ -5,11 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <variant>
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/thin_film.h"
 #include "nacre/core/progress.h"
-#include "nacre/layers/brdf_table.h"
+#include "nacre/layers/brdf_table_svd.h"
 #include "nacre/layers/recipe.h"
 #include "nacre/layers/solved_paint.h"
 #include "nacre/models/model.h"
@@ -27,6 +28,8 @@ enum class Table {
 /// What may be chosen about a model. Each model reads its own lines.
 struct SurfaceOptions {
     Table table = Table::split;                                    ///< microflake
+    layers::BrdfTableSettings table_size;                          ///< microflake: raw and svd
+    layers::CompressionSettings compression;                       ///< microflake: svd
     bsdf::ThinFilmColour colour = bsdf::ThinFilmColour::spectral;  ///< thin-film
     volume::Tracking tracking = volume::Tracking::delta;           ///< volume
     int simpson_panels = volume::ShellSettings{}.simpson_panels;   ///< volume
@@ -35,12 +38,21 @@ struct SurfaceOptions {
     std::uint64_t seed = 0;  ///< special-effect: which facets there are
 };
 
+/// A raw table or a compressed one.
+using BrdfTable = std::variant<std::shared_ptr<const layers::RawBrdfTable>,
+                               std::shared_ptr<const layers::CompressedBrdfTable>>;
+
+/// @param options  options.table is raw or svd
+/// @throws as layers::make_raw_table() and layers::compress()
+BrdfTable make_table(const layers::SolvedPaint& paint, const SurfaceOptions& options,
+                     const Progress& progress = {});
+
 /// A paint as the user gives it.
 struct Paint {
     layers::Recipe recipe;
     std::shared_ptr<const layers::SolvedPaint>
-        solved;                                      ///< microflake: needed unless `table` is set
-    std::shared_ptr<const layers::BrdfTable> table;  ///< microflake: a table made earlier
+        solved;                      ///< microflake: needed unless `table` is set
+    std::optional<BrdfTable> table;  ///< microflake: made earlier
 };
 
 /// The surface that a model makes of a paint.

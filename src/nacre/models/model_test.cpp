@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "nacre/core/error.h"
 #include "nacre/core/rng.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/layers/solver.h"

@@ -85,7 +85,7 @@ PictureJob MirContext::job(std::string key, std::string title, const std::string
     job.title = std::move(title);
     job.paint = shipped_file(paint);
     job.model = model;
-    job.surface.quick_table = settings.quick;
+    if (settings.quick) job.surface.table_size = {.angles = 32, .azimuths = 32};
     job.render.width = job.render.height = settings.size;
     job.render.samples_per_pixel = settings.samples;
     job.render.seed = settings.seed;

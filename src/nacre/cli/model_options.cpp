@@ -1,0 +1,102 @@
+#include "nacre/cli/model_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <vector>
+
+#include "nacre/cli/usage_error.h"
+#include "nacre/core/suggest.h"
+
+namespace nacre::cli {
+namespace {
+
+using models::Model;
+
+std::vector<std::string> model_names() {
+    std::vector<std::string> names;
+    for (const models::ModelInfo& model : models::all_models()) names.emplace_back(model.name);
+    return names;
+}
+
+template <class T>
+T choose(const char* option, const std::string& text, const std::map<std::string, T>& choices) {
+    const auto found = choices.find(text);
+    if (found != choices.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [name, value] : choices) names.push_back(name);
+    throw UsageError(
+        fmt::format("{} = {}: must be one of {}", option, text, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+void add_model_options(CLI::App& command, ModelOptions& options) {
+    command
+        .add_option("--model", options.model,
+                    fmt::format("Model of the paint: {}", fmt::join(model_names(), ", ")))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--table", options.table,
+            "microflake: how the solved BRDF is kept: split (spectral, exact), or raw or svd "
+            "(RGB tables as in the comparison of 2022)")
+        ->capture_default_str();
+    command
+        .add_option("--colour", options.colour,
+                    "thin-film: spectral (exact), or RGB by spectral antialiasing: table (Fourier "
+                    "transform of the observer) or paper (Gaussian fit)")
+        ->capture_default_str();
+    command
+        .add_option("--tracking", options.tracking,
+                    "volume: delta (unbiased) or simpson (the paper's integration along the ray)")
+        ->capture_default_str();
+    command
+        .add_option("--simpson-panels", options.simpson_panels,
+                    "volume with --tracking simpson: panels per piece of ray")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+}
+
+const models::ModelInfo& parse_model(const ModelOptions& options) {
+    if (const models::ModelInfo* found = models::find_model(options.model)) return *found;
+    const std::vector<std::string> names = model_names();
+    throw UsageError(fmt::format("--model = {}: is no model{}; there are: {}", options.model,
+                                 did_you_mean(options.model, names), fmt::join(names, ", ")));
+}
+
+models::SurfaceOptions parse_surface_options(const ModelOptions& options, std::uint64_t seed) {
+    const models::ModelInfo& model = parse_model(options);
+    const ModelOptions standard;
+    const auto belongs_to = [&](const char* option, Model owner, bool chosen) {
+        if (chosen && model.model != owner) {
+            throw UsageError(fmt::format("{} belongs to --model {}, not to {}", option,
+                                         models::info(owner).name, model.name));
+        }
+    };
+    belongs_to("--table", Model::microflake, options.table != standard.table);
+    belongs_to("--colour", Model::thin_film, options.colour != standard.colour);
+    belongs_to("--tracking", Model::volume, options.tracking != standard.tracking);
+    belongs_to("--simpson-panels", Model::volume,
+               options.simpson_panels != standard.simpson_panels);
+
+    models::SurfaceOptions surface;
+    surface.table = choose<models::Table>("--table", options.table,
+                                          {{"split", models::Table::split},
+                                           {"raw", models::Table::raw},
+                                           {"svd", models::Table::svd}});
+    surface.colour = choose<bsdf::ThinFilmColour>("--colour", options.colour,
+                                                  {{"spectral", bsdf::ThinFilmColour::spectral},
+                                                   {"table", bsdf::ThinFilmColour::table},
+                                                   {"paper", bsdf::ThinFilmColour::paper}});
+    surface.tracking = choose<volume::Tracking>(
+        "--tracking", options.tracking,
+        {{"delta", volume::Tracking::delta}, {"simpson", volume::Tracking::simpson}});
+    surface.simpson_panels = options.simpson_panels;
+    surface.seed = seed;
+    return surface;
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "nacre/models/make_surface.h"
+#include "nacre/models/model.h"
+
+namespace CLI {
+class App;
+}
+
+// --model and the choices that belong to a model.
+
+namespace nacre::cli {
+
+struct ModelOptions {
+    std::string model = "microflake";
+    std::string table = "split";
+    std::string colour = "spectral";
+    std::string tracking = "delta";
+    int simpson_panels = models::SurfaceOptions{}.simpson_panels;
+};
+
+void add_model_options(CLI::App& command, ModelOptions& options);
+
+/// @throws UsageError naming the model and those that exist
+const models::ModelInfo& parse_model(const ModelOptions& options);
+
+/// @param seed  which facets there are
+/// @throws UsageError if a choice was made that the model does not know
+models::SurfaceOptions parse_surface_options(const ModelOptions& options, std::uint64_t seed);
+
+}  // namespace nacre::cli

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <vector>
+
+#include "nacre/cli/command.h"
+#include "nacre/cli/common_options.h"
+#include "nacre/cli/usage_error.h"
+#include "nacre/core/interrupt.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/progress_bar.h"
+#include "nacre/study/mir_2022.h"
+
+namespace nacre::cli {
+
+namespace {
+
+struct StudyOptions : CommonOptions {
+    std::string study;
+    int samples = 1024;
+    int size = 512;
+    bool quick = false;
+    std::vector<int> tables, figures;
+};
+
+std::set<study::MirPart> chosen_parts(const StudyOptions& options) {
+    using study::MirPart;
+    if (options.tables.empty() && options.figures.empty()) return study::all_mir_parts();
+    const MirPart by_table[] = {MirPart::table_1, MirPart::table_2, MirPart::table_3,
+                                MirPart::table_4};
+    const MirPart by_figure[] = {MirPart::table_1, MirPart::table_2, MirPart::table_4};
+    std::set<MirPart> parts;
+    for (int table : options.tables) parts.insert(by_table[table - 1]);
+    for (int figure : options.figures) parts.insert(by_figure[figure - 2]);
+    return parts;
+}
+
+ExitStatus run(const StudyOptions& options) {
+    if (options.study != "mir-2022") {
+        throw UsageError(fmt::format("STUDY = {}: there is one study, mir-2022", options.study));
+    }
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    study::MirSettings settings;
+    settings.folder = options.output;
+    settings.quick = options.quick;
+    settings.size = options.quick ? std::min(options.size, 32) : options.size;
+    settings.samples = options.quick ? std::min(options.samples, 8) : options.samples;
+    settings.seed = options.seed;
+    settings.parts = chosen_parts(options);
+    if (settings.samples < 1024 || settings.size < 512) {
+        say(options, fmt::format("nacre: scaled down: {0} x {0} pixels at {1} samples each",
+                                 settings.size, settings.samples));
+    }
+    const study::Stage stage = [&](const std::string& label,
+                                   const std::function<void(const Progress&)>& work) {
+        if (interrupt_requested()) throw study::Interrupted("stopped");
+        ProgressBar bar(label, options.quiet);
+        work(bar.callback());
+    };
+    try {
+        const auto page = study::run_mir_2022(settings, stage);
+        say(options, fmt::format("{}", page.string()));
+    } catch (const study::Interrupted&) {
+        say(options,
+            fmt::format("nacre: stopped; what is finished is kept in {}, and the same command goes "
+                        "on from there",
+                        options.output));
+        return ExitStatus::failure;
+    }
+    return ExitStatus::ok;
+}
+
+}  // namespace
+
+Command add_study(CLI::App& program) {
+    auto options = std::make_shared<StudyOptions>();
+    CLI::App* study = program.add_subcommand("study", "Reproduce a published comparison");
+    study->add_option("STUDY", options->study, "mir-2022: Mir, Yildirim and Kurt 2022")->required();
+    study->add_option("-o,--output", options->output, "Folder for the report and its pictures")
+        ->required()
+        ->type_name("DIR");
+    study->add_option("--spp", options->samples, "Samples per pixel")
+        ->check(CLI::Range(8, 1 << 20))
+        ->capture_default_str();
+    study->add_option("--size", options->size, "Pixels a side")
+        ->check(CLI::Range(16, 4096))
+        ->capture_default_str();
+    study->add_option("--table", options->tables, "Only this table (may be repeated)")
+        ->check(CLI::Range(1, 4));
+    study->add_option("--figure", options->figures, "Only this figure (may be repeated)")
+        ->check(CLI::Range(2, 4));
+    study->add_flag("--quick", options->quick,
+                    "Tiny pictures (at most 32 pixels, 8 samples), to see that all works");
+    add_seed(*study, *options);
+    add_threads(*study, *options);
+    add_quiet(*study, *options);
+    study->footer(
+        "Writes DIR/index.html, one self-contained page, and DIR/results.json with every figure.\n"
+        "Pictures that are there already are not made again: after Ctrl-C the same command goes "
+        "on.\n\n"
+        "Example:\n  nacre study mir-2022 -o out/mir-2022 --spp 64");
+    return {study, [options] { return run(*options); }};
+}
+
+}  // namespace nacre::cli
