@@ -61,6 +61,7 @@ class DepthWalk {
         if (!is_dark(slab.absorption_per_um)) {
             state_.weight *= attenuation(length * slab.absorption_per_um, medium_.lane_count);
             roulette();
+            if (!state_.alive) return;
         }
         if (collides) {
             state_.depth_um =

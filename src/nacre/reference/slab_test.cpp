@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "nacre/core/quadrature.h"
 #include "nacre/reference/test_support.h"
 
 // Plane albedos against published slabs and closed forms.
@@ -123,6 +124,22 @@ TEST(Clearcoat, AbsorbsByBeerAndLambert) {
     const Albedo albedo = albedo_of(recipe, .5, 1000);
     EXPECT_NEAR(albedo.absorbed_by_substrate.mean, std::exp(-0.045 * 20 / .5), 1e-12);
     EXPECT_EQ(albedo.reflectance.mean, 0);
+}
+
+TEST(PigmentSlab, DeepAbsorptionOverWhiteGroundFollowsBeerAndLambert) {
+    // Nothing scatters but the ground: exp(-depth) down, and the mean of exp(-depth / mu) over
+    // Lambert's law up. Most walks end by lot on their way, and those must bring nothing.
+    constexpr double kDepth = 1.5;
+    const auto recipe = test::paint(1, {test::pigment_layer(0, kDepth, 0)}, 1);
+    const Albedo albedo = albedo_of(recipe, 1, 140'000);
+    const Quadrature mu = gauss_legendre(64, 0, 1);
+    double up = 0;
+    for (std::size_t i = 0; i < mu.nodes.size(); ++i)
+        up += 2 * mu.weights[i] * mu.nodes[i] * std::exp(-kDepth / mu.nodes[i]);
+    const double expected = std::exp(-kDepth) * up;
+    EXPECT_LT(std::abs(z_score(albedo.reflectance, expected)), kWorstZ)
+        << albedo.reflectance.mean << " against " << expected;
+    EXPECT_LT(albedo.reflectance.standard_error, 0.01 * expected);
 }
 
 }  // namespace
