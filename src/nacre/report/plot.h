@@ -27,7 +27,7 @@ inline constexpr double kLargestShown = 1e150;
 /// interrupts the line; so does one that a logarithmic axis cannot show. What lies beyond the ends
 /// of an axis is cut off.
 struct Series {
-    std::string name = {};       ///< plain text for the legend
+    std::string name = {};       ///< plain text for the legend; empty: not in it
     std::vector<double> x = {};  ///< as many as y
     std::vector<double> y = {};
     std::vector<double> y_error = {};  ///< bars from y - y_error to y + y_error; empty,

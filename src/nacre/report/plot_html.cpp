@@ -17,25 +17,26 @@ std::string_view symbol_path(std::string_view symbol) {
 }
 
 std::string legend_html(const Plot& plot) {
-    std::string html = "<ul class=\"legend\">\n";
+    std::string items;
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
         const Series& series = plot.series[i];
+        if (series.name.empty()) continue;
         const Look look = look_of(series, i);
-        html += "<li><svg width=\"32\" height=\"12\" aria-hidden=\"true\">";
+        items += "<li><svg width=\"32\" height=\"12\" aria-hidden=\"true\">";
         if (series.line) {
-            html += fmt::format("<path d=\"M0 6H32\" stroke=\"{}\" stroke-width=\"2\"{}/>",
-                                look.colour, series.dashed ? " stroke-dasharray=\"6 4\"" : "");
+            items += fmt::format("<path d=\"M0 6H32\" stroke=\"{}\" stroke-width=\"2\"{}/>",
+                                 look.colour, series.dashed ? " stroke-dasharray=\"6 4\"" : "");
         }
         if (series.dots) {
             // Dots with colours of their own are shown empty.
             const bool own = !series.point_colours.empty();
-            html +=
+            items +=
                 fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>", symbol_path(look.symbol),
                             own ? "#ffffff" : look.colour, own ? "#333333" : look.colour);
         }
-        html += "</svg>" + escape_html(series.name) + "</li>\n";
+        items += "</svg>" + escape_html(series.name) + "</li>\n";
     }
-    return html + "</ul>\n";
+    return items.empty() ? items : "<ul class=\"legend\">\n" + items + "</ul>\n";
 }
 
 std::string numbers_html(const Plot& plot) {

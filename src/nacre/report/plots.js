@@ -11,8 +11,22 @@
   const plain = d3.format(",~g");
   const precise = d3.format(".4~g");
 
-  // The more decades an axis spans, the fewer of its ticks have labels; d3 leaves out more of them
-  // where they would be too close.
+  // As in 2·10⁻⁶.
+  function scientific(value) {
+    if (value === 0) return "0";
+    const [digits, exponent] = d3.format(".3~e")(value).split("e");
+    const mantissa = digits === "1" ? "" : digits === "−1" ? "−" : digits + "·";
+    return mantissa + "10" + superscript(Number(exponent));
+  }
+
+  // Ticks of a linear axis: undefined leaves them to Plot.
+  function linearTick(domain) {
+    const largest = Math.max(Math.abs(domain[0]), Math.abs(domain[1]));
+    return largest >= 1e6 || largest < 2e-3 ? scientific : undefined;
+  }
+
+  // The more decades a logarithmic axis spans, the fewer of its ticks have labels; d3 leaves out
+  // more of them where they would be too close.
   function logarithmicTick(domain) {
     const decades = Math.log10(domain[1] / domain[0]);
     const labelled = decades <= 3 ? [1, 2, 5] : [1];
@@ -20,8 +34,7 @@
       const exponent = Math.floor(Math.log10(value) + 1e-9);
       const digit = Math.round(value / 10 ** exponent * 10) / 10;
       if (decades > 1 && !labelled.includes(digit)) return "";
-      if (exponent >= -3 && exponent <= 4) return plain(value);
-      return (digit === 1 ? "" : `${digit}·`) + "10" + superscript(exponent);
+      return exponent >= -3 && exponent <= 4 ? plain(value) : scientific(value);
     };
   }
 
@@ -39,7 +52,7 @@
   function axisOptions(axis, tickSpacing) {
     return {
       label: axis.label, labelArrow: "none", fill: "#1f1f1f", fontSize: 13, tickSize: 0, tickSpacing,
-      tickFormat: axis.log ? logarithmicTick(axis.domain) : undefined,
+      tickFormat: (axis.log ? logarithmicTick : linearTick)(axis.domain),
     };
   }
 
@@ -110,8 +123,8 @@
     const line = (axis, value) => `${axis.label}: ${precise(value)}`;
     return Plot.tip(all, Plot.pointer({
       x: "x", y: "y",
-      title: (p) => [p.series + (p.label ? `, ${p.label}` : ""), line(data.x, p.x),
-                     line(data.y, p.y) + (p.error === undefined ? "" : ` ± ${precise(p.error)}`)].join("\n"),
+      title: (p) => [[p.series, p.label].filter(Boolean).join(", "), line(data.x, p.x),
+                     line(data.y, p.y) + (p.error === undefined ? "" : ` ± ${precise(p.error)}`)].filter(Boolean).join("\n"),
     }));
   }
 
