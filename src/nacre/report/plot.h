@@ -27,17 +27,19 @@ inline constexpr double kLargestShown = 1e150;
 /// interrupts the line; so does one that a logarithmic axis cannot show. What lies beyond the ends
 /// of an axis is cut off.
 struct Series {
-    std::string name = {};       ///< plain text for the legend; empty: not in it
-    std::vector<double> x = {};  ///< as many as y
-    std::vector<double> y = {};
-    std::vector<double> y_error = {};  ///< bars from y - y_error to y + y_error; empty,
-                                       ///< or as many as y, each >= 0; not finite: no bar
-    std::vector<std::string> point_colours =
-        {};                                      ///< each dot's own colour, "#rrggbb", such as that
-                                                 ///< of the sample it stands for; empty, or as many
-    std::vector<std::string> point_labels = {};  ///< plain text beside each dot; empty, or as many
-    std::string colour = {};                     ///< of line and dots; empty: the next of a palette
-                                                 ///< that colour-blind readers can tell apart
+    std::string name = {};  ///< plain text for the legend; empty: not in it
+    std::vector<double> x = {};
+    std::vector<double> y = {};  ///< as many as x, and so are the lists below unless empty
+
+    /// Each >= 0: bars from y - y_error to y + y_error. Not finite: no bar.
+    std::vector<double> y_error = {};
+    /// Each dot's own colour, "#rrggbb", such as that of the sample it stands for.
+    std::vector<std::string> point_colours = {};
+    /// Plain text beside each point.
+    std::vector<std::string> point_labels = {};
+    /// Of line and dots. Empty: the next of a palette that colour-blind readers can tell apart.
+    std::string colour = {};
+
     bool line = true;
     bool dots = false;
     bool dashed = false;
@@ -48,7 +50,8 @@ struct Plot {
     std::string caption = {};  ///< text
     Axis x = {};
     Axis y = {};
-    /// One unit is as long in x as in y, and both axes show their zero: for a* and b* of CIELAB.
+    /// One unit is as long in x as in y, and axes without given ends show their zero: for a* and
+    /// b* of CIELAB.
     bool equal_scale = false;
     std::vector<Series> series = {};
 };
