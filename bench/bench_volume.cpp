@@ -1,0 +1,72 @@
+// How long one walk of light takes, for eight wavelengths on one core: position-free, and through a
+// shell of paint on a sphere of 50 mm with either tracking; and what a pass of a render costs.
+//
+//   ./dev bench --benchmark_filter=Walk
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "nacre/core/rng.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/volume/plane_walk.h"
+#include "nacre/volume/shell_walk.h"
+
+namespace nacre::volume {
+namespace {
+
+constexpr bsdf::Wavelengths kWavelengths{418, 456, 493, 531, 568, 606, 643, 681};
+
+layers::Recipe paint(const std::string& name) {
+    return io::read_recipe(std::string(NACRE_SOURCE_DIR "/paints/") + name + ".toml");
+}
+
+using Surface = std::unique_ptr<const bsdf::BoundBsdf>;
+
+Surface plane(const layers::Recipe& recipe) { return PlaneWalk(recipe).bind(kWavelengths); }
+Surface delta(const layers::Recipe& recipe) {
+    return ShellWalk(recipe, {.radius_mm = 50}).bind(kWavelengths);
+}
+Surface simpson(const layers::Recipe& recipe) {
+    return ShellWalk(recipe, {.radius_mm = 50, .tracking = Tracking::simpson}).bind(kWavelengths);
+}
+
+/// From directions over the hemisphere, by etendue.
+void BM_Walk8Wavelengths(benchmark::State& state, Surface (*make)(const layers::Recipe&),
+                         const std::string& name) {
+    const Surface surface = make(paint(name));
+    Rng rng(1, 1);
+    std::int64_t left = 0;
+    for (auto _ : state) {
+        const float z = std::sqrt(rng.uniform_float()), s = std::sqrt(1 - z * z);
+        const float phi = 2 * std::numbers::pi_v<float> * rng.uniform_float();
+        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample = surface->sample({s * std::cos(phi), s * std::sin(phi), z}, u_lobe,
+                                            {u, rng.uniform_float()});
+        benchmark::DoNotOptimize(sample);
+        left += sample.has_value();
+    }
+    state.SetItemsProcessed(state.iterations());
+    state.counters["left"] = static_cast<double>(left) / static_cast<double>(state.iterations());
+}
+BENCHMARK_CAPTURE(BM_Walk8Wavelengths, metallic_gray_plane, plane, "metallic-gray");
+BENCHMARK_CAPTURE(BM_Walk8Wavelengths, metallic_gray_delta, delta, "metallic-gray");
+BENCHMARK_CAPTURE(BM_Walk8Wavelengths, metallic_gray_simpson, simpson, "metallic-gray");
+BENCHMARK_CAPTURE(BM_Walk8Wavelengths, cadmium_red_plane, plane, "cadmium-red");
+BENCHMARK_CAPTURE(BM_Walk8Wavelengths, cadmium_red_delta, delta, "cadmium-red");
+BENCHMARK_CAPTURE(BM_Walk8Wavelengths, cadmium_red_simpson, simpson, "cadmium-red");
+BENCHMARK_CAPTURE(BM_Walk8Wavelengths, tio2_mica_80_delta, delta, "tio2-mica-80");
+
+/// What a renderer pays once for each set of wavelengths.
+void BM_WalkBind(benchmark::State& state, const std::string& name) {
+    const ShellWalk model(paint(name), {.radius_mm = 50});
+    for (auto _ : state) benchmark::DoNotOptimize(model.bind(kWavelengths));
+}
+BENCHMARK_CAPTURE(BM_WalkBind, metallic_gray, "metallic-gray");
+BENCHMARK_CAPTURE(BM_WalkBind, tio2_mica_80, "tio2-mica-80");
+
+}  // namespace
+}  // namespace nacre::volume
