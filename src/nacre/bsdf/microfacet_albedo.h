@@ -8,15 +8,6 @@
 
 namespace nacre::bsdf {
 
-/// The sample of the coat's mirror, which is chosen with these odds.
-inline BsdfSample mirror_sample(const MicrofacetCoat& coat, const MicrofacetCoat::Ray& i,
-                                float odds) {
-    return {.wo = {-i.outside.x, -i.outside.y, i.outside.z},
-            .weight = splat(coat.mirror_reflectance(i) / odds),
-            .pdf = odds,
-            .mirror = true,
-            .exit_mm = {}};
-}
 
 /// What microfacets, seen through their coat, reflect of light from a direction: the mean of the
 /// weights of their own samples, tabulated over the cosine of incidence, and how often to sample

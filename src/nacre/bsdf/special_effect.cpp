@@ -156,7 +156,7 @@ class BoundSpecialEffect final : public BoundBsdf {
         if (wi.z <= 0) return std::nullopt;
         const Ray i = coat_.refract(wi);
         const float mirror = albedo_.mirror_odds(coat_, i);
-        if (u_lobe < mirror) return mirror_sample(coat_, i, mirror);
+        if (u_lobe < mirror) return coat_.mirror_sample(i, mirror);
         // Two more numbers than the caller gives: a hash of the three.
         const std::uint64_t bits =
             hash_of(std::bit_cast<std::uint32_t>(u.x), std::bit_cast<std::uint32_t>(u.y),

@@ -10,6 +10,15 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+using BitLanes = std::uint64_t __attribute__((vector_size(kLanes * sizeof(std::uint64_t))));
+
+// mix_bits() of each lane.
+BitLanes mix_lanes(BitLanes x) {
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
 double whole_number_in_range(double count) {
     require_in_range(count, kFacetCountRange.lo, kFacetCountRange.hi, "number of facets");
     if (count != std::floor(count)) {
@@ -70,10 +79,6 @@ struct FacetField::NormalFilter {
         empty = hi < 3;
         survival_lo = static_cast<std::uint32_t>(std::max(0.0, lo));
         survival_range = static_cast<std::uint32_t>(std::min(hi, 0x1p32 - 1)) - survival_lo;
-    }
-    bool passes(std::uint64_t bits) const {
-        return static_cast<std::uint32_t>(bits >> 32) - survival_lo <= survival_range &&
-               static_cast<std::uint32_t>(bits) - turn_lo <= turn_range;
     }
 };
 
@@ -170,14 +175,34 @@ void FacetField::count_facets(const Footprint& footprint, const ReflectionCone& 
                               FacetTally& tally) const {
     const NormalFilter filter(cone, alpha_);
     if (filter.empty) return;
-    for_each_cell(footprint, leaf_level_, [&](const Cell& cell) {
-        for_each_in_leaf(footprint, cell, [&](std::uint64_t place, double, double) {
-            const std::uint64_t bits = mix_bits(place + detail::kNextBits);
-            if (filter.passes(bits) && cone.contains(normal_of(bits))) {
-                tally.add(thickness_of(bits));
-            }
-        });
-    });
+    for_each_cell(footprint, leaf_level_,
+                  [&](const Cell& cell) { count_leaf(footprint, cell, filter, cone, tally); });
+}
+
+// Eight facets at a time; what passes the filter, one by one.
+void FacetField::count_leaf(const Footprint& footprint, const Cell& cell,
+                            const NormalFilter& filter, const ReflectionCone& cone,
+                            FacetTally& tally) const {
+    constexpr std::uint64_t kLow = 0xffffffffu;
+    constexpr BitLanes kNumber = {0, 1, 2, 3, 4, 5, 6, 7};
+    const std::uint64_t key = key_of(cell);
+    const Footprint::Within within = footprint.within(cell.box());
+    for (std::uint64_t first = 0; first < cell.count; first += kLanes) {
+        const BitLanes number = first + kNumber;
+        const BitLanes place = mix_lanes(key + (number + 4) * detail::kNextBits);
+        const BitLanes bits = mix_lanes(place + detail::kNextBits);
+        auto pass = (number < cell.count) &
+                    ((bits >> 32) - filter.survival_lo <= std::uint64_t{filter.survival_range}) &
+                    ((((bits & kLow) - filter.turn_lo) & kLow) <= std::uint64_t{filter.turn_range});
+        if (!cell.inside) {
+            const DoubleLanes u = __builtin_convertvector(place >> 32, DoubleLanes) * 0x1p-32;
+            const DoubleLanes v = __builtin_convertvector(place & kLow, DoubleLanes) * 0x1p-32;
+            pass &= within.contains(u, v);
+        }
+        for (int i = 0; i < kLanes; ++i) {
+            if (pass[i] && cone.contains(normal_of(bits[i]))) tally.add(thickness_of(bits[i]));
+        }
+    }
 }
 
 void FacetField::count_cells(const Footprint& footprint, Vec3f wi, Vec3f wo,
@@ -238,8 +263,10 @@ std::uint64_t FacetField::count_node(const Touched& touched, int first, int last
         return static_cast<std::uint64_t>(times) * facets +
                binomial(facets, expected - times, node_key);
     }
-    const NormalTree::Parts parts = normals_->split(node, facets, node_key);
     const int shift = 2 * (normals_->depth() - level - 1);
+    unsigned wanted = 0;
+    for (int i = first; i < last; ++i) wanted |= 1u << ((touched.code[i] >> shift) & 3);
+    const NormalTree::Parts parts = normals_->split(node, facets, node_key, wanted);
     std::uint64_t sum = 0;
     for (std::uint32_t part = 0; part < 4; ++part) {
         int end = first;

@@ -111,12 +111,18 @@ class FacetField {
                                      static_cast<std::uint64_t>(cell.x) << 29 | cell.y));
     }
     std::array<Cell, 4> split(const Cell& cell) const;
+    // The part with these numbers among those of the next level; as split(), for less.
+    Cell part(const Cell& cell, std::uint32_t x, std::uint32_t y) const;
     // Calls visit(cell) for the cells of a level that share area with the footprint.
     template <class Visit>
     void for_each_cell(const Footprint& footprint, int level, Visit&& visit) const;
-    // Calls visit(bits, u, v) for the facets of a smallest cell that lie in the footprint.
-    template <class Visit>
-    void for_each_in_leaf(const Footprint& footprint, const Cell& cell, Visit&& visit) const;
+    // The bits of a facet of a smallest cell: its place in the cell, and its normal.
+    static std::uint64_t place_bits(std::uint64_t cell_key, std::uint64_t facet) {
+        return mix_bits(cell_key + (facet + 4) * detail::kNextBits);
+    }
+    static std::uint64_t normal_bits(std::uint64_t place) {
+        return mix_bits(place + detail::kNextBits);
+    }
     Vec3f normal_of(std::uint64_t bits) const;
     static float thickness_of(std::uint64_t normal_bits) {
         return to_unit_float(
@@ -125,6 +131,8 @@ class FacetField {
 
     void count_facets(const Footprint& footprint, const ReflectionCone& cone,
                       FacetTally& tally) const;
+    void count_leaf(const Footprint& footprint, const Cell& cell, const NormalFilter& filter,
+                    const ReflectionCone& cone, FacetTally& tally) const;
     void count_cells(const Footprint& footprint, Vec3f wi, Vec3f wo, FacetTally& tally) const;
     std::uint64_t count_node(const Touched& touched, int first, int last, int level,
                              std::uint32_t node, std::uint64_t facets, double overlap,

@@ -10,14 +10,23 @@ namespace nacre::sparkle {
 
 inline std::array<FacetField::Cell, 4> FacetField::split(const Cell& cell) const {
     const std::uint64_t key = key_of(cell);
-    const std::uint64_t left = half_binomial(cell.count, mix_bits(key + 1));
-    const std::uint64_t left_low = half_binomial(left, mix_bits(key + 2));
-    const std::uint64_t right_low = half_binomial(cell.count - left, mix_bits(key + 3));
+    const std::uint64_t left = half_binomial(cell.count, key + 1);
+    const std::uint64_t left_low = half_binomial(left, key + 2);
+    const std::uint64_t right_low = half_binomial(cell.count - left, key + 3);
     const std::uint32_t level = cell.level + 1, x = 2 * cell.x, y = 2 * cell.y;
     return {{{level, x, y, left_low, cell.inside},
              {level, x, y + 1, left - left_low, cell.inside},
              {level, x + 1, y, right_low, cell.inside},
              {level, x + 1, y + 1, cell.count - left - right_low, cell.inside}}};
+}
+
+inline FacetField::Cell FacetField::part(const Cell& cell, std::uint32_t x, std::uint32_t y) const {
+    const std::uint64_t key = key_of(cell);
+    const bool right = x & 1, high = y & 1;
+    const std::uint64_t left = half_binomial(cell.count, key + 1);
+    const std::uint64_t half = right ? cell.count - left : left;
+    const std::uint64_t low = half_binomial(half, key + 2 + right);
+    return {cell.level + 1, x, y, high ? half - low : low, cell.inside};
 }
 
 template <class Visit>
@@ -39,11 +48,24 @@ void FacetField::for_each_cell(const Footprint& footprint, int level, Visit&& vi
     const std::uint32_t x_last = index(bounds.u_hi), y_last = index(bounds.v_hi);
     for (std::uint32_t y = index(bounds.v_lo); y <= y_last; ++y) {
         for (std::uint32_t x = index(bounds.u_lo); x <= x_last; ++x) {
-            // Depth first: three cells wait on every level, and four at the bottom.
+            Cell top = {start, x, y, counts[(std::uint64_t{y} << start) + x], false};
+            if (top.count == 0 || !classify(top)) continue;
+            // Straight down, while a small footprint lies within one of the parts.
+            while (static_cast<int>(top.level) < level && top.count > 0) {
+                const double parts = static_cast<double>(std::uint64_t{2} << top.level);
+                const auto u_lo = static_cast<std::uint32_t>(bounds.u_lo * parts);
+                const auto v_lo = static_cast<std::uint32_t>(bounds.v_lo * parts);
+                if (u_lo != static_cast<std::uint32_t>(bounds.u_hi * parts) || u_lo >> 1 != top.x ||
+                    v_lo != static_cast<std::uint32_t>(bounds.v_hi * parts) || v_lo >> 1 != top.y) {
+                    break;
+                }
+                top = part(top, u_lo, v_lo);
+            }
+            if (top.count == 0) continue;
+            // Then depth first: three cells wait on every level, and four at the bottom.
             std::array<Cell, 3 * 29 + 4> waiting;
-            int count = 0;
-            waiting[count] = {start, x, y, counts[(std::uint64_t{y} << start) + x], false};
-            if (waiting[0].count > 0 && classify(waiting[0])) count = 1;
+            int count = 1;
+            waiting[0] = top;
             while (count > 0) {
                 const Cell cell = waiting[--count];
                 if (static_cast<int>(cell.level) == level) {
@@ -55,19 +77,6 @@ void FacetField::for_each_cell(const Footprint& footprint, int level, Visit&& vi
                 }
             }
         }
-    }
-}
-
-template <class Visit>
-void FacetField::for_each_in_leaf(const Footprint& footprint, const Cell& cell,
-                                  Visit&& visit) const {
-    const std::uint64_t key = key_of(cell);
-    const double side = 1.0 / static_cast<double>(std::uint64_t{1} << cell.level);
-    for (std::uint64_t i = 0; i < cell.count; ++i) {
-        const std::uint64_t place = mix_bits(key + (i + 4) * detail::kNextBits);
-        const double u = (cell.x + static_cast<double>(place >> 32) * 0x1p-32) * side;
-        const double v = (cell.y + static_cast<double>(place & 0xffffffffu) * 0x1p-32) * side;
-        if (cell.inside || footprint.contains(u, v)) visit(place, u, v);
     }
 }
 
@@ -83,10 +92,17 @@ inline Vec3f FacetField::normal_of(std::uint64_t bits) const {
 template <class Visit>
 void FacetField::for_each_facet(const Footprint& footprint, Visit&& visit) const {
     for_each_cell(footprint, leaf_level_, [&](const Cell& cell) {
-        for_each_in_leaf(footprint, cell, [&](std::uint64_t place, double u, double v) {
-            const std::uint64_t bits = mix_bits(place + detail::kNextBits);
-            visit(Facet{u, v, normal_of(bits), thickness_of(bits)});
-        });
+        const std::uint64_t key = key_of(cell);
+        const Box box = cell.box();
+        const double side = box.u_hi - box.u_lo;
+        for (std::uint64_t i = 0; i < cell.count; ++i) {
+            const std::uint64_t place = place_bits(key, i), normal = normal_bits(place);
+            const double u = box.u_lo + static_cast<double>(place >> 32) * 0x1p-32 * side;
+            const double v = box.v_lo + static_cast<double>(place & 0xffffffffu) * 0x1p-32 * side;
+            if (footprint.contains(u, v)) {
+                visit(Facet{u, v, normal_of(normal), thickness_of(normal)});
+            }
+        }
     });
 }
 

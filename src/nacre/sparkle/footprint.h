@@ -33,6 +33,23 @@ class Footprint {
         return s >= -0.5 && s < 0.5 && t >= -0.5 && t < 0.5;
     }
 
+    /// contains() for points given as fractions of a box.
+    struct Within {
+        double s, s_du, s_dv, t, t_du, t_dv;
+
+        /// All bits set in the lanes whose points lie inside.
+        template <class V>
+        auto contains(V u, V v) const {
+            const V a = s + s_du * u + s_dv * v, b = t + t_du * u + t_dv * v;
+            return (a >= -0.5) & (a < 0.5) & (b >= -0.5) & (b < 0.5);
+        }
+    };
+    Within within(const Box& box) const {
+        const double width = box.u_hi - box.u_lo, height = box.v_hi - box.v_lo;
+        return {s_.at(box.u_lo - u_, box.v_lo - v_), s_.du * width, s_.dv * height,
+                t_.at(box.u_lo - u_, box.v_lo - v_), t_.du * width, t_.dv * height};
+    }
+
     /// Exact (by the separating axes of two parallelograms) up to rounding, which errs towards
     /// `partial`. For boxes inside the unit square.
     Overlap overlap(const Box& box) const;

@@ -99,9 +99,12 @@ void NormalTree::build(std::uint32_t node, int level, Vec3f a, Vec3f b, Vec3f c,
     for (int i = 0; i < 3; ++i) {
         if (dot(n.corner_planes[i], corners[i]) < 0) n.corner_planes[i] = -n.corner_planes[i];
     }
-    n.odds[0] = odds(parts[3], parts[0] + parts[1] + parts[2]);
-    n.odds[1] = odds(parts[0], parts[1] + parts[2]);
-    n.odds[2] = odds(parts[1], parts[2]);
+    double rest = parts[0] + parts[1] + parts[2] + parts[3];
+    for (int i = 0; i < 3; ++i) {
+        const double part = parts[kOrder[i]];
+        rest = std::max(0.0, rest - part);
+        n.odds[i] = odds(part, rest);
+    }
     masses_[node] = parts[0] + parts[1] + parts[2] + parts[3];
 }
 
@@ -135,19 +138,24 @@ double NormalTree::mass(Code leaf) const {
 }
 
 NormalTree::Parts NormalTree::split_octants(std::uint64_t n, std::uint64_t key) {
-    const std::uint64_t half = half_binomial(n, mix_bits(key));
-    const std::uint64_t first = half_binomial(half, mix_bits(key + 1));
-    const std::uint64_t third = half_binomial(n - half, mix_bits(key + 2));
+    const std::uint64_t half = half_binomial(n, key);
+    const std::uint64_t first = half_binomial(half, key + 1);
+    const std::uint64_t third = half_binomial(n - half, key + 2);
     return {{first, half - first, third, n - half - third}};
 }
 
-NormalTree::Parts NormalTree::split(std::uint32_t node, std::uint64_t n, std::uint64_t key) const {
+NormalTree::Parts NormalTree::split(std::uint32_t node, std::uint64_t n, std::uint64_t key,
+                                    unsigned wanted) const {
     const Node& at = nodes_[node];
-    const std::uint64_t middle = binomial(n, at.odds[0], mix_bits(key));
-    const std::uint64_t corners = n - middle;
-    const std::uint64_t first = binomial(corners, at.odds[1], mix_bits(key + 1));
-    const std::uint64_t second = binomial(corners - first, at.odds[2], mix_bits(key + 2));
-    return {{first, second, corners - first - second, middle}};
+    Parts parts{};
+    for (int i = 0; i < 3 && wanted != 0; ++i) {
+        const int part = kOrder[i];
+        parts.count[part] = binomial(n, at.odds[i], key + i);
+        n -= parts.count[part];
+        wanted &= ~(1u << part);
+    }
+    if (wanted != 0) parts.count[kOrder[3]] = n;
+    return parts;
 }
 
 }  // namespace nacre::sparkle

@@ -43,13 +43,18 @@ class NormalTree {
     static Parts split_octants(std::uint64_t n, std::uint64_t key);
     /// Splits n facets of a triangle among its parts, multinomially by their masses. `node` counts
     /// the triangles of an octant from 0, its own; the parts of `node` are 4 node + 1 .. 4.
-    Parts split(std::uint32_t node, std::uint64_t n, std::uint64_t key) const;
+    /// @param wanted  bit i: part i is asked for; others may be left at 0
+    Parts split(std::uint32_t node, std::uint64_t n, std::uint64_t key, unsigned wanted = 15) const;
 
  private:
     struct Node {
         Vec3f corner_planes[3];  // positive side: the part at that corner
-        double odds[3];          // of the middle part, then of corner 0, then of corner 1
+        double odds[3];          // of kOrder's first three parts, among those that are left
     };
+    // Parts in the order in which they take their facets: the corner nearest the pole and the
+    // middle first, as they are asked for most.
+    static constexpr int kOrder[4] = {2, 3, 0, 1};
+
     void build(std::uint32_t node, int level, Vec3f a, Vec3f b, Vec3f c, double alpha);
 
     int depth_;

@@ -43,6 +43,10 @@ TEST(NormalTree, SplitsKeepEveryFacet) {
             EXPECT_EQ(octants.count[0] + octants.count[1] + octants.count[2] + octants.count[3], n);
             const auto parts = tree.split(0, n, key);
             EXPECT_EQ(parts.count[0] + parts.count[1] + parts.count[2] + parts.count[3], n);
+            // Asking for less gives the same.
+            for (int part = 0; part < 4; ++part) {
+                EXPECT_EQ(tree.split(0, n, key, 1u << part).count[part], parts.count[part]);
+            }
         }
     }
 }
