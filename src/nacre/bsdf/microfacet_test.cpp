@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/bsdf/test_support.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/core/rng.h"
 
@@ -12,15 +13,7 @@ namespace nacre::bsdf {
 namespace {
 
 using layers::FacetDistribution;
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr FacetDistribution kLaws[] = {FacetDistribution::beckmann, FacetDistribution::ggx};
-
-Vec3f direction(double theta_deg, double phi_deg) {
-    const double s = std::sin(theta_deg * kDegree);
-    return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
-            static_cast<float>(s * std::sin(phi_deg * kDegree)),
-            static_cast<float>(std::cos(theta_deg * kDegree))};
-}
 
 // Int f(m) dm over the upper hemisphere, in the radius of stretched slopes tan = alpha r, r =
 // t/(1-t).

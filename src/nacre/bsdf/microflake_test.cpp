@@ -5,21 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/bsdf/test_support.h"
 #include "nacre/core/rng.h"
 #include "nacre/layers/solver.h"
 
 namespace nacre::bsdf {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kAngles[] = {0.1, 20, 45, 60, 75, 85, 89};
-
-Vec3f direction(double theta_deg, double phi_deg) {
-    const double s = std::sin(theta_deg * kDegree);
-    return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
-            static_cast<float>(s * std::sin(phi_deg * kDegree)),
-            static_cast<float>(std::cos(theta_deg * kDegree))};
-}
 
 layers::Recipe metallic(double alpha, double reflectance) {
     layers::FlakeSpecies flake;
@@ -64,8 +57,6 @@ const Model& everything_model() {
     static const Model model(everything());
     return model;
 }
-
-double chi_square_z_score(const BoundBsdf& bound, double theta_i, std::uint64_t seed);
 
 // Largest difference to the solved paint over the peak of each incident direction.
 double worst_error(const Model& model) {
@@ -125,7 +116,7 @@ TEST(Microflake, SamplesFollowTheDensityUnderARoughClearcoat) {
     const Model model(rough_pearl(0.2));
     const auto bound = model.bsdf->bind(kOnGrid);
     for (const double theta_i : {10.0, 70.0}) {
-        EXPECT_LT(chi_square_z_score(*bound, theta_i, 21), 3.5) << theta_i;
+        EXPECT_LT(chi_square_z_score(*bound, direction(theta_i, 0), 21, 200000), 3.5) << theta_i;
     }
 }
 
@@ -186,63 +177,6 @@ TEST(Microflake, SampleReportsItsOwnDensityAndWeight) {
     EXPECT_GT(others, 2000);
 }
 
-// Chi-square of sampled directions against the density, over bins of cosine and azimuth, with one
-// more bin for what is not a direction (mirror, and samples that cannot leave the coat).
-double chi_square_z_score(const BoundBsdf& bound, double theta_i, std::uint64_t seed) {
-    constexpr int kCosines = 12, kAzimuths = 16, kSub = 16, kSamples = 200000;
-    const Vec3f wi = direction(theta_i, 0);
-    std::vector<double> expected(kCosines * kAzimuths + 1, 0.0), found(expected);
-    for (int c = 0; c < kCosines * kSub; ++c) {
-        const double z = (c + 0.5) / (kCosines * kSub), s = std::sqrt(1 - z * z);
-        for (int a = 0; a < kAzimuths * kSub; ++a) {
-            const double phi = 2 * std::numbers::pi * (a + 0.5) / (kAzimuths * kSub);
-            const Vec3f wo = {static_cast<float>(s * std::cos(phi)),
-                              static_cast<float>(s * std::sin(phi)), static_cast<float>(z)};
-            expected[c / kSub * kAzimuths + a / kSub] += bound.pdf(wi, wo) * kSamples * 2 *
-                                                         std::numbers::pi /
-                                                         (kCosines * kSub * kAzimuths * kSub);
-        }
-    }
-    double inside = 0;
-    for (double e : expected) inside += e;
-    EXPECT_LE(inside, 1.001 * kSamples);
-    expected.back() = kSamples - inside;
-    Rng rng(seed, 1);
-    for (int i = 0; i < kSamples; ++i) {
-        const auto s =
-            bound.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-        if (!s || s->mirror) {
-            ++found.back();
-            continue;
-        }
-        double phi = std::atan2(s->wo.y, s->wo.x);
-        if (phi < 0) phi += 2 * std::numbers::pi;
-        const int c = std::min(static_cast<int>(s->wo.z * kCosines), kCosines - 1);
-        const int a =
-            std::min(static_cast<int>(phi / (2 * std::numbers::pi) * kAzimuths), kAzimuths - 1);
-        ++found[c * kAzimuths + a];
-    }
-    double statistic = 0, rare_expected = 0, rare_found = 0;
-    int bins = 0;
-    for (std::size_t b = 0; b < expected.size(); ++b) {
-        if (expected[b] < 10) {
-            rare_expected += expected[b];
-            rare_found += found[b];
-            continue;
-        }
-        statistic += std::pow(found[b] - expected[b], 2) / expected[b];
-        ++bins;
-    }
-    if (rare_expected >= 10) {
-        statistic += std::pow(rare_found - rare_expected, 2) / rare_expected;
-        ++bins;
-    }
-    EXPECT_GT(bins, 20);
-    // The cube root of chi-square over its mean is normal.        [wilson-hilferty-1931]
-    const double freedom = bins - 1, spread = 2 / (9 * freedom);
-    return (std::cbrt(statistic / freedom) - (1 - spread)) / std::sqrt(spread);
-}
-
 TEST(Microflake, SamplesFollowTheDensity) {
     int tests = 0;
     for (const double alpha : {0.1, 0.4}) {
@@ -251,7 +185,7 @@ TEST(Microflake, SamplesFollowTheDensity) {
         for (const double theta_i : {0.5, 35.0, 65.0, 85.0}) {
             SCOPED_TRACE(testing::Message() << "alpha " << alpha << ", theta_i " << theta_i);
             // One-sided, eight tests with fixed seeds: 3.5 deviations are one false alarm in 500.
-            EXPECT_LT(chi_square_z_score(*bound, theta_i, 11 + tests), 3.5);
+            EXPECT_LT(chi_square_z_score(*bound, direction(theta_i, 0), 11 + tests, 200000), 3.5);
             ++tests;
         }
     }

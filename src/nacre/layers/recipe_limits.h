@@ -5,7 +5,7 @@
 
 #include "nacre/core/range.h"
 #include "nacre/layers/recipe.h"
-#include "nacre/optics/airy.h"
+#include "nacre/optics/airy_range.h"
 
 // What a recipe may say. validate() and the reader of recipe files (io/recipe_file.h) share these
 // bounds; docs/recipe.md lists them. They are wide: they keep out slips of a decimal point and

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "nacre/core/lanes.h"
-#include "nacre/core/range.h"
+#include "nacre/optics/airy_range.h"
 #include "nacre/optics/thickness_rule.h"
 
 // One smooth film between two half spaces: the exact reflectance, fast enough to be asked for per
@@ -13,9 +13,6 @@
 // Stacks of films, and dispersion: thin_film.h. Signs and the meaning of k: docs/conventions.md.
 
 namespace nacre::optics {
-
-inline constexpr Range kAiryIndexRange{.lo = 0.01, .hi = 10};
-inline constexpr Range kAiryExtinctionRange{.lo = 0, .hi = 100};
 
 /// Error of AiryFilm::reflectance against stack_reflectance, in double lanes and in float lanes,
 /// for films of up to 10 wavelengths' optical thickness, without extreme contrasts (indices 0.5 to
