@@ -15,15 +15,6 @@ namespace {
 
 constexpr int kStride = 8;  // rows that are fitted; between them everything is interpolated
 
-void check_grid(const layers::BrdfGrid& grid) {
-    using Settings = layers::BrdfTableSettings;
-    require_in_range(grid.angles, 8, Settings::kMostAngles, "angles of a BRDF table");
-    require_in_range(grid.azimuths, 8, Settings::kMostAzimuths, "azimuths of a BRDF table");
-    require_in_range(grid.ior, 1, 3, "ior of a BRDF table");
-    require_in_range(grid.roughness, 0, 1, "roughness of a BRDF table");
-    require_in_range(grid.lobe_alpha, 1e-4, 1, "lobe_alpha of a BRDF table");
-}
-
 void require_size(std::size_t found, std::size_t wanted, const char* what) {
     if (found != wanted) {
         throw DomainError(fmt::format("a BRDF table has {} {}, not {}", found, what, wanted));
@@ -31,12 +22,12 @@ void require_size(std::size_t found, std::size_t wanted, const char* what) {
 }
 
 void check(const layers::RawBrdfTable& table) {
-    check_grid(table.grid);
+    layers::validate(table.grid);
     require_size(table.values.size(), 3 * table.grid.values(), "values");
 }
 
 void check(const layers::CompressedBrdfTable& table) {
-    check_grid(table.grid);
+    layers::validate(table.grid);
     for (int k : table.rank) {
         require_in_range(k, 0, layers::CompressedBrdfTable::kMostTerms,
                          "terms of a compressed BRDF table");

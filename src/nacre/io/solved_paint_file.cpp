@@ -1,74 +1,24 @@
 #include "nacre/io/solved_paint_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
-#include "nacre/core/sha256.h"
-#include "nacre/io/hdf5_handle.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/io/sealed_hdf5.h"
 #include "nacre/io/table_reader.h"
-#include "nacre/io/version.h"
 
 namespace nacre::io {
 
 namespace {
 
-constexpr std::string_view kFormat = "nacre solved paint";
-constexpr std::size_t kUserBlockBytes = 512;  // the smallest that HDF5 looks behind
+constexpr SealedFormat kFormat = {"nacre solved paint", kSolvedPaintFormatVersion, "solved paint"};
 constexpr std::size_t kMostWavelengths = 10'000;
 constexpr std::size_t kMostCoefficients = std::size_t{1} << 26;
 constexpr std::size_t kMostAzimuthalOrders = 65'536;
 constexpr std::size_t kMostExitNodes = 4'096;
-
-// ------------------------------------------------------------------------------- user block
-
-/// Lines that a person reads with `head -c 512`, filled up with zeros.
-std::string user_block(std::string_view body) {
-    std::string block =
-        fmt::format("{}\nversion {}\nbytes {}\nsha256 {}\nThe rest is HDF5: h5dump, h5py.\n",
-                    kFormat, kSolvedPaintFormatVersion, body.size(), sha256_hex(body));
-    block.resize(kUserBlockBytes, '\0');
-    return block;
-}
-
-/// What follows "key " on a line of the block.
-std::string_view field(std::string_view block, std::string_view key) {
-    const std::string start = fmt::format("\n{} ", key);
-    const std::size_t at = block.find(start);
-    if (at == std::string_view::npos) return {};
-    const std::string_view rest = block.substr(at + start.size());
-    return rest.substr(0, rest.find('\n'));
-}
-
-/// The HDF5 part, once size and checksum have been found right.
-std::string_view checked_body(std::string_view bytes, const std::string& name) {
-    if (!looks_like_solved_paint(bytes)) {
-        throw InputError(fmt::format("{}: is not a solved paint of Nacre", name));
-    }
-    if (bytes.size() < kUserBlockBytes) {
-        throw InputError(fmt::format("{}: is cut short", name));
-    }
-    const std::string_view block = bytes.substr(0, kUserBlockBytes);
-    const std::string_view body = bytes.substr(kUserBlockBytes);
-    const std::string_view version = field(block, "version");
-    if (version != std::to_string(kSolvedPaintFormatVersion)) {
-        throw InputError(fmt::format("{}: has format version {}; this program reads {}", name,
-                                     version.substr(0, 20), kSolvedPaintFormatVersion));
-    }
-    if (field(block, "bytes") != std::to_string(body.size())) {
-        throw InputError(
-            fmt::format("{}: is cut short or altered: {} bytes follow its head, not {}", name,
-                        body.size(), field(block, "bytes").substr(0, 20)));
-    }
-    if (field(block, "sha256") != sha256_hex(body)) {
-        throw InputError(fmt::format("{}: is damaged: its checksum does not fit", name));
-    }
-    return body;
-}
 
 // ---------------------------------------------------------------------------------- writing
 
@@ -138,34 +88,6 @@ std::string kept_recipe(const layers::Recipe& recipe) {
     return text;
 }
 
-std::string hdf5_image(hid_t file) {
-    if (H5Fflush(file, H5F_SCOPE_GLOBAL) < 0) throw Error("cannot finish the HDF5 file");
-    const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-    if (size <= 0) throw Error("cannot get the HDF5 file's bytes");
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    if (H5Fget_file_image(file, bytes.data(), bytes.size()) != size) {
-        throw Error("cannot get the HDF5 file's bytes");
-    }
-    return bytes;
-}
-
-/// HDF5 wants a name even for a file in memory, and refuses that of a file that exists: this
-/// cannot.
-constexpr const char* kNoFile = "/dev/null/solved paint";
-
-/// Access to a file that lives in memory only, seeded with `image` unless that is empty.
-Hdf5Handle memory_access(std::string_view image) {
-    constexpr std::size_t kGrowth = 1 << 16;
-    Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "set up HDF5");
-    // The library copies the image before it looks at it; its argument lacks a const.
-    if (H5Pset_fapl_core(access, kGrowth, false) < 0 ||
-        (!image.empty() &&
-         H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()) < 0)) {
-        throw Error("cannot set up HDF5");
-    }
-    return access;
-}
-
 // ---------------------------------------------------------------------------------- reading
 
 void require(bool ok, const char* what) {
@@ -207,7 +129,6 @@ layers::Remainder read_tensor(hid_t file, const TensorGroup& where, std::size_t 
 }
 
 layers::SolvedPaint read_contents(hid_t file, const std::string& name) {
-    require(read_text_attribute(file, "format") == kFormat, "attribute format is another");
     const std::string recipe = read_text(file, "recipe", kMostTextBytes);
     const std::vector<double> wavelengths =
         read_doubles(file, "wavelengths_nm", 1, kMostWavelengths);
@@ -247,28 +168,19 @@ layers::SolvedPaint read_contents(hid_t file, const std::string& name) {
 
 }  // namespace
 
-bool looks_like_solved_paint(std::string_view bytes) {
-    return bytes.starts_with(std::string(kFormat) + "\n");
-}
+bool looks_like_solved_paint(std::string_view bytes) { return is_sealed_as(kFormat, bytes); }
 
 std::string solved_paint_bytes(const layers::SolvedPaint& paint) {
-    const Hdf5Silence silence;
-    const Hdf5Handle access = memory_access({});
-    const Hdf5Handle file(H5Fcreate(kNoFile, H5F_ACC_TRUNC, H5P_DEFAULT, access),
-                          "make an HDF5 file");
-    write_attribute(file, "format", std::string(kFormat));
-    write_attribute(file, "format_version", kSolvedPaintFormatVersion);
-    write_attribute(file, "nacre_version", std::string(version()));
-    write_attribute(file, "recipe_sha256", recipe_hash(paint.recipe));
-    write_text(file, "recipe", kept_recipe(paint.recipe), "the paint's recipe, TOML");
-    write_array(file, "wavelengths_nm", {paint.wavelengths_nm().size()},
-                paint.wavelengths_nm().data(), "nm", "vacuum wavelengths");
-    write_settings(file, paint.settings);
-    write_solver_report(file, paint.report);
-    write_tensor(file, kRemainder, paint.remainder);
-    if (paint.medium.roughness > 0) write_tensor(file, kRoughSingle, paint.rough_single);
-    const std::string body = hdf5_image(file);
-    return user_block(body) + body;
+    return sealed_bytes(kFormat, [&](hid_t file) {
+        write_attribute(file, "recipe_sha256", recipe_hash(paint.recipe));
+        write_text(file, "recipe", kept_recipe(paint.recipe), "the paint's recipe, TOML");
+        write_array(file, "wavelengths_nm", {paint.wavelengths_nm().size()},
+                    paint.wavelengths_nm().data(), "nm", "vacuum wavelengths");
+        write_settings(file, paint.settings);
+        write_solver_report(file, paint.report);
+        write_tensor(file, kRemainder, paint.remainder);
+        if (paint.medium.roughness > 0) write_tensor(file, kRoughSingle, paint.rough_single);
+    });
 }
 
 void write_solved_paint(const std::filesystem::path& path, const layers::SolvedPaint& paint) {
@@ -276,18 +188,9 @@ void write_solved_paint(const std::filesystem::path& path, const layers::SolvedP
 }
 
 layers::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string& name) {
-    const std::string_view body = checked_body(bytes, name);
-    const Hdf5Silence silence;
-    try {
-        const Hdf5Handle access = memory_access(body);
-        const Hdf5Handle file(H5Fopen(kNoFile, H5F_ACC_RDONLY, access), "open it as an HDF5 file");
-        return read_contents(file, name);
-    } catch (const InputError&) {
-        throw;
-    } catch (const Error& error) {
-        throw InputError(
-            fmt::format("{}: is not a solved paint that can be used: {}", name, error.what()));
-    }
+    layers::SolvedPaint paint;
+    read_sealed(kFormat, bytes, name, [&](hid_t file) { paint = read_contents(file, name); });
+    return paint;
 }
 
 layers::SolvedPaint read_solved_paint(const std::filesystem::path& path) {

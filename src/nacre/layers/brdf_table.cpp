@@ -29,8 +29,6 @@ double narrowest_lobe(const PaintMedium& medium, double ior) {
 }
 
 BrdfGrid make_grid(const SolvedPaint& paint, const BrdfTableSettings& settings) {
-    require_in_range(settings.angles, 8, BrdfTableSettings::kMostAngles, "angles");
-    require_in_range(settings.azimuths, 8, BrdfTableSettings::kMostAzimuths, "azimuths");
     const PaintMedium& medium = paint.medium;
     for (int w = 0; w < medium.wavelength_count(); ++w) {
         if (paint.is_rough(w) != paint.is_rough(0)) {
@@ -45,6 +43,7 @@ BrdfGrid make_grid(const SolvedPaint& paint, const BrdfTableSettings& settings) 
     grid.ior = mean(medium.ior);
     grid.roughness = paint.is_rough(0) ? medium.roughness : 0.0;
     grid.lobe_alpha = narrowest_lobe(medium, grid.ior);
+    validate(grid);
     return grid;
 }
 

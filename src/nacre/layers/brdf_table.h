@@ -43,10 +43,8 @@ struct RawBrdfTable {
 };
 
 struct BrdfTableSettings {
-    int angles = 256;    ///< n, 8 to kMostAngles
-    int azimuths = 128;  ///< m, 8 to kMostAzimuths
-
-    static constexpr int kMostAngles = 512, kMostAzimuths = 512;
+    int angles = 256;    ///< n, as BrdfGrid::angles
+    int azimuths = 128;  ///< m, as BrdfGrid::azimuths
 };
 
 /// Tabulates SolvedPaint::brdf (the total) at all nodes: the spectrum at the paint's wavelengths

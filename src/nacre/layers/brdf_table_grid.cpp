@@ -2,10 +2,19 @@
 
 #include <numbers>
 
+#include "nacre/core/error.h"
 #include "nacre/layers/directions.h"
 #include "nacre/optics/dielectric.h"
 
 namespace nacre::layers {
+
+void validate(const BrdfGrid& grid) {
+    require_in_range(grid.angles, 8, BrdfGrid::kMostAngles, "angles of a BRDF table");
+    require_in_range(grid.azimuths, 8, BrdfGrid::kMostAzimuths, "azimuths of a BRDF table");
+    require_in_range(grid.ior, 1, 3, "ior of a BRDF table");
+    require_in_range(grid.roughness, 0, 1, "roughness of a BRDF table");
+    require_in_range(grid.lobe_alpha, 1e-4, 1, "lobe_alpha of a BRDF table");
+}
 
 double BrdfGrid::angle(int node) const {
     const double x = static_cast<double>(node) / (angles - 1);

@@ -44,11 +44,13 @@ struct BrdfCell {
 };
 
 struct BrdfGrid {
-    int angles = 256;         ///< n, at least 2
-    int azimuths = 128;       ///< m, at least 4
+    int angles = 256;         ///< n, 8 to kMostAngles
+    int azimuths = 128;       ///< m, 8 to kMostAzimuths
     double ior = 1.5;         ///< mean index of the binder over the paint's wavelengths, [1, 3]
     double roughness = 0;     ///< Beckmann alpha of the interface, [0, 1]; 0: smooth
-    double lobe_alpha = 0.1;  ///< a, the roughness of the narrowest lobe, (0, 1]
+    double lobe_alpha = 0.1;  ///< a, the roughness of the narrowest lobe, [1e-4, 1]
+
+    static constexpr int kMostAngles = 512, kMostAzimuths = 512;
 
     /// Index of the side on which angles of half vectors are measured: inside the coat, but
     /// outside of a rough one, whose own lobe is the narrowest there.
@@ -65,6 +67,9 @@ struct BrdfGrid {
 
     friend bool operator==(const BrdfGrid&, const BrdfGrid&) = default;
 };
+
+/// @throws DomainError if a number is out of the range given above
+void validate(const BrdfGrid& grid);
 
 /// Where two directions in the upper hemisphere fall: s their sines outside, mu their cosines on
 /// the side of grid.side_ior().

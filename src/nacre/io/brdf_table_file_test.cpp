@@ -1,0 +1,135 @@
+#include "nacre/io/brdf_table_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "nacre/core/error.h"
+#include "nacre/io/sealed_hdf5.h"
+#include "nacre/layers/solver.h"
+
+namespace nacre::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+const layers::RawBrdfTable& raw() {
+    static const layers::RawBrdfTable table = [] {
+        layers::FlakeSpecies flake;
+        flake.amount = layers::AreaDensity{0.1};
+        flake.orientation.beckmann_alpha = 0.3;
+        flake.body =
+            layers::PrescribedFlake{spectra::Spectrum({400.0, 700.0}, {0.3, 0.8}), 0.0, 0.3};
+        layers::Recipe recipe;
+        recipe.name = "copper";
+        recipe.layers.push_back({10, {flake}, {}});
+        return layers::make_raw_table(layers::solve(recipe, {450, 550, 650}), {12, 10});
+    }();
+    return table;
+}
+
+const layers::CompressedBrdfTable& compressed() {
+    static const layers::CompressedBrdfTable table = layers::compress(raw(), {3, 0.5});
+    return table;
+}
+
+std::string error_of(const std::string& bytes) {
+    try {
+        parse_brdf_table(bytes, "table.h5");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(BrdfTableFile, GivesBackTheSameTable) {
+    EXPECT_EQ(std::get<layers::RawBrdfTable>(parse_brdf_table(brdf_table_bytes(raw()), "t")),
+              raw());
+    EXPECT_EQ(std::get<layers::CompressedBrdfTable>(
+                  parse_brdf_table(brdf_table_bytes(compressed()), "t")),
+              compressed());
+    // Nothing in it depends on the time.
+    EXPECT_EQ(brdf_table_bytes(raw()), brdf_table_bytes(raw()));
+    EXPECT_TRUE(looks_like_brdf_table(brdf_table_bytes(raw())));
+    EXPECT_FALSE(looks_like_brdf_table("nacre solved paint\n"));
+}
+
+TEST(BrdfTableFile, KeepsABlackTable) {
+    layers::CompressedBrdfTable black = compressed();
+    black.rank = {};
+    black.left.clear();
+    black.right.clear();
+    EXPECT_EQ(std::get<layers::CompressedBrdfTable>(parse_brdf_table(brdf_table_bytes(black), "t")),
+              black);
+}
+
+TEST(BrdfTableFile, GoesThroughTheDisk) {
+    const std::filesystem::path path =
+        std::filesystem::path(::testing::TempDir()) / "nacre_brdf_table_file_test.h5";
+    write_brdf_table(path, compressed());
+    EXPECT_EQ(std::get<layers::CompressedBrdfTable>(read_brdf_table(path)), compressed());
+    write_brdf_table(path, raw());
+    EXPECT_EQ(std::get<layers::RawBrdfTable>(read_brdf_table(path)), raw());
+    std::filesystem::remove(path);
+    EXPECT_THROW(read_brdf_table(path), InputError);
+}
+
+TEST(BrdfTableFile, IsRefusedWhereverItIsCutOrABitFlips) {
+    const std::string bytes = brdf_table_bytes(compressed());
+    const std::size_t remark = bytes.find("The rest is HDF5");
+    ASSERT_LT(remark, 200u);
+    int tried = 0;
+    for (std::size_t at = 0; at < bytes.size(); at += 1 + at / 10, ++tried) {
+        EXPECT_THAT(error_of(bytes.substr(0, at)), HasSubstr("table.h5: ")) << at;
+        if (at >= remark && at < 512) continue;  // the end of the head is for people
+        std::string damaged = bytes;
+        damaged[at] = static_cast<char>(damaged[at] ^ 4);
+        EXPECT_THAT(error_of(damaged), HasSubstr("table.h5: ")) << at;
+    }
+    EXPECT_GT(tried, 40);
+    EXPECT_THAT(error_of(""), HasSubstr("is not a BRDF table of Nacre"));
+}
+
+TEST(BrdfTableFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
+    layers::RawBrdfTable table = raw();
+    table.values[7] = NAN;
+    EXPECT_THAT(error_of(brdf_table_bytes(table)), HasSubstr("a value is not finite"));
+    table = raw();
+    table.grid.ior = 0.5;
+    EXPECT_THAT(error_of(brdf_table_bytes(table)), HasSubstr("ior of a BRDF table = 0.5"));
+    table = raw();
+    table.grid.lobe_alpha = NAN;
+    EXPECT_THAT(error_of(brdf_table_bytes(table)), HasSubstr("lobe_alpha"));
+
+    layers::CompressedBrdfTable c = compressed();
+    c.rank[0] = -1;
+    c.rank[1] += 7;  // the sum is right
+    EXPECT_THAT(error_of(brdf_table_bytes(c)), HasSubstr("number of terms"));
+
+    // Sizes are compared with the grid before anything is allocated.
+    constexpr SealedFormat kFormat = {"nacre BRDF table", kBrdfTableFormatVersion, "BRDF table"};
+    const auto sealed = [&](int angles, int azimuths) {
+        return sealed_bytes(kFormat, [&](hid_t file) {
+            write_attribute(file, "paint", std::string("x"));
+            write_attribute(file, "kind", std::string("raw"));
+            const Hdf5Handle grid(H5Gcreate2(file, "grid", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                  "make a group");
+            write_attribute(grid, "angles", angles);
+            write_attribute(grid, "azimuths", azimuths);
+            for (const char* name : {"ior", "roughness", "lobe_alpha"}) {
+                write_attribute(grid, name, *name == 'i' ? 1.5 : 0.5);
+            }
+            write_array(file, "values", {12, 12, 10, 3}, raw().values.data(), "1/sr", "g");
+        });
+    };
+    EXPECT_EQ(error_of(sealed(12, 10)), "accepted");
+    EXPECT_THAT(error_of(sealed(13, 10)), HasSubstr("do not fit the grid"));
+    EXPECT_THAT(error_of(sealed(512, 512)), HasSubstr("do not fit the grid"));
+    EXPECT_THAT(error_of(sealed(1 << 30, 10)), HasSubstr("angles of a BRDF table"));
+    EXPECT_THAT(error_of(sealed(-12, 10)), HasSubstr("angles of a BRDF table"));
+}
+
+}  // namespace
+}  // namespace nacre::io
