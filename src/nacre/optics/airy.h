@@ -18,7 +18,7 @@ namespace nacre::optics {
 /// for films of up to 10 wavelengths' optical thickness, without extreme contrasts (indices 0.5 to
 /// 4). In float it grows in proportion with the thickness: the phase is a float.
 inline constexpr double kAiryError = 2e-13;
-inline constexpr double kAiryFloatError = 2e-5;
+inline constexpr double kAiryFloatError = 4e-5;
 
 /// The film seen under one angle. It holds the characteristic matrix's amplitudes, which do not
 /// depend on wavelength, so that a reflectance costs one sine and cosine.

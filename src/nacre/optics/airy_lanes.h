@@ -11,7 +11,7 @@ namespace nacre::optics {
 /// Errors of the functions below, in the lanes' own precision: of the value for waves, relative for
 /// decay.
 template <class V>
-inline constexpr double kAiryLanesError = std::is_same_v<V, FloatLanes> ? 4e-7 : 4e-16;
+inline constexpr double kAiryLanesError = std::is_same_v<V, FloatLanes> ? 4e-7 : 1e-15;
 
 /// A lane's number type.
 template <class V>
