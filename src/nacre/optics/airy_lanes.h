@@ -22,15 +22,16 @@ struct CosineSine {
     V cosine, sine;
 };
 
-/// cos and sin of 2 pi times `turns`, by rounding to the nearest half turn and Taylor's series on
-/// [-pi/2, pi/2]; the sine keeps its relative accuracy near 0. Branch-free.
-/// @param turns  magnitude below 2^21 for float, 2^50 for double; beyond, the phase is lost anyway
+/// Of magnitudes up to 2^22 in float, 2^51 in double.
 template <class V>
 inline V nearest_integer(V x) {
     // Adding 1.5 2^(mantissa bits - 1) rounds to an integer.
     constexpr LaneScalar<V> shift = std::is_same_v<V, FloatLanes> ? 0x1.8p23f : 0x1.8p52;
     return (x + shift) - shift;
 }
+/// cos and sin of 2 pi times `turns`, by rounding to the nearest half turn and Taylor's series on
+/// [-pi/2, pi/2]; the sine keeps its relative accuracy near 0. Branch-free.
+/// @param turns  magnitude below 2^21 for float, 2^50 for double; beyond, the phase is lost anyway
 template <class V>
 inline CosineSine<V> cos_sin_turns(V turns) {
     using Real = LaneScalar<V>;
