@@ -8,7 +8,6 @@
 
 namespace nacre::bsdf {
 
-
 /// What microfacets, seen through their coat, reflect of light from a direction: the mean of the
 /// weights of their own samples, tabulated over the cosine of incidence, and how often to sample
 /// the coat's mirror beside them.
