@@ -43,8 +43,8 @@ inline Lanes attenuation(const Lanes& depth, int lane_count) {
 
 /// Upward normal of a flake, z being the normal of the layer.
 inline Direction3 sample_beckmann_normal(double alpha, RandomStream& random) {
-    const double slope = alpha * std::sqrt(random.exponential());
-    const auto [c, s] = random.cos_sin();
+    const auto [radius, c, s] = random.slope();
+    const double slope = alpha * radius;
     return Direction3(-slope * c, -slope * s, 1).normalized();
 }
 

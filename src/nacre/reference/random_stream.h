@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -19,15 +20,38 @@ class RandomStream {
     /// Uniform in [0, 1).
     double uniform() { return rng_.uniform_double(); }
     /// Exponential with mean 1.
-    double exponential() { return -std::log(1 - uniform()); }
+    double exponential() { return exponential_of(uniform()); }
     /// A point on the unit circle.
-    std::tuple<double, double> cos_sin() {
-        const double phi = 2 * std::numbers::pi * uniform();
-        return {std::cos(phi), std::sin(phi)};
+    std::tuple<double, double> cos_sin() { return cos_sin_of(uniform()); }
+
+    /// Two Gaussian numbers of variance 1/2, as radius and direction: the slopes of a flake.
+    /// The first pair may come from outside, see lead_with().
+    struct Slope {
+        double radius, cos, sin;
+    };
+    Slope slope() {
+        const double a = has_lead_ ? lead_[0] : uniform(), b = has_lead_ ? lead_[1] : uniform();
+        has_lead_ = false;
+        const auto [c, s] = cos_sin_of(b);
+        return {std::sqrt(exponential_of(a)), c, s};
+    }
+    /// The numbers from which the first slope is made, uniform in [0, 1): well spread over many
+    /// walks they make its noise, and what follows from it, small.
+    void lead_with(double a, double b) {
+        lead_ = {a, b};
+        has_lead_ = true;
     }
 
  private:
+    static double exponential_of(double u) { return -std::log(1 - u); }
+    static std::tuple<double, double> cos_sin_of(double u) {
+        const double phi = 2 * std::numbers::pi * u;
+        return {std::cos(phi), std::sin(phi)};
+    }
+
     Rng rng_;
+    std::array<double, 2> lead_{};
+    bool has_lead_ = false;
 };
 
 }  // namespace nacre::reference

@@ -15,7 +15,13 @@ RandomStream stream_of(Vec3f wi, float u_lobe, Vec2f u) {
         return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 |
                std::bit_cast<std::uint32_t>(b);
     };
-    return RandomStream(pair(u.x, u.y), pair(wi.x, wi.y), pair(wi.z, u_lobe));
+    RandomStream random(pair(u.x, u.y), pair(wi.x, wi.y), pair(wi.z, u_lobe));
+    // A renderer spreads its numbers well: the first flake, which decides most, takes them as they
+    // are, with their resolution made that of double.
+    constexpr double kStep = 0x1p-24;
+    const double x = u.x + kStep * random.uniform(), y = u.y + kStep * random.uniform();
+    random.lead_with(x, y);
+    return random;
 }
 
 Vec3f to_float(const Direction3& v) {

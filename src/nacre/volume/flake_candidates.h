@@ -40,9 +40,9 @@ inline CandidateSlopes sample_candidate(double mu, double sine, double alpha,
     const double cosine = std::abs(mu);
     const double flat = std::sqrt(std::numbers::pi) * cosine, tilted = alpha * sine;
     for (;;) {
-        const double slope = alpha * std::sqrt(random.exponential());
-        const auto [c, s] = random.cos_sin();
-        double along = slope * c, across = slope * s;
+        const auto [radius, c, s] = random.slope();
+        double along = alpha * radius * c;
+        const double across = alpha * radius * s;
         if (random.uniform() * (flat + tilted) >= flat) {
             along = std::copysign(alpha * std::sqrt(random.exponential()), along);
         }

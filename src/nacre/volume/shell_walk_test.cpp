@@ -33,8 +33,9 @@ void expect_reference_albedo(const ShellSettings& settings, double theta_deg) {
     const layers::Recipe recipe = test::pearl();
     const auto surface = ShellWalk(recipe, settings).bind(kOnGrid);
     const auto found = walked_albedo(*surface, from_degrees(theta_deg, 30), kWalks / 2);
-    const auto expected = reference::reference_albedo(
-        recipe, std::vector<reference::Direction>{{theta_deg, 0}}, kOnGrid, {.samples = kWalks / 2});
+    const auto expected =
+        reference::reference_albedo(recipe, std::vector<reference::Direction>{{theta_deg, 0}},
+                                    kOnGrid, {.samples = kWalks / 2});
     for (int lane = 0; lane < kLanes; ++lane) {
         EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
             << settings.radius_mm << " mm, " << theta_deg << " deg, " << kOnGrid[lane]
