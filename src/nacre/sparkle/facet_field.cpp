@@ -1,5 +1,7 @@
 #include "nacre/sparkle/facet_field.h"
 
+#include <bit>
+#include <cstring>
 #include <tuple>
 #include <utility>
 
@@ -10,14 +12,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-using BitLanes = std::uint64_t __attribute__((vector_size(kLanes * sizeof(std::uint64_t))));
-
-// mix_bits() of each lane.
-BitLanes mix_lanes(BitLanes x) {
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
+using ByteLanes = signed char __attribute__((vector_size(kLanes)));
 
 double whole_number_in_range(double count) {
     require_in_range(count, kFacetCountRange.lo, kFacetCountRange.hi, "number of facets");
@@ -79,6 +74,30 @@ struct FacetField::NormalFilter {
         empty = hi < 3;
         survival_lo = static_cast<std::uint32_t>(std::max(0.0, lo));
         survival_range = static_cast<std::uint32_t>(std::min(hi, 0x1p32 - 1)) - survival_lo;
+    }
+};
+
+// Facets that passed the filter, tested eight at a time.
+struct FacetField::Candidates {
+    const ReflectionCone& cone;
+    float alpha;
+    FacetTally& tally;
+    std::array<std::uint64_t, kLanes> bits;
+    int count = 0;
+
+    void add(std::uint64_t normal_bits) {
+        bits[count++] = normal_bits;
+        if (count == kLanes) test();
+    }
+    void test() {
+        BitLanes normals{};
+        for (int i = 0; i < count; ++i) normals[i] = bits[i];
+        const SlopeLanes slopes = gaussian_slopes(normals);
+        const auto in = cone.contains(alpha * slopes.x, alpha * slopes.y, splat(1.0f));
+        for (int i = 0; i < count; ++i) {
+            if (in[i]) tally.add(thickness_of(bits[i]));
+        }
+        count = 0;
     }
 };
 
@@ -175,15 +194,17 @@ void FacetField::count_facets(const Footprint& footprint, const ReflectionCone& 
                               FacetTally& tally) const {
     const NormalFilter filter(cone, alpha_);
     if (filter.empty) return;
+    Candidates candidates{cone, alpha_f_, tally, {}};
     for_each_cell(footprint, leaf_level_,
-                  [&](const Cell& cell) { count_leaf(footprint, cell, filter, cone, tally); });
+                  [&](const Cell& cell) { count_leaf(footprint, cell, filter, candidates); });
+    candidates.test();
 }
 
-// Eight facets at a time; what passes the filter, one by one.
+// Looks at eight facets at a time.
 void FacetField::count_leaf(const Footprint& footprint, const Cell& cell,
-                            const NormalFilter& filter, const ReflectionCone& cone,
-                            FacetTally& tally) const {
+                            const NormalFilter& filter, Candidates& candidates) const {
     constexpr std::uint64_t kLow = 0xffffffffu;
+    constexpr ByteLanes kOne = {1, 1, 1, 1, 1, 1, 1, 1};
     constexpr BitLanes kNumber = {0, 1, 2, 3, 4, 5, 6, 7};
     const std::uint64_t key = key_of(cell);
     const Footprint::Within within = footprint.within(cell.box());
@@ -199,8 +220,12 @@ void FacetField::count_leaf(const Footprint& footprint, const Cell& cell,
             const DoubleLanes v = __builtin_convertvector(place & kLow, DoubleLanes) * 0x1p-32;
             pass &= within.contains(u, v);
         }
-        for (int i = 0; i < kLanes; ++i) {
-            if (pass[i] && cone.contains(normal_of(bits[i]))) tally.add(thickness_of(bits[i]));
+        // One byte a lane, so that nothing is done for the many that do not pass.
+        const ByteLanes bytes = __builtin_convertvector(pass, ByteLanes) & kOne;
+        std::uint64_t mask;
+        std::memcpy(&mask, &bytes, sizeof mask);
+        for (; mask != 0; mask &= mask - 1) {
+            candidates.add(bits[std::countr_zero(mask) / 8]);
         }
     }
 }

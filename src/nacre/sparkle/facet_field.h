@@ -48,7 +48,7 @@ struct FacetTally {
 /// surface (per projected area: Gaussian slopes), thicknesses even in [0, 1).
 ///
 /// A fixed hierarchy of cells. Positions are split first: a quadtree, whose cells pass their facets
-/// on to their quarters by the binomial law, down to cells that expect 4 to 16 facets; there each
+/// on to their quarters by the binomial law, down to cells that expect 16 to 64 facets; there each
 /// facet is a hash of its cell and its number. Footprints that reach over many such cells are
 /// answered from larger cells, which split their facets among spherical triangles of normals, and
 /// thin out what a footprint or a cone shares with a part of them. Every random number is a hash of
@@ -77,7 +77,7 @@ class FacetField {
     FacetTally count(const Footprint& footprint, Vec3f wi, Vec3f wo) const;
 
     /// Whether a footprint is small enough to be counted facet by facet: it touches at most
-    /// kMostLeaves or so of the smallest cells, so holds up to some 1000 facets.
+    /// kMostLeaves or so of the smallest cells, so holds up to some 700 to 2500 facets.
     bool is_explicit(const Footprint& footprint) const;
 
     /// Calls visit(const Facet&) for every facet in the footprint, whatever their number.
@@ -100,11 +100,12 @@ class FacetField {
         }
     };
     struct NormalFilter;
+    struct Candidates;
     struct Touched;
 
     static constexpr int kTableLevel = 8;
-    static constexpr double kMostFacetsPerLeaf = 16;
-    static constexpr double kMostLeaves = 160;
+    static constexpr double kMostFacetsPerLeaf = 64;
+    static constexpr double kMostLeaves = 60;
 
     std::uint64_t key_of(const Cell& cell) const {
         return mix_bits(seed_key_ ^ (static_cast<std::uint64_t>(cell.level) << 58 |
@@ -132,7 +133,7 @@ class FacetField {
     void count_facets(const Footprint& footprint, const ReflectionCone& cone,
                       FacetTally& tally) const;
     void count_leaf(const Footprint& footprint, const Cell& cell, const NormalFilter& filter,
-                    const ReflectionCone& cone, FacetTally& tally) const;
+                    Candidates& candidates) const;
     void count_cells(const Footprint& footprint, Vec3f wi, Vec3f wo, FacetTally& tally) const;
     std::uint64_t count_node(const Touched& touched, int first, int last, int level,
                              std::uint32_t node, std::uint64_t facets, double overlap,

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "nacre/sparkle/facet_field.h"
+#include "nacre/sparkle/slope_lanes.h"
 
 namespace nacre::sparkle {
 
@@ -81,12 +81,8 @@ void FacetField::for_each_cell(const Footprint& footprint, int level, Visit&& vi
 }
 
 inline Vec3f FacetField::normal_of(std::uint64_t bits) const {
-    // Slopes are Gaussian: exp(-tan^2 / alpha^2) is even in (0, 1). [walter-2007, eq. 28]
-    const float survival = (static_cast<float>(bits >> 32) + 0.5f) * 0x1p-32f;
-    const float tangent = alpha_f_ * std::sqrt(std::max(0.0f, -std::log(survival)));
-    const float turns = static_cast<float>(bits & 0xffffffffu) * 0x1p-32f;
-    const float angle = 2 * std::numbers::pi_v<float> * turns;
-    return normalize({tangent * std::cos(angle), tangent * std::sin(angle), 1.0f});
+    const SlopeLanes slopes = gaussian_slopes(BitLanes{bits});
+    return normalize({alpha_f_ * slopes.x[0], alpha_f_ * slopes.y[0], 1.0f});
 }
 
 template <class Visit>

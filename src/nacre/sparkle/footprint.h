@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "nacre/core/vec.h"
 
 // Parallelograms in the unit square over which an object is laid out.
@@ -67,5 +69,21 @@ class Footprint {
     Vec2f edge_1_, edge_2_;
     Box bounds_{};
 };
+
+inline Overlap Footprint::overlap(const Box& box) const {
+    if (box.u_lo >= bounds_.u_hi || box.u_hi <= bounds_.u_lo || box.v_lo >= bounds_.v_hi ||
+        box.v_hi <= bounds_.v_lo) {
+        return Overlap::none;
+    }
+    const double half_u = 0.5 * (box.u_hi - box.u_lo), half_v = 0.5 * (box.v_hi - box.v_lo);
+    const double u = box.u_lo + half_u - u_, v = box.v_lo + half_v - v_;
+    const double s = std::abs(s_.at(u, v)), t = std::abs(t_.at(u, v));
+    const double reach_s = std::abs(s_.du) * half_u + std::abs(s_.dv) * half_v;
+    const double reach_t = std::abs(t_.du) * half_u + std::abs(t_.dv) * half_v;
+    constexpr double kSlack = 1e-12;
+    if (s > 0.5 + reach_s + kSlack || t > 0.5 + reach_t + kSlack) return Overlap::none;
+    const bool whole = s + reach_s < 0.5 - kSlack && t + reach_t < 0.5 - kSlack;
+    return whole ? Overlap::whole : Overlap::partial;
+}
 
 }  // namespace nacre::sparkle

@@ -25,10 +25,16 @@ struct ReflectionCone {
     /// Whether a facet with this unit normal mirrors wi into the cone: the conic test, by mirroring
     /// the ray. Chords keep the digits that the cosine of a small angle loses. Mirroring is an
     /// isometry and its own inverse, so the same facets count when wi and wo change places.
-    bool contains(Vec3f m) const {
-        const Vec3f miss = (2 * dot(wi, m)) * m - (wi + wo);
-        return dot(miss, miss) <= chord2;
+    /// The normal (x, y, z) may have any length, and be numbers or lanes of them.
+    template <class V>
+    auto contains(V x, V y, V z) const {
+        const Vec3f sum = wi + wo;
+        const V twice = 2 * (wi.x * x + wi.y * y + wi.z * z), length2 = x * x + y * y + z * z;
+        const V a = twice * x - length2 * sum.x, b = twice * y - length2 * sum.y;
+        const V c = twice * z - length2 * sum.z;
+        return a * a + b * b + c * c <= chord2 * length2 * length2;
     }
+    bool contains(Vec3f m) const { return contains(m.x, m.y, m.z); }
 };
 
 /// Mean over the cone of functions of the facet normal: a product rule, Gauss-Legendre in the

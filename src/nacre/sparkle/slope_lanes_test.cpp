@@ -1,0 +1,55 @@
+#include "nacre/sparkle/slope_lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nacre/core/rng.h"
+
+namespace nacre::sparkle {
+namespace {
+
+TEST(SlopeLanes, MixAsTheScalarHash) {
+    const BitLanes bits = {0, 1, 2, 77, ~0ull, 1ull << 63, 0xdeadbeefull, 42};
+    const BitLanes mixed = mix_lanes(bits);
+    for (int i = 0; i < kLanes; ++i) EXPECT_EQ(mixed[i], mix_bits(bits[i]));
+}
+
+TEST(SlopeLanes, LogarithmKeepsItsBound) {
+    Rng rng(1);
+    for (int i = 0; i < 20000; ++i) {
+        const float x = std::exp(170 * (rng.uniform_float() - 0.5f));
+        const float near_one = 1 - 0.001f * rng.uniform_float();
+        const FloatLanes found = log_lanes(FloatLanes{x, near_one, 1, 1, 1, 1, 1, 1});
+        EXPECT_NEAR(found[0], std::log(static_cast<double>(x)),
+                    kLogLanesError * (1 + std::abs(std::log(x))));
+        EXPECT_NEAR(found[1], std::log(static_cast<double>(near_one)), kLogLanesError * 1e-3);
+        EXPECT_EQ(found[2], 0);
+    }
+}
+
+TEST(SlopeLanes, SlopesAreGaussian) {
+    constexpr int kCount = 200000;
+    double x = 0, x2 = 0, x4 = 0, y2 = 0, xy = 0;
+    for (int i = 0; i < kCount / kLanes; ++i) {
+        BitLanes bits;
+        for (int k = 0; k < kLanes; ++k) bits[k] = hash_of(i, k);
+        const SlopeLanes s = gaussian_slopes(bits);
+        for (int k = 0; k < kLanes; ++k) {
+            x += s.x[k];
+            x2 += s.x[k] * s.x[k];
+            x4 += std::pow(s.x[k], 4);
+            y2 += s.y[k] * s.y[k];
+            xy += s.x[k] * s.y[k];
+        }
+    }
+    // Of exp(-x^2) / sqrt(pi): variance 1/2, fourth moment 3/4, eighth 105/16.
+    EXPECT_NEAR(x / kCount, 0, 4 * std::sqrt(0.5 / kCount));
+    EXPECT_NEAR(x2 / kCount, 0.5, 4 * std::sqrt(0.5 / kCount));
+    EXPECT_NEAR(y2 / kCount, 0.5, 4 * std::sqrt(0.5 / kCount));
+    EXPECT_NEAR(xy / kCount, 0, 4 * std::sqrt(0.25 / kCount));
+    EXPECT_NEAR(x4 / kCount, 0.75, 4 * std::sqrt((105.0 / 16 - 9.0 / 16) / kCount));
+}
+
+}  // namespace
+}  // namespace nacre::sparkle
