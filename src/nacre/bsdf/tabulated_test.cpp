@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "nacre/bsdf/microflake.h"
+#include "nacre/bsdf/test_support.h"
 #include "nacre/core/error.h"
 #include "nacre/core/rng.h"
 #include "nacre/layers/solver.h"
@@ -14,15 +14,7 @@
 namespace nacre::bsdf {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 const Wavelengths kWavelengths = {418, 456, 493, 531, 568, 606, 643, 681};
-
-Vec3f direction(double theta_deg, double phi_deg) {
-    const double s = std::sin(theta_deg * kDegree);
-    return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
-            static_cast<float>(s * std::sin(phi_deg * kDegree)),
-            static_cast<float>(std::cos(theta_deg * kDegree))};
-}
 
 layers::Recipe metallic(double alpha, const spectra::Spectrum& reflectance) {
     layers::FlakeSpecies flake;
@@ -181,48 +173,6 @@ TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
     EXPECT_LT(largest, 8);
 }
 
-// Chi-square of sampled directions against the density over bins of cosine and azimuth; what is not
-// a direction, or falls into bins that expect fewer than ten, has one bin. Returned as a standard
-// normal variable.                                                    [wilson-hilferty-1931]
-double chi_square_z_score(const BoundBsdf& bound, double theta_i, std::uint64_t seed) {
-    constexpr int kCosines = 12, kAzimuths = 16, kSub = 16, kSamples = 100000;
-    const Vec3f wi = direction(theta_i, 0);
-    std::vector<double> wanted(kCosines * kAzimuths), found(kCosines * kAzimuths);
-    for (int c = 0; c < kCosines * kSub; ++c) {
-        const double z = (c + 0.5) / (kCosines * kSub);
-        for (int a = 0; a < kAzimuths * kSub; ++a) {
-            const double phi = 360 * (a + 0.5) / (kAzimuths * kSub);
-            wanted[c / kSub * kAzimuths + a / kSub] +=
-                bound.pdf(wi, direction(std::acos(z) / kDegree, phi)) * kSamples * 2 *
-                std::numbers::pi / (kCosines * kSub * kAzimuths * kSub);
-        }
-    }
-    Rng rng(seed, 1);
-    for (int i = 0; i < kSamples; ++i) {
-        const auto s =
-            bound.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-        if (!s || s->mirror) continue;
-        const double turn = std::atan2(s->wo.y, s->wo.x) / (2 * std::numbers::pi);
-        const int a = static_cast<int>((turn < 0 ? turn + 1 : turn) * kAzimuths);
-        const int c = std::min(static_cast<int>(s->wo.z * kCosines), kCosines - 1);
-        ++found[c * kAzimuths + std::min(a, kAzimuths - 1)];
-    }
-    double statistic = 0, other_wanted = kSamples, other_found = kSamples;
-    int bins = 1;
-    for (std::size_t b = 0; b < wanted.size(); ++b) {
-        if (wanted[b] < 10) continue;
-        statistic += std::pow(found[b] - wanted[b], 2) / wanted[b];
-        other_wanted -= wanted[b];
-        other_found -= found[b];
-        ++bins;
-    }
-    EXPECT_GT(other_wanted, 10);
-    EXPECT_GT(bins, 20);
-    statistic += std::pow(other_found - other_wanted, 2) / other_wanted;
-    const double freedom = bins - 1, spread = 2 / (9 * freedom);
-    return (std::cbrt(statistic / freedom) - (1 - spread)) / std::sqrt(spread);
-}
-
 TEST(Tabulated, SamplesFollowTheDensity) {
     layers::Recipe satin = metallic(0.2, kGold);
     satin.clearcoat = layers::Clearcoat{40, 0.0, 0.2};
@@ -232,7 +182,7 @@ TEST(Tabulated, SamplesFollowTheDensity) {
         const auto bound = Tabulated(model->raw).bind(kWavelengths);
         for (const double theta_i : {0.5, 35.0, 65.0, 85.0}) {
             // One-sided, twelve tests with fixed seeds: 3.5 deviations are one false alarm in 400.
-            EXPECT_LT(chi_square_z_score(*bound, theta_i, 11 + tests), 3.5)
+            EXPECT_LT(chi_square_z_score(*bound, direction(theta_i, 0), 11 + tests, 100000), 3.5)
                 << theta_i << ' ' << tests;
             ++tests;
         }
