@@ -73,5 +73,38 @@ TEST(SmoothInterface, EqualIndicesAreNoInterface) {
     }
 }
 
+TEST(SmoothInterface, MeetingsByLotHaveTheWeightsAndDirectionsOfTheOthers) {
+    const auto interface = make_smooth_interface(1.5);
+    RandomStream random(1, 2, 3);
+    constexpr int kMeetings = 40'000;
+    for (const double mu : {0.2, 0.8, 0.95}) {
+        const Direction3 outside = direction(mu), travel = direction(mu);
+        const auto entry = interface->enter(outside, random);
+        const auto reflection = interface->reflect_inside(travel, random);
+        int entered = 0, reflected = 0;
+        for (int i = 0; i < kMeetings; ++i) {
+            const auto in = interface->meet_from_outside(outside, random);
+            const Direction3 mirrored(-outside.x(), -outside.y(), outside.z());
+            EXPECT_LT((in.travel - (in.inside ? entry.travel : mirrored)).norm(), 1e-14);
+            entered += in.inside;
+            const auto out = interface->meet_from_inside(travel, random);
+            if (out.inside) {
+                EXPECT_LT((out.travel - reflection.travel).norm(), 1e-14);
+            } else {
+                EXPECT_NEAR(out.travel.x(), 1.5 * travel.x(), 1e-14) << "Snell";
+                EXPECT_NEAR(out.travel.norm(), 1, 1e-14);
+                EXPECT_GT(out.travel.z(), 0);
+            }
+            reflected += out.inside;
+        }
+        const auto expect_share = [&](int count, double share) {
+            const double deviation = std::sqrt(share * (1 - share) * kMeetings);
+            EXPECT_NEAR(count, share * kMeetings, 4 * deviation) << mu;
+        };
+        expect_share(entered, entry.weight);
+        expect_share(reflected, reflection.weight);
+    }
+}
+
 }  // namespace
 }  // namespace nacre::reference
