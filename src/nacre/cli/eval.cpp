@@ -37,7 +37,7 @@ struct EvalOptions : BrdfOptions {
 using Evaluate = std::function<std::vector<double>(double theta_i, double theta_o, double phi)>;
 
 struct Source {
-    layers::Recipe recipe;
+    std::optional<layers::Recipe> recipe;  // none: a table does not hold it
     std::vector<double> wavelengths;
     Evaluate evaluate;
 };
@@ -98,11 +98,10 @@ Source model_source(const EvalOptions& options, const models::ModelInfo& model,
             fmt::format("--part = {}: only --model microflake knows parts", options.part));
     }
     const std::optional<bsdf::Patch> patch = parse_patch(options, model);
-    models::Paint paint = load_model_paint(options.recipe, model.model, options);
-    const auto surface = models::make_surface(model.model, paint,
-                                              parse_surface_options(options.model, options.seed));
+    PaintSurface paint = load_surface(options.recipe, model.model,
+                                      parse_surface_options(options.model, options.seed), options);
     std::vector<double> wavelengths = wanted.value_or(layers::default_wavelengths_nm());
-    const auto brdf = std::make_shared<const models::SpectralBrdf>(*surface, wavelengths);
+    const auto brdf = std::make_shared<const models::SpectralBrdf>(*paint.surface, wavelengths);
     return {std::move(paint.recipe), std::move(wavelengths),
             [brdf, patch](double theta_i, double theta_o, double phi) {
                 return (*brdf)(theta_i, theta_o, phi, patch);
@@ -119,8 +118,9 @@ ExitStatus run(const EvalOptions& options) {
     if (!options.wavelengths.empty()) {
         wanted = parse_numbers("--wavelength", options.wavelengths, layers::limits::kWavelength);
     }
-    const bool is_solved =
-        model.model == models::Model::microflake && options.model.table == ModelOptions{}.table;
+    const bool is_solved = model.model == models::Model::microflake &&
+                           options.model.table == ModelOptions{}.table &&
+                           !is_brdf_table(options.recipe);
     const Source source =
         is_solved ? solved_source(options, wanted) : model_source(options, model, wanted);
     const std::vector<double>& wavelengths = source.wavelengths;
@@ -145,7 +145,7 @@ ExitStatus run(const EvalOptions& options) {
     emit(options, table);
     write_report(options, "eval",
                  {{"recipe", options.recipe},
-                  {"recipe_sha256", io::recipe_hash(source.recipe)},
+                  {"recipe_sha256", source.recipe ? io::recipe_hash(*source.recipe) : ""},
                   {"model", options.model.model},
                   {"part", options.part},
                   {"values", incident.size() * outgoing.size() * wavelengths.size()},

@@ -9,6 +9,7 @@
 #include "nacre/cli/command.h"
 #include "nacre/cli/common_options.h"
 #include "nacre/core/atomic_file.h"
+#include "nacre/io/brdf_table_file.h"
 #include "nacre/io/image.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/scene_file.h"
@@ -82,6 +83,24 @@ void describe_solved_paint(Facts& facts, const std::string& bytes, const std::st
               paint.remainder.coefficient.size());
 }
 
+void describe_brdf_table(Facts& facts, const std::string& bytes, const std::string& name) {
+    const io::BrdfTable table = io::parse_brdf_table(bytes, name);
+    facts.add("kind", "BRDF table, {} (HDF5, format {})", table.index() == 0 ? "raw" : "svd",
+              io::kBrdfTableFormatVersion);
+    facts.add("bytes", "{}", bytes.size());
+    std::visit(
+        [&](const auto& t) {
+            facts.add("name", "{}", t.paint);
+            facts.add("nodes", "{} polar angles, {} azimuths", t.grid.angles, t.grid.azimuths);
+            facts.add("values", "{} bytes", t.bytes());
+        },
+        table);
+    if (const auto* svd = std::get_if<layers::CompressedBrdfTable>(&table)) {
+        facts.add("terms", "{}, {}, {} for red, green, blue", svd->rank[0], svd->rank[1],
+                  svd->rank[2]);
+    }
+}
+
 void describe_image(Facts& facts, const std::string& bytes, const std::string& name) {
     const io::Image image = io::parse_image(bytes, name);
     facts.add("kind", "picture");
@@ -125,6 +144,8 @@ std::string describe(const std::string& file) {
     facts.add("file", "{}", file);
     if (io::looks_like_solved_paint(bytes)) {
         describe_solved_paint(facts, bytes, file);
+    } else if (io::looks_like_brdf_table(bytes)) {
+        describe_brdf_table(facts, bytes, file);
     } else if (io::looks_like_image(bytes)) {
         describe_image(facts, bytes, file);
     } else {

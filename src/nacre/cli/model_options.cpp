@@ -33,17 +33,21 @@ T choose(const char* option, const std::string& text, const std::map<std::string
 
 }  // namespace
 
-void add_model_options(CLI::App& command, ModelOptions& options) {
-    command
-        .add_option("--model", options.model,
-                    fmt::format("Model of the paint: {}", fmt::join(model_names(), ", ")))
-        ->capture_default_str();
+void add_table_option(CLI::App& command, ModelOptions& options) {
     command
         .add_option(
             "--table", options.table,
             "microflake: how the solved BRDF is kept: split (spectral, exact), or raw or svd "
             "(RGB tables as in the comparison of 2022)")
         ->capture_default_str();
+}
+
+void add_model_options(CLI::App& command, ModelOptions& options) {
+    command
+        .add_option("--model", options.model,
+                    fmt::format("Model of the paint: {}", fmt::join(model_names(), ", ")))
+        ->capture_default_str();
+    add_table_option(command, options);
     command
         .add_option("--colour", options.colour,
                     "thin-film: spectral (exact), or RGB by spectral antialiasing: table (Fourier "

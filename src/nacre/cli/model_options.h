@@ -22,6 +22,8 @@ struct ModelOptions {
 };
 
 void add_model_options(CLI::App& command, ModelOptions& options);
+/// Only --table, for `solve`.
+void add_table_option(CLI::App& command, ModelOptions& options);
 
 /// @throws UsageError naming the model and those that exist
 const models::ModelInfo& parse_model(const ModelOptions& options);

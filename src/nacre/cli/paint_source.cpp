@@ -8,6 +8,8 @@
 #include "nacre/cli/usage_error.h"
 #include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
+#include "nacre/core/progress_bar.h"
+#include "nacre/io/brdf_table_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/layers/resolution.h"
@@ -22,7 +24,7 @@ constexpr double kSameWavelengthNm = 1e-6;
 constexpr std::size_t kMostSolvedWavelengths = 2000;
 
 std::string read_paint_file(const std::filesystem::path& path) {
-    return read_file(path, io::kMostSolvedPaintBytes);
+    return read_file(path, std::max(io::kMostSolvedPaintBytes, io::kMostBrdfTableBytes));
 }
 
 /// The series may end somewhat above its tolerance before anybody needs to know: what follows its
@@ -129,12 +131,31 @@ std::size_t wavelength_position(const layers::SolvedPaint& paint, double wavelen
     return static_cast<std::size_t>(found - solved.begin());
 }
 
-models::Paint load_model_paint(const std::filesystem::path& path, models::Model model,
-                               const CommonOptions& options) {
-    if (model != models::Model::microflake) return {.recipe = load_recipe(path)};
-    auto solved =
-        std::make_shared<const layers::SolvedPaint>(load_paint(path, std::nullopt, options));
-    return {.recipe = solved->recipe, .solved = solved};
+bool is_brdf_table(const std::filesystem::path& path) {
+    return io::looks_like_brdf_table(read_paint_file(path));
+}
+
+std::string PaintSurface::recipe_sha256() const { return recipe ? io::recipe_hash(*recipe) : ""; }
+
+PaintSurface load_surface(const std::filesystem::path& path, models::Model model,
+                          const models::SurfaceOptions& surface, const CommonOptions& options) {
+    models::Paint paint;
+    if (model != models::Model::microflake) {
+        paint.recipe = load_recipe(path);
+    } else if (is_brdf_table(path)) {
+        paint.table = models::share(io::read_brdf_table(path));
+    } else {
+        paint.solved =
+            std::make_shared<const layers::SolvedPaint>(load_paint(path, std::nullopt, options));
+        paint.recipe = paint.solved->recipe;
+    }
+    try {
+        ProgressBar bar("prepare", options.quiet || surface.table == models::Table::split);
+        auto made = models::make_surface(model, paint, surface, bar.callback());
+        return {std::move(made), paint.table ? std::nullopt : std::optional(paint.recipe)};
+    } catch (const DomainError& error) {
+        throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+    }
 }
 
 }  // namespace nacre::cli

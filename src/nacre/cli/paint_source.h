@@ -33,10 +33,22 @@ layers::SolvedPaint load_paint(const std::filesystem::path& path,
 std::size_t wavelength_position(const layers::SolvedPaint& paint, double wavelength_nm,
                                 const std::filesystem::path& path);
 
-/// What a model reads of a paint: the recipe, and for the model microflake its solution (or the
-/// table of a BRDF that was solved earlier).
-/// @throws as load_recipe() and load_paint()
-models::Paint load_model_paint(const std::filesystem::path& path, models::Model model,
-                               const CommonOptions& options);
+/// A paint as a model shows it.
+struct PaintSurface {
+    std::shared_ptr<const bsdf::Bsdf> surface;
+    /// None: made from a table of a BRDF, which does not hold its recipe.
+    std::optional<layers::Recipe> recipe;
+
+    std::string recipe_sha256() const;  ///< empty without a recipe
+};
+
+/// Reads a recipe, a solved paint or (microflake) a table of a BRDF, and makes a surface of it.
+/// @throws InputError naming the file, also where the recipe lacks what the model reads
+/// @throws as load_paint()
+PaintSurface load_surface(const std::filesystem::path& path, models::Model model,
+                          const models::SurfaceOptions& surface, const CommonOptions& options);
+
+/// Whether the file starts like a table of a BRDF (nacre solve --table raw or svd).
+bool is_brdf_table(const std::filesystem::path& path);
 
 }  // namespace nacre::cli

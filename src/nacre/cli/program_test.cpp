@@ -79,7 +79,8 @@ double number(const std::string& csv, int row, int column) {
 }
 
 TEST_F(Program, EveryCommandExplainsItselfWithAnExample) {
-    for (const char* command : {"film", "solve", "eval", "reference", "render", "diff", "study", "info"}) {
+    for (const char* command :
+         {"film", "solve", "eval", "reference", "render", "diff", "study", "info"}) {
         const Outcome help = nacre(std::string(command) + " --help");
         EXPECT_EQ(help.status, 0) << command;
         EXPECT_THAT(help.out, HasSubstr("Example"));
@@ -312,9 +313,10 @@ thickness_spread_nm = 5
     for (const char* paint : {"facets.toml --model thin-film", "facets.toml --model special-effect",
                               "gray.toml --model walk", "gray.toml --model volume",
                               "gray.toml --model volume --tracking simpson"}) {
-        const Outcome render = nacre(std::string("render sphere --quiet --spp 1 --size 16x16 -o a.exr "
-                                                 "--paint ") +
-                                     paint);
+        const Outcome render =
+            nacre(std::string("render sphere --quiet --spp 1 --size 16x16 -o a.exr "
+                              "--paint ") +
+                  paint);
         EXPECT_EQ(render.status, 0) << paint << ": " << render.err;
     }
     const Outcome missing = nacre("eval gray.toml --model special-effect" + directions);

@@ -62,11 +62,6 @@ render::SceneDescription load_scene(const std::string& name) {
     return render::builtin_scene(name);
 }
 
-struct Paint {
-    std::shared_ptr<const bsdf::Bsdf> bsdf;
-    std::string recipe_sha256;
-};
-
 /// The radius of the spheres that a paint lies on; infinite on flat panels. The model volume needs
 /// to know the shape that its paint follows.
 double radius_of_shape(const render::SceneDescription& scene, const std::string& material) {
@@ -92,19 +87,12 @@ double radius_of_shape(const render::SceneDescription& scene, const std::string&
     return radius.value_or(std::numeric_limits<double>::infinity());
 }
 
-Paint make_paint(const render::SceneDescription& scene, const std::string& material,
-                 const fs::path& path, const RenderCommandOptions& options) {
+PaintSurface make_paint(const render::SceneDescription& scene, const std::string& material,
+                        const fs::path& path, const RenderCommandOptions& options) {
     const models::Model model = parse_model(options.model).model;
     models::SurfaceOptions surface = parse_surface_options(options.model, options.seed);
     if (model == models::Model::volume) surface.radius_mm = radius_of_shape(scene, material);
-    const models::Paint paint = load_model_paint(path, model, options);
-    try {
-        ProgressBar bar("prepare", options.quiet);
-        return {models::make_surface(model, paint, surface, bar.callback()),
-                io::recipe_hash(paint.recipe)};
-    } catch (const DomainError& error) {
-        throw InputError(fmt::format("{}: {}", path.string(), error.what()));
-    }
+    return load_surface(path, model, surface, options);
 }
 
 /// Every paint of the scene, the slot without a recipe being filled by --paint.
@@ -127,9 +115,9 @@ Paints make_paints(const render::SceneDescription& scene, const RenderCommandOpt
                 fmt::format("the material {} of the scene {} has no recipe: name one with --paint",
                             name, options.scene));
         }
-        const Paint paint = make_paint(scene, name, path, options);
-        paints.table[name] = paint.bsdf;
-        paints.recipe_sha256[name] = paint.recipe_sha256;
+        const PaintSurface paint = make_paint(scene, name, path, options);
+        paints.table[name] = paint.surface;
+        if (paint.recipe) paints.recipe_sha256[name] = paint.recipe_sha256();
     }
     if (!options.paint.empty() && !slot_found) {
         throw UsageError(fmt::format("--paint = {}: the scene {} has no material without a recipe",

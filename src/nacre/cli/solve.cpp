@@ -6,10 +6,14 @@
 
 #include "nacre/cli/command.h"
 #include "nacre/cli/common_options.h"
+#include "nacre/cli/model_options.h"
 #include "nacre/cli/number_list.h"
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/stopwatch.h"
+#include "nacre/core/interrupt.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/progress_bar.h"
+#include "nacre/io/brdf_table_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/layers/recipe_limits.h"
@@ -22,17 +26,28 @@ struct SolveOptions : CommonOptions {
     std::string recipe;
     std::string wavelengths = "400:700:10";
     layers::SolverSettings settings;
+    ModelOptions model;  // only --table
 };
 
+/// --table raw or svd: the solved paint as one RGB table.
+std::string table_bytes(const SolveOptions& options, const layers::SolvedPaint& paint) {
+    ProgressBar bar("tabulate", options.quiet);
+    const models::BrdfTable table =
+        models::make_table(paint, parse_surface_options(options.model, 0), bar.callback());
+    return std::visit([](const auto& t) { return io::brdf_table_bytes(*t); }, table);
+}
+
 ExitStatus run(const SolveOptions& options) {
+    const bool split = parse_surface_options(options.model, 0).table == models::Table::split;
     const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
     const Stopwatch watch;
     const layers::SolvedPaint paint =
         load_paint(options.recipe,
                    parse_numbers("--wavelength", options.wavelengths, layers::limits::kWavelength),
                    options, options.settings);
     const double solve_s = watch.seconds();
-    const std::string bytes = io::solved_paint_bytes(paint);
+    const std::string bytes = split ? io::solved_paint_bytes(paint) : table_bytes(options, paint);
     emit(options, bytes);
     const layers::SolverReport& report = paint.report;
     say(options,
@@ -43,6 +58,7 @@ ExitStatus run(const SolveOptions& options) {
                  {{"recipe", options.recipe},
                   {"recipe_sha256", io::recipe_hash(paint.recipe)},
                   {"output", options.output},
+                  {"table", options.model.table},
                   {"bytes", bytes.size()},
                   {"wavelengths_nm", paint.wavelengths_nm()},
                   {"exit_nodes", report.exit_nodes},
@@ -87,6 +103,7 @@ Command add_solve(CLI::App& program) {
                      "Share of the peak below which the Fourier series may end")
         ->check(CLI::Range(1e-9, 0.1))
         ->capture_default_str();
+    add_table_option(*solve, options->model);
     add_threads(*solve, *options);
     add_quiet(*solve, *options);
     add_report(*solve, *options);

@@ -22,17 +22,23 @@ struct StudyOptions : CommonOptions {
     int size = 512;
     bool quick = false;
     std::vector<int> tables, figures;
+    std::vector<std::string> parts;
 };
 
 std::set<study::MirPart> chosen_parts(const StudyOptions& options) {
     using study::MirPart;
-    if (options.tables.empty() && options.figures.empty()) return study::all_mir_parts();
+    if (options.tables.empty() && options.figures.empty() && options.parts.empty()) {
+        return study::all_mir_parts();
+    }
     const MirPart by_table[] = {MirPart::table_1, MirPart::table_2, MirPart::table_3,
                                 MirPart::table_4};
     const MirPart by_figure[] = {MirPart::table_1, MirPart::table_2, MirPart::table_4};
     std::set<MirPart> parts;
     for (int table : options.tables) parts.insert(by_table[table - 1]);
     for (int figure : options.figures) parts.insert(by_figure[figure - 2]);
+    for (const std::string& part : options.parts) {
+        parts.insert(part == "agreement" ? MirPart::agreement : MirPart::antialiasing);
+    }
     return parts;
 }
 
@@ -91,6 +97,8 @@ Command add_study(CLI::App& program) {
         ->check(CLI::Range(1, 4));
     study->add_option("--figure", options->figures, "Only this figure (may be repeated)")
         ->check(CLI::Range(2, 4));
+    study->add_option("--part", options->parts, "Only agreement or antialiasing (may be repeated)")
+        ->check(CLI::IsMember({"agreement", "antialiasing"}));
     study->add_flag("--quick", options->quick,
                     "Tiny pictures (at most 32 pixels, 8 samples), to see that all works");
     add_seed(*study, *options);

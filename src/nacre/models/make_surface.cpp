@@ -46,6 +46,15 @@ std::shared_ptr<const bsdf::Bsdf> make_microflake(const Paint& paint, const Surf
 
 }  // namespace
 
+BrdfTable share(std::variant<layers::RawBrdfTable, layers::CompressedBrdfTable> table) {
+    return std::visit(
+        [](auto&& t) -> BrdfTable {
+            using T = std::decay_t<decltype(t)>;
+            return std::make_shared<const T>(std::forward<decltype(t)>(t));
+        },
+        std::move(table));
+}
+
 BrdfTable make_table(const layers::SolvedPaint& paint, const SurfaceOptions& options,
                      const Progress& progress) {
     layers::RawBrdfTable raw = layers::make_raw_table(paint, options.table_size, progress);

@@ -42,6 +42,9 @@ struct SurfaceOptions {
 using BrdfTable = std::variant<std::shared_ptr<const layers::RawBrdfTable>,
                                std::shared_ptr<const layers::CompressedBrdfTable>>;
 
+/// Takes over a table read from a file.
+BrdfTable share(std::variant<layers::RawBrdfTable, layers::CompressedBrdfTable> table);
+
 /// @param options  options.table is raw or svd
 /// @throws as layers::make_raw_table() and layers::compress()
 BrdfTable make_table(const layers::SolvedPaint& paint, const SurfaceOptions& options,
@@ -49,7 +52,7 @@ BrdfTable make_table(const layers::SolvedPaint& paint, const SurfaceOptions& opt
 
 /// A paint as the user gives it.
 struct Paint {
-    layers::Recipe recipe;
+    layers::Recipe recipe = {};  ///< not needed with `table`
     std::shared_ptr<const layers::SolvedPaint>
         solved;                      ///< microflake: needed unless `table` is set
     std::optional<BrdfTable> table;  ///< microflake: made earlier

@@ -79,8 +79,9 @@ Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& 
             io::write_solved_paint(file, *solved);
             paint.solved = std::make_shared<const layers::SolvedPaint>(io::read_solved_paint(file));
         } else {
-            io::write_brdf_table(file, models::make_table(*solved, job.surface.table, progress));
-            paint.table = std::make_shared<const layers::BrdfTable>(io::read_brdf_table(file));
+            const models::BrdfTable table = models::make_table(*solved, job.surface, progress);
+            std::visit([&](const auto& t) { io::write_brdf_table(file, *t); }, table);
+            paint.table = models::share(io::read_brdf_table(file));
         }
         out.file_bytes = fs::file_size(file);
     }

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <functional>
+
+#include "nacre/core/rng.h"
 #include "nacre/study/mir_parts.h"
 #include "nacre/study/picture_agreement.h"
 
@@ -20,7 +23,8 @@ std::vector<io::Image> batches(const MirContext& context, const char* paint, mod
         job.surface.radius_mm = 50;
         job.surface.tracking = tracking;
         job.render.width = job.render.height = std::max(16, context.settings.size / 8);
-        job.render.seed = context.settings.seed + 1000 + batch;
+        // Numbers of their own for each method: shared ones would make errors alike.
+        job.render.seed = context.settings.seed + hash_of(std::hash<std::string>{}(name), batch);
         pictures.push_back(context.gallery.make(job).image);
     }
     return pictures;

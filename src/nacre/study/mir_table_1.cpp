@@ -73,6 +73,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
     const std::string noise = number(psnr_db(reference.noise_mse), 4);
     table.rows.push_back({{paint.name},
                           {"reference (`volume`)"},
+                          report::number_cell("—"),
                           report::number_cell(duration(reference.mean.render_s)),
                           report::number_cell("—"),
                           report::number_cell("—"),
@@ -108,6 +109,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
         table.rows.push_back(
             {{},
              {kind.name},
+             report::number_cell(duration(picture.prepare_s)),
              report::number_cell(duration(picture.render_s)),
              report::number_cell(mebibytes(picture.file_bytes)),
              report::number_cell(number(picture.peak_mib) + " MiB"),
@@ -137,8 +139,8 @@ void add_table_1(MirContext& context) {
         "r)/2 terms. Beside them: our own form, which keeps the interface and single scattering as "
         "formulas and only the rest as symmetric factors per azimuthal order and wavelength.");
     report::Table table{.caption = "Against the volumetric Monte Carlo reference",
-                        .columns = {"paint", "data", "time", "file", "peak memory", "PSNR, dB",
-                                    "loss, dB", "published"}};
+                        .columns = {"paint", "data", "preparation", "time", "file", "peak memory",
+                                    "PSNR, dB", "loss, dB", "published"}};
     std::vector<report::Picture> pictures;
     for (const PaperPaint& paint : kPaints) add_paint(context, paint, table, pictures);
     report.table(table);
@@ -154,7 +156,7 @@ void add_table_1(MirContext& context) {
         "the "
         "flakes: c = 0.1 per µm, 15 µm, alpha = 0.1, in a binder of index 1.5 over black. The "
         "nodes "
-        "of the table, which [docs/tables.md](docs/tables.md) gives. For cadmium red the paper's "
+        "of the table, which docs/tables.md gives. For cadmium red the paper's "
         "sizes imply two channels, its green being zero: reflected light here is a spectrum whose "
         "colour is (0.89, 0, 0.13), and spectra multiply, so that after several flakes some green "
         "is "

@@ -54,7 +54,11 @@ double sparkle_contrast(const io::Image& picture, const io::Image& smooth) {
 }
 
 std::string power_of_ten(double value) {
-    return fmt::format("10^{}", std::lround(std::log10(value)));
+    static constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = "10";
+    for (char digit : fmt::format("{}", std::lround(std::log10(value))))
+        text += kDigits[digit - '0'];
+    return text;
 }
 
 void add_parameters(MirContext& context) {
@@ -82,9 +86,10 @@ void add_cost_curve(MirContext& context) {
     report::Series cost{.name = "special-effect", .dots = true};
     const int last = context.settings.quick ? 8 : 12;
     for (int power = 5; power <= last; ++power) {
-        PictureJob job = context.job(fmt::format("cost-facets-1e{}", power),
-                                     fmt::format("cost of 10^{} facets", power), kSets[0].file,
-                                     models::Model::special_effect);
+        PictureJob job =
+            context.job(fmt::format("cost-facets-1e{}", power),
+                        fmt::format("cost of {} facets", power_of_ten(std::pow(10.0, power))),
+                        kSets[0].file, models::Model::special_effect);
         job.facet_count = std::pow(10.0, power);
         job.render.width = job.render.height = std::max(16, context.settings.size / 4);
         // Footprints as in the full picture.
@@ -127,9 +132,10 @@ void add_table_2(MirContext& context) {
             fmt::format("table-2-{}-smooth", set.key), fmt::format("{}: without facets", set.name),
             set.file, models::Model::thin_film));
         for (int power = first; power < first + 3; ++power) {
-            PictureJob job = context.job(fmt::format("table-2-{}-1e{}", set.key, power),
-                                         fmt::format("{}: 10^{} facets", set.name, power), set.file,
-                                         models::Model::special_effect);
+            PictureJob job = context.job(
+                fmt::format("table-2-{}-1e{}", set.key, power),
+                fmt::format("{}: {} facets", set.name, power_of_ten(std::pow(10.0, power))),
+                set.file, models::Model::special_effect);
             job.facet_count = std::pow(10.0, power);
             const Picture picture = context.gallery.make(job);
             const double contrast = sparkle_contrast(picture.image, smooth.image);
@@ -160,11 +166,11 @@ void add_table_2(MirContext& context) {
     report.paragraph(
         "*Why minutes and not hours.* A query visits only the facets whose cell of the surface "
         "meets "
-        "the footprint of one sample, a share of 1/samples of the pixel: at 10^9 facets some three "
+        "the footprint of one sample, a share of 1/samples of the pixel: at 10⁹ facets some three "
         "facets, not the three thousand of a whole pixel. Places are split before normals, so that "
         "the tree is walked along few branches, and counts of the upper levels are drawn once. "
         "Nothing is allocated, and eight wavelengths share a query. Details: "
-        "[docs/special-effect.md](docs/special-effect.md).");
+        "docs/special-effect.md.");
     report.paragraph(
         "*What the paper leaves out, and what we chose.* Base index and extinction of the second "
         "set "
