@@ -186,12 +186,12 @@ void Tabulated::Tables::fit_row(int row) {
         if (!(all > 0)) break;
         for (int k = 0; k < 4; ++k) share[k] = next[k] / all;
     }
-    // The mirror by its energy; a twentieth of the rest, at least, goes everywhere, and as much to
+    // The mirror by its energy; a fiftieth of the rest, at least, goes everywhere, and as much to
     // the wide lobe: that bounds the weights.
     const double mirror =
         interface ? 0.0 : optics::dielectric_reflectance(1.0, grid.ior, std::cos(theta_i));
     const double chance = mirror > 0 ? mirror / (mirror + energy + 1e-6) : 0.0;
-    constexpr double kLeast = 0.05;
+    constexpr double kLeast = 0.02;
     share[2] = std::max(share[2], kLeast);
     share[3] = std::max(share[3], kLeast);
     double all = 0;

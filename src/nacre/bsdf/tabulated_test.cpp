@@ -169,7 +169,7 @@ TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
     }
     EXPECT_GT(mirrors, 100);
     EXPECT_GT(others, 2000);
-    // A twentieth of all samples goes everywhere, and the lobes fit: weights stay bounded.
+    // A fiftieth of all samples goes everywhere, and the lobes fit: weights stay bounded.
     EXPECT_LT(largest, 8);
 }
 
