@@ -20,8 +20,8 @@ struct Candidate {
 };
 
 /// Unbiased: tentative candidates follow each other at the largest rate on the piece, which is that
-/// at one of its ends, and count with the ratio of the local rate to it.  [woodcock-1965;
-/// novak-2018]
+/// at one of its ends, and count with the ratio of the local rate to it.
+///                                                                 [woodcock-1965; novak-2018]
 /// @return empty if the light gets to the end of the piece, `length_um` away
 std::optional<Candidate> fly_delta(const reference::Slab& slab, const RadialRay& ray,
                                    double length_um, reference::RandomStream& random);

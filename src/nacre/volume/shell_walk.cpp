@@ -49,7 +49,9 @@ void check(const layers::Recipe& recipe, const ShellSettings& settings) {
     }
     double thickness_um = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
     for (const layers::Layer& layer : recipe.layers) thickness_um += layer.thickness_um;
-    if (!(thickness_um < kUmPerMm * settings.radius_mm)) {
+    // Something must be left for the paint to lie on: a millionth of the radius keeps its digits.
+    constexpr double kLargestShare = 1 - 1e-6;
+    if (!(thickness_um < kLargestShare * kUmPerMm * settings.radius_mm)) {
         throw DomainError(fmt::format("a paint of {} um does not fit on a sphere of radius {} mm",
                                       thickness_um, settings.radius_mm));
     }
