@@ -37,8 +37,8 @@ void add_table_option(CLI::App& command, ModelOptions& options) {
     command
         .add_option(
             "--table", options.table,
-            "microflake: how the solved BRDF is kept: split (spectral, exact), or raw or svd "
-            "(RGB tables as in the comparison of 2022)")
+            "microflake: how the solved BRDF is kept: split (spectral, exact), or raw or svd (RGB "
+            "tables as in the comparison of 2022)")
         ->capture_default_str();
 }
 

@@ -44,6 +44,10 @@ json description(const PictureJob& job) {
             {"model", models::info(job.model).name},
             {"recipe_sha256", io::recipe_hash(recipe_of(job))},
             {"table", models::name(job.surface.table)},
+            {"table_angles", job.surface.table_size.angles},
+            {"table_azimuths", job.surface.table_size.azimuths},
+            {"compression_rank", job.surface.compression.rank},
+            {"compression_tolerance", job.surface.compression.tolerance},
             {"colour", static_cast<int>(job.surface.colour)},
             {"tracking", static_cast<int>(job.surface.tracking)},
             {"simpson_panels", job.surface.simpson_panels},
@@ -64,7 +68,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// tables are written and read back.
 struct Prepared {
     std::shared_ptr<const bsdf::Bsdf> surface;
-    std::size_t file_bytes = 0;
+    std::size_t file_bytes = 0, data_bytes = 0;
 };
 
 Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& progress) {
@@ -80,10 +84,16 @@ Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& 
             paint.solved = std::make_shared<const layers::SolvedPaint>(io::read_solved_paint(file));
         } else {
             const models::BrdfTable table = models::make_table(*solved, job.surface, progress);
-            std::visit([&](const auto& t) { io::write_brdf_table(file, *t); }, table);
+            std::visit(
+                [&](const auto& t) {
+                    io::write_brdf_table(file, *t);
+                    out.data_bytes = t->bytes();
+                },
+                table);
             paint.table = models::share(io::read_brdf_table(file));
         }
         out.file_bytes = fs::file_size(file);
+        if (job.surface.table == models::Table::split) out.data_bytes = out.file_bytes;
     }
     out.surface = models::make_surface(job.model, paint, job.surface, progress);
     return out;
@@ -117,6 +127,7 @@ Picture Gallery::make(const PictureJob& job) const {
         picture.msamples_per_s = record.at("msamples_per_s");
         picture.peak_mib = record.at("peak_mib");
         picture.file_bytes = record.at("file_bytes");
+        picture.data_bytes = record.at("data_bytes");
         return picture;
     };
     if (fs::is_regular_file(record_file)) {
@@ -156,6 +167,7 @@ Picture Gallery::make(const PictureJob& job) const {
         record["msamples_per_s"] = samples / result.seconds / 1e6;
         record["peak_mib"] = memory.mebibytes();
         record["file_bytes"] = prepared.file_bytes;
+        record["data_bytes"] = prepared.data_bytes;
         write_file_atomically(record_file, record.dump(2) + "\n");
     });
     return load(record);

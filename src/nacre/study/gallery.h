@@ -49,6 +49,7 @@ struct Picture {
     double msamples_per_s = 0;
     double peak_mib = 0;         ///< largest resident memory of the process while it was made
     std::size_t file_bytes = 0;  ///< of the file with the solved paint or its table; 0: none
+    std::size_t data_bytes = 0;  ///< of the table's values in memory; of a solved paint, its file
 };
 
 class Gallery {

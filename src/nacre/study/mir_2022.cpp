@@ -40,16 +40,14 @@ void add_introduction(MirContext& context) {
     report.paragraph(
         "Mir, Yıldırım and Kurt (2022) compared three families of models for special-effect "
         "coatings: translucent micro-flakes solved by adding-doubling (Ergun et al. 2016), "
-        "thin-film "
-        "microfacets (Belcour and Barla 2017) and discrete facets (Guo et al. 2018). This page is "
-        "that comparison made anew by one command: the same tables and figures, with this "
-        "program's "
-        "own implementations.");
+        "thin-film microfacets (Belcour and Barla 2017) and discrete facets (Guo et al. 2018). "
+        "This page is that comparison made anew by one command: the same tables and figures, with "
+        "this program's own implementations.");
     if (s.samples < 1024 || s.size < 512) {
         report.note(
             fmt::format("Scaled down: {0} x {0} pixels at {1} samples each, where the paper's "
-                        "pictures have 512 x "
-                        "512 at 1024. Times are those of the scaled pictures; noise is higher.",
+                        "pictures have 512 x 512 at 1024. Times are those of the scaled pictures; "
+                        "noise is higher.",
                         s.size, s.samples));
     }
     report.definitions(
@@ -58,17 +56,15 @@ void add_introduction(MirContext& context) {
                                   "spectrum, eight wavelengths a path",
                                   s.size, s.samples)},
          {"Differences",
-          "PSNR over linear R, G, B with the perfect diffuser as peak; colour "
-          "differences are CIEDE2000 under D65"},
+          "PSNR over linear R, G, B with the perfect diffuser as peak; colour differences are "
+          "CIEDE2000 under D65"},
          {"Program", fmt::format("nacre {}, seed {}", io::version(), s.seed)},
          {"Machine", hardware()}});
     report.paragraph(
         "The paper's scene, its lights and its camera are not published, nor is its program. Its "
         "pictures can be recognised here, not subtracted. Published figures stand beside ours "
-        "where "
-        "this project knows them; a dash means that it does not. *What the paper leaves out and "
-        "what "
-        "we chose* stands with each part.");
+        "where this project knows them; a dash means that it does not. *What the paper leaves out "
+        "and what we chose* stands with each part.");
 }
 
 }  // namespace

@@ -36,12 +36,10 @@ void add_agreement(MirContext& context) {
     context.report.heading(1, "Agreement of three solutions", "agreement");
     context.report.paragraph(
         fmt::format("Metallic gray, solved by adding-doubling (`microflake`), by random walks in "
-                    "depth (`walk`) "
-                    "and by random walks through a shell of paint around the ball (`volume`, by "
-                    "unbiased and by "
-                    "Simpson tracking): {} batches each, with random numbers of their own. For "
-                    "every pixel, z is "
-                    "the difference of the two means over its standard error.",
+                    "depth (`walk`) and by random walks through a shell of paint around the ball "
+                    "(`volume`, by unbiased and by Simpson tracking): {} batches each, with random "
+                    "numbers of their own. For every pixel, z is the difference of the two means "
+                    "over its standard error.",
                     kBatches));
     const char* paint = "paints/metallic-gray.toml";
     const auto solved =

@@ -63,10 +63,9 @@ void add_antialiasing(MirContext& context) {
     report.heading(1, "Spectral antialiasing", "antialiasing");
     report.paragraph(
         "`thin-film` renders spectra. Its RGB mode takes the colour of the film in closed form, "
-        "from "
-        "the Fourier transform of the eye's sensitivities: the paper fits them by Gaussians; ours "
-        "tabulates the transform of the observer itself. Each against integration at 1 nm, over "
-        "thicknesses of 0 to 1000 nm and angles of 0 to 80°.");
+        "from the Fourier transform of the eye's sensitivities: the paper fits them by Gaussians; "
+        "ours tabulates the transform of the observer itself. Each against integration at 1 nm, "
+        "over thicknesses of 0 to 1000 nm and angles of 0 to 80°.");
     report::Table table{
         .columns = {"film", "colours from", "mean ΔE", "largest ΔE", "mean RGB", "largest RGB"}};
     const std::vector<double> thicknesses = steps(0, 1000, context.settings.quick ? 100 : 10);

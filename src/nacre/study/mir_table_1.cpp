@@ -16,10 +16,11 @@ struct PaperPaint {
     const char* name;
     const char* file;
     const char* svd_size;  ///< published size of the compressed data
+    int rank;              ///< r, with k = (r^2 + r)/2 terms
 };
 constexpr PaperPaint kPaints[] = {
-    {"metallic-gray", "Metallic gray", "paints/metallic-gray.toml", "4.5 MiB"},
-    {"cadmium-red", "Cadmium red", "paints/cadmium-red.toml", "5.0 MiB"}};
+    {"metallic-gray", "Metallic gray", "paints/metallic-gray.toml", "4.5 MiB", 3},
+    {"cadmium-red", "Cadmium red", "paints/cadmium-red.toml", "5.0 MiB", 4}};
 
 /// The reference in two halves with numbers of their own: their mean is the reference, their
 /// difference tells its noise.
@@ -77,6 +78,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
                           report::number_cell(duration(reference.mean.render_s)),
                           report::number_cell("—"),
                           report::number_cell("—"),
+                          report::number_cell("—"),
                           report::number_cell(noise + " (own noise)"),
                           report::number_cell("—"),
                           {"—"}});
@@ -101,6 +103,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
                                      fmt::format("{}: {}", paint.name, kind.name), paint.file,
                                      models::Model::microflake);
         job.surface.table = kind.table;
+        job.surface.compression.rank = paint.rank;
         const Picture picture = context.gallery.make(job);
         const io::ImageDifference difference =
             io::image_difference(picture.image, reference.mean.image, job.title, "the reference");
@@ -111,6 +114,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
              {kind.name},
              report::number_cell(duration(picture.prepare_s)),
              report::number_cell(duration(picture.render_s)),
+             report::number_cell(mebibytes(picture.data_bytes)),
              report::number_cell(mebibytes(picture.file_bytes)),
              report::number_cell(number(picture.peak_mib) + " MiB"),
              report::number_cell(number(difference.psnr_db, 5)),
@@ -118,11 +122,15 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
                                                                   : fmt::format("{:.4f}", loss)),
              {kind.published}});
         pictures.push_back({fmt::format("{}: {}", paint.name, kind.name), picture.png});
-        results[id] = {
-            {"prepare_s", picture.prepare_s},          {"render_s", picture.render_s},
-            {"file_bytes", picture.file_bytes},        {"peak_mib", picture.peak_mib},
-            {"psnr_db", difference.psnr_db},           {"loss_db", loss},
-            {"delta_e_mean", difference.delta_e_mean}, {"delta_e_95th", difference.delta_e_95th}};
+        results[id] = {{"prepare_s", picture.prepare_s},
+                       {"render_s", picture.render_s},
+                       {"data_bytes", picture.data_bytes},
+                       {"file_bytes", picture.file_bytes},
+                       {"peak_mib", picture.peak_mib},
+                       {"psnr_db", difference.psnr_db},
+                       {"loss_db", loss},
+                       {"delta_e_mean", difference.delta_e_mean},
+                       {"delta_e_95th", difference.delta_e_95th}};
     }
 }
 
@@ -133,34 +141,29 @@ void add_table_1(MirContext& context) {
     report.heading(1, "Table 1 and Figure 2: raw and compressed data", "table-1");
     report.paragraph(
         "The solved BRDF is tabulated over incident angle, outgoing angle and azimuth (n = 256, m "
-        "= "
-        "128, RGB, 32-bit: 96 MiB), and compressed by a singular value decomposition with k = (r² "
-        "+ "
-        "r)/2 terms. Beside them: our own form, which keeps the interface and single scattering as "
-        "formulas and only the rest as symmetric factors per azimuthal order and wavelength.");
+        "= 128, RGB, 32-bit: 96 MiB), and compressed by a singular value decomposition with k = "
+        "(r² + r)/2 terms. Beside them: our own form, which keeps the interface and single "
+        "scattering as formulas and only the rest as symmetric factors per azimuthal order and "
+        "wavelength.");
     report::Table table{.caption = "Against the volumetric Monte Carlo reference",
-                        .columns = {"paint", "data", "preparation", "time", "file", "peak memory",
-                                    "PSNR, dB", "loss, dB", "published"}};
+                        .columns = {"paint", "data", "preparation", "time", "data", "file",
+                                    "peak memory", "PSNR, dB", "loss, dB", "published"}};
     std::vector<report::Picture> pictures;
     for (const PaperPaint& paint : kPaints) add_paint(context, paint, table, pictures);
     report.table(table);
     report.pictures(pictures, 4, "Figure 2. Reference, raw table, compressed table, split.");
     report.paragraph(
         "*Own noise*: the PSNR between the reference and its exact picture, from two halves "
-        "rendered "
-        "with different random numbers. No model can come closer to the noisy reference than that. "
-        "Raw, compressed and split pictures share their random numbers, so that their differences "
-        "are those of the data.");
+        "rendered with different random numbers. No model can come closer to the noisy reference "
+        "than that. Raw and compressed pictures share their random numbers and their way of "
+        "sampling, so that their difference is that of the data.");
     report.paragraph(
         "*What the paper leaves out, and what we chose.* The amount, thickness and orientation of "
-        "the "
-        "flakes: c = 0.1 per µm, 15 µm, alpha = 0.1, in a binder of index 1.5 over black. The "
-        "nodes "
-        "of the table, which docs/tables.md gives. For cadmium red the paper's "
-        "sizes imply two channels, its green being zero: reflected light here is a spectrum whose "
-        "colour is (0.89, 0, 0.13), and spectra multiply, so that after several flakes some green "
-        "is "
-        "left; the third channel is kept where it is not zero. Our split data are spectral, 31 "
+        "the flakes: c = 0.1 per µm, 15 µm, alpha = 0.1, in a binder of index 1.5 over black. The "
+        "nodes of the table, which docs/tables.md gives. For cadmium red the paper's sizes imply "
+        "two channels, its green being zero: reflected light here is a spectrum whose colour is "
+        "(0.89, 0, 0.13), and spectra multiply, so that after several flakes some green is left; "
+        "the third channel is kept where it is not zero. Our split data are spectral, 31 "
         "wavelengths.");
 }
 

@@ -119,8 +119,7 @@ void add_table_2(MirContext& context) {
     report.heading(1, "Table 2 and Figure 3: facets", "table-2");
     report.paragraph(
         "The `special-effect` model with K facets on the whole ball, each with its own place, "
-        "normal "
-        "and film thickness. `alpha = 0.07`, a query cone of 3°.");
+        "normal and film thickness. `alpha = 0.07`, a query cone of 3°.");
     add_parameters(context);
     report::Table table{.caption = "Time by number of facets",
                         .columns = {"parameters", "K", "time", "µs per sample", "peak memory",
@@ -159,24 +158,20 @@ void add_table_2(MirContext& context) {
     report.pictures(pictures, 3, "Figure 3. More facets, finer sparkle.");
     report.paragraph(
         "*Sparkle contrast*: root mean square of the relative deviation of a pixel's luminance "
-        "from "
-        "the picture without facets, over the lit half of the ball. It contains the noise of "
+        "from the picture without facets, over the lit half of the ball. It contains the noise of "
         "rendering. Independent facets would make it fall by √10 from column to column.");
     add_cost_curve(context);
     report.paragraph(
         "*Why minutes and not hours.* A query visits only the facets whose cell of the surface "
-        "meets "
-        "the footprint of one sample, a share of 1/samples of the pixel: at 10⁹ facets some three "
-        "facets, not the three thousand of a whole pixel. Places are split before normals, so that "
-        "the tree is walked along few branches, and counts of the upper levels are drawn once. "
-        "Nothing is allocated, and eight wavelengths share a query. Details: "
+        "meets the footprint of one sample, a share of 1/samples of the pixel: at 10⁹ facets some "
+        "three facets, not the three thousand of a whole pixel. Places are split before normals, "
+        "so that the tree is walked along few branches, and counts of the upper levels are drawn "
+        "once. Nothing is allocated, and eight wavelengths share a query. Details: "
         "docs/special-effect.md.");
     report.paragraph(
         "*What the paper leaves out, and what we chose.* Base index and extinction of the second "
-        "set "
-        "(as in the first), the spread of thickness (10 nm standard deviation, uniform), how "
-        "facets "
-        "are laid out on the ball (an equal-area square), and the footprint of a sample.");
+        "set (as in the first), the spread of thickness (10 nm standard deviation, uniform), how "
+        "facets are laid out on the ball (an equal-area square), and the footprint of a sample.");
 }
 
 }  // namespace nacre::study

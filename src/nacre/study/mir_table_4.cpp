@@ -86,8 +86,8 @@ void add_colours(MirContext& context) {
     report.heading(2, "Colour against angle", "colour-against-angle");
     report.paragraph(
         "Lit from 45°, seen in the same plane from 0° to 110° away from the mirror direction, "
-        "every "
-        "5°. Each dot has the colour it stands for (brightest lobes are shown at full light).");
+        "every 5°. Each dot has the colour it stands for (brightest lobes are shown at full "
+        "light).");
     struct Group {
         const char* title;
         std::vector<std::tuple<std::string, std::string, models::Model>> series;
@@ -135,8 +135,8 @@ void add_convergence(MirContext& context) {
         .caption =
             "Root mean square over linear R, G, B, against the same model's picture with four "
             "times the samples of the last point and other random numbers. 80 nm of TiO₂. The "
-            "sparkle of facets is part of their picture, not of their error: footprints are "
-            "the same at every number of samples.",
+            "sparkle of facets is part of their picture, not of their error: footprints are the "
+            "same at every number of samples.",
         .x = {.label = "samples per pixel", .logarithmic = true},
         .y = {.label = "error", .logarithmic = true}};
     const int most = context.settings.quick ? 8 : 256;
@@ -179,10 +179,9 @@ void add_table_4(MirContext& context) {
     context.report.paragraph(
         "*What the paper leaves out, and what we chose.* The amount and orientation of the flakes, "
         "their spread, the coat and the ground: those of the recipes `paints/tio2-mica-80.toml` "
-        "and "
-        "`paints/tio2-mica-110.toml`. The microfacet models know neither the far side of the flake "
-        "nor other flakes: hence their paler colour and their black where flakes would scatter "
-        "on.");
+        "and `paints/tio2-mica-110.toml`. The microfacet models know neither the far side of the "
+        "flake nor other flakes: hence their paler colour and their black where flakes would "
+        "scatter on.");
     add_colours(context);
     add_convergence(context);
 }
