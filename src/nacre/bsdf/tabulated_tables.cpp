@@ -106,7 +106,8 @@ layers::Rgb Tabulated::Tables::rgb(const TableRay& i, const TableRay& o) const {
     const layers::BrdfCell cell =
         layers::locate(grid, i.outside, o.outside, i.sine, o.sine, i.side_cosine, o.side_cosine);
     layers::Rgb g = std::visit([&](const auto& table) { return table->interpolate(cell); }, data);
-    const float factor = i.transmittance * o.transmittance / (i.side_cosine + o.side_cosine);
+    const float cosines = std::max(i.side_cosine + o.side_cosine, layers::kLeastCosines);
+    const float factor = i.transmittance * o.transmittance / cosines;
     for (float& x : g) x *= factor;
     return g;
 }

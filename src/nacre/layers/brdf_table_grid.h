@@ -71,6 +71,10 @@ struct BrdfGrid {
 /// @throws DomainError if a number is out of the range given above
 void validate(const BrdfGrid& grid);
 
+/// Where both directions graze, cosines count as if their sum were at least this: there are no
+/// nodes beyond.
+inline constexpr float kLeastCosines = 1e-5f;
+
 /// Where two directions in the upper hemisphere fall: s their sines outside, mu their cosines on
 /// the side of grid.side_ior().
 inline BrdfCell locate(const BrdfGrid& grid, Vec3f wi, Vec3f wo, float s_i, float s_o, float mu_i,
@@ -86,13 +90,12 @@ inline BrdfCell locate(const BrdfGrid& grid, Vec3f wi, Vec3f wo, float s_i, floa
     cell.pair_weight = {(1 - fi) * (1 - fo), (1 - fi) * fo, fi * (1 - fo), fi * fo};
 
     // s_i s_o v^2 = |s_i wo + s_o wi|^2/(4 s_i s_o), without cancellation near the mirror side.
-    const float product = s_i * s_o;
+    const float product = s_i * s_o, square = 4 * product * product;
     const float ux = s_i * wo.x + s_o * wi.x, uy = s_i * wo.y + s_o * wi.y;
-    const float v2 =
-        product > 0 ? std::min((ux * ux + uy * uy) / (4 * product * product), 1.0f) : 0.0f;
-    const float ior = static_cast<float>(grid.side_ior()),
-                alpha = static_cast<float>(grid.lobe_alpha);
-    const float scale = ior * alpha * (mu_i + mu_o);
+    const float v2 = square > 0 ? std::min((ux * ux + uy * uy) / square, 1.0f) : 0.0f;
+    const float ior = static_cast<float>(grid.side_ior());
+    const float alpha = static_cast<float>(grid.lobe_alpha);
+    const float scale = ior * alpha * std::max(mu_i + mu_o, kLeastCosines);
     const float ratio = 4 * product / (scale * scale);  // b/a^2
     // Near the normal nothing depends on azimuth, and the quotient of logarithms tends to v^2.
     const float u2 = ratio > 1e-4f ? std::log1p(ratio * v2) / std::log1p(ratio) : v2;
