@@ -195,10 +195,12 @@ SpecialEffect::Tables make_tables(const layers::Recipe& recipe, std::uint64_t se
         throw DomainError(
             "microfacet.distribution: must be \"beckmann\" for facets that are counted");
     }
-    const Range& cone = sparkle::kFacetConeRange;
+    Range cone = sparkle::kFacetConeRange;
+    cone.hi = std::min(cone.hi, sparkle::kMostConePerRoughness * m.alpha * 180 / std::numbers::pi);
     if (!cone.contains(m.facets->cone_deg)) {
-        throw DomainError(fmt::format("microfacet.facets.cone_deg = {} is outside {}",
-                                      m.facets->cone_deg, cone.text()));
+        throw DomainError(
+            fmt::format("microfacet.facets.cone_deg = {} is outside {} for alpha = {}",
+                        m.facets->cone_deg, cone.text(), m.alpha));
     }
     if (m.facets->count != std::floor(m.facets->count)) {
         throw DomainError(

@@ -104,7 +104,7 @@ struct FacetField::Candidates {
 // The smallest triangles that the cone's normals lie in, in order, and the share of facets that
 // are in both.
 struct FacetField::Touched {
-    static constexpr int kMost = 16 * 32;
+    static constexpr int kMost = 512;
     std::array<NormalTree::Code, kMost> code;
     std::array<float, kMost> share;
     int count = 0;
@@ -116,6 +116,12 @@ struct FacetField::Touched {
                 share[i] += mass;
                 return;
             }
+        }
+        // The region is two or three triangles wide and at most 9 alpha / gamma long: never so
+        // many.
+        if (count == kMost) {
+            share[count - 1] += mass;
+            return;
         }
         code[count] = leaf;
         share[count++] = mass;

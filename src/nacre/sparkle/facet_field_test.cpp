@@ -245,6 +245,30 @@ TEST(FacetField, ObjectsOfNoneOneAndAMillionMillionFacets) {
                 5 * std::sqrt(expected));
 }
 
+TEST(FacetField, CountsOverItsWholeRangeOfConesAndRoughness) {
+    for (const auto& [alpha, gamma_deg] :
+         {std::pair{0.001, 0.05}, std::pair{0.001, 1.4}, std::pair{0.02, 28.0},
+          std::pair{1.0, 0.05}, std::pair{1.0, 30.0}}) {
+        const FacetField field(1e10, alpha, gamma_deg, 3);
+        for (const Geometry& g : {geometries()[0], geometries()[3]}) {
+            for (const double area : {5e-8, 1e-3}) {
+                double sum = 0;
+                const Vec3f wo = {-g.wi.x, -g.wi.y, g.wi.z};
+                constexpr int kFootprints = 100;
+                for (int i = 0; i < kFootprints; ++i) {
+                    Rng rng(41, i);
+                    sum += static_cast<double>(field.count(somewhere(rng, area), g.wi, wo).count);
+                }
+                const double share =
+                    field.cone_rule().means(g.wi, wo).projected * field.cone_rule().solid_angle();
+                const double expected = kFootprints * 1e10 * area * share;
+                EXPECT_NEAR(sum, expected, 5 * std::sqrt(expected) + 1e-3 * expected)
+                    << "alpha " << alpha << ", gamma " << gamma_deg << ", area " << area;
+            }
+        }
+    }
+}
+
 // Thin and long: touches any number of the smallest cells, so larger ones answer.
 TEST(FacetField, NeedlesAreBoundedAndUnbiased) {
     const FacetField field(1e12, kAlpha, kGammaDeg, 13);
@@ -270,6 +294,7 @@ TEST(FacetField, RefusesValuesOutOfRange) {
     EXPECT_THROW(FacetField(10, 0, 3, 0), DomainError);
     EXPECT_THROW(FacetField(10, kAlpha, 0, 0), DomainError);
     EXPECT_THROW(FacetField(10, kAlpha, 45, 0), DomainError);
+    EXPECT_THROW(FacetField(10, 0.001, 10, 0), DomainError);  // a cone far wider than the lobe
 }
 
 }  // namespace

@@ -22,9 +22,18 @@ ConeRule::ConeRule(double gamma_rad, double alpha) {
 
     // Nodes for Gaussians of width alpha over a region that reaches gamma/2 across the plane of
     // incidence near normal and several times as much at grazing incidence.
-    const int rings = std::clamp(static_cast<int>(std::ceil(2 + 1.5 * gamma_rad / alpha)), 3, 16);
-    const int spokes = 8 * ((2 * rings + 7) / 8);  // whole groups of lanes
+    const double width = gamma_rad / alpha;
+    require_in_range(width, 0, kMostConePerRoughness, "half-angle of the cone over alpha");
+    const int rings = std::max(3, static_cast<int>(std::ceil(2 + 1.5 * width)));
+    constexpr int kMostGrazingRings = 48;
+    groups_ = product_rule(rings, versine);
+    grazing_groups_ = product_rule(std::min(3 * rings, kMostGrazingRings), versine);
+}
+
+std::vector<ConeRule::Group> ConeRule::product_rule(int rings, double versine) {
+    const int spokes = kLanes * ((2 * rings + kLanes - 1) / kLanes);  // whole groups of lanes
     const Quadrature& rule = unit_gauss_legendre(rings);
+    std::vector<Group> groups;
     for (int ring = 0; ring < rings; ++ring) {
         const double drop = versine * rule.nodes[ring];
         const double sine = std::sqrt(drop * (2 - drop));
@@ -33,13 +42,14 @@ ConeRule::ConeRule(double gamma_rad, double alpha) {
             const auto angle = [&](int i) {
                 return 2 * std::numbers::pi * (first + i + 0.5 * (ring % 2)) / spokes;
             };
-            groups_.push_back(
+            groups.push_back(
                 {make_lanes([&](int i) { return static_cast<float>(sine * std::cos(angle(i))); }),
                  make_lanes([&](int i) { return static_cast<float>(sine * std::sin(angle(i))); }),
                  splat(static_cast<float>(1 - drop)),
                  splat(static_cast<float>(rule.weights[ring] / spokes))});
         }
     }
+    return groups;
 }
 
 }  // namespace nacre::sparkle

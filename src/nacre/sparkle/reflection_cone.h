@@ -37,17 +37,30 @@ struct ReflectionCone {
     bool contains(Vec3f m) const { return contains(m.x, m.y, m.z); }
 };
 
+/// A cone may be so many times as wide as the facets' roughness: ConeRule does not resolve facets
+/// that are smoother.
+inline constexpr double kMostConePerRoughness = 25;
+
+/// Error of ConeRule's means over their peaks, 1 / (pi alpha^2) and that over 4 w_i.h: for
+/// incidence up to 75 deg, and beyond, where the horizon may cut the cone.
+inline constexpr double kConeRuleError = 2e-4;
+inline constexpr double kConeRuleGrazingError = 1e-2;
+
 /// Mean over the cone of functions of the facet normal: a product rule, Gauss-Legendre in the
-/// cosine from the axis and evenly spaced around it, made once for a cone's width.
+/// cosine from the axis and evenly spaced around it, made once for a cone's width. There are two,
+/// the finer for grazing directions, which stretch the region of normals.
 class ConeRule {
  public:
-    /// @param gamma_rad  half-angle of the cone, in (0, pi/2]
-    /// @param alpha      roughness of the facets the rule is for: the rougher, the fewer nodes
+    /// @param gamma_rad  half-angle of the cone, in [1e-5, pi/2]
+    /// @param alpha      roughness of the facets the rule is for, in [1e-4, 2]: the rougher, the
+    ///                   fewer nodes; gamma_rad / alpha is at most kMostConePerRoughness
+    /// @throws DomainError naming the argument, its value and its range
     ConeRule(double gamma_rad, double alpha);
 
     /// Solid angle of the cone, 2 pi (1 - cos gamma). (Not pi (1 - cos gamma).)
     double solid_angle() const { return solid_angle_; }
     float chord2() const { return chord2_; }
+    /// Of the rule for directions that do not graze.
     int nodes() const { return kLanes * static_cast<int>(groups_.size()); }
 
     struct Means {
@@ -73,7 +86,9 @@ class ConeRule {
     struct Group {
         FloatLanes x, y, z, weight;  // directions about the z axis; weights sum to 1
     };
-    std::vector<Group> groups_;
+    static std::vector<Group> product_rule(int rings, double versine);
+
+    std::vector<Group> groups_, grazing_groups_;
     double solid_angle_;
     float chord2_, versine_, inverse_alpha2_, norm_;
 };

@@ -10,7 +10,11 @@ ConeRule::Means ConeRule::visit(Vec3f wi, Vec3f wo, Visit&& visit) const {
     const Frame frame = Frame::around(wo);
     const float quarter_angle = 0.25f * static_cast<float>(solid_angle_);
     FloatLanes density{}, projected{};
-    for (const Group& g : groups_) {
+    // |wi + wo| = 2 cos of the incidence on the facets.
+    constexpr float kGrazingCosine = 0.35f;
+    const Vec3f sum = wi + wo;
+    const bool grazing = dot(sum, sum) < 4 * kGrazingCosine * kGrazingCosine;
+    for (const Group& g : grazing ? grazing_groups_ : groups_) {
         const FloatLanes hx = wi.x + g.x * frame.s.x + g.y * frame.t.x + g.z * frame.n.x;
         const FloatLanes hy = wi.y + g.x * frame.s.y + g.y * frame.t.y + g.z * frame.n.y;
         const FloatLanes hz = wi.z + g.x * frame.s.z + g.y * frame.t.z + g.z * frame.n.z;
