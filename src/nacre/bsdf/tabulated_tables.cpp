@@ -117,20 +117,22 @@ const LobeOdds& Tabulated::Tables::odds_at(Vec3f wi) const {
     return odds[at.row + (at.fraction > 0.5f)];
 }
 
+// Solid angle inside over solid angle outside.
+float Tabulated::Tables::leave(const TableRay& o) const {
+    return o.outside.z / o.inside.z * (inverse_ior * inverse_ior);
+}
+
 std::array<float, 4> Tabulated::Tables::densities(const TableRay& i, const TableRay& o) const {
-    // Solid angle inside over solid angle outside.
-    const float leave = o.outside.z * inverse_ior * inverse_ior / o.inside.z;
     return {interface ? interface->pdf(i.outside, o.outside) : 0.0f,
-            leave * flakes.mixed_pdf(i.inside, o.inside, 1, 0),
-            leave * flakes.mixed_pdf(i.inside, o.inside, 0, 1),
+            leave(o) * flakes.mixed_pdf(i.inside, o.inside, 1, 0),
+            leave(o) * flakes.mixed_pdf(i.inside, o.inside, 0, 1),
             o.outside.z * std::numbers::inv_pi_v<float>};
 }
 
 float Tabulated::Tables::density(const LobeOdds& p, const TableRay& i, const TableRay& o) const {
-    const float inside = flakes.mixed_pdf(i.inside, o.inside, p.flakes, p.wide);
     const float facets = interface ? p.interface * interface->pdf(i.outside, o.outside) : 0.0f;
-    return facets + o.outside.z * (p.diffuse * std::numbers::inv_pi_v<float> +
-                                   inside * inverse_ior * inverse_ior / o.inside.z);
+    return facets + leave(o) * flakes.mixed_pdf(i.inside, o.inside, p.flakes, p.wide) +
+           o.outside.z * (p.diffuse * std::numbers::inv_pi_v<float>);
 }
 
 // Albedo by quadrature, and the odds of the lobes by expectation maximisation: each round shares

@@ -46,6 +46,7 @@ struct Tabulated::Tables {
     std::array<float, 4> densities(const TableRay& i, const TableRay& o) const;
 
  private:
+    float leave(const TableRay& o) const;
     void fit_row(int row);
 };
 

@@ -163,7 +163,8 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
                 for (int lane = 0; lane < kLanes; ++lane) {
                     ASSERT_TRUE(std::isfinite(both.f[lane]) && both.f[lane] >= 0);
                 }
-                ASSERT_TRUE(std::isfinite(both.pdf) && both.pdf >= 0);
+                ASSERT_TRUE(std::isfinite(both.pdf) && both.pdf >= 0)
+                    << a.x << ' ' << a.y << ' ' << a.z << ' ' << b.x << ' ' << b.y << ' ' << b.z;
             }
             for (const float u : {0.0f, 0.3f, 0.7f, 0.99f}) {
                 const auto s = bound->sample(a, u, {u, 1 - u});
