@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -269,6 +270,28 @@ TEST(SpecialEffect, APatchWithoutAreaGivesTheMean) {
     const FloatLanes mean = bound->eval(wi, wo);
     const FloatLanes point = bound->evaluate_on({0.5, 0.5, {0, 0}, {0, 0}}, wi, wo).f;
     for (int i = 0; i < kLanes; ++i) EXPECT_EQ(point[i], mean[i]);
+}
+
+TEST(SpecialEffect, AnyPatchAndDirectionIsHarmless) {
+    const auto bound = SpecialEffect(pigment(1e9, true), 1).bind(kVisible);
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const float numbers[] = {0, 1e-30f, 1e-4f, 0.3f, 50, 1e30f, inf, nan};
+    const Vec3f directions[] = {direction(0, 0), direction(30, 180), direction(89.999, 0),
+                                direction(89.999, 180)};
+    for (const double u : {-1e9, 0.0, 0.4, 1.0, 1e300}) {
+        for (const float a : numbers) {
+            for (const float b : numbers) {
+                for (const Vec3f wi : directions) {
+                    for (const Vec3f wo : directions) {
+                        const auto value = bound->evaluate_on({u, 0.5, {a, b}, {-b, a}}, wi, wo);
+                        for (int k = 0; k < kLanes; ++k) EXPECT_GE(value.f[k], 0);
+                        EXPECT_GE(value.pdf, 0);
+                    }
+                }
+            }
+        }
+    }
 }
 
 TEST(SpecialEffect, OneFacetAndAMillionMillion) {
