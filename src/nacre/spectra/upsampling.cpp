@@ -5,6 +5,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/spectra/rgb.h"
+#include "nacre/spectra/rgb_basis.h"
 
 namespace nacre::spectra {
 namespace {
@@ -19,28 +20,12 @@ struct ColourWeights {
 };
 
 ColourWeights make_colour_weights() {
-    // CIE sums at 5 nm; a wavelength between two samples counts half for each, as the reflectance
-    // is linear between them.
-    std::array<Vec3, kSamples> xyz{};
-    Vec3 white{};
-    for (int k = 0; k < 2 * kSamples - 1; ++k) {
-        const double wavelength_nm = kFirst_nm + k * kStep_nm / 2;
-        const double power = illuminant_power(Illuminant::D65, wavelength_nm);
-        const Vec3 matching = colour_matching(Observer::cie1931_2deg, wavelength_nm);
-        for (int c = 0; c < 3; ++c) {
-            xyz[k / 2][c] += power * matching[c] / 2;
-            xyz[(k + 1) / 2][c] += power * matching[c] / 2;
-            white[c] += power * matching[c];
-        }
-    }
-    // The tabulated D65 has Z = 1.08897, the rounded chromaticity of the standard 1.08906:
-    // the perfect diffuser shall be white in RGB, so colours are taken relative to it.
-    const Vec3 rec709_white = linear_rec709_to_xyz({1, 1, 1});
+    std::vector<double> wavelengths_nm;
+    for (int i = 0; i < kSamples; ++i) wavelengths_nm.push_back(kFirst_nm + i * kStep_nm);
+    const std::vector<Vec3> by_sample = rec709_weights(wavelengths_nm);
     ColourWeights weights;
     for (int i = 0; i < kSamples; ++i) {
-        for (int c = 0; c < 3; ++c) xyz[i][c] *= rec709_white[c] / white[c];
-        const Vec3 rgb = xyz_to_linear_rec709(xyz[i]);
-        for (int c = 0; c < 3; ++c) weights.rgb[c][i] = rgb[c];
+        for (int c = 0; c < 3; ++c) weights.rgb[c][i] = by_sample[i][c];
     }
     return weights;
 }
