@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <variant>
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/layers/brdf_table_svd.h"
