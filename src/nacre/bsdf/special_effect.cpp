@@ -193,7 +193,7 @@ SpecialEffect::Tables make_tables(const layers::Recipe& recipe, std::uint64_t se
     }
     if (m.distribution != layers::FacetDistribution::beckmann) {
         throw DomainError(
-            "microfacet.distribution: must be \"beckmann\" for facets that are counted");
+            "microfacet.distribution = \"ggx\": must be \"beckmann\" for facets that are counted");
     }
     Range cone = sparkle::kFacetConeRange;
     cone.hi = std::min(cone.hi, sparkle::kMostConePerRoughness * m.alpha * 180 / std::numbers::pi);
@@ -203,15 +203,16 @@ SpecialEffect::Tables make_tables(const layers::Recipe& recipe, std::uint64_t se
                         m.facets->cone_deg, cone.text(), m.alpha));
     }
     if (m.facets->count != std::floor(m.facets->count)) {
-        throw DomainError(
-            fmt::format("microfacet.facets.count = {} is not a whole number", m.facets->count));
+        throw DomainError(fmt::format("microfacet.facets.count = {} is not a whole number in {}",
+                                      m.facets->count, sparkle::kFacetCountRange.text()));
     }
     // An even law from -w to w has the standard deviation w / sqrt 3.
     const double reach_nm = std::numbers::sqrt3 * m.facets->thickness_spread_nm;
     if (reach_nm > m.film_thickness_nm) {
         throw DomainError(fmt::format(
-            "microfacet.facets.thickness_spread_nm = {} is outside [0, {:.6g}] nm: facets of an "
-            "even law about film_thickness_nm = {} would be thinner than nothing",
+            "microfacet.facets.thickness_spread_nm = {} is outside [0, {:.6g}] nm: films even "
+            "about "
+            "film_thickness_nm = {} with this standard deviation must not reach below 0",
             m.facets->thickness_spread_nm, m.film_thickness_nm / std::numbers::sqrt3,
             m.film_thickness_nm));
     }
