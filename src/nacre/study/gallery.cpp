@@ -47,6 +47,7 @@ json description(const PictureJob& job) {
             {"table_angles", job.surface.table_size.angles},
             {"table_azimuths", job.surface.table_size.azimuths},
             {"compression_rank", job.surface.compression.rank},
+            {"compression_clip", job.surface.compression.clip_to_gamut},
             {"compression_tolerance", job.surface.compression.tolerance},
             {"colour", static_cast<int>(job.surface.colour)},
             {"tracking", static_cast<int>(job.surface.tracking)},
