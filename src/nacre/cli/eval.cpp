@@ -86,6 +86,7 @@ std::optional<bsdf::Patch> parse_patch(const EvalOptions& options, const models:
 
 /// Any model that gives values, through the surface that a renderer sees.
 Source model_source(const EvalOptions& options, const models::ModelInfo& model,
+                    const models::SurfaceOptions& surface, const std::optional<bsdf::Patch>& patch,
                     const std::optional<std::vector<double>>& wanted) {
     if (model.can.reference_only) {
         throw UsageError(
@@ -97,9 +98,7 @@ Source model_source(const EvalOptions& options, const models::ModelInfo& model,
         throw UsageError(
             fmt::format("--part = {}: only --model microflake knows parts", options.part));
     }
-    const std::optional<bsdf::Patch> patch = parse_patch(options, model);
-    PaintSurface paint = load_surface(options.recipe, model.model,
-                                      parse_surface_options(options.model, options.seed), options);
+    PaintSurface paint = load_surface(options.recipe, model.model, surface, options);
     std::vector<double> wavelengths = wanted.value_or(layers::default_wavelengths_nm());
     const auto brdf = std::make_shared<const models::SpectralBrdf>(*paint.surface, wavelengths);
     return {std::move(paint.recipe), std::move(wavelengths),
@@ -110,6 +109,8 @@ Source model_source(const EvalOptions& options, const models::ModelInfo& model,
 
 ExitStatus run(const EvalOptions& options) {
     const models::ModelInfo& model = parse_model(options.model);
+    const models::SurfaceOptions surface = parse_surface_options(options.model, options.seed);
+    const std::optional<bsdf::Patch> patch = parse_patch(options, model);
     const ThreadLimit threads(options.threads);
     const Stopwatch watch;
     const std::vector<Direction> incident = parse_directions("--incident", options.incident);
@@ -119,10 +120,9 @@ ExitStatus run(const EvalOptions& options) {
         wanted = parse_numbers("--wavelength", options.wavelengths, layers::limits::kWavelength);
     }
     const bool is_solved = model.model == models::Model::microflake &&
-                           options.model.table == ModelOptions{}.table &&
-                           !is_brdf_table(options.recipe);
-    const Source source =
-        is_solved ? solved_source(options, wanted) : model_source(options, model, wanted);
+                           surface.table == models::Table::split && !is_brdf_table(options.recipe);
+    const Source source = is_solved ? solved_source(options, wanted)
+                                    : model_source(options, model, surface, patch, wanted);
     const std::vector<double>& wavelengths = source.wavelengths;
     if (incident.size() * outgoing.size() * wavelengths.size() > kMostRows) {
         throw UsageError(

@@ -45,7 +45,7 @@ inline constexpr Range kMicrofacetIndex = optics::kAiryIndexRange;
 inline constexpr Range kMicrofacetExtinction = optics::kAiryExtinctionRange;
 inline constexpr Range kMicrofacetFilmThickness{0, 1e5, "nm"};
 inline constexpr Range kFacetCount{1, 1e15};
-inline constexpr Range kConeHalfAngle{0, 90, "deg", true};
+inline constexpr Range kConeHalfAngle{0.05, 30, "deg"};
 
 /// R + T may pass 1 by this much: what rounding leaves when both come from one computation.
 inline constexpr double kEnergySlack = 1e-9;
