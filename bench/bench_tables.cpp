@@ -6,24 +6,15 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <memory>
-#include <numbers>
-#include <vector>
 
+#include "bsdf_queries.h"
 #include "nacre/bsdf/tabulated.h"
-#include "nacre/core/rng.h"
 #include "nacre/layers/brdf_table_svd.h"
 #include "nacre/layers/solver.h"
 
 namespace nacre::bsdf {
 namespace {
-
-struct Query {
-    Vec3f wi, wo;
-    float u_lobe;
-    Vec2f u;
-};
 
 struct Setup {
     layers::SolvedPaint paint;
@@ -33,36 +24,13 @@ struct Setup {
     std::vector<Query> queries;
 
     Setup() {
-        optics::Platelet platelet;
-        platelet.core = {optics::find_material("mica"), 500, {60}};
-        platelet.coats = {{optics::find_material("TiO2_anatase"), 80, {5}}};
-        layers::FlakeSpecies flake;
-        flake.amount = layers::AreaDensity{0.1};
-        flake.orientation.beckmann_alpha = 0.09;
-        flake.body = platelet;
-        layers::Recipe recipe;
-        recipe.layers.push_back({15, {flake}, {}});
-        paint = layers::solve(recipe, layers::default_wavelengths_nm());
+        paint = layers::solve(bench_pearl(), layers::default_wavelengths_nm());
         raw = std::make_shared<const layers::RawBrdfTable>(layers::make_raw_table(paint));
         compressed =
             std::make_shared<const layers::CompressedBrdfTable>(layers::compress(*raw, {3, 0.5}));
-        const Wavelengths wavelengths = {418, 456, 493, 531, 568, 606, 643, 681};
-        bound_raw = Tabulated(raw).bind(wavelengths);
-        bound_compressed = Tabulated(compressed).bind(wavelengths);
-        // Incident directions over the hemisphere, outgoing ones as the model samples them.
-        Rng rng(1, 1);
-        while (queries.size() < 4096) {
-            Query q;
-            const float z = std::sqrt(rng.uniform_float()), s = std::sqrt(1 - z * z);
-            const float phi = 2 * std::numbers::pi_v<float> * rng.uniform_float();
-            q.wi = {s * std::cos(phi), s * std::sin(phi), z};
-            q.u_lobe = rng.uniform_float();
-            q.u = {rng.uniform_float(), rng.uniform_float()};
-            const auto sample = bound_raw->sample(q.wi, q.u_lobe, q.u);
-            if (!sample || sample->mirror) continue;
-            q.wo = sample->wo;
-            queries.push_back(q);
-        }
+        bound_raw = Tabulated(raw).bind(kBenchWavelengths);
+        bound_compressed = Tabulated(compressed).bind(kBenchWavelengths);
+        queries = make_queries(*bound_raw);
     }
     static const Setup& get() {
         static const Setup setup;
@@ -88,12 +56,8 @@ BENCHMARK(BM_TableCompress)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond)->UseR
 template <bool is_raw>
 void BM_TableEval8Wavelengths(benchmark::State& state) {
     const Setup& setup = Setup::get();
-    std::size_t i = 0;
-    for (auto _ : state) {
-        const Query& q = setup.queries[i];
-        benchmark::DoNotOptimize(setup.bound(is_raw).eval(q.wi, q.wo));
-        i = (i + 1) % setup.queries.size();
-    }
+    run_queries(state, setup.bound(is_raw), setup.queries,
+                [](const BoundBsdf& b, const Query& q) { return b.eval(q.wi, q.wo); });
 }
 BENCHMARK(BM_TableEval8Wavelengths<true>)->Name("BM_TableRawEval8Wavelengths");
 BENCHMARK(BM_TableEval8Wavelengths<false>)->Name("BM_TableSvdEval8Wavelengths");
@@ -101,12 +65,8 @@ BENCHMARK(BM_TableEval8Wavelengths<false>)->Name("BM_TableSvdEval8Wavelengths");
 template <bool is_raw>
 void BM_TableSample8Wavelengths(benchmark::State& state) {
     const Setup& setup = Setup::get();
-    std::size_t i = 0;
-    for (auto _ : state) {
-        const Query& q = setup.queries[i];
-        benchmark::DoNotOptimize(setup.bound(is_raw).sample(q.wi, q.u_lobe, q.u));
-        i = (i + 1) % setup.queries.size();
-    }
+    run_queries(state, setup.bound(is_raw), setup.queries,
+                [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_lobe, q.u); });
 }
 BENCHMARK(BM_TableSample8Wavelengths<true>)->Name("BM_TableRawSample8Wavelengths");
 BENCHMARK(BM_TableSample8Wavelengths<false>)->Name("BM_TableSvdSample8Wavelengths");

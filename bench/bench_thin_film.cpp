@@ -5,19 +5,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-#include <numbers>
-#include <vector>
-
+#include "bsdf_queries.h"
 #include "nacre/bsdf/thin_film.h"
-#include "nacre/core/rng.h"
 #include "nacre/optics/airy.h"
 #include "nacre/optics/antialiased.h"
 
 namespace nacre::bsdf {
 namespace {
-
-constexpr Wavelengths kNm = {418, 456, 493, 531, 568, 606, 643, 681};
 
 // The first parameter set of the comparison of 2022.
 layers::Recipe paint(layers::FacetDistribution law, bool coat) {
@@ -35,39 +29,10 @@ ThinFilmColour colour(const benchmark::State& state) {
     return static_cast<ThinFilmColour>(state.range(2));
 }
 
-struct Query {
-    Vec3f wi, wo;
-    float u_lobe;
-    Vec2f u;
-};
-
-std::vector<Query> make_queries(const BoundBsdf& bsdf) {
-    std::vector<Query> queries;
-    Rng rng(1, 1);
-    while (queries.size() < 4096) {
-        Query q;
-        const float z = std::sqrt(rng.uniform_float()), s = std::sqrt(1 - z * z);
-        const float phi = 2 * std::numbers::pi_v<float> * rng.uniform_float();
-        q.wi = {s * std::cos(phi), s * std::sin(phi), z};
-        q.u_lobe = rng.uniform_float();
-        q.u = {rng.uniform_float(), rng.uniform_float()};
-        const auto sample = bsdf.sample(q.wi, q.u_lobe, q.u);
-        if (!sample || sample->mirror) continue;
-        q.wo = sample->wo;
-        queries.push_back(q);
-    }
-    return queries;
-}
-
 template <class F>
 void run(benchmark::State& state, F&& f) {
-    const auto bound = ThinFilm(paint(state), colour(state)).bind(kNm);
-    const std::vector<Query> queries = make_queries(*bound);
-    std::size_t i = 0;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(f(*bound, queries[i]));
-        i = (i + 1) % queries.size();
-    }
+    const auto bound = ThinFilm(paint(state), colour(state)).bind(kBenchWavelengths);
+    run_queries(state, *bound, make_queries(*bound), f);
 }
 
 void all_kinds(benchmark::internal::Benchmark* b) {
@@ -95,11 +60,12 @@ BENCHMARK(BM_ThinFilmPdf)->Apply(all_kinds);
 
 void BM_ThinFilmBind(benchmark::State& state) {
     const ThinFilm model(paint(state), colour(state));
-    for (auto _ : state) benchmark::DoNotOptimize(model.bind(kNm));
+    for (auto _ : state) benchmark::DoNotOptimize(model.bind(kBenchWavelengths));
 }
 BENCHMARK(BM_ThinFilmBind)->Apply(all_kinds);
 
-const FloatLanes kInverse = make_lanes([](int i) { return 1 / static_cast<float>(kNm[i]); });
+const FloatLanes kInverse =
+    make_lanes([](int i) { return 1 / static_cast<float>(kBenchWavelengths[i]); });
 
 void BM_ThinFilmAiry8Wavelengths(benchmark::State& state) {
     const optics::AiryFilm film(1, 1.8, 1.08, 0.51);

@@ -213,19 +213,8 @@ TEST(Microflake, WeightsStayBoundedUpToGrazing) {
 
 TEST(Microflake, AlbedoIsTheMeanWeight) {
     const auto bound = everything_model().bsdf->bind(kOnGrid);
-    Rng rng(9, 1);
     for (const double theta_i : {0.5, 40.0, 70.0, 86.0}) {
-        constexpr int kSamples = 40000;
-        double sum = 0, square = 0;
-        for (int i = 0; i < kSamples; ++i) {
-            const auto s = bound->sample(direction(theta_i, 0), rng.uniform_float(),
-                                         {rng.uniform_float(), rng.uniform_float()});
-            const double w = s ? s->weight[4] : 0.0;
-            sum += w;
-            square += w * w;
-        }
-        const double mean = sum / kSamples;
-        const double error = std::sqrt((square / kSamples - mean * mean) / kSamples);
+        const auto [mean, error] = mean_weight(*bound, direction(theta_i, 0), 4, 40000, 9);
         // The table's own quadrature adds up to 5e-3.
         EXPECT_NEAR(bound->albedo(direction(theta_i, 0))[4], mean, 4 * error + 5e-3);
     }
@@ -236,19 +225,8 @@ TEST(Microflake, LosesNoLightWhereNothingAbsorbs) {
     recipe.substrate_reflectance = 1.0;
     const Model model(recipe);
     const auto bound = model.bsdf->bind(kOnGrid);
-    Rng rng(13, 1);
     for (const double theta_i : {0.5, 45.0, 80.0}) {
-        constexpr int kSamples = 100000;
-        double sum = 0, square = 0;
-        for (int i = 0; i < kSamples; ++i) {
-            const auto s = bound->sample(direction(theta_i, 0), rng.uniform_float(),
-                                         {rng.uniform_float(), rng.uniform_float()});
-            const double w = s ? s->weight[0] : 0.0;
-            sum += w;
-            square += w * w;
-        }
-        const double mean = sum / kSamples;
-        const double error = std::sqrt((square / kSamples - mean * mean) / kSamples);
+        const auto [mean, error] = mean_weight(*bound, direction(theta_i, 0), 0, 100000, 13);
         EXPECT_NEAR(mean, 1.0, 4 * error + kMicroflakeError);
     }
 }

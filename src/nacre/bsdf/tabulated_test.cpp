@@ -227,19 +227,8 @@ TEST(Tabulated, AlbedoIsTheMeanWeightAndThatOfTheSolvedPaint) {
     const auto bound = Tabulated(model.compressed).bind(kWavelengths);
     const auto spectral =
         Microflake(std::make_shared<const layers::SolvedPaint>(model.paint)).bind(kWavelengths);
-    Rng rng(9, 1);
     for (const double theta_i : {0.5, 40.0, 70.0, 86.0}) {
-        constexpr int kSamples = 40000;
-        double sum = 0, square = 0;
-        for (int i = 0; i < kSamples; ++i) {
-            const auto s = bound->sample(direction(theta_i, 0), rng.uniform_float(),
-                                         {rng.uniform_float(), rng.uniform_float()});
-            const double w = s ? s->weight[4] : 0.0;
-            sum += w;
-            square += w * w;
-        }
-        const double mean = sum / kSamples;
-        const double error = std::sqrt((square / kSamples - mean * mean) / kSamples);
+        const auto [mean, error] = mean_weight(*bound, direction(theta_i, 0), 4, 40000, 9);
         const double albedo = bound->albedo(direction(theta_i, 0))[4];
         EXPECT_NEAR(albedo, mean, 4 * error + 1e-3);  // quadrature and linear rows add up to 1e-3
         EXPECT_NEAR(albedo, spectral->albedo(direction(theta_i, 0))[4], 6e-3);  // its own 5e-3

@@ -82,4 +82,24 @@ inline double chi_square_z_score(const BoundBsdf& bound, Vec3f wi, std::uint64_t
     return (std::cbrt(statistic / freedom) - (1 - spread)) / std::sqrt(spread);
 }
 
+/// Mean of the weights of sample() at one wavelength, misses counting as 0: the albedo, mirror
+/// included; and the standard error of that mean.
+struct MeanWeight {
+    double mean, error;
+};
+inline MeanWeight mean_weight(const BoundBsdf& bound, Vec3f wi, int lane, int samples,
+                              std::uint64_t seed) {
+    Rng rng(seed, 1);
+    double sum = 0, square = 0;
+    for (int i = 0; i < samples; ++i) {
+        const auto s =
+            bound.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
+        const double w = s ? s->weight[lane] : 0.0;
+        sum += w;
+        square += w * w;
+    }
+    const double mean = sum / samples;
+    return {mean, std::sqrt(std::max(0.0, square / samples - mean * mean) / samples)};
+}
+
 }  // namespace nacre::bsdf

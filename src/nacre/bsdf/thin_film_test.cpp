@@ -185,31 +185,13 @@ double smith_albedo(FacetDistribution law, double alpha, double theta_i) {
     return sum * std::numbers::pi / 2 / kThetas * 2 * std::numbers::pi / kPhis;
 }
 
-struct Estimate {
-    double mean, error;
-};
-Estimate mean_weight(const BoundBsdf& bound, double theta_deg, int lane, std::uint64_t seed) {
-    constexpr int kSamples = 60000;
-    Rng rng(seed, 1);
-    double sum = 0, square = 0;
-    for (int i = 0; i < kSamples; ++i) {
-        const auto s = bound.sample(direction(theta_deg, 20), rng.uniform_float(),
-                                    {rng.uniform_float(), rng.uniform_float()});
-        const double w = s ? s->weight[lane] : 0.0;
-        sum += w;
-        square += w * w;
-    }
-    const double mean = sum / kSamples;
-    return {mean, std::sqrt(std::max(0.0, square / kSamples - mean * mean) / kSamples)};
-}
-
 TEST(ThinFilm, LosesNoMoreLightThanSmithsMaskingSays) {
     for (const auto law : kLaws) {
         for (const double alpha : {0.2, 0.6}) {
             const auto bound = bind(mirror(law, alpha));
             for (const double theta : {0.5, 45.0, 75.0}) {
                 const double expected = smith_albedo(law, alpha, theta * kDegree);
-                const Estimate found = mean_weight(*bound, theta, 3, 17);
+                const Estimate found = mean_weight(*bound, direction(theta, 20), 3, 60000, 17);
                 // The base absorbs below 1e-3.
                 EXPECT_NEAR(found.mean, expected, 4 * found.error + 2e-3)
                     << "alpha " << alpha << ", theta " << theta;
@@ -226,7 +208,7 @@ TEST(ThinFilm, SmoothFacetsUnderACoatKeepTheEnergyOfOneBounce) {
     const auto bound = bind(recipe);
     for (const double theta : {0.5, 45.0, 75.0}) {
         const double r = optics::fresnel_dielectric(1.5, std::cos(theta * kDegree));
-        const Estimate found = mean_weight(*bound, theta, 3, 5);
+        const Estimate found = mean_weight(*bound, direction(theta, 20), 3, 60000, 5);
         EXPECT_NEAR(found.mean, r + (1 - r) * (1 - r), 4 * found.error + 3e-3) << theta;
     }
 }
@@ -244,7 +226,7 @@ TEST(ThinFilm, NeverReflectsMoreThanItReceives) {
                     for (int lane = 0; lane < kLanes; ++lane) {
                         EXPECT_LE(bound->albedo(direction(theta, 0))[lane], 1);
                     }
-                    const Estimate found = mean_weight(*bound, theta, 5, 3);
+                    const Estimate found = mean_weight(*bound, direction(theta, 20), 5, 60000, 3);
                     EXPECT_LE(found.mean, 1 + 4 * found.error + 1e-5);
                 }
             }
@@ -258,7 +240,7 @@ TEST(ThinFilm, AlbedoIsTheMeanWeight) {
             const layers::Recipe recipe = violet(law, 0.25);
             const auto bound = bind(coat ? coated(recipe) : recipe);
             for (const double theta : {0.5, 40.0, 70.0}) {
-                const Estimate found = mean_weight(*bound, theta, 4, 9);
+                const Estimate found = mean_weight(*bound, direction(theta, 20), 4, 60000, 9);
                 EXPECT_NEAR(bound->albedo(direction(theta, 0))[4], found.mean,
                             4 * found.error + kThinFilmAlbedoError)
                     << theta;

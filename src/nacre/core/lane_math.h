@@ -1,5 +1,8 @@
 #pragma once
 
+#include <bit>
+#include <numbers>
+
 #include "nacre/core/lanes.h"
 
 // Elementary functions over lanes, branch-free.
@@ -44,6 +47,23 @@ inline FloatLanes one_minus_exp_lanes(FloatLanes x) {
     const FloatLanes series = x * (1.0f - x * (0.5f - x * (1.0f / 6 - x * (1.0f / 24))));
     const FloatLanes direct = 1.0f - exp_lanes(-x);
     return x < 0.05f ? series : direct;
+}
+
+inline constexpr double kLogLanesError = 2e-7;
+
+/// Natural logarithm of x in [1e-37, 1e38], to kLogLanesError of the value and of 1: by the
+/// exponent and the series of artanh((m - 1) / (m + 1)) for a mantissa m in [1/sqrt 2, sqrt 2).
+/// [abramowitz-stegun-1964, eq. 4.1.27]
+inline FloatLanes log_lanes(FloatLanes x) {
+    using IntLanes = int __attribute__((vector_size(kLanes * sizeof(int))));
+    constexpr int kRootHalf = 0x3f3504f3, kMantissa = 0x007fffff;
+    const IntLanes bits = std::bit_cast<IntLanes>(x) - kRootHalf;
+    const FloatLanes exponent = __builtin_convertvector(bits >> 23, FloatLanes);
+    const FloatLanes m = std::bit_cast<FloatLanes>((bits & kMantissa) + kRootHalf);
+    const FloatLanes s = (m - 1.0f) / (m + 1.0f), s2 = s * s;
+    const FloatLanes series =
+        2.0f + s2 * (2.0f / 3 + s2 * (2.0f / 5 + s2 * (2.0f / 7 + s2 * (2.0f / 9))));
+    return exponent * std::numbers::ln2_v<float> + s * series;
 }
 
 }  // namespace nacre

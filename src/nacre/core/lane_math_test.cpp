@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "nacre/core/rng.h"
+
 namespace nacre {
 namespace {
 
@@ -55,6 +57,19 @@ TEST(Lanes, LargerSmallerAndRootActOnEachLane) {
     EXPECT_EQ(lane_mean(rising), 3.5f);
     const FloatLanes nan = splat(std::numeric_limits<float>::quiet_NaN());
     EXPECT_EQ(max_lanes(nan, splat(2.0f))[0], 2);
+}
+
+TEST(LaneMath, LogarithmKeepsItsBound) {
+    Rng rng(1);
+    for (int i = 0; i < 20000; ++i) {
+        const float x = std::exp(170 * (rng.uniform_float() - 0.5f));
+        const float near_one = 1 - 0.001f * rng.uniform_float();
+        const FloatLanes found = log_lanes(FloatLanes{x, near_one, 1, 1, 1, 1, 1, 1});
+        EXPECT_NEAR(found[0], std::log(static_cast<double>(x)),
+                    kLogLanesError * (1 + std::abs(std::log(x))));
+        EXPECT_NEAR(found[1], std::log(static_cast<double>(near_one)), kLogLanesError * 1e-3);
+        EXPECT_EQ(found[2], 0);
+    }
 }
 
 }  // namespace

@@ -15,19 +15,6 @@ TEST(SlopeLanes, MixAsTheScalarHash) {
     for (int i = 0; i < kLanes; ++i) EXPECT_EQ(mixed[i], mix_bits(bits[i]));
 }
 
-TEST(SlopeLanes, LogarithmKeepsItsBound) {
-    Rng rng(1);
-    for (int i = 0; i < 20000; ++i) {
-        const float x = std::exp(170 * (rng.uniform_float() - 0.5f));
-        const float near_one = 1 - 0.001f * rng.uniform_float();
-        const FloatLanes found = log_lanes(FloatLanes{x, near_one, 1, 1, 1, 1, 1, 1});
-        EXPECT_NEAR(found[0], std::log(static_cast<double>(x)),
-                    kLogLanesError * (1 + std::abs(std::log(x))));
-        EXPECT_NEAR(found[1], std::log(static_cast<double>(near_one)), kLogLanesError * 1e-3);
-        EXPECT_EQ(found[2], 0);
-    }
-}
-
 TEST(SlopeLanes, SlopesAreGaussian) {
     constexpr int kCount = 200000;
     double x = 0, x2 = 0, x4 = 0, y2 = 0, xy = 0;
