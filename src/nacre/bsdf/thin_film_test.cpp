@@ -191,7 +191,7 @@ TEST(ThinFilm, LosesNoMoreLightThanSmithsMaskingSays) {
             const auto bound = bind(mirror(law, alpha));
             for (const double theta : {0.5, 45.0, 75.0}) {
                 const double expected = smith_albedo(law, alpha, theta * kDegree);
-                const Estimate found = mean_weight(*bound, direction(theta, 20), 3, 60000, 17);
+                const MeanWeight found = mean_weight(*bound, direction(theta, 20), 3, 60000, 17);
                 // The base absorbs below 1e-3.
                 EXPECT_NEAR(found.mean, expected, 4 * found.error + 2e-3)
                     << "alpha " << alpha << ", theta " << theta;
@@ -208,7 +208,7 @@ TEST(ThinFilm, SmoothFacetsUnderACoatKeepTheEnergyOfOneBounce) {
     const auto bound = bind(recipe);
     for (const double theta : {0.5, 45.0, 75.0}) {
         const double r = optics::fresnel_dielectric(1.5, std::cos(theta * kDegree));
-        const Estimate found = mean_weight(*bound, direction(theta, 20), 3, 60000, 5);
+        const MeanWeight found = mean_weight(*bound, direction(theta, 20), 3, 60000, 5);
         EXPECT_NEAR(found.mean, r + (1 - r) * (1 - r), 4 * found.error + 3e-3) << theta;
     }
 }
@@ -226,7 +226,7 @@ TEST(ThinFilm, NeverReflectsMoreThanItReceives) {
                     for (int lane = 0; lane < kLanes; ++lane) {
                         EXPECT_LE(bound->albedo(direction(theta, 0))[lane], 1);
                     }
-                    const Estimate found = mean_weight(*bound, direction(theta, 20), 5, 60000, 3);
+                    const MeanWeight found = mean_weight(*bound, direction(theta, 20), 5, 60000, 3);
                     EXPECT_LE(found.mean, 1 + 4 * found.error + 1e-5);
                 }
             }
@@ -240,7 +240,7 @@ TEST(ThinFilm, AlbedoIsTheMeanWeight) {
             const layers::Recipe recipe = violet(law, 0.25);
             const auto bound = bind(coat ? coated(recipe) : recipe);
             for (const double theta : {0.5, 40.0, 70.0}) {
-                const Estimate found = mean_weight(*bound, direction(theta, 20), 4, 60000, 9);
+                const MeanWeight found = mean_weight(*bound, direction(theta, 20), 4, 60000, 9);
                 EXPECT_NEAR(bound->albedo(direction(theta, 0))[4], found.mean,
                             4 * found.error + kThinFilmAlbedoError)
                     << theta;
