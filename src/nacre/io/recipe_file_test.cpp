@@ -299,7 +299,7 @@ const BadRecipe kBadRecipes[] = {
     {&kMicrofacet, "alpha = 0.07", "alpha = 0.07\ndistribution = \"phong\"", "4:16",
      "microfacet.distribution = 'phong'", "must be one of: beckmann, ggx"},
     {&kMicrofacet, "film_ior = 1.8", "film_ior = -1.8", "4:12", "microfacet.film_ior = -1.8",
-     "(0, 10]"},
+     "[0.01, 10]"},
     // what does not go together
     {&kGray, "transmittance = 0.3", "transmittance = 0.5", "8:17",
      "layer[0].flakes[0].transmittance = 0.5", "reflectance + transmittance = 1.1"},
