@@ -220,9 +220,8 @@ layers::Recipe read_recipe_table(const TableReader& table) {
         recipe.substrate_reflectance = read_reflectance(*substrate, "reflectance");
     }
     if (const auto microfacet = table.table_if_present(
-            "microfacet",
-            {"alpha", "distribution", "film_ior", "film_thickness_nm", "base_ior",
-             "base_extinction", "facets"})) {
+            "microfacet", {"alpha", "distribution", "film_ior", "film_thickness_nm", "base_ior",
+                           "base_extinction", "facets"})) {
         recipe.microfacet = read_microfacet(*microfacet);
     }
     if (recipe.layers.empty() && !recipe.microfacet) {
