@@ -82,6 +82,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
                           report::number_cell("—"),
                           report::number_cell(noise + " (own noise)"),
                           report::number_cell("—"),
+                          report::number_cell("—"),
                           {"—"}});
     pictures.push_back({fmt::format("{}: reference", paint.name), reference.mean.png});
     auto& results = context.results["table_1"][paint.key];
@@ -125,6 +126,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
              report::number_cell(mebibytes(picture.file_bytes)),
              report::number_cell(number(picture.peak_mib) + " MiB"),
              report::number_cell(number(difference.psnr_db, 5)),
+             report::number_cell(number(difference.delta_e_mean)),
              report::number_cell(kind.table == models::Table::svd ? fmt::format("{:.4f}", loss)
                                                                   : "—"),
              {kind.published}});
@@ -156,7 +158,7 @@ void add_table_1(MirContext& context) {
         "wavelength.");
     report::Table table{.caption = "Against the volumetric Monte Carlo reference",
                         .columns = {"paint", "data", "preparation", "time", "data", "file",
-                                    "peak memory", "PSNR, dB", "loss, dB", "published"}};
+                                    "peak memory", "PSNR, dB", "mean ΔE", "loss, dB", "published"}};
     std::vector<report::Picture> pictures;
     for (const PaperPaint& paint : kPaints) add_paint(context, paint, table, pictures);
     report.table(table);

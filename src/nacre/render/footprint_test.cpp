@@ -1,0 +1,143 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "nacre/core/error.h"
+#include "nacre/render/test_support.h"
+
+// Surfaces that vary: which piece of them each sample of a picture is asked about.
+
+namespace nacre::render {
+namespace {
+
+/// Adds up the areas, in shares of the unit square, of the patches that it is sampled on.
+class Recorder final : public bsdf::Bsdf {
+    class Bound final : public bsdf::BoundBsdf {
+     public:
+        explicit Bound(const Recorder& owner) : owner_(owner) {}
+        FloatLanes eval(Vec3f, Vec3f wo) const override {
+            ++owner_.means;
+            return splat(wo.z > 0 ? 0.1f : 0.0f);
+        }
+        std::optional<bsdf::BsdfSample> sample(Vec3f wi, float, Vec2f) const override {
+            ++owner_.means;
+            return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z}, splat(1.0f), 1, owner_.mirror};
+        }
+        std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float,
+                                                  Vec2f) const override {
+            owner_.area += std::abs(double{patch.edge_1.x} * patch.edge_2.y -
+                                    double{patch.edge_1.y} * patch.edge_2.x);
+            ++owner_.patches;
+            return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z}, splat(1.0f), 1, owner_.mirror};
+        }
+        float pdf(Vec3f, Vec3f) const override { return 1; }
+        FloatLanes albedo(Vec3f) const override { return splat(1.0f); }
+
+     private:
+        const Recorder& owner_;
+    };
+
+ public:
+    explicit Recorder(bool mirror) : mirror(mirror) {}
+    std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths&) const override {
+        return std::make_unique<Bound>(*this);
+    }
+    bool varies_over_surface() const override { return true; }
+
+    bool mirror;
+    mutable std::atomic<double> area = 0;
+    mutable std::atomic<long> patches = 0, means = 0;
+};
+
+SceneDescription seen_at_45_deg(Geometry geometry) {
+    SceneDescription scene;
+    scene.materials["paint"] = PaintMaterial{};
+    scene.shapes.push_back({std::move(geometry), "paint", {}});
+    scene.camera = {.position_mm = {0, -700, 700}, .vertical_fov_deg = 20};
+    return scene;
+}
+
+constexpr RenderOptions kOptions{.width = 96, .height = 96, .samples_per_pixel = 16};
+
+TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
+    // The whole panel once: each sample stands for its part of its pixel. Random are only the
+    // samples at the outline, some 1000 of 30 000.
+    const auto recorder = std::make_shared<Recorder>(false);
+    const Scene scene(seen_at_45_deg(FlatPanel{.width_mm = 200, .height_mm = 150}),
+                      {{"paint", recorder}});
+    RenderOptions options = kOptions;
+    render(scene, options);
+    EXPECT_GT(recorder->patches, 10000);
+    EXPECT_NEAR(recorder->area, 1, 0.01);
+
+    // Footprints of whole pixels overlap sixteen times.
+    recorder->area = 0;
+    options.footprint_pixels = 1;
+    render(scene, options);
+    EXPECT_NEAR(recorder->area, 16, 0.16);
+}
+
+TEST(Footprint, HalfASphereIsSeen) {
+    // From afar the visible half: its outline is seen edge on, where few samples stand for much.
+    SceneDescription description = seen_at_45_deg(Sphere{.radius_mm = 100});
+    description.camera.position_mm = {0, -7000, 7000};
+    description.camera.vertical_fov_deg = 1.4;
+    const auto recorder = std::make_shared<Recorder>(false);
+    render(Scene(description, {{"paint", recorder}}),
+           {.width = 400, .height = 400, .samples_per_pixel = 16});
+    EXPECT_NEAR(recorder->area, 0.5, 0.05);
+}
+
+TEST(Footprint, OfWhatAMirrorShowsIsAsFarAwayAsItsImage) {
+    // A panel seen in a mirror of twice its size: its image shows all of it, once.
+    SceneDescription scene;
+    scene.materials = {{"mirror", PaintMaterial{}}, {"paint", PaintMaterial{}}};
+    scene.shapes.push_back({FlatPanel{.width_mm = 800, .height_mm = 800}, "mirror", {}});
+    scene.shapes.push_back({FlatPanel{.width_mm = 100, .height_mm = 100},
+                            "paint",
+                            {.rotation_deg = {180, 0, 0}, .translation_mm = {0, 0, 300}}});
+    scene.camera = {
+        .position_mm = {0, -900, 600}, .target_mm = {0, 0, -300}, .vertical_fov_deg = 12};
+    const auto mirror = std::make_shared<Recorder>(true), paint = std::make_shared<Recorder>(false);
+    render(Scene(scene, {{"mirror", mirror}, {"paint", paint}}), kOptions);
+    EXPECT_GT(paint->patches, 5000);
+    EXPECT_EQ(paint->means, 0);
+    EXPECT_NEAR(paint->area, 1, 0.02);
+}
+
+TEST(Footprint, AfterARoughReflectionTheMeanIsTaken) {
+    // The inside of a hollow body: two panels face to face, neither a mirror.
+    SceneDescription scene = seen_at_45_deg(FlatPanel{.width_mm = 200, .height_mm = 150});
+    scene.shapes.push_back({FlatPanel{.width_mm = 2000, .height_mm = 2000},
+                            "paint",
+                            {.rotation_deg = {180, 0, 0}, .translation_mm = {0, 600, 800}}});
+    const auto recorder = std::make_shared<Recorder>(false);
+    render(Scene(scene, {{"paint", recorder}}), kOptions);
+    EXPECT_GT(recorder->patches, 10000);
+    EXPECT_GT(recorder->means, 5000);
+}
+
+TEST(Footprint, MeshesNeedTextureCoordinates) {
+    const auto folder = std::filesystem::path(::testing::TempDir());
+    const auto bare = folder / "nacre_bare.obj", mapped = folder / "nacre_mapped.obj";
+    std::ofstream(bare) << "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nf 1 2 3\n";
+    std::ofstream(mapped) << "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nvt 0 0\nvt 0.5 0\nvt 0.5 0.5\n"
+                             "f 1/1 2/2 3/3\n";
+    const auto recorder = std::make_shared<Recorder>(false);
+    try {
+        const Scene scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", recorder}});
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr(bare.string()));
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("texture coordinates"));
+    }
+    render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}), kOptions);
+    EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's share of the square
+}
+
+}  // namespace
+}  // namespace nacre::render
