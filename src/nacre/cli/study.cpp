@@ -7,6 +7,7 @@
 #include "nacre/cli/command.h"
 #include "nacre/cli/common_options.h"
 #include "nacre/cli/usage_error.h"
+#include "nacre/core/error.h"
 #include "nacre/core/interrupt.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress_bar.h"
@@ -68,7 +69,8 @@ ExitStatus run(const StudyOptions& options) {
     try {
         const auto page = study::run_mir_2022(settings, stage);
         say(options, fmt::format("{}", page.string()));
-    } catch (const study::Interrupted&) {
+    } catch (const Error&) {
+        if (!interrupt_requested()) throw;
         say(options,
             fmt::format("nacre: stopped; what is finished is kept in {}, and the same command goes "
                         "on from there",
