@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -74,8 +76,7 @@ double radius_of_shape(const render::SceneDescription& scene, const std::string&
         } else if (!std::holds_alternative<render::FlatPanel>(shape.geometry)) {
             throw UsageError(
                 fmt::format("--model = volume: the material {} is on a shape that is neither a "
-                            "sphere nor a flat "
-                            "panel; --model walk goes on any shape",
+                            "sphere nor a flat panel; --model walk goes on any shape",
                             material));
         }
         if (radius && *radius != r) {
@@ -87,13 +88,31 @@ double radius_of_shape(const render::SceneDescription& scene, const std::string&
     return radius.value_or(std::numeric_limits<double>::infinity());
 }
 
-PaintSurface make_paint(const render::SceneDescription& scene, const std::string& material,
-                        const fs::path& path, const RenderCommandOptions& options) {
-    const models::Model model = parse_model(options.model).model;
-    models::SurfaceOptions surface = parse_surface_options(options.model, options.seed);
-    if (model == models::Model::volume) surface.radius_mm = radius_of_shape(scene, material);
-    return load_surface(path, model, surface, options);
-}
+/// Makes each paint once for all materials that it is on.
+class PaintMaker {
+ public:
+    explicit PaintMaker(const RenderCommandOptions& options)
+        : options_(options),
+          model_(parse_model(options.model).model),
+          surface_(parse_surface_options(options.model, options.seed)) {}
+
+    const PaintSurface& make(const render::SceneDescription& scene, const std::string& material,
+                             const fs::path& path) {
+        if (model_ == models::Model::volume) surface_.radius_mm = radius_of_shape(scene, material);
+        const auto key = std::pair(path, surface_.radius_mm);
+        auto found = made_.find(key);
+        if (found == made_.end()) {
+            found = made_.emplace(key, load_surface(path, model_, surface_, options_)).first;
+        }
+        return found->second;
+    }
+
+ private:
+    const RenderCommandOptions& options_;
+    models::Model model_;
+    models::SurfaceOptions surface_;
+    std::map<std::pair<fs::path, double>, PaintSurface> made_;  // by recipe and radius
+};
 
 /// Every paint of the scene, the slot without a recipe being filled by --paint.
 struct Paints {
@@ -103,6 +122,7 @@ struct Paints {
 
 Paints make_paints(const render::SceneDescription& scene, const RenderCommandOptions& options) {
     Paints paints;
+    PaintMaker maker(options);
     bool slot_found = false;
     for (const auto& [name, material] : scene.materials) {
         const auto* description = std::get_if<render::PaintMaterial>(&material);
@@ -115,7 +135,7 @@ Paints make_paints(const render::SceneDescription& scene, const RenderCommandOpt
                 fmt::format("the material {} of the scene {} has no recipe: name one with --paint",
                             name, options.scene));
         }
-        const PaintSurface paint = make_paint(scene, name, path, options);
+        const PaintSurface& paint = maker.make(scene, name, path);
         paints.table[name] = paint.surface;
         if (paint.recipe) paints.recipe_sha256[name] = paint.recipe_sha256();
     }
