@@ -142,8 +142,16 @@ PaintSurface load_surface(const std::filesystem::path& path, models::Model model
     models::Paint paint;
     if (model != models::Model::microflake) {
         paint.recipe = load_recipe(path);
-    } else if (is_brdf_table(path)) {
-        paint.table = models::share(io::read_brdf_table(path));
+    } else if (const std::string bytes = read_paint_file(path); io::looks_like_brdf_table(bytes)) {
+        io::BrdfTable table = io::parse_brdf_table(bytes, path.string());
+        const auto kind = std::holds_alternative<layers::RawBrdfTable>(table) ? models::Table::raw
+                                                                              : models::Table::svd;
+        if (surface.table != models::Table::split && surface.table != kind) {
+            throw UsageError(fmt::format("--table = {}: {} holds a table of the kind {}",
+                                         models::name(surface.table), path.string(),
+                                         models::name(kind)));
+        }
+        paint.table = models::share(std::move(table));
     } else {
         paint.solved =
             std::make_shared<const layers::SolvedPaint>(load_paint(path, std::nullopt, options));

@@ -28,8 +28,7 @@ bool is_y_up(const MeshFile& file) {
     return file.y_up || extension == ".gltf" || extension == ".glb";
 }
 
-/// Texture coordinates as the file has them, brought into the unit square by their whole part (a
-/// texture repeats); none for the whole mesh if a part has none.
+/// Texture coordinates as the file has them; none for the whole mesh if a part has none.
 void append_uv(const aiMesh& part, Mesh& mesh) {
     const bool complete = mesh.uv.size() + part.mNumVertices == mesh.positions_mm.size();
     if (!complete || !part.HasTextureCoords(0)) {

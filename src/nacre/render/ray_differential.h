@@ -18,10 +18,10 @@ struct RayDifferential {
         Vec3f edge_mm[2];
     };
 
-    /// @param direction   of the ray, a unit vector
+    /// @param ray_direction  of the ray, a unit vector
     /// @param distance_mm  from its origin to the hit
     /// @param normal      of the surface there, a unit vector not perpendicular to the ray
-    Edges at(Vec3f ray_direction, float distance_mm, Vec3f normal) const {  // [eq. 10-12]
+    Edges at(Vec3f ray_direction, float distance_mm, Vec3f normal) const {
         Edges edges;
         const float cosine = dot(ray_direction, normal);
         for (int i = 0; i < 2; ++i) {

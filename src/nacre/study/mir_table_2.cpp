@@ -163,11 +163,11 @@ void add_table_2(MirContext& context) {
     add_cost_curve(context);
     report.paragraph(
         "*Why minutes and not hours.* A query visits only the facets whose cell of the surface "
-        "meets the footprint of one sample, a share of 1/samples of the pixel: at 10⁹ facets some "
-        "three facets, not the three thousand of a whole pixel. Places are split before normals, "
-        "so that the tree is walked along few branches, and counts of the upper levels are drawn "
-        "once. Nothing is allocated, and eight wavelengths share a query. Details: "
-        "docs/special-effect.md.");
+        "meets the footprint of one sample, a share of 1/samples of the pixel: with 10⁹ facets, "
+        "512 pixels and 1024 samples some three facets, not the three thousand of a whole pixel. "
+        "Places are split before normals, so that the tree is walked along few branches, and "
+        "counts of the upper levels are drawn once. Nothing is allocated, and eight wavelengths "
+        "share a query. Details: docs/special-effect.md.");
     report.paragraph(
         "*What the paper leaves out, and what we chose.* Base index and extinction of the second "
         "set (as in the first), the spread of thickness (10 nm standard deviation, uniform), how "

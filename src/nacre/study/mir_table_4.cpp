@@ -41,7 +41,7 @@ void add_pictures(MirContext& context) {
                                   report::number_cell(duration(picture.render_s)),
                                   report::number_cell(number(picture.msamples_per_s)),
                                   report::number_cell(number(picture.peak_mib) + " MiB"),
-                                  {model == models::Model::special_effect ? "hours" : "—"}});
+                                  {"—"}});
             pictures.push_back({fmt::format("{}, `{}`", pearl.name, name), picture.png});
             context.results["table_4"][pearl.key][name] = {
                 {"prepare_s", picture.prepare_s},
