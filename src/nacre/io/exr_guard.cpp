@@ -21,6 +21,40 @@ namespace {
 constexpr std::uint32_t kMultiPart = 0x1000;
 constexpr std::size_t kChannelBytes = 16;  // what follows a channel's name
 constexpr char kDwab = 9;                  // the compression with the tallest blocks
+
+/// Types whose values always take the same number of bytes. OpenEXR reads that many, whatever size
+/// the file states: with another one it would go on in the middle of a value, and take what it
+/// finds there for the size of the next.
+struct FixedSizeType {
+    std::string_view name;
+    std::size_t bytes;
+};
+constexpr std::array kFixedSizeTypes = {
+    FixedSizeType{"box2f", 16},
+    FixedSizeType{"box2i", 16},
+    FixedSizeType{"chromaticities", 32},
+    FixedSizeType{"compression", 1},
+    FixedSizeType{"deepImageState", 1},
+    FixedSizeType{"double", 8},
+    FixedSizeType{"envmap", 1},
+    FixedSizeType{"float", 4},
+    FixedSizeType{"int", 4},
+    FixedSizeType{"keycode", 28},
+    FixedSizeType{"lineOrder", 1},
+    FixedSizeType{"m33d", 72},
+    FixedSizeType{"m33f", 36},
+    FixedSizeType{"m44d", 128},
+    FixedSizeType{"m44f", 64},
+    FixedSizeType{"rational", 8},
+    FixedSizeType{"tiledesc", 9},
+    FixedSizeType{"timecode", 8},
+    FixedSizeType{"v2d", 16},
+    FixedSizeType{"v2f", 8},
+    FixedSizeType{"v2i", 8},
+    FixedSizeType{"v3d", 24},
+    FixedSizeType{"v3f", 12},
+    FixedSizeType{"v3i", 12},
+};
 /// Buffers of this many values are let pass however small the picture is.
 constexpr std::size_t kSmallBuffer = std::size_t{1} << 22;
 
@@ -69,8 +103,9 @@ class HeaderScan {
         long width = 0, height = 0;
         std::size_t channels = 0, tile_values = 0, block_lines = 32;
         for (std::string_view key = take_text(); !key.empty(); key = take_text()) {
-            take_text();  // type
+            const std::string_view type = take_text();
             const std::string_view value = take(number<std::uint32_t>(take(4)));
+            check_size(type, value);
             if (key == "dataWindow") {
                 const auto box = number<std::array<std::int32_t, 4>>(value);
                 width = static_cast<long>(box[2]) - box[0] + 1;
@@ -92,6 +127,32 @@ class HeaderScan {
         }
     }
 
+    /// That OpenEXR will read the value to its end, and no further.
+    void check_size(std::string_view type, std::string_view value) const {
+        const auto fixed = std::ranges::find(kFixedSizeTypes, type, &FixedSizeType::name);
+        bool fits = true;
+        if (fixed != kFixedSizeTypes.end()) {
+            fits = value.size() == fixed->bytes;
+        } else if (type == "floatvector") {
+            fits = value.size() % sizeof(float) == 0;
+        } else if (type == "preview") {  // width, height, four bytes a pixel
+            const auto size = number<std::array<std::uint32_t, 2>>(value);
+            const std::size_t pixels = (value.size() - sizeof size) / 4;
+            fits =
+                (value.size() - sizeof size) % 4 == 0 &&
+                (size[1] == 0 ? pixels == 0 : pixels % size[1] == 0 && pixels / size[1] == size[0]);
+        } else if (type == "chlist") {
+            channel_count(value);
+        } else if (type == "stringvector") {  // strings, each after its length
+            while (fits && !value.empty()) {
+                const std::size_t length = number<std::uint32_t>(value);
+                fits = length <= value.size() - 4;
+                if (fits) value.remove_prefix(4 + length);
+            }
+        }
+        if (!fits) fail(fmt::format("an attribute of type '{}' has the wrong size", type));
+    }
+
     std::size_t channel_count(std::string_view list) const {
         std::size_t count = 0;
         while (!list.empty() && list[0] != '\0') {
@@ -102,6 +163,7 @@ class HeaderScan {
             list.remove_prefix(zero + 1 + kChannelBytes);
             ++count;
         }
+        if (list.size() != 1) fail("its list of channels does not end where it should");
         return count;
     }
 

@@ -186,6 +186,25 @@ TEST_F(ImageFiles, AnExrCannotAskForMoreMemoryThanItsSizeJustifies) {
     EXPECT_THROW(parse_image(bytes, "x", 5 * 15 - 1), InputError);
 }
 
+TEST_F(ImageFiles, AnExrCannotHideAnAttributeInTheValueOfAnother) {
+    // OpenEXR reads four bytes of a float whatever its size says, and would then take the rest of
+    // the value, here a text of a gigabyte, for the next attribute.
+    write_exr(folder_ / "a.exr", example());
+    std::string bytes = read_file(folder_ / "a.exr");
+    const std::string type("pixelAspectRatio\0float\0", 23);
+    const std::size_t size_at = bytes.find(type) + type.size();
+    const std::string hidden("b\0string\0\0\0\0\x40", 13);
+    bytes.at(size_at) = static_cast<char>(4 + hidden.size());
+    bytes.insert(size_at + 8, hidden);
+    try {
+        parse_image(bytes, "x");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("'float' has the wrong size"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST_F(ImageFiles, APngCannotAskForMoreMemoryThanItsSizeJustifies) {
     write_png(folder_ / "a.png", example());
     std::string bytes = read_file(folder_ / "a.png");
