@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
+#include "nacre/sparkle/rest_patch.h"
 
 // What the renderer sees of a surface. Local frame: z is the outward normal; both directions point
 // away from the surface; a BRDF is in 1/sr, without the cosine (docs/conventions.md). All of
@@ -30,12 +33,46 @@ struct BsdfValue {
     float pdf = 0;   ///< as pdf() gives it
 };
 
-/// The piece of a surface that one sample of a picture looks at: a parallelogram about (u, v) in
-/// the unit square over which the shape is laid out (render/compiled_scene.h), spanned by two
-/// edges. Without edges it is a point. Surfaces that show single flakes depend on it.
+/// What a surface has found out about a patch, so that it need not be found again for the next pair
+/// of directions. Owned by whoever asks, one a thread.
+class PatchMemory {
+ public:
+    /// @param bytes  BoundBsdf::patch_memory_bytes() of the surfaces that it will serve
+    explicit PatchMemory(std::size_t bytes = 0)
+        : blocks_((bytes + sizeof(Block) - 1) / sizeof(Block)) {}
+
+    /// To be called before another patch or another surface is looked at.
+    void forget() { filled = false; }
+
+    std::byte* data() { return blocks_.empty() ? nullptr : blocks_[0].bytes; }
+    bool filled = false;  ///< set by the surface once data() tells about the patch
+
+ private:
+    struct Block {  // no value: whole vectors are written before they are read
+        Block() {}
+        alignas(64) std::byte bytes[64];
+    };
+    std::vector<Block> blocks_;
+};
+
+/// The piece of a surface that one sample of a picture looks at, in the terms that the surface
+/// needs (Layout). Surfaces that show single flakes depend on it.
 struct Patch {
+    /// A parallelogram about (u, v) in the unit square over which the shape is laid out
+    /// (render/compiled_scene.h), spanned by two edges. Without edges it is a point.
     double u = 0, v = 0;
     Vec2f edge_1, edge_2;
+    /// The same in the millimetres of the shape at rest.
+    sparkle::RestPatch rest{};
+    /// Null: what is found out is forgotten after each call.
+    PatchMemory* memory = nullptr;
+};
+
+/// How a surface that varies tells its places apart.
+enum class Layout {
+    none,         ///< it is alike everywhere
+    unit_square,  ///< by shares of the unit square over which the shape is laid out
+    rest_space    ///< by millimetres of the shape at rest
 };
 
 /// A surface at eight wavelengths: all that depends on wavelength alone has been worked out, so
@@ -63,6 +100,9 @@ class BoundBsdf {
         return sample(wi, u_lobe, u);
     }
 
+    /// The size of PatchMemory that serves evaluate_on() and sample_on().
+    virtual std::size_t patch_memory_bytes() const { return 0; }
+
     /// Directional-hemispherical reflectance, mirror included.
     virtual FloatLanes albedo(Vec3f wi) const = 0;
 };
@@ -71,9 +111,10 @@ class Bsdf {
  public:
     virtual ~Bsdf() = default;
     virtual std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const = 0;
-    /// Whether evaluate_on() and sample_on() differ from patch to patch. Such a surface needs a
-    /// shape that is laid out over the unit square.
-    virtual bool varies_over_surface() const { return false; }
+    /// Which part of a Patch evaluate_on() and sample_on() read.
+    virtual Layout layout() const { return Layout::none; }
+    /// Whether they differ from patch to patch.
+    bool varies_over_surface() const { return layout() != Layout::none; }
 };
 
 }  // namespace nacre::bsdf

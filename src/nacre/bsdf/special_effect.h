@@ -39,7 +39,7 @@ class SpecialEffect final : public Bsdf {
     ~SpecialEffect() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
-    bool varies_over_surface() const override { return true; }
+    Layout layout() const override { return Layout::unit_square; }
 
     struct Tables;
 

@@ -46,7 +46,7 @@ class Recorder final : public bsdf::Bsdf {
     std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths&) const override {
         return std::make_unique<Bound>(*this);
     }
-    bool varies_over_surface() const override { return true; }
+    bsdf::Layout layout() const override { return bsdf::Layout::unit_square; }
 
     bool mirror;
     mutable std::atomic<double> area = 0;
