@@ -7,23 +7,14 @@
 #include <limits>
 
 #include "nacre/bsdf/lambertian.h"
+#include "nacre/core/embree.h"
 #include "nacre/core/error.h"
-#include "nacre/render/embree.h"
 #include "nacre/render/surface_patch.h"
 
 namespace nacre::render {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-/// Throws what Embree reports about `device`, if anything.
-void check(RTCDevice device, const char* doing) {
-    const RTCError error = rtcGetDeviceError(device);
-    if (error != RTC_ERROR_NONE) {
-        throw Error(
-            fmt::format("Embree failed while {} (error {})", doing, static_cast<int>(error)));
-    }
-}
 
 std::vector<std::shared_ptr<const bsdf::Bsdf>> compile_materials(
     const SceneDescription& description, const PaintTable& paints) {
@@ -75,34 +66,34 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
       materials(compile_materials(description, paints)),
       device_(rtcNewDevice(nullptr), [](RTCDeviceTy* d) { rtcReleaseDevice(d); }),
       scene_(nullptr, [](RTCSceneTy* s) { rtcReleaseScene(s); }) {
-    check(device_.get(), "starting");
+    embree::check(device_.get(), "starting");
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
     for (const Shape& shape : description.shapes) {
         const auto found = description.materials.find(shape.material);
         const int material = static_cast<int>(std::distance(description.materials.begin(), found));
-        const AffineMap map(shape.transform);
-        if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
-            add_sphere(material, map.point({}),
-                       map.scale() * static_cast<float>(sphere->radius_mm));
-            continue;
-        }
         Surface surface;
         surface.material = material;
+        surface.map = AffineMap(shape.transform);
+        if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+            surface.sphere_center_mm = surface.map.point({});
+            surface.sphere_radius_mm = surface.map.scale() * static_cast<float>(sphere->radius_mm);
+            add_sphere(std::move(surface));
+            continue;
+        }
         surface.mesh = std::visit(
             [](const auto& geometry) {
                 if constexpr (requires { make_mesh(geometry); }) return make_mesh(geometry);
                 return Mesh{};  // a sphere: handled above
             },
             shape.geometry);
-        if (materials[material]->varies_over_surface() && surface.mesh.uv.empty()) {
+        if (materials[material]->layout() == bsdf::Layout::unit_square && surface.mesh.uv.empty()) {
             throw InputError(
                 fmt::format("mesh '{}': has no texture coordinates; the paint of the material '{}' "
-                            "shows single "
-                            "flakes, whose places they give",
+                            "shows single facets, whose places they give",
                             std::get<MeshFile>(shape.geometry).path.string(), shape.material));
         }
-        apply(map, surface.mesh);
+        apply(surface.map, surface.mesh);
         add_mesh(std::move(surface));
     }
 
@@ -110,7 +101,7 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
     Vec3f center{};
     float radius = 1;
     rtcCommitScene(scene_.get());
-    check(device_.get(), "building the scene");
+    embree::check(device_.get(), "building the scene");
     if (!surfaces_.empty()) {
         RTCBounds b;
         rtcGetSceneBounds(scene_.get(), &b);
@@ -128,27 +119,23 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
         add_mesh(std::move(surface));
     }
     rtcCommitScene(scene_.get());
-    check(device_.get(), "building the scene");
+    embree::check(device_.get(), "building the scene");
 }
 
 CompiledScene::~CompiledScene() = default;
 
-void CompiledScene::add_sphere(int material, Vec3f center_mm, float radius_mm) {
+void CompiledScene::add_sphere(Surface surface) {
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
     auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
-    check(device_.get(), "making a sphere");
-    vertex[0] = center_mm.x;
-    vertex[1] = center_mm.y;
-    vertex[2] = center_mm.z;
-    vertex[3] = radius_mm;
+    embree::check(device_.get(), "making a sphere");
+    vertex[0] = surface.sphere_center_mm.x;
+    vertex[1] = surface.sphere_center_mm.y;
+    vertex[2] = surface.sphere_center_mm.z;
+    vertex[3] = surface.sphere_radius_mm;
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene_.get(), geometry, static_cast<unsigned>(surfaces_.size()));
     rtcReleaseGeometry(geometry);
-    Surface surface;
-    surface.material = material;
-    surface.sphere_center_mm = center_mm;
-    surface.sphere_radius_mm = radius_mm;
     surfaces_.push_back(std::move(surface));
 }
 
@@ -159,7 +146,7 @@ void CompiledScene::add_mesh(Surface surface) {
                                              sizeof(Vec3f), mesh.positions_mm.size());
     void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                             3 * sizeof(std::uint32_t), mesh.triangles.size());
-    check(device_.get(), "making a mesh");
+    embree::check(device_.get(), "making a mesh");
     std::memcpy(vertices, mesh.positions_mm.data(), mesh.positions_mm.size() * sizeof(Vec3f));
     std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
     rtcCommitGeometry(geometry);
@@ -228,6 +215,12 @@ Vec3f CompiledScene::origin(const Hit& hit, Vec3f exit_mm) const {
 
 bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const {
     const Surface& surface = surfaces_[hit.surface];
+    if (materials[hit.material]->layout() == bsdf::Layout::rest_space) {
+        bsdf::Patch patch;
+        patch.rest = rest_patch(surface.map, hit.position_mm, hit.geometric_normal,
+                                hit.shading_normal, edge_1_mm, edge_2_mm);
+        return patch;
+    }
     if (surface.sphere_radius_mm > 0) {
         return sphere_patch(normalize(hit.position_mm - surface.sphere_center_mm),
                             (1 / surface.sphere_radius_mm) * edge_1_mm,

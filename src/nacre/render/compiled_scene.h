@@ -51,11 +51,13 @@ struct CompiledScene {
     /// Where a ray starts that leaves the surface `exit_mm` away from the hit, as light does that
     /// has gone through a volume (BsdfSample::exit_mm): off the surface, as Hit::origin().
     Vec3f origin(const Hit& hit, Vec3f exit_mm) const;
-    /// The parallelogram with the given edges, tangent to the surface at the hit, in the unit
-    /// square over which the shape is laid out. Meshes: linear on the triangle that was hit.
-    /// Spheres: the equal-area map of direction_table.h with its pole towards -y; where the edges
-    /// cross a fold of that map they are taken from the side that does not. Of a shape whose paint
-    /// varies over the surface (Bsdf::varies_over_surface).
+    /// The parallelogram with the given edges, tangent to the surface at the hit, in the terms that
+    /// its material asks for (Bsdf::layout).
+    ///
+    /// In the unit square over which the shape is laid out: meshes linearly on the triangle that
+    /// was hit; spheres by the equal-area map of octahedral_square.h with its pole towards -y,
+    /// where edges that cross a fold of that map are taken from the side that does not.
+    /// In rest space: surface_patch.h.
     bsdf::Patch patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const;
 
     Camera camera;
@@ -67,12 +69,13 @@ struct CompiledScene {
     struct Surface {  // by Embree's geometry number
         int material = -1;
         int rectangle = -1;
+        AffineMap map{Transform{}};
         Vec3f sphere_center_mm;
         float sphere_radius_mm = 0;  // 0: a mesh
         Mesh mesh;
     };
 
-    void add_sphere(int material, Vec3f center_mm, float radius_mm);
+    void add_sphere(Surface surface);
     void add_mesh(Surface surface);
 
     std::unique_ptr<RTCDeviceTy, void (*)(RTCDeviceTy*)> device_;

@@ -18,13 +18,14 @@ double estimate(const XyzWeights& weights, int channel, FloatLanes radiance) {
 
 }  // namespace
 
-Film::Film(int width, int height, int spectral_bins)
+Film::Film(int width, int height, int spectral_bins, bool with_sparkle)
     : width_(width), height_(height), bins_(spectral_bins), bin_weights_(spectral_bins) {
     const std::size_t pixels = static_cast<std::size_t>(width) * height;
     xyz_.resize(pixels);
     albedo_.resize(pixels);
     normal_.resize(pixels);
     met_.resize(pixels);
+    if (with_sparkle) sparkle_.resize(pixels);
     invalid_.resize(pixels);
     spectral_.resize(pixels * bins_);
 }
@@ -51,13 +52,21 @@ void Film::begin_pass(const Pass& pass, bool with_albedo) {
 }
 
 void Film::add(std::size_t pixel, const Pass& pass, const PathLight& path) {
-    std::array<double, 3> xyz;
-    for (int c = 0; c < 3; ++c) xyz[c] = estimate(pass.xyz_weights, c, path.radiance);
-    if (!std::isfinite(xyz[0] + xyz[1] + xyz[2])) {
+    Xyz xyz, sparkle{};
+    for (int c = 0; c < 3; ++c) {
+        xyz[c] = estimate(pass.xyz_weights, c, path.radiance);
+        if (!sparkle_.empty()) {
+            sparkle[c] = estimate(pass.xyz_weights, c, path.radiance - path.smooth);
+        }
+    }
+    if (!std::isfinite(xyz[0] + xyz[1] + xyz[2] + sparkle[0] + sparkle[1] + sparkle[2])) {
         ++invalid_[pixel];
         return;
     }
-    for (int c = 0; c < 3; ++c) xyz_[pixel][c] += xyz[c];
+    for (int c = 0; c < 3; ++c) {
+        xyz_[pixel][c] += xyz[c];
+        if (!sparkle_.empty()) sparkle_[pixel][c] += sparkle[c];
+    }
     if (bins_ > 0) {
         float* bins = &spectral_[pixel * bins_];
         for (int i = 0; i < kLanes; ++i) {
@@ -99,6 +108,11 @@ RenderResult Film::develop() const {
     result.albedo.resize(3 * pixels);
     result.normal.resize(3 * pixels);
     result.alpha.resize(pixels);
+    result.sparkle.resize(3 * sparkle_.size());
+    for (std::size_t p = 0; p < sparkle_.size(); ++p) {
+        const auto sparkle = colour(sparkle_[p], d65_);
+        for (int c = 0; c < 3; ++c) result.sparkle[3 * p + c] = static_cast<float>(sparkle[c]);
+    }
     const float per_pass = passes_ > 0 ? 1.0f / static_cast<float>(passes_) : 0;
     for (std::size_t p = 0; p < pixels; ++p) {
         const auto rgb = colour(xyz_[p], d65_);

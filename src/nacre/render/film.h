@@ -11,7 +11,7 @@ namespace nacre::render {
 /// grow in the order of the passes, so they do not depend on the number of threads.
 class Film {
  public:
-    Film(int width, int height, int spectral_bins);
+    Film(int width, int height, int spectral_bins, bool with_sparkle);
 
     /// Prepares for the paths of one pass; called once before its add().
     void begin_pass(const Pass& pass, bool with_albedo);
@@ -42,6 +42,7 @@ class Film {
     Xyz d65_{}, albedo_d65_{};         // sums over passes of the XYZ of D65
     std::vector<double> bin_weights_;  // sums over passes, the same for all pixels
     std::vector<Xyz> xyz_, albedo_;
+    std::vector<Xyz> sparkle_;  // empty unless asked for
     std::vector<Vec3f> normal_;
     std::vector<float> met_;
     std::vector<float> spectral_;

@@ -14,7 +14,7 @@
 namespace nacre::render {
 namespace {
 
-/// Adds up the areas, in shares of the unit square, of the patches that it is sampled on.
+/// Adds up the areas of the patches that it is sampled on, in shares of the unit square or in mm^2.
 class Recorder final : public bsdf::Bsdf {
     class Bound final : public bsdf::BoundBsdf {
      public:
@@ -29,8 +29,11 @@ class Recorder final : public bsdf::Bsdf {
         }
         std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float,
                                                   Vec2f) const override {
-            owner_.area += std::abs(double{patch.edge_1.x} * patch.edge_2.y -
-                                    double{patch.edge_1.y} * patch.edge_2.x);
+            const Vec3f* edges = patch.rest.edge_mm;
+            owner_.area += owner_.layout_ == bsdf::Layout::unit_square
+                               ? std::abs(double{patch.edge_1.x} * patch.edge_2.y -
+                                          double{patch.edge_1.y} * patch.edge_2.x)
+                               : length(cross(edges[0], edges[1]));
             ++owner_.patches;
             return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z}, splat(1.0f), 1, owner_.mirror};
         }
@@ -42,15 +45,19 @@ class Recorder final : public bsdf::Bsdf {
     };
 
  public:
-    explicit Recorder(bool mirror) : mirror(mirror) {}
+    explicit Recorder(bool mirror, bsdf::Layout layout = bsdf::Layout::unit_square)
+        : mirror(mirror), layout_(layout) {}
     std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths&) const override {
         return std::make_unique<Bound>(*this);
     }
-    bsdf::Layout layout() const override { return bsdf::Layout::unit_square; }
+    bsdf::Layout layout() const override { return layout_; }
 
     bool mirror;
     mutable std::atomic<double> area = 0;
     mutable std::atomic<long> patches = 0, means = 0;
+
+ private:
+    bsdf::Layout layout_;
 };
 
 SceneDescription seen_at_45_deg(Geometry geometry) {
@@ -79,6 +86,14 @@ TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
     options.footprint_pixels = 1;
     render(scene, options);
     EXPECT_NEAR(recorder->area, 16, 0.16);
+}
+
+TEST(Footprint, AtRestIsAsLargeAsTheScaledShape) {
+    SceneDescription scene = seen_at_45_deg(FlatPanel{.width_mm = 100, .height_mm = 75});
+    scene.shapes[0].transform = {.scale = 2, .rotation_deg = {0, 0, 25}};
+    const auto recorder = std::make_shared<Recorder>(false, bsdf::Layout::rest_space);
+    render(Scene(scene, {{"paint", recorder}}), kOptions);
+    EXPECT_NEAR(recorder->area / (200 * 150), 1, 0.01);
 }
 
 TEST(Footprint, HalfASphereIsSeen) {
@@ -121,7 +136,7 @@ TEST(Footprint, AfterARoughReflectionTheMeanIsTaken) {
     EXPECT_GT(recorder->means, 5000);
 }
 
-TEST(Footprint, MeshesNeedTextureCoordinates) {
+TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
     const auto folder = std::filesystem::path(::testing::TempDir());
     const auto bare = folder / "nacre_bare.obj", mapped = folder / "nacre_mapped.obj";
     std::ofstream(bare) << "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nf 1 2 3\n";
@@ -137,6 +152,10 @@ TEST(Footprint, MeshesNeedTextureCoordinates) {
     }
     render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}), kOptions);
     EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's share of the square
+
+    const auto at_rest = std::make_shared<Recorder>(false, bsdf::Layout::rest_space);
+    render(Scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", at_rest}}), kOptions);
+    EXPECT_NEAR(at_rest->area / 5000, 1, 0.04);  // half of 100 mm x 100 mm, in 10 pixels' outline
 }
 
 }  // namespace

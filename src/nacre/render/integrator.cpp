@@ -26,10 +26,17 @@ struct VertexNumbers {
           roulette(u[6]) {}
 };
 
+/// Light, or the share of it that a surface sends on: as it is, and with the mean over its places
+/// in place of every surface that varies. The second counts only where it was asked for.
+struct Carried {
+    FloatLanes shown{}, smooth{};
+};
+
 /// A surface at a hit: where it varies, the patch that the sample stands for.
 struct LocalSurface {
     const bsdf::BoundBsdf& bsdf;
     std::optional<bsdf::Patch> patch;
+    bool smooth_too = false;  ///< on a patch: the mean over the surface is wanted besides
 
     bsdf::BsdfValue evaluate(Vec3f wi, Vec3f wo) const {
         return patch ? bsdf.evaluate_on(*patch, wi, wo) : bsdf.evaluate(wi, wo);
@@ -42,23 +49,43 @@ struct LocalSurface {
     }
 };
 
-FloatLanes direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
-                        const Frame& frame, Vec3f wi, const LocalSurface& surface,
-                        const VertexNumbers& u, DirectLight strategy) {
+Carried direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
+                     const Frame& frame, Vec3f wi, const LocalSurface& surface,
+                     const VertexNumbers& u, DirectLight strategy) {
     const auto light =
         scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data());
-    if (!light || dot(light->direction, hit.geometric_normal) <= 0) return FloatLanes{};
+    if (!light || dot(light->direction, hit.geometric_normal) <= 0) return {};
     const Vec3f wo = frame.to_local(light->direction);
-    if (wo.z <= 0) return FloatLanes{};
+    if (wo.z <= 0) return {};
     const bool weighted = !light->delta && strategy == DirectLight::combined;
     const bsdf::BsdfValue value =
         weighted ? surface.evaluate(wi, wo) : bsdf::BsdfValue{surface.eval(wi, wo)};
-    if (!(lane_max(value.f) > 0)) return FloatLanes{};
+    const FloatLanes smooth = surface.smooth_too ? surface.bsdf.eval(wi, wo) : value.f;
+    if (!(lane_max(value.f) > 0 || lane_max(smooth) > 0)) return {};
     const float weight = weighted ? power_heuristic(light->pdf, value.pdf) : 1.0f;
     // Stop just short of the light, whose own rectangle is part of the scene.
-    if (scene.occluded({hit.origin(), light->direction}, light->distance * 0.9999f))
-        return FloatLanes{};
-    return (weight * wo.z / light->pdf) * value.f * light->radiance;
+    if (scene.occluded({hit.origin(), light->direction}, light->distance * 0.9999f)) return {};
+    const float scale = weight * wo.z / light->pdf;
+    return {scale * value.f * light->radiance, scale * smooth * light->radiance};
+}
+
+bool all_finite(const RayDifferential::Edges& edges) {
+    const Vec3f sum = edges.edge_mm[0] + edges.edge_mm[1];
+    return std::isfinite(sum.x + sum.y + sum.z);
+}
+
+/// Whether a throughput is carried on: not if it is black, nor, under Russian roulette, with the
+/// probability by which it is darker than 1, for which the others make up. Each throughput of a
+/// path plays for itself with the same number, so that asking for another changes none.
+bool survives(FloatLanes& throughput, bool roulette, float number) {
+    const float brightness = lane_max(throughput);
+    const bool lost = !(brightness > 0) || (roulette && number >= brightness);
+    if (lost) {
+        throughput = FloatLanes{};
+    } else if (roulette && brightness < 1) {
+        throughput *= 1 / brightness;
+    }
+    return !lost;
 }
 
 }  // namespace
@@ -73,19 +100,25 @@ Pass::Pass(const CompiledScene& scene, std::uint32_t index)
     surfaces.reserve(scene.materials.size());
     for (const auto& material : scene.materials) {
         surfaces.push_back(material->bind(wavelengths_nm));
+        patch_memory_bytes = std::max(patch_memory_bytes, surfaces.back()->patch_memory_bytes());
         has_varying_surfaces |= material->varies_over_surface();
     }
 }
 
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-                     const CameraRay& camera_ray, const PathOptions& options) {
+                     const CameraRay& camera_ray, const PathOptions& options,
+                     bsdf::PatchMemory& memory) {
     // Surfaces whose throughput may already end the path.
     constexpr int kRouletteFrom = 4;
     const FloatLanes* emission = pass.emission.data();
     PathLight path;
     Ray ray{camera_ray.origin_mm, camera_ray.direction};
     std::optional<RayDifferential> differential = camera_ray.differential;
-    FloatLanes throughput = splat(1.0f);
+    Carried throughput{splat(1.0f), splat(1.0f)};
+    const auto gather = [&](const FloatLanes& shown, const FloatLanes& smooth) {
+        path.radiance += throughput.shown * shown;
+        if (options.smooth) path.smooth += throughput.smooth * smooth;
+    };
     // Density with which the last surface sampled the ray. At the camera and after a mirror no
     // light sample could have done the same, so what the ray meets counts in full.
     float surface_pdf = 0;
@@ -105,15 +138,17 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
     for (int depth = 0;; ++depth) {
         const auto hit = scene.intersect(ray, depth == 0);
         if (!hit) {
-            path.radiance += throughput * scene.lights->escaped(ray.direction, emission, weight);
+            const FloatLanes light = scene.lights->escaped(ray.direction, emission, weight);
+            gather(light, light);
             break;
         }
         if (hit->rectangle >= 0) {
             if (hit->lit_side) {
                 const float pdf =
                     scene.lights->rectangle_pdf(hit->rectangle, ray.direction, hit->distance_mm);
-                path.radiance += weight(pdf) * throughput *
-                                 scene.lights->rectangle_radiance(hit->rectangle, emission);
+                const FloatLanes light =
+                    weight(pdf) * scene.lights->rectangle_radiance(hit->rectangle, emission);
+                gather(light, light);
             }
             break;
         }
@@ -126,19 +161,26 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
             if (options.albedo) path.albedo = surface.bsdf.albedo(wi);
         }
         if (depth >= options.max_depth) break;
-        std::optional<RayDifferential::Edges> edges;
-        if (differential && pass.has_varying_surfaces) {
-            edges = differential->at(ray.direction, hit->distance_mm, hit->geometric_normal);
-            if (scene.materials[hit->material]->varies_over_surface()) {
-                surface.patch = scene.patch(*hit, options.footprint_pixels * edges->edge_mm[0],
-                                            options.footprint_pixels * edges->edge_mm[1]);
+        const auto footprint = [&] {
+            return differential->at(ray.direction, hit->distance_mm, hit->geometric_normal);
+        };
+        if (differential && scene.materials[hit->material]->varies_over_surface()) {
+            const RayDifferential::Edges edges = footprint();
+            // Seen edge on it takes in all of the surface, of which there is the mean.
+            if (all_finite(edges)) {
+                surface.patch = scene.patch(*hit, options.footprint_pixels * edges.edge_mm[0],
+                                            options.footprint_pixels * edges.edge_mm[1]);
+                surface.patch->memory = &memory;
+                surface.smooth_too = options.smooth;
+                memory.forget();
             }
         }
 
         const VertexNumbers u(sampler.draw(static_cast<std::uint32_t>(depth) + 1));
         if (options.direct_light != DirectLight::surface_sampling && !scene.lights->empty()) {
-            path.radiance += throughput * direct_light(scene, pass, *hit, frame, wi, surface, u,
-                                                       options.direct_light);
+            const Carried light =
+                direct_light(scene, pass, *hit, frame, wi, surface, u, options.direct_light);
+            gather(light.shown, light.smooth);
         }
         const auto sample = surface.sample(wi, u.which_lobe, u.surface);
         if (!sample) break;
@@ -147,17 +189,21 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
         // elsewhere the surface has another normal.
         const Vec3f exit_mm = frame.to_world(sample->exit_mm);
         if (dot(exit_mm, exit_mm) == 0 && dot(direction, hit->geometric_normal) <= 0) break;
-        throughput *= sample->weight;
-        const float brightness = lane_max(throughput);
-        if (!(brightness > 0)) break;
-        if (depth + 1 >= kRouletteFrom && brightness < 1) {
-            if (u.roulette >= brightness) break;
-            throughput *= 1 / brightness;
+        const bool roulette = depth + 1 >= kRouletteFrom;
+        throughput.shown *= sample->weight;
+        bool goes_on = survives(throughput.shown, roulette, u.roulette);
+        if (options.smooth) {
+            throughput.smooth *=
+                surface.smooth_too && !sample->mirror
+                    ? (sample->wo.z / sample->pdf) * surface.bsdf.eval(wi, sample->wo)
+                    : sample->weight;
+            goes_on |= survives(throughput.smooth, roulette, u.roulette);
         }
+        if (!goes_on) break;
         surface_pdf = sample->pdf;
         alone = sample->mirror;
-        if (alone && edges) {
-            differential = differential->mirrored(*edges, hit->geometric_normal);
+        if (alone && differential && pass.has_varying_surfaces) {
+            differential = differential->mirrored(footprint(), hit->geometric_normal);
         } else {
             differential.reset();
         }

@@ -28,10 +28,14 @@ struct Pass {
     std::vector<FloatLanes> emission;
     std::vector<std::unique_ptr<const bsdf::BoundBsdf>> surfaces;  ///< by material
     bool has_varying_surfaces = false;
+    std::size_t patch_memory_bytes = 0;  ///< the most that one of them needs
 };
 
 struct PathLight {
     FloatLanes radiance{};
+    /// What the same path would carry if every surface that varies showed the mean over its places
+    /// instead: the rest of `radiance` is the light of single flakes. Only if asked for.
+    FloatLanes smooth{};
     bool met_surface = false;  ///< by the camera ray
     Vec3f normal;              ///< of the surface that it met
     FloatLanes albedo{};       ///< likewise; only if asked for
@@ -41,6 +45,7 @@ struct PathOptions {
     int max_depth = 8;
     DirectLight direct_light = DirectLight::combined;
     bool albedo = false;
+    bool smooth = false;  ///< PathLight::smooth is asked for
     /// Side of the patch that one sample stands for where a surface varies, in pixels.
     float footprint_pixels = 1;
 };
@@ -51,7 +56,10 @@ struct PathOptions {
 ///
 /// Surfaces that vary are looked at through the footprint of the pixel as long as the path has met
 /// mirrors only; further on, where neighbouring paths run apart, their mean is taken.
+///
+/// @param memory  of pass.patch_memory_bytes; what it held is lost
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-                     const CameraRay& camera_ray, const PathOptions& options);
+                     const CameraRay& camera_ray, const PathOptions& options,
+                     bsdf::PatchMemory& memory);
 
 }  // namespace nacre::render

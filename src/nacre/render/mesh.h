@@ -40,6 +40,9 @@ Mesh make_mesh(const GroundPlane& plane);
 Mesh make_mesh(const MeshFile& file);
 
 /// Scale, rotation and translation as in scene_description.h.
+///
+/// Rest space is that of the shape as it is made, in its true size: scaled, and not yet turned and
+/// moved.
 class AffineMap {
  public:
     explicit AffineMap(const Transform& transform);
@@ -47,6 +50,12 @@ class AffineMap {
     Vec3f point(Vec3f p) const { return scale_ * rotate(p) + translation_; }
     Vec3f direction(Vec3f d) const { return rotate(d); }
     float scale() const { return scale_; }
+
+    /// From the world back to rest space.
+    Vec3f point_at_rest_mm(Vec3f p) const { return direction_at_rest(p - translation_); }
+    Vec3f direction_at_rest(Vec3f d) const {
+        return d.x * row_[0] + d.y * row_[1] + d.z * row_[2];  // transposed: rows times d
+    }
 
  private:
     Vec3f rotate(Vec3f p) const { return {dot(row_[0], p), dot(row_[1], p), dot(row_[2], p)}; }

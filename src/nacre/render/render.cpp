@@ -42,11 +42,12 @@ class Renderer {
         : scene_(scene),
           options_(options),
           camera_(scene.camera, options.width, options.height),
-          film_(options.width, options.height, options.spectral_bins),
+          film_(options.width, options.height, options.spectral_bins, options.sparkle),
           tiles_across_((options.width + kTile - 1) / kTile),
           tiles_down_((options.height + kTile - 1) / kTile) {
         path_options_.max_depth = options.max_depth;
         path_options_.direct_light = direct_light;
+        path_options_.smooth = options.sparkle;
         path_options_.footprint_pixels =
             static_cast<float>(options.footprint_pixels > 0
                                    ? options.footprint_pixels
@@ -58,8 +59,9 @@ class Renderer {
         film_.begin_pass(pass, path_options_.albedo);
         parallel_for_ranges(0, static_cast<std::size_t>(tiles_across_) * tiles_down_, 1,
                             [&](std::size_t first, std::size_t last) {
+                                bsdf::PatchMemory memory(pass.patch_memory_bytes);
                                 for (std::size_t t = first; t < last; ++t) {
-                                    run_tile(pass, static_cast<int>(t));
+                                    run_tile(pass, static_cast<int>(t), memory);
                                 }
                             });
         film_.end_pass();
@@ -68,7 +70,7 @@ class Renderer {
     RenderResult develop() const { return film_.develop(); }
 
  private:
-    void run_tile(const Pass& pass, int tile) {
+    void run_tile(const Pass& pass, int tile, bsdf::PatchMemory& memory) {
         const int x0 = tile % tiles_across_ * kTile;
         const int y0 = tile / tiles_across_ * kTile;
         for (int y = y0; y < std::min(y0 + kTile, options_.height); ++y) {
@@ -79,7 +81,8 @@ class Renderer {
                 const CameraRay ray =
                     camera_(static_cast<float>(x) + 0.5f + tent(u[0]),
                             static_cast<float>(y) + 0.5f + tent(u[1]), {u[2], u[3]});
-                film_.add(pixel, pass, trace_path(scene_, pass, sampler, ray, path_options_));
+                film_.add(pixel, pass,
+                          trace_path(scene_, pass, sampler, ray, path_options_, memory));
             }
         }
     }

@@ -19,6 +19,7 @@ struct RenderOptions {
     /// Side of the piece of surface that a sample stands for where single flakes show, [0, 1000]
     /// pixels; 0: the samples of a pixel share it out, 1 / sqrt(samples_per_pixel).
     double footprint_pixels = 0;
+    bool sparkle = false;   ///< RenderResult::sparkle is asked for
     int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
                             ///< times the pixels at most 2^32
 };
@@ -27,10 +28,15 @@ struct RenderOptions {
 /// emitter of scale 1 (scene_description.h).
 struct RenderResult {
     int width = 0, height = 0;
-    std::vector<float> rgb;       ///< 3 per pixel: linear Rec. 709, may be out of gamut
-    std::vector<float> albedo;    ///< 3 per pixel: albedo of the first surface under D65; 0: none
-    std::vector<float> normal;    ///< 3 per pixel: mean shading normal of the first surface
-    std::vector<float> alpha;     ///< 1 per pixel: share of the samples that met a surface
+    std::vector<float> rgb;     ///< 3 per pixel: linear Rec. 709, may be out of gamut
+    std::vector<float> albedo;  ///< 3 per pixel: albedo of the first surface under D65; 0: none
+    std::vector<float> normal;  ///< 3 per pixel: mean shading normal of the first surface
+    std::vector<float> alpha;   ///< 1 per pixel: share of the samples that met a surface
+    /// 3 per pixel, linear Rec. 709; empty unless asked for. The part of rgb that single flakes
+    /// make: what they send less what all of them would on average, so that it is negative where
+    /// they are few or turned away, and 0 on average. rgb - sparkle is the smooth rest, which a
+    /// denoiser may smooth further without wiping out what this holds.
+    std::vector<float> sparkle;
     std::vector<float> spectral;  ///< bins per pixel: mean spectral radiance about each centre
     std::vector<double> bin_centres_nm;
     int samples = 0;  ///< per pixel, finished

@@ -3,8 +3,8 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/render/mesh.h"
 
-// Where a point of a shape lies in the unit square over which the shape is laid out, and what
-// becomes of a small parallelogram about it.
+// Where a point of a shape lies in the unit square over which the shape is laid out or in the
+// shape's rest space, and what becomes of a small parallelogram about it.
 
 namespace nacre::render {
 
@@ -21,5 +21,18 @@ bsdf::Patch sphere_patch(Vec3f n, Vec3f edge_1, Vec3f edge_2);
 /// @return  a patch without edges where the triangle is degenerate
 bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycentric,
                            Vec3f edge_1_mm, Vec3f edge_2_mm);
+
+/// The piece of a surface that the shape had at rest.
+///
+/// What a surface shows is told in the frame of its shading normal, which on a mesh is not that of
+/// the facet on which the parallelogram lies. The parallelogram is turned from one to the other
+/// the shortest way and so keeps its area, that of the true surface: seen along either normal
+/// instead, it would shrink or grow by the cosine between them, and with it the number of flakes.
+///
+/// @param position_mm       in the world, like all that follows
+/// @param geometric_normal, shading_normal  unit vectors, not opposite
+/// @param edge_1_mm, edge_2_mm  perpendicular to the geometric normal
+sparkle::RestPatch rest_patch(const AffineMap& map, Vec3f position_mm, Vec3f geometric_normal,
+                              Vec3f shading_normal, Vec3f edge_1_mm, Vec3f edge_2_mm);
 
 }  // namespace nacre::render

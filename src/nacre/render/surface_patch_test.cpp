@@ -47,6 +47,31 @@ TEST(SurfacePatch, IsLinearOnATriangle) {
     EXPECT_NEAR(patch.edge_2.y, 0.02, 1e-8);
 }
 
+TEST(SurfacePatch, AtRestKeepsItsAreaAndLiesAcrossTheShadingNormal) {
+    const AffineMap map({.scale = 3, .rotation_deg = {40, 50, -60}, .translation_mm = {7, 8, 9}});
+    const Vec3f geometric = normalize({0.2f, -0.7f, 0.6f});
+    const Frame facet = Frame::around(geometric);
+    const Vec3f edge_1 = 0.3f * facet.s, edge_2 = 0.1f * facet.s + 0.2f * facet.t;
+    int checked = 0;
+    for (float tilt : {0.0f, 0.1f, 0.5f, 1.5f}) {
+        const Vec3f shading =
+            normalize(geometric + std::tan(tilt) * facet.to_world({0.6f, 0.8f, 0}));
+        const Vec3f at_rest{0.5f, 2, -1};
+        const sparkle::RestPatch p =
+            rest_patch(map, map.point((1 / 3.0f) * at_rest), geometric, shading, edge_1, edge_2);
+        EXPECT_LT(length(p.position_mm - at_rest), 4e-6f);  // lengths at rest are true lengths
+        EXPECT_NEAR(length(cross(p.edge_mm[0], p.edge_mm[1])), 0.06, 1e-6);
+        for (Vec3f v : {p.edge_mm[0], p.edge_mm[1], p.tangent})
+            EXPECT_NEAR(dot(v, p.normal), 0, 1e-6);
+        EXPECT_LT(length(map.direction(p.normal) - shading), 1e-6f);
+        EXPECT_LT(length(map.direction(p.tangent) - Frame::around(shading).s), 1e-6f);
+        // Turned about the axis across both normals, by no more than what lies between these.
+        EXPECT_LE(length(map.direction(p.edge_mm[1]) - edge_2), tilt * length(edge_2) + 1e-6f);
+        ++checked;
+    }
+    EXPECT_EQ(checked, 4);
+}
+
 TEST(RayDifferential, FootprintOnAPlaneIsWhereTheNeighbouringRaysHit) {
     const Vec3f to_x{0.01f, 0, 0}, direction = normalize({0, 0.6f, -0.8f});
     const RayDifferential d{{}, {to_x, 0.01f * normalize({0, 0.8f, 0.6f})}};
