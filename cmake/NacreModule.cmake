@@ -41,3 +41,11 @@ function(nacre_module name)
     gtest_discover_tests(nacre_${name}_test DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
   endif()
 endfunction()
+
+#   nacre_use_embree(NAME)   for the sources of a module that include core/embree.h
+#
+# Embree's types stay out of the headers that are installed.
+function(nacre_use_embree name)
+  target_link_libraries(nacre_${name} PRIVATE embree)
+  target_compile_definitions(nacre_${name} PRIVATE NACRE_EMBREE_VERSION=${NACRE_EMBREE_VERSION})
+endfunction()

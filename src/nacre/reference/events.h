@@ -61,12 +61,12 @@ inline Direction3 sample_lambert(RandomStream& random) {
 
 enum class FlakeEvent { reflected, passed, absorbed };
 
-/// Light meets a flake under this cosine: it is reflected or goes straight on, by lot; what the
-/// flake absorbs lightens it. The weight is of no use after `absorbed`.
-inline FlakeEvent draw_flake_event(const FlakeOptics& optics, double cosine, Lanes& weight,
-                                   RandomStream& random) {
-    const Lanes reflected = weight * optics.reflectance(cosine);
-    const Lanes passed = weight * optics.transmittance(cosine);
+/// Light meets a flake of this R and T: it is reflected or goes straight on, by lot; what the flake
+/// absorbs lightens it. The weight is of no use after `absorbed`.
+inline FlakeEvent draw_flake_event(const Lanes& reflectance, const Lanes& transmittance,
+                                   Lanes& weight, RandomStream& random) {
+    const Lanes reflected = weight * reflectance;
+    const Lanes passed = weight * transmittance;
     const double sum_reflected = lane_sum(reflected), sum_passed = lane_sum(passed);
     const double sum = sum_reflected + sum_passed;
     if (sum <= 0) return FlakeEvent::absorbed;
@@ -76,6 +76,12 @@ inline FlakeEvent draw_flake_event(const FlakeOptics& optics, double cosine, Lan
     }
     weight = passed * (sum / sum_passed);
     return FlakeEvent::passed;
+}
+/// The same for a flake met under this cosine.
+inline FlakeEvent draw_flake_event(const FlakeOptics& optics, double cosine, Lanes& weight,
+                                   RandomStream& random) {
+    return draw_flake_event(optics.reflectance(cosine), optics.transmittance(cosine), weight,
+                            random);
 }
 
 /// Light that travels along `travel` off a mirror, of which `projection` is travel.normal.

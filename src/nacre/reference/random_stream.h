@@ -24,19 +24,27 @@ class RandomStream {
     /// A point on the unit circle.
     std::tuple<double, double> cos_sin() { return cos_sin_of(uniform()); }
 
-    /// Two Gaussian numbers of variance 1/2, as radius and direction: the slopes of a flake.
-    /// The first pair may come from outside, see lead_with().
+    /// Two numbers uniform in [0, 1), the first pair of which may come from outside: lead_with().
+    std::array<double, 2> pair() {
+        if (!has_lead_) {
+            const double a = uniform();
+            return {a, uniform()};
+        }
+        has_lead_ = false;
+        return lead_;
+    }
+    /// Two Gaussian numbers of variance 1/2, as radius and direction: the slopes of a flake. Made
+    /// from pair().
     struct Slope {
         double radius, cos, sin;
     };
     Slope slope() {
-        const double a = has_lead_ ? lead_[0] : uniform(), b = has_lead_ ? lead_[1] : uniform();
-        has_lead_ = false;
+        const auto [a, b] = pair();
         const auto [c, s] = cos_sin_of(b);
         return {std::sqrt(exponential_of(a)), c, s};
     }
-    /// The numbers from which the first slope is made, uniform in [0, 1): well spread over many
-    /// walks they make its noise, and what follows from it, small.
+    /// The first pair(), uniform in [0, 1): well spread over many walks they make the noise of what
+    /// is drawn from it, and of what follows from that, small.
     void lead_with(double a, double b) {
         lead_ = {a, b};
         has_lead_ = true;

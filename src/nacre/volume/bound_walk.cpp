@@ -57,10 +57,10 @@ BoundWalk::BoundWalk(const WalkTables& tables, const bsdf::Wavelengths& waveleng
     }
 }
 
-BoundWalk::Packet BoundWalk::draw_packet(RandomStream& random) const {
-    if (!dispersive_) return {splat(1.0), 0};
+BoundWalk::Packet BoundWalk::draw_packet(const bsdf::Patch* patch, RandomStream& random) const {
+    if (!dispersive_) return {splat(1.0), 0, patch};
     const int lane = static_cast<int>(kLanes * random.uniform());
-    Packet packet{{}, lane};
+    Packet packet{{}, lane, patch};
     packet.weight[lane] = kLanes;
     return packet;
 }
@@ -72,11 +72,12 @@ Lanes BoundWalk::mirror_reflectance(double cosine) const {
         [&](int i) { return optics::dielectric_reflectance(1.0, index_[i], cosine); });
 }
 
-std::optional<bsdf::BsdfSample> BoundWalk::sample(Vec3f wi, float u_lobe, Vec2f u) const {
+std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f wi, float u_lobe,
+                                                Vec2f u) const {
     if (!(wi.z > 0)) return {};
     RandomStream random = stream_of(wi, u_lobe, u);
     const Direction3 towards_light = Direction3(wi.x, wi.y, wi.z).normalized();
-    const Packet packet = draw_packet(random);
+    const Packet packet = draw_packet(patch, random);
     if (rough_) {
         const auto escape = meet_rough(towards_light, packet, random);
         if (!escape) return {};
@@ -93,14 +94,15 @@ std::optional<bsdf::BsdfSample> BoundWalk::sample(Vec3f wi, float u_lobe, Vec2f 
     }
     const Lanes share = (1 - mirror) * ((f + inside) / inside);
     const auto escape =
-        enter_and_follow(towards_light, {packet.weight * share, packet.lane}, random);
+        enter_and_follow(towards_light, {packet.weight * share, packet.lane, patch}, random);
     if (!escape) return {};
     return sample_of(escape->direction, escape->weight, escape->position_um);
 }
 
 std::optional<Escape> BoundWalk::enter_and_follow(const Direction3& wi, const Packet& packet,
                                                   RandomStream& random) const {
-    return follow({interface(packet.lane).enter(wi, random).travel, packet.weight, packet.lane},
+    return follow({interface(packet.lane).enter(wi, random).travel, packet.weight, packet.lane,
+                   packet.patch},
                   random);
 }
 
@@ -108,7 +110,7 @@ std::optional<Escape> BoundWalk::meet_rough(const Direction3& wi, const Packet& 
                                             RandomStream& random) const {
     const auto passage = interface(packet.lane).meet_from_outside(wi, random);
     if (!passage.inside) return Escape{.direction = passage.travel, .weight = packet.weight};
-    return follow({passage.travel, packet.weight, packet.lane}, random);
+    return follow({passage.travel, packet.weight, packet.lane, packet.patch}, random);
 }
 
 Lanes BoundWalk::mean_weight(double cosine, int walks, std::uint64_t number,
@@ -117,7 +119,7 @@ Lanes BoundWalk::mean_weight(double cosine, int walks, std::uint64_t number,
     RandomStream random(0, number, 0);
     Lanes sum{}, sum_of_squares{};
     for (int i = 0; i < walks; ++i) {
-        const Packet packet = draw_packet(random);
+        const Packet packet = draw_packet(nullptr, random);
         const auto escape =
             rough_ ? meet_rough(wi, packet, random) : enter_and_follow(wi, packet, random);
         if (!escape) continue;

@@ -25,6 +25,7 @@ struct Entry {
     Direction3 travel;  ///< inside, z < 0
     Lanes weight{};
     int lane = 0;  ///< whose index of refraction holds
+    const bsdf::Patch* patch = nullptr;  ///< where, if known
 };
 
 /// Light that has just left.
@@ -38,7 +39,13 @@ class BoundWalk : public bsdf::BoundBsdf {
  public:
     FloatLanes eval(Vec3f, Vec3f) const override { return FloatLanes{}; }
     float pdf(Vec3f, Vec3f) const override { return 0; }
-    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override;
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+        return walk(nullptr, wi, u_lobe, u);
+    }
+    std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float u_lobe,
+                                              Vec2f u) const override {
+        return walk(&patch, wi, u_lobe, u);
+    }
     /// Estimated by kAlbedoWalks walks from each of kAlbedoIntervals + 1 directions, at the first
     /// call; the mirror of a smooth interface is exact.
     FloatLanes albedo(Vec3f wi) const override;
@@ -63,8 +70,11 @@ class BoundWalk : public bsdf::BoundBsdf {
     struct Packet {
         Lanes weight;
         int lane;
+        const bsdf::Patch* patch = nullptr;
     };
-    Packet draw_packet(RandomStream& random) const;
+    std::optional<bsdf::BsdfSample> walk(const bsdf::Patch* patch, Vec3f wi, float u_lobe,
+                                         Vec2f u) const;
+    Packet draw_packet(const bsdf::Patch* patch, RandomStream& random) const;
     Lanes mirror_reflectance(double cosine) const;
     std::optional<Escape> enter_and_follow(const Direction3& wi, const Packet& packet,
                                            RandomStream& random) const;

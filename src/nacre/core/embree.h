@@ -1,17 +1,30 @@
 #pragma once
 
 // Embree 3 (Debian 12) or 4 (Ubuntu 24.04): the include path and the arguments of a ray query are
-// all that differs for us.
+// all that differs for us. For the folders that trace rays (nacre_use_embree() in CMake).
+
+#include <fmt/format.h>
+
+#include "nacre/core/error.h"
 
 #if NACRE_EMBREE_VERSION == 4
 #include <embree4/rtcore.h>
 #elif NACRE_EMBREE_VERSION == 3
 #include <embree3/rtcore.h>
 #else
-#error "NACRE_EMBREE_VERSION must be 3 or 4 (set by render/CMakeLists.txt)"
+#error "NACRE_EMBREE_VERSION must be 3 or 4 (set by nacre_use_embree() in CMake)"
 #endif
 
-namespace nacre::render::embree {
+namespace nacre::embree {
+
+/// Throws what Embree reports about `device`, if anything.
+inline void check(RTCDevice device, const char* doing) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error != RTC_ERROR_NONE) {
+        throw Error(
+            fmt::format("Embree failed while {} (error {})", doing, static_cast<int>(error)));
+    }
+}
 
 /// Finds the closest hit; `coherent` promises that neighbouring calls trace similar rays.
 inline void intersect(RTCScene scene, RTCRayHit& ray, bool coherent) {
@@ -40,4 +53,4 @@ inline void occluded(RTCScene scene, RTCRay& ray) {
 #endif
 }
 
-}  // namespace nacre::render::embree
+}  // namespace nacre::embree

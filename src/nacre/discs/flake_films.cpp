@@ -1,0 +1,134 @@
+#include "nacre/discs/flake_films.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "nacre/core/rng.h"
+#include "nacre/optics/thickness_rule.h"
+
+namespace nacre::discs {
+namespace {
+
+double normal_below(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
+
+bool varies(const optics::Platelet& platelet) {
+    bool any = platelet.core.spread.standard_deviation_nm > 0;
+    for (const auto& coat : platelet.coats) any |= coat.spread.standard_deviation_nm > 0;
+    return any;
+}
+
+/// `count` thicknesses, one from each of `count` equally probable intervals, in random order.
+std::vector<double> stratified(const optics::FilmPopulation& film, int count, Rng& rng) {
+    std::vector<double> thickness(count);
+    for (int i = 0; i < count; ++i)
+        thickness[i] = film_thickness_nm(film, (i + rng.uniform_double()) / count);
+    for (int i = count - 1; i > 0; --i)
+        std::swap(thickness[i], thickness[static_cast<int>((i + 1) * rng.uniform_double())]);
+    return thickness;
+}
+
+optics::FilmPopulation exactly(const optics::FilmPopulation& film, double thickness_nm) {
+    return {film.material, thickness_nm, {}};
+}
+
+std::vector<optics::Platelet> draw(const optics::Platelet& platelet, int count, Rng& rng) {
+    std::vector<optics::Platelet> drawn(count);
+    const auto core = stratified(platelet.core, count, rng);
+    for (int i = 0; i < count; ++i) drawn[i].core = exactly(platelet.core, core[i]);
+    for (const auto& coat : platelet.coats) {
+        const auto thickness = stratified(coat, count, rng);
+        for (int i = 0; i < count; ++i) drawn[i].coats.push_back(exactly(coat, thickness[i]));
+    }
+    return drawn;
+}
+
+}  // namespace
+
+GridPlaces::GridPlaces(const std::vector<double>& grid_nm,
+                       const std::array<double, kLanes>& wavelengths_nm) {
+    const int last = static_cast<int>(grid_nm.size()) - 1;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const double w = wavelengths_nm[lane];
+        const auto above = std::upper_bound(grid_nm.begin(), grid_nm.end(), w);
+        const int i =
+            std::clamp(static_cast<int>(above - grid_nm.begin()) - 1, 0, std::max(last - 1, 0));
+        lower[lane] = i;
+        fraction[lane] = last == 0
+                             ? 0
+                             : static_cast<float>(std::clamp(
+                                   (w - grid_nm[i]) / (grid_nm[i + 1] - grid_nm[i]), 0.0, 1.0));
+    }
+}
+
+double film_thickness_nm(const optics::FilmPopulation& film, double share) {
+    const double deviation = film.spread.standard_deviation_nm;
+    if (deviation == 0) return film.thickness_nm;
+    auto [lo, hi] = optics::thickness_range(film.thickness_nm, film.spread);
+    if (film.spread.law == optics::ThicknessSpread::Law::uniform) return std::lerp(lo, hi, share);
+    const auto below = [&](double t) { return normal_below((t - film.thickness_nm) / deviation); };
+    const double wanted = std::lerp(below(lo), below(hi), share);
+    for (int step = 0; step < 60; ++step) {
+        const double middle = 0.5 * (lo + hi);
+        (below(middle) < wanted ? lo : hi) = middle;
+    }
+    return 0.5 * (lo + hi);
+}
+
+FlakeFilms::FlakeFilms(const layers::FlakeSpecies& species, const optics::Material& binder,
+                       const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+    // A node beyond the last wavelength, which is read with weight zero.
+    stride_ = wavelengths_nm.size() + 1;
+    fill(species, binder, wavelengths_nm, seed);
+}
+
+void FlakeFilms::fill(const layers::FlakeSpecies& species, const optics::Material& binder,
+                      const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+    const auto append = [&](std::vector<float>& to, auto&& value) {
+        for (std::size_t i = 0; i < stride_; ++i) {
+            const std::size_t j = std::min(i, wavelengths_nm.size() - 1);
+            to.push_back(static_cast<float>(value(j)));
+        }
+    };
+    if (const auto* given = std::get_if<layers::PrescribedFlake>(&species.body)) {
+        append(reflectance_, [&](auto j) { return given->reflectance(wavelengths_nm[j]); });
+        append(transmittance_, [&](auto j) { return given->transmittance(wavelengths_nm[j]); });
+        return;
+    }
+    const auto& platelet = std::get<optics::Platelet>(species.body);
+    count_ = varies(platelet) ? kFilms : 1;
+    intervals_ = kCosineIntervals;
+    std::vector<double> cosines(intervals_ + 1);
+    for (int i = 0; i <= intervals_; ++i) cosines[i] = static_cast<double>(i) / intervals_;
+    Rng rng(seed);
+    const std::size_t wavelengths = wavelengths_nm.size();
+    for (const optics::Platelet& flake : draw(platelet, count_, rng)) {
+        const auto table = optics::platelet_table(flake, binder, cosines, wavelengths_nm);
+        for (std::size_t i = 0; i < cosines.size(); ++i) {
+            append(reflectance_, [&](auto j) { return table.reflectance[i * wavelengths + j]; });
+            append(transmittance_,
+                   [&](auto j) { return table.transmittance[i * wavelengths + j]; });
+        }
+    }
+}
+
+FlakeFilms::Optics FlakeFilms::at(int film, double cosine, const GridPlaces& places) const {
+    const double x = std::min(cosine, 1.0) * intervals_;
+    const int i = std::min(static_cast<int>(x), std::max(intervals_ - 1, 0));
+    const double f = x - i;
+    const std::size_t row = (static_cast<std::size_t>(film) * (intervals_ + 1) + i) * stride_;
+    const std::size_t next = intervals_ == 0 ? 0 : stride_;
+    const auto read = [&](const std::vector<float>& table) {
+        const float *a = table.data() + row, *b = a + next;
+        return make_lanes<DoubleLanes>([&](int lane) {
+            const int j = places.lower[lane];
+            const double g = places.fraction[lane];
+            const double at_a = a[j] + g * (a[j + 1] - a[j]), at_b = b[j] + g * (b[j + 1] - b[j]);
+            return at_a + f * (at_b - at_a);
+        });
+    };
+    return {read(reflectance_), read(transmittance_)};
+}
+
+}  // namespace nacre::discs

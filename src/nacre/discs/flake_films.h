@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "nacre/core/lanes.h"
+#include "nacre/layers/recipe.h"
+
+// R and T of single flakes, each of its own film thicknesses.
+
+namespace nacre::discs {
+
+/// Where eight wavelengths lie on a grid; beyond its ends they are at the end.
+struct GridPlaces {
+    int lower[kLanes];
+    float fraction[kLanes];
+
+    /// @param grid_nm  increasing, at least one
+    GridPlaces(const std::vector<double>& grid_nm,
+               const std::array<double, kLanes>& wavelengths_nm);
+};
+
+/// A set of flakes of one species. Their films are drawn from the recipe's laws, evenly: each film
+/// thickness takes one value from each of so many equally probable intervals, and thicknesses are
+/// combined at random.                                                    [mckay-1979, section 2.3]
+class FlakeFilms {
+ public:
+    /// @param wavelengths_nm  within the data of all materials, increasing
+    /// @throws DomainError as optics::platelet_table()
+    FlakeFilms(const layers::FlakeSpecies& species, const optics::Material& binder,
+               const std::vector<double>& wavelengths_nm, std::uint64_t seed);
+
+    /// How many different flakes there are: one where no film varies.
+    int count() const { return count_; }
+
+    struct Optics {
+        DoubleLanes reflectance, transmittance;
+    };
+    /// Linear in cosine and wavelength between the nodes of the tables.
+    /// @param film    in [0, count())
+    /// @param cosine  of incidence on the flake, in [0, 1]; rounding above 1 is taken as 1
+    Optics at(int film, double cosine, const GridPlaces& places) const;
+
+    static constexpr int kFilms = 256;
+    static constexpr int kCosineIntervals = 256;
+
+ private:
+    void fill(const layers::FlakeSpecies& species, const optics::Material& binder,
+              const std::vector<double>& wavelengths_nm, std::uint64_t seed);
+
+    int count_ = 1, intervals_ = 0;
+    std::size_t stride_ = 0;
+    std::vector<float> reflectance_, transmittance_;  // [film][cosine][wavelength]
+};
+
+/// The thickness below which a share of the films of a population lies: the inverse of the law of
+/// optics::ThicknessSpread with its cuts. share in [0, 1].
+double film_thickness_nm(const optics::FilmPopulation& film, double share);
+
+}  // namespace nacre::discs
