@@ -31,17 +31,24 @@ class DiffractionLobe {
  public:
     /// @param alpha  Beckmann roughness of the flakes
     /// @param ior    of the binder
+    /// @throws DomainError naming the argument, its value and its range
     DiffractionLobe(double alpha, double ior);
 
     /// The radius in slopes at perpendicular incidence on a flake of this diameter.
-    double radius(double diameter_um) const;
-
-    /// The radius for a half vector of this slope and w_i . h = cosine, of a flake whose
-    /// radius() is `radius`: solid angle is what diffraction keeps, and sec^3 slopes make one.
-    float radius_at(float radius, float sec2, float cosine) const {
-        const float sec = std::sqrt(sec2);
-        return std::min(radius * sec * std::sqrt(sec) / std::max(cosine, kLeastCosine), most_);
+    template <class V>
+    V radius(V diameter_um) const {
+        return radius_um_ / diameter_um;
     }
+
+    /// The radius for a half vector with sec2 = 1 + slope^2 and w_i . h = cosine, of a flake whose
+    /// radius() is `radius`, at most `most`: solid angle is what diffraction keeps, and sec^3
+    /// slopes make one.
+    float radius_at(float radius, float sec2, float cosine, float most) const {
+        const float sec = std::sqrt(sec2);
+        return std::min(radius * sec * std::sqrt(sec) / std::max(cosine, kLeastCosine), most);
+    }
+    /// Lobes end here: wider ones would mirror no differently, as P ends.
+    float most_radius() const { return most_; }
 
     /// K(p) per unit square of slopes, distance2 = |p - p_m|^2 < width^2.
     static float density(float distance2, float width) {
@@ -50,7 +57,10 @@ class DiffractionLobe {
     }
     /// The Gaussian distribution of slopes convolved with K, over its own density, at the slope
     /// whose square is slope2.
+    /// @param slope2  at most kMostExponent alpha^2
+    /// @param width   at most most_radius()
     float blur(float slope2, float width) const;
+    static constexpr double kBlurError = 1e-3;  ///< relative
     /// P, per unit square of slopes.
     float slope_density(float slope2) const { return norm_ * std::exp(-slope2 * inverse_alpha2_); }
 
@@ -60,10 +70,15 @@ class DiffractionLobe {
     bool reaches(float slope2) const { return slope2 * inverse_alpha2_ < kMostExponent; }
 
  private:
+    /// The radius in |q|, in lambda' / d, of the K whose integral of K^2 is that of the Airy
+    /// pattern: the latter's is pi/8 (d/lambda')^2 Int x (2 J_1(x)/x)^4 dx, and the integral is
+    /// 0.91924 (by quadrature).
+    static constexpr double kAiryRadius = 1.25984;
+    static constexpr double kWavelengthUm = 0.55;
     /// At grazing incidence, which a clearcoat rules out, the lobe stops growing.
     static constexpr float kLeastCosine = 0.1f;
 
-    float inverse_alpha2_, norm_, most_, radius_um_;
+    float inverse_alpha_, inverse_alpha2_, norm_, most_, radius_um_;
     std::shared_ptr<const std::vector<float>> blur_table_;
 };
 

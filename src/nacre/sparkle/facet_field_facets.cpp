@@ -1,18 +1,11 @@
-#include <bit>
-#include <cstring>
 #include <numbers>
 
 #include "nacre/sparkle/facet_field.h"
+#include "nacre/sparkle/lane_bits.h"
 
 // Small footprints: facet by facet.
 
 namespace nacre::sparkle {
-namespace {
-
-using ByteLanes = signed char __attribute__((vector_size(kLanes)));
-
-}  // namespace
-
 // Bounds on a facet's raw bits that every normal in a cone keeps: a ring and a sector of slopes
 // about the half vector. What they let through is tested exactly.
 struct FacetField::NormalFilter {
@@ -92,7 +85,6 @@ void FacetField::count_facets(const Footprint& footprint, const ReflectionCone& 
 void FacetField::count_leaf(const Footprint& footprint, const Cell& cell,
                             const NormalFilter& filter, Candidates& candidates) const {
     constexpr std::uint64_t kLow = 0xffffffffu;
-    constexpr ByteLanes kOne = {1, 1, 1, 1, 1, 1, 1, 1};
     constexpr BitLanes kNumber = {0, 1, 2, 3, 4, 5, 6, 7};
     const std::uint64_t key = key_of(cell);
     const Footprint::Within within = footprint.within(cell.box());
@@ -108,13 +100,7 @@ void FacetField::count_leaf(const Footprint& footprint, const Cell& cell,
             const DoubleLanes v = __builtin_convertvector(place & kLow, DoubleLanes) * 0x1p-32;
             pass &= within.contains(u, v);
         }
-        // One byte a lane, so that nothing is done for the many that do not pass.
-        const ByteLanes bytes = __builtin_convertvector(pass, ByteLanes) & kOne;
-        std::uint64_t mask;
-        std::memcpy(&mask, &bytes, sizeof mask);
-        for (; mask != 0; mask &= mask - 1) {
-            candidates.add(bits[std::countr_zero(mask) / 8]);
-        }
+        for_each_set_lane(pass, [&](int lane) { candidates.add(bits[lane]); });
     }
 }
 

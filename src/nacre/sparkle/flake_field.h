@@ -1,11 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <vector>
 
-#include "nacre/core/range.h"
+#include "nacre/sparkle/flake_plane.h"
 #include "nacre/sparkle/flake_sizes.h"
 #include "nacre/sparkle/flake_view.h"
+#include "nacre/sparkle/patch_outline.h"
 #include "nacre/sparkle/rest_patch.h"
 
 namespace nacre::sparkle {
@@ -42,9 +43,48 @@ class FlakeField {
     const FlakeSizes& sizes() const { return sizes_; }
 
  private:
+    static constexpr int kLevels = 5;
+    static constexpr double kLevelRatio = 16;
+    struct Level {
+        double cell_mm, cells_per_mm;  // side of its cells
+        std::uint64_t key;
+    };
+    // What the levels weigh on a patch.
+    struct Weights {
+        FloatLanes by_level{};  // over the square root of their second moment
+        float told_apart = 0;   // sum of weight times share
+    };
+    // Flakes that may touch a patch.
+    struct Found {
+        std::array<std::uint64_t, FlakeView::kMost + kLanes> bits;
+        std::array<float, FlakeView::kMost + kLanes> x, y, weight;
+        int count = 0;
+    };
+
+    Weights weigh(const PatchOutline& outline) const;
+    void find(const FlakePlane& plane, const PatchOutline& outline, const Weights& weights,
+              Found& found) const;
+    void find_in_cell(std::uint64_t key, Vec2f corner_mm, float grain_mm, const FlakePlane& plane,
+                      const PatchOutline& outline, float weight, Found& found) const;
+    void show(const Found& found, const FlakePlane& plane, const PatchOutline& outline,
+              FlakeView& view) const;
+
+    /// Flakes that a cell generates on average; kMostStretch times fewer where one side serves.
+    static constexpr double kFlakesPerCell = 5;
+    static constexpr int kMostFlakesPerCell = 24;
+
     FlakePopulation population_;
     FlakeSizes sizes_;
     DiffractionLobe lobe_;
+    std::array<Level, kLevels> levels_;
+    // By level, beyond the last of no weight.
+    FloatLanes per_mm_{}, share_{};  // 1 / side of the cells; of all flakes
+    /// The probability of at most so many flakes in a cell.
+    std::array<float, kMostFlakesPerCell> at_most_;
+    /// Levels touch this many cells where they begin to fade.
+    float full_cells_;
+    float alpha_, largest_radius_mm_, smallest_radius_mm_;
+    float inverse_cover_;  // 1 / (density x mean area)
 };
 
 }  // namespace nacre::sparkle

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "nacre/core/lanes.h"
 #include "nacre/core/rng.h"
 #include "nacre/core/vec.h"
 #include "nacre/sparkle/diffraction_lobe.h"
@@ -22,11 +23,13 @@ struct FlakeView {
     int count = 0;
     float background = 1;
     float weight_sum = 0;
-    // By flake; padded to whole vectors with flakes of weight 0.
-    alignas(64) std::array<float, kMost> weight;
-    alignas(64) std::array<float, kMost> slope_x, slope_y;  ///< of its normal, in the local frame
-    alignas(64) std::array<float, kMost> lobe_radius;       ///< DiffractionLobe::radius()
-    alignas(64) std::array<std::uint64_t, kMost> bits;      ///< all else of it is a hash of these
+    // By flake, and a vector more: up to a whole vector there are flakes of weight 0.
+    template <class T>
+    using List = std::array<T, kMost + kLanes>;
+    alignas(64) List<float> weight;
+    alignas(64) List<float> slope_x, slope_y;  ///< of its normal, in the local frame
+    alignas(64) List<float> lobe_radius;       ///< DiffractionLobe::radius()
+    alignas(64) List<std::uint64_t> bits;      ///< all else of it is a hash of these
 
     /// Where it lies in its layer, 0 at the top and 1 at the bottom, evenly; and 32 bits for which
     /// of the population's films it has.

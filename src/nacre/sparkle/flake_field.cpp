@@ -1,0 +1,85 @@
+#include "nacre/sparkle/flake_field.h"
+
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/sparkle/projection.h"
+
+namespace nacre::sparkle {
+
+FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
+    : population_(population),
+      sizes_(population.diameter_um, population.diameter_spread_um),
+      lobe_(population.alpha, population.ior) {
+    require_in_range(population.density_per_mm2, 1e-9, 1e15, "flakes per mm^2");
+    const double density = population.density_per_mm2;
+    double share = 1 - 1 / kLevelRatio;
+    for (int i = 0; i < kLevels; ++i) {
+        if (i + 1 == kLevels) share /= 1 - 1 / kLevelRatio;  // and all below it
+        const double cell = std::sqrt(kFlakesPerCell / (density * double{kMostStretch} * share));
+        levels_[i].cell_mm = cell;
+        levels_[i].cells_per_mm = 1 / cell;
+        per_mm_[i] = static_cast<float>(1 / cell);
+        share_[i] = static_cast<float>(share);
+        levels_[i].key = hash_of(seed, static_cast<std::uint64_t>(i));
+        share /= kLevelRatio;
+    }
+    double probability = std::exp(-kFlakesPerCell), sum = 0;
+    for (int n = 0; n < kMostFlakesPerCell; ++n) {
+        sum += probability;
+        at_most_[n] = static_cast<float>(sum);
+        probability *= kFlakesPerCell / (n + 1);
+    }
+
+    alpha_ = static_cast<float>(population.alpha);
+    largest_radius_mm_ = static_cast<float>(0.5e-3 * sizes_.largest_um());
+    smallest_radius_mm_ = static_cast<float>(0.5e-3 * sizes_.smallest_um());
+    inverse_cover_ = static_cast<float>(1 / (density * sizes_.mean_area_um2() * 1e-6));
+    // A point tells its flakes apart, unless they lie in heaps.
+    constexpr float kFewestCells = 6, kMostCells = 12;
+    const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
+    full_cells_ = std::clamp(1.5f * across * across, kFewestCells, kMostCells);
+}
+
+void FlakeField::look(const RestPatch& patch, FlakeView& view) const {
+    const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
+    const Weights weights = weigh(outline);
+    view.count = 0;
+    view.weight_sum = 0;
+    view.background = 1 - weights.told_apart;
+    if (weights.told_apart == 0) return;
+    const Projections projections = projections_of(patch.normal);
+    for (int i = 0; i < projections.count; ++i) {
+        const FlakePlane plane(patch, outline, projections.list[i]);
+        Found found;
+        find(plane, outline, weights, found);
+        show(found, plane, outline, view);
+    }
+    // Up to a whole vector: flakes that answer to nothing.
+    store_lanes(&view.weight[view.count], FloatLanes{});
+    store_lanes(&view.lobe_radius[view.count], FloatLanes{});
+    store_lanes(&view.slope_x[view.count], splat(1e9f));
+    store_lanes(&view.slope_y[view.count], splat(1e9f));
+    FloatLanes sum{};
+    for (int k = 0; k < view.count; k += kLanes) sum += load_lanes(&view.weight[k]);
+    view.weight_sum = lane_sum(sum);
+}
+
+// A level is told apart as long as it touches few cells.
+FlakeField::Weights FlakeField::weigh(const PatchOutline& outline) const {
+    /// Where a level has faded out, in terms of full_cells_.
+    constexpr float kFaded = 2.3f;
+    const FloatLanes cells = (1.0f + (outline.size_mm[0] + 2 * outline.reach_mm) * per_mm_) *
+                             (1.0f + (outline.size_mm[1] + 2 * outline.reach_mm) * per_mm_);
+    const FloatLanes w = min_lanes(
+        max_lanes((kFaded - cells / full_cells_) / (kFaded - 1), FloatLanes{}), splat(1.0f));
+    const float first = lane_sum(w * share_), second = lane_sum(w * w * share_);
+    Weights weights;
+    if (second == 0) return weights;
+    const float scale = 1 / std::sqrt(second);
+    weights.by_level = w * scale;
+    weights.told_apart = std::min(first * scale, 1.0f);
+    return weights;
+}
+
+}  // namespace nacre::sparkle

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "nacre/sparkle/patch_outline.h"
+#include "nacre/sparkle/projection.h"
+
+namespace nacre::sparkle {
+
+/// A plane of cells as a patch sees it.
+struct FlakePlane {
+    struct Axis {
+        double at_mm;   ///< where the middle of the patch is
+        float half_mm;  ///< half the extent of the patch with the discs that touch it
+        Vec2f step;     ///< what a step along the axis is in the plane of the patch
+
+        std::pair<std::int64_t, std::int64_t> cells(double cells_per_mm) const {
+            return {static_cast<std::int64_t>(std::floor((at_mm - half_mm) * cells_per_mm)),
+                    static_cast<std::int64_t>(std::floor((at_mm + half_mm) * cells_per_mm))};
+        }
+    };
+
+    int side;    ///< Projection::side
+    float kept;  ///< flakes of the plane whose rank, of 65536, is smaller lie on the surface
+    Axis u, v;
+    Vec2f turn;  ///< cosine and sine of the angle from the patch's tangent to u
+
+    FlakePlane(const RestPatch& patch, const PatchOutline& outline, const Projection& projection)
+        : side(projection.side) {
+        const auto component = [](Vec3f w, int i) { return i == 0 ? w.x : i == 1 ? w.y : w.z; };
+        const int axis = side / 2;
+        const float across = component(patch.normal, axis);
+        kept = projection.share / (std::abs(across) * kMostStretch) * 65536;
+        const auto make = [&](int i) {
+            const float slant = component(patch.normal, i), shear = slant / across;
+            const Vec3f t = outline.tangent, b = outline.bitangent;
+            Axis out;
+            out.at_mm = component(patch.position_mm, i);
+            out.half_mm = 0.5f * (std::abs(component(patch.edge_mm[0], i)) +
+                                  std::abs(component(patch.edge_mm[1], i))) +
+                          outline.reach_mm * std::sqrt(std::max(0.0f, 1 - slant * slant));
+            out.step = {component(t, i) - shear * component(t, axis),
+                        component(b, i) - shear * component(b, axis)};
+            return out;
+        };
+        const int first = (axis + 1) % 3;
+        u = make(first);
+        v = make((axis + 2) % 3);
+        const float x = component(outline.tangent, first), y = component(outline.bitangent, first);
+        const float size = std::sqrt(x * x + y * y);
+        turn = {x / size, y / size};
+    }
+};
+
+}  // namespace nacre::sparkle

@@ -1,0 +1,44 @@
+#include "nacre/sparkle/flake_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/core/error.h"
+
+namespace nacre::sparkle {
+namespace {
+
+double normal_below(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
+
+// The x between lo and hi below which the share `p` of a standard normal variable lies.
+double normal_quantile(double p, double lo, double hi) {
+    for (int step = 0; step < 60; ++step) {
+        const double middle = 0.5 * (lo + hi);
+        (normal_below(middle) < p ? lo : hi) = middle;
+    }
+    return 0.5 * (lo + hi);
+}
+
+}  // namespace
+
+FlakeSizes::FlakeSizes(double mean_um, double spread_um) {
+    require_in_range(mean_um, 1e-3, 1e6, "diameter of the flakes in um");
+    require_in_range(spread_um, 0, mean_um, "spread of the flakes' diameter in um");
+    constexpr double kCut = 3, kSmallest = 0.25;
+    const double lo = spread_um > 0 ? std::max(-kCut, (kSmallest - 1) * mean_um / spread_um) : 0;
+    const double below = normal_below(lo), inside = normal_below(kCut) - below;
+    double sum = 0;
+    for (int i = 0; i <= kIntervals; ++i) {
+        const double p = below + inside * i / kIntervals;
+        const double x = spread_um > 0 ? normal_quantile(p, lo, kCut) : 0;
+        quantiles_[i] = static_cast<float>(mean_um + spread_um * x);
+        if (i == 0) continue;
+        // Mean square of what diameter_um() interpolates.
+        const double a = quantiles_[i - 1], b = quantiles_[i];
+        sum += (a * a + a * b + b * b) / 3;
+    }
+    mean_area_um2_ = std::numbers::pi / 4 * sum / kIntervals;
+}
+
+}  // namespace nacre::sparkle

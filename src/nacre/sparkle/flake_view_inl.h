@@ -1,0 +1,73 @@
+#pragma once
+
+#include "nacre/core/lanes.h"
+#include "nacre/sparkle/flake_view.h"
+#include "nacre/sparkle/lane_bits.h"
+
+namespace nacre::sparkle {
+
+namespace detail {
+
+// Sampled lobes are a little wider than those that are evaluated, whose radius is that at the half
+// vector instead of the normal: they should cover them.
+inline constexpr float kSampledWidening = 1.1f;
+
+}  // namespace detail
+
+template <class Visit>
+void FlakeView::for_each_answer(const DiffractionLobe& law, Vec2f slope, float cosine,
+                                Visit&& visit) const {
+    if (count == 0) return;
+    const float slope2 = slope.x * slope.x + slope.y * slope.y;
+    const float scale = law.radius_at(1.0f, 1 + slope2, cosine, INFINITY);
+    float inverse_density = 0;  // worked out with the first answer
+    for (int first = 0; first < count; first += kLanes) {
+        const FloatLanes dx = load_lanes(&slope_x[first]) - slope.x;
+        const FloatLanes dy = load_lanes(&slope_y[first]) - slope.y;
+        const FloatLanes distance2 = dx * dx + dy * dy;
+        const FloatLanes width =
+            min_lanes(load_lanes(&lobe_radius[first]) * scale, splat(law.most_radius()));
+        for_each_set_lane(distance2 < width * width, [&](int lane) {
+            if (inverse_density == 0) inverse_density = 1 / law.slope_density(slope2);
+            const float w = width[lane];
+            visit(first + lane, weight[first + lane] * law.density(distance2[lane], w) *
+                                    inverse_density / law.blur(slope2, w));
+        });
+    }
+}
+
+inline Vec2f FlakeView::sample_slope(const DiffractionLobe& law, Vec3f wi, float u_flake,
+                                     Vec2f u) const {
+    float rest = u_flake * weight_sum;
+    int k = 0;
+    while (k + 1 < count && rest >= weight[k]) rest -= weight[k++];
+    const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
+    const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
+    const float width =
+        law.radius_at(detail::kSampledWidening * lobe_radius[k], sec2, cosine, law.most_radius());
+    // The inverse of 1 - (1 - r^2/w^2)^3.
+    const float r = width * std::sqrt(std::max(0.0f, 1 - std::cbrt(1 - u.x)));
+    const float angle = 2 * std::numbers::pi_v<float> * u.y;
+    return {x + r * std::cos(angle), y + r * std::sin(angle)};
+}
+
+inline float FlakeView::slope_pdf(const DiffractionLobe& law, Vec3f wi, Vec2f slope) const {
+    float sum = 0;
+    for (int first = 0; first < count; first += kLanes) {
+        const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
+        const FloatLanes dx = x - slope.x, dy = y - slope.y, distance2 = dx * dx + dy * dy;
+        // Nearly always nothing is within reach of the widest lobe there can be.
+        for_each_set_lane(distance2 < law.most_radius() * law.most_radius(), [&](int lane) {
+            const float sec2 = 1 + x[lane] * x[lane] + y[lane] * y[lane];
+            const float cosine = std::abs(wi.x * x[lane] + wi.y * y[lane] + wi.z) / std::sqrt(sec2);
+            const float width = law.radius_at(detail::kSampledWidening * lobe_radius[first + lane],
+                                              sec2, cosine, law.most_radius());
+            if (distance2[lane] < width * width) {
+                sum += weight[first + lane] * law.density(distance2[lane], width);
+            }
+        });
+    }
+    return weight_sum > 0 ? sum / weight_sum : 0.0f;
+}
+
+}  // namespace nacre::sparkle

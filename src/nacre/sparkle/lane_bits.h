@@ -1,0 +1,76 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#ifdef __AVX512VL__
+#include <immintrin.h>
+#endif
+
+#include "nacre/core/lanes.h"
+#include "nacre/sparkle/slope_lanes.h"
+
+// Some of eight lanes.
+
+namespace nacre::sparkle {
+
+inline FloatLanes as_floats(BitLanes bits) { return __builtin_convertvector(bits, FloatLanes); }
+
+/// The lanes that are set in the result of a comparison of floats.
+using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int))));
+
+/// Calls visit(lane) for each lane whose bits are set; costs next to nothing where none is.
+template <class Mask, class Visit>
+inline void for_each_set_lane(const Mask& mask, Visit&& visit) {
+    using ByteLanes = signed char __attribute__((vector_size(kLanes)));
+    constexpr ByteLanes kOne = {1, 1, 1, 1, 1, 1, 1, 1};
+    // One byte a lane, so that nothing is done for those that are not set.
+    const ByteLanes bytes = __builtin_convertvector(mask, ByteLanes) & kOne;
+    std::uint64_t bits;
+    std::memcpy(&bits, &bytes, sizeof bits);
+    for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits) / 8);
+}
+
+/// Brings the set lanes of several vectors together at their beginning: without a branch where the
+/// processor can, as which lanes are set is not to be foretold.
+class LanePacker {
+ public:
+    explicit LanePacker(const LaneMask& mask) {
+#ifdef __AVX512VL__
+        mask_ = _mm256_movepi32_mask(std::bit_cast<__m256i>(mask));
+        count_ = std::popcount(static_cast<unsigned>(mask_));
+#else
+        for_each_set_lane(mask, [&](int lane) { lane_[count_++] = lane; });
+#endif
+    }
+    int count() const { return count_; }
+
+    /// Writes eight numbers, the first count() of which mean something.
+    void store(float* out, FloatLanes v) const {
+#ifdef __AVX512VL__
+        store_lanes(out, std::bit_cast<FloatLanes>(
+                             _mm256_maskz_compress_ps(mask_, std::bit_cast<__m256>(v))));
+#else
+        for (int i = 0; i < count_; ++i) out[i] = v[lane_[i]];
+#endif
+    }
+    void store(std::uint64_t* out, BitLanes v) const {
+#ifdef __AVX512VL__
+        store_lanes(out, std::bit_cast<BitLanes>(
+                             _mm512_maskz_compress_epi64(mask_, std::bit_cast<__m512i>(v))));
+#else
+        for (int i = 0; i < count_; ++i) out[i] = v[lane_[i]];
+#endif
+    }
+
+ private:
+    int count_ = 0;
+#ifdef __AVX512VL__
+    __mmask8 mask_;
+#else
+    int lane_[kLanes];
+#endif
+};
+
+}  // namespace nacre::sparkle

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "nacre/sparkle/disc_overlap.h"
+#include "nacre/sparkle/rest_patch.h"
+
+namespace nacre::sparkle {
+
+/// A patch in its own plane, x along its tangent and the origin in its middle: which discs touch it
+/// and how much of it they cover.
+class PatchOutline {
+ public:
+    /// @param smallest_radius_mm, largest_radius_mm  of the discs
+    PatchOutline(const RestPatch& patch, float smallest_radius_mm, float largest_radius_mm)
+        : tangent(patch.tangent),
+          bitangent(cross(patch.normal, patch.tangent)),
+          reach_mm(largest_radius_mm) {
+        for (int i = 0; i < 2; ++i) {
+            edge_[i] = {dot(patch.edge_mm[i], tangent), dot(patch.edge_mm[i], bitangent)};
+            size_mm[i] = length(edge_[i]);
+        }
+        // So small that the rim of a disc runs straight through it.
+        constexpr float kPoint = 0.05f;
+        is_point_ = size_mm[0] + size_mm[1] < kPoint * smallest_radius_mm;
+        // A needle gets some width, so that it has an area.
+        const float least_width = 1e-3f * smallest_radius_mm;
+        const int longer = size_mm[1] > size_mm[0];
+        if (!is_point_ && std::abs(area()) < least_width * size_mm[longer]) {
+            const float thin = least_width / size_mm[longer];
+            edge_[1 - longer] = {-edge_[longer].y * thin, edge_[longer].x * thin};
+            size_mm[1 - longer] = least_width;
+        }
+        if (area() < 0) {
+            std::swap(edge_[0], edge_[1]);
+            std::swap(size_mm[0], size_mm[1]);
+        }
+        for (int i = 0; i < 2; ++i) {
+            strip_[i] = size_mm[i] > 0 ? Vec2f{-edge_[i].y / size_mm[i], edge_[i].x / size_mm[i]}
+                                       : Vec2f{i == 0 ? 1.0f : 0.0f, i == 0 ? 0.0f : 1.0f};
+            half_width_[i] =
+                0.5f * (std::abs(dot(strip_[i], edge_[0])) + std::abs(dot(strip_[i], edge_[1]))) +
+                largest_radius_mm;
+        }
+    }
+
+    Vec3f tangent, bitangent;
+    float size_mm[2];  ///< of the edges
+    float reach_mm;    ///< radius of the largest disc
+
+    /// All bits set in the lanes whose discs may touch the patch: all that do, and few others.
+    auto touches(FloatLanes x, FloatLanes y) const {
+        const FloatLanes a = x * strip_[0].x + y * strip_[0].y;
+        const FloatLanes b = x * strip_[1].x + y * strip_[1].y;
+        return (a < half_width_[0]) & (a > -half_width_[0]) & (b < half_width_[1]) &
+               (b > -half_width_[1]);
+    }
+
+    /// The share of the patch that a disc about (x, y) covers.
+    FloatLanes coverage(FloatLanes x, FloatLanes y, FloatLanes radius_mm) const {
+        if (is_point_) {
+            const FloatLanes distance = sqrt_lanes(x * x + y * y);
+            const FloatLanes safe = max_lanes(distance, splat(1e-20f));
+            FloatLanes width = splat(1e-20f);  // of the patch towards the disc's middle
+            for (const Vec2f& e : edge_) {
+                const FloatLanes along = (e.x * x + e.y * y) / safe;
+                width += along < 0.0f ? -along : along;
+            }
+            const FloatLanes share = 0.5f + (radius_mm - distance) / width;
+            return min_lanes(max_lanes(share, FloatLanes{}), splat(1.0f));
+        }
+        return disc_overlap(x, y, radius_mm, edge_[0], edge_[1]) * (1 / area());
+    }
+
+ private:
+    static float dot(Vec2f a, Vec2f b) { return a.x * b.x + a.y * b.y; }
+    static float dot(Vec3f a, Vec3f b) { return nacre::dot(a, b); }
+    static float length(Vec2f a) { return std::sqrt(dot(a, a)); }
+    float area() const { return edge_[0].x * edge_[1].y - edge_[0].y * edge_[1].x; }
+
+    Vec2f edge_[2];  // anticlockwise
+    // Of the strips between opposite sides: unit normals, and half the widths with discs.
+    Vec2f strip_[2];
+    float half_width_[2];
+    bool is_point_;
+};
+
+}  // namespace nacre::sparkle
