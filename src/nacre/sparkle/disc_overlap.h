@@ -55,12 +55,12 @@ inline FloatLanes disc_overlap(FloatLanes x, FloatLanes y, FloatLanes radius, Ve
         const FloatLanes px = from.x - x, py = from.y - y;
         const FloatLanes distance = px * sine - py * cosine;
         const FloatLanes t0 = px * cosine + py * sine, t1 = t0 + size;
-        inside &= distance > 0.0f;
         const FloatLanes chord = sqrt_lanes(max_lanes(radius2 - distance * distance, FloatLanes{}));
         const FloatLanes c0 = min_lanes(max_lanes(t0, -chord), chord);
         const FloatLanes c1 = min_lanes(max_lanes(t1, -chord), chord);
-        // On the side itself: on neither side of it.
+        // On the side itself counts as inside, with the full angle that goes with it.
         const FloatLanes off = distance == 0.0f ? splat(1e-30f) : distance;
+        inside &= off > 0.0f;
         triangles += distance * (c1 - c0);
         sectors += arctangent_lanes(c1 / off) - arctangent_lanes(c0 / off);
     }

@@ -25,7 +25,7 @@ class FlakeSizes {
     double largest_um() const { return quantiles_.back(); }
 
  private:
-    static constexpr int kIntervals = 64;
+    static constexpr int kIntervals = 256;
     std::array<float, kIntervals + 1> quantiles_;
     double mean_area_um2_;
 };

@@ -1,0 +1,324 @@
+#include "nacre/sparkle/flake_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "nacre/core/error.h"
+#include "nacre/core/quadrature.h"
+#include "nacre/core/rng.h"
+
+namespace nacre::sparkle {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr FlakePopulation kSilver{
+    .density_per_mm2 = 4000, .diameter_um = 20, .diameter_spread_um = 0, .alpha = 0.1, .ior = 1.5};
+
+RestPatch square(double x_mm, double y_mm, double side_mm, double turn = 0) {
+    const float c = static_cast<float>(side_mm * std::cos(turn));
+    const float s = static_cast<float>(side_mm * std::sin(turn));
+    RestPatch patch;
+    patch.position_mm = {static_cast<float>(x_mm), static_cast<float>(y_mm), 3};
+    patch.edge_mm[0] = {c, s, 0};
+    patch.edge_mm[1] = {-s, c, 0};
+    return patch;
+}
+
+double side_of(double flakes, const FlakePopulation& population) {
+    return std::sqrt(flakes / population.density_per_mm2);
+}
+
+// The answer of a patch to one half vector, relative to the mean.
+double answer(const FlakeField& field, const RestPatch& patch, Vec2f slope, float cosine) {
+    static const auto view = std::make_unique<FlakeView>();
+    field.look(patch, *view);
+    double sum = view->background;
+    view->for_each_answer(field.lobe(), slope, cosine, [&](int, float share) { sum += share; });
+    return sum;
+}
+
+struct Moments {
+    double mean, variance, mean_error, variance_error;
+};
+
+// Over independent patches: each from a field of its own kind of place, far from the others.
+template <class F>
+Moments moments(int count, F&& sample) {
+    std::vector<double> x(count);
+    double mean = 0;
+    for (int i = 0; i < count; ++i) mean += (x[i] = sample(i)) / count;
+    double second = 0, fourth = 0;
+    for (double v : x) {
+        const double d2 = (v - mean) * (v - mean);
+        second += d2 / count;
+        fourth += d2 * d2 / count;
+    }
+    return {mean, second, std::sqrt(second / count), std::sqrt((fourth - second * second) / count)};
+}
+
+// Int coverage^2 over the place of a disc, in mm^2.
+double place_factor(double side_mm, double diameter_mm) {
+    const double r = diameter_mm / 2;
+    if (side_mm == 0) return kPi * r * r;
+    const float s = static_cast<float>(side_mm);
+    const double reach = side_mm / 2 + r;
+    constexpr int kSteps = 400;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        for (int j = 0; j < kSteps; ++j) {
+            const float x = static_cast<float>(reach * (2 * (i + 0.5) / kSteps - 1));
+            const float y = static_cast<float>(reach * (2 * (j + 0.5) / kSteps - 1));
+            const double area =
+                disc_overlap(splat(x), splat(y), splat(static_cast<float>(r)), {s, 0}, {0, s})[0];
+            sum += area * area;
+        }
+    }
+    return sum * 4 * reach * reach / (kSteps * kSteps) / std::pow(side_mm, 4);
+}
+
+// Campbell's formula for the variance of sum_k W_k K_k / (rho blur P), discs all alike:
+// (1/rho) Int W^2 Int K^2 P / (blur P)^2.
+double campbell(const FlakePopulation& population, const FlakeField& field, double side_mm,
+                Vec2f slope, float cosine) {
+    const double d = population.diameter_um * 1e-3, area = kPi / 4 * d * d;
+    const double slope2 = double{slope.x} * slope.x + double{slope.y} * slope.y;
+    const DiffractionLobe& lobe = field.lobe();
+    const float width = lobe.radius_at(lobe.radius(static_cast<float>(population.diameter_um)),
+                                       static_cast<float>(1 + slope2), cosine, lobe.most_radius());
+    const Quadrature rule = gauss_legendre(32, 0.0, 1.0);
+    double answers = 0;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        const double r = width * rule.nodes[i];
+        for (int k = 0; k < 64; ++k) {
+            const double angle = 2 * kPi * (k + 0.5) / 64;
+            const double x = slope.x + r * std::cos(angle), y = slope.y + r * std::sin(angle);
+            const double kernel = DiffractionLobe::density(static_cast<float>(r * r), width);
+            answers += rule.weights[i] * width * r * 2 * kPi / 64 * kernel * kernel *
+                       lobe.slope_density(static_cast<float>(x * x + y * y));
+        }
+    }
+    const double blurred = lobe.slope_density(static_cast<float>(slope2)) *
+                           lobe.blur(static_cast<float>(slope2), width);
+    const double place = place_factor(side_mm, d) / (area * area);
+    return place * answers / (blurred * blurred) / population.density_per_mm2;
+}
+
+TEST(FlakeField, CountsFlakesByPoissonsLaw) {
+    const FlakeField field(kSilver, 5);
+    const auto view = std::make_unique<FlakeView>();
+    // All discs that touch a point: a Poisson number of mean density times area.
+    const double mean = 4000 * kPi * 1e-4;
+    std::map<int, int> found;
+    constexpr int kPatches = 40000;
+    for (int i = 0; i < kPatches; ++i) {
+        field.look(square(0.1 * (i % 200), 0.1 * (i / 200.0), 0), *view);
+        EXPECT_EQ(view->background, 0);
+        ++found[view->count];
+    }
+    double probability = std::exp(-mean), chi_square = 0;
+    for (int n = 0; n < 6; ++n) {
+        const double expected = kPatches * probability;
+        chi_square += (found[n] - expected) * (found[n] - expected) / expected;
+        probability *= mean / (n + 1);
+    }
+    EXPECT_LT(chi_square, 22.5);  // 6 cells: exceeded once in a thousand
+}
+
+TEST(FlakeField, KeepsTheMeanAndTheVarianceOfEveryFlakeAtEveryScale) {
+    const Vec2f slope = {0.06f, -0.03f};
+    const float cosine = 0.9f;
+    FlakePopulation dense = kSilver;  // so many answer that the variance is soon measured
+    dense.diameter_um = 8;
+    dense.density_per_mm2 = 25000;
+    for (const double flakes : {0.0, 0.25, 4.0, 12.0, 40.0, 150.0, 1e3, 2e4, 1e6}) {
+        const double side = side_of(flakes, dense);
+        const double reach = 4 * (side + 0.05);
+        Rng rng(static_cast<std::uint64_t>(flakes) + 11);
+        const FlakeField field(dense, 3);
+        constexpr int kPatches = 60000;
+        const Moments m = moments(kPatches, [&](int i) {
+            return answer(
+                field,
+                square(reach * (i % 300), reach * (i / 300.0), side, 6.28 * rng.uniform_double()),
+                slope, cosine);
+        });
+        const double expected = campbell(dense, field, side, slope, cosine);
+        EXPECT_NEAR(m.mean, 1, 4 * m.mean_error) << flakes;
+        EXPECT_NEAR(m.variance / expected, 1, 0.03 + 3 * m.variance_error / expected) << flakes;
+        EXPECT_LT(m.variance_error, 0.05 * expected)
+            << flakes;  // the line above is worth something
+    }
+}
+
+TEST(FlakeField, KeepsTheMeanWhateverTheSizesAndTheLobe) {
+    for (const FlakePopulation& population :
+         {FlakePopulation{500, 100, 30, 0.2, 1.5}, FlakePopulation{2e5, 2, 0.5, 0.02, 1.5},
+          FlakePopulation{3000, 18, 6, 0.35, 1.33}}) {
+        const FlakeField field(population, 9);
+        for (const Vec2f relative : {Vec2f{0, 0}, Vec2f{0.9f, 0.4f}, Vec2f{-1.8f, 0}}) {
+            const Vec2f slope = {relative.x * static_cast<float>(population.alpha),
+                                 relative.y * static_cast<float>(population.alpha)};
+            const double side = side_of(30, population);
+            const Moments m = moments(40000, [&](int i) {
+                return answer(field, square(4 * side * (i % 200), 4 * side * (i / 200.0), side),
+                              slope, 0.8f);
+            });
+            EXPECT_NEAR(m.mean, 1, 4 * m.mean_error + 2 * DiffractionLobe::kBlurError);
+            EXPECT_GT(m.variance, 0);
+        }
+    }
+}
+
+TEST(FlakeField, FootprintsAddUp) {
+    const FlakeField field(kSilver, 1);
+    const double side = side_of(1, kSilver);
+    Rng rng(4);
+    int different = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double x = 50 * rng.uniform_double(), y = 50 * rng.uniform_double();
+        // Wide lobes, so that most patches hold a flake that answers.
+        const Vec2f slope = {0.02f, 0};
+        const double whole = answer(field, square(x, y, side), slope, 0.1f);
+        double parts = 0;
+        for (double dx : {-0.25, 0.25}) {
+            for (double dy : {-0.25, 0.25}) {
+                parts +=
+                    answer(field, square(x + dx * side, y + dy * side, side / 2), slope, 0.1f) / 4;
+            }
+        }
+        // Places are told to 1e-7 of 50 mm, discs are 0.02 mm.
+        EXPECT_NEAR(whole, parts, 2e-3 * (1 + whole));
+        different += whole > 0.01;
+    }
+    EXPECT_GT(different, 30);
+}
+
+TEST(FlakeField, IsTheSameInEveryFrame) {
+    // The tangent of a patch may point anywhere: directions told in its frame meet the same flakes.
+    const FlakeField field(kSilver, 1);
+    const auto view = std::make_unique<FlakeView>(), turned = std::make_unique<FlakeView>();
+    RestPatch patch = square(7, 5, 0.02);
+    patch.normal = normalize({0.3f, 0.2f, 0.9f});
+    patch.tangent = normalize(cross({0, 1, 0}, patch.normal));
+    const Vec3f bitangent = cross(patch.normal, patch.tangent);
+    patch.edge_mm[0] = 0.02f * patch.tangent;
+    patch.edge_mm[1] = 0.02f * bitangent;
+    field.look(patch, *view);
+    RestPatch other = patch;
+    const float c = std::cos(1.0f), s = std::sin(1.0f);
+    other.tangent = c * patch.tangent + s * bitangent;
+    field.look(other, *turned);
+    ASSERT_EQ(view->count, turned->count);
+    ASSERT_GT(view->count, 0);
+    for (int k = 0; k < view->count; ++k) {
+        EXPECT_EQ(view->bits[k], turned->bits[k]);
+        EXPECT_NEAR(view->weight[k], turned->weight[k], 1e-5);
+        EXPECT_NEAR(turned->slope_x[k], c * view->slope_x[k] + s * view->slope_y[k], 1e-6);
+        EXPECT_NEAR(turned->slope_y[k], -s * view->slope_x[k] + c * view->slope_y[k], 1e-6);
+    }
+}
+
+TEST(FlakeField, HasTheSameDensityOnEverySlope) {
+    const FlakeField field(kSilver, 1);
+    const auto view = std::make_unique<FlakeView>();
+    Rng rng(8);
+    // Facing one side, two sides about equally, three, and on the way between.
+    for (const Vec3f direction : {Vec3f{0, 0, 1}, Vec3f{0, -1, 0}, Vec3f{1, 0, 0.97f},
+                                  Vec3f{-1, 1, 1}, Vec3f{0.3f, 0.6f, 0.7f}, Vec3f{1, 0.8f, 0}}) {
+        const Vec3f n = normalize(direction);
+        const Frame frame = Frame::around(n);
+        double sum = 0, squares = 0;
+        constexpr int kPatches = 20000;
+        for (int i = 0; i < kPatches; ++i) {
+            RestPatch patch;
+            patch.normal = n;
+            patch.tangent = frame.s;
+            patch.position_mm =
+                (60 * rng.uniform_float()) * frame.s + (60 * rng.uniform_float()) * frame.t;
+            patch.edge_mm[0] = 0.03f * frame.s;
+            patch.edge_mm[1] = 0.03f * frame.t;
+            field.look(patch, *view);
+            const double x = view->background + view->weight_sum;
+            sum += x / kPatches;
+            squares += x * x / kPatches;
+        }
+        const double variance = squares - sum * sum;
+        EXPECT_NEAR(sum, 1, 4 * std::sqrt(variance / kPatches)) << n.x << ' ' << n.y;
+        // Poisson: place_factor / (density area^2) with square patches of 3.6 flakes.
+        const double area = kPi * 1e-4;
+        EXPECT_NEAR(variance, place_factor(0.03, 0.02) / (4000 * area * area), 0.02 * variance)
+            << n.x << ' ' << n.y;
+    }
+}
+
+TEST(FlakeField, SamplesSlopesWithTheDensityItStates) {
+    const FlakeField field(kSilver, 1);
+    const auto view = std::make_unique<FlakeView>();
+    field.look(square(1, 2, 0.04), *view);
+    ASSERT_GT(view->count, 2);
+    const Vec3f wi = normalize({0.3f, -0.2f, 0.8f});
+    // E[1 / pdf] over what is sampled is the area of the support; cells of a grid hold what the
+    // density says.
+    constexpr int kSide = 40, kSamples = 400000;
+    constexpr float kReach = 0.4f;
+    std::vector<double> count(kSide * kSide), expected(kSide * kSide);
+    Rng rng(6);
+    for (int i = 0; i < kSamples; ++i) {
+        const Vec2f p = view->sample_slope(field.lobe(), wi, rng.uniform_float(),
+                                           {rng.uniform_float(), rng.uniform_float()});
+        const int x = static_cast<int>((p.x / kReach + 1) * kSide / 2);
+        const int y = static_cast<int>((p.y / kReach + 1) * kSide / 2);
+        ASSERT_TRUE(x >= 0 && x < kSide && y >= 0 && y < kSide);
+        ++count[y * kSide + x];
+    }
+    constexpr int kFine = 40;
+    for (int y = 0; y < kSide * kFine; ++y) {
+        for (int x = 0; x < kSide * kFine; ++x) {
+            const auto at = [&](int i) { return kReach * ((i + 0.5f) * 2 / (kSide * kFine) - 1); };
+            expected[y / kFine * kSide + x / kFine] +=
+                view->slope_pdf(field.lobe(), wi, {at(x), at(y)}) * kSamples *
+                std::pow(2 * kReach / (kSide * kFine), 2);
+        }
+    }
+    double chi_square = 0, total = 0;
+    int cells = 0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        total += expected[i];
+        if (expected[i] < 20) continue;
+        chi_square += (count[i] - expected[i]) * (count[i] - expected[i]) / expected[i];
+        ++cells;
+    }
+    EXPECT_NEAR(total, kSamples, 2e-3 * kSamples);
+    ASSERT_GT(cells, 10);
+    EXPECT_LT(chi_square, cells + 4 * std::sqrt(2.0 * cells));
+}
+
+TEST(FlakeField, RefusesWhatIsOutOfRange) {
+    FlakePopulation population = kSilver;
+    population.density_per_mm2 = 0;
+    EXPECT_THROW(FlakeField(population, 0), DomainError);
+    population = kSilver;
+    population.alpha = 2;
+    EXPECT_THROW(FlakeField(population, 0), DomainError);
+}
+
+TEST(FlakeField, SurvivesStrangePatches) {
+    const FlakeField field(kSilver, 1);
+    const auto view = std::make_unique<FlakeView>();
+    for (float size : {0.0f, 1e-20f, 1e-6f, 1.0f, 1e6f, 1e20f}) {
+        for (float thin : {0.0f, 1e-9f, 1.0f}) {
+            RestPatch patch = square(1e5, -1e5, 0);
+            patch.edge_mm[0] = {size, 0, 0};
+            patch.edge_mm[1] = {size * 0.5f, size * thin, 0};
+            field.look(patch, *view);
+            EXPECT_TRUE(std::isfinite(view->weight_sum)) << size << ' ' << thin;
+            EXPECT_GE(view->background, 0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nacre::sparkle
