@@ -61,9 +61,9 @@ Source solved_source(const EvalOptions& options, const std::optional<std::vector
             }};
 }
 
-/// The square that --at and --footprint describe; none without them.
-std::optional<bsdf::Patch> parse_patch(const EvalOptions& options, const models::ModelInfo& model) {
-    if (options.at.empty() && options.footprint.empty()) return std::nullopt;
+/// What can be said about --at and --footprint before the paint is made.
+void check_patch(const EvalOptions& options, const models::ModelInfo& model) {
+    if (options.at.empty() && options.footprint.empty()) return;
     if (!model.can.sparkle) {
         throw UsageError(
             fmt::format("--at and --footprint: {} is alike all over the surface", model.name));
@@ -71,22 +71,35 @@ std::optional<bsdf::Patch> parse_patch(const EvalOptions& options, const models:
     if (options.at.empty() || options.footprint.empty()) {
         throw UsageError("--at and --footprint belong together");
     }
-    const std::vector<std::string> place = split(options.at, ',');
-    if (place.size() != 2) {
-        throw UsageError(fmt::format("--at = {}: must be U,V as in 0.25,0.5", options.at));
+    if (split(options.at, ',').size() != 2) {
+        throw UsageError(fmt::format("--at = {}: must be two numbers, as in 0.25,0.5", options.at));
     }
-    const Range unit{0, 1};
-    const auto side =
-        static_cast<float>(parse_number("--footprint", options.footprint, {0, 1, "", true}));
-    return bsdf::Patch{parse_number("--at", place[0], unit),
-                       parse_number("--at", place[1], unit),
-                       {side, 0},
-                       {0, side}};
+}
+
+/// The square that --at and --footprint describe, in the terms of the surface; none without them.
+std::optional<bsdf::Patch> parse_patch(const EvalOptions& options, bsdf::Layout layout) {
+    if (options.at.empty()) return std::nullopt;
+    // As large as a car.
+    constexpr Range kPlace{-1e4, 1e4, "mm"}, kSide{0, 1e4, "mm", true};
+    constexpr Range kShare{0, 1}, kShareOfSide{0, 1, "", true};
+    const bool in_mm = layout == bsdf::Layout::rest_space;
+    const std::vector<std::string> place = split(options.at, ',');
+    const double x = parse_number("--at", place[0], in_mm ? kPlace : kShare);
+    const double y = parse_number("--at", place[1], in_mm ? kPlace : kShare);
+    const auto side = static_cast<float>(
+        parse_number("--footprint", options.footprint, in_mm ? kSide : kShareOfSide));
+    if (!in_mm) return bsdf::Patch{x, y, {side, 0}, {0, side}};
+    // A flat panel that faces +z, as in render::FlatPanel.
+    const Vec3f position_mm{static_cast<float>(x), static_cast<float>(y), 0}, normal{0, 0, 1};
+    const Frame frame = Frame::around(normal);
+    bsdf::Patch patch;
+    patch.rest = {position_mm, normal, frame.s, {side * frame.s, side * frame.t}};
+    return patch;
 }
 
 /// Any model that gives values, through the surface that a renderer sees.
 Source model_source(const EvalOptions& options, const models::ModelInfo& model,
-                    const models::SurfaceOptions& surface, const std::optional<bsdf::Patch>& patch,
+                    const models::SurfaceOptions& surface,
                     const std::optional<std::vector<double>>& wanted) {
     if (model.can.reference_only) {
         throw UsageError(
@@ -99,6 +112,7 @@ Source model_source(const EvalOptions& options, const models::ModelInfo& model,
             fmt::format("--part = {}: only --model microflake knows parts", options.part));
     }
     PaintSurface paint = load_surface(options.recipe, model.model, surface, options);
+    const std::optional<bsdf::Patch> patch = parse_patch(options, paint.surface->layout());
     std::vector<double> wavelengths = wanted.value_or(layers::default_wavelengths_nm());
     const auto brdf = std::make_shared<const models::SpectralBrdf>(*paint.surface, wavelengths);
     return {std::move(paint.recipe), std::move(wavelengths),
@@ -110,7 +124,7 @@ Source model_source(const EvalOptions& options, const models::ModelInfo& model,
 ExitStatus run(const EvalOptions& options) {
     const models::ModelInfo& model = parse_model(options.model);
     const models::SurfaceOptions surface = parse_surface_options(options.model, options.seed);
-    const std::optional<bsdf::Patch> patch = parse_patch(options, model);
+    check_patch(options, model);
     const ThreadLimit threads(options.threads);
     const Stopwatch watch;
     const std::vector<Direction> incident = parse_directions("--incident", options.incident);
@@ -121,8 +135,8 @@ ExitStatus run(const EvalOptions& options) {
     }
     const bool is_solved = model.model == models::Model::microflake &&
                            surface.table == models::Table::split && !is_brdf_table(options.recipe);
-    const Source source = is_solved ? solved_source(options, wanted)
-                                    : model_source(options, model, surface, patch, wanted);
+    const Source source =
+        is_solved ? solved_source(options, wanted) : model_source(options, model, surface, wanted);
     const std::vector<double>& wavelengths = source.wavelengths;
     if (incident.size() * outgoing.size() * wavelengths.size() > kMostRows) {
         throw UsageError(
@@ -160,12 +174,13 @@ Command add_eval(CLI::App& program) {
     CLI::App* eval = program.add_subcommand("eval", "Evaluate the BRDF of a paint");
     add_brdf_options(*eval, *options);
     add_model_options(*eval, options->model);
-    eval->add_option(
-        "--at", options->at,
-        "special-effect: U,V, the middle of a patch in the object's unit square; without "
-        "it, the mean over the object");
+    eval->add_option("--at", options->at,
+                     "Middle of a patch that shows its single flakes; nacre: X,Y in mm on a flat "
+                     "panel; special-effect: U,V in the object's unit square. Without it, the mean "
+                     "over the object");
     eval->add_option("--footprint", options->footprint,
-                     "special-effect: side of that patch, as a share of the unit square's");
+                     "Side of that patch; nacre: in mm; special-effect: as a share of the unit "
+                     "square's");
     add_seed(*eval, *options);
     eval->add_option("--wavelength", options->wavelengths,
                      "Vacuum wavelengths, nm [those of a solved paint, else 400:700:10]");

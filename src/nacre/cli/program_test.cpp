@@ -302,6 +302,13 @@ thickness_spread_nm = 5
         EXPECT_EQ(eval.status, 0) << eval.err;
         EXPECT_GT(number(eval.out, 1, 5), 0.01) << model;
     }
+    EXPECT_EQ(
+        nacre("eval facets.toml --model special-effect --at 1.5,0.5 --footprint 0.1" + directions)
+            .status,
+        1);
+    EXPECT_EQ(nacre("eval facets.toml --model special-effect --at 0.5 --footprint 0.1" + directions)
+                  .status,
+              1);
     // Patches that share out the whole square have the mean's value on average; one alone has not.
     const std::string facets = "eval facets.toml --model special-effect" + directions;
     const double mean = number(nacre(facets).out, 1, 5);
@@ -319,6 +326,12 @@ thickness_spread_nm = 5
                   paint);
         EXPECT_EQ(render.status, 0) << paint << ": " << render.err;
     }
+    ASSERT_EQ(nacre("render sphere --paint facets.toml --model special-effect --sparkle --quiet "
+                    "--spp 1 --size 16x16 -o s.exr")
+                  .status,
+              0);
+    EXPECT_THAT(nacre("info s.exr").out, HasSubstr("channel sparkle.G:"));
+    EXPECT_THAT(nacre("info a.exr").out, Not(HasSubstr("sparkle")));
     const Outcome missing = nacre("eval gray.toml --model special-effect" + directions);
     EXPECT_EQ(missing.status, 2);
     EXPECT_THAT(missing.err, HasSubstr("gray.toml: microfacet: is missing"));

@@ -230,10 +230,13 @@ Command add_render(CLI::App& program) {
     add_model_options(*command, options->model);
     command
         ->add_option("--footprint", options->render.footprint_pixels,
-                     "special-effect: side of the patch that a sample stands for, pixels; 0: the "
-                     "samples of a pixel share it out")
+                     "nacre, special-effect: side of the patch that a sample stands for, pixels; "
+                     "0: the samples of a pixel share it out")
         ->check(CLI::Range(0.0, 1000.0))
         ->capture_default_str();
+    command->add_flag("--sparkle", options->render.sparkle,
+                      "Keep the light of single flakes apart as well, in the EXR's channels "
+                      "sparkle.R, .G, .B: what they send less their mean");
     command->add_option("--spp", options->render.samples_per_pixel, "Samples per pixel")
         ->check(CLI::Range(1, 1 << 24))
         ->capture_default_str();
@@ -262,7 +265,8 @@ Command add_render(CLI::App& program) {
     command->footer(
         "The EXR holds linear Rec. 709 (1 is the perfect diffuser in full light), albedo and "
         "normal\n"
-        "for denoisers, and the settings; the PNG is tone-mapped for looking at. For a given seed\n"
+        "for denoisers, and the settings; the PNG is tone-mapped for looking at. With --sparkle,\n"
+        "take sparkle from the picture, denoise the rest and add it again. For a given seed\n"
         "the picture does not depend on the number of threads. Ctrl-C writes what is there, marks\n"
         "it as partial and ends with status 3.\n\n"
         "Example:\n"

@@ -32,6 +32,7 @@ Image image_of(const render::RenderResult& result, std::map<std::string, std::st
     add_triple(image, "", "RGB", result.rgb);
     add_triple(image, "albedo.", "RGB", result.albedo);
     add_triple(image, "normal.", "XYZ", result.normal);
+    add_triple(image, "sparkle.", "RGB", result.sparkle);
     if (!result.alpha.empty()) image.channels.push_back({"A", result.alpha});
     const std::size_t bins = result.bin_centres_nm.size();
     for (std::size_t bin = 0; bin < bins && !result.spectral.empty(); ++bin) {

@@ -9,9 +9,9 @@
 namespace nacre::io {
 
 /// A rendered picture with the channels R, G, B; A; albedo.R ... and normal.X ... for denoisers;
-/// and, where there is a spectral film, S0.<wavelength>nm for each bin, laid out so that tools for
-/// spectral OpenEXR read them [fichet-2021]. The metadata are those given plus samples, seconds
-/// and whether the picture is complete.
+/// sparkle.R ... if it was asked for; and, where there is a spectral film, S0.<wavelength>nm for
+/// each bin, laid out so that tools for spectral OpenEXR read them [fichet-2021]. The metadata are
+/// those given plus samples, seconds and whether the picture is complete.
 Image image_of(const render::RenderResult& result, std::map<std::string, std::string> metadata);
 
 }  // namespace nacre::io

@@ -7,8 +7,9 @@
 
 namespace nacre::render {
 
-/// The scenes that come with Nacre: "sphere", "panel", "curved-panel", "speed-shape". Each shows
-/// one paint, in the material slot "paint", in the built-in studio.
+/// The scenes that come with Nacre. Each shows one paint, in the material slot "paint": "sphere",
+/// "panel", "curved-panel" and "speed-shape" in the built-in studio; for single flakes "macro", two
+/// millimetres of a panel, and "panel-sun", a panel at arm's length in the sun.
 std::vector<std::string> builtin_scene_names();
 
 /// @throws InputError naming the text and the scenes that exist

@@ -29,7 +29,7 @@ std::string refusal(const std::function<void(SceneDescription&)>& spoil) {
 }
 
 TEST(SceneDescription, BuiltinScenesAreValidAndListed) {
-    ASSERT_EQ(builtin_scene_names().size(), 4u);
+    ASSERT_EQ(builtin_scene_names().size(), 6u);
     for (const auto& name : builtin_scene_names()) {
         const SceneDescription scene = builtin_scene(name);
         EXPECT_NO_THROW(validate(scene));
