@@ -45,8 +45,8 @@ double AiryDisc::radius_of_share(double share) {
         return kLast * (1 - table.share_of_last) / (1 - share);
     }
     // Near the centre the share is x^2 / 4, and the table's first step would be too coarse.
-    constexpr double kCentre = 1e-3;
-    if (share < kCentre) return 2 * std::sqrt(share) * (1 + 0.125 * share);
+    constexpr double kCentre = 3e-3;
+    if (share < kCentre) return 2 * std::sqrt(share) * (1 + 0.25 * share);
     const double t = 1 - std::sqrt(1 - share / table.share_of_last);
     const double place = t * kIntervals;
     const int i = std::min(static_cast<int>(place), kIntervals - 1);

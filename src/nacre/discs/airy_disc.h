@@ -14,13 +14,13 @@ namespace nacre::discs {
 /// on. In q the pattern is round at any angle of incidence, and it is reciprocal.
 class AiryDisc {
  public:
-    /// The x within which a share of the power lies. share in [0, 1); relative error below
-    /// kAiryDiscError.
+    /// The x within which a share of the power lies. share in [0, 1); error below kAiryDiscError of
+    /// the lesser of the share and the rest.
     static double radius_of_share(double share);
 };
 
 /// Of radius_of_share(), against the encircled power.
-inline constexpr double kAiryDiscError = 1e-3;
+inline constexpr double kAiryDiscError = 3e-3;
 
 /// Share of the power within x: 1 - J_0(x)^2 - J_1(x)^2.        [born-wolf-1999, section 8.5.2, eq.
 /// 18]

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "nacre/core/range.h"
 #include "nacre/core/vec.h"
+#include "nacre/discs/tile.h"
 #include "nacre/layers/recipe.h"
 
 // The flakes of a paint as what they are: discs at places of their own.
@@ -20,13 +20,6 @@ struct Disc {
     std::uint16_t species;  ///< counted through all layers from the top down
 };
 
-/// A rectangle of paint that repeats itself: its opposite edges are joined, so that it has no
-/// border, and what light sees beyond an edge is what lies at the other one.
-struct Tile {
-    double width_um = 0, height_um = 0;
-};
-
-inline constexpr Range kTileSide{.lo = 0.01, .hi = 1000, .unit = "mm"};
 /// Some 150 bytes each, with what finds them.
 inline constexpr double kMostDiscs = 8e6;
 

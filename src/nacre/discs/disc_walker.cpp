@@ -17,17 +17,12 @@ Vec3f to_float(const Direction3& v) {
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-double modulo(double x, double period) {
-    const double rest = x - period * std::floor(x / period);
-    return rest < period ? rest : 0;
-}
-
 }  // namespace
 
 std::optional<volume::Escape> DiscWalker::run(double x_um, double y_um, const Direction3& travel,
                                               const Lanes& weight) {
-    const Tile& tile = paint_.discs.tile();
-    position_ = {modulo(x_um, tile.width_um), modulo(y_um, tile.height_um), 0};
+    position_ = {x_um, y_um, 0};
+    paint_.discs.tile().wrap(position_.x(), position_.y());
     moved_ = Direction3::Zero();
     travel_ = travel;
     leaving_ = DiscScene::kNone;
@@ -56,10 +51,11 @@ void DiscWalker::fly() {
     const double bottom = slab_top_ - slab.thickness_um;
     const double to_slab =
         std::max(0.0, ((down ? bottom : slab_top_) - position_.z()) / travel_.z());
-    const double to_wrap = wrap_distance();
+    const Tile& tile = paint_.discs.tile();
+    const double to_edge = tile.to_edge(position_.x(), position_.y(), travel_.x(), travel_.y());
     const double to_pigment =
         slab.pigment_rate_per_um > 0 ? random_.exponential() / slab.pigment_rate_per_um : kInfinity;
-    double distance = std::min({to_slab, to_wrap, to_pigment});
+    double distance = std::min({to_slab, to_edge, to_pigment});
     const auto hit = paint_.discs.intersect(to_float(position_), to_float(travel_),
                                             static_cast<float>(distance), leaving_);
     if (hit) distance = hit->distance_um;
@@ -74,37 +70,14 @@ void DiscWalker::fly() {
     if (hit) {
         position_.z() = std::clamp(position_.z(), bottom, slab_top_);
         meet_disc(hit->disc);
-    } else if (to_slab <= std::min(to_wrap, to_pigment)) {
+    } else if (to_slab <= std::min(to_edge, to_pigment)) {
         down ? descend() : ascend();
-    } else if (to_wrap <= to_pigment) {
-        wrap();
+    } else if (to_edge <= to_pigment) {
+        tile.step_over(position_.x(), position_.y(), travel_.x(), travel_.y());
+        leaving_ = DiscScene::kNone;
     } else {
         meet_pigment(slab);
     }
-}
-
-double DiscWalker::wrap_distance() const {
-    const Tile& tile = paint_.discs.tile();
-    const auto along = [](double x, double direction, double side) {
-        if (direction == 0) return kInfinity;
-        return std::max(0.0, ((direction > 0 ? side : 0) - x) / direction);
-    };
-    return std::min(along(position_.x(), travel_.x(), tile.width_um),
-                    along(position_.y(), travel_.y(), tile.height_um));
-}
-
-/// Out at one edge of the tile, in at the opposite one.
-void DiscWalker::wrap() {
-    const Tile& tile = paint_.discs.tile();
-    const auto over = [](double& x, double direction, double side) {
-        // Within rounding of the edge that it moves towards.
-        const double near = 1e-9 * side;
-        if (direction > 0 && x >= side - near) x = 0;
-        if (direction < 0 && x <= near) x = side;
-    };
-    over(position_.x(), travel_.x(), tile.width_um);
-    over(position_.y(), travel_.y(), tile.height_um);
-    leaving_ = DiscScene::kNone;
 }
 
 void DiscWalker::meet_disc(std::uint32_t number) {

@@ -38,8 +38,6 @@ class DiscWalker {
 
  private:
     void fly();
-    double wrap_distance() const;
-    void wrap();
     void meet_disc(std::uint32_t disc);
     Direction3 spread(const Direction3& mirrored, const Direction3& normal, double diameter_um);
     void meet_pigment(const reference::Slab& slab);

@@ -1,0 +1,101 @@
+#include "nacre/discs/flake_films.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nacre/discs/test_support.h"
+#include "nacre/optics/thickness_rule.h"
+
+namespace nacre::discs {
+namespace {
+
+const std::vector<double> kGrid{400, 450, 500, 550, 600, 650, 700};
+constexpr std::array<double, kLanes> kWavelengths{400, 425, 450, 500, 550, 600, 625, 700};
+
+layers::FlakeSpecies pearl_flakes() {
+    layers::FlakeSpecies species;
+    optics::Platelet platelet;
+    platelet.core = {optics::find_material("mica"), 500, {60}};
+    platelet.coats = {
+        {optics::find_material("TiO2_anatase"), 110, {5, optics::ThicknessSpread::Law::uniform}}};
+    species.body = platelet;
+    return species;
+}
+
+TEST(FlakeFilms, ThicknessFollowsTheRecipesLaw) {
+    // Moments of the inverse distribution function against the quadrature that the solver uses.
+    for (const optics::FilmPopulation& film :
+         {optics::FilmPopulation{optics::Material(1.5), 100, {20}},
+          optics::FilmPopulation{optics::Material(1.5), 30, {25}},
+          optics::FilmPopulation{
+              optics::Material(1.5), 100, {30, optics::ThicknessSpread::Law::uniform}}}) {
+        const auto rule = optics::thickness_rule(film.thickness_nm, film.spread, 20);
+        constexpr int kSteps = 20000;
+        for (int power = 1; power <= 3; ++power) {
+            double sum = 0, expected = 0;
+            for (int i = 0; i < kSteps; ++i)
+                sum += std::pow(film_thickness_nm(film, (i + 0.5) / kSteps), power) / kSteps;
+            for (std::size_t i = 0; i < rule.weights.size(); ++i)
+                expected += rule.weights[i] * std::pow(rule.thickness_nm[i], power);
+            EXPECT_NEAR(sum / expected, 1, 1e-5) << film.thickness_nm << " to the " << power;
+        }
+    }
+}
+
+TEST(FlakeFilms, MeanOverTheSetIsThatOfThePopulation) {
+    const layers::FlakeSpecies species = pearl_flakes();
+    const optics::Material binder(1.5);
+    const FlakeFilms films(species, binder, kGrid, 3);
+    EXPECT_EQ(films.count(), FlakeFilms::kFilms);
+    const GridPlaces places(kGrid, kWavelengths);
+    // 0.4671875 lies between nodes of the set's table.
+    for (const double cosine : {1.0, 0.8, 0.4671875}) {
+        const auto mean = optics::platelet_table(std::get<optics::Platelet>(species.body), binder,
+                                                 std::vector{cosine}, kGrid);
+        DoubleLanes r{}, t{}, r2{};
+        for (int i = 0; i < films.count(); ++i) {
+            const auto optics = films.at(i, cosine, places);
+            r += optics.reflectance / films.count();
+            r2 += optics.reflectance * optics.reflectance / films.count();
+            t += optics.transmittance / films.count();
+        }
+        for (const auto& [lane, grid] : {std::pair{0, 0}, {2, 1}, {3, 2}, {4, 3}, {7, 6}}) {
+            const double deviation = std::sqrt(std::max(0.0, r2[lane] - r[lane] * r[lane]));
+            // An even set does better than a random one, whose error would be a sixteenth.
+            EXPECT_NEAR(r[lane], mean.reflectance[grid], deviation / 16 + 1e-3) << cosine;
+            EXPECT_NEAR(r[lane] + t[lane], 1, 1e-3) << "mica and TiO2 absorb next to nothing";
+            EXPECT_GT(deviation, 0.003) << "flakes differ";
+        }
+    }
+}
+
+TEST(FlakeFilms, PrescribedOpticsAreTheSameAtEveryAngle) {
+    layers::FlakeSpecies species;
+    species.body = layers::PrescribedFlake{spectra::Spectrum({400, 700}, {0.2, 0.8}), 0.1, 0.3};
+    const FlakeFilms films(species, optics::Material(1.5), kGrid, 0);
+    EXPECT_EQ(films.count(), 1);
+    for (const double cosine : {0.0, 0.3, 1.0, 1.0000001}) {
+        const auto optics = films.at(0, cosine, GridPlaces(kGrid, kWavelengths));
+        for (int lane = 0; lane < kLanes; ++lane) {
+            EXPECT_NEAR(optics.reflectance[lane], 0.2 + 0.002 * (kWavelengths[lane] - 400), 1e-6);
+            EXPECT_NEAR(optics.transmittance[lane], 0.1, 1e-6);
+        }
+    }
+}
+
+TEST(FlakeFilms, OneWavelengthServesAll) {
+    layers::FlakeSpecies species = pearl_flakes();
+    std::get<optics::Platelet>(species.body).core.spread = {};
+    std::get<optics::Platelet>(species.body).coats[0].spread = {};
+    const std::vector<double> green{550};
+    const FlakeFilms films(species, optics::Material(1.5), green, 0);
+    EXPECT_EQ(films.count(), 1) << "no film varies";
+    const auto optics = films.at(0, 0.9, GridPlaces(green, kWavelengths));
+    for (int lane = 1; lane < kLanes; ++lane)
+        EXPECT_EQ(optics.reflectance[lane], optics.reflectance[0]);
+    EXPECT_GT(optics.reflectance[0], 0.001);
+}
+
+}  // namespace
+}  // namespace nacre::discs
