@@ -71,10 +71,15 @@ FlakeField::Weights FlakeField::weigh(const PatchOutline& outline) const {
     constexpr float kFaded = 2.3f;
     const FloatLanes cells = (1.0f + (outline.size_mm[0] + 2 * outline.reach_mm) * per_mm_) *
                              (1.0f + (outline.size_mm[1] + 2 * outline.reach_mm) * per_mm_);
+    Weights weights;
+    if (cells[0] <= full_cells_) {  // every level: the most common case
+        weights.by_level = splat(1.0f);
+        weights.told_apart = 1;
+        return weights;
+    }
     const FloatLanes w = min_lanes(
         max_lanes((kFaded - cells / full_cells_) / (kFaded - 1), FloatLanes{}), splat(1.0f));
     const float first = lane_sum(w * share_), second = lane_sum(w * w * share_);
-    Weights weights;
     if (second == 0) return weights;
     const float scale = 1 / std::sqrt(second);
     weights.by_level = w * scale;

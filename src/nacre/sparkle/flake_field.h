@@ -56,8 +56,8 @@ class FlakeField {
     };
     // Flakes that may touch a patch.
     struct Found {
-        std::array<std::uint64_t, FlakeView::kMost + kLanes> bits;
-        std::array<float, FlakeView::kMost + kLanes> x, y, weight;
+        FlakeView::List<std::uint32_t> place, kind;
+        FlakeView::List<float> x, y, weight;
         int count = 0;
     };
 

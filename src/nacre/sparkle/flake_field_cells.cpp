@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio, as in SplitMix64
 
-// 16 of the bits of each lane as numbers in [0, 65536).
-FloatLanes short_at(BitLanes bits, int position) {
-    return as_floats((bits >> position) & std::uint64_t{0xffff});
-}
-
 }  // namespace
 
 void FlakeField::find(const FlakePlane& plane, const PatchOutline& outline, const Weights& weights,
@@ -27,39 +22,43 @@ void FlakeField::find(const FlakePlane& plane, const PatchOutline& outline, cons
         const std::uint64_t key = level.key + static_cast<std::uint64_t>(plane.side) * kGolden;
         const auto [u_first, u_last] = plane.u.cells(level.cells_per_mm);
         const auto [v_first, v_last] = plane.v.cells(level.cells_per_mm);
+        const float grain_mm = static_cast<float>(level.cell_mm * 0x1p-16);
         for (std::int64_t v = v_first; v <= v_last; ++v) {
+            const double v_mm = static_cast<double>(v) * level.cell_mm - plane.v.at_mm;
             for (std::int64_t u = u_first; u <= u_last; ++u) {
+                const double u_mm = static_cast<double>(u) * level.cell_mm - plane.u.at_mm;
                 const std::uint64_t place =
                     static_cast<std::uint64_t>(v) << 32 | static_cast<std::uint32_t>(u);
-                find_in_cell(
-                    mix_bits(key ^ place),
-                    {static_cast<float>(static_cast<double>(u) * level.cell_mm - plane.u.at_mm),
-                     static_cast<float>(static_cast<double>(v) * level.cell_mm - plane.v.at_mm)},
-                    static_cast<float>(level.cell_mm * 0x1p-16), plane, outline, weight, found);
+                find_in_cell(mix_bits(key ^ place),
+                             {static_cast<float>(u_mm), static_cast<float>(v_mm)}, grain_mm, plane,
+                             outline, weight, found);
             }
         }
     }
 }
 
-// Of a flake's 64 bits three times 16 are its place in the cell and its rank, by which the sides of
-// the rest space share out the flakes; 16 are its size.
+// A flake is 64 bits: twice 16 are its place in the cell, 16 its rank, by which the sides of the
+// rest space share out the flakes, and 16 its size.
 inline void FlakeField::find_in_cell(std::uint64_t key, Vec2f corner_mm, float grain_mm,
                                      const FlakePlane& plane, const PatchOutline& outline,
                                      float weight, Found& found) const {
-    constexpr BitLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
+    constexpr ShortBitLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
+    constexpr std::uint32_t kShortGolden = 0x9e3779b9u;
     // The number of flakes exceeds i if the draw exceeds the odds of at most i.
     const float draw = to_unit_float(static_cast<std::uint32_t>(key >> 32));
     for (int first = 0;; first += kLanes) {
         const FloatLanes odds = load_lanes(&at_most_[first]);
-        const BitLanes bits =
-            mix_lanes(key + (static_cast<std::uint64_t>(first) + kNumber) * kGolden);
-        const FloatLanes u = corner_mm.x + grain_mm * short_at(bits, 0);
-        const FloatLanes v = corner_mm.y + grain_mm * short_at(bits, 16);
+        const ShortBitLanes step = (static_cast<std::uint32_t>(first) + kNumber) * kShortGolden;
+        const ShortBitLanes place = mix_short_lanes(static_cast<std::uint32_t>(key) + step);
+        const ShortBitLanes kind = mix_short_lanes(static_cast<std::uint32_t>(key >> 32) + step);
+        const FloatLanes u = corner_mm.x + grain_mm * lower_half(place);
+        const FloatLanes v = corner_mm.y + grain_mm * upper_half(place);
         const FloatLanes x = plane.u.step.x * u + plane.v.step.x * v;
         const FloatLanes y = plane.u.step.y * u + plane.v.step.y * v;
-        const LanePacker here((odds <= draw) & (short_at(bits, 32) < plane.kept) &
+        const LanePacker here((odds <= draw) & (lower_half(kind) < plane.kept) &
                               outline.touches(x, y));
-        here.store(&found.bits[found.count], bits);
+        here.store(&found.place[found.count], place);
+        here.store(&found.kind[found.count], kind);
         here.store(&found.x[found.count], x);
         here.store(&found.y[found.count], y);
         store_lanes(&found.weight[found.count], splat(weight));
@@ -72,16 +71,19 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
                       FlakeView& view) const {
     const bool alike = population_.diameter_spread_um == 0;
     for (int first = 0; first < found.count; first += kLanes) {
-        const BitLanes bits = load_bits(&found.bits[first]);
+        const ShortBitLanes place = load_short_bits(&found.place[first]);
+        const ShortBitLanes kind = load_short_bits(&found.kind[first]);
         FloatLanes diameter_um = splat(static_cast<float>(population_.diameter_um));
         for (int i = 0; i < kLanes && !alike; ++i) {
-            diameter_um[i] = sizes_.diameter_um(static_cast<std::uint32_t>(bits[i] >> 48));
+            diameter_um[i] = sizes_.diameter_um(kind[i] >> 16);
         }
         const FloatLanes number = {0, 1, 2, 3, 4, 5, 6, 7};
         const FloatLanes x = load_lanes(&found.x[first]), y = load_lanes(&found.y[first]);
         const FloatLanes weight = load_lanes(&found.weight[first]) * inverse_cover_ *
                                   outline.coverage(x, y, 0.5e-3f * diameter_um);
-        const SlopeLanes slopes = gaussian_slopes(mix_lanes(bits + kGolden));
+        const BitLanes bits = mix_lanes(__builtin_convertvector(place, BitLanes) +
+                                        (__builtin_convertvector(kind, BitLanes) << 32));
+        const SlopeLanes slopes = gaussian_slopes(bits);
         const LanePacker seen((weight > 0.0f) & (number < static_cast<float>(found.count - first)));
         seen.store(&view.weight[view.count], weight);
         seen.store(&view.slope_x[view.count],
@@ -89,7 +91,8 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
         seen.store(&view.slope_y[view.count],
                    alpha_ * (plane.turn.y * slopes.x + plane.turn.x * slopes.y));
         seen.store(&view.lobe_radius[view.count], lobe_.radius(diameter_um));
-        seen.store(&view.bits[view.count], bits);
+        seen.store(&view.place[view.count], place);
+        seen.store(&view.kind[view.count], kind);
         view.count = std::min(view.count + seen.count(), FlakeView::kMost);
     }
 }

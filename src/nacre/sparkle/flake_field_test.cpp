@@ -71,8 +71,8 @@ double place_factor(double side_mm, double diameter_mm) {
         for (int j = 0; j < kSteps; ++j) {
             const float x = static_cast<float>(reach * (2 * (i + 0.5) / kSteps - 1));
             const float y = static_cast<float>(reach * (2 * (j + 0.5) / kSteps - 1));
-            const double area =
-                disc_overlap(splat(x), splat(y), splat(static_cast<float>(r)), {s, 0}, {0, s})[0];
+            const double area = disc_overlap(splat(x), splat(y), splat(static_cast<float>(r)),
+                                             Parallelogram({s, 0}, {0, s}))[0];
             sum += area * area;
         }
     }
@@ -214,7 +214,8 @@ TEST(FlakeField, IsTheSameInEveryFrame) {
     ASSERT_EQ(view->count, turned->count);
     ASSERT_GT(view->count, 0);
     for (int k = 0; k < view->count; ++k) {
-        EXPECT_EQ(view->bits[k], turned->bits[k]);
+        EXPECT_EQ(view->place[k], turned->place[k]);
+        EXPECT_EQ(view->kind[k], turned->kind[k]);
         EXPECT_NEAR(view->weight[k], turned->weight[k], 1e-5);
         EXPECT_NEAR(turned->slope_x[k], c * view->slope_x[k] + s * view->slope_y[k], 1e-6);
         EXPECT_NEAR(turned->slope_y[k], -s * view->slope_x[k] + c * view->slope_y[k], 1e-6);

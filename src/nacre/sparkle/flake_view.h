@@ -27,9 +27,9 @@ struct FlakeView {
     template <class T>
     using List = std::array<T, kMost + kLanes>;
     alignas(64) List<float> weight;
-    alignas(64) List<float> slope_x, slope_y;  ///< of its normal, in the local frame
-    alignas(64) List<float> lobe_radius;       ///< DiffractionLobe::radius()
-    alignas(64) List<std::uint64_t> bits;      ///< all else of it is a hash of these
+    alignas(64) List<float> slope_x, slope_y;     ///< of its normal, in the local frame
+    alignas(64) List<float> lobe_radius;          ///< DiffractionLobe::radius()
+    alignas(64) List<std::uint32_t> place, kind;  ///< all else of it is a hash of these
 
     /// Where it lies in its layer, 0 at the top and 1 at the bottom, evenly; and 32 bits for which
     /// of the population's films it has.
@@ -38,7 +38,7 @@ struct FlakeView {
         std::uint32_t film;
     };
     Body body(int flake) const {
-        const std::uint64_t b = mix_bits(bits[flake] + 2 * 0x9e3779b97f4a7c15u);
+        const std::uint64_t b = hash_of(place[flake], kind[flake]);
         return {to_unit_float(static_cast<std::uint32_t>(b)), static_cast<std::uint32_t>(b >> 32)};
     }
 

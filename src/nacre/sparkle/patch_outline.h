@@ -37,6 +37,7 @@ class PatchOutline {
             std::swap(edge_[0], edge_[1]);
             std::swap(size_mm[0], size_mm[1]);
         }
+        if (!is_point_) shape_ = Parallelogram(edge_[0], edge_[1]);
         for (int i = 0; i < 2; ++i) {
             strip_[i] = size_mm[i] > 0 ? Vec2f{-edge_[i].y / size_mm[i], edge_[i].x / size_mm[i]}
                                        : Vec2f{i == 0 ? 1.0f : 0.0f, i == 0 ? 0.0f : 1.0f};
@@ -71,7 +72,7 @@ class PatchOutline {
             const FloatLanes share = 0.5f + (radius_mm - distance) / width;
             return min_lanes(max_lanes(share, FloatLanes{}), splat(1.0f));
         }
-        return disc_overlap(x, y, radius_mm, edge_[0], edge_[1]) * (1 / area());
+        return disc_overlap(x, y, radius_mm, shape_) * (1 / shape_.area);
     }
 
  private:
@@ -80,7 +81,8 @@ class PatchOutline {
     static float length(Vec2f a) { return std::sqrt(dot(a, a)); }
     float area() const { return edge_[0].x * edge_[1].y - edge_[0].y * edge_[1].x; }
 
-    Vec2f edge_[2];  // anticlockwise
+    Vec2f edge_[2];        // anticlockwise
+    Parallelogram shape_;  // unless it is a point
     // Of the strips between opposite sides: unit normals, and half the widths with discs.
     Vec2f strip_[2];
     float half_width_[2];

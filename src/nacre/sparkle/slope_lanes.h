@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 
 #include "nacre/core/lane_math.h"
 #include "nacre/optics/airy_lanes.h"
@@ -11,12 +10,6 @@
 namespace nacre::sparkle {
 
 using BitLanes = std::uint64_t __attribute__((vector_size(kLanes * sizeof(std::uint64_t))));
-
-inline BitLanes load_bits(const std::uint64_t* p) {
-    BitLanes v;
-    std::memcpy(&v, p, sizeof v);
-    return v;
-}
 
 /// mix_bits() of each lane (core/rng.h).
 inline BitLanes mix_lanes(BitLanes x) {
