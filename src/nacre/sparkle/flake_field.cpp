@@ -13,16 +13,14 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
       lobe_(population.alpha, population.ior) {
     require_in_range(population.density_per_mm2, 1e-9, 1e15, "flakes per mm^2");
     const double density = population.density_per_mm2;
-    double share = 1 - 1 / kLevelRatio;
+    double all = 0;
+    for (int i = 0; i < kLevels; ++i) all += std::pow(kLevelRatio, -i);
     for (int i = 0; i < kLevels; ++i) {
-        if (i + 1 == kLevels) share /= 1 - 1 / kLevelRatio;  // and all below it
+        const double share = std::pow(kLevelRatio, -i) / all;
         const double cell = std::sqrt(kFlakesPerCell / (density * double{kMostStretch} * share));
-        levels_[i].cell_mm = cell;
-        levels_[i].cells_per_mm = 1 / cell;
+        levels_[i] = {cell, hash_of(seed, static_cast<std::uint64_t>(i))};
         per_mm_[i] = static_cast<float>(1 / cell);
         share_[i] = static_cast<float>(share);
-        levels_[i].key = hash_of(seed, static_cast<std::uint64_t>(i));
-        share /= kLevelRatio;
     }
     double probability = std::exp(-kFlakesPerCell), sum = 0;
     for (int n = 0; n < kMostFlakesPerCell; ++n) {

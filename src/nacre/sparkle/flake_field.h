@@ -44,9 +44,10 @@ class FlakeField {
 
  private:
     static constexpr int kLevels = 5;
-    static constexpr double kLevelRatio = 16;
+    // Of densities; the sides of the cells grow by its root.
+    static constexpr int kLevelRatio = 16, kSideBits = 2;
     struct Level {
-        double cell_mm, cells_per_mm;  // side of its cells
+        double cell_mm;  // side of its cells
         std::uint64_t key;
     };
     // What the levels weigh on a patch.

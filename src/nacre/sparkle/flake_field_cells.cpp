@@ -15,13 +15,16 @@ constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio, 
 
 void FlakeField::find(const FlakePlane& plane, const PatchOutline& outline, const Weights& weights,
                       Found& found) const {
+    const CellRange u_range = plane.u.cells(1 / levels_[0].cell_mm);
+    const CellRange v_range = plane.v.cells(1 / levels_[0].cell_mm);
     for (int i = 0; i < kLevels; ++i) {
         const float weight = weights.by_level[i];
         if (weight == 0) continue;
         const Level& level = levels_[i];
         const std::uint64_t key = level.key + static_cast<std::uint64_t>(plane.side) * kGolden;
-        const auto [u_first, u_last] = plane.u.cells(level.cells_per_mm);
-        const auto [v_first, v_last] = plane.v.cells(level.cells_per_mm);
+        const int coarser = i * kSideBits;
+        const std::int64_t u_first = u_range.first >> coarser, u_last = u_range.last >> coarser;
+        const std::int64_t v_first = v_range.first >> coarser, v_last = v_range.last >> coarser;
         const float grain_mm = static_cast<float>(level.cell_mm * 0x1p-16);
         for (std::int64_t v = v_first; v <= v_last; ++v) {
             const double v_mm = static_cast<double>(v) * level.cell_mm - plane.v.at_mm;

@@ -2,12 +2,16 @@
 
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "nacre/sparkle/patch_outline.h"
 #include "nacre/sparkle/projection.h"
 
 namespace nacre::sparkle {
+
+/// The first and the last cell along an axis that a patch touches.
+struct CellRange {
+    std::int64_t first, last;
+};
 
 /// A plane of cells as a patch sees it.
 struct FlakePlane {
@@ -16,7 +20,7 @@ struct FlakePlane {
         float half_mm;  ///< half the extent of the patch with the discs that touch it
         Vec2f step;     ///< what a step along the axis is in the plane of the patch
 
-        std::pair<std::int64_t, std::int64_t> cells(double cells_per_mm) const {
+        CellRange cells(double cells_per_mm) const {
             return {static_cast<std::int64_t>(std::floor((at_mm - half_mm) * cells_per_mm)),
                     static_cast<std::int64_t>(std::floor((at_mm + half_mm) * cells_per_mm))};
         }
