@@ -11,6 +11,7 @@
 #include "nacre/core/interrupt.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress_bar.h"
+#include "nacre/study/flakes.h"
 #include "nacre/study/mir_2022.h"
 
 namespace nacre::cli {
@@ -43,12 +44,7 @@ std::set<study::MirPart> chosen_parts(const StudyOptions& options) {
     return parts;
 }
 
-ExitStatus run(const StudyOptions& options) {
-    if (options.study != "mir-2022") {
-        throw UsageError(fmt::format("STUDY = {}: there is one study, mir-2022", options.study));
-    }
-    const ThreadLimit threads(options.threads);
-    const InterruptHandler interrupt;
+std::filesystem::path run_mir_2022(const StudyOptions& options, const study::Stage& stage) {
     study::MirSettings settings;
     settings.folder = options.output;
     settings.quick = options.quick;
@@ -60,6 +56,27 @@ ExitStatus run(const StudyOptions& options) {
         say(options, fmt::format("nacre: scaled down: {0} x {0} pixels at {1} samples each",
                                  settings.size, settings.samples));
     }
+    return study::run_mir_2022(settings, stage);
+}
+
+std::filesystem::path run_flakes(const StudyOptions& options, const study::Stage& stage) {
+    const StudyOptions standard;
+    if (options.samples != standard.samples || options.size != standard.size ||
+        !options.tables.empty() || !options.figures.empty() || !options.parts.empty()) {
+        throw UsageError(
+            "--spp, --size, --table, --figure and --part belong to the study mir-2022, not to "
+            "flakes");
+    }
+    return study::run_flakes(
+        {.folder = options.output, .seed = options.seed, .quick = options.quick}, stage);
+}
+
+ExitStatus run(const StudyOptions& options) {
+    if (options.study != "mir-2022" && options.study != "flakes") {
+        throw UsageError(fmt::format("STUDY = {}: must be one of flakes, mir-2022", options.study));
+    }
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
     const study::Stage stage = [&](const std::string& label,
                                    const std::function<void(const Progress&)>& work) {
         if (interrupt_requested()) throw study::Interrupted("stopped");
@@ -67,7 +84,8 @@ ExitStatus run(const StudyOptions& options) {
         work(bar.callback());
     };
     try {
-        const auto page = study::run_mir_2022(settings, stage);
+        const auto page =
+            options.study == "flakes" ? run_flakes(options, stage) : run_mir_2022(options, stage);
         say(options, fmt::format("{}", page.string()));
     } catch (const Error&) {
         if (!interrupt_requested()) throw;
@@ -84,22 +102,30 @@ ExitStatus run(const StudyOptions& options) {
 
 Command add_study(CLI::App& program) {
     auto options = std::make_shared<StudyOptions>();
-    CLI::App* study = program.add_subcommand("study", "Reproduce a published comparison");
-    study->add_option("STUDY", options->study, "mir-2022: Mir, Yildirim and Kurt 2022")->required();
+    CLI::App* study = program.add_subcommand(
+        "study", "Reproduce a published comparison, or the evidence for a model");
+    study
+        ->add_option(
+            "STUDY", options->study,
+            "mir-2022: Mir, Yildirim and Kurt 2022; flakes: the model nacre against explicit "
+            "discs")
+        ->required();
     study->add_option("-o,--output", options->output, "Folder for the report and its pictures")
         ->required()
         ->type_name("DIR");
-    study->add_option("--spp", options->samples, "Samples per pixel")
+    study->add_option("--spp", options->samples, "mir-2022: samples per pixel")
         ->check(CLI::Range(8, 1 << 20))
         ->capture_default_str();
-    study->add_option("--size", options->size, "Pixels a side")
+    study->add_option("--size", options->size, "mir-2022: pixels a side")
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
-    study->add_option("--table", options->tables, "Only this table (may be repeated)")
+    study->add_option("--table", options->tables, "mir-2022: only this table (may be repeated)")
         ->check(CLI::Range(1, 4));
-    study->add_option("--figure", options->figures, "Only this figure (may be repeated)")
+    study->add_option("--figure", options->figures, "mir-2022: only this figure (may be repeated)")
         ->check(CLI::Range(2, 4));
-    study->add_option("--part", options->parts, "Only agreement or antialiasing (may be repeated)")
+    study
+        ->add_option("--part", options->parts,
+                     "mir-2022: only agreement or antialiasing (may be repeated)")
         ->check(CLI::IsMember({"agreement", "antialiasing"}));
     study->add_flag("--quick", options->quick,
                     "Tiny pictures (at most 32 pixels, 8 samples), to see that all works");
