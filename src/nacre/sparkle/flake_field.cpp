@@ -50,17 +50,11 @@ void FlakeField::look(const RestPatch& patch, FlakeView& view) const {
     for (int i = 0; i < projections.count; ++i) {
         const FlakePlane plane(patch, outline, projections.list[i]);
         Found found;
-        find(plane, outline, weights, found);
+        find(plane, weights, found);
         show(found, plane, outline, view);
     }
     // Up to a whole vector: flakes that answer to nothing.
-    store_lanes(&view.weight[view.count], FloatLanes{});
     store_lanes(&view.lobe_radius[view.count], FloatLanes{});
-    store_lanes(&view.slope_x[view.count], splat(1e9f));
-    store_lanes(&view.slope_y[view.count], splat(1e9f));
-    FloatLanes sum{};
-    for (int k = 0; k < view.count; k += kLanes) sum += load_lanes(&view.weight[k]);
-    view.weight_sum = lane_sum(sum);
 }
 
 // A level is told apart as long as it touches few cells.

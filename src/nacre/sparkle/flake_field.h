@@ -55,23 +55,26 @@ class FlakeField {
         FloatLanes by_level{};  // over the square root of their second moment
         float told_apart = 0;   // sum of weight times share
     };
+    struct Cell {
+        std::int64_t u, v;
+        int level;
+    };
     // Flakes that may touch a patch.
     struct Found {
         FlakeView::List<std::uint32_t> place, kind;
-        FlakeView::List<float> x, y, weight;
+        FlakeView::List<float> corner_u, corner_v, grain, weight;  // of their cells, in mm
         int count = 0;
     };
 
     Weights weigh(const PatchOutline& outline) const;
-    void find(const FlakePlane& plane, const PatchOutline& outline, const Weights& weights,
-              Found& found) const;
-    void find_in_cell(std::uint64_t key, Vec2f corner_mm, float grain_mm, const FlakePlane& plane,
-                      const PatchOutline& outline, float weight, Found& found) const;
+    void find(const FlakePlane& plane, const Weights& weights, Found& found) const;
+    void find_in_cell(const Cell& cell, const FlakePlane& plane, const Weights& weights,
+                      Found& found) const;
     void show(const Found& found, const FlakePlane& plane, const PatchOutline& outline,
               FlakeView& view) const;
 
     /// Flakes that a cell generates on average; kMostStretch times fewer where one side serves.
-    static constexpr double kFlakesPerCell = 5;
+    static constexpr double kFlakesPerCell = 4;
     static constexpr int kMostFlakesPerCell = 24;
 
     FlakePopulation population_;

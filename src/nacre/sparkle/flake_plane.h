@@ -30,6 +30,11 @@ struct FlakePlane {
     float kept;  ///< flakes of the plane whose rank, of 65536, is smaller lie on the surface
     Axis u, v;
     Vec2f turn;  ///< cosine and sine of the angle from the patch's tangent to u
+    /// PatchOutline::Strip for places in the plane: |u place_u + v place_v| < half width.
+    struct Strip {
+        float u, v, half_width2_mm2;
+    };
+    Strip strip[2];
 
     FlakePlane(const RestPatch& patch, const PatchOutline& outline, const Projection& projection)
         : side(projection.side) {
@@ -55,6 +60,11 @@ struct FlakePlane {
         const float x = component(outline.tangent, first), y = component(outline.bitangent, first);
         const float size = std::sqrt(x * x + y * y);
         turn = {x / size, y / size};
+        for (int i = 0; i < 2; ++i) {
+            const auto& [n, half_width_mm] = outline.strip[i];
+            strip[i] = {n.x * u.step.x + n.y * u.step.y, n.x * v.step.x + n.y * v.step.y,
+                        half_width_mm * half_width_mm};
+        }
     }
 };
 

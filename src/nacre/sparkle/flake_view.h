@@ -23,7 +23,7 @@ struct FlakeView {
     int count = 0;
     float background = 1;
     float weight_sum = 0;
-    // By flake, and a vector more: up to a whole vector there are flakes of weight 0.
+    // By flake, and a vector more: up to a whole vector there are flakes of radius 0.
     template <class T>
     using List = std::array<T, kMost + kLanes>;
     alignas(64) List<float> weight;

@@ -37,13 +37,13 @@ class PatchOutline {
             std::swap(edge_[0], edge_[1]);
             std::swap(size_mm[0], size_mm[1]);
         }
-        if (!is_point_) shape_ = Parallelogram(edge_[0], edge_[1]);
+        if (!is_point_) shape_.set(edge_[0], edge_[1]);
         for (int i = 0; i < 2; ++i) {
-            strip_[i] = size_mm[i] > 0 ? Vec2f{-edge_[i].y / size_mm[i], edge_[i].x / size_mm[i]}
-                                       : Vec2f{i == 0 ? 1.0f : 0.0f, i == 0 ? 0.0f : 1.0f};
-            half_width_[i] =
-                0.5f * (std::abs(dot(strip_[i], edge_[0])) + std::abs(dot(strip_[i], edge_[1]))) +
-                largest_radius_mm;
+            const Vec2f n = size_mm[i] > 0
+                                ? Vec2f{-edge_[i].y / size_mm[i], edge_[i].x / size_mm[i]}
+                                : Vec2f{i == 0 ? 1.0f : 0.0f, i == 0 ? 0.0f : 1.0f};
+            strip[i] = {n, 0.5f * (std::abs(dot(n, edge_[0])) + std::abs(dot(n, edge_[1]))) +
+                               largest_radius_mm};
         }
     }
 
@@ -51,13 +51,13 @@ class PatchOutline {
     float size_mm[2];  ///< of the edges
     float reach_mm;    ///< radius of the largest disc
 
-    /// All bits set in the lanes whose discs may touch the patch: all that do, and few others.
-    auto touches(FloatLanes x, FloatLanes y) const {
-        const FloatLanes a = x * strip_[0].x + y * strip_[0].y;
-        const FloatLanes b = x * strip_[1].x + y * strip_[1].y;
-        return (a < half_width_[0]) & (a > -half_width_[0]) & (b < half_width_[1]) &
-               (b > -half_width_[1]);
-    }
+    /// A disc may touch the patch if its middle is within half_width_mm of the middle of both
+    /// strips between opposite sides, across them.
+    struct Strip {
+        Vec2f normal;
+        float half_width_mm;
+    };
+    Strip strip[2];
 
     /// The share of the patch that a disc about (x, y) covers.
     FloatLanes coverage(FloatLanes x, FloatLanes y, FloatLanes radius_mm) const {
@@ -66,8 +66,8 @@ class PatchOutline {
             const FloatLanes safe = max_lanes(distance, splat(1e-20f));
             FloatLanes width = splat(1e-20f);  // of the patch towards the disc's middle
             for (const Vec2f& e : edge_) {
-                const FloatLanes along = (e.x * x + e.y * y) / safe;
-                width += along < 0.0f ? -along : along;
+                const FloatLanes along = e.x * x + e.y * y;
+                width += (along < 0.0f ? -along : along) / safe;
             }
             const FloatLanes share = 0.5f + (radius_mm - distance) / width;
             return min_lanes(max_lanes(share, FloatLanes{}), splat(1.0f));
@@ -83,9 +83,6 @@ class PatchOutline {
 
     Vec2f edge_[2];        // anticlockwise
     Parallelogram shape_;  // unless it is a point
-    // Of the strips between opposite sides: unit normals, and half the widths with discs.
-    Vec2f strip_[2];
-    float half_width_[2];
     bool is_point_;
 };
 
