@@ -196,6 +196,35 @@ TEST(FlakeField, FootprintsAddUp) {
     EXPECT_GT(different, 30);
 }
 
+TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
+    const FlakeField field(kSilver, 1);
+    const auto view = std::make_unique<FlakeView>();
+    // By how much all weights change together where the patch grows by a hundredth: levels fade
+    // over a factor of 2.3 in cells, rims of discs over the patch's own size.
+    constexpr double kStep = 1.01, kMostChange = 0.15;
+    std::map<std::uint64_t, double> before;
+    double background = 1, most = 0;
+    int levels_faded = 0;
+    for (double side = 1e-3; side < 20; side *= kStep) {
+        field.look(square(3.3, 4.4, side), *view);
+        std::map<std::uint64_t, double> now;
+        for (int k = 0; k < view->count; ++k) {
+            now[std::uint64_t{view->place[k]} << 32 | view->kind[k]] = view->weight[k];
+        }
+        double change = std::abs(view->background - background);
+        for (const auto& [flake, weight] : now) change += std::abs(weight - before[flake]);
+        for (const auto& [flake, weight] : before) {
+            if (!now.contains(flake)) change += weight;
+        }
+        if (side > 1e-3) most = std::max(most, change);
+        levels_faded += view->background > 0 && view->background < 0.999;
+        before = now;
+        background = view->background;
+    }
+    EXPECT_LT(most, kMostChange);
+    EXPECT_GT(levels_faded, 100);
+}
+
 TEST(FlakeField, IsTheSameInEveryFrame) {
     // The tangent of a patch may point anywhere: directions told in its frame meet the same flakes.
     const FlakeField field(kSilver, 1);
