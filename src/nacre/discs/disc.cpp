@@ -28,12 +28,6 @@ void for_each_species(const layers::Recipe& recipe, Visit&& visit) {
     }
 }
 
-double paint_thickness_um(const layers::Recipe& recipe) {
-    double sum = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
-    for (const layers::Layer& layer : recipe.layers) sum += layer.thickness_um;
-    return sum;
-}
-
 /// Moves a flake of this half height into the paint.
 double kept_inside(double z, double half_height, double paint_um) {
     if (2 * half_height >= paint_um) return -0.5 * paint_um;
@@ -46,6 +40,12 @@ std::uint64_t poisson(double mean, Rng& rng) {
 }
 
 }  // namespace
+
+double paint_thickness_um(const layers::Recipe& recipe) {
+    double sum = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
+    for (const layers::Layer& layer : recipe.layers) sum += layer.thickness_um;
+    return sum;
+}
 
 double expected_discs(const layers::Recipe& recipe, const Tile& tile) {
     double sum = 0;

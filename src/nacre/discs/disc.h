@@ -23,6 +23,9 @@ struct Disc {
 /// Some 150 bytes each, with what finds them.
 inline constexpr double kMostDiscs = 8e6;
 
+/// Clearcoat and layers.
+double paint_thickness_um(const layers::Recipe& recipe);
+
 /// How many discs a tile holds on average: rho H area, over all species.
 double expected_discs(const layers::Recipe& recipe, const Tile& tile);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "nacre/core/error.h"
@@ -37,15 +38,24 @@ std::vector<int> counts(const std::vector<FlakeFilms>& films) {
     return result;
 }
 
-Tile checked_tile(const DiscSettings& settings) {
+Tile checked_tile(const DiscSettings& settings, const layers::Recipe& recipe) {
     const auto side_um = [](double side_mm, const char* name) {
         if (!kTileSide.contains(side_mm))
             throw DomainError(
                 fmt::format("{} = {} is outside {}", name, side_mm, kTileSide.text()));
         return kUmPerMm * side_mm;
     };
-    return {side_um(settings.tile_width_mm, "tile_width_mm"),
-            side_um(settings.tile_height_mm, "tile_height_mm")};
+    const Tile tile{side_um(settings.tile_width_mm, "tile_width_mm"),
+                    side_um(settings.tile_height_mm, "tile_height_mm")};
+    const double least = kLeastTileShare * paint_thickness_um(recipe);
+    if (std::min(tile.width_um, tile.height_um) < least) {
+        throw DomainError(fmt::format(
+            "a tile of {} mm x {} mm is too narrow for a paint of {} um: each side must be at "
+            "least {} mm",
+            settings.tile_width_mm, settings.tile_height_mm, paint_thickness_um(recipe),
+            least / kUmPerMm));
+    }
+    return tile;
 }
 
 /// The rotation from the frame in which a renderer tells directions to that of the tile.
@@ -140,8 +150,8 @@ class BoundDiscWalk final : public volume::BoundWalk {
 
 DiscWalk::DiscWalk(const layers::Recipe& recipe, const DiscSettings& settings,
                    const std::vector<double>& wavelengths_nm) {
-    const Tile tile = checked_tile(settings);
     layers::validate(recipe, wavelengths_nm);
+    const Tile tile = checked_tile(settings, recipe);
     tables_ = std::make_shared<const DiscWalkTables>(recipe, tile, settings, wavelengths_nm);
     // Says now, not at the first picture, what is wrong with a rough interface.
     reference::make_air_interface(recipe, tables_->medium.grid.index(wavelengths_nm.front()));

@@ -15,6 +15,9 @@ namespace nacre::discs {
 class DiscScene;
 struct DiscWalkTables;
 
+/// A tile's sides are at least this times the thickness of the paint.
+inline constexpr double kLeastTileShare = 0.1;
+
 struct DiscSettings {
     /// The piece of paint that repeats itself over the panel, in kTileSide. As large as the panel:
     /// nothing repeats, and only light that crosses the panel's edge within the paint comes back at

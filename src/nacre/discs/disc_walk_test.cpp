@@ -232,6 +232,9 @@ TEST(DiscWalk, RefusesWhatItCannotDo) {
     EXPECT_THROW(DiscWalk(recipe, {.tile_width_mm = 0}), DomainError);
     EXPECT_THROW(DiscWalk(recipe, {.tile_width_mm = 900, .tile_height_mm = 900}), DomainError)
         << "too many flakes";
+    layers::Recipe thick = recipe;
+    thick.layers[0].thickness_um = 2000;
+    EXPECT_THROW(DiscWalk(thick, {.tile_width_mm = 0.1}), DomainError) << "narrower than thick";
     layers::Recipe bad = recipe;
     bad.layers[0].flakes[0].orientation.beckmann_alpha = 0;
     EXPECT_THROW(DiscWalk(bad, {}), DomainError);

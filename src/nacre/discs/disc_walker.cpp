@@ -11,6 +11,10 @@
 namespace nacre::discs {
 namespace {
 
+/// Light that travels this nearly along the layers is given up, one ray in a million: it would
+/// cross the tile up to ten million times (kLeastTileShare) before it gets out of a slab without
+/// flakes.
+constexpr double kGrazing = 1e-6;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vec3f to_float(const Direction3& v) {
@@ -41,8 +45,7 @@ std::optional<volume::Escape> DiscWalker::run(double x_um, double y_um, const Di
 /// To the next disc or pigment particle, or to the edge of the slab or of the tile, whichever comes
 /// first.
 void DiscWalker::fly() {
-    // Between discs it would stay in the slab for ever.
-    if (std::abs(travel_.z()) <= reference::kHorizontal) {
+    if (std::abs(travel_.z()) < kGrazing) {
         alive_ = false;
         return;
     }

@@ -40,10 +40,10 @@ void add_introduction(FlakesContext& context) {
 
 void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verdicts) {
     context.report.heading(1, "All together", "all");
-    report::Table table{.columns = {"recipe", "flakes deep", "diameter, um", "flakes a mm²",
-                                    "mean, hashed / discs", "contrast, hashed / discs",
-                                    "farthest from 1", "ΔE of the means", "spread of a*, ratio",
-                                    "spread of b*, ratio"}};
+    report::Table table{
+        .columns = {"recipe", "flakes deep", "diameter, um", "flakes a mm²", "mean, hashed / discs",
+                    "... without diffraction", "contrast, hashed / discs", "farthest from 1",
+                    "ΔE of the means", "spread of a*, ratio", "spread of b*, ratio"}};
     for (const FlakesVerdict& v : verdicts) {
         table.rows.push_back(
             {{v.name},
@@ -52,6 +52,7 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
              report::number_cell(number(v.flakes_per_mm2)),
              report::number_cell(fmt::format("{} ± {}", number(v.mean_ratio.value),
                                              number(v.mean_ratio.standard_error, 1))),
+             report::number_cell(number(v.mean_ratio_mirrors)),
              report::number_cell(number(v.contrast_ratio)),
              report::number_cell(number(v.worst_contrast_ratio)),
              report::number_cell(number(v.mean_delta_e)),

@@ -2,19 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "nacre/core/data_directory.h"
-#include "nacre/core/error.h"
+#include "nacre/core/rng.h"
 #include "nacre/discs/disc_walk.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/layers/solver.h"
 #include "nacre/models/make_surface.h"
 
 namespace nacre::study {
+namespace {
+
+bool is_explicit(Way way) { return way == Way::discs || way == Way::mirrors; }
+
+}  // namespace
 
 std::string name(Way way) {
     switch (way) {
         case Way::discs:
             return "discs";
+        case Way::mirrors:
+            return "mirrors";
         case Way::hashed:
             return "hashed";
         case Way::smooth:
@@ -38,9 +47,11 @@ double FlakePaint::flakes_per_mm2() const {
 }
 
 std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
-    if (way == Way::discs) {
+    if (is_explicit(way)) {
+        // With one seed the same arrangement would appear at every size, larger or smaller.
+        const auto seed = hash_of(seed_, std::llround(1e6 * side_mm));
         return std::make_shared<const discs::DiscWalk>(
-            recipe_, discs::DiscSettings{side_mm, side_mm, seed_});
+            recipe_, discs::DiscSettings{side_mm, side_mm, seed, way == Way::discs});
     }
     if (!solved_) {
         solved_ = std::make_shared<const layers::SolvedPaint>(
@@ -60,7 +71,7 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
 
 std::string FlakePaint::identity(Way way, double side_mm) const {
     return fmt::format("{} {} seed {} side {}", io::recipe_hash(recipe_), name(way), seed_,
-                       way == Way::discs ? side_mm : 0);
+                       is_explicit(way) ? side_mm : 0);
 }
 
 }  // namespace nacre::study

@@ -12,9 +12,10 @@ namespace nacre::study {
 
 /// How the flakes of a paint are shown.
 enum class Way {
-    discs,   ///< explicit: each in its place, light traced among them
-    hashed,  ///< the model `nacre`
-    smooth   ///< their mean: `microflake`
+    discs,    ///< explicit: each in its place, light traced among them
+    mirrors,  ///< the same without diffraction
+    hashed,   ///< the model `nacre`
+    smooth    ///< their mean: `microflake`
 };
 
 /// In file names and results.
@@ -33,7 +34,8 @@ class FlakePaint {
     double depth() const;
     double flakes_per_mm2() const;
 
-    /// @param side_mm  of the panel: explicit flakes are laid out over all of it
+    /// @param side_mm  of the panel: explicit flakes are laid out over all of it, others on each
+    ///                 size of panel
     std::shared_ptr<const bsdf::Bsdf> surface(Way way, double side_mm);
 
     /// All that decides what surface() is.

@@ -46,7 +46,8 @@ class Look {
         job.surface = paint_.identity(way, side);
         job.pixel_mm = pixel_mm;
         job.pixels = effort.pixels;
-        job.samples = way == Way::discs ? effort.disc_samples : effort.hashed_samples;
+        const bool traced = way == Way::discs || way == Way::mirrors;
+        job.samples = traced ? effort.disc_samples : effort.hashed_samples;
         job.seed = context_.settings.seed + noise;
         return context_.close_ups.take(job, [&] { return paint_.surface(way, side); });
     }
@@ -203,6 +204,27 @@ void add_histogram_and_colour(FlakesContext& context, const FlakePaint& paint, c
     context.report.table(table);
 }
 
+/// How much of the difference of the means is that of the flakes' own lobes: explicit flakes that
+/// mirror perfectly have exactly the distribution of normals that the recipe says.
+void add_diffraction(FlakesContext& context, const FlakePaint& paint, const Look& look,
+                     FlakesVerdict& verdict) {
+    constexpr double kFlakes = 64;
+    const Effort effort{kContrast.pixels, kContrast.disc_samples, kContrast.hashed_samples};
+    Measured mean[3];
+    for (int i = 0; i < 3; ++i) {
+        const Way way = std::array{Way::discs, Way::mirrors, Way::hashed}[i];
+        mean[i] = mean_luminance(look.take(way, kFlakes, "contrast", effort, 0),
+                                 look.take(way, kFlakes, "contrast", effort, 1));
+    }
+    verdict.mean_ratio_mirrors = mean[2].value / mean[1].value;
+    context.results["recipes"][paint.key()]["mean_of_mirrors"] = mean[1].value;
+    context.report.paragraph(fmt::format(
+        "Without diffraction the discs have a mean luminance of {} ± {} instead of {} ± {}, the "
+        "hashed flakes {}.",
+        number(mean[1].value), number(mean[1].standard_error, 1), number(mean[0].value),
+        number(mean[0].standard_error, 1), number(mean[2].value)));
+}
+
 }  // namespace
 
 FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint) {
@@ -223,6 +245,7 @@ FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint) {
     const Look look(context, paint);
     add_pictures(context, paint, look);
     add_contrast(context, paint, look, verdict);
+    add_diffraction(context, paint, look, verdict);
     add_histogram_and_colour(context, paint, look, verdict);
     context.results["recipes"][paint.key()]["verdict"] = {
         {"depth", verdict.depth},
@@ -230,6 +253,7 @@ FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint) {
         {"flakes_per_mm2", verdict.flakes_per_mm2},
         {"mean_hashed_over_discs", verdict.mean_ratio.value},
         {"mean_hashed_over_discs_error", verdict.mean_ratio.standard_error},
+        {"mean_hashed_over_mirrors", verdict.mean_ratio_mirrors},
         {"contrast_hashed_over_discs", verdict.contrast_ratio},
         {"contrast_hashed_over_discs_worst", verdict.worst_contrast_ratio},
         {"delta_e_of_means", verdict.mean_delta_e}};

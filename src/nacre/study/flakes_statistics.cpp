@@ -17,6 +17,13 @@ constexpr int kPieces = kPiecesAcross * kPiecesAcross;
 
 struct Sums {
     double n = 0, a = 0, b = 0, ab = 0;
+
+    friend Sums operator+(const Sums& x, const Sums& y) {
+        return {x.n + y.n, x.a + y.a, x.b + y.b, x.ab + y.ab};
+    }
+    friend Sums operator-(const Sums& x, const Sums& y) {
+        return {x.n - y.n, x.a - y.a, x.b - y.b, x.ab - y.ab};
+    }
 };
 
 /// Sums over each piece of the picture.
@@ -48,26 +55,16 @@ std::array<Sums, kPieces> sum_pieces(const Pixels& a, const Pixels& b) {
 /// A statistic of the sums over all pieces, with the jackknife's error.
 template <class Statistic>
 Measured jackknife(const std::array<Sums, kPieces>& pieces, Statistic&& statistic) {
-    const auto total_without = [&](int left_out) {
-        Sums total;
-        for (int i = 0; i < kPieces; ++i) {
-            if (i == left_out) continue;
-            total.n += pieces[i].n;
-            total.a += pieces[i].a;
-            total.b += pieces[i].b;
-            total.ab += pieces[i].ab;
-        }
-        return total;
-    };
-    double sum = 0, squares = 0;
+    Sums total;
+    for (const Sums& s : pieces) total = total + s;
+    std::array<double, kPieces> values;
+    double mean = 0, variance = 0;
     for (int i = 0; i < kPieces; ++i) {
-        const double value = statistic(total_without(i));
-        sum += value;
-        squares += value * value;
+        values[i] = statistic(total - pieces[i]);
+        mean += values[i] / kPieces;
     }
-    const double mean = sum / kPieces;
-    const double variance = std::max(0.0, squares / kPieces - mean * mean);
-    return {statistic(total_without(-1)), std::sqrt((kPieces - 1) * variance)};
+    for (double value : values) variance += (value - mean) * (value - mean) / kPieces;
+    return {statistic(total), std::sqrt((kPieces - 1) * variance)};
 }
 
 // Steps of the histogram: three in each factor of two, over a factor of 2^12.
