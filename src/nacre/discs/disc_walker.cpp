@@ -11,9 +11,9 @@
 namespace nacre::discs {
 namespace {
 
-/// Light that travels this nearly along the layers is given up, one ray in a million: it would
-/// cross the tile up to ten million times (kLeastTileShare) before it gets out of a slab without
-/// flakes.
+/// Light that travels more nearly along the layers, one ray in a million, is turned to this cosine:
+/// it crosses the tile ten million times at most (kLeastTileShare) before it gets out of a slab
+/// without flakes.
 constexpr double kGrazing = 1e-6;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -46,8 +46,8 @@ std::optional<volume::Escape> DiscWalker::run(double x_um, double y_um, const Di
 /// first.
 void DiscWalker::fly() {
     if (std::abs(travel_.z()) < kGrazing) {
-        alive_ = false;
-        return;
+        travel_.z() = std::copysign(kGrazing, travel_.z());
+        travel_.normalize();
     }
     const reference::Slab& slab = paint_.medium.slabs[slab_];
     const bool down = travel_.z() < 0;
