@@ -65,18 +65,22 @@ SceneDescription speed_shape_scene() {
     return scene;
 }
 
-/// Two millimetres of a panel under a microscope's lamp, 11 deg wide and so placed that flakes
-/// tilted by some 5 deg inside the paint send it to the camera: they are seen as discs, 4 pixels
-/// across in 512 for 18 um. The rest of what flakes and clearcoat mirror is the studio.
+/// Two millimetres of a panel under a microscope's lamp, 8 deg wide and so placed that flakes
+/// tilted by some 4 deg inside the paint send it to the camera: they are seen as discs, 5 pixels
+/// across in 512 for 20 um. The others mirror dim surroundings.
 SceneDescription macro_scene() {
     SceneDescription scene = with_paint();
+    scene.environment = StudioEnvironment{
+        .horizon = 0.1,
+        .zenith = 0.2,
+        .boxes = {{.azimuth_deg = 20, .elevation_deg = 50, .softness = 1, .scale = 0.8}}};
     scene.shapes.push_back({FlatPanel{.width_mm = 100, .height_mm = 100}, "paint", {}});
     scene.camera = {.position_mm = {0, -17, 36}, .target_mm = {0, 0, 0}, .vertical_fov_deg = 2.88};
-    scene.lights.push_back(RectangleLight{.center_mm = {25, 25, 135},
+    scene.lights.push_back(RectangleLight{.center_mm = {-20, 42, 135},
                                           .target_mm = {0, 0, 0},
-                                          .width_mm = 28,
-                                          .height_mm = 28,
-                                          .radiance = {.scale = 3}});
+                                          .width_mm = 20,
+                                          .height_mm = 20,
+                                          .radiance = {.scale = 4}});
     return scene;
 }
 
