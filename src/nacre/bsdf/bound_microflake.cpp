@@ -9,22 +9,6 @@
 
 namespace nacre::bsdf {
 
-std::array<Between, kLanes> locate_wavelengths(const std::vector<double>& grid,
-                                               const Wavelengths& wavelengths) {
-    std::array<Between, kLanes> out;
-    for (int i = 0; i < kLanes; ++i) {
-        const auto above = std::upper_bound(grid.begin(), grid.end(), wavelengths[i]);
-        if (above == grid.begin()) continue;
-        const int lower = static_cast<int>(above - grid.begin()) - 1;
-        out[i].lower = lower;
-        if (above != grid.end()) {
-            out[i].fraction =
-                static_cast<float>((wavelengths[i] - grid[lower]) / (*above - grid[lower]));
-        }
-    }
-    return out;
-}
-
 BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> tables,
                                  const Wavelengths& wavelengths)
     : tables_(std::move(tables)),

@@ -7,30 +7,13 @@
 
 #include "nacre/bsdf/flake_lobe.h"
 #include "nacre/bsdf/microflake_tables.h"
+#include "nacre/bsdf/wavelength_lanes.h"
 
 // The micro-flake model at eight wavelengths. bound_microflake.cpp gathers what depends on
-// wavelength; bound_microflake_eval.cpp is what a renderer calls.
+// wavelength; bound_microflake_eval.cpp is what a renderer calls; bound_microflake_inl.h is what
+// models share whose flakes are not those of the mean.
 
 namespace nacre::bsdf {
-
-// Where a wavelength falls between those of the paint.
-struct Between {
-    int lower = 0;
-    float fraction = 0;
-};
-
-std::array<Between, kLanes> locate_wavelengths(const std::vector<double>& grid,
-                                               const Wavelengths& wavelengths);
-
-// Lanes of a function of the wavelength index.
-template <class F>
-FloatLanes at_wavelengths(const std::array<Between, kLanes>& where, F&& f) {
-    return make_lanes([&](int i) {
-        const float a = static_cast<float>(f(where[i].lower));
-        if (where[i].fraction == 0) return a;
-        return a + where[i].fraction * (static_cast<float>(f(where[i].lower + 1)) - a);
-    });
-}
 
 struct BoundFlake {
     float half_density, inverse_alpha2, norm;  // c/2; 1/alpha^2; 1/(2 pi alpha^2)
@@ -66,7 +49,19 @@ struct Ray {
     }
 };
 
-class BoundMicroflake final : public BoundBsdf {
+/// Which flakes scatter once: all of them, as their mean.
+///
+/// Stands for any class with this function: the factor by which the single scattering of a species
+/// differs from its mean, for the `flake`-th species of a layer whose optical depth along both
+/// directions together is `depth`, at eight wavelengths.
+struct MeanFlakes {
+    FloatLanes factor(std::size_t /*layer*/, std::size_t /*flake*/,
+                      const FloatLanes& /*depth*/) const {
+        return splat(1.0f);
+    }
+};
+
+class BoundMicroflake : public BoundBsdf {
  public:
     BoundMicroflake(std::shared_ptr<const Microflake::Tables> tables,
                     const Wavelengths& wavelengths);
@@ -77,17 +72,43 @@ class BoundMicroflake final : public BoundBsdf {
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
 
+ protected:
+    // For models that keep the smooth part and the ways to sample it, and change the flakes.
+
+    Ray make_ray(Vec3f w) const;
+    /// BRDF without the mirror.
+    template <class Flakes>
+    FloatLanes value(const Ray& i, const Ray& o, const Flakes& flakes) const;
+
+    const LobeOdds& odds_at(const Ray& i) const;
+    /// Per solid angle outside, of draw() with these odds.
+    float density(const LobeOdds& odds, const Ray& i, const Ray& o) const;
+    /// One of the lobes; u_lobe in [0, sum of the odds). Empty where nothing leaves.
+    struct Draw {
+        Vec3f wo;
+        bool mirror;
+    };
+    std::optional<Draw> draw(const LobeOdds& odds, const Ray& i, float u_lobe, Vec2f u) const;
+    /// The mirror of a smooth interface, chosen with this probability.
+    BsdfSample mirror_sample(Vec3f wi, float probability) const;
+    /// The direction outside of one inside; empty where light cannot leave.
+    std::optional<Vec3f> leave(Vec3f inside) const;
+    /// Solid angles inside over those outside.
+    float solid_angle_ratio(const Ray& o) const {
+        return o.outside.z * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z;
+    }
+
+    const std::array<Between, kLanes>& where() const { return where_; }
+
  private:
     void bind_smooth_interface();
     void bind_rough_interface();
     void bind_layers();
 
-    Ray make_ray(Vec3f w) const;
-    FloatLanes value(const Ray& i, const Ray& o) const;
-    FloatLanes single(Vec3f inside_i, Vec3f inside_o, const Ray& i, const Ray& o) const;
+    template <class Flakes>
+    FloatLanes single(Vec3f inside_i, Vec3f inside_o, const Ray& i, const Ray& o,
+                      const Flakes& flakes) const;
     FloatLanes rough_lobe(const Ray& i, const Ray& o) const;
-    const LobeOdds& odds_at(const Ray& i) const;
-    float density(const LobeOdds& odds, const Ray& i, const Ray& o) const;
 
     std::shared_ptr<const Microflake::Tables> tables_;
     std::array<Between, kLanes> where_;
@@ -113,3 +134,5 @@ class BoundMicroflake final : public BoundBsdf {
 };
 
 }  // namespace nacre::bsdf
+
+#include "nacre/bsdf/bound_microflake_inl.h"  // IWYU pragma: export

@@ -8,12 +8,11 @@
 
 namespace nacre::bsdf {
 
-namespace {
-
 // Directional-hemispherical reflectance by the model's own sampling, at the points of a Hammersley
 // set: deterministic, and within 1e-3 as weights hardly vary.
-void tabulate_albedo(Microflake::Tables& tables,
-                     const std::shared_ptr<const Microflake::Tables>& view) {
+void tabulate_albedo(
+    Microflake::Tables& tables,
+    const std::function<std::unique_ptr<const BoundBsdf>(const Wavelengths&)>& bind) {
     constexpr int kStride = 8, kPoints = 512;
     const int count = tables.wavelength_count();
     tables.albedo.assign(static_cast<std::size_t>(kDirectionIntervals + 1) * count, 0.0f);
@@ -23,7 +22,7 @@ void tabulate_albedo(Microflake::Tables& tables,
         for (int i = 0; i < kLanes; ++i) {
             wavelengths[i] = grid[std::min(block * kLanes + i, count - 1)];
         }
-        const BoundMicroflake bound(view, wavelengths);
+        const auto bound = bind(wavelengths);
         const int lanes = std::min(kLanes, count - block * kLanes);
         parallel_for(0, kDirectionIntervals / kStride + 1, [&](std::size_t step) {
             const int row = static_cast<int>(step) * kStride;
@@ -36,7 +35,7 @@ void tabulate_albedo(Microflake::Tables& tables,
                 float radical = 0, base = 0.5f;
                 for (unsigned q = p; q; q >>= 1, base *= 0.5f) radical += (q & 1) * base;
                 const float lobe = static_cast<float>(bits >> 8) * 0x1p-24f;
-                if (const auto s = bound.sample(wi, lobe, {(p + 0.5f) / kPoints, radical})) {
+                if (const auto s = bound->sample(wi, lobe, {(p + 0.5f) / kPoints, radical})) {
                     sum += s->weight;
                 }
             }
@@ -57,11 +56,11 @@ void tabulate_albedo(Microflake::Tables& tables,
     }
 }
 
-}  // namespace
-
 Microflake::Microflake(std::shared_ptr<const layers::SolvedPaint> paint) {
     auto tables = std::make_shared<Tables>(std::move(paint));
-    tabulate_albedo(*tables, tables);
+    tabulate_albedo(*tables, [&](const Wavelengths& wavelengths_nm) {
+        return std::make_unique<const BoundMicroflake>(tables, wavelengths_nm);
+    });
     tables_ = std::move(tables);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -44,6 +45,12 @@ struct Microflake::Tables {
     void tabulate_extinction();
     void choose_lobes();
 };
+
+/// Fills tables.albedo with the mean weight of sample() of the surface that `bind` makes of the
+/// tables.
+void tabulate_albedo(
+    Microflake::Tables& tables,
+    const std::function<std::unique_ptr<const BoundBsdf>(const Wavelengths&)>& bind);
 
 /// Angle outside the coat of a row of the direction tables, just short of the horizon at the last.
 double direction_angle(int row);

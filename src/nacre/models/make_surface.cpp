@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include "nacre/bsdf/microflake.h"
+#include "nacre/bsdf/nacre.h"
 #include "nacre/bsdf/special_effect.h"
 #include "nacre/bsdf/tabulated.h"
 #include "nacre/core/error.h"
+#include "nacre/discs/disc_walk.h"
 #include "nacre/volume/plane_walk.h"
 
 namespace nacre::models {
@@ -44,6 +46,18 @@ std::shared_ptr<const bsdf::Bsdf> make_microflake(const Paint& paint, const Surf
     return tabulated(make_table(*paint.solved, options, progress));
 }
 
+std::shared_ptr<const bsdf::Bsdf> make_nacre(const Paint& paint, const SurfaceOptions& options) {
+    if (options.flakes == Flakes::explicit_discs) {
+        return std::make_shared<discs::DiscWalk>(
+            paint.recipe, discs::DiscSettings{.tile_width_mm = options.panel_width_mm,
+                                              .tile_height_mm = options.panel_height_mm,
+                                              .seed = options.seed});
+    }
+    if (!paint.solved) throw DomainError("the model nacre needs a solved paint");
+    return std::make_shared<bsdf::Nacre>(paint.solved, options.seed,
+                                         bsdf::NacreSettings{.hot_spot = options.hot_spot});
+}
+
 }  // namespace
 
 BrdfTable share(std::variant<layers::RawBrdfTable, layers::CompressedBrdfTable> table) {
@@ -76,6 +90,8 @@ std::shared_ptr<const bsdf::Bsdf> make_surface(Model model, const Paint& paint,
             return std::make_shared<bsdf::ThinFilm>(paint.recipe, options.colour);
         case Model::special_effect:
             return std::make_shared<bsdf::SpecialEffect>(paint.recipe, options.seed);
+        case Model::nacre:
+            return make_nacre(paint, options);
         case Model::walk:
             return std::make_shared<volume::PlaneWalk>(paint.recipe);
         case Model::volume:
@@ -85,6 +101,16 @@ std::shared_ptr<const bsdf::Bsdf> make_surface(Model model, const Paint& paint,
                                                     .simpson_panels = options.simpson_panels});
     }
     throw DomainError("no such model");
+}
+
+std::string_view name(Flakes flakes) {
+    switch (flakes) {
+        case Flakes::hashed:
+            return "hashed";
+        case Flakes::explicit_discs:
+            return "explicit";
+    }
+    return "";
 }
 
 std::string_view name(Table table) {

@@ -25,6 +25,13 @@ enum class Table {
     svd     ///< the same after its singular value decomposition
 };
 
+/// How the model nacre shows single flakes.
+enum class Flakes {
+    hashed,         ///< statistics of flakes that are never stored, on any shape
+    explicit_discs  ///< its ground truth: every flake a disc, under a flat panel
+                    ///< (discs/disc_walk.h)
+};
+
 /// What may be chosen about a model. Each model reads its own lines.
 struct SurfaceOptions {
     Table table = Table::split;                                    ///< microflake
@@ -35,7 +42,11 @@ struct SurfaceOptions {
     int simpson_panels = volume::ShellSettings{}.simpson_panels;   ///< volume
     /// volume: radius of the painted sphere; infinity is a flat panel.
     double radius_mm = std::numeric_limits<double>::infinity();
-    std::uint64_t seed = 0;  ///< special-effect: which facets there are
+    std::uint64_t seed = 0;          ///< special-effect and nacre: which facets or flakes there are
+    bool hot_spot = false;           ///< nacre: see bsdf::NacreSettings
+    Flakes flakes = Flakes::hashed;  ///< nacre
+    /// nacre with explicit flakes: size of the flat panel, in discs::kTileSide.
+    double panel_width_mm = 0, panel_height_mm = 0;
 };
 
 /// A raw table or a compressed one.
@@ -54,7 +65,7 @@ BrdfTable make_table(const layers::SolvedPaint& paint, const SurfaceOptions& opt
 struct Paint {
     layers::Recipe recipe = {};  ///< not needed with `table`
     std::shared_ptr<const layers::SolvedPaint>
-        solved;                      ///< microflake: needed unless `table` is set
+        solved;  ///< microflake (unless `table` is set) and nacre (hashed): needed
     std::optional<BrdfTable> table;  ///< microflake: made earlier
 };
 
@@ -69,5 +80,6 @@ std::shared_ptr<const bsdf::Bsdf> make_surface(Model model, const Paint& paint,
 
 /// Names on the command line.
 std::string_view name(Table table);
+std::string_view name(Flakes flakes);
 
 }  // namespace nacre::models

@@ -6,7 +6,7 @@
 namespace nacre::models {
 namespace {
 
-constexpr std::array<ModelInfo, 5> kModels{{
+constexpr std::array<ModelInfo, 6> kModels{{
     {Model::microflake,
      "microflake",
      "flakes in layers, solved by radiative transfer: a smooth mean over many flakes",
@@ -25,6 +25,12 @@ constexpr std::array<ModelInfo, 5> kModels{{
      "Guo et al. 2018",
      Ingredients::microfacet,
      {true, true, false, false}},
+    {Model::nacre,
+     "nacre",
+     "single flakes in layers: their light one by one, the rest solved by radiative transfer",
+     "this project",
+     Ingredients::layers,
+     {true, true, true, false}},
     {Model::walk,
      "walk",
      "random walks of light through the layers, one path at a time",

@@ -8,7 +8,7 @@
 
 namespace nacre::models {
 
-enum class Model { microflake, thin_film, special_effect, walk, volume };
+enum class Model { microflake, thin_film, special_effect, nacre, walk, volume };
 
 /// What a model can show: the columns of Table 3 of Mir et al. [mir-2022]. A test measures each.
 struct Capabilities {

@@ -89,7 +89,17 @@ TEST(Models, SparkleIsAsListed) {
         const Vec3f wi = direction(20), wo = direction(-20);
         bool differs = false;
         for (double u : {0.1, 0.2, 0.3, 0.4}) {
-            const bsdf::Patch a{u, 0.3, {1e-3f, 0}, {0, 1e-3f}}, b{u, 0.7, {1e-3f, 0}, {0, 1e-3f}};
+            // A thousandth of the object's side; on one of 100 mm.
+            const auto patch = [&](double v) {
+                const auto mm = [](double x) { return static_cast<float>(100 * x); };
+                return bsdf::Patch{.u = u,
+                                   .v = v,
+                                   .edge_1 = {1e-3f, 0},
+                                   .edge_2 = {0, 1e-3f},
+                                   .rest = {.position_mm = {mm(u), mm(v), 0},
+                                            .edge_mm = {{0.1f, 0, 0}, {0, 0.1f, 0}}}};
+            };
+            const bsdf::Patch a = patch(0.3), b = patch(0.7);
             differs |= bound->evaluate_on(a, wi, wo).f[3] != bound->evaluate_on(b, wi, wo).f[3];
         }
         EXPECT_EQ(differs, model.can.sparkle) << model.name;

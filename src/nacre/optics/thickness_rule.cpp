@@ -43,6 +43,22 @@ ThicknessRange thickness_range(double mean_nm, const ThicknessSpread& spread) {
     return {std::max(0.0, mean_nm - half), mean_nm + half};
 }
 
+double thickness_quantile(double mean_nm, const ThicknessSpread& spread, double share) {
+    if (spread.standard_deviation_nm == 0) return mean_nm;
+    auto [lo, hi] = thickness_range(mean_nm, spread);
+    if (spread.law == ThicknessSpread::Law::uniform) return std::lerp(lo, hi, share);
+    const auto below = [&](double thickness) {
+        return 0.5 * std::erfc((mean_nm - thickness) /
+                               (std::numbers::sqrt2 * spread.standard_deviation_nm));
+    };
+    const double wanted = std::lerp(below(lo), below(hi), share);
+    for (int step = 0; step < 45; ++step) {
+        const double middle = 0.5 * (lo + hi);
+        (below(middle) < wanted ? lo : hi) = middle;
+    }
+    return 0.5 * (lo + hi);
+}
+
 ThicknessRule thickness_rule(double mean_nm, const ThicknessSpread& spread, int n) {
     if (spread.standard_deviation_nm == 0) return {{mean_nm}, {1.0}};
     const auto [lo, hi] = thickness_range(mean_nm, spread);

@@ -68,6 +68,32 @@ TEST(ThicknessRule, NodesStayInsideAndWeightsArePositive) {
     }
 }
 
+TEST(ThicknessQuantile, SplitsTheLawIntoTheSharesItSays) {
+    // Quantiles at the middles of many equal shares have the moments of the law.
+    for (const double mean_nm : {400.0, 60.0}) {  // the second is cut at zero
+        for (const Law law : {Law::normal, Law::uniform}) {
+            const ThicknessSpread spread{50, law};
+            const ThicknessRule rule = thickness_rule(mean_nm, spread, 12);
+            for (const int power : {1, 2, 3}) {
+                double expected = 0, found = 0;
+                for (std::size_t i = 0; i < rule.weights.size(); ++i) {
+                    expected += rule.weights[i] * std::pow(rule.thickness_nm[i], power);
+                }
+                constexpr int kShares = 4000;
+                for (int i = 0; i < kShares; ++i) {
+                    const double t = thickness_quantile(mean_nm, spread, (i + 0.5) / kShares);
+                    found += std::pow(t, power) / kShares;
+                }
+                EXPECT_NEAR(found, expected, 1e-4 * expected) << mean_nm << ' ' << power;
+            }
+            const auto [lo, hi] = thickness_range(mean_nm, spread);
+            EXPECT_NEAR(thickness_quantile(mean_nm, spread, 0), lo, 1e-9);
+            EXPECT_NEAR(thickness_quantile(mean_nm, spread, 1), hi, 1e-9);
+        }
+    }
+    EXPECT_EQ(thickness_quantile(80, {}, 0.3), 80);
+}
+
 TEST(ThicknessRule, WithoutSpreadIsOneNode) {
     const auto rule = thickness_rule(80, {}, 7);
     EXPECT_EQ(rule.thickness_nm, std::vector<double>{80});

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/optics/thin_film.h"
+
+// The colours of single flakes whose films vary.
+
+namespace nacre::bsdf {
+
+/// FlakeFilms at eight wavelengths; without films that vary, 1.
+class BoundFlakeFilms {
+ public:
+    BoundFlakeFilms() = default;
+
+    bool vary() const { return !ratio_.empty(); }
+
+    /// R of one flake over the mean of all; vary() only.
+    /// @param cosine  w_i . h
+    /// @param film    32 random bits of the flake
+    FloatLanes ratio(float cosine, std::uint32_t film) const;
+
+ private:
+    friend class FlakeFilms;
+    float least_cosine_ = 0, per_cosine_ = 0;
+    std::vector<FloatLanes> ratio_;  // [set][cosine]
+};
+
+/// Reflectance of single flakes of a platelet species, as ratios to the mean over the species.
+///
+/// kSets flakes stand for all. With one film that varies they are the quantiles of its law at the
+/// middles of kSets equal shares; with two, the points of a Hammersley set [niederreiter-1992,
+/// section 3.1], further ones in an order of their own [mckay-1979, section 2.3]. Ratios are to the
+/// mean over the set, so that their mean is 1 at every cosine and wavelength: a sum over flakes has
+/// the mean that the solver computed, and the set only decides on its fluctuation. That of a
+/// smooth function of one film it gives to 1e-3.
+class FlakeFilms {
+ public:
+    static constexpr int kSets = 64;
+    static constexpr int kCosineIntervals = 128;
+
+    /// Whether any film varies: otherwise all flakes are alike and there is nothing to tabulate.
+    static bool vary(const optics::Platelet& platelet);
+
+    /// @param least_cosine  of w_i . h that will be asked for, in [0, 1)
+    /// @throws DomainError as optics::platelet_table()
+    FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
+               std::span<const double> wavelengths_nm, double least_cosine);
+
+    BoundFlakeFilms bind(const std::array<Between, kLanes>& where) const;
+
+ private:
+    int wavelength_count_;
+    double least_cosine_;
+    std::vector<float> ratio_;  // [set][cosine][wavelength]
+};
+
+/// The platelets of the set, none of whose films varies.
+std::vector<optics::Platelet> representative_platelets(const optics::Platelet& platelet);
+
+inline FloatLanes BoundFlakeFilms::ratio(float cosine, std::uint32_t film) const {
+    constexpr int kRow = FlakeFilms::kCosineIntervals + 1;
+    const std::uint64_t set = (std::uint64_t{film} * FlakeFilms::kSets) >> 32;
+    const float x = std::clamp((cosine - least_cosine_) * per_cosine_, 0.0f,
+                               static_cast<float>(FlakeFilms::kCosineIntervals));
+    const int at = std::min(static_cast<int>(x), FlakeFilms::kCosineIntervals - 1);
+    const FloatLanes* p = ratio_.data() + set * kRow + at;
+    return p[0] + (x - at) * (p[1] - p[0]);
+}
+
+}  // namespace nacre::bsdf
