@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
 
 namespace nacre::sparkle {
@@ -40,12 +41,17 @@ class DiffractionLobe {
         return radius_um_ / diameter_um;
     }
 
-    /// The radius for a half vector with sec2 = 1 + slope^2 and w_i . h = cosine, of a flake whose
-    /// radius() is `radius`, at most `most`: solid angle is what diffraction keeps, and sec^3
-    /// slopes make one.
-    float radius_at(float radius, float sec2, float cosine, float most) const {
+    /// What makes the radius() of a flake that for a half vector with sec2 = 1 + slope^2 and
+    /// w_i . h = cosine: solid angle is what diffraction keeps, and sec^3 slopes make one.
+    float widening(float sec2, float cosine) const {
         const float sec = std::sqrt(sec2);
-        return std::min(radius * sec * std::sqrt(sec) / std::max(cosine, kLeastCosine), most);
+        return sec * std::sqrt(sec) / std::max(cosine, kLeastCosine);
+    }
+    /// The radius then, at most most_radius().
+    FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine) const {
+        const FloatLanes sec = sqrt_lanes(sec2);
+        return min_lanes(radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kLeastCosine)),
+                         splat(most_));
     }
     /// Lobes end here: wider ones would mirror no differently, as P ends.
     float most_radius() const { return most_; }

@@ -86,8 +86,9 @@ double campbell(const FlakePopulation& population, const FlakeField& field, doub
     const double d = population.diameter_um * 1e-3, area = kPi / 4 * d * d;
     const double slope2 = double{slope.x} * slope.x + double{slope.y} * slope.y;
     const DiffractionLobe& lobe = field.lobe();
-    const float width = lobe.radius_at(lobe.radius(static_cast<float>(population.diameter_um)),
-                                       static_cast<float>(1 + slope2), cosine, lobe.most_radius());
+    const float width =
+        std::min(lobe.most_radius(), lobe.radius(static_cast<float>(population.diameter_um)) *
+                                         lobe.widening(static_cast<float>(1 + slope2), cosine));
     const Quadrature rule = gauss_legendre(32, 0.0, 1.0);
     double answers = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {

@@ -19,7 +19,7 @@ void FlakeView::for_each_answer(const DiffractionLobe& law, Vec2f slope, float c
                                 Visit&& visit) const {
     if (count == 0) return;
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
-    const float scale = law.radius_at(1.0f, 1 + slope2, cosine, INFINITY);
+    const float scale = law.widening(1 + slope2, cosine);
     float inverse_density = 0;  // worked out with the first answer
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes dx = load_lanes(&slope_x[first]) - slope.x;
@@ -43,8 +43,9 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& law, Vec3f wi, float
     while (k + 1 < count && rest >= weight[k]) rest -= weight[k++];
     const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
     const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
-    const float width =
-        law.radius_at(detail::kSampledWidening * lobe_radius[k], sec2, cosine, law.most_radius());
+    // As slope_pdf() does it, in lanes: the same bits.
+    const float width = law.radius_at(splat(detail::kSampledWidening * lobe_radius[k]), splat(sec2),
+                                      splat(cosine))[0];
     // The inverse of 1 - (1 - r^2/w^2)^3.
     const float r = width * std::sqrt(std::max(0.0f, 1 - std::cbrt(1 - u.x)));
     const float angle = 2 * std::numbers::pi_v<float> * u.y;
@@ -56,15 +57,14 @@ inline float FlakeView::slope_pdf(const DiffractionLobe& law, Vec3f wi, Vec2f sl
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
         const FloatLanes dx = x - slope.x, dy = y - slope.y, distance2 = dx * dx + dy * dy;
-        // Nearly always nothing is within reach of the widest lobe there can be.
-        for_each_set_lane(distance2 < law.most_radius() * law.most_radius(), [&](int lane) {
-            const float sec2 = 1 + x[lane] * x[lane] + y[lane] * y[lane];
-            const float cosine = std::abs(wi.x * x[lane] + wi.y * y[lane] + wi.z) / std::sqrt(sec2);
-            const float width = law.radius_at(detail::kSampledWidening * lobe_radius[first + lane],
-                                              sec2, cosine, law.most_radius());
-            if (distance2[lane] < width * width) {
-                sum += weight[first + lane] * law.density(distance2[lane], width);
-            }
+        // radius_at() of the flakes' own slopes: sec^(3/2) / cosine, the cosine over sec.
+        const FloatLanes sec2 = 1.0f + x * x + y * y;
+        const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
+        const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
+        const FloatLanes width =
+            law.radius_at(detail::kSampledWidening * load_lanes(&lobe_radius[first]), sec2, cosine);
+        for_each_set_lane(distance2 < width * width, [&](int lane) {
+            sum += weight[first + lane] * law.density(distance2[lane], width[lane]);
         });
     }
     return weight_sum > 0 ? sum / weight_sum : 0.0f;
