@@ -107,6 +107,10 @@ Source model_source(const EvalOptions& options, const models::ModelInfo& model,
                         "nacre reference",
                         model.name));
     }
+    if (surface.flakes == models::Flakes::explicit_discs) {
+        throw UsageError(
+            "--flakes = explicit: follows light and has no values to give; see nacre render");
+    }
     if (options.part != "total") {
         throw UsageError(
             fmt::format("--part = {}: only --model microflake knows parts", options.part));

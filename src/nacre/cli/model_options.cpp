@@ -62,6 +62,16 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
                     "volume with --tracking simpson: panels per piece of ray")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
+    command.add_flag(
+        "--hot-spot", options.hot_spot,
+        "nacre: light that came in between large flakes finds the same gaps on its way "
+        "out; the mean is then brighter than the solver's");
+    command
+        .add_option(
+            "--flakes", options.flakes,
+            "nacre: hashed (statistics, on any shape), or explicit (the ground truth: every "
+            "flake a disc, under flat panels)")
+        ->capture_default_str();
 }
 
 const models::ModelInfo& parse_model(const ModelOptions& options) {
@@ -85,6 +95,8 @@ models::SurfaceOptions parse_surface_options(const ModelOptions& options, std::u
     belongs_to("--tracking", Model::volume, options.tracking != standard.tracking);
     belongs_to("--simpson-panels", Model::volume,
                options.simpson_panels != standard.simpson_panels);
+    belongs_to("--hot-spot", Model::nacre, options.hot_spot);
+    belongs_to("--flakes", Model::nacre, options.flakes != standard.flakes);
 
     models::SurfaceOptions surface;
     surface.table = choose<models::Table>("--table", options.table,
@@ -99,6 +111,13 @@ models::SurfaceOptions parse_surface_options(const ModelOptions& options, std::u
         "--tracking", options.tracking,
         {{"delta", volume::Tracking::delta}, {"simpson", volume::Tracking::simpson}});
     surface.simpson_panels = options.simpson_panels;
+    surface.hot_spot = options.hot_spot;
+    surface.flakes = choose<models::Flakes>(
+        "--flakes", options.flakes,
+        {{"hashed", models::Flakes::hashed}, {"explicit", models::Flakes::explicit_discs}});
+    if (surface.hot_spot && surface.flakes == models::Flakes::explicit_discs) {
+        throw UsageError("--hot-spot is for hashed flakes: explicit ones have it by themselves");
+    }
     surface.seed = seed;
     return surface;
 }

@@ -19,6 +19,8 @@ struct ModelOptions {
     std::string colour = "spectral";
     std::string tracking = "delta";
     int simpson_panels = models::SurfaceOptions{}.simpson_panels;
+    bool hot_spot = false;
+    std::string flakes = "hashed";
 };
 
 void add_model_options(CLI::App& command, ModelOptions& options);

@@ -70,9 +70,8 @@ layers::SolvedPaint solve_recipe(std::string_view text, const std::filesystem::p
                                  const layers::SolverSettings& settings) {
     const layers::Recipe recipe = io::parse_recipe(text, path.string(), path.parent_path());
     if (recipe.layers.empty()) {
-        throw InputError(
-            fmt::format("{}: layer: is missing; the model microflake needs at least one [[layer]]",
-                        path.string()));
+        throw InputError(fmt::format(
+            "{}: layer: is missing; solving a paint needs at least one [[layer]]", path.string()));
     }
     if (wavelengths_nm && wavelengths_nm->size() > kMostSolvedWavelengths) {
         throw UsageError(
@@ -139,10 +138,17 @@ std::string PaintSurface::recipe_sha256() const { return recipe ? io::recipe_has
 
 PaintSurface load_surface(const std::filesystem::path& path, models::Model model,
                           const models::SurfaceOptions& surface, const CommonOptions& options) {
+    const bool solves = model == models::Model::microflake ||
+                        (model == models::Model::nacre && surface.flakes == models::Flakes::hashed);
     models::Paint paint;
-    if (model != models::Model::microflake) {
+    if (!solves) {
         paint.recipe = load_recipe(path);
     } else if (const std::string bytes = read_paint_file(path); io::looks_like_brdf_table(bytes)) {
+        if (model != models::Model::microflake) {
+            throw InputError(
+                fmt::format("{}: holds a table of a BRDF, from which only the model {} renders",
+                            path.string(), models::info(models::Model::microflake).name));
+        }
         io::BrdfTable table = io::parse_brdf_table(bytes, path.string());
         const auto kind = std::holds_alternative<layers::RawBrdfTable>(table) ? models::Table::raw
                                                                               : models::Table::svd;

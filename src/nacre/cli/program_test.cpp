@@ -337,6 +337,43 @@ thickness_spread_nm = 5
     EXPECT_THAT(missing.err, HasSubstr("gray.toml: microfacet: is missing"));
 }
 
+TEST_F(Program, SingleFlakesAreEvaluatedInMillimetresAndRendered) {
+    const std::string eval =
+        "eval gray.toml --incident 20 --outgoing 22,180 --wavelength 550 --model ";
+    const double mean = number(nacre(eval + "nacre").out, 1, 5);
+    EXPECT_NEAR(mean, number(nacre(eval + "microflake").out, 1, 5), 2e-3 * mean);  // its table
+    const double patch = number(nacre(eval + "nacre --at -12,5.5 --footprint 0.3").out, 1, 5);
+    const double other =
+        number(nacre(eval + "nacre --at -12,5.5 --footprint 0.3 --seed 1").out, 1, 5);
+    EXPECT_NE(patch, mean);
+    EXPECT_NE(patch, other);
+    // Some 1e6 flakes, a per cent of which answer: 1 % of standard deviation.
+    const double panel = number(nacre(eval + "nacre --at -12,5.5 --footprint 15").out, 1, 5);
+    EXPECT_NEAR(panel / mean, 1, 0.04);
+    EXPECT_GT(number(nacre(eval + "nacre --hot-spot").out, 1, 5), mean);
+    const Outcome far = nacre(eval + "nacre --at 0,20000 --footprint 1");
+    EXPECT_EQ(far.status, 1);
+    EXPECT_THAT(far.err, HasSubstr("--at = 20000: must be a number in [-10000, 10000] mm"));
+    EXPECT_EQ(nacre(eval + "nacre --at 0,0").status, 1);
+    EXPECT_EQ(nacre(eval + "microflake --hot-spot").status, 1);
+
+    for (const char* scene : {"sphere", "macro", "panel-sun"}) {
+        const Outcome render = nacre(
+            std::string("render ") + scene +
+            " --paint gray.toml --model nacre --sparkle --quiet --spp 1 --size 16x16 -o a.exr");
+        EXPECT_EQ(render.status, 0) << render.err;
+        EXPECT_THAT(nacre("info a.exr").out, HasSubstr("channel sparkle.B:")) << scene;
+    }
+    // A rough clearcoat blurs what single flakes send; the model does not know how.
+    std::string matte = contents(folder_ / "gray.toml");
+    matte.insert(0, "clearcoat = { thickness_um = 40, roughness = 0.2 }\n");
+    write("matte.toml", matte);
+    const Outcome rough = nacre("render sphere --paint matte.toml --model nacre -o b.exr");
+    EXPECT_EQ(rough.status, 2) << rough.err;
+    EXPECT_THAT(rough.err, HasSubstr("clearcoat.roughness"));
+    EXPECT_FALSE(exists("b.exr"));
+}
+
 TEST_F(Program, StudyWritesOnePageAndGoesOnWhereItStopped) {
     const std::string study = "study mir-2022 -o s --quick --table 4 --quiet";
     const Outcome first = nacre(study);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 
 #include "nacre/cli/command.h"
 #include "nacre/cli/common_options.h"
@@ -88,6 +89,33 @@ double radius_of_shape(const render::SceneDescription& scene, const std::string&
     return radius.value_or(std::numeric_limits<double>::infinity());
 }
 
+/// The flat panels that a paint lies on, as width and height. Explicit flakes need to know where
+/// they lie.
+std::pair<double, double> size_of_panel_mm(const render::SceneDescription& scene,
+                                           const std::string& material) {
+    std::optional<std::pair<double, double>> size;
+    for (const render::Shape& shape : scene.shapes) {
+        if (shape.material != material) continue;
+        const auto* panel = std::get_if<render::FlatPanel>(&shape.geometry);
+        if (!panel) {
+            throw UsageError(
+                fmt::format("--flakes = explicit: the material {} is on a shape that is no flat "
+                            "panel; --flakes "
+                            "hashed goes on any shape",
+                            material));
+        }
+        const double scale = shape.transform.scale;
+        const std::pair s{scale * panel->width_mm, scale * panel->height_mm};
+        if (size && *size != s) {
+            throw UsageError(fmt::format(
+                "--flakes = explicit: the material {} is on panels of different sizes", material));
+        }
+        size = s;
+    }
+    // On nothing that is seen: any size will do.
+    return size.value_or(std::pair{1.0, 1.0});
+}
+
 /// Makes each paint once for all materials that it is on.
 class PaintMaker {
  public:
@@ -99,7 +127,11 @@ class PaintMaker {
     const PaintSurface& make(const render::SceneDescription& scene, const std::string& material,
                              const fs::path& path) {
         if (model_ == models::Model::volume) surface_.radius_mm = radius_of_shape(scene, material);
-        const auto key = std::pair(path, surface_.radius_mm);
+        if (surface_.flakes == models::Flakes::explicit_discs) {
+            std::tie(surface_.panel_width_mm, surface_.panel_height_mm) =
+                size_of_panel_mm(scene, material);
+        }
+        const Key key{path, surface_.radius_mm, surface_.panel_width_mm, surface_.panel_height_mm};
         auto found = made_.find(key);
         if (found == made_.end()) {
             found = made_.emplace(key, load_surface(path, model_, surface_, options_)).first;
@@ -111,7 +143,8 @@ class PaintMaker {
     const RenderCommandOptions& options_;
     models::Model model_;
     models::SurfaceOptions surface_;
-    std::map<std::pair<fs::path, double>, PaintSurface> made_;  // by recipe and radius
+    using Key = std::tuple<fs::path, double, double, double>;  // recipe, radius, size of the panel
+    std::map<Key, PaintSurface> made_;
 };
 
 /// Every paint of the scene, the slot without a recipe being filled by --paint.
