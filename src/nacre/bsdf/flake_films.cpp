@@ -11,40 +11,47 @@
 namespace nacre::bsdf {
 namespace {
 
-constexpr int kSets = FlakeFilms::kSets, kRow = FlakeFilms::kCosineIntervals + 1;
+constexpr int kRow = FlakeFilms::kCosineIntervals + 1;
 
-/// Which of kSets equal shares of its law each flake of the set takes for its film number `film`
-/// among those that vary.
-std::vector<int> strata(int film) {
-    std::vector<int> order(kSets);
+/// Which of `count` (a power of two) equal shares of its law each flake of the set takes for the
+/// film number `film` among those that vary.
+std::vector<int> strata(int film, int count) {
+    std::vector<int> order(count);
     std::iota(order.begin(), order.end(), 0);
     if (film == 1) {
         // Bits in reverse: the radical inverse, which with the index makes the Hammersley set.
-        for (int i = 0; i < kSets; ++i) {
+        for (int i = 0; i < count; ++i) {
             order[i] = 0;
-            for (int bit = 1; bit < kSets; bit *= 2) order[i] = 2 * order[i] + ((i & bit) != 0);
+            for (int bit = 1; bit < count; bit *= 2) order[i] = 2 * order[i] + ((i & bit) != 0);
         }
     } else if (film > 1) {
-        Rng rng(static_cast<std::uint64_t>(film), kSets);
-        for (int i = kSets - 1; i > 0; --i) {
+        Rng rng(static_cast<std::uint64_t>(film), count);
+        for (int i = count - 1; i > 0; --i) {
             std::swap(order[i], order[static_cast<int>((i + 1) * rng.uniform_double())]);
         }
     }
     return order;
 }
 
+bool varies(const optics::FilmPopulation& film) { return film.spread.standard_deviation_nm > 0; }
+
 }  // namespace
 
 std::vector<optics::Platelet> representative_platelets(const optics::Platelet& platelet) {
-    std::vector<optics::Platelet> set(kSets, platelet);
-    int varying = 0;
+    int varying = varies(platelet.core);
+    for (const optics::FilmPopulation& coat : platelet.coats) varying += varies(coat);
+    const int count = varying == 0   ? 1
+                      : varying == 1 ? FlakeFilms::kOneFilmSet
+                                     : FlakeFilms::kManyFilmsSet;
+    std::vector<optics::Platelet> set(count, platelet);
+    int film = 0;
     const auto fix = [&](const optics::FilmPopulation& law, auto&& film_of) {
-        if (law.spread.standard_deviation_nm == 0) return;
-        const std::vector<int> order = strata(varying++);
-        for (int i = 0; i < kSets; ++i) {
+        if (!varies(law)) return;
+        const std::vector<int> order = strata(film++, count);
+        for (int i = 0; i < count; ++i) {
             film_of(set[i]) = {
                 law.material,
-                optics::thickness_quantile(law.thickness_nm, law.spread, (order[i] + 0.5) / kSets),
+                optics::thickness_quantile(law.thickness_nm, law.spread, (order[i] + 0.5) / count),
                 {}};
         }
     };
@@ -57,33 +64,34 @@ std::vector<optics::Platelet> representative_platelets(const optics::Platelet& p
 }
 
 bool FlakeFilms::vary(const optics::Platelet& platelet) {
-    const auto varies = [](const optics::FilmPopulation& film) {
-        return film.spread.standard_deviation_nm > 0;
-    };
     return varies(platelet.core) ||
            std::any_of(platelet.coats.begin(), platelet.coats.end(), varies);
 }
 
 FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
                        std::span<const double> wavelengths_nm, double least_cosine)
-    : wavelength_count_(static_cast<int>(wavelengths_nm.size())), least_cosine_(least_cosine) {
+    : stride_(wavelengths_nm.size() + 1), least_cosine_(least_cosine) {
     require_in_range(least_cosine, 0, 1 - 1e-6, "least cosine of the incidence on a flake");
     const std::vector<optics::Platelet> set = representative_platelets(platelet);
+    sets_ = set.size();
     std::vector<double> cosines(kRow);
     for (int c = 0; c < kRow; ++c) {
         cosines[c] = std::min(1.0, std::lerp(least_cosine, 1.0, c / (kRow - 1.0)));
     }
-    const std::size_t values = static_cast<std::size_t>(kRow) * wavelength_count_;
-    ratio_.resize(kSets * values);
-    parallel_for(0, kSets, [&](std::size_t i) {
+    const std::size_t values = kRow * stride_;
+    ratio_.resize(sets_ * values);
+    parallel_for(0, sets_, [&](std::size_t i) {
         const auto table = optics::platelet_table(set[i], binder, cosines, wavelengths_nm);
-        std::copy(table.reflectance.begin(), table.reflectance.end(), ratio_.begin() + i * values);
+        for (std::size_t v = 0; v < values; ++v) {
+            const std::size_t row = v / stride_, w = std::min(v % stride_, stride_ - 2);
+            ratio_[i * values + v] = static_cast<float>(table.reflectance[row * (stride_ - 1) + w]);
+        }
     });
     parallel_for(0, values, [&](std::size_t v) {
         double mean = 0;
-        for (int i = 0; i < kSets; ++i) mean += ratio_[i * values + v];
-        mean /= kSets;
-        for (int i = 0; i < kSets; ++i) {
+        for (std::size_t i = 0; i < sets_; ++i) mean += ratio_[i * values + v];
+        mean /= static_cast<double>(sets_);
+        for (std::size_t i = 0; i < sets_; ++i) {
             float& r = ratio_[i * values + v];
             // At grazing incidence, or where indices match, there may be nothing to share out.
             r = mean > 0 ? static_cast<float>(r / mean) : 1.0f;
@@ -93,12 +101,16 @@ FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material&
 
 BoundFlakeFilms FlakeFilms::bind(const std::array<Between, kLanes>& where) const {
     BoundFlakeFilms out;
+    out.sets_ = sets_;
     out.least_cosine_ = static_cast<float>(least_cosine_);
     out.per_cosine_ = static_cast<float>(kCosineIntervals / (1 - least_cosine_));
-    out.ratio_.resize(static_cast<std::size_t>(kSets) * kRow);
+    out.ratio_.resize(sets_ * kRow);
+    const FloatLanes fraction = make_lanes([&](int i) { return where[i].fraction; });
     for (std::size_t i = 0; i < out.ratio_.size(); ++i) {
-        const float* row = ratio_.data() + i * wavelength_count_;
-        out.ratio_[i] = at_wavelengths(where, [&](int w) { return row[w]; });
+        const float* row = ratio_.data() + i * stride_;
+        const FloatLanes low = make_lanes([&](int l) { return row[where[l].lower]; });
+        const FloatLanes high = make_lanes([&](int l) { return row[where[l].lower + 1]; });
+        out.ratio_[i] = low + fraction * (high - low);
     }
     return out;
 }

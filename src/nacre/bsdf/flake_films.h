@@ -27,22 +27,26 @@ class BoundFlakeFilms {
 
  private:
     friend class FlakeFilms;
+    std::uint64_t sets_ = 0;
     float least_cosine_ = 0, per_cosine_ = 0;
     std::vector<FloatLanes> ratio_;  // [set][cosine]
 };
 
 /// Reflectance of single flakes of a platelet species, as ratios to the mean over the species.
 ///
-/// kSets flakes stand for all. With one film that varies they are the quantiles of its law at the
-/// middles of kSets equal shares; with two, the points of a Hammersley set [niederreiter-1992,
-/// section 3.1], further ones in an order of their own [mckay-1979, section 2.3]. Ratios are to the
-/// mean over the set, so that their mean is 1 at every cosine and wavelength: a sum over flakes has
-/// the mean that the solver computed, and the set only decides on its fluctuation. That of a
-/// smooth function of one film it gives to 1e-3.
+/// A set of flakes stands for all. With one film that varies they are the quantiles of its law at
+/// the middles of kOneFilmSet equal shares; with more, kManyFilmsSet points: two make a Hammersley
+/// set [niederreiter-1992, section 3.1], further ones follow an order of their own [mckay-1979,
+/// section 2.3]. Ratios are to the mean over the set, so that their mean is 1 at every cosine and
+/// wavelength: a sum over flakes has the mean that the solver computed, and the set only decides on
+/// its fluctuation. E[R R'] of two wavelengths is that of the law to kOneFilmError and, for cores
+/// of 500 nm whose fringes are spread over, kManyFilmsError of the geometric mean of E[R^2] and
+/// E[R'^2].
 class FlakeFilms {
  public:
-    static constexpr int kSets = 64;
-    static constexpr int kCosineIntervals = 128;
+    static constexpr int kOneFilmSet = 64, kManyFilmsSet = 256;
+    static constexpr double kOneFilmError = 0.01, kManyFilmsError = 0.06;
+    static constexpr int kCosineIntervals = 64;
 
     /// Whether any film varies: otherwise all flakes are alike and there is nothing to tabulate.
     static bool vary(const optics::Platelet& platelet);
@@ -55,17 +59,18 @@ class FlakeFilms {
     BoundFlakeFilms bind(const std::array<Between, kLanes>& where) const;
 
  private:
-    int wavelength_count_;
+    std::size_t sets_;
+    std::size_t stride_;  // of a row by wavelength, whose last value stands there twice
     double least_cosine_;
     std::vector<float> ratio_;  // [set][cosine][wavelength]
 };
 
-/// The platelets of the set, none of whose films varies.
+/// The platelets of the set, none of whose films varies; one where none varies in the first place.
 std::vector<optics::Platelet> representative_platelets(const optics::Platelet& platelet);
 
 inline FloatLanes BoundFlakeFilms::ratio(float cosine, std::uint32_t film) const {
     constexpr int kRow = FlakeFilms::kCosineIntervals + 1;
-    const std::uint64_t set = (std::uint64_t{film} * FlakeFilms::kSets) >> 32;
+    const std::uint64_t set = (film * sets_) >> 32;
     const float x = std::clamp((cosine - least_cosine_) * per_cosine_, 0.0f,
                                static_cast<float>(FlakeFilms::kCosineIntervals));
     const int at = std::min(static_cast<int>(x), FlakeFilms::kCosineIntervals - 1);

@@ -76,6 +76,11 @@ struct SparklingModel {
     }
 };
 
+inline const SparklingModel& everything_sparkling() {
+    static const SparklingModel model(everything_with_flakes());
+    return model;
+}
+
 /// A turned square of this side on a plane that faces one of the axes, anywhere within 2 m.
 inline Patch square_somewhere(Rng& rng, double side_mm) {
     const auto anywhere = [&] { return 2000 * rng.uniform_float() - 1000; };
