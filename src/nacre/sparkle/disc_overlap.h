@@ -44,19 +44,21 @@ struct Parallelogram {
 
     Parallelogram() {}  // of no shape yet
     /// Edges of non-zero area, anticlockwise from the first to the second.
-    Parallelogram(Vec2f edge_1, Vec2f edge_2) { set(edge_1, edge_2); }
-    void set(Vec2f edge_1, Vec2f edge_2) {
+    Parallelogram(Vec2f edge_1, Vec2f edge_2) {
+        const auto size = [](Vec2f e) { return std::sqrt(e.x * e.x + e.y * e.y); };
+        const float size_1 = size(edge_1), size_2 = size(edge_2);
+        set(edge_1, size_1, {edge_1.x / size_1, edge_1.y / size_1}, edge_2, size_2,
+            {edge_2.x / size_2, edge_2.y / size_2});
+    }
+    /// The same where the lengths of the edges and their unit vectors are known.
+    void set(Vec2f edge_1, float size_1, Vec2f along_1, Vec2f edge_2, float size_2, Vec2f along_2) {
         area = edge_1.x * edge_2.y - edge_1.y * edge_2.x;
         const Vec2f a = {0.5f * (edge_1.x + edge_2.x), 0.5f * (edge_1.y + edge_2.y)};
         const Vec2f b = {0.5f * (edge_2.x - edge_1.x), 0.5f * (edge_2.y - edge_1.y)};
-        const auto side = [](Vec2f from, Vec2f edge) {
-            const float size = std::sqrt(edge.x * edge.x + edge.y * edge.y), inverse = 1 / size;
-            return Side{from, {edge.x * inverse, edge.y * inverse}, size};
-        };
-        sides[0] = side({-a.x, -a.y}, edge_1);
-        sides[1] = side({-b.x, -b.y}, edge_2);
-        sides[2] = {a, {-sides[0].along.x, -sides[0].along.y}, sides[0].size};
-        sides[3] = {b, {-sides[1].along.x, -sides[1].along.y}, sides[1].size};
+        sides[0] = {{-a.x, -a.y}, along_1, size_1};
+        sides[1] = {{-b.x, -b.y}, along_2, size_2};
+        sides[2] = {a, {-along_1.x, -along_1.y}, size_1};
+        sides[3] = {b, {-along_2.x, -along_2.y}, size_2};
     }
 };
 

@@ -89,9 +89,9 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
         const FloatLanes y = plane.u.step.y * u + plane.v.step.y * v;
         const FloatLanes weight = load_lanes(&found.weight[first]) * inverse_cover_ *
                                   outline.coverage(x, y, 0.5e-3f * diameter_um);
-        const BitLanes bits = mix_lanes(__builtin_convertvector(place, BitLanes) +
-                                        (__builtin_convertvector(kind, BitLanes) << 32));
-        const SlopeLanes slopes = gaussian_slopes(bits);
+        const SlopeLanes slopes =
+            gaussian_slopes(unit_share(mix_short_lanes(place + 0x9e3779b9u * kind)),
+                            unit_share(mix_short_lanes(kind ^ (place >> 7) ^ (place << 25))));
         const auto visible = (weight > 0.0f) & (number < static_cast<float>(found.count - first));
         weight_sum += visible ? weight : FloatLanes{};
         const LanePacker seen(visible);

@@ -40,10 +40,10 @@ struct FlakePlane {
         : side(projection.side) {
         const auto component = [](Vec3f w, int i) { return i == 0 ? w.x : i == 1 ? w.y : w.z; };
         const int axis = side / 2;
-        const float across = component(patch.normal, axis);
-        kept = projection.share / (std::abs(across) * kMostStretch) * 65536;
+        const float across = component(patch.normal, axis), per_across = 1 / across;
+        kept = projection.share * std::abs(per_across) * (65536 / kMostStretch);
         const auto make = [&](int i) {
-            const float slant = component(patch.normal, i), shear = slant / across;
+            const float slant = component(patch.normal, i), shear = slant * per_across;
             const Vec3f t = outline.tangent, b = outline.bitangent;
             Axis out;
             out.at_mm = component(patch.position_mm, i);
@@ -58,8 +58,8 @@ struct FlakePlane {
         u = make(first);
         v = make((axis + 2) % 3);
         const float x = component(outline.tangent, first), y = component(outline.bitangent, first);
-        const float size = std::sqrt(x * x + y * y);
-        turn = {x / size, y / size};
+        const float inverse = 1 / std::sqrt(x * x + y * y);
+        turn = {x * inverse, y * inverse};
         for (int i = 0; i < 2; ++i) {
             const auto& [n, half_width_mm] = outline.strip[i];
             strip[i] = {n.x * u.step.x + n.y * u.step.y, n.x * v.step.x + n.y * v.step.y,

@@ -35,6 +35,12 @@ inline ShortBitLanes mix_short_lanes(ShortBitLanes x) {
     return x ^ (x >> 16);
 }
 
+/// The upper 31 of each lane's bits as a number in (0, 1).
+inline FloatLanes unit_share(ShortBitLanes bits) {
+    return (__builtin_convertvector(std::bit_cast<LaneMask>(bits >> 1), FloatLanes) + 0.5f) *
+           0x1p-31f;
+}
+
 /// The lower and the upper half of each lane's bits as numbers in [0, 65536).
 inline FloatLanes lower_half(ShortBitLanes bits) {
     return __builtin_convertvector(std::bit_cast<LaneMask>(bits & 0xffffu), FloatLanes);

@@ -37,13 +37,18 @@ class PatchOutline {
             std::swap(edge_[0], edge_[1]);
             std::swap(size_mm[0], size_mm[1]);
         }
-        if (!is_point_) shape_.set(edge_[0], edge_[1]);
+        Vec2f along[2] = {{0, -1}, {1, 0}};  // of edges of no length: any
         for (int i = 0; i < 2; ++i) {
-            const Vec2f n = size_mm[i] > 0
-                                ? Vec2f{-edge_[i].y / size_mm[i], edge_[i].x / size_mm[i]}
-                                : Vec2f{i == 0 ? 1.0f : 0.0f, i == 0 ? 0.0f : 1.0f};
+            if (size_mm[i] > 0) {
+                const float inverse = 1 / size_mm[i];
+                along[i] = {edge_[i].x * inverse, edge_[i].y * inverse};
+            }
+            const Vec2f n = {-along[i].y, along[i].x};
             strip[i] = {n, 0.5f * (std::abs(dot(n, edge_[0])) + std::abs(dot(n, edge_[1]))) +
                                largest_radius_mm};
+        }
+        if (!is_point_) {
+            shape_.set(edge_[0], size_mm[0], along[0], edge_[1], size_mm[1], along[1]);
         }
     }
 

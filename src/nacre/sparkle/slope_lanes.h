@@ -22,15 +22,18 @@ struct SlopeLanes {
     FloatLanes x, y;
 };
 
-/// Two slopes of density exp(-x^2 - y^2) / pi, by Box and Muller's transform of the upper and the
-/// lower half of each lane's bits; r^2 = -ln of the upper half as a share of 2^32, so that slopes
-/// end at 4.74.                                                        [walter-2007, eq. 28-29]
-inline SlopeLanes gaussian_slopes(BitLanes bits) {
-    const FloatLanes share = (__builtin_convertvector(bits >> 32, FloatLanes) + 0.5f) * 0x1p-32f;
-    const FloatLanes turns = __builtin_convertvector(bits & 0xffffffffu, FloatLanes) * 0x1p-32f;
+/// Two slopes of density exp(-x^2 - y^2) / pi, by Box and Muller's transform of two numbers even in
+/// (0, 1): r^2 = -ln share.                                           [walter-2007, eq. 28-29]
+inline SlopeLanes gaussian_slopes(FloatLanes share, FloatLanes turns) {
     const FloatLanes r = sqrt_lanes(max_lanes(-log_lanes(share), FloatLanes{}));
     const auto wave = optics::cos_sin_turns(turns);
     return {r * wave.cosine, r * wave.sine};
+}
+
+/// The same from the upper and the lower half of each lane's bits; slopes end at 4.74.
+inline SlopeLanes gaussian_slopes(BitLanes bits) {
+    return gaussian_slopes((__builtin_convertvector(bits >> 32, FloatLanes) + 0.5f) * 0x1p-32f,
+                           __builtin_convertvector(bits & 0xffffffffu, FloatLanes) * 0x1p-32f);
 }
 
 }  // namespace nacre::sparkle
