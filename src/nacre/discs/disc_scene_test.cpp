@@ -47,6 +47,15 @@ TEST(DiscScene, FlakesReachOverTheEdgesOfTheTile) {
         EXPECT_TRUE(wide.intersect({x, 59, 0}, kDown, 100, DiscScene::kNone));
 }
 
+TEST(DiscScene, LightGetsAwayFromWhereDiscsCross) {
+    // At one place, so that each is in front of the other.
+    const DiscScene scene(
+        {disc({50, 30, -10}, 8, {0.1f, 0, 1}), disc({50, 30, -10}, 8, {-0.1f, 0, 1})}, kTile);
+    EXPECT_TRUE(scene.intersect({50, 30, -5}, kDown, 100, DiscScene::kNone));
+    EXPECT_FALSE(scene.intersect({50, 30, -10}, kDown, 100, 0));
+    EXPECT_FALSE(scene.intersect({50, 30, -10}, kDown, 100, 1));
+}
+
 TEST(DiscScene, NoFlakesNoHits) {
     const DiscScene scene({}, kTile);
     EXPECT_FALSE(scene.intersect({50, 30, 0}, kDown, 1e6f, DiscScene::kNone));
@@ -63,11 +72,11 @@ const double kAcross = 0.995073;  // THEORY: s(1) at alpha = 0.1
 TEST(Visibility, OneWayFollowsTheLawOfTheTransferEquation) {
     // However large the flakes: one straight way meets a Poisson number of them.
     for (const double diameter : {4.0, 20.0}) {
-        const double side = 100 * diameter;
+        const double side = 250 * diameter;
         const auto v = flake_visibility(scene_of(test::opaque(2, 15, diameter), side, 1),
                                         test::from_degrees(20, 0), test::from_degrees(20, 180), 5);
         const double tau = 2 * kAcross;
-        // 25000 flakes that share their shadows: 1 % is about 3 standard errors.
+        // 160000 flakes that share their shadows: 1 % is more than 5 standard errors.
         EXPECT_NEAR(v.lit, (1 - std::exp(-tau)) / tau, 0.01 * v.lit) << diameter;
     }
 }
