@@ -83,16 +83,19 @@ class BoundMicroflake : public BoundBsdf {
     const LobeOdds& odds_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these odds.
     float density(const LobeOdds& odds, const Ray& i, const Ray& o) const;
-    /// One of the lobes; u_lobe in [0, sum of the odds). Empty where nothing leaves.
-    struct Draw {
-        Vec3f wo;
-        bool mirror;
-    };
-    std::optional<Draw> draw(const LobeOdds& odds, const Ray& i, float u_lobe, Vec2f u) const;
+    /// Whether u_lobe, in [0, sum of the odds), stands for the mirror of a smooth interface.
+    bool draws_mirror(const LobeOdds& odds, float u_lobe) const {
+        return u_lobe < odds.interface && !rough_;
+    }
+    /// By the lobe that u_lobe stands for, not the mirror; not upwards where nothing leaves.
+    Vec3f draw(const LobeOdds& odds, const Ray& i, float u_lobe, Vec2f u) const;
     /// The mirror of a smooth interface, chosen with this probability.
     BsdfSample mirror_sample(Vec3f wi, float probability) const;
     /// The direction outside of one inside; empty where light cannot leave.
-    std::optional<Vec3f> leave(Vec3f inside) const;
+    std::optional<Vec3f> leave(Vec3f inside) const {
+        if (inside.z <= 0) return std::nullopt;
+        return refract_out(inside, mean_ior_);
+    }
     /// Solid angles inside over those outside.
     float solid_angle_ratio(const Ray& o) const {
         return o.outside.z * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z;

@@ -9,6 +9,10 @@
 
 namespace nacre::bsdf {
 
+template FloatLanes BoundMicroflake::value(const Ray&, const Ray&, const MeanFlakes&) const;
+template FloatLanes BoundMicroflake::single(Vec3f, Vec3f, const Ray&, const Ray&,
+                                            const MeanFlakes&) const;
+
 Ray BoundMicroflake::make_ray(Vec3f w) const {
     Ray ray;
     ray.outside = w;
@@ -74,41 +78,28 @@ BsdfSample BoundMicroflake::mirror_sample(Vec3f wi, float probability) const {
     return s;
 }
 
-std::optional<Vec3f> BoundMicroflake::leave(Vec3f inside) const {
-    if (inside.z <= 0) return std::nullopt;
-    return refract_out(inside, mean_ior_);
-}
-
-std::optional<BoundMicroflake::Draw> BoundMicroflake::draw(const LobeOdds& odds, const Ray& i,
-                                                           float u_lobe, Vec2f u) const {
-    const Vec3f wi = i.outside;
-    if (u_lobe < odds.interface && !rough_) return Draw{{-wi.x, -wi.y, wi.z}, true};
-    Vec3f wo;
-    if (u_lobe < odds.interface) {
-        wo = rough_->lobe.sample(wi, u_lobe / odds.interface, u);
-    } else if ((u_lobe -= odds.interface) < odds.flakes + odds.wide) {
+Vec3f BoundMicroflake::draw(const LobeOdds& odds, const Ray& i, float u_lobe, Vec2f u) const {
+    constexpr Vec3f kNothing{0, 0, 0};
+    if (u_lobe < odds.interface) return rough_->lobe.sample(i.outside, u_lobe / odds.interface, u);
+    u_lobe -= odds.interface;
+    if (u_lobe < odds.flakes + odds.wide) {
         const bool narrow = u_lobe < odds.flakes;
         const float u_sign = narrow ? u_lobe / odds.flakes : (u_lobe - odds.flakes) / odds.wide;
-        const auto outside = leave((narrow ? flake_lobe_ : wide_lobe_).sample(i.inside, u_sign, u));
-        if (!outside) return std::nullopt;
-        wo = *outside;
-    } else {
-        wo = cosine_hemisphere(u);
+        const Vec3f inside = (narrow ? flake_lobe_ : wide_lobe_).sample(i.inside, u_sign, u);
+        return leave(inside).value_or(kNothing);
     }
-    if (wo.z <= 0) return std::nullopt;
-    return Draw{wo, false};
+    return cosine_hemisphere(u);
 }
 
 std::optional<BsdfSample> BoundMicroflake::sample(Vec3f wi, float u_lobe, Vec2f u) const {
     if (wi.z <= 0) return std::nullopt;
     const Ray i = make_ray(wi);
     const LobeOdds& odds = odds_at(i);
-    const auto drawn = draw(odds, i, u_lobe, u);
-    if (!drawn) return std::nullopt;
-    if (drawn->mirror) return mirror_sample(wi, odds.interface);
-    const Ray o = make_ray(drawn->wo);
+    if (draws_mirror(odds, u_lobe)) return mirror_sample(wi, odds.interface);
     BsdfSample s;
-    s.wo = drawn->wo;
+    s.wo = draw(odds, i, u_lobe, u);
+    if (s.wo.z <= 0) return std::nullopt;
+    const Ray o = make_ray(s.wo);
     s.pdf = density(odds, i, o);
     if (!(s.pdf > 0)) return std::nullopt;
     s.weight = value(i, o, MeanFlakes{}) * (s.wo.z / s.pdf);

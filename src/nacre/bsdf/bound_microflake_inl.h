@@ -23,16 +23,17 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
 
     FloatLanes sum{};
     FloatLanes depth = clearcoat_depth_ * (inverse_mu_i + inverse_mu_o);
-    for (std::size_t l = 0; l < layers_.size(); ++l) {
-        const BoundLayer& layer = layers_[l];
+    std::size_t at_layer = 0;
+    for (const BoundLayer& layer : layers_) {
         const FloatLanes rate =
             i.look_up(layer.extinction) * inverse_mu_i + o.look_up(layer.extinction) * inverse_mu_o;
         const FloatLanes here = layer.thickness_um * rate;
 
         FloatLanes kernel{};
         bool any = !layer.pigments.empty();
-        for (std::size_t f = 0; f < layer.flakes.size(); ++f) {
-            const BoundFlake& flake = layer.flakes[f];
+        std::size_t at_flake = 0;
+        for (const BoundFlake& flake : layer.flakes) {
+            const std::size_t f = at_flake++;
             const float exponent = tan2 * flake.inverse_alpha2;
             if (exponent > 60) continue;  // e^-60: outside the lobe
             any = true;
@@ -44,7 +45,7 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
             if (flake.intervals) {
                 reflectance += (x - at) * (flake.reflectance[at + 1] - reflectance);
             }
-            kernel += density * reflectance * flakes.factor(l, f, here);
+            kernel += density * reflectance * flakes.factor(at_layer, f, here);
         }
         for (const BoundPigment& pigment : layer.pigments) {
             const float g = pigment.g, turn = 1 + g * g + 2 * g * dot(inside_i, inside_o);
@@ -64,6 +65,7 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
             sum += layer.buried ? kernel * exp_lanes(-depth) * escape : kernel * escape;
         }
         depth += here;
+        ++at_layer;
     }
     return sum * (inverse_mu_i * inverse_mu_o);
 }
@@ -90,5 +92,10 @@ FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flak
                                  o.look_up(transmittance_over_cosine_) * inverse_ior2_;
     return (once + smooth) * interface * (i.outside.z * o.outside.z);
 }
+
+// Made once, in bound_microflake_eval.cpp.
+extern template FloatLanes BoundMicroflake::value(const Ray&, const Ray&, const MeanFlakes&) const;
+extern template FloatLanes BoundMicroflake::single(Vec3f, Vec3f, const Ray&, const Ray&,
+                                                   const MeanFlakes&) const;
 
 }  // namespace nacre::bsdf

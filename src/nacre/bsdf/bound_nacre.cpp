@@ -198,10 +198,10 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
         if (!wo) return std::nullopt;
         s.wo = *wo;
     } else {
-        const auto drawn = draw(odds.lobes, i, u_lobe - odds.flakes, u);
-        if (!drawn) return std::nullopt;
-        if (drawn->mirror) return mirror_sample(wi, odds.lobes.interface);
-        s.wo = drawn->wo;
+        u_lobe -= odds.flakes;
+        if (draws_mirror(odds.lobes, u_lobe)) return mirror_sample(wi, odds.lobes.interface);
+        s.wo = draw(odds.lobes, i, u_lobe, u);
+        if (s.wo.z <= 0) return std::nullopt;
     }
     const Ray o = make_ray(s.wo);
     s.pdf = density(odds.lobes, i, o) + flake_density(look, odds, i, o);
