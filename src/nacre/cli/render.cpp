@@ -264,7 +264,7 @@ Command add_render(CLI::App& program) {
     command
         ->add_option("--footprint", options->render.footprint_pixels,
                      "nacre, special-effect: side of the patch that a sample stands for, pixels; "
-                     "0: the samples of a pixel share it out")
+                     "0: the samples of a pixel share out what it shows")
         ->check(CLI::Range(0.0, 1000.0))
         ->capture_default_str();
     command->add_flag("--sparkle", options->render.sparkle,

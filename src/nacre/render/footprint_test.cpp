@@ -68,7 +68,8 @@ SceneDescription seen_at_45_deg(Geometry geometry) {
     return scene;
 }
 
-constexpr RenderOptions kOptions{.width = 96, .height = 96, .samples_per_pixel = 16};
+constexpr RenderOptions kOptions{
+    .width = 96, .height = 96, .samples_per_pixel = 16, .footprint_pixels = 0.25};
 
 TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
     // The whole panel once: each sample stands for its part of its pixel. Random are only the
@@ -77,9 +78,16 @@ TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
     const Scene scene(seen_at_45_deg(FlatPanel{.width_mm = 200, .height_mm = 150}),
                       {{"paint", recorder}});
     RenderOptions options = kOptions;
+    options.footprint_pixels = 0.25;
     render(scene, options);
     EXPECT_GT(recorder->patches, 10000);
     EXPECT_NEAR(recorder->area, 1, 0.01);
+
+    // By default they cover the filter of their pixel, which reaches into others.
+    recorder->area = 0;
+    options.footprint_pixels = 0;
+    render(scene, options);
+    EXPECT_NEAR(recorder->area, 2.25, 0.0225);
 
     // Footprints of whole pixels overlap sixteen times.
     recorder->area = 0;
@@ -103,7 +111,7 @@ TEST(Footprint, HalfASphereIsSeen) {
     description.camera.vertical_fov_deg = 1.4;
     const auto recorder = std::make_shared<Recorder>(false);
     render(Scene(description, {{"paint", recorder}}),
-           {.width = 400, .height = 400, .samples_per_pixel = 16});
+           {.width = 400, .height = 400, .samples_per_pixel = 16, .footprint_pixels = 0.25});
     EXPECT_NEAR(recorder->area, 0.5, 0.05);
 }
 

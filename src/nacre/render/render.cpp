@@ -48,10 +48,9 @@ class Renderer {
         path_options_.max_depth = options.max_depth;
         path_options_.direct_light = direct_light;
         path_options_.smooth = options.sparkle;
-        path_options_.footprint_pixels =
-            static_cast<float>(options.footprint_pixels > 0
-                                   ? options.footprint_pixels
-                                   : 1 / std::sqrt(static_cast<double>(options.samples_per_pixel)));
+        path_options_.footprint_pixels = static_cast<float>(
+            options.footprint_pixels > 0 ? options.footprint_pixels
+                                         : default_footprint_pixels(options.samples_per_pixel));
     }
 
     void run(const Pass& pass) {
@@ -96,6 +95,10 @@ class Renderer {
 };
 
 }  // namespace
+
+double default_footprint_pixels(int samples_per_pixel) {
+    return std::min(1.0, 1.5 / std::sqrt(static_cast<double>(samples_per_pixel)));
+}
 
 RenderResult render_with(const Scene& scene, const RenderOptions& options, DirectLight direct_light,
                          const Progress& progress) {
