@@ -60,8 +60,8 @@ std::vector<Disc> draw_discs(const layers::Recipe& recipe, const Tile& tile,
     const double expected = expected_discs(recipe, tile);
     if (!(expected <= kMostDiscs)) {
         throw DomainError(fmt::format(
-            "a piece of {} mm x {} mm of this paint holds {:.3g} flakes; at most {:.3g} are drawn "
-            "one by one: choose a smaller piece",
+            "a piece of {} mm x {} mm of this paint holds {:.3g} flakes; explicit flakes are at "
+            "most {:.3g}: take a smaller panel",
             1e-3 * tile.width_um, 1e-3 * tile.height_um, expected, kMostDiscs));
     }
     std::vector<Disc> discs;

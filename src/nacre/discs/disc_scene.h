@@ -35,7 +35,6 @@ class DiscScene {
     /// @param distance_um  where the ray ends, at the latest where it leaves the tile
     /// @param leaving      the disc on which it starts, or kNone: it does not meet a flat disc
     ///                     again, nor another at the very same place
-    /// again
     std::optional<Hit> intersect(Vec3f origin_um, Vec3f direction, float distance_um,
                                  std::uint32_t leaving) const;
 

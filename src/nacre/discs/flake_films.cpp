@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 
 #include "nacre/core/rng.h"
 #include "nacre/optics/thickness_rule.h"
 
 namespace nacre::discs {
 namespace {
-
-double normal_below(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
 
 bool varies(const optics::Platelet& platelet) {
     bool any = platelet.core.spread.standard_deviation_nm > 0;
@@ -23,7 +19,8 @@ bool varies(const optics::Platelet& platelet) {
 std::vector<double> stratified(const optics::FilmPopulation& film, int count, Rng& rng) {
     std::vector<double> thickness(count);
     for (int i = 0; i < count; ++i)
-        thickness[i] = film_thickness_nm(film, (i + rng.uniform_double()) / count);
+        thickness[i] = optics::thickness_quantile(film.thickness_nm, film.spread,
+                                                  (i + rng.uniform_double()) / count);
     for (int i = count - 1; i > 0; --i)
         std::swap(thickness[i], thickness[static_cast<int>((i + 1) * rng.uniform_double())]);
     return thickness;
@@ -60,20 +57,6 @@ GridPlaces::GridPlaces(const std::vector<double>& grid_nm,
                              : static_cast<float>(std::clamp(
                                    (w - grid_nm[i]) / (grid_nm[i + 1] - grid_nm[i]), 0.0, 1.0));
     }
-}
-
-double film_thickness_nm(const optics::FilmPopulation& film, double share) {
-    const double deviation = film.spread.standard_deviation_nm;
-    if (deviation == 0) return film.thickness_nm;
-    auto [lo, hi] = optics::thickness_range(film.thickness_nm, film.spread);
-    if (film.spread.law == optics::ThicknessSpread::Law::uniform) return std::lerp(lo, hi, share);
-    const auto below = [&](double t) { return normal_below((t - film.thickness_nm) / deviation); };
-    const double wanted = std::lerp(below(lo), below(hi), share);
-    for (int step = 0; step < 60; ++step) {
-        const double middle = 0.5 * (lo + hi);
-        (below(middle) < wanted ? lo : hi) = middle;
-    }
-    return 0.5 * (lo + hi);
 }
 
 FlakeFilms::FlakeFilms(const layers::FlakeSpecies& species, const optics::Material& binder,

@@ -53,8 +53,4 @@ class FlakeFilms {
     std::vector<float> reflectance_, transmittance_;  // [film][cosine][wavelength]
 };
 
-/// The thickness below which a share of the films of a population lies: the inverse of the law of
-/// optics::ThicknessSpread with its cuts. share in [0, 1].
-double film_thickness_nm(const optics::FilmPopulation& film, double share);
-
 }  // namespace nacre::discs

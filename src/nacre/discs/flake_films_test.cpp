@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "nacre/discs/test_support.h"
-#include "nacre/optics/thickness_rule.h"
 
 namespace nacre::discs {
 namespace {
@@ -21,26 +20,6 @@ layers::FlakeSpecies pearl_flakes() {
         {optics::find_material("TiO2_anatase"), 110, {5, optics::ThicknessSpread::Law::uniform}}};
     species.body = platelet;
     return species;
-}
-
-TEST(FlakeFilms, ThicknessFollowsTheRecipesLaw) {
-    // Moments of the inverse distribution function against the quadrature that the solver uses.
-    for (const optics::FilmPopulation& film :
-         {optics::FilmPopulation{optics::Material(1.5), 100, {20}},
-          optics::FilmPopulation{optics::Material(1.5), 30, {25}},
-          optics::FilmPopulation{
-              optics::Material(1.5), 100, {30, optics::ThicknessSpread::Law::uniform}}}) {
-        const auto rule = optics::thickness_rule(film.thickness_nm, film.spread, 20);
-        constexpr int kSteps = 20000;
-        for (int power = 1; power <= 3; ++power) {
-            double sum = 0, expected = 0;
-            for (int i = 0; i < kSteps; ++i)
-                sum += std::pow(film_thickness_nm(film, (i + 0.5) / kSteps), power) / kSteps;
-            for (std::size_t i = 0; i < rule.weights.size(); ++i)
-                expected += rule.weights[i] * std::pow(rule.thickness_nm[i], power);
-            EXPECT_NEAR(sum / expected, 1, 1e-5) << film.thickness_nm << " to the " << power;
-        }
-    }
 }
 
 TEST(FlakeFilms, MeanOverTheSetIsThatOfThePopulation) {

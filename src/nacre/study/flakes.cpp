@@ -43,7 +43,8 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
     report::Table table{
         .columns = {"recipe", "flakes deep", "diameter, um", "flakes a mm²", "mean, hashed / discs",
                     "... without diffraction", "contrast, hashed / discs", "farthest from 1",
-                    "ΔE of the means", "spread of a*, ratio", "spread of b*, ratio"}};
+                    "mean, with hot spot", "contrast, with hot spot", "ΔE of the means",
+                    "spread of a*, ratio", "spread of b*, ratio"}};
     for (const FlakesVerdict& v : verdicts) {
         table.rows.push_back(
             {{v.name},
@@ -55,6 +56,9 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
              report::number_cell(number(v.mean_ratio_mirrors)),
              report::number_cell(number(v.contrast_ratio)),
              report::number_cell(number(v.worst_contrast_ratio)),
+             report::number_cell(fmt::format("{} ± {}", number(v.mean_ratio_hot_spot.value),
+                                             number(v.mean_ratio_hot_spot.standard_error, 1))),
+             report::number_cell(number(v.contrast_ratio_hot_spot)),
              report::number_cell(number(v.mean_delta_e)),
              report::number_cell(number(v.a_ratio)),
              report::number_cell(number(v.b_ratio))});

@@ -26,6 +26,8 @@ std::string name(Way way) {
             return "mirrors";
         case Way::hashed:
             return "hashed";
+        case Way::hot_spot:
+            return "hot-spot";
         case Way::smooth:
             return "smooth";
     }
@@ -57,14 +59,14 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
         solved_ = std::make_shared<const layers::SolvedPaint>(
             layers::solve(recipe_, layers::default_wavelengths_nm(), {}));
     }
-    auto& made = way == Way::hashed ? hashed_ : smooth_;
+    auto& made = way == Way::hashed ? hashed_ : way == Way::hot_spot ? hot_spot_ : smooth_;
     if (!made) {
         models::SurfaceOptions options;
         options.seed = seed_;
-        made = models::make_surface(way == Way::hashed && models::find_model("nacre")
-                                        ? models::find_model("nacre")->model
-                                        : models::Model::microflake,
-                                    {.recipe = recipe_, .solved = solved_}, options);
+        options.hot_spot = way == Way::hot_spot;
+        const models::Paint paint{.recipe = recipe_, .solved = solved_, .table = {}};
+        made = models::make_surface(
+            way == Way::smooth ? models::Model::microflake : models::Model::nacre, paint, options);
     }
     return made;
 }

@@ -12,10 +12,11 @@ namespace nacre::study {
 
 /// How the flakes of a paint are shown.
 enum class Way {
-    discs,    ///< explicit: each in its place, light traced among them
-    mirrors,  ///< the same without diffraction
-    hashed,   ///< the model `nacre`
-    smooth    ///< their mean: `microflake`
+    discs,     ///< explicit: each in its place, light traced among them
+    mirrors,   ///< the same without diffraction
+    hashed,    ///< the model `nacre`
+    hot_spot,  ///< the same with its hot spot
+    smooth     ///< their mean: `microflake`
 };
 
 /// In file names and results.
@@ -46,7 +47,7 @@ class FlakePaint {
     std::uint64_t seed_;
     layers::Recipe recipe_;
     std::shared_ptr<const layers::SolvedPaint> solved_;
-    std::shared_ptr<const bsdf::Bsdf> hashed_, smooth_;
+    std::shared_ptr<const bsdf::Bsdf> hashed_, hot_spot_, smooth_;
 };
 
 }  // namespace nacre::study

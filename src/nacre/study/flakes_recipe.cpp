@@ -58,7 +58,14 @@ class Look {
 };
 
 std::string of_name(Way way) {
-    return way == Way::discs ? "explicit discs" : "nacre, hashed flakes";
+    switch (way) {
+        case Way::discs:
+            return "explicit discs";
+        case Way::hot_spot:
+            return "nacre with its hot spot";
+        default:
+            return "nacre, hashed flakes";
+    }
 }
 
 void add_pictures(FlakesContext& context, const FlakePaint& paint, const Look& look) {
@@ -83,9 +90,42 @@ void add_pictures(FlakesContext& context, const FlakePaint& paint, const Look& l
                             "all shown with the exposure of the discs.");
 }
 
+std::string with_error(const Measured& m) {
+    return fmt::format("{} ± {}", number(m.value), number(m.standard_error, 1));
+}
+
+/// The two ways' results at one footprint, against the discs'.
+struct Ratios {
+    double log_sum = 0, worst = 1, mean = 0, mean_variance = 0, weights = 0;
+    int counted = 0;
+
+    void add(double flakes_per_pixel, const Measured (&contrast)[2], const Measured (&means)[2]) {
+        if (contrast[0].value > 0 && contrast[1].value > 0) {
+            const double ratio = contrast[1].value / contrast[0].value;
+            log_sum += std::log(ratio);
+            ++counted;
+            if (std::abs(std::log(ratio)) > std::abs(std::log(worst))) worst = ratio;
+        }
+        // Of all footprints, each by the area that it saw.
+        if (!(means[0].value > 0 && means[1].value > 0)) return;
+        const double ratio = means[1].value / means[0].value;
+        const double error = ratio * std::hypot(means[0].standard_error / means[0].value,
+                                                means[1].standard_error / means[1].value);
+        mean += flakes_per_pixel * ratio;
+        mean_variance += std::pow(flakes_per_pixel * error, 2);
+        weights += flakes_per_pixel;
+    }
+    double contrast() const { return counted > 0 ? std::exp(log_sum / counted) : 0; }
+    Measured of_means() const {
+        if (weights == 0) return {};
+        return {mean / weights, std::sqrt(mean_variance) / weights};
+    }
+};
+
 /// Contrast against footprint. Adds to the verdict.
 void add_contrast(FlakesContext& context, const FlakePaint& paint, const Look& look,
                   FlakesVerdict& verdict) {
+    constexpr Way kWays[] = {Way::discs, Way::hashed, Way::hot_spot};
     std::vector<double> footprints{0.25, 1, 4, 16, 64, 256};
     if (context.settings.quick) footprints = {1, 4};
     report::Plot plot{
@@ -95,58 +135,44 @@ void add_contrast(FlakesContext& context, const FlakePaint& paint, const Look& l
             "error.",
         .x = {.label = "flakes in the pixel's area, on average", .logarithmic = true},
         .y = {.label = "contrast", .logarithmic = true}};
-    report::Table table{.columns = {"flakes a pixel", "contrast, discs", "contrast, hashed",
-                                    "ratio", "mean, discs", "mean, hashed", "mean, smooth",
-                                    "hashed / discs"}};
-    std::array<report::Series, 2> series;
+    report::Table table{.columns = {"flakes a pixel", "contrast, discs", "hashed", "with hot spot",
+                                    "mean, discs", "hashed", "with hot spot", "smooth"}};
+    report::Series series[3];
     nlohmann::json& results = context.results["recipes"][paint.key()]["contrast"];
-    double log_sum = 0, means[2] = {}, weights = 0, variance = 0;
-    int counted = 0;
+    Ratios hashed, hot_spot;
     for (double n : footprints) {
-        Measured c[2], mean[2];
-        for (int i = 0; i < 2; ++i) {
-            const Pixels a = look.take(kCompared[i], n, "contrast", kContrast, 0);
-            const Pixels b = look.take(kCompared[i], n, "contrast", kContrast, 1);
+        Measured c[3], mean[3];
+        for (int i = 0; i < 3; ++i) {
+            const Pixels a = look.take(kWays[i], n, "contrast", kContrast, 0);
+            const Pixels b = look.take(kWays[i], n, "contrast", kContrast, 1);
             c[i] = contrast(a, b);
             mean[i] = mean_luminance(a, b);
             series[i].x.push_back(n);
             series[i].y.push_back(c[i].value);
             series[i].y_error.push_back(c[i].standard_error);
             results.push_back({{"flakes_per_pixel", n},
-                               {"way", name(kCompared[i])},
+                               {"way", name(kWays[i])},
                                {"contrast", c[i].value},
                                {"contrast_error", c[i].standard_error},
                                {"mean", mean[i].value},
                                {"mean_error", mean[i].standard_error}});
         }
         const Pixels s = look.take(Way::smooth, n, "contrast", {kContrast.pixels, 0, 32}, 0);
-        const double smooth = mean_luminance(s, s).value;
-        const double ratio = c[0].value > 0 ? c[1].value / c[0].value : 0;
-        if (ratio > 0) {
-            log_sum += std::log(ratio);
-            ++counted;
-            if (std::abs(std::log(ratio)) > std::abs(std::log(verdict.worst_contrast_ratio)))
-                verdict.worst_contrast_ratio = ratio;
-        }
-        // The mean over all footprints, each by the area it saw.
-        for (int i = 0; i < 2; ++i) means[i] += n * mean[i].value;
-        variance += n * n *
-                    (std::pow(mean[0].standard_error / std::max(mean[0].value, 1e-30), 2) +
-                     std::pow(mean[1].standard_error / std::max(mean[1].value, 1e-30), 2));
-        weights += n;
-        const auto cell = [](const Measured& m) {
-            return report::number_cell(
-                fmt::format("{} ± {}", number(m.value), number(m.standard_error, 1)));
-        };
-        table.rows.push_back({report::number_cell(number(n)), cell(c[0]), cell(c[1]),
-                              report::number_cell(number(ratio)), cell(mean[0]), cell(mean[1]),
-                              report::number_cell(number(smooth)),
-                              report::number_cell(number(mean[1].value / mean[0].value))});
+        hashed.add(n, {c[0], c[1]}, {mean[0], mean[1]});
+        hot_spot.add(n, {c[0], c[2]}, {mean[0], mean[2]});
+        table.rows.push_back({report::number_cell(number(n))});
+        for (const Measured& m : c) table.rows.back().push_back(report::number_cell(with_error(m)));
+        for (const Measured& m : mean)
+            table.rows.back().push_back(report::number_cell(with_error(m)));
+        table.rows.back().push_back(report::number_cell(number(mean_luminance(s, s).value)));
     }
-    verdict.contrast_ratio = counted > 0 ? std::exp(log_sum / counted) : 0;
-    verdict.mean_ratio = {means[1] / means[0], means[1] / means[0] * std::sqrt(variance) / weights};
-    for (int i = 0; i < 2; ++i) {
-        series[i].name = of_name(kCompared[i]);
+    verdict.contrast_ratio = hashed.contrast();
+    verdict.worst_contrast_ratio = hashed.worst;
+    verdict.mean_ratio = hashed.of_means();
+    verdict.contrast_ratio_hot_spot = hot_spot.contrast();
+    verdict.mean_ratio_hot_spot = hot_spot.of_means();
+    for (int i = 0; i < 3; ++i) {
+        series[i].name = of_name(kWays[i]);
         series[i].dots = true;
         plot.series.push_back(series[i]);
     }
@@ -256,6 +282,8 @@ FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint) {
         {"mean_hashed_over_mirrors", verdict.mean_ratio_mirrors},
         {"contrast_hashed_over_discs", verdict.contrast_ratio},
         {"contrast_hashed_over_discs_worst", verdict.worst_contrast_ratio},
+        {"mean_hot_spot_over_discs", verdict.mean_ratio_hot_spot.value},
+        {"contrast_hot_spot_over_discs", verdict.contrast_ratio_hot_spot},
         {"delta_e_of_means", verdict.mean_delta_e}};
     return verdict;
 }
