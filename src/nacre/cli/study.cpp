@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct StudyOptions : CommonOptions {
     std::vector<std::string> parts;
 };
 
+/// Parts of mir-2022 that are neither a table nor a figure.
+const std::map<std::string, study::MirPart> kPartNames = {
+    {"agreement", study::MirPart::agreement},
+    {"antialiasing", study::MirPart::antialiasing},
+    {"nacre", study::MirPart::nacre}};
+
 std::set<study::MirPart> chosen_parts(const StudyOptions& options) {
     using study::MirPart;
     if (options.tables.empty() && options.figures.empty() && options.parts.empty()) {
@@ -39,7 +46,7 @@ std::set<study::MirPart> chosen_parts(const StudyOptions& options) {
     for (int table : options.tables) parts.insert(by_table[table - 1]);
     for (int figure : options.figures) parts.insert(by_figure[figure - 2]);
     for (const std::string& part : options.parts) {
-        parts.insert(part == "agreement" ? MirPart::agreement : MirPart::antialiasing);
+        parts.insert(kPartNames.at(part));
     }
     return parts;
 }
@@ -125,8 +132,8 @@ Command add_study(CLI::App& program) {
         ->check(CLI::Range(2, 4));
     study
         ->add_option("--part", options->parts,
-                     "mir-2022: only agreement or antialiasing (may be repeated)")
-        ->check(CLI::IsMember({"agreement", "antialiasing"}));
+                     "mir-2022: only agreement, antialiasing or nacre (may be repeated)")
+        ->check(CLI::IsMember({"agreement", "antialiasing", "nacre"}));
     study->add_flag("--quick", options->quick,
                     "Tiny pictures (at most 32 pixels, 8 samples), to see that all works");
     add_seed(*study, *options);

@@ -4,10 +4,12 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 
 #include "nacre/core/atomic_file.h"
 #include "nacre/core/sha256.h"
+#include "nacre/discs/disc.h"
 #include "nacre/io/brdf_table_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/render_image.h"
@@ -25,22 +27,11 @@ using nlohmann::json;
 
 constexpr std::uintmax_t kMostRecordBytes = 1 << 20;
 
-layers::Recipe recipe_of(const PictureJob& job) {
-    layers::Recipe recipe = io::read_recipe(job.paint);
-    if (job.facet_count > 0) {
-        if (!recipe.microfacet || !recipe.microfacet->facets) {
-            throw InputError(fmt::format("{}: microfacet.facets: is missing; the study sets count",
-                                         job.paint.string()));
-        }
-        recipe.microfacet->facets->count = job.facet_count;
-    }
-    return recipe;
-}
-
 json description(const PictureJob& job) {
     const render::RenderOptions& r = job.render;
     return {{"version", io::version()},
             {"scene", job.scene},
+            {"scene_scale", job.scene_scale},
             {"model", models::info(job.model).name},
             {"recipe_sha256", io::recipe_hash(recipe_of(job))},
             {"table", models::name(job.surface.table)},
@@ -75,7 +66,7 @@ struct Prepared {
 Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& progress) {
     models::Paint paint{.recipe = recipe_of(job)};
     Prepared out;
-    if (job.model == models::Model::microflake) {
+    if (job.model == models::Model::microflake || job.model == models::Model::nacre) {
         auto solved = std::make_shared<const layers::SolvedPaint>(
             layers::solve(paint.recipe, layers::default_wavelengths_nm(), {}));
         fs::create_directories(tables);
@@ -100,7 +91,54 @@ Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& 
     return out;
 }
 
+render::SceneDescription scene_of(const PictureJob& job) {
+    render::SceneDescription scene = render::builtin_scene(job.scene);
+    const auto scale = static_cast<float>(job.scene_scale);
+    for (render::Shape& shape : scene.shapes) {
+        shape.transform.scale *= job.scene_scale;
+        shape.transform.translation_mm = scale * shape.transform.translation_mm;
+    }
+    for (render::Light& light : scene.lights) {
+        if (auto* rectangle = std::get_if<render::RectangleLight>(&light)) {
+            rectangle->center_mm = scale * rectangle->center_mm;
+            rectangle->target_mm = scale * rectangle->target_mm;
+            rectangle->width_mm *= job.scene_scale;
+            rectangle->height_mm *= job.scene_scale;
+        }
+    }
+    render::Camera& camera = scene.camera;
+    camera.position_mm = scale * camera.position_mm;
+    camera.target_mm = scale * camera.target_mm;
+    camera.aperture_radius_mm *= job.scene_scale;
+    camera.focus_distance_mm *= job.scene_scale;
+    return scene;
+}
+
 }  // namespace
+
+layers::Recipe recipe_of(const PictureJob& job) {
+    layers::Recipe recipe = io::read_recipe(job.paint);
+    if (job.facet_count > 0) {
+        if (!recipe.microfacet || !recipe.microfacet->facets) {
+            throw InputError(fmt::format("{}: microfacet.facets: is missing; the study sets count",
+                                         job.paint.string()));
+        }
+        recipe.microfacet->facets->count = job.facet_count;
+    }
+    for (layers::Layer& layer : recipe.layers) {
+        for (layers::FlakeSpecies& flake : layer.flakes) {
+            flake.diameter_um *= job.flake_scale;
+            flake.diameter_spread_um *= job.flake_scale;
+        }
+    }
+    return recipe;
+}
+
+double flakes_on_ball(const layers::Recipe& recipe, double radius_mm) {
+    constexpr double kUmPerMm = 1e3;
+    return discs::expected_discs(recipe, {kUmPerMm, kUmPerMm}) * 4 * std::numbers::pi * radius_mm *
+           radius_mm;
+}
 
 std::string fingerprint(const PictureJob& job) { return sha256_hex(description(job).dump()); }
 
@@ -142,7 +180,7 @@ Picture Gallery::make(const PictureJob& job) const {
         const PeakMemory memory;
         const auto start = std::chrono::steady_clock::now();
         const Prepared prepared = prepare(job, folder_ / "tables", progress);
-        const render::SceneDescription scene = render::builtin_scene(job.scene);
+        const render::SceneDescription scene = scene_of(job);
         render::PaintTable paints;
         for (const auto& [name, material] : scene.materials) {
             if (std::holds_alternative<render::PaintMaterial>(material)) {

@@ -38,8 +38,17 @@ struct PictureJob {
     models::SurfaceOptions surface;
     render::RenderOptions render;
     std::string scene = "sphere";  ///< a built-in scene
+    double scene_scale = 1;        ///< all its lengths times this: more flakes or facets fit on it
     double facet_count = 0;        ///< in place of the recipe's, where above zero
+    double flake_scale = 1;        ///< diameters of the recipe's flakes times this
 };
+
+/// The recipe of a job, with the job's facets and flakes.
+/// @throws InputError if it sets facets that the recipe does not have; what reading throws
+layers::Recipe recipe_of(const PictureJob& job);
+
+/// The flakes that a paint lays on a ball, over all layers and species: density times surface.
+double flakes_on_ball(const layers::Recipe& recipe, double radius_mm);
 
 /// A finished picture and what it cost.
 struct Picture {

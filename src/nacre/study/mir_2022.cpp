@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <thread>
 
@@ -42,7 +43,9 @@ void add_introduction(MirContext& context) {
         "coatings: translucent micro-flakes solved by adding-doubling (Ergun et al. 2016), "
         "thin-film microfacets (Belcour and Barla 2017) and discrete facets (Guo et al. 2018). "
         "This page is that comparison made anew by one command: the same tables and figures, with "
-        "this program's own implementations.");
+        "this program's own implementations. Beside them stands a fourth model, `nacre`, which "
+        "does what the paper leaves as future work: colour that turns with angle, sparkle and "
+        "multiple scattering at once.");
     if (s.samples < 1024 || s.size < 512) {
         report.note(
             fmt::format("Scaled down: {0} x {0} pixels at {1} samples each, where the paper's "
@@ -70,8 +73,8 @@ void add_introduction(MirContext& context) {
 }  // namespace
 
 std::set<MirPart> all_mir_parts() {
-    return {MirPart::table_1, MirPart::table_2,   MirPart::table_3,
-            MirPart::table_4, MirPart::agreement, MirPart::antialiasing};
+    return {MirPart::table_1,   MirPart::table_2,      MirPart::table_3, MirPart::table_4,
+            MirPart::agreement, MirPart::antialiasing, MirPart::nacre};
 }
 
 PictureJob MirContext::job(std::string key, std::string title, const std::string& paint,
@@ -93,7 +96,7 @@ std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& sta
     const Gallery gallery(settings.folder, stage);
     report::Report report("The comparison of 2022",
                           "Goniochromism, sparkle and multiple scattering of special-effect "
-                          "coatings: three models and their reference");
+                          "coatings: three models, their reference and a fourth model");
     nlohmann::json results = {{"study", "mir-2022"},
                               {"version", io::version()},
                               {"hardware", hardware()},
@@ -106,7 +109,8 @@ std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& sta
     const std::pair<MirPart, void (*)(MirContext&)> parts[] = {
         {MirPart::table_1, add_table_1},     {MirPart::table_2, add_table_2},
         {MirPart::table_3, add_table_3},     {MirPart::table_4, add_table_4},
-        {MirPart::agreement, add_agreement}, {MirPart::antialiasing, add_antialiasing}};
+        {MirPart::agreement, add_agreement}, {MirPart::antialiasing, add_antialiasing},
+        {MirPart::nacre, add_nacre}};
     for (const auto& [part, add] : parts) {
         if (settings.parts.contains(part)) add(context);
     }
@@ -117,6 +121,14 @@ std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& sta
 }
 
 std::string number(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+
+std::string power_of_ten(double value) {
+    static constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = "10";
+    for (char digit : fmt::format("{}", std::lround(std::log10(value))))
+        text += kDigits[digit - '0'];
+    return text;
+}
 
 std::string duration(double seconds) { return duration_text(seconds); }
 

@@ -11,12 +11,13 @@ namespace nacre::study {
 /// The parts of the comparison. A figure shows the pictures that a table counts: Figure 2 belongs
 /// to Table 1, 3 to 2, 4 to 4.
 enum class MirPart {
-    table_1,      ///< reference, raw and compressed tables of two paints; with Figure 2
-    table_2,      ///< facets and time; with Figure 3
-    table_3,      ///< what the models can do
-    table_4,      ///< three models of two pearls; with Figure 4
-    agreement,    ///< three solutions of one paint, pixel by pixel
-    antialiasing  ///< spectral antialiasing against integration
+    table_1,       ///< reference, raw and compressed tables of two paints; with Figure 2
+    table_2,       ///< facets, flakes and time; with Figure 3
+    table_3,       ///< what the models can do
+    table_4,       ///< the models on two pearls; with Figure 4
+    agreement,     ///< three solutions of one paint, pixel by pixel
+    antialiasing,  ///< spectral antialiasing against integration
+    nacre          ///< what the model that the paper asks for costs, and how it errs
 };
 
 std::set<MirPart> all_mir_parts();

@@ -11,6 +11,8 @@
 
 namespace nacre::study {
 
+inline constexpr double kBallRadiusMm = 50;  ///< of the built-in scene
+
 struct MirContext {
     const MirSettings& settings;
     const Gallery& gallery;
@@ -28,9 +30,17 @@ void add_table_3(MirContext& context);
 void add_table_4(MirContext& context);
 void add_agreement(MirContext& context);
 void add_antialiasing(MirContext& context);
+void add_nacre(MirContext& context);
+
+/// Parts of add_nacre().
+void add_cost_by_number(MirContext& context);
+void add_query_costs(MirContext& context);
+void add_equal_time_errors(MirContext& context);
 
 /// "0.031" and the like: `digits` significant ones.
 std::string number(double value, int digits = 3);
+/// 10⁷ for the nearest power of ten; value >= 1.
+std::string power_of_ten(double value);
 /// 3.2 s, 1:05.
 std::string duration(double seconds);
 std::string mebibytes(std::size_t bytes);

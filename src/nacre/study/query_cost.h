@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+
+// What it costs to ask a surface about a patch, outside a renderer.
+
+namespace nacre::study {
+
+/// Squares in all directions, anywhere on a ball of 50 mm and on the unit square over which one is
+/// laid out, so that surfaces of either layout can be asked.
+///
+/// @param area_mm2  of each on the ball, above 0
+/// @param share     of the unit square, in (0, 0.25]
+std::vector<bsdf::Patch> square_patches(double area_mm2, double share, int count);
+
+/// What a renderer asks about a patch.
+enum class Ask {
+    value,             ///< BRDF and density towards a light
+    value_and_sample,  ///< the same, and a direction to go on in: one vertex of a path
+    value_again        ///< a further value on a patch that has been asked about
+};
+
+struct QueryCost {
+    double nanoseconds;  ///< of wall time on one core for each query
+    double mean_answer;  ///< mean BRDF over queries and wavelengths, in 1/sr: what was asked for
+};
+
+/// A surface with the directions that a renderer would ask it about: light from all over the
+/// hemisphere, by cosine, and directions as the surface's mean sends them on. Eight wavelengths.
+class QuerySubject {
+ public:
+    /// @param queries  [1, 2^20]
+    QuerySubject(const bsdf::Bsdf& surface, int queries);
+
+    /// Asks about each patch once; with Ask::value_again about few patches many times.
+    /// @param patches  as many as there are queries; empty: the surface's mean is asked for
+    QueryCost ask(const std::vector<bsdf::Patch>& patches, Ask what) const;
+
+ private:
+    struct Query {
+        Vec3f wi, wo;
+        float u_lobe;
+        Vec2f u;
+    };
+    std::unique_ptr<const bsdf::BoundBsdf> bound_;
+    std::vector<Query> queries_;
+};
+
+}  // namespace nacre::study
