@@ -342,11 +342,14 @@ TEST_F(Program, SingleFlakesAreEvaluatedInMillimetresAndRendered) {
         "eval gray.toml --incident 20 --outgoing 22,180 --wavelength 550 --model ";
     const double mean = number(nacre(eval + "nacre").out, 1, 5);
     EXPECT_NEAR(mean, number(nacre(eval + "microflake").out, 1, 5), 2e-3 * mean);  // its table
-    const double patch = number(nacre(eval + "nacre --at -12,5.5 --footprint 0.3").out, 1, 5);
-    const double other =
-        number(nacre(eval + "nacre --at -12,5.5 --footprint 0.3 --seed 1").out, 1, 5);
-    EXPECT_NE(patch, mean);
-    EXPECT_NE(patch, other);
+    // The same flakes again, and others with another seed: a fan wide enough to meet some.
+    const std::string fan =
+        "eval gray.toml --incident 20 --outgoing 0:60:1,150:210:5 --wavelength 550 --model nacre "
+        "--at 7,3.3 --footprint 0.1";
+    const std::string patch = nacre(fan).out;
+    EXPECT_THAT(patch, StartsWith("theta_i,"));
+    EXPECT_EQ(patch, nacre(fan).out);
+    EXPECT_NE(patch, nacre(fan + " --seed 1").out);
     // Some 1e6 flakes, a per cent of which answer: 1 % of standard deviation.
     const double panel = number(nacre(eval + "nacre --at -12,5.5 --footprint 15").out, 1, 5);
     EXPECT_NEAR(panel / mean, 1, 0.04);
@@ -395,6 +398,39 @@ TEST_F(Program, StudyWritesOnePageAndGoesOnWhereItStopped) {
     ASSERT_EQ(nacre(study).status, 0);
     EXPECT_TRUE(std::filesystem::exists(lost.string() + ".exr"));
     EXPECT_EQ(std::filesystem::last_write_time(kept), written);
+}
+
+TEST_F(Program, ExplicitFlakesLieUnderFlatPanelsOnly) {
+    const std::string scene = NACRE_SOURCE_DIR "/scenes/flakes.toml";
+    const std::string discs = " --paint gray.toml --model nacre --flakes explicit --quiet --spp 4 ";
+    const Outcome panel = nacre("render " + scene + discs + "--size 16x16 -o a.exr");
+    EXPECT_EQ(panel.status, 0) << panel.err;
+    EXPECT_TRUE(exists("a.exr"));
+    const Outcome sphere = nacre("render sphere" + discs + "-o b.exr");
+    EXPECT_EQ(sphere.status, 1);
+    EXPECT_THAT(sphere.err, HasSubstr("no flat panel; --flakes hashed goes on any shape"));
+    const Outcome large = nacre("render panel" + discs + "-o b.exr");
+    EXPECT_EQ(large.status, 2);
+    EXPECT_THAT(large.err, HasSubstr("take a smaller panel"));
+    EXPECT_FALSE(exists("b.exr"));
+    for (const char* wrong :
+         {"render sphere --paint gray.toml --model microflake --flakes explicit -o b.exr",
+          "render sphere --paint gray.toml --model nacre --flakes painted -o b.exr",
+          "render sphere --paint gray.toml --model nacre --flakes explicit --hot-spot -o b.exr",
+          "eval gray.toml --model nacre --flakes explicit --incident 20 --outgoing 20"}) {
+        EXPECT_EQ(nacre(wrong).status, 1) << wrong;
+    }
+}
+
+TEST_F(Program, StudyOfFlakesWritesOnePage) {
+    const Outcome study = nacre("study flakes -o s --quick --quiet");
+    ASSERT_EQ(study.status, 0) << study.err;
+    const std::string page = contents(folder_ / "s/index.html");
+    for (const char* part : {"What hides a flake", "Contrast against footprint", "All together"})
+        EXPECT_THAT(page, HasSubstr(part));
+    EXPECT_THAT(contents(folder_ / "s/results.json"), HasSubstr("\"mean_hashed_over_discs\""));
+    EXPECT_EQ(nacre("study flakes -o t --spp 64").status, 1);
+    EXPECT_EQ(nacre("study flake -o t").status, 1);
 }
 
 TEST_F(Program, FailuresWhileRunningEndWithThree) {
