@@ -70,6 +70,25 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
         "the geometric mean over them. ΔE is CIEDE2000 between the mean colours at equal "
         "luminance. Spreads are standard deviations over the pixels at one flake a pixel, noise "
         "included.");
+    context.report.heading(1, "What may differ, and why", "why");
+    context.report.bullets(
+        {"*The mean*, where opaque flakes are as wide as the layer is thick: the hot spot. The "
+         "mean "
+         "of the hashed flakes is that of the equation of transfer, by construction; discs are "
+         "brighter. The model's own hot spot dims each flake as discs do on average. It does not "
+         "take from what is scattered again the light that has then left already, so that it ends "
+         "up somewhat too bright.",
+         "*The mean of small flakes*: diffraction. Discs with the recipe's tilts mirror into a "
+         "lobe "
+         "that is wider than that of their normals; the model takes the recipe's roughness for "
+         "that "
+         "of the whole lobe. Compare *without diffraction*.",
+         "*Contrast where pixels are smaller than flakes*: a piece of a flake is lit and seen, or "
+         "not, and the model dims it instead. [What hides a flake](#hiding) has the numbers for "
+         "whole flakes.",
+         "*Dark pixels*: between flakes that answer, discs leave gaps that are darker than the "
+         "model's, which spreads all light that met more than one flake evenly.",
+         "*Crescents* in close-ups: a disc cut off by another, which the model does not know."});
 }
 
 }  // namespace
