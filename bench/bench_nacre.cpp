@@ -73,8 +73,8 @@ void run(benchmark::State& state, F&& f) {
 }
 
 void footprints(benchmark::internal::Benchmark* b) {
-    b->ArgName("centi_flakes")->Arg(5)->Arg(30)->Arg(500)->Arg(10000)->Arg(1000000);
-    b->Arg(100000000);
+    b->ArgName("centi_flakes")->Arg(5)->Arg(30)->Arg(500)->Arg(10000)->Arg(100000);
+    b->Arg(1000000)->Arg(100000000);
 }
 
 void BM_NacreEvaluateOn8Wavelengths(benchmark::State& state) {

@@ -143,31 +143,25 @@ void run(benchmark::State& state, F&& f) {
     }
 }
 
+// As in bench_nacre.
+void footprints(benchmark::internal::Benchmark* b) {
+    b->ArgName("centi_facets")->Arg(5)->Arg(30)->Arg(500)->Arg(10000)->Arg(100000);
+    b->Arg(1000000)->Arg(100000000);
+}
+
 void BM_SpecialEffectEvaluateOn8Wavelengths(benchmark::State& state) {
     run(state, [](const BoundBsdf& b, const Patch& p, const Setup::Query& q) {
         return b.evaluate_on(p, q.wi, q.wo);
     });
 }
-BENCHMARK(BM_SpecialEffectEvaluateOn8Wavelengths)
-    ->ArgName("centi_facets")
-    ->Arg(5)
-    ->Arg(100)
-    ->Arg(500)
-    ->Arg(100000)
-    ->Arg(100000000);
+BENCHMARK(BM_SpecialEffectEvaluateOn8Wavelengths)->Apply(footprints);
 
 void BM_SpecialEffectSampleOn8Wavelengths(benchmark::State& state) {
     run(state, [](const BoundBsdf& b, const Patch& p, const Setup::Query& q) {
         return b.sample_on(p, q.wi, q.u_lobe, q.u);
     });
 }
-BENCHMARK(BM_SpecialEffectSampleOn8Wavelengths)
-    ->ArgName("centi_facets")
-    ->Arg(5)
-    ->Arg(100)
-    ->Arg(500)
-    ->Arg(100000)
-    ->Arg(100000000);
+BENCHMARK(BM_SpecialEffectSampleOn8Wavelengths)->Apply(footprints);
 
 void BM_SpecialEffectMean8Wavelengths(benchmark::State& state) {
     run(state,

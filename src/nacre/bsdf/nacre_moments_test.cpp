@@ -67,6 +67,33 @@ TEST(Nacre, MeanOverPatchesIsTheMicroflakeModel) {
     }
 }
 
+// Which flakes answer is decided for the mean index, what they weigh by each wavelength's own.
+TEST(Nacre, MeanOverPatchesHoldsForABinderThatDisperses) {
+    layers::Recipe recipe = paint_of({pearl_flake(20)});
+    recipe.binder = optics::Material("crown", {400, 700}, {{1.56, 0}, {1.48, 0}});
+    const SparklingModel model(recipe);
+    const Vec3f wi = direction(45, 0), wo = direction(36, 175);
+    constexpr int kPatches = 100000;
+    DoubleLanes sum{}, squares{};
+    Rng rng(22);
+    PatchMemory memory(model.bound->patch_memory_bytes());
+    for (int n = 0; n < kPatches; ++n) {
+        Patch patch = square_somewhere(rng, 0.1);
+        memory.forget();
+        patch.memory = &memory;
+        const DoubleLanes f =
+            __builtin_convertvector(model.bound->evaluate_on(patch, wi, wo).f, DoubleLanes);
+        sum += f;
+        squares += f * f;
+    }
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const double mean = sum[lane] / kPatches;
+        const double error = std::sqrt((squares[lane] / kPatches - mean * mean) / kPatches);
+        EXPECT_LT(error, 0.02 * mean);
+        EXPECT_NEAR(mean, model.bound->eval(wi, wo)[lane], 3 * error) << lane;
+    }
+}
+
 TEST(Nacre, WithoutAPatchIsTheMicroflakeModel) {
     const SparklingModel& model = everything_sparkling();
     const auto smooth = Microflake(model.paint).bind(kOnGrid);
