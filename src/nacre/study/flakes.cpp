@@ -50,7 +50,7 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
             {{v.name},
              report::number_cell(number(v.depth)),
              report::number_cell(number(v.diameter_um)),
-             report::number_cell(number(v.flakes_per_mm2)),
+             report::number_cell(flake_count(v.flakes_per_mm2)),
              report::number_cell(fmt::format("{} ± {}", number(v.mean_ratio.value),
                                              number(v.mean_ratio.standard_error, 1))),
              report::number_cell(number(v.mean_ratio_mirrors)),

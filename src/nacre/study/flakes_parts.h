@@ -32,6 +32,9 @@ struct FlakesVerdict {
     double a_ratio = 0, b_ratio = 0;  ///< of the deviations of a* and b* over the pixels
 };
 
+/// "39.4", "7294".
+std::string flake_count(double per_mm2);
+
 /// Renders, measures and describes one recipe.
 FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint);
 

@@ -185,6 +185,9 @@ void add_histogram_and_colour(FlakesContext& context, const FlakePaint& paint, c
     report::Plot bars{.title = "Luminance of the pixels, one flake a pixel",
                       .x = {.label = "luminance over the mean", .logarithmic = true},
                       .y = {.label = "share of the pixels", .lo = 0}};
+    report::Plot brighter{.title = "Pixels brighter than so much, one flake a pixel",
+                          .x = {.label = "luminance over the mean", .logarithmic = true},
+                          .y = {.label = "share of the pixels", .logarithmic = true, .lo = 1e-4}};
     report::Plot colours{.title = "Colours of the pixels, one flake a pixel",
                          .caption =
                              "CIELAB, with the mean luminance of each picture at 0.3 of "
@@ -199,6 +202,15 @@ void add_histogram_and_colour(FlakesContext& context, const FlakePaint& paint, c
         const Histogram h = histogram(p);
         bars.series.push_back(
             {.name = of_name(kCompared[i]), .x = h.centre, .y = h.share, .dots = true});
+        report::Series above{.name = of_name(kCompared[i]), .x = {}, .y = {}};
+        double share = 0;
+        for (std::size_t k = h.share.size(); k-- > 0;) {
+            share += h.share[k];
+            // Steps are a third of an octave; this one begins a sixth below its middle.
+            above.x.push_back(h.centre[k] * std::exp2(-1.0 / 6));
+            above.y.push_back(share);
+        }
+        brighter.series.push_back(above);
         spread[i] = colour_spread(p, std::max(1e-12, mean_luminance(p, p).value));
         report::Series dots{.name = of_name(kCompared[i]), .line = false, .dots = true};
         for (std::size_t k = 0; k < std::min<std::size_t>(500, spread[i].ab.size()); ++k) {
@@ -215,6 +227,7 @@ void add_histogram_and_colour(FlakesContext& context, const FlakePaint& paint, c
     verdict.a_ratio = spread[1].a_deviation / std::max(1e-12, spread[0].a_deviation);
     verdict.b_ratio = spread[1].b_deviation / std::max(1e-12, spread[0].b_deviation);
     context.report.plot(bars);
+    context.report.plot(brighter);
     context.report.plot(colours);
     report::Table table{
         .columns = {"", "mean L*", "mean a*", "mean b*", "deviation of a*", "deviation of b*"}};
@@ -253,6 +266,10 @@ void add_diffraction(FlakesContext& context, const FlakePaint& paint, const Look
 
 }  // namespace
 
+std::string flake_count(double per_mm2) {
+    return per_mm2 < 1000 ? number(per_mm2) : fmt::format("{:.0f}", per_mm2);
+}
+
 FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint) {
     FlakesVerdict verdict;
     verdict.name = paint.recipe().name;
@@ -267,7 +284,7 @@ FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint) {
                       paint.species().orientation.beckmann_alpha)},
          {"Layer", fmt::format("{} um; a vertical line meets {} flakes on average; {} flakes a mm²",
                                paint.recipe().layers[0].thickness_um, number(verdict.depth),
-                               number(verdict.flakes_per_mm2))}});
+                               flake_count(verdict.flakes_per_mm2))}});
     const Look look(context, paint);
     add_pictures(context, paint, look);
     add_contrast(context, paint, look, verdict);
