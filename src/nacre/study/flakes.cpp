@@ -86,6 +86,10 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
          "*Contrast where pixels are smaller than flakes*: a piece of a flake is lit and seen, or "
          "not, and the model dims it instead. [What hides a flake](#hiding) has the numbers for "
          "whole flakes.",
+         "*Contrast under wide lamps*: rings of the diffraction pattern reach beyond the lamp's "
+         "image. "
+         "The model's lobe ends; it has the pattern's contrast under a point of light, and some "
+         "per cent more under a lamp that is about as wide as the lobe.",
          "*Dark pixels*: between flakes that answer, discs leave gaps that are darker than the "
          "model's, which spreads all light that met more than one flake evenly.",
          "*Crescents* in close-ups: a disc cut off by another, which the model does not know."});
