@@ -143,7 +143,8 @@ Command add_study(CLI::App& program) {
         "Writes DIR/index.html, one self-contained page, and DIR/results.json with every figure.\n"
         "Pictures that are there already are not made again: after Ctrl-C the same command goes "
         "on.\n\n"
-        "Example:\n  nacre study mir-2022 -o out/mir-2022 --spp 64");
+        "Examples:\n  nacre study mir-2022 -o out/mir-2022 --spp 64\n"
+        "  nacre study flakes -o out/flakes");
     return {study, [options] { return run(*options); }};
 }
 
