@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -163,6 +164,7 @@ Picture Gallery::make(const PictureJob& job) const {
         picture.png = read_file(png);
         picture.prepare_s = record.at("prepare_s");
         picture.render_s = record.at("render_s");
+        picture.processor_s = record.at("processor_s");
         picture.msamples_per_s = record.at("msamples_per_s");
         picture.peak_mib = record.at("peak_mib");
         picture.file_bytes = record.at("file_bytes");
@@ -172,7 +174,10 @@ Picture Gallery::make(const PictureJob& job) const {
     if (fs::is_regular_file(record_file)) {
         const json record = json::parse(read_file(record_file, kMostRecordBytes), nullptr, false);
         // A damaged record is no loss: the picture is made again.
-        if (record.is_object() && record.value("fingerprint", "") == print) return load(record);
+        try {
+            if (record.is_object() && record.value("fingerprint", "") == print) return load(record);
+        } catch (const json::exception&) {
+        }
     }
 
     json record = description(job);
@@ -189,7 +194,9 @@ Picture Gallery::make(const PictureJob& job) const {
         }
         const render::Scene compiled(scene, paints);
         const double prepare_s = seconds_since(start);
+        const std::clock_t before = std::clock();
         const render::RenderResult result = render::render(compiled, job.render, progress);
+        const double processor_s = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
         if (!result.complete) throw Interrupted("stopped");
         const double samples = static_cast<double>(result.samples) * result.width * result.height;
         io::Image image = io::image_of(result, {{"nacre:study", job.title}});
@@ -203,6 +210,7 @@ Picture Gallery::make(const PictureJob& job) const {
         record["title"] = job.title;
         record["prepare_s"] = prepare_s;
         record["render_s"] = result.seconds;
+        record["processor_s"] = processor_s;
         record["msamples_per_s"] = samples / result.seconds / 1e6;
         record["peak_mib"] = memory.mebibytes();
         record["file_bytes"] = prepared.file_bytes;

@@ -53,8 +53,9 @@ double flakes_on_ball(const layers::Recipe& recipe, double radius_mm);
 /// A finished picture and what it cost.
 struct Picture {
     io::Image image;
-    std::string png;  ///< the bytes of a PNG
-    double prepare_s = 0, render_s = 0;
+    std::string png;                     ///< the bytes of a PNG
+    double prepare_s = 0, render_s = 0;  ///< wall-clock time
+    double processor_s = 0;  ///< of rendering, summed over cores: other programs disturb it less
     double msamples_per_s = 0;
     double peak_mib = 0;         ///< largest resident memory of the process while it was made
     std::size_t file_bytes = 0;  ///< of the file with the solved paint or its table; 0: none

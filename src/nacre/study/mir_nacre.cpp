@@ -11,8 +11,9 @@ void add_nacre(MirContext& context) {
         "`nacre` is to show the sparkle of `special-effect` at the price of `microflake`. Three "
         "measurements: what a picture costs by the number of flakes, what one query costs by the "
         "number in its footprint, and how far a picture of a given time is from the converged one. "
-        "Models that are compared take turns in one run, and times are medians, so that whatever "
-        "else the machine does meets all of them.");
+        "Models that are compared take turns in one run; times that are compared are processor "
+        "times, and medians where they are short, so that what else the machine does matters "
+        "little.");
     add_cost_by_number(context);
     add_query_costs(context);
     add_equal_time_errors(context);

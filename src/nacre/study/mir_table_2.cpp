@@ -77,35 +77,46 @@ void add_parameters(MirContext& context) {
     context.report.table(table);
 }
 
-/// Time of a small picture against the number of facets.
+/// Time of a small picture against the number of facets or flakes, in turn.
 void add_cost_curve(MirContext& context) {
-    report::Series cost{.name = "special-effect", .dots = true};
+    report::Series facets{.name = "special-effect", .dots = true};
+    report::Series flakes{.name = "nacre", .dots = true};
     const int last = context.settings.quick ? 8 : 12;
     for (int power = 5; power <= last; ++power) {
-        PictureJob job =
-            context.job(fmt::format("cost-facets-1e{}", power),
-                        fmt::format("cost of {} facets", power_of_ten(std::pow(10.0, power))),
-                        kSets[0].facets, models::Model::special_effect);
-        job.facet_count = std::pow(10.0, power);
-        job.render.width = job.render.height = std::max(16, context.settings.size / 4);
-        // Footprints as in the full picture.
-        job.render.footprint_pixels =
-            1 / (4 * std::sqrt(static_cast<double>(context.settings.samples)));
-        job.render.samples_per_pixel = std::min(context.settings.samples, 32);
-        const Picture picture = context.gallery.make(job);
-        const double per_sample_us = 1 / picture.msamples_per_s;
-        cost.x.push_back(job.facet_count);
-        cost.y.push_back(per_sample_us);
-        context.results["table_2"]["cost_us_per_sample"][fmt::format("1e{}", power)] =
-            per_sample_us;
+        const double count = std::pow(10.0, power);
+        for (const bool is_flakes : {false, true}) {
+            PictureJob job = context.job(
+                fmt::format("cost-{}-1e{}", is_flakes ? "flakes" : "facets", power),
+                fmt::format("cost of {} {}", power_of_ten(count), is_flakes ? "flakes" : "facets"),
+                is_flakes ? kSets[0].flakes : kSets[0].facets,
+                is_flakes ? models::Model::nacre : models::Model::special_effect);
+            if (is_flakes) {
+                job.scene_scale = std::sqrt(count / flakes_on_ball(recipe_of(job), kBallRadiusMm));
+            } else {
+                job.facet_count = count;
+            }
+            job.render.width = job.render.height = std::max(16, context.settings.size / 4);
+            // Footprints as in the full picture.
+            job.render.footprint_pixels =
+                1 / (4 * std::sqrt(static_cast<double>(context.settings.samples)));
+            job.render.samples_per_pixel = std::min(context.settings.samples, 32);
+            const double per_sample_us = 1 / context.gallery.make(job).msamples_per_s;
+            report::Series& series = is_flakes ? flakes : facets;
+            series.x.push_back(count);
+            series.y.push_back(per_sample_us);
+            context
+                .results["table_2"][is_flakes ? "cost_us_per_sample_nacre" : "cost_us_per_sample"]
+                        [fmt::format("1e{}", power)] = per_sample_us;
+        }
     }
-    context.report.plot({.title = "Time a sample takes against the number of facets",
+    context.report.plot({.title = "Time a sample takes against the number of facets or flakes",
                          .caption =
                              "Wall time over samples, all threads; a sample is a whole path. "
-                             "Footprints are those of the full picture.",
-                         .x = {.label = "facets on the ball, K", .logarithmic = true},
+                             "Footprints are those of the full picture. Flakes are of 20 µm, on a "
+                             "ball of the size that holds so many.",
+                         .x = {.label = "facets or flakes on the ball", .logarithmic = true},
                          .y = {.label = "µs per sample", .lo = 0},
-                         .series = {cost}});
+                         .series = {facets, flakes}});
 }
 
 /// Larger and fewer flakes, or smaller and more: on the ball there are so many.
@@ -215,10 +226,9 @@ void add_table_2(MirContext& context) {
         "number at a given share of volume, and by diffraction the lobe. So from left to right the "
         "same paint is ground finer, at the same coverage, which leaves its mean as it is. "
         "Their hue is that of the facets' mean, 15° from the mirror direction: 93 nm of titania "
-        "for "
-        "the film of 570 nm, 115 nm for that of 665 nm; it is paler, as the base of the facets is "
-        "no pigment's. The light that flakes scatter on to other flakes fills what is black beside "
-        "the facets' highlights.");
+        "for the film of 570 nm, 115 nm for that of 665 nm; it is paler, as the base of the "
+        "facets is no pigment's. The light that flakes scatter on to other flakes fills what "
+        "is black beside the facets' highlights.");
     report.paragraph(
         "*Sparkle contrast*: root mean square of the relative deviation of a pixel's luminance "
         "from the picture without facets, over the lit half of the ball. It contains the noise of "

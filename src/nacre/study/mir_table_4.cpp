@@ -137,8 +137,7 @@ void add_convergence(MirContext& context) {
             "Root mean square over linear R, G, B, against the same model's picture with four "
             "times the samples of the last point and other random numbers. 80 nm of TiO₂. The "
             "sparkle of facets and flakes is part of their picture, not of their error: footprints "
-            "are the "
-            "same at every number of samples.",
+            "are the same at every number of samples.",
         .x = {.label = "samples per pixel", .logarithmic = true},
         .y = {.label = "error", .logarithmic = true}};
     const int most = context.settings.quick ? 8 : 256;
@@ -177,9 +176,8 @@ void add_table_4(MirContext& context) {
     context.report.paragraph(
         "Titania on mica, 80 nm (gold) and 110 nm (violet), over black under a clearcoat. "
         "`microflake` and `nacre` take the flakes in their layer, the one their mean, the other "
-        "each "
-        "of them; `thin-film` and `special-effect` take one film of the same thickness on mica, as "
-        "microfacets under the same coat.");
+        "each of them; `thin-film` and `special-effect` take one film of the same thickness on "
+        "mica, as microfacets under the same coat.");
     add_pictures(context);
     context.report.paragraph(
         "*What the paper leaves out, and what we chose.* The amount and orientation of the flakes, "
@@ -187,9 +185,8 @@ void add_table_4(MirContext& context) {
         "and `paints/tio2-mica-110.toml`. The microfacet models know neither the far side of the "
         "flake nor other flakes: hence their paler colour and their black where flakes would "
         "scatter on. `nacre` has the colour of `microflake` and, from nearer, the sparkle of "
-        "`special-effect`: 10⁸ flakes of 18 µm are some 300 in a pixel here, and few pixels hold "
-        "one that "
-        "outshines them.");
+        "`special-effect`: 10⁸ flakes of 18 µm are some 400 in a pixel here, and few pixels hold "
+        "one that outshines them.");
     add_colours(context);
     add_convergence(context);
 }

@@ -1,8 +1,8 @@
 #include "nacre/study/query_cost.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "nacre/core/error.h"
@@ -90,7 +90,7 @@ QueryCost QuerySubject::ask(const std::vector<bsdf::Patch>& patches, Ask what) c
     const auto use = [&](const std::optional<bsdf::BsdfSample>& sample) {
         if (sample) sum += 1e-9f * sample->weight;
     };
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     for (std::size_t i = 0; i < queries_.size(); ++i) {
         const Query& q = queries_[i];
         if (places.empty()) {
@@ -104,9 +104,9 @@ QueryCost QuerySubject::ask(const std::vector<bsdf::Patch>& patches, Ask what) c
             use(bound_->sample_on(places[i], q.wi, q.u_lobe, q.u));
         }
     }
-    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
+    const double time_ns = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     const auto count = static_cast<double>(queries_.size());
-    return {time.count() / count, lane_mean(sum) / count};
+    return {time_ns / count, lane_mean(sum) / count};
 }
 
 }  // namespace nacre::study

@@ -24,7 +24,7 @@ enum class Ask {
 };
 
 struct QueryCost {
-    double nanoseconds;  ///< of wall time on one core for each query
+    double nanoseconds;  ///< of processor time for each query
     double mean_answer;  ///< mean BRDF over queries and wavelengths, in 1/sr: what was asked for
 };
 
