@@ -93,7 +93,7 @@ TEST(NacreEverywhere, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
         }
         const Moments panel(v);
         EXPECT_GT(panel.variance, 10 * panel.variance_error);
-        EXPECT_NEAR(panel.mean, 1, 3 * panel.mean_error);
+        EXPECT_NEAR(panel.mean, 1, 4 * panel.mean_error);
         for (const Region& region : kRegions) {
             const Moments here = values([&] {
                 for (;;) {
@@ -103,9 +103,10 @@ TEST(NacreEverywhere, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
                     if (region.holds(s)) return n;
                 }
             });
-            EXPECT_NEAR(here.mean, 1, 3 * here.mean_error) << region.name << ", " << side_mm;
+            // Eighteen comparisons: one beyond four standard errors in a thousand runs.
+            EXPECT_NEAR(here.mean, 1, 4 * here.mean_error) << region.name << ", " << side_mm;
             EXPECT_NEAR(here.variance, panel.variance,
-                        3 * std::hypot(here.variance_error, panel.variance_error))
+                        4 * std::hypot(here.variance_error, panel.variance_error))
                 << region.name << ", " << side_mm;
         }
     }
@@ -195,7 +196,7 @@ TEST(NacreEverywhere, EstimatorsOfDirectLightAgree) {
         };
         const auto all = estimate(render::DirectLight::combined);
         EXPECT_GT(all.mean, 0);
-        EXPECT_LT(all.standard_error, 0.04 * all.mean);
+        EXPECT_LT(all.standard_error, 0.1 * all.mean);
         const auto light = estimate(render::DirectLight::light_sampling);
         EXPECT_NEAR(all.mean, light.mean, 4 * std::hypot(all.standard_error, light.standard_error));
         if (!c.surface_alone) continue;

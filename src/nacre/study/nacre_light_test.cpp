@@ -79,22 +79,10 @@ void expect_agreement(const render::SceneDescription& description, const char* n
     EXPECT_LT(all.standard_error, 1.5 * std::min(light.standard_error, surface.standard_error));
 }
 
-TEST(NacreUnderLights, EstimatorsAgreeUnderASmallLamp) {
+TEST(NacreUnderLights, EstimatorsAgreeInACloseUp) {
     auto scene = close_up();
     scene.lights.push_back(lamp(20));
     expect_agreement(scene, "2 deg");
-}
-
-TEST(NacreUnderLights, EstimatorsAgreeUnderALargeLamp) {
-    auto scene = close_up();
-    scene.lights.push_back(lamp(300));
-    expect_agreement(scene, "30 deg");
-}
-
-TEST(NacreUnderLights, EstimatorsAgreeUnderAnEnvironment) {
-    auto scene = close_up();
-    scene.environment = render::StudioEnvironment{};
-    expect_agreement(scene, "studio");
 }
 
 // A panel that mirrors a sphere of the same paint, both seen flake by flake.
