@@ -114,7 +114,7 @@ class BoundDiscWalk final : public volume::BoundWalk {
               tables_->scene,
               tables_->films,
               medium(),
-              GridPlaces(tables_->wavelengths_nm, wavelengths_nm),
+              bsdf::locate_wavelengths(tables_->wavelengths_nm, wavelengths_nm),
               tables_->diffraction,
               1e-3 * std::accumulate(wavelengths_nm.begin(), wavelengths_nm.end(), 0.0) / kLanes} {
         weigh_mirror();

@@ -18,7 +18,7 @@ struct DiscPaint {
     const DiscScene& discs;
     const std::vector<FlakeFilms>& films;  ///< by species
     const reference::Medium& medium;       ///< all but the flakes
-    GridPlaces places;
+    WavelengthPlaces places;
     bool diffraction = true;
     double wavelength_um = 0.55;  ///< mean of the eight, in vacuum
 };

@@ -43,22 +43,6 @@ std::vector<optics::Platelet> draw(const optics::Platelet& platelet, int count, 
 
 }  // namespace
 
-GridPlaces::GridPlaces(const std::vector<double>& grid_nm,
-                       const std::array<double, kLanes>& wavelengths_nm) {
-    const int last = static_cast<int>(grid_nm.size()) - 1;
-    for (int lane = 0; lane < kLanes; ++lane) {
-        const double w = wavelengths_nm[lane];
-        const auto above = std::upper_bound(grid_nm.begin(), grid_nm.end(), w);
-        const int i =
-            std::clamp(static_cast<int>(above - grid_nm.begin()) - 1, 0, std::max(last - 1, 0));
-        lower[lane] = i;
-        fraction[lane] = last == 0
-                             ? 0
-                             : static_cast<float>(std::clamp(
-                                   (w - grid_nm[i]) / (grid_nm[i + 1] - grid_nm[i]), 0.0, 1.0));
-    }
-}
-
 FlakeFilms::FlakeFilms(const layers::FlakeSpecies& species, const optics::Material& binder,
                        const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
     // A node beyond the last wavelength, which is read with weight zero.
@@ -96,7 +80,7 @@ void FlakeFilms::fill(const layers::FlakeSpecies& species, const optics::Materia
     }
 }
 
-FlakeFilms::Optics FlakeFilms::at(int film, double cosine, const GridPlaces& places) const {
+FlakeFilms::Optics FlakeFilms::at(int film, double cosine, const WavelengthPlaces& places) const {
     const double x = std::min(cosine, 1.0) * intervals_;
     const int i = std::min(static_cast<int>(x), std::max(intervals_ - 1, 0));
     const double f = x - i;
@@ -105,8 +89,8 @@ FlakeFilms::Optics FlakeFilms::at(int film, double cosine, const GridPlaces& pla
     const auto read = [&](const std::vector<float>& table) {
         const float *a = table.data() + row, *b = a + next;
         return make_lanes<DoubleLanes>([&](int lane) {
-            const int j = places.lower[lane];
-            const double g = places.fraction[lane];
+            const int j = places[lane].lower;
+            const double g = places[lane].fraction;
             const double at_a = a[j] + g * (a[j + 1] - a[j]), at_b = b[j] + g * (b[j + 1] - b[j]);
             return at_a + f * (at_b - at_a);
         });

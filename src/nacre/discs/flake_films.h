@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/lanes.h"
 #include "nacre/layers/recipe.h"
 
@@ -10,15 +12,8 @@
 
 namespace nacre::discs {
 
-/// Where eight wavelengths lie on a grid; beyond its ends they are at the end.
-struct GridPlaces {
-    int lower[kLanes];
-    float fraction[kLanes];
-
-    /// @param grid_nm  increasing, at least one
-    GridPlaces(const std::vector<double>& grid_nm,
-               const std::array<double, kLanes>& wavelengths_nm);
-};
+/// Where eight wavelengths lie between those of the tables: bsdf::locate_wavelengths().
+using WavelengthPlaces = std::array<bsdf::Between, kLanes>;
 
 /// A set of flakes of one species. Their films are drawn from the recipe's laws, evenly: each film
 /// thickness takes one value from each of so many equally probable intervals, and thicknesses are
@@ -39,7 +34,7 @@ class FlakeFilms {
     /// Linear in cosine and wavelength between the nodes of the tables.
     /// @param film    in [0, count())
     /// @param cosine  of incidence on the flake, in [0, 1]; rounding above 1 is taken as 1
-    Optics at(int film, double cosine, const GridPlaces& places) const;
+    Optics at(int film, double cosine, const WavelengthPlaces& places) const;
 
     static constexpr int kFilms = 256;
     static constexpr int kCosineIntervals = 256;

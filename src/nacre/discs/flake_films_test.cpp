@@ -27,7 +27,7 @@ TEST(FlakeFilms, MeanOverTheSetIsThatOfThePopulation) {
     const optics::Material binder(1.5);
     const FlakeFilms films(species, binder, kGrid, 3);
     EXPECT_EQ(films.count(), FlakeFilms::kFilms);
-    const GridPlaces places(kGrid, kWavelengths);
+    const WavelengthPlaces places = bsdf::locate_wavelengths(kGrid, kWavelengths);
     // 0.4671875 lies between nodes of the set's table.
     for (const double cosine : {1.0, 0.8, 0.4671875}) {
         const auto mean = optics::platelet_table(std::get<optics::Platelet>(species.body), binder,
@@ -55,7 +55,7 @@ TEST(FlakeFilms, PrescribedOpticsAreTheSameAtEveryAngle) {
     const FlakeFilms films(species, optics::Material(1.5), kGrid, 0);
     EXPECT_EQ(films.count(), 1);
     for (const double cosine : {0.0, 0.3, 1.0, 1.0000001}) {
-        const auto optics = films.at(0, cosine, GridPlaces(kGrid, kWavelengths));
+        const auto optics = films.at(0, cosine, bsdf::locate_wavelengths(kGrid, kWavelengths));
         for (int lane = 0; lane < kLanes; ++lane) {
             EXPECT_NEAR(optics.reflectance[lane], 0.2 + 0.002 * (kWavelengths[lane] - 400), 1e-6);
             EXPECT_NEAR(optics.transmittance[lane], 0.1, 1e-6);
@@ -70,7 +70,7 @@ TEST(FlakeFilms, OneWavelengthServesAll) {
     const std::vector<double> green{550};
     const FlakeFilms films(species, optics::Material(1.5), green, 0);
     EXPECT_EQ(films.count(), 1) << "no film varies";
-    const auto optics = films.at(0, 0.9, GridPlaces(green, kWavelengths));
+    const auto optics = films.at(0, 0.9, bsdf::locate_wavelengths(green, kWavelengths));
     for (int lane = 1; lane < kLanes; ++lane)
         EXPECT_EQ(optics.reflectance[lane], optics.reflectance[0]);
     EXPECT_GT(optics.reflectance[0], 0.001);
