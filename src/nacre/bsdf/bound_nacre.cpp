@@ -59,20 +59,21 @@ class BoundNacre::FlakesOfPatch {
         const sparkle::DiffractionLobe& lobe = surface_.tables_->species[at].field.lobe();
         if (!lobe.reaches(half_.slope2)) return pair_ ? pair_->mean(layer, depth) : splat(1.0f);
         const sparkle::FlakeView& view = look_[at];
-        FloatLanes sum = splat(view.background);
-        if (pair_ && view.background > 0) sum *= pair_->mean(layer, depth);
         FloatLanes answers{};
         bool any = false;
-        view.for_each_answer(lobe, half_.slope, half_.cosine, [&](int k, float share) {
-            any = true;
-            const sparkle::FlakeView::Body body = view.body(k);
-            FloatLanes exponent = -body.depth * depth;
-            if (pair_) exponent += pair_->gain(layer, body.depth);
-            FloatLanes answer = share * exp_lanes(exponent);
-            const BoundFlakeFilms& films = surface_.films_[at];
-            if (films.vary()) answer *= films.ratio(half_.cosine, body.film);
-            answers += answer;
-        });
+        const float background =
+            view.for_each_answer(lobe, half_.slope, half_.cosine, [&](int k, float share) {
+                any = true;
+                const sparkle::FlakeView::Body body = view.body(k);
+                FloatLanes exponent = -body.depth * depth;
+                if (pair_) exponent += pair_->gain(layer, body.depth);
+                FloatLanes answer = share * exp_lanes(exponent);
+                const BoundFlakeFilms& films = surface_.films_[at];
+                if (films.vary()) answer *= films.ratio(half_.cosine, body.film);
+                answers += answer;
+            });
+        FloatLanes sum = splat(background);
+        if (pair_ && background > 0) sum *= pair_->mean(layer, depth);
         if (any) {
             const FloatLanes safe = max_lanes(depth, splat(1e-20f));
             sum += answers * (safe / one_minus_exp_lanes(safe));

@@ -68,12 +68,14 @@ class DiffractionLobe {
     float blur(float slope2, float width) const;
     static constexpr double kBlurError = 1e-3;  ///< relative
     /// P, per unit square of slopes.
-    float slope_density(float slope2) const { return norm_ * std::exp(-slope2 * inverse_alpha2_); }
+    float slope_density(float slope2) const { return norm_ * std::exp(-exponent(slope2)); }
+
+    float exponent(float slope2) const { return slope2 * inverse_alpha2_; }
 
     /// Beyond this square of the slope over alpha flakes are not told apart: one in a million lies
     /// there.
     static constexpr float kMostExponent = 14;
-    bool reaches(float slope2) const { return slope2 * inverse_alpha2_ < kMostExponent; }
+    bool reaches(float slope2) const { return exponent(slope2) < kMostExponent; }
 
  private:
     /// The radius in |q|, in lambda' / d, of the K whose integral of K^2 is that of the Airy

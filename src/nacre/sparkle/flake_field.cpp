@@ -33,6 +33,7 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     largest_radius_mm_ = static_cast<float>(0.5e-3 * sizes_.largest_um());
     smallest_radius_mm_ = static_cast<float>(0.5e-3 * sizes_.smallest_um());
     inverse_cover_ = static_cast<float>(1 / (density * sizes_.mean_area_um2() * 1e-6));
+    typical_radius_ = lobe_.radius(static_cast<float>(population.diameter_um)) / alpha_;
     // A point tells its flakes apart, unless they lie in heaps.
     constexpr float kFewestCells = 6, kMostCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
@@ -45,13 +46,15 @@ void FlakeField::look(const RestPatch& patch, FlakeView& view) const {
     view.count = 0;
     view.weight_sum = 0;
     view.background = 1 - weights.told_apart;
+    view.widening = weights.widening;
+    view.typical_radius = typical_radius_;
     if (weights.told_apart == 0) return;
     const Projections projections = projections_of(patch.normal);
     for (int i = 0; i < projections.count; ++i) {
         const FlakePlane plane(patch, outline, projections.list[i]);
         Found found;
         find(plane, weights, found);
-        show(found, plane, outline, view);
+        show(found, plane, outline, weights.widening, view);
     }
     // Up to a whole vector: flakes that answer to nothing.
     store_lanes(&view.lobe_radius[view.count], FloatLanes{});
@@ -69,13 +72,21 @@ FlakeField::Weights FlakeField::weigh(const PatchOutline& outline) const {
         weights.told_apart = 1;
         return weights;
     }
-    const FloatLanes w = min_lanes(
+    const FloatLanes t = min_lanes(
         max_lanes((kFaded - cells / full_cells_) / (kFaded - 1), FloatLanes{}), splat(1.0f));
+    // Squared, as a level gives way to the next, of a sixteenth of its density, near the end.
+    const FloatLanes w = t * t;
     const float first = lane_sum(w * share_), second = lane_sum(w * w * share_);
     if (second == 0) return weights;
-    const float scale = 1 / std::sqrt(second);
-    weights.by_level = w * scale;
-    weights.told_apart = std::min(first * scale, 1.0f);
+    // The flakes told apart fluctuate stand_for^2 times as much as all flakes. With lobes wider by
+    // as much they do not, but a lobe must stay narrower than the distribution of slopes: what is
+    // left is made up for by background. A little is left always, for variance_correction().
+    constexpr float kWidest = 0.35f, kMostToldApart = 0.95f;
+    const float stand_for = std::sqrt(second) / first;
+    weights.widening =
+        std::clamp(kMostToldApart * stand_for, 1.0f, std::max(1.0f, kWidest / typical_radius_));
+    weights.told_apart = std::min(weights.widening / stand_for, 1.0f);
+    weights.by_level = w * (weights.told_apart / first);
     return weights;
 }
 

@@ -52,8 +52,9 @@ class FlakeField {
     };
     // What the levels weigh on a patch.
     struct Weights {
-        FloatLanes by_level{};  // over the square root of their second moment
-        float told_apart = 0;   // sum of weight times share
+        FloatLanes by_level{};
+        float told_apart = 0;  // sum of weight times share
+        float widening = 1;    // FlakeView::widening
     };
     struct Cell {
         std::int64_t u, v;
@@ -71,7 +72,7 @@ class FlakeField {
     void find_in_cell(const Cell& cell, const FlakePlane& plane, const Weights& weights,
                       Found& found) const;
     void show(const Found& found, const FlakePlane& plane, const PatchOutline& outline,
-              FlakeView& view) const;
+              float widening, FlakeView& view) const;
 
     /// Flakes that a cell generates on average; kMostStretch times fewer where one side serves.
     static constexpr double kFlakesPerCell = 4;
@@ -88,7 +89,8 @@ class FlakeField {
     /// Levels touch this many cells where they begin to fade.
     float full_cells_;
     float alpha_, largest_radius_mm_, smallest_radius_mm_;
-    float inverse_cover_;  // 1 / (density x mean area)
+    float inverse_cover_;   // 1 / (density x mean area)
+    float typical_radius_;  // FlakeView::typical_radius
 };
 
 }  // namespace nacre::sparkle

@@ -71,7 +71,7 @@ inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
 }
 
 void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOutline& outline,
-                      FlakeView& view) const {
+                      float widening, FlakeView& view) const {
     FloatLanes weight_sum{};
     const bool alike = population_.diameter_spread_um == 0;
     for (int first = 0; first < found.count; first += kLanes) {
@@ -99,7 +99,7 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
         seen.store(&view.weight[k], weight);
         seen.store(&view.slope_x[k], alpha_ * (plane.turn.x * slopes.x - plane.turn.y * slopes.y));
         seen.store(&view.slope_y[k], alpha_ * (plane.turn.y * slopes.x + plane.turn.x * slopes.y));
-        seen.store(&view.lobe_radius[k], lobe_.radius(diameter_um));
+        seen.store(&view.lobe_radius[k], widening * lobe_.radius(diameter_um));
         seen.store(&view.place[k], place);
         seen.store(&view.kind[k], kind);
         view.count = std::min(k + seen.count(), FlakeView::kMost);

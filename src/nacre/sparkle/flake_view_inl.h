@@ -15,11 +15,11 @@ inline constexpr float kSampledWidening = 1.1f;
 }  // namespace detail
 
 template <class Visit>
-void FlakeView::for_each_answer(const DiffractionLobe& law, Vec2f slope, float cosine,
-                                Visit&& visit) const {
-    if (count == 0) return;
+float FlakeView::for_each_answer(const DiffractionLobe& law, Vec2f slope, float cosine,
+                                 Visit&& visit) const {
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     const float scale = law.widening(1 + slope2, cosine);
+    const float correction = variance_correction(law.exponent(slope2), scale);
     float inverse_density = 0;  // worked out with the first answer
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes dx = load_lanes(&slope_x[first]) - slope.x;
@@ -28,12 +28,13 @@ void FlakeView::for_each_answer(const DiffractionLobe& law, Vec2f slope, float c
         const FloatLanes width =
             min_lanes(load_lanes(&lobe_radius[first]) * scale, splat(law.most_radius()));
         for_each_set_lane(distance2 < width * width, [&](int lane) {
-            if (inverse_density == 0) inverse_density = 1 / law.slope_density(slope2);
+            if (inverse_density == 0) inverse_density = correction / law.slope_density(slope2);
             const float w = width[lane];
             visit(first + lane, weight[first + lane] * law.density(distance2[lane], w) *
                                     inverse_density / law.blur(slope2, w));
         });
     }
+    return 1 - (1 - background) * correction;
 }
 
 inline Vec2f FlakeView::sample_slope(const DiffractionLobe& law, Vec3f wi, float u_flake,
