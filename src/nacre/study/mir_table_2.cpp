@@ -100,7 +100,9 @@ void add_cost_curve(MirContext& context) {
             job.render.footprint_pixels =
                 1 / (4 * std::sqrt(static_cast<double>(context.settings.samples)));
             job.render.samples_per_pixel = std::min(context.settings.samples, 32);
-            const double per_sample_us = 1 / context.gallery.make(job).msamples_per_s;
+            const double samples = static_cast<double>(job.render.samples_per_pixel) *
+                                   job.render.width * job.render.height;
+            const double per_sample_us = 1e6 * context.gallery.make(job).processor_s / samples;
             report::Series& series = is_flakes ? flakes : facets;
             series.x.push_back(count);
             series.y.push_back(per_sample_us);
@@ -111,7 +113,7 @@ void add_cost_curve(MirContext& context) {
     }
     context.report.plot({.title = "Time a sample takes against the number of facets or flakes",
                          .caption =
-                             "Wall time over samples, all threads; a sample is a whole path. "
+                             "Processor time over samples; a sample is a whole path. "
                              "Footprints are those of the full picture. Flakes are of 20 µm, on a "
                              "ball of the size that holds so many.",
                          .x = {.label = "facets or flakes on the ball", .logarithmic = true},
