@@ -17,10 +17,9 @@ namespace {
 // Int O is in proportion to the area times the diameter of each flake.
 float mean_diameter_um(const layers::FlakeSpecies& species) {
     const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
-    constexpr int kShares = 256;
     double square = 0, cube = 0;
-    for (int i = 0; i < kShares; ++i) {
-        const double d = sizes.diameter_um(65536 / kShares * i + 32768 / kShares);
+    for (int i = 0; i < sparkle::FlakeSizes::kSizes; ++i) {
+        const double d = sizes.diameter_um(i);
         square += d * d;
         cube += d * d * d;
     }

@@ -85,8 +85,8 @@ std::vector<Disc> draw_discs(const layers::Recipe& recipe, const Tile& tile,
             const double upright = 1 / std::sqrt(1 + slope * slope);
             disc.normal = {static_cast<float>(-slope * c * upright),
                            static_cast<float>(-slope * s * upright), static_cast<float>(upright)};
-            disc.radius_um =
-                0.5f * sizes.diameter_um(static_cast<std::uint32_t>(65536 * random.uniform()));
+            disc.radius_um = 0.5f * sizes.diameter_um(static_cast<std::uint32_t>(
+                                        sparkle::FlakeSizes::kSizes * random.uniform()));
             disc.centre_um = {
                 static_cast<float>(x), static_cast<float>(y),
                 static_cast<float>(kept_inside(z, disc.radius_um * slope * upright, paint_um))};

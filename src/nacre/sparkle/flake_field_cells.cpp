@@ -72,37 +72,46 @@ inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
 
 void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOutline& outline,
                       float widening, FlakeView& view) const {
-    FloatLanes weight_sum{};
-    const bool alike = population_.diameter_spread_um == 0;
+    constexpr FloatLanes kNumber = {0, 1, 2, 3, 4, 5, 6, 7};
+    // Which of them touch the patch, now by their own size.
+    FlakeView::List<float> touching_x, touching_y, touching_weight;
+    const int begin = view.count;
     for (int first = 0; first < found.count; first += kLanes) {
         const ShortBitLanes place = load_short_bits(&found.place[first]);
         const ShortBitLanes kind = load_short_bits(&found.kind[first]);
-        FloatLanes diameter_um = splat(static_cast<float>(population_.diameter_um));
-        for (int i = 0; i < kLanes && !alike; ++i) {
-            diameter_um[i] = sizes_.diameter_um(kind[i] >> 16);
-        }
-        const FloatLanes number = {0, 1, 2, 3, 4, 5, 6, 7};
         const FloatLanes grain = load_lanes(&found.grain[first]);
         const FloatLanes u = load_lanes(&found.corner_u[first]) + grain * lower_half(place);
         const FloatLanes v = load_lanes(&found.corner_v[first]) + grain * upper_half(place);
         const FloatLanes x = plane.u.step.x * u + plane.v.step.x * v;
         const FloatLanes y = plane.u.step.y * u + plane.v.step.y * v;
-        const FloatLanes weight = load_lanes(&found.weight[first]) * inverse_cover_ *
-                                  outline.coverage(x, y, 0.5e-3f * diameter_um);
+        const LanePacker touching(
+            outline.touches(x, y, 0.5e-3f * gather_lanes(sizes_.diameters_um(), kind >> 24)) &
+            (kNumber < static_cast<float>(found.count - first)));
+        const int k = view.count;
+        touching.store(&view.place[k], place);
+        touching.store(&view.kind[k], kind);
+        touching.store(&touching_x[k], x);
+        touching.store(&touching_y[k], y);
+        touching.store(&touching_weight[k], load_lanes(&found.weight[first]));
+        view.count = std::min(k + touching.count(), FlakeView::kMost);
+    }
+    FloatLanes weight_sum{};
+    for (int k = begin; k < view.count; k += kLanes) {
+        const ShortBitLanes place = load_short_bits(&view.place[k]);
+        const ShortBitLanes kind = load_short_bits(&view.kind[k]);
+        const FloatLanes diameter_um = gather_lanes(sizes_.diameters_um(), kind >> 24);
+        const FloatLanes weight =
+            load_lanes(&touching_weight[k]) * inverse_cover_ *
+            outline.coverage(load_lanes(&touching_x[k]), load_lanes(&touching_y[k]),
+                             0.5e-3f * diameter_um);
+        weight_sum += kNumber < static_cast<float>(view.count - k) ? weight : FloatLanes{};
         const SlopeLanes slopes =
             gaussian_slopes(unit_share(mix_short_lanes(place + 0x9e3779b9u * kind)),
                             unit_share(mix_short_lanes(kind ^ (place >> 7) ^ (place << 25))));
-        const auto visible = (weight > 0.0f) & (number < static_cast<float>(found.count - first));
-        weight_sum += visible ? weight : FloatLanes{};
-        const LanePacker seen(visible);
-        const int k = view.count;
-        seen.store(&view.weight[k], weight);
-        seen.store(&view.slope_x[k], alpha_ * (plane.turn.x * slopes.x - plane.turn.y * slopes.y));
-        seen.store(&view.slope_y[k], alpha_ * (plane.turn.y * slopes.x + plane.turn.x * slopes.y));
-        seen.store(&view.lobe_radius[k], widening * lobe_.radius(diameter_um));
-        seen.store(&view.place[k], place);
-        seen.store(&view.kind[k], kind);
-        view.count = std::min(k + seen.count(), FlakeView::kMost);
+        store_lanes(&view.weight[k], weight);
+        store_lanes(&view.slope_x[k], alpha_ * (plane.turn.x * slopes.x - plane.turn.y * slopes.y));
+        store_lanes(&view.slope_y[k], alpha_ * (plane.turn.y * slopes.x + plane.turn.x * slopes.y));
+        store_lanes(&view.lobe_radius[k], widening * lobe_.radius(diameter_um));
     }
     view.weight_sum += lane_sum(weight_sum);
 }

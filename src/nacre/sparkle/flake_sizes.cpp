@@ -28,17 +28,14 @@ FlakeSizes::FlakeSizes(double mean_um, double spread_um) {
     constexpr double kCut = 3, kSmallest = 0.25;
     const double lo = spread_um > 0 ? std::max(-kCut, (kSmallest - 1) * mean_um / spread_um) : 0;
     const double below = normal_below(lo), inside = normal_below(kCut) - below;
-    double sum = 0;
-    for (int i = 0; i <= kIntervals; ++i) {
-        const double p = below + inside * i / kIntervals;
+    double squares = 0;
+    for (int i = 0; i < kSizes; ++i) {
+        const double p = below + inside * (i + 0.5) / kSizes;
         const double x = spread_um > 0 ? normal_quantile(p, lo, kCut) : 0;
-        quantiles_[i] = static_cast<float>(mean_um + spread_um * x);
-        if (i == 0) continue;
-        // Mean square of what diameter_um() interpolates.
-        const double a = quantiles_[i - 1], b = quantiles_[i];
-        sum += (a * a + a * b + b * b) / 3;
+        diameters_um_[i] = static_cast<float>(mean_um + spread_um * x);
+        squares += double{diameters_um_[i]} * diameters_um_[i];
     }
-    mean_area_um2_ = std::numbers::pi / 4 * sum / kIntervals;
+    mean_area_um2_ = std::numbers::pi / 4 * squares / kSizes;
 }
 
 }  // namespace nacre::sparkle

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#ifdef __AVX512VL__
+#ifdef __AVX2__
 #include <immintrin.h>
 #endif
 
@@ -33,6 +33,16 @@ inline ShortBitLanes mix_short_lanes(ShortBitLanes x) {
     x = (x ^ (x >> 16)) * 0x7feb352du;
     x = (x ^ (x >> 15)) * 0x846ca68bu;
     return x ^ (x >> 16);
+}
+
+/// table[index] in each lane.
+inline FloatLanes gather_lanes(const float* table, ShortBitLanes index) {
+#ifdef __AVX2__
+    return std::bit_cast<FloatLanes>(
+        _mm256_i32gather_ps(table, std::bit_cast<__m256i>(index), sizeof(float)));
+#else
+    return make_lanes([&](int i) { return table[index[i]]; });
+#endif
 }
 
 /// The upper 31 of each lane's bits as a number in (0, 1).

@@ -63,6 +63,14 @@ class PatchOutline {
         float half_width_mm;
     };
     Strip strip[2];
+    /// All bits set in the lanes whose discs may touch the patch: all that do, and few others.
+    auto touches(FloatLanes x, FloatLanes y, FloatLanes radius_mm) const {
+        const FloatLanes a = x * strip[0].normal.x + y * strip[0].normal.y;
+        const FloatLanes b = x * strip[1].normal.x + y * strip[1].normal.y;
+        const FloatLanes a_most = strip[0].half_width_mm + radius_mm - reach_mm;
+        const FloatLanes b_most = strip[1].half_width_mm + radius_mm - reach_mm;
+        return (a * a < a_most * a_most) & (b * b < b_most * b_most);
+    }
 
     /// The share of the patch that a disc about (x, y) covers.
     FloatLanes coverage(FloatLanes x, FloatLanes y, FloatLanes radius_mm) const {
