@@ -112,7 +112,7 @@ std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
 }
 
 std::string times(std::optional<double> ratio) {
-    return ratio ? fmt::format("{} ×", number(*ratio, 2)) : "no time in common";
+    return ratio ? fmt::format("{:.{}f} ×", *ratio, *ratio < 10 ? 1 : 0) : "no time in common";
 }
 
 }  // namespace
@@ -128,11 +128,11 @@ void add_equal_time_errors(MirContext& context) {
         "alike. *Relative* error: mean square of the difference over the converged value plus "
         "0.01, so that dark pixels count as much as bright ones. *Absolute*: mean square of "
         "the difference over the square of the picture's mean. Ratios are geometric means over "
-        "the times that both models reach.");
+        "the times that both models reach. The light that `nacre` mirrors at the coat and "
+        "scatters many times is smooth and bright; it is part of its picture and of what its "
+        "errors are divided by.");
     report::Table table{.columns = {"scene", "flakes or facets", "in a sample's patch",
-                                    "processor time per sample, facets / flakes",
-                                    "relative error at equal time",
-                                    "absolute error at equal time"}};
+                                    "time a sample", "relative error", "absolute error"}};
     std::vector<report::Plot> plots;
     std::vector<report::Picture> pictures;
     for (const Case& c : kCases) {

@@ -71,12 +71,11 @@ void measure(std::vector<Curve>& curves, const std::vector<double>& footprints,
 
 void add_table(MirContext& context, const std::vector<Curve>& curves,
                const std::vector<double>& footprints) {
-    report::Table table{.caption = "Time of one query, ns",
-                        .columns = {"flakes or facets in the footprint"}};
+    report::Table table{.caption = "Time of one query, ns", .columns = {"in the footprint"}};
     for (const Curve& curve : curves) table.columns.push_back(curve.name);
-    table.columns.push_back("facets / flakes, value");
-    table.columns.push_back("value and sample");
-    table.columns.push_back("further value");
+    table.columns.push_back("ratio: value");
+    table.columns.push_back("and sample");
+    table.columns.push_back("further");
     for (std::size_t f = 0; f < footprints.size(); ++f) {
         std::vector<report::Cell> row = {report::number_cell(fmt::format("{:g}", footprints[f]))};
         for (const Curve& curve : curves) {
@@ -108,13 +107,13 @@ void add_query_costs(MirContext& context) {
         const Surfaces surfaces = make_surfaces(context.settings.seed);
         const QuerySubject facets(*surfaces.facets, queries), flakes(*surfaces.flakes, queries),
             mean(*surfaces.mean, queries);
-        curves = {{"special-effect: value", &facets, Ask::value, true},
-                  {"value and sample", &facets, Ask::value_and_sample, true},
-                  {"nacre: value", &flakes, Ask::value, true},
-                  {"value and sample", &flakes, Ask::value_and_sample, true},
-                  {"further value", &flakes, Ask::value_again, true},
-                  {"microflake: value", &mean, Ask::value, false},
-                  {"value and sample", &mean, Ask::value_and_sample, false}};
+        curves = {{"facets: value", &facets, Ask::value, true},
+                  {"and sample", &facets, Ask::value_and_sample, true},
+                  {"flakes: value", &flakes, Ask::value, true},
+                  {"and sample", &flakes, Ask::value_and_sample, true},
+                  {"further", &flakes, Ask::value_again, true},
+                  {"their mean: value", &mean, Ask::value, false},
+                  {"and sample", &mean, Ask::value_and_sample, false}};
         measure(curves, footprints, surfaces.flakes_per_mm2, queries, rounds);
     });
 
