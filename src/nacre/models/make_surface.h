@@ -64,9 +64,9 @@ BrdfTable make_table(const layers::SolvedPaint& paint, const SurfaceOptions& opt
 /// A paint as the user gives it.
 struct Paint {
     layers::Recipe recipe = {};  ///< not needed with `table`
-    std::shared_ptr<const layers::SolvedPaint>
-        solved;  ///< microflake (unless `table` is set) and nacre (hashed): needed
-    std::optional<BrdfTable> table;  ///< microflake: made earlier
+    std::shared_ptr<const layers::SolvedPaint> solved =
+        {};  ///< microflake (unless `table` is set) and nacre (hashed): needed
+    std::optional<BrdfTable> table = {};  ///< microflake: made earlier
 };
 
 /// The surface that a model makes of a paint.
