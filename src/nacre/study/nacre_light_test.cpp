@@ -20,7 +20,9 @@ std::shared_ptr<const bsdf::Bsdf> sparkling() {
     models::Paint paint{io::read_recipe(shipped_file("paints/metallic-silver.toml")), nullptr, {}};
     paint.solved = std::make_shared<const layers::SolvedPaint>(
         layers::solve(paint.recipe, {450, 500, 550, 600, 650}));
-    return models::make_surface(models::Model::nacre, paint, {.seed = 3});
+    models::SurfaceOptions options;
+    options.seed = 3;
+    return models::make_surface(models::Model::nacre, paint, options);
 }
 
 // A panel so close that each patch holds a flake or two.
