@@ -27,7 +27,7 @@ struct FlakePopulation {
 /// patch looks through the surface at the plane that it faces; where it faces two or three about
 /// equally, each gives a share of the flakes, so that there is neither seam nor stretch anywhere on
 /// any shape (projection.h). Flakes are shared out among levels of density falling by 16: a patch
-/// tells the flakes apart of those levels that have few on it, and takes the rest as their mean
+/// tells the flakes apart of those levels that have few on it, and lets them stand for the rest
 /// (FlakeView). Cost is bounded for any patch and any density, and memory does not depend on
 /// either.                                                            [docs/nacre-model.md]
 class FlakeField {

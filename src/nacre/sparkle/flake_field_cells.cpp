@@ -29,7 +29,7 @@ void FlakeField::find(const FlakePlane& plane, const Weights& weights, Found& fo
 }
 
 // A flake is 64 bits: twice 16 are its place in the cell, 16 its rank, by which the sides of the
-// rest space share out the flakes, and 16 its size.
+// rest space share out the flakes, and the last 8 its size.
 inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
                                      const Weights& weights, Found& found) const {
     constexpr ShortBitLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
