@@ -101,9 +101,9 @@ std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f 
 
 std::optional<Escape> BoundWalk::enter_and_follow(const Direction3& wi, const Packet& packet,
                                                   RandomStream& random) const {
-    return follow({interface(packet.lane).enter(wi, random).travel, packet.weight, packet.lane,
-                   packet.patch},
-                  random);
+    return follow(
+        {interface(packet.lane).enter(wi, random).travel, packet.weight, packet.lane, packet.patch},
+        random);
 }
 
 std::optional<Escape> BoundWalk::meet_rough(const Direction3& wi, const Packet& packet,

@@ -24,7 +24,7 @@ using reference::RandomStream;
 struct Entry {
     Direction3 travel;  ///< inside, z < 0
     Lanes weight{};
-    int lane = 0;  ///< whose index of refraction holds
+    int lane = 0;                        ///< whose index of refraction holds
     const bsdf::Patch* patch = nullptr;  ///< where, if known
 };
 
