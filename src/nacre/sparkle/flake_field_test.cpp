@@ -61,11 +61,12 @@ Moments moments(int count, F&& sample) {
     return {mean, second, std::sqrt(second / count), std::sqrt((fourth - second * second) / count)};
 }
 
-// Int coverage^2 over the place of a disc, in mm^2.
-double place_factor(double side_mm, double diameter_mm) {
+// Int coverage_1 coverage_2 over the place of a disc, in mm^2, of a square and of another one,
+// apart along an edge.
+double place_factor(double side_mm, double diameter_mm, double apart_mm = 0) {
     const double r = diameter_mm / 2;
     if (side_mm == 0) return kPi * r * r;
-    const float s = static_cast<float>(side_mm);
+    const float s = static_cast<float>(side_mm), apart = static_cast<float>(apart_mm);
     const double reach = side_mm / 2 + r;
     constexpr int kSteps = 400;
     double sum = 0;
@@ -73,24 +74,28 @@ double place_factor(double side_mm, double diameter_mm) {
         for (int j = 0; j < kSteps; ++j) {
             const float x = static_cast<float>(reach * (2 * (i + 0.5) / kSteps - 1));
             const float y = static_cast<float>(reach * (2 * (j + 0.5) / kSteps - 1));
-            const double area = disc_overlap(splat(x), splat(y), splat(static_cast<float>(r)),
-                                             Parallelogram({s, 0}, {0, s}))[0];
-            sum += area * area;
+            const auto area = [&](float middle) {
+                return disc_overlap(splat(x - middle), splat(y), splat(static_cast<float>(r)),
+                                    Parallelogram({s, 0}, {0, s}))[0];
+            };
+            sum += double{area(0)} * (apart_mm == 0 ? area(0) : area(apart));
         }
     }
     return sum * 4 * reach * reach / (kSteps * kSteps) / std::pow(side_mm, 4);
 }
 
-// Campbell's formula for the variance of sum_k W_k K_k / (rho blur P), discs all alike:
-// (1/rho) Int W^2 Int K^2 P / (blur P)^2.
+// Campbell's formula for the covariance of sum_k W_k K_k / (rho blur P), discs all alike:
+// (1/rho) Int W_1 W_2 Int K_1 K_2 P / ((blur P)_1 (blur P)_2), of patches and of slopes apart.
 double campbell(const FlakePopulation& population, const FlakeField& field, double side_mm,
-                Vec2f slope, float cosine) {
+                Vec2f slope, float cosine, double apart_mm = 0, Vec2f turn = {0, 0}) {
     const double d = population.diameter_um * 1e-3, area = kPi / 4 * d * d;
     const double slope2 = double{slope.x} * slope.x + double{slope.y} * slope.y;
     const DiffractionLobe& lobe = field.lobe();
     const float width =
         std::min(lobe.most_radius(), lobe.radius(static_cast<float>(population.diameter_um)) *
                                          lobe.widening(static_cast<float>(1 + slope2), cosine));
+    // The second slope has a lobe of nearly the same width: turns are small.
+    const Vec2f other = {slope.x + turn.x, slope.y + turn.y};
     const Quadrature rule = gauss_legendre(32, 0.0, 1.0);
     double answers = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -98,15 +103,20 @@ double campbell(const FlakePopulation& population, const FlakeField& field, doub
         for (int k = 0; k < 64; ++k) {
             const double angle = 2 * kPi * (k + 0.5) / 64;
             const double x = slope.x + r * std::cos(angle), y = slope.y + r * std::sin(angle);
-            const double kernel = DiffractionLobe::density(static_cast<float>(r * r), width);
-            answers += rule.weights[i] * width * r * 2 * kPi / 64 * kernel * kernel *
+            const double apart2 = (x - other.x) * (x - other.x) + (y - other.y) * (y - other.y);
+            if (apart2 >= width * width) continue;
+            answers += rule.weights[i] * width * r * 2 * kPi / 64 *
+                       DiffractionLobe::density(static_cast<float>(r * r), width) *
+                       DiffractionLobe::density(static_cast<float>(apart2), width) *
                        lobe.slope_density(static_cast<float>(x * x + y * y));
         }
     }
-    const double blurred = lobe.slope_density(static_cast<float>(slope2)) *
-                           lobe.blur(static_cast<float>(slope2), width);
-    const double place = place_factor(side_mm, d) / (area * area);
-    return place * answers / (blurred * blurred) / population.density_per_mm2;
+    const auto blurred = [&](Vec2f p) {
+        const float square = p.x * p.x + p.y * p.y;
+        return lobe.slope_density(square) * lobe.blur(square, width);
+    };
+    return place_factor(side_mm, d, apart_mm) / (area * area) * answers /
+           (blurred(slope) * blurred(other)) / population.density_per_mm2;
 }
 
 TEST(FlakeField, CountsFlakesByPoissonsLaw) {
@@ -156,6 +166,40 @@ TEST(FlakeField, KeepsTheMeanAndTheVarianceOfEveryFlakeAtEveryScale) {
         EXPECT_NEAR(m.variance / expected, 1, 0.03 + 3 * m.variance_error / expected) << flakes;
         EXPECT_LT(m.variance_error, 0.05 * expected)
             << flakes;  // the line above is worth something
+    }
+}
+
+// What two patches, or two directions, have in common: as Campbell's formula says.
+TEST(FlakeField, NeighboursInSpaceAndInAngleCorrelate) {
+    FlakePopulation dense = kSilver;
+    dense.diameter_um = 8;
+    dense.density_per_mm2 = 25000;
+    const FlakeField field(dense, 3);
+    const Vec2f slope = {0.06f, -0.03f};
+    const float cosine = 0.9f;
+    const double side = 0.006;
+    struct Case {
+        double apart_mm;
+        Vec2f turn;
+    };
+    for (const auto& [apart_mm, turn] :
+         {Case{0.003, {0, 0}}, Case{0.009, {0, 0}}, Case{0, {0.01f, 0}}, Case{0, {0, 0.025f}},
+          Case{0.004, {0.01f, 0.005f}}}) {
+        constexpr int kPairs = 200000;
+        double product = 0, products = 0;
+        for (int i = 0; i < kPairs; ++i) {
+            const double x = 0.05 * (i % 500), y = 0.05 * (i / 500);
+            const double here = answer(field, square(x, y, side), slope, cosine) - 1;
+            const double there = answer(field, square(x + apart_mm, y, side),
+                                        {slope.x + turn.x, slope.y + turn.y}, cosine) -
+                                 1;
+            product += here * there / kPairs;
+            products += here * there * here * there / kPairs;
+        }
+        const double error = std::sqrt((products - product * product) / kPairs);
+        const double expected = campbell(dense, field, side, slope, cosine, apart_mm, turn);
+        EXPECT_NEAR(product, expected, 4 * error + 0.01 * expected) << apart_mm << ' ' << turn.x;
+        EXPECT_GT(expected, 10 * error);  // there is something to see
     }
 }
 
