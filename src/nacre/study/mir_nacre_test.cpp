@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -24,10 +26,12 @@ void for_each_number(const json& value, const Visit& visit) {
 
 class MirNacre : public ::testing::Test {
  protected:
-    // Once for all tests: some seconds.
-    static void SetUpTestSuite() {
-        folder_ = std::filesystem::path(::testing::TempDir()) / "nacre-mir-nacre-test";
-        std::filesystem::remove_all(folder_);
+    // Once for all tests of a process: some seconds. In a folder of its own, as others may run at
+    // the same time.
+    void SetUp() override {
+        if (!html_.empty()) return;
+        folder_ = std::filesystem::path(::testing::TempDir()) /
+                  fmt::format("nacre-mir-nacre-test-{}", ::getpid());
         const auto page = run_mir_2022(
             {.folder = folder_,
              .size = 16,
