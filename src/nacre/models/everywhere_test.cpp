@@ -25,12 +25,13 @@ Vec3f direction(double theta_deg, double phi_deg) {
             static_cast<float>(std::cos(theta))};
 }
 
-/// A square of a sphere of 50 mm about where its normal is n, turned by an angle in its plane.
+/// A square of a sphere of 500 mm about where its normal is n, turned by an angle in its plane: so
+/// large that squares at random places of a region hardly overlap, and are independent.
 bsdf::Patch square(Vec3f n, float side_mm, double turn) {
     const Frame frame = Frame::around(n);
     const Vec3f along = frame.to_world(direction(90, turn));
     bsdf::Patch patch;
-    patch.rest = {50.0f * n, n, frame.s, {side_mm * along, side_mm * cross(n, along)}};
+    patch.rest = {500.0f * n, n, frame.s, {side_mm * along, side_mm * cross(n, along)}};
     return patch;
 }
 
@@ -93,7 +94,7 @@ TEST(NacreEverywhere, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
         }
         const Moments panel(v);
         EXPECT_GT(panel.variance, 10 * panel.variance_error);
-        EXPECT_NEAR(panel.mean, 1, 4 * panel.mean_error);
+        EXPECT_NEAR(panel.mean, 1, 3 * panel.mean_error);
         for (const Region& region : kRegions) {
             const Moments here = values([&] {
                 for (;;) {
@@ -103,10 +104,9 @@ TEST(NacreEverywhere, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
                     if (region.holds(s)) return n;
                 }
             });
-            // Eighteen comparisons: one beyond four standard errors in a thousand runs.
-            EXPECT_NEAR(here.mean, 1, 4 * here.mean_error) << region.name << ", " << side_mm;
+            EXPECT_NEAR(here.mean, 1, 3 * here.mean_error) << region.name << ", " << side_mm;
             EXPECT_NEAR(here.variance, panel.variance,
-                        4 * std::hypot(here.variance_error, panel.variance_error))
+                        3 * std::hypot(here.variance_error, panel.variance_error))
                 << region.name << ", " << side_mm;
         }
     }
@@ -173,11 +173,12 @@ TEST(NacreEverywhere, EstimatorsOfDirectLightAgree) {
         std::string name;
         render::SceneDescription scene;
         double side_mm;  // of a lamp at 100 mm
+        int samples;     // the fewer flakes answer, the more
         bool surface_alone;
     };
-    std::vector<Case> cases{{"studio", ball(), 0, true},
-                            {"window", ball(), 60, true},
-                            {"lamp of 0.53 deg", ball(), 0.925, false}};
+    std::vector<Case> cases{{"studio", ball(), 0, 8, true},
+                            {"window", ball(), 60, 8, true},
+                            {"lamp of 0.53 deg", ball(), 0.925, 48, false}};
     const render::PaintTable paints{
         {"paint", testing::nacre_surface(testing::recipe_of({.diameter_um = 20}), 1)}};
     for (Case& c : cases) {
@@ -190,13 +191,13 @@ TEST(NacreEverywhere, EstimatorsOfDirectLightAgree) {
         const render::Scene scene(c.scene, paints);
         // Footprints of whole pixels, so that samples of one pixel see the same flakes.
         const render::RenderOptions options{
-            .width = 24, .height = 24, .samples_per_pixel = 8, .footprint_pixels = 1};
+            .width = 24, .height = 24, .samples_per_pixel = c.samples, .footprint_pixels = 1};
         const auto estimate = [&](render::DirectLight how) {
             return render::testing::estimate_luminance(scene, options, how, 16);
         };
         const auto all = estimate(render::DirectLight::combined);
         EXPECT_GT(all.mean, 0);
-        EXPECT_LT(all.standard_error, 0.1 * all.mean);
+        EXPECT_LT(all.standard_error, 0.04 * all.mean);
         const auto light = estimate(render::DirectLight::light_sampling);
         EXPECT_NEAR(all.mean, light.mean, 4 * std::hypot(all.standard_error, light.standard_error));
         if (!c.surface_alone) continue;
