@@ -69,12 +69,7 @@ render::SceneDescription close_up_scene(double pixel_mm, int pixels) {
 
 CloseUps::CloseUps(fs::path folder, Stage stage)
     : folder_(std::move(folder)), stage_(std::move(stage)) {
-    std::error_code ec;
-    fs::create_directories(folder_ / "pictures", ec);
-    if (ec) {
-        throw InputError(fmt::format("cannot make the folder '{}': {}",
-                                     (folder_ / "pictures").string(), ec.message()));
-    }
+    make_folder(folder_ / "pictures");
 }
 
 Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {

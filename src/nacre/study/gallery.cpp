@@ -143,14 +143,18 @@ double flakes_on_ball(const layers::Recipe& recipe, double radius_mm) {
 
 std::string fingerprint(const PictureJob& job) { return sha256_hex(description(job).dump()); }
 
+void make_folder(const fs::path& folder) {
+    std::error_code ec;
+    fs::create_directories(folder, ec);
+    if (ec) {
+        throw InputError(
+            fmt::format("cannot make the folder '{}': {}", folder.string(), ec.message()));
+    }
+}
+
 Gallery::Gallery(fs::path folder, Stage stage)
     : folder_(std::move(folder)), stage_(std::move(stage)) {
-    std::error_code ec;
-    fs::create_directories(folder_ / "pictures", ec);
-    if (ec) {
-        throw InputError(fmt::format("cannot make the folder '{}': {}",
-                                     (folder_ / "pictures").string(), ec.message()));
-    }
+    make_folder(folder_ / "pictures");
 }
 
 Picture Gallery::make(const PictureJob& job) const {

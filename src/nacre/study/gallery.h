@@ -82,6 +82,10 @@ class Gallery {
     Stage stage_;
 };
 
+/// Makes a folder and those above it where they are missing.
+/// @throws InputError naming the folder, and why it cannot be made
+void make_folder(const std::filesystem::path& folder);
+
 /// SHA-256 over all that the picture depends on.
 std::string fingerprint(const PictureJob& job);
 
