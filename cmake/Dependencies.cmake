@@ -10,6 +10,9 @@ find_package(OpenEXR 3 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(assimp REQUIRED)
+find_package(Ceres 2 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(librsvg REQUIRED IMPORTED_TARGET librsvg-2.0)
 
 # Embree 4 (Ubuntu 24.04) or 3 (Debian 12).
 find_package(embree 4 QUIET)

@@ -31,5 +31,11 @@ Command add_render(CLI::App& program);
 Command add_diff(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_study(CLI::App& program);
+Command add_measure(CLI::App& program);  ///< multi-angle colour
+Command add_sparkle(CLI::App& program);  ///< sparkle and graininess
+Command add_atlas(CLI::App& program);    ///< colours of a film by thickness and angle
+Command add_panel(CLI::App& program);    ///< a page about a paint
+Command add_fit(CLI::App& program);      ///< from colour back to composition
+Command add_export(CLI::App& program);   ///< formats of measured BRDFs
 
 }  // namespace nacre::cli

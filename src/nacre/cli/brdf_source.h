@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nacre/cli/common_options.h"
+#include "nacre/cli/model_options.h"
+#include "nacre/layers/recipe.h"
+#include "nacre/layers/solved_paint.h"
+#include "nacre/measure/brdf.h"
+#include "nacre/models/make_surface.h"
+
+// A paint, as a model shows it, by values: what `eval` prints and instruments are held against.
+
+namespace nacre::cli {
+
+/// How the values are wanted.
+struct BrdfRequest {
+    models::Model model = models::Model::microflake;
+    models::SurfaceOptions surface;
+    layers::Part part = layers::Part::total;
+    /// Middle "X,Y" and side of the patch whose single flakes are to show; empty: the mean.
+    std::string at, footprint;
+};
+
+/// Checks what the command line says before any work is done.
+/// @param part  "total", "single" or "multiple"
+/// @throws UsageError if the model gives no values, is alike all over while a patch is asked for,
+///         or has no parts
+BrdfRequest parse_brdf_request(const ModelOptions& model, std::uint64_t seed,
+                               const std::string& part = "total", const std::string& at = {},
+                               const std::string& footprint = {});
+
+struct BrdfSource {
+    std::optional<layers::Recipe> recipe;  ///< none: not known, as from a table
+    std::vector<double> wavelengths_nm;
+    measure::Brdf brdf;
+};
+
+/// Reads a recipe, a solved paint or a table of a BRDF. The model microflake answers in double
+/// precision, exactly at the wavelengths solved; others as the renderer sees them.
+/// @param wavelengths_nm  none: those of a solved paint, else 400 to 700 nm by 10
+/// @throws as load_paint() and load_surface()
+BrdfSource load_brdf(const std::filesystem::path& path, const BrdfRequest& request,
+                     const std::optional<std::vector<double>>& wavelengths_nm,
+                     const CommonOptions& options);
+
+}  // namespace nacre::cli

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Where the lamp stands and where the eye looks from: the geometries of multi-angle
+// spectrophotometers. The lamp's azimuth is 0; phi = 180 deg is the mirror side.
+
+namespace nacre::measure {
+
+/// One pair of lamp and detector.
+struct Geometry {
+    std::string name;           ///< as instruments print it: "45as15"
+    double theta_i_deg = 45;    ///< of the lamp, [0, 90)
+    double aspecular_deg = 15;  ///< between the view and the mirror direction; in the plane of
+                                ///< incidence signed, positive towards the normal, else >= 0
+    double theta_o_deg = 30;    ///< of the view, [0, 90)
+    double phi_deg = 180;       ///< phi_o - phi_i of the view, [0, 360)
+
+    friend bool operator==(const Geometry&, const Geometry&) = default;
+};
+
+/// In the plane of incidence: the signed angle of view is theta_i - aspecular, positive on the
+/// mirror side. Its name is "45as15", "45as-15".
+/// @throws DomainError naming the angle if theta_i is outside [0, 90) or the view below the horizon
+Geometry in_plane(double theta_i_deg, double aspecular_deg);
+
+/// Off the plane: from the mirror direction by `aspecular_deg` in [0, 180), turned about it by
+/// `azimuth_deg`, 0 being away from the normal and 180 towards it. Its name is "45as25az90".
+/// @throws DomainError as in_plane()
+Geometry off_plane(double theta_i_deg, double aspecular_deg, double azimuth_deg);
+
+/// Any view. Its name is that of in_plane() where it lies in the plane of incidence, else
+/// "45to30,90" (lamp, theta and phi of the view).
+/// @throws DomainError as in_plane()
+Geometry towards(double theta_i_deg, double theta_o_deg, double phi_deg);
+
+struct GeometrySet {
+    std::string name;     ///< as on the command line
+    std::string summary;  ///< in one line, with its source
+    std::vector<Geometry> geometries;
+
+    friend bool operator==(const GeometrySet&, const GeometrySet&) = default;
+};
+
+/// The sets that are built in: docs/measure.md has their sources.
+std::span<const GeometrySet> geometry_sets();
+/// Null if there is none of that name.
+const GeometrySet* find_geometry_set(std::string_view name);
+
+}  // namespace nacre::measure

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nacre/measure/geometry.h"
+#include "nacre/spectra/colour.h"
+
+// What a multi-angle spectrophotometer reports about a panel: a value, whether we computed it or
+// somebody measured it.
+
+namespace nacre::measure {
+
+/// The solid angles of an instrument: round, about the directions of its geometry. Zero is a point.
+struct Aperture {
+    double lamp_half_angle_deg = 0;      ///< [0, 10]
+    double detector_half_angle_deg = 0;  ///< [0, 10]
+
+    friend bool operator==(const Aperture&, const Aperture&) = default;
+};
+
+/// Under which light colours are stated, to which eye, and how the instrument is built.
+struct Conditions {
+    spectra::Illuminant illuminant = spectra::Illuminant::D65;
+    spectra::Observer observer = spectra::Observer::cie1964_10deg;
+    Aperture aperture{};
+
+    friend bool operator==(const Conditions&, const Conditions&) = default;
+};
+
+/// What is seen at one geometry.
+struct Reading {
+    Geometry geometry;
+    /// pi times the BRDF at the measurement's wavelengths: 1 is the perfect diffuser. Empty where
+    /// only the colour is known.
+    std::vector<double> reflectance_factor;
+    spectra::Vec3 xyz{};  ///< the perfect diffuser has Y = 100
+    spectra::Vec3 lab{};  ///< CIELAB relative to the perfect diffuser
+
+    friend bool operator==(const Reading&, const Reading&) = default;
+};
+
+double chroma(const spectra::Vec3& lab);   ///< C* = sqrt(a*^2 + b*^2)
+double hue_deg(const spectra::Vec3& lab);  ///< h in [0, 360); 0 for C* = 0
+
+/// The colour as a chip on a display: encoded sRGB in [0, 1], the perfect diffuser being white.
+/// What is brighter than the display, or outside its gamut, is clipped.
+spectra::Vec3 srgb_chip(const spectra::Vec3& lab);
+
+struct Measurement {
+    std::string name;  ///< of the panel
+    Conditions conditions;
+    std::vector<double> wavelengths_nm;  ///< empty if no reading has a spectrum
+    std::vector<Reading> readings;
+
+    /// The reading at that geometry in the plane of incidence, to 1e-6 deg. Null if there is none.
+    const Reading* find(double theta_i_deg, double aspecular_deg) const;
+
+    friend bool operator==(const Measurement&, const Measurement&) = default;
+};
+
+/// XYZ and L*a*b* of a reflectance factor, added to a reading: under A, D50, D65 and E by sums over
+/// the samples, under FL2 and FL11, whose lines fall between them, by sums at 5 nm
+/// (spectra/xyz.h).
+/// @throws DomainError as spectra::reflectance_to_xyz()
+Reading coloured(Geometry geometry, const std::vector<double>& wavelengths_nm,
+                 std::vector<double> reflectance_factor, const Conditions& conditions);
+
+}  // namespace nacre::measure
