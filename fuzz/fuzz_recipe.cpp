@@ -9,14 +9,14 @@
 // read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    nacre::layers::Recipe recipe;
+    nacre::io::RecipeFile file;
     try {
-        recipe = nacre::io::parse_recipe(text, "fuzz.toml", "/nonexistent");
+        file = nacre::io::parse_recipe_file(text, "fuzz.toml", "/nonexistent");
     } catch (const nacre::InputError&) {
         return 0;
     }
-    if (nacre::io::parse_recipe(nacre::io::write_recipe(recipe), "again.toml", "") != recipe) {
-        __builtin_trap();
-    }
+    const nacre::io::RecipeFile again = nacre::io::parse_recipe_file(
+        nacre::io::write_recipe(file.recipe, file.bounds), "again.toml", "");
+    if (again.recipe != file.recipe || again.bounds != file.bounds) __builtin_trap();
     return 0;
 }

@@ -1,5 +1,8 @@
 #include "nacre/io/recipe_file.h"
 
+#include <algorithm>
+#include <map>
+
 #include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
 #include "nacre/io/spectrum_reader.h"
@@ -230,23 +233,65 @@ layers::Recipe read_recipe_table(const TableReader& table) {
     return recipe;
 }
 
+/// Whether a key of [fit] can stand in a message as it is.
+bool is_plain(const std::string& key) {
+    return !key.empty() && key.size() <= limits::kNameLength &&
+           std::all_of(key.begin(), key.end(), [](char c) { return c >= 0x20 && c < 0x7f; });
+}
+
+/// [fit]: keys of the recipe's numbers, each with a list of two ends.
+std::vector<layers::ParameterBounds> read_bounds(const TableReader& table,
+                                                 const layers::Recipe& recipe) {
+    std::vector<layers::ParameterBounds> bounds;
+    const auto fit = table.table_if_present("fit", {});
+    if (!fit) return bounds;
+    std::map<std::string, layers::ParameterBounds> by_key;
+    for (const std::string& key : fit->keys()) {
+        if (!is_plain(key)) fit->fail("has a key that is not the name of a number of this recipe");
+        const std::string place = table.document().location(fit->path_of(key));
+        try {
+            layers::find_parameter(recipe, key);
+            const std::vector<double> ends = fit->numbers(key, {}, 2, 2);
+            layers::check_bounds(recipe, {key, ends[0], ends[1]});
+            by_key[key] = {key, ends[0], ends[1]};
+        } catch (const DomainError& error) {
+            throw InputError(place + "fit." + error.what());
+        }
+    }
+    for (const layers::RecipeParameter& parameter : layers::recipe_parameters(recipe)) {
+        const auto found = by_key.find(parameter.key);
+        if (found != by_key.end()) bounds.push_back(found->second);
+    }
+    return bounds;
+}
+
 }  // namespace
 
-layers::Recipe parse_recipe(std::string_view text, const std::string& filename,
-                            const std::filesystem::path& base_directory) {
+RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
+                             const std::filesystem::path& base_directory) {
     TomlDocument document(text, filename, base_directory);
-    const layers::Recipe recipe = read_recipe_table(
-        {document, {"name", "ior", "clearcoat", "layer", "substrate", "microfacet"}});
+    const TableReader table(
+        document, {"name", "ior", "clearcoat", "layer", "substrate", "microfacet", "fit"});
+    const layers::Recipe recipe = read_recipe_table(table);
     try {
         validate(recipe, {});  // what concerns several keys at once, as R + T <= 1
     } catch (const DomainError& error) {
         rethrow_with_location(document, error.what());
     }
-    return recipe;
+    return {recipe, read_bounds(table, recipe)};
+}
+
+RecipeFile read_recipe_file(const std::filesystem::path& path) {
+    return parse_recipe_file(read_file(path, kMostTextBytes), path.string(), path.parent_path());
+}
+
+layers::Recipe parse_recipe(std::string_view text, const std::string& filename,
+                            const std::filesystem::path& base_directory) {
+    return parse_recipe_file(text, filename, base_directory).recipe;
 }
 
 layers::Recipe read_recipe(const std::filesystem::path& path) {
-    return parse_recipe(read_file(path, kMostTextBytes), path.string(), path.parent_path());
+    return read_recipe_file(path).recipe;
 }
 
 }  // namespace nacre::io

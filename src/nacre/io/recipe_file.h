@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nacre/layers/recipe.h"
+#include "nacre/layers/recipe_parameter.h"
 
 // Paint recipes as TOML. Every key with its unit and range: docs/recipe.md.
 
@@ -22,12 +24,26 @@ layers::Recipe read_recipe(const std::filesystem::path& path);
 layers::Recipe parse_recipe(std::string_view text, const std::string& filename,
                             const std::filesystem::path& base_directory);
 
+/// A recipe and what its file says beside it: between which bounds a fit may seek its numbers, the
+/// table [fit], in the order of layers::recipe_parameters(). The bounds are no part of the paint.
+struct RecipeFile {
+    layers::Recipe recipe;
+    std::vector<layers::ParameterBounds> bounds;
+};
+
+/// As read_recipe(), which checks the table [fit] too, but does not hand it over.
+/// @throws InputError as read_recipe(), and as layers::check_bounds()
+RecipeFile read_recipe_file(const std::filesystem::path& path);
+RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
+                             const std::filesystem::path& base_directory);
+
 /// The recipe as TOML that parses back to an equal recipe, without need of any other file:
 /// materials that are not among those shipped are written out sample by sample.
-std::string write_recipe(const layers::Recipe& recipe);
+std::string write_recipe(const layers::Recipe& recipe,
+                         const std::vector<layers::ParameterBounds>& bounds = {});
 
-/// SHA-256 of write_recipe(), in hexadecimal: equal for recipes that differ only in layout,
-/// comments or the order of keys.
+/// SHA-256 of write_recipe() without bounds, in hexadecimal: equal for recipes that differ only in
+/// layout, comments or the order of keys.
 std::string recipe_hash(const layers::Recipe& recipe);
 
 }  // namespace nacre::io

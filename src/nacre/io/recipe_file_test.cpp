@@ -45,6 +45,11 @@ anisotropy = 0.2
 reflectance = 0.05
 )";
 
+const std::string kBounded = kViolet + R"([fit]
+"layer[0].flakes[0].coats[0].thickness_nm" = [60, 140]
+"layer[0].thickness_um" = [10, 20.5]
+)";
+
 const std::string kGray = R"(ior = 1.5
 [[layer]]
 thickness_um = 15
@@ -168,6 +173,40 @@ TEST(RecipeFile, AWrittenRecipeCarriesMaterialsOfTheUsersOwn) {
     platelet.coats[0].material = optics::Material("metal", optics::ComplexIndex(3.18, 3.33));
     recipe.binder = optics::Material(1.0 / 3.0 + 1);  // needs every digit
     EXPECT_EQ(parse(write_recipe(recipe)), recipe);
+}
+
+// In the order of the recipe's numbers, whatever the order in the file.
+TEST(RecipeFile, BoundsOfAFitStandBesideTheRecipe) {
+    const RecipeFile file = parse_recipe_file(kBounded, "paint.toml", "");
+    const std::vector<layers::ParameterBounds> expected = {
+        {"layer[0].thickness_um", 10, 20.5}, {"layer[0].flakes[0].coats[0].thickness_nm", 60, 140}};
+    EXPECT_EQ(file.bounds, expected);
+    EXPECT_EQ(file.recipe, parse(kViolet));
+    EXPECT_EQ(recipe_hash(file.recipe), recipe_hash(parse(kViolet)));
+    const RecipeFile again =
+        parse_recipe_file(write_recipe(file.recipe, file.bounds), "again.toml", "");
+    EXPECT_EQ(again.recipe, file.recipe);
+    EXPECT_EQ(again.bounds, file.bounds);
+}
+
+// The keys of layers/recipe_parameter.h are those of the file: a number that is set comes back
+// under its key.
+TEST(RecipeFile, EveryNumberOfEveryPaintSurvivesTheFile) {
+    int numbers = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(NACRE_SOURCE_DIR "/paints")) {
+        if (entry.path().extension() != ".toml") continue;
+        const layers::Recipe recipe = read_recipe(entry.path());
+        for (const layers::RecipeParameter& parameter : layers::recipe_parameters(recipe)) {
+            layers::Recipe changed = recipe;
+            const double value = parameter.value > 0 ? 0.97 * parameter.value : 0.01;
+            set_parameter(changed, parameter.key, value);
+            const layers::Recipe again = parse(write_recipe(changed));
+            EXPECT_EQ(again, changed) << entry.path() << " " << parameter.key;
+            EXPECT_EQ(find_parameter(again, parameter.key).value, value) << parameter.key;
+            ++numbers;
+        }
+    }
+    EXPECT_GT(numbers, 100);
 }
 
 TEST(RecipeFile, HashDependsOnMeaningNotOnLayout) {
@@ -326,6 +365,25 @@ const BadRecipe kBadRecipes[] = {
      "1 numbers"},
     {&kViolet, "\"mica\"", "{ n = [-1.5] }", "18:", "layer[0].flakes[0].core.material.n[0] = -1.5",
      "(0, 100]"},
+    // bounds of a fit
+    {&kBounded, "coats[0].thickness_nm\"", "coats[0].thicknes_nm\"",
+     "29:", "fit.layer[0].flakes[0].coats[0].thicknes_nm", "coats[0].thickness_nm'?"},
+    {&kBounded, "[60, 140]", "[60]", "29:", "coats[0].thickness_nm = [...] (1 entries)",
+     "2 numbers"},
+    {&kBounded, "[60, 140]", "60", "29:", "coats[0].thickness_nm = 60", "2 numbers"},
+    {&kBounded, "[60, 140]", "[60, \"thick\"]", "29:", "coats[0].thickness_nm[1] = 'thick'",
+     "must be a number"},
+    {&kBounded, "[60, 140]", "[140, 60]", "29:", "coats[0].thickness_nm = [140, 60]",
+     "the first end must be below the second"},
+    {&kBounded, "[60, 140]", "[-60, 140]", "29:", "coats[0].thickness_nm = [-60, 140]",
+     "must be in (0, 100000] nm"},
+    {&kBounded, "[60, 140]", "[90, 140]", "29:", "coats[0].thickness_nm = [90, 140]",
+     "the recipe's own 80 is not between them"},
+    {&kBounded, "\"layer[0].thickness_um\"", "\"clearcoat.roughness\"",
+     "30:", "fit.clearcoat.roughness", "is not a number of this recipe"},
+    {&kBounded, "\"layer[0].thickness_um\"", "\"\\u0007\"", "28:", "fit",
+     "has a key that is not the name of a number"},
+    {&kBounded, "[fit]\n", "[fit.deeper]\n", "28:", "fit.deeper", "is not a number"},
     // sizes
     {&kViolet, "name = \"Violet",
      "name = \"VioletVioletVioletVioletVioletVioletVioletVioletViolet"

@@ -147,7 +147,8 @@ std::string microfacet_text(const layers::Microfacet& m) {
 
 }  // namespace
 
-std::string write_recipe(const layers::Recipe& recipe) {
+std::string write_recipe(const layers::Recipe& recipe,
+                         const std::vector<layers::ParameterBounds>& bounds) {
     std::string out =
         fmt::format("name = {}\nior = {}\n", quoted(recipe.name), material_text(recipe.binder));
     if (recipe.clearcoat) {
@@ -160,6 +161,10 @@ std::string write_recipe(const layers::Recipe& recipe) {
     for (const layers::Layer& layer : recipe.layers) out += layer_text(layer);
     out += fmt::format("\n[substrate]\nreflectance = {}\n", spectrum(recipe.substrate_reflectance));
     if (recipe.microfacet) out += microfacet_text(*recipe.microfacet);
+    if (!bounds.empty()) out += "\n[fit]\n";
+    for (const layers::ParameterBounds& b : bounds) {
+        out += fmt::format("{} = {}\n", quoted(b.key), list({b.lo, b.hi}));
+    }
     return out;
 }
 
