@@ -13,18 +13,28 @@ struct AngleDifference {
     spectra::Vec3 delta_lab{};  ///< sample less standard
     double delta_e_2000 = 0;
     double weight = 1;
+    spectra::Vec3 lab_standard{}, lab_sample{};  ///< under Difference::conditions
+
+    double delta_chroma() const;  ///< Delta C*, sample less standard
+    /// Delta H* = 2 sqrt(C*1 C*2) sin(Delta h / 2), positive for a sample whose hue angle is
+    /// greater.                                                           [cie-15-2018]
+    double delta_hue() const;
 };
 
-/// How far a sample is from a standard, at the geometries that both have.
+/// How far a sample is from a standard, at the geometries that both have (to 0.1 deg).
 struct Difference {
     std::vector<AngleDifference> angles;
     double mean_delta_e_2000 = 0;  ///< weighted
     double max_delta_e_2000 = 0;
+    Conditions conditions;  ///< the light and the eye of the comparison: the standard's if possible
 };
 
+/// Where illuminants or observers differ, the sample is converted to those of the standard if it
+/// has spectra, else the standard to those of the sample.
+///
 /// @param weights  by the geometry's name, >= 0; those not named weigh 1
 /// @throws DomainError if the two have no geometry in common, their illuminants or observers
-///         differ while one of them has no spectra to be converted, a weight is negative or names
+///         differ while neither has spectra to be converted, a weight is negative or names
 ///         no geometry in common, or all weights are 0
 Difference difference(const Measurement& standard, const Measurement& sample,
                       const std::map<std::string, double>& weights = {});

@@ -28,7 +28,8 @@ struct Geometry {
 Geometry in_plane(double theta_i_deg, double aspecular_deg);
 
 /// Off the plane: from the mirror direction by `aspecular_deg` in [0, 180), turned about it by
-/// `azimuth_deg`, 0 being away from the normal and 180 towards it. Its name is "45as25az90".
+/// `azimuth_deg` in [-180, 180], 0 being away from the normal and 180 towards it; a positive turn
+/// leads to phi < 180. Its name is "45as25az90"; in the plane it is that of in_plane().
 /// @throws DomainError as in_plane()
 Geometry off_plane(double theta_i_deg, double aspecular_deg, double azimuth_deg);
 
@@ -36,6 +37,17 @@ Geometry off_plane(double theta_i_deg, double aspecular_deg, double azimuth_deg)
 /// "45to30,90" (lamp, theta and phi of the view).
 /// @throws DomainError as in_plane()
 Geometry towards(double theta_i_deg, double theta_o_deg, double phi_deg);
+
+/// The geometry that such a name stands for: "45as15", "45as-15", "45as25az90" or "45to30,90", as
+/// exporters of instruments write them also with "r" before or "Minus" for "-", capitals or not.
+/// @throws DomainError naming the text if it is none of these, or as in_plane()
+Geometry parse_geometry(std::string_view name);
+
+/// Whether the view lies in the plane of the lamp and the normal.
+bool is_in_plane(const Geometry& geometry);
+
+/// The larger of the angles between the two lamps and between the two views, deg.
+double separation_deg(const Geometry& a, const Geometry& b);
 
 struct GeometrySet {
     std::string name;     ///< as on the command line

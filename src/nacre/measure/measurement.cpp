@@ -6,11 +6,68 @@
 
 namespace nacre::measure {
 
+namespace {
+
+/// Encoded sRGB of a colour divided by its brightest component, if that is above `full`.
+spectra::Vec3 encoded(const spectra::Vec3& lab, bool keep_hue) {
+    // CIELAB is relative to the white of the panel's light; on a display white is the display's.
+    const spectra::Vec3 white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    spectra::Vec3 rgb = spectra::xyz_to_linear_rec709(spectra::lab_to_xyz(lab, white));
+    const double scale = keep_hue ? std::max({rgb[0], rgb[1], rgb[2], 1.0}) : 1.0;
+    for (double& c : rgb) c = spectra::srgb_encode(std::clamp(c / scale, 0.0, 1.0));
+    return rgb;
+}
+
+/// Their emission lines fall between samples at 10 nm.
+bool has_lines(spectra::Illuminant illuminant) {
+    return illuminant == spectra::Illuminant::FL2 || illuminant == spectra::Illuminant::FL11;
+}
+
+}  // namespace
+
 double chroma(const spectra::Vec3& lab) { return std::hypot(lab[1], lab[2]); }
 
 double hue_deg(const spectra::Vec3& lab) {
     const double degrees = std::atan2(lab[2], lab[1]) * 180 / std::numbers::pi;
-    return degrees < 0 ? degrees + 360 : degrees;
+    // A tiny negative angle would round to 360.
+    return degrees < 0 ? std::fmod(degrees + 360, 360) : degrees;
+}
+
+spectra::Vec3 srgb_chip(const spectra::Vec3& lab) { return encoded(lab, false); }
+
+spectra::Vec3 srgb_chip_at_full_light(const spectra::Vec3& lab) { return encoded(lab, true); }
+
+const Reading* Measurement::find(double theta_i_deg, double aspecular_deg) const {
+    constexpr double kSame_deg = 1e-6;
+    for (const Reading& reading : readings) {
+        const Geometry& g = reading.geometry;
+        if (is_in_plane(g) && std::abs(g.theta_i_deg - theta_i_deg) <= kSame_deg &&
+            std::abs(g.aspecular_deg - aspecular_deg) <= kSame_deg) {
+            return &reading;
+        }
+    }
+    return nullptr;
+}
+
+spectra::Vec3 white_point(const std::vector<double>& wavelengths_nm, const Conditions& conditions) {
+    return wavelengths_nm.empty() || has_lines(conditions.illuminant)
+               ? spectra::white_point(conditions.illuminant, conditions.observer)
+               : spectra::white_point(wavelengths_nm, conditions.illuminant, conditions.observer);
+}
+
+Reading coloured(Geometry geometry, const std::vector<double>& wavelengths_nm,
+                 std::vector<double> reflectance_factor, const Conditions& conditions) {
+    Reading reading{std::move(geometry), std::move(reflectance_factor), {}, {}};
+    // These sums come first also where those at 5 nm are used: they check the arguments.
+    reading.xyz = spectra::reflectance_to_xyz(wavelengths_nm, reading.reflectance_factor,
+                                              conditions.illuminant, conditions.observer);
+    if (has_lines(conditions.illuminant)) {
+        reading.xyz = spectra::reflectance_to_xyz(
+            spectra::Spectrum(wavelengths_nm, reading.reflectance_factor), conditions.illuminant,
+            conditions.observer);
+    }
+    reading.lab = spectra::xyz_to_lab(reading.xyz, white_point(wavelengths_nm, conditions));
+    return reading;
 }
 
 }  // namespace nacre::measure

@@ -46,6 +46,9 @@ double hue_deg(const spectra::Vec3& lab);  ///< h in [0, 360); 0 for C* = 0
 /// The colour as a chip on a display: encoded sRGB in [0, 1], the perfect diffuser being white.
 /// What is brighter than the display, or outside its gamut, is clipped.
 spectra::Vec3 srgb_chip(const spectra::Vec3& lab);
+/// The same with what is brighter than the display dimmed until it fits, so that a lobe keeps its
+/// hue.
+spectra::Vec3 srgb_chip_at_full_light(const spectra::Vec3& lab);
 
 struct Measurement {
     std::string name;  ///< of the panel
@@ -58,6 +61,11 @@ struct Measurement {
 
     friend bool operator==(const Measurement&, const Measurement&) = default;
 };
+
+/// XYZ of the perfect diffuser, by the sums that coloured() takes: what L*a*b* is relative to. By
+/// sums at 5 nm without wavelengths.
+/// @throws DomainError as spectra::white_point()
+spectra::Vec3 white_point(const std::vector<double>& wavelengths_nm, const Conditions& conditions);
 
 /// XYZ and L*a*b* of a reflectance factor, added to a reading: under A, D50, D65 and E by sums over
 /// the samples, under FL2 and FL11, whose lines fall between them, by sums at 5 nm
