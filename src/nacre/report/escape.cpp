@@ -33,9 +33,10 @@ Character first_character(std::string_view text) {
     return {code, length};
 }
 
-bool is_control(std::uint32_t code) {
+// Controls, which HTML may not hold, and the two codes besides that XML may not.   [xml-2008, 2.2]
+bool is_forbidden(std::uint32_t code) {
     return (code < 0x20 && code != '\t' && code != '\n' && code != '\r') ||
-           (code >= 0x7F && code < 0xA0);
+           (code >= 0x7F && code < 0xA0) || code == 0xFFFE || code == 0xFFFF;
 }
 
 // Puts `insert` after the first character of each `what`, whatever the case of its letters.
@@ -61,7 +62,7 @@ std::string clean_utf8(std::string_view text) {
     clean.reserve(text.size());
     for (std::size_t i = 0; i < text.size();) {
         const Character c = first_character(text.substr(i));
-        if (c.length == 0 || is_control(c.code)) {
+        if (c.length == 0 || is_forbidden(c.code)) {
             clean += kReplacement;
         } else {
             clean += text.substr(i, c.length);

@@ -7,8 +7,8 @@
 
 namespace nacre::report {
 
-/// The text as valid UTF-8 that HTML may hold: each byte that is no part of a character, and each
-/// control character but tabs and line ends, becomes U+FFFD.
+/// The text as valid UTF-8 that HTML and XML may hold: each byte that is no part of a character,
+/// each control character but tabs and line ends, U+FFFE and U+FFFF become U+FFFD.
 std::string clean_utf8(std::string_view text);
 
 /// The cleaned text with & < > " ' as character references: safe between tags and inside quoted

@@ -15,8 +15,9 @@ namespace {
 
 // The browser itself refuses whatever is not in the page: a report cannot reach the network.
 constexpr std::string_view kSecurityPolicy =
-    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
-    "base-uri 'none'; form-action 'none'";
+    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action "
+    "'none'";
+constexpr std::string_view kOwnScripts = "; script-src 'unsafe-inline'";
 
 std::string script_element(std::string_view source) {
     return "<script>\n" + escape_script(clean_utf8(source)) + "</script>\n";
@@ -71,14 +72,16 @@ std::string plotting_scripts() {
 
 std::string page_html(const std::string& title, const std::string& subtitle,
                       const std::vector<Heading>& headings, const std::string& body,
-                      bool with_plots) {
+                      bool with_plots, std::string_view more_css) {
     std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
     page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
     page += "<meta http-equiv=\"Content-Security-Policy\" content=\"";
     page += kSecurityPolicy;
+    if (with_plots) page += kOwnScripts;
     page += "\">\n<link rel=\"icon\" href=\"data:,\">\n";  // else browsers ask the server for one
     page += "<title>" + escape_html(title) + "</title>\n<style>\n";
     page += page_css();
+    page += more_css;
     page += "</style>\n</head>\n<body>\n<header>\n<h1>" + escape_html(title) + "</h1>\n";
     if (!subtitle.empty()) {
         page += "<p class=\"subtitle\">" + markup_to_html(subtitle) + "</p>\n";

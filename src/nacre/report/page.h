@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace nacre::report {
@@ -23,10 +24,12 @@ std::string contents_html(const std::vector<Heading>& headings);
 std::string plotting_scripts();
 
 /// The page around its body.
-/// @param with_plots whether the plotting scripts follow the body
+/// @param with_plots whether the plotting scripts follow the body; without them browsers are told
+///                   to run no script at all
+/// @param more_css   of a page with parts of its own; must hold no "</"
 /// @throws InputError as plotting_scripts
 std::string page_html(const std::string& title, const std::string& subtitle,
                       const std::vector<Heading>& headings, const std::string& body,
-                      bool with_plots);
+                      bool with_plots, std::string_view more_css = {});
 
 }  // namespace nacre::report

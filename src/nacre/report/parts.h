@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "nacre/report/plot_svg.h"
 #include "nacre/report/report.h"
 
 // The HTML of a report's larger parts. Names of elements inside (the notes of a table) contain an
@@ -20,5 +21,9 @@ std::string pictures_html(const std::vector<Picture>& pictures, int columns,
 /// The plot's legend, its place, its numbers as a table that unfolds, and its data for plots.js.
 /// @throws DomainError as check(plot)
 std::string plot_html(const Plot& plot, int number);
+
+/// The plot drawn, in a figure with its caption.
+/// @throws DomainError as plot_svg()
+std::string static_plot_html(const Plot& plot, const SvgSize& size);
 
 }  // namespace nacre::report

@@ -8,6 +8,8 @@
 #include "nacre/core/error.h"
 #include "nacre/report/colour.h"
 #include "nacre/report/escape.h"
+#include "nacre/report/label_sides.h"
+#include "nacre/report/plot_style.h"
 
 namespace nacre::report {
 
@@ -89,15 +91,6 @@ Extent extent(const Axis& axis, Range range) {
             !axis.logarithmic && !axis.lo && !axis.hi};
 }
 
-// Widens an extent about its middle, but not beyond ends that were given.
-void widen(Extent& extent, const Axis& axis, double width) {
-    const double missing = width - (extent.hi - extent.lo);
-    if (missing <= 0 || (axis.lo && axis.hi)) return;
-    const double below = axis.lo ? 0 : axis.hi ? missing : missing / 2;
-    extent.lo -= below;
-    extent.hi += missing - below;
-}
-
 json axis_json(const Axis& axis, const Extent& extent) {
     return {{"label", clean_utf8(axis.label)},
             {"log", axis.logarithmic},
@@ -107,20 +100,54 @@ json axis_json(const Axis& axis, const Extent& extent) {
 
 json point_json(const Plot& plot, const Series& series, std::size_t i) {
     json point = {{"x", nullptr}, {"y", nullptr}};
-    if (!shown(plot.x, series.x[i]) || !shown(plot.y, series.y[i])) return point;
+    if (!can_be_shown(plot, series.x[i], series.y[i])) return point;
     point["x"] = series.x[i];
     point["y"] = series.y[i];
-    if (!series.y_error.empty() && std::isfinite(series.y_error[i])) {
-        const double low = series.y[i] - series.y_error[i];
-        const double high = series.y[i] + series.y_error[i];
-        // A bar that reaches 0 on a logarithmic axis goes down to its end.
-        if (!plot.y.logarithmic || low > 0) point["low"] = low;
-        point["high"] = high;
+    if (const auto bar = error_bar(plot, series, i)) {
+        if (bar->low) point["low"] = *bar->low;
+        point["high"] = bar->high;
         point["error"] = series.y_error[i];
     }
     if (!series.point_colours.empty()) point["colour"] = series.point_colours[i];
-    if (!series.point_labels.empty()) point["label"] = clean_utf8(series.point_labels[i]);
     return point;
+}
+
+json points_json(const Plot& plot, const Extents& ends, const Series& series) {
+    json points = json::array();
+    for (std::size_t i = 0; i < series.x.size(); ++i) points.push_back(point_json(plot, series, i));
+    if (series.point_labels.empty()) return points;
+    const std::vector<int> sides = label_sides(plot, ends, series);
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+        if (sides[i] < 0) continue;
+        points[i]["label"] = clean_utf8(series.point_labels[i]);
+        points[i]["side"] = sides[i];
+    }
+    return points;
+}
+
+json style_json() {
+    return {
+        {"paper", style::kPaper},
+        {"text", style::kText},
+        {"faintText", style::kFaintText},
+        {"pointLabel", style::kPointLabel},
+        {"grid", style::kGrid},
+        {"gridOpacity", style::kGridOpacity},
+        {"frame", style::kFrame},
+        {"zero", style::kZero},
+        {"lineWidth", style::kLineWidth},
+        {"dashes", style::kDashes},
+        {"barWidth", style::kBarWidth},
+        {"barOpacity", style::kBarOpacity},
+        {"dotRadius", style::kDotRadius},
+        {"ownDotRadius", style::kOwnDotRadius},
+        {"ownDotEdge", style::kOwnDotEdge},
+        {"tickFont", style::kTickFont},
+        {"labelFont", style::kLabelFont},
+        {"labelDistance", style::kLabelDistance},
+        {"margins",
+         {style::kMarginTop, style::kMarginRight, style::kMarginBottom, style::kMarginLeft}},
+        {"tickSpacing", {style::kTickSpacingX, style::kTickSpacingY, style::kTickSpacingEqual}}};
 }
 
 }  // namespace
@@ -141,7 +168,7 @@ Extents extents(const Plot& plot) {
     Range x, y;
     for (const Series& series : plot.series) {
         for (std::size_t i = 0; i < series.x.size(); ++i) {
-            if (!shown(plot.x, series.x[i]) || !shown(plot.y, series.y[i])) continue;
+            if (!can_be_shown(plot, series.x[i], series.y[i])) continue;
             x.add(plot.x, series.x[i]);
             y.add(plot.y, series.y[i]);
             if (series.y_error.empty()) continue;
@@ -164,6 +191,27 @@ Extents extents(const Plot& plot) {
     return result;
 }
 
+void widen(Extent& extent, const Axis& axis, double width) {
+    const double missing = width - (extent.hi - extent.lo);
+    if (missing <= 0 || (axis.lo && axis.hi)) return;
+    const double below = axis.lo ? 0 : axis.hi ? missing : missing / 2;
+    extent.lo -= below;
+    extent.hi += missing - below;
+}
+
+bool can_be_shown(const Plot& plot, double x, double y) {
+    return shown(plot.x, x) && shown(plot.y, y);
+}
+
+std::optional<ErrorBar> error_bar(const Plot& plot, const Series& series, std::size_t i) {
+    if (series.y_error.empty() || !std::isfinite(series.y_error[i])) return {};
+    const double low = series.y[i] - series.y_error[i];
+    ErrorBar bar{low, series.y[i] + series.y_error[i]};
+    // A bar that reaches 0 on a logarithmic axis goes down to its end.
+    if (plot.y.logarithmic && !(low > 0)) bar.low.reset();
+    return bar;
+}
+
 Look look_of(const Series& series, std::size_t index) {
     // The palette of Okabe and Ito, the yellow last: it is faint on white. [okabe-ito-2008]
     constexpr std::string_view kPalette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -181,21 +229,18 @@ std::string plot_json(const Plot& plot) {
     for (std::size_t s = 0; s < plot.series.size(); ++s) {
         const Series& series = plot.series[s];
         const Look look = look_of(series, s);
-        json points = json::array();
-        for (std::size_t i = 0; i < series.x.size(); ++i) {
-            points.push_back(point_json(plot, series, i));
-        }
         series_list.push_back({{"name", clean_utf8(series.name)},
                                {"colour", look.colour},
                                {"symbol", look.symbol},
                                {"line", series.line},
                                {"dots", series.dots},
                                {"dashed", series.dashed},
-                               {"points", std::move(points)}});
+                               {"points", points_json(plot, ends, series)}});
     }
     const json whole = {{"x", axis_json(plot.x, ends.x)},
                         {"y", axis_json(plot.y, ends.y)},
                         {"equal", plot.equal_scale},
+                        {"style", style_json()},
                         {"series", std::move(series_list)}};
     return whole.dump();
 }

@@ -3,37 +3,20 @@
 #include "nacre/report/markup.h"
 #include "nacre/report/parts.h"
 #include "nacre/report/plot_data.h"
+#include "nacre/report/plot_legend.h"
+#include "nacre/report/plot_svg.h"
 
 namespace nacre::report {
 
 namespace {
-
-// The symbols of d3 in a legend, about (16, 6).
-std::string_view symbol_path(std::string_view symbol) {
-    if (symbol == "square") return "M12.2 2.2h7.6v7.6h-7.6z";
-    if (symbol == "triangle") return "M16 1L20.8 9.4H11.2z";
-    if (symbol == "diamond") return "M16 .4L19.4 6L16 11.6L12.6 6z";
-    return "M11.7 6a4.3 4.3 0 1 0 8.6 0a4.3 4.3 0 1 0 -8.6 0z";
-}
 
 std::string legend_html(const Plot& plot) {
     std::string items;
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
         const Series& series = plot.series[i];
         if (series.name.empty()) continue;
-        const Look look = look_of(series, i);
         items += "<li><svg width=\"32\" height=\"12\" aria-hidden=\"true\">";
-        if (series.line) {
-            items += fmt::format("<path d=\"M0 6H32\" stroke=\"{}\" stroke-width=\"2\"{}/>",
-                                 look.colour, series.dashed ? " stroke-dasharray=\"6 4\"" : "");
-        }
-        if (series.dots) {
-            // Dots with colours of their own are shown empty.
-            const bool own = !series.point_colours.empty();
-            items +=
-                fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>", symbol_path(look.symbol),
-                            own ? "#ffffff" : look.colour, own ? "#333333" : look.colour);
-        }
+        items += legend_key(series, look_of(series, i));
         items += "</svg>" + escape_html(series.name) + "</li>\n";
     }
     return items.empty() ? items : "<ul class=\"legend\">\n" + items + "</ul>\n";
@@ -79,6 +62,14 @@ std::string plot_html(const Plot& plot, int number) {
     html += numbers_html(plot);
     return html + "<script type=\"application/json\">" + escape_json(data) +
            "</script>\n</figure>\n";
+}
+
+std::string static_plot_html(const Plot& plot, const SvgSize& size) {
+    std::string html = "<figure class=\"plot static\">\n" + plot_svg(plot, size);
+    if (!plot.caption.empty()) {
+        html += "<figcaption>" + markup_to_html(plot.caption) + "</figcaption>\n";
+    }
+    return html + "</figure>\n";
 }
 
 }  // namespace nacre::report

@@ -3,8 +3,10 @@
 //   x, y    {label, log, domain: [from, to], round: may the ends move to round numbers?}
 //   equal   is a unit as long in x as in y?
 //   series  [{name, colour, symbol, line, dots, dashed, points}], a point being
-//           {x, y, low, high, error, colour, label}; x and y are null where there is nothing to
-//           show, low is missing where a bar leaves a logarithmic axis
+//           {x, y, low, high, error, colour, label, side}; x and y are null where there is nothing
+//           to show, low is missing where a bar leaves a logarithmic axis; the label stands to
+//           side x 45 deg, clockwise from the right (label_sides.h)
+//   style   colours and lengths, those of plot_style.h
 "use strict";
 (() => {
   const superscript = (n) => String(n).replace(/[-0-9]/g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
@@ -49,70 +51,55 @@
   const hasPlace = (p) => p.x !== null;
   const onAxis = (axis, value) => axis.round || (value >= axis.domain[0] && value <= axis.domain[1]);
 
-  function axisOptions(axis, tickSpacing) {
+  function axisOptions(axis, tickSpacing, style) {
     return {
-      label: axis.label, labelArrow: "none", fill: "#1f1f1f", fontSize: 13, tickSize: 0, tickSpacing,
+      label: axis.label, labelArrow: "none", fill: style.text, fontSize: style.tickFont, tickSize: 0, tickSpacing,
       tickFormat: (axis.log ? logarithmicTick : linearTick)(axis.domain),
     };
   }
 
-  // The labels of a series' points stand on the outer side of its curve, in one of eight directions
-  // (a mark of Plot has one direction). toPixels turns a point into about where it is drawn.
-  function labelMarks(series, isInside, toPixels) {
-    const points = series.points.filter(hasPlace);
-    if (!points.some((p) => p.label)) return [];
-    const pixels = points.map(toPixels);
-    const at = (i) => pixels[Math.min(Math.max(i, 0), pixels.length - 1)];
-    const normals = pixels.map((_, i) => {
-      const [x, y] = [at(i + 1)[0] - at(i - 1)[0], at(i + 1)[1] - at(i - 1)[1]];
-      const length = Math.hypot(x, y);
-      return length > 0 ? [y / length, -x / length] : [0.7, -0.7];
-    });
-    const bend = d3.sum(pixels.slice(1, -1), ([x, y], i) =>  // pixels[i + 1] is the point
-      (pixels[i][0] + pixels[i + 2][0] - 2 * x) * normals[i + 1][0] +
-      (pixels[i][1] + pixels[i + 2][1] - 2 * y) * normals[i + 1][1]);
-    const upwards = d3.sum(normals, ([x, y]) => x - y);
-    const side = Math.abs(bend) > 1 ? -Math.sign(bend) : upwards < 0 ? -1 : 1;
-    const octant = (i) => (Math.round(Math.atan2(side * normals[i][1], side * normals[i][0]) / (Math.PI / 4)) + 8) % 8;
-    return Array.from(d3.group(points.keys(), octant), ([direction, indices]) => {
-      const [right, down] = [Math.cos(direction * Math.PI / 4), Math.sin(direction * Math.PI / 4)];
+  // The labels of a series' points: a mark of Plot has one direction, so there is one for each side.
+  function labelMarks(series, isInside, style) {
+    const labelled = series.points.filter((p) => p.label && isInside(p));
+    return Array.from(d3.group(labelled, (p) => p.side), ([side, points]) => {
+      const [right, down] = [Math.cos(side * Math.PI / 4), Math.sin(side * Math.PI / 4)];
       const side3 = (value, names) => names[Math.abs(value) < 0.1 ? 1 : value < 0 ? 0 : 2];
-      return Plot.text(indices.map((i) => points[i]).filter((p) => p.label && isInside(p)), {
-        x: "x", y: "y", text: "label", dx: 10 * right, dy: 10 * down,
+      return Plot.text(points, {
+        x: "x", y: "y", text: "label", dx: style.labelDistance * right, dy: style.labelDistance * down,
         textAnchor: side3(right, ["end", "middle", "start"]),
         lineAnchor: side3(down, ["bottom", "middle", "top"]),
-        fill: "#333333", stroke: "#ffffff", strokeWidth: 3, fontSize: 12,
+        fill: style.pointLabel, stroke: style.paper, strokeWidth: 3, fontSize: style.labelFont,
       });
     });
   }
 
-  function lineMarks(series, y) {
+  function lineMarks(series, y, style) {
     const points = series.points;
     const marks = [];
     const bars = points.filter((p) => hasPlace(p) && "high" in p);
     if (bars.length) {
       marks.push(Plot.ruleX(bars, {
         x: "x", y1: (p) => p.low ?? y.domain[0], y2: "high",
-        stroke: series.colour, strokeWidth: 1.2, strokeOpacity: 0.8, clip: true,
+        stroke: series.colour, strokeWidth: style.barWidth, strokeOpacity: style.barOpacity, clip: true,
       }));
     }
     if (series.line) {
       marks.push(Plot.line(points, {
-        x: "x", y: "y", clip: true, stroke: series.colour, strokeWidth: 2, strokeLinejoin: "round",
-        strokeDasharray: series.dashed ? "6 4" : undefined,
+        x: "x", y: "y", clip: true, stroke: series.colour, strokeWidth: style.lineWidth, strokeLinejoin: "round",
+        strokeDasharray: series.dashed ? style.dashes : undefined,
       }));
     }
     return marks;
   }
 
-  function dotMarks(series, isInside) {
+  function dotMarks(series, isInside, style) {
     if (!series.dots) return [];
     const points = series.points.filter(isInside);
     const own = points.some((p) => p.colour);
     return [Plot.dot(points, {
-      x: "x", y: "y", r: own ? 7 : 4, symbol: series.symbol,
-      fill: own ? (p) => p.colour ?? "#ffffff" : series.colour,
-      stroke: own ? "#333333" : "#ffffff", strokeWidth: own ? 1 : 0.8,
+      x: "x", y: "y", r: own ? style.ownDotRadius : style.dotRadius, symbol: series.symbol,
+      fill: own ? (p) => p.colour ?? style.paper : series.colour,
+      stroke: own ? style.ownDotEdge : style.paper, strokeWidth: own ? 1 : 0.8,
     })];
   }
 
@@ -129,37 +116,37 @@
   }
 
   function draw(data, width) {
+    const style = data.style;
     const narrow = width < 480;
-    const grid = {stroke: "#000000", strokeOpacity: 0.1, strokeWidth: 0.8};
-    const zero = {stroke: "#777777", strokeWidth: 1};
-    const tickSpacing = data.equal ? {x: 60, y: 60} : {x: narrow ? 60 : 80, y: 50};
+    const grid = {stroke: style.grid, strokeOpacity: style.gridOpacity, strokeWidth: 0.8};
+    const zero = {stroke: style.zero, strokeWidth: 1};
+    const [wideX, wideY, wideEqual] = style.tickSpacing;
+    const tickSpacing = data.equal || narrow ? {x: wideEqual, y: data.equal ? wideEqual : wideY} : {x: wideX, y: wideY};
     const height = data.equal
       ? width * (data.y.domain[1] - data.y.domain[0]) / (data.x.domain[1] - data.x.domain[0])
       : Math.round(Math.max(280, width * 0.56));
-    const onScreen = (axis, length) => (axis.log ? d3.scaleLog() : d3.scaleLinear()).domain(axis.domain).range(length);
-    const [screenX, screenY] = [onScreen(data.x, [0, width]), onScreen(data.y, [height, 0])];
-    const toPixels = (p) => [screenX(p.x), screenY(p.y)];
     const isInside = (p) => hasPlace(p) && onAxis(data.x, p.x) && onAxis(data.y, p.y);
     const empty = !data.series.some((series) => series.points.some(hasPlace));
     return Plot.plot({
       width,
       height: data.equal ? undefined : height,  // else it follows from aspectRatio
       aspectRatio: data.equal ? 1 : undefined,
-      marginTop: 32, marginRight: 28, marginBottom: 48, marginLeft: 62,
-      style: {fontFamily: "inherit", fontSize: "13px", color: "#1f1f1f", background: "#ffffff"},
+      marginTop: style.margins[0], marginRight: style.margins[1],
+      marginBottom: style.margins[2], marginLeft: style.margins[3],
+      style: {fontFamily: "inherit", fontSize: `${style.tickFont}px`, color: style.text, background: style.paper},
       x: scale(data.x),
       y: scale(data.y),
       color: {type: "identity"},
       marks: [
         Plot.gridX({...grid, tickSpacing: tickSpacing.x}),
         Plot.gridY({...grid, tickSpacing: tickSpacing.y}),
-        data.equal ? [Plot.ruleX([0], zero), Plot.ruleY([0], zero)] : Plot.frame({stroke: "#bbbbbb"}),
-        Plot.axisX({...axisOptions(data.x, tickSpacing.x), labelAnchor: "center", labelOffset: 40}),
-        Plot.axisY({...axisOptions(data.y, tickSpacing.y), labelAnchor: "top"}),
-        ...data.series.flatMap((series) => lineMarks(series, data.y)),
-        ...data.series.flatMap((series) => labelMarks(series, isInside, toPixels)),
-        ...data.series.flatMap((series) => dotMarks(series, isInside)),
-        empty ? Plot.text(["No point can be shown"], {frameAnchor: "middle", fontSize: 14, fill: "#5c5c5c"})
+        data.equal ? [Plot.ruleX([0], zero), Plot.ruleY([0], zero)] : Plot.frame({stroke: style.frame}),
+        Plot.axisX({...axisOptions(data.x, tickSpacing.x, style), labelAnchor: "center", labelOffset: 40}),
+        Plot.axisY({...axisOptions(data.y, tickSpacing.y, style), labelAnchor: "top"}),
+        ...data.series.flatMap((series) => lineMarks(series, data.y, style)),
+        ...data.series.flatMap((series) => labelMarks(series, isInside, style)),
+        ...data.series.flatMap((series) => dotMarks(series, isInside, style)),
+        empty ? Plot.text(["No point can be shown"], {frameAnchor: "middle", fontSize: 14, fill: style.faintText})
               : tip(data, isInside),
       ],
     });

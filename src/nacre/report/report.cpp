@@ -85,6 +85,10 @@ void Report::plot(const Plot& plot) {
     ++plots_;
 }
 
+void Report::static_plot(const Plot& plot, const SvgSize& size) {
+    body_ += static_plot_html(plot, size);
+}
+
 std::string Report::html() const {
     return page_html(title_, subtitle_, headings_, body_, plots_ > 0);
 }

@@ -6,6 +6,7 @@
 
 #include "nacre/report/page.h"
 #include "nacre/report/plot.h"
+#include "nacre/report/plot_svg.h"
 
 // A report for people: headings, text, tables, pictures and plots in one HTML page that needs no
 // other file and no network. Everything but the plots is static HTML, readable without JavaScript.
@@ -88,6 +89,11 @@ class Report {
     /// A plot with its legend, and its numbers in a table that unfolds.
     /// @throws DomainError as check(const Plot&)
     void plot(const Plot& plot);
+
+    /// The same as a drawing that needs no script, without the numbers: for pages that are printed
+    /// or mailed.
+    /// @throws DomainError as plot_svg()
+    void static_plot(const Plot& plot, const SvgSize& size = {});
 
     /// The whole page. A report with plots holds the plotting scripts too, about 0.5 MB.
     /// @throws InputError if there are plots and the scripts are not in the data folder (data/web)
