@@ -1,5 +1,6 @@
 #include "nacre/spectra/delta_e.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -21,9 +22,16 @@ double hue_deg(double a, double b) {
     return h < 0 ? h + 360 : h;
 }
 
-}  // namespace
+// The terms of the formula: weighted differences of lightness, chroma and hue, the factor of the
+// cross term, and what is needed to turn chroma and hue back into a* and b*.
+struct Terms {
+    double lightness, chroma, hue;  // dL'/S_L, dC'/S_C, dH'/S_H
+    double rotation;                // R_T
+    double da, db;                  // da' and db*
+    double dc, dh;                  // dC' and dH'
+};
 
-double delta_e_2000(const Vec3& lab1, const Vec3& lab2) {
+Terms terms(const Vec3& lab1, const Vec3& lab2) {
     // Step 1: chromas and hues with a* stretched near the grey axis (eq. 2-7).
     const double mean_chroma = (std::hypot(lab1[1], lab1[2]) + std::hypot(lab2[1], lab2[2])) / 2;
     const double stretch = 1 + 0.5 * (1 - chroma_weight(mean_chroma));
@@ -54,8 +62,31 @@ double delta_e_2000(const Vec3& lab1, const Vec3& lab2) {
     const double dtheta = 30 * std::exp(-std::pow((h - 275) / 25, 2));
     const double rt = -std::sin(2 * kDegree * dtheta) * 2 * chroma_weight(c);
 
-    const double vl = dl / sl, vc = dc / sc, vh = dH / sh;
-    return std::sqrt(vl * vl + vc * vc + vh * vh + rt * vc * vh);  // eq. 22
+    return {dl / sl, dc / sc, dH / sh, rt, a2 - a1, lab2[2] - lab1[2], dc, dH};
+}
+
+}  // namespace
+
+double delta_e_2000(const Vec3& lab1, const Vec3& lab2) {
+    const Terms t = terms(lab1, lab2);
+    return std::sqrt(t.lightness * t.lightness + t.chroma * t.chroma + t.hue * t.hue +
+                     t.rotation * t.chroma * t.hue);  // eq. 22
+}
+
+Vec3 delta_e_2000_vector(const Vec3& lab1, const Vec3& lab2) {
+    const Terms t = terms(lab1, lab2);
+    // c^2 + h^2 + R c h = (c + R h/2)^2 + (1 - R^2/4) h^2, and |R| <= 2.
+    const double u = t.chroma + t.rotation / 2 * t.hue;
+    const double v = std::sqrt(std::max(0.0, 1 - t.rotation * t.rotation / 4)) * t.hue;
+    // (da', db') and (dC', dH') are equally long: their quotient as complex numbers is a rotation.
+    const double length2 = t.dc * t.dc + t.dh * t.dh;
+    if (length2 == 0) return {t.lightness, 0, 0};
+    double cosine = (t.da * t.dc + t.db * t.dh) / length2;
+    double sine = (t.db * t.dc - t.da * t.dh) / length2;
+    const double size = std::hypot(cosine, sine);  // 1 but for rounding
+    cosine /= size;
+    sine /= size;
+    return {t.lightness, cosine * u - sine * v, sine * u + cosine * v};
 }
 
 }  // namespace nacre::spectra

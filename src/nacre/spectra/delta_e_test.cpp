@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "nacre/core/rng.h"
+
 namespace nacre::spectra {
 namespace {
 
@@ -59,6 +63,33 @@ TEST(DeltaE2000, MatchesThePublishedPairs) {
 // colour-science 0.4.7: delta_E([50, 2.5, 0], [73, 25, -18], method="CIE 2000").
 TEST(DeltaE2000, MatchesColourScienceBeyondTheRounding) {
     EXPECT_NEAR(delta_e_2000({50, 2.5, 0}, {73, 25, -18}), 27.149231300746258, 1e-12);
+}
+
+// Least squares on the vector are least squares on the difference itself.
+TEST(DeltaE2000, IsTheLengthOfItsVector) {
+    Rng rng(2000);
+    for (int i = 0; i < 1000; ++i) {
+        const auto colour = [&] {
+            return Vec3{100 * rng.uniform_double(), 200 * rng.uniform_double() - 100,
+                        200 * rng.uniform_double() - 100};
+        };
+        const Vec3 lab1 = colour(), lab2 = colour(), v = delta_e_2000_vector(lab1, lab2);
+        const double difference = delta_e_2000(lab1, lab2);
+        EXPECT_NEAR(std::hypot(v[0], v[1], v[2]), difference, 1e-10 * difference);
+    }
+    EXPECT_EQ(delta_e_2000_vector({50, 20, -30}, {50, 20, -30}), (Vec3{0, 0, 0}));
+}
+
+// Chroma and hue have a corner at grey: a colour that passes by the standard at a small distance
+// turns through all hues. The vector goes straight on: here along a*, stretched by 1.5 as it is
+// near the grey axis.
+TEST(DeltaE2000, VectorGoesThroughGreysWithoutACorner) {
+    const Vec3 grey{50, 0, 0};
+    for (double a = -0.3; a < 0.31; a += 0.1) {
+        const Vec3 v = delta_e_2000_vector(grey, {50, a, 0.01});
+        EXPECT_NEAR(v[1], 1.5 * a, 0.03 * std::abs(a) + 1e-4) << a;  // S_C and S_H: a few per cent
+        EXPECT_NEAR(v[2], 0.01, 5e-4) << a;
+    }
 }
 
 TEST(DeltaE2000, VanishesOnlyForEqualColours) {
