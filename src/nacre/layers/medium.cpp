@@ -18,8 +18,9 @@ std::vector<double> sampled(const spectra::Spectrum& spectrum, std::span<const d
 }
 
 flakes::FlakeTable make_table(const FlakeSpecies& species, const optics::Material& binder,
-                              std::span<const double> wavelengths) {
+                              const std::vector<double>& wavelengths, FilmCache* films) {
     if (const auto* platelet = std::get_if<optics::Platelet>(&species.body)) {
+        if (films) return *films->table(*platelet, binder, wavelengths);
         return flakes::FlakeTable::of_platelet(*platelet, binder, wavelengths);
     }
     const auto& flake = std::get<PrescribedFlake>(species.body);
@@ -37,7 +38,8 @@ DoubleLanes block_lanes(std::span<const double> values, int block) {
     });
 }
 
-PaintMedium make_medium(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
+PaintMedium make_medium(const Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                        FilmCache* films) {
     validate(recipe, wavelengths_nm);
     PaintMedium medium;
     medium.wavelengths_nm = wavelengths_nm;
@@ -53,7 +55,7 @@ PaintMedium make_medium(const Recipe& recipe, const std::vector<double>& wavelen
         out.thickness_um = layer.thickness_um;
         for (const FlakeSpecies& species : layer.flakes) {
             out.flakes.push_back({species.area_density_per_um(), species.orientation.beckmann_alpha,
-                                  make_table(species, recipe.binder, wavelengths_nm)});
+                                  make_table(species, recipe.binder, wavelengths_nm, films)});
         }
         for (const Pigment& pigment : layer.pigments) {
             out.pigments.push_back(

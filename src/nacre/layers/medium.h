@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nacre/flakes/flake_table.h"
+#include "nacre/layers/film_cache.h"
 #include "nacre/layers/recipe.h"
 
 // The optics of a recipe at a set of wavelengths: everything the solver and the single scattering
@@ -46,8 +47,10 @@ struct PaintMedium {
     friend bool operator==(const PaintMedium&, const PaintMedium&) = default;
 };
 
+/// @param films  where to look for films, if given
 /// @throws DomainError as validate() does
-PaintMedium make_medium(const Recipe& recipe, const std::vector<double>& wavelengths_nm);
+PaintMedium make_medium(const Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                        FilmCache* films = nullptr);
 
 /// Extinction sigma_t(mu), in 1/um, of the eight wavelengths of `block`.
 DoubleLanes extinction(const LayerMedium& layer, double mu, int block);

@@ -177,11 +177,11 @@ std::vector<double> default_wavelengths_nm() {
 }
 
 SolvedPaint solve(const Recipe& recipe, const std::vector<double>& wavelengths_nm,
-                  const SolverSettings& settings) {
+                  const SolverSettings& settings, FilmCache* films) {
     SolvedPaint paint;
     paint.recipe = recipe;
     paint.settings = settings;
-    paint.medium = make_medium(recipe, wavelengths_nm);
+    paint.medium = make_medium(recipe, wavelengths_nm, films);
     Resolution resolution = choose_resolution(paint.medium, settings);
     const WavelengthGroups groups = group_wavelengths(paint.medium);
     std::vector<GroupSolution> solutions;

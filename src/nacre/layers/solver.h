@@ -10,10 +10,11 @@
 
 namespace nacre::layers {
 
+/// @param films  where to look for films, if given
 /// @throws DomainError as validate() does; Error if the recipe cannot be resolved with the nodes
 /// and orders that the settings allow (the message says which and what to do)
 SolvedPaint solve(const Recipe& recipe, const std::vector<double>& wavelengths_nm,
-                  const SolverSettings& settings = {});
+                  const SolverSettings& settings = {}, FilmCache* films = nullptr);
 
 /// 400 to 700 nm by 10.
 std::vector<double> default_wavelengths_nm();
