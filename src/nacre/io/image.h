@@ -72,6 +72,10 @@ struct ToneMap {
 /// Errors as for write_exr() and interleaved_rgb().
 void write_png(const std::filesystem::path& path, const Image& image, const ToneMap& tone_map = {});
 
+/// The bytes that write_png() writes; `name` is for messages.
+/// @throws InputError as interleaved_rgb()
+std::string encode_png(const Image& image, const std::string& name, const ToneMap& tone_map = {});
+
 /// Name of the channel of a spectral radiance at a wavelength, as in "S0.550,000000nm".
 ///                                                                   [fichet-2021, section 3]
 std::string spectral_channel_name(double wavelength_nm);

@@ -178,12 +178,16 @@ Image parse_png(std::string_view bytes, const std::string& name, std::size_t mos
     return image;
 }
 
-void write_png(const std::filesystem::path& path, const Image& image, const ToneMap& tone_map) {
-    const std::vector<float> rgb = interleaved_rgb(image, path.string());
+std::string encode_png(const Image& image, const std::string& name, const ToneMap& tone_map) {
+    const std::vector<float> rgb = interleaved_rgb(image, name);
     const double scale = std::exp2(tone_map.exposure_stops);
     std::vector<std::uint8_t> pixels(rgb.size());
     for (std::size_t i = 0; i < rgb.size(); ++i) pixels[i] = display_byte(rgb[i], scale);
-    write_file_atomically(path, png_bytes(pixels, image.width, image.height, image.metadata));
+    return png_bytes(pixels, image.width, image.height, image.metadata);
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, const ToneMap& tone_map) {
+    write_file_atomically(path, encode_png(image, path.string(), tone_map));
 }
 
 }  // namespace nacre::io
