@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "nacre/bsdf/rgb_lanes.h"
 #include "nacre/bsdf/tabulated_tables.h"
 #include "nacre/bsdf/warp.h"
 #include "nacre/optics/dielectric.h"
-#include "nacre/spectra/rgb_basis.h"
 
 namespace nacre::bsdf {
 
@@ -15,13 +15,7 @@ namespace {
 class BoundTabulated final : public BoundBsdf {
  public:
     BoundTabulated(std::shared_ptr<const Tabulated::Tables> tables, const Wavelengths& wavelengths)
-        : tables_(std::move(tables)) {
-        for (int j = 0; j < 3; ++j) {
-            basis_[j] = make_lanes([&](int lane) {
-                return static_cast<float>(spectra::linear_rec709_basis()[j](wavelengths[lane]));
-            });
-        }
-    }
+        : tables_(std::move(tables)), spectrum_(wavelengths) {}
 
     FloatLanes eval(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
@@ -71,16 +65,12 @@ class BoundTabulated final : public BoundBsdf {
         for (int c = 0; c < 3; ++c) rgb[c] = a[c] + at.fraction * (b[c] - a[c]);
         const float mirror =
             tables_->interface ? 0.0f : optics::dielectric_reflectance(1.0f, tables_->ior, wi.z);
-        return spectrum(rgb) + mirror;
+        return spectrum_(rgb) + mirror;
     }
 
  private:
-    FloatLanes spectrum(const layers::Rgb& rgb) const {
-        return max_lanes(rgb[0] * basis_[0] + rgb[1] * basis_[1] + rgb[2] * basis_[2],
-                         FloatLanes{});
-    }
     FloatLanes value(const TableRay& i, const TableRay& o) const {
-        return spectrum(tables_->rgb(i, o));
+        return spectrum_(tables_->rgb(i, o));
     }
 
     std::optional<Vec3f> draw(const TableRay& i, const LobeOdds& odds, float u_lobe,
@@ -98,7 +88,7 @@ class BoundTabulated final : public BoundBsdf {
     }
 
     std::shared_ptr<const Tabulated::Tables> tables_;
-    std::array<FloatLanes, 3> basis_;
+    RgbLanes spectrum_;
 };
 
 }  // namespace

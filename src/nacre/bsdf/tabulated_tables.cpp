@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/bsdf/mixture_fit.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
@@ -135,21 +136,15 @@ float Tabulated::Tables::density(const LobeOdds& p, const TableRay& i, const Tab
            o.outside.z * (p.diffuse * std::numbers::inv_pi_v<float>);
 }
 
-// Albedo by quadrature, and the odds of the lobes by expectation maximisation: each round shares
-// the flux at every point out among the lobes by their densities there, and takes the sums for the
-// new odds. It climbs to the mixture of least relative entropy.     [dempster-laird-rubin-1977]
+// Albedo by quadrature, and the odds of the lobes from the same points.
 void Tabulated::Tables::fit_row(int row) {
-    constexpr int kPolar = 96, kAzimuths = 96, kRounds = 30;
+    constexpr int kPolar = 96, kAzimuths = 96;
     const double theta_i = direction_angle(row);
     const TableRay i =
         make_ray({static_cast<float>(std::sin(theta_i)), 0, static_cast<float>(std::cos(theta_i))});
     const Quadrature& unit_polar = unit_gauss_legendre(kPolar);
     const Quadrature& unit_azimuth = unit_gauss_legendre(kAzimuths);
-    struct Point {
-        double flux;
-        std::array<float, 4> density;
-    };
-    std::vector<Point> points;
+    std::vector<FluxPoint<4>> points;
     points.reserve(kPolar * kAzimuths);
     double energy = 0;
     std::array<double, 3> sum{};
@@ -173,22 +168,8 @@ void Tabulated::Tables::fit_row(int row) {
     }
     for (int c = 0; c < 3; ++c) albedo[row][c] = static_cast<float>(sum[c]);
 
-    std::array<double, 4> share = {interface ? 0.25 : 0.0, 0.25, 0.25, 0.25};
-    for (int round = 0; round < kRounds && energy > 0; ++round) {
-        std::array<double, 4> next{};
-        for (const Point& point : points) {
-            double mixture = 0;
-            for (int k = 0; k < 4; ++k) mixture += share[k] * point.density[k];
-            if (!(mixture > 0)) continue;
-            for (int k = 0; k < 4; ++k) {
-                next[k] += point.flux * share[k] * point.density[k] / mixture;
-            }
-        }
-        double all = 0;
-        for (double x : next) all += x;
-        if (!(all > 0)) break;
-        for (int k = 0; k < 4; ++k) share[k] = next[k] / all;
-    }
+    std::array<double, 4> share =
+        fit_mixture(points, std::array<double, 4>{interface ? 0.25 : 0.0, 0.25, 0.25, 0.25});
     // The mirror by its energy; a fiftieth of the rest, at least, goes everywhere, and as much to
     // the wide lobe: that bounds the weights.
     const double mirror =

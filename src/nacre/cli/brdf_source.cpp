@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "nacre/cli/brdf_options.h"
+#include "nacre/cli/measured_source.h"
 #include "nacre/cli/number_list.h"
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/usage_error.h"
@@ -31,7 +32,8 @@ BrdfSource solved_source(const std::filesystem::path& path, const BrdfRequest& r
                 values.reserve(positions.size());
                 for (std::size_t position : positions) values.push_back(brdf[position]);
                 return values;
-            }};
+            },
+            false};
 }
 
 /// The square that --at and --footprint describe, in the terms of the surface; none without them.
@@ -66,7 +68,8 @@ BrdfSource model_source(const std::filesystem::path& path, const BrdfRequest& re
     return {std::move(paint.recipe), std::move(wavelengths),
             [brdf, patch](double theta_i, double theta_o, double phi) {
                 return (*brdf)(theta_i, theta_o, phi, patch);
-            }};
+            },
+            false};
 }
 
 /// What can be said about --at and --footprint before the paint is made.
@@ -90,8 +93,12 @@ BrdfRequest parse_brdf_request(const ModelOptions& model_options, std::uint64_t 
                                const std::string& part, const std::string& at,
                                const std::string& footprint) {
     const models::ModelInfo& model = parse_model(model_options);
-    BrdfRequest request{model.model, parse_surface_options(model_options, seed),
-                        parse_part<layers::Part>(part), at, footprint};
+    BrdfRequest request{model.model,
+                        model_options.model_given,
+                        parse_surface_options(model_options, seed),
+                        parse_part<layers::Part>(part),
+                        at,
+                        footprint};
     check_patch(request, model);
     if (model.can.reference_only) {
         throw UsageError(
@@ -112,6 +119,17 @@ BrdfRequest parse_brdf_request(const ModelOptions& model_options, std::uint64_t 
 BrdfSource load_brdf(const std::filesystem::path& path, const BrdfRequest& request,
                      const std::optional<std::vector<double>>& wavelengths_nm,
                      const CommonOptions& options) {
+    if (is_measured_brdf_file(path)) {
+        refuse_model_of_measured(request.model_given, std::string(models::info(request.model).name),
+                                 path.string());
+        if (request.part != layers::Part::total) {
+            throw UsageError(
+                fmt::format("--part: {} holds a measured BRDF, which has no parts", path.string()));
+        }
+        BrdfSource source = model_source(path, request, wavelengths_nm, options);
+        source.measured = true;
+        return source;
+    }
     const bool is_solved = request.model == models::Model::microflake &&
                            request.surface.table == models::Table::split && !is_brdf_table(path);
     if (is_solved) return solved_source(path, request, wavelengths_nm, options);

@@ -19,6 +19,7 @@ namespace nacre::cli {
 /// How the values are wanted.
 struct BrdfRequest {
     models::Model model = models::Model::microflake;
+    bool model_given = false;  ///< asked for, rather than the default
     models::SurfaceOptions surface;
     layers::Part part = layers::Part::total;
     /// Middle "X,Y" and side of the patch whose single flakes are to show; empty: the mean.
@@ -37,11 +38,14 @@ struct BrdfSource {
     std::optional<layers::Recipe> recipe;  ///< none: not known, as from a table
     std::vector<double> wavelengths_nm;
     measure::Brdf brdf;
+    bool measured = false;  ///< from a file of a measured BRDF: no model had a part in it
 };
 
-/// Reads a recipe, a solved paint or a table of a BRDF. The model microflake answers in double
-/// precision, exactly at the wavelengths solved; others as the renderer sees them.
+/// Reads a recipe, a solved paint, a table of a BRDF or a measured BRDF (measured_source.h). The
+/// model microflake answers in double precision, exactly at the wavelengths solved; others as the
+/// renderer sees them.
 /// @param wavelengths_nm  none: those of a solved paint, else 400 to 700 nm by 10
+/// @throws UsageError if a measured BRDF is to be shown by a model, or in parts
 /// @throws as load_paint() and load_surface()
 BrdfSource load_brdf(const std::filesystem::path& path, const BrdfRequest& request,
                      const std::optional<std::vector<double>>& wavelengths_nm,

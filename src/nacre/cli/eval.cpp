@@ -66,7 +66,7 @@ ExitStatus run(const EvalOptions& options) {
     write_report(options, "eval",
                  {{"recipe", options.recipe},
                   {"recipe_sha256", source.recipe ? io::recipe_hash(*source.recipe) : ""},
-                  {"model", options.model.model},
+                  {"model", source.measured ? "measured" : options.model.model},
                   {"part", options.part},
                   {"values", incident.size() * outgoing.size() * wavelengths.size()},
                   {"total_s", watch.seconds()}});

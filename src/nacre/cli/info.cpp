@@ -5,13 +5,16 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <numbers>
 
 #include "nacre/cli/command.h"
 #include "nacre/cli/common_options.h"
 #include "nacre/core/atomic_file.h"
 #include "nacre/io/brdf_table_file.h"
 #include "nacre/io/image.h"
+#include "nacre/io/merl_file.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/io/rgl_file.h"
 #include "nacre/io/scene_file.h"
 #include "nacre/io/solved_paint_file.h"
 
@@ -35,6 +38,14 @@ class Facts {
  private:
     std::string text_;
 };
+
+/// Text of a file on one line of a terminal: what is not printable becomes a question mark.
+std::string printable(std::string text) {
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
+    }
+    return text;
+}
 
 void describe_recipe(Facts& facts, const layers::Recipe& recipe) {
     facts.add("name", "{}", recipe.name);
@@ -101,6 +112,53 @@ void describe_brdf_table(Facts& facts, const std::string& bytes, const std::stri
     }
 }
 
+void describe_rgl(Facts& facts, const std::string& bytes, const std::string& name) {
+    const bsdf::RglTable table = io::parse_rgl(bytes, name);
+    const auto degrees = [](float rad) { return rad * 180 / std::numbers::pi; };
+    facts.add("kind", "measured BRDF, adaptive parameterization (RGL, .bsdf)");
+    facts.add("bytes", "{}", bytes.size());
+    facts.add("description", "{}", printable(table.description));
+    facts.add("surface", "{}", table.isotropic() ? "isotropic" : "anisotropic");
+    facts.add("phi_i", "{} from {:.4g} to {:.4g} deg", table.phi_i.size(),
+              degrees(table.phi_i.front()), degrees(table.phi_i.back()));
+    facts.add("theta_i", "{} from {:.4g} to {:.4g} deg", table.theta_i.size(),
+              degrees(table.theta_i.front()), degrees(table.theta_i.back()));
+    facts.add("points", "{} x {}", table.resolution, table.resolution);
+    facts.add("ndf", "{} x {}", table.ndf.rows, table.ndf.columns);
+    facts.add("vndf", "{} x {}", table.vndf_rows, table.vndf_columns);
+    if (table.is_rgb()) {
+        facts.add("colour", "linear RGB");
+    } else {
+        facts.add("wavelengths", "{} from {} to {} nm", table.wavelengths.size(),
+                  table.wavelengths.front(), table.wavelengths.back());
+    }
+    facts.add("jacobian", "{}", table.jacobian ? "yes" : "no");
+    facts.add("not measured", "{:.4g} % of the points (luminance 0)",
+              100.0 * std::count(table.luminance.begin(), table.luminance.end(), 0.0f) /
+                  static_cast<double>(table.luminance.size()));
+}
+
+void describe_merl(Facts& facts, const std::string& bytes, const std::string& name) {
+    const bsdf::MerlTable table = io::parse_merl(bytes, name);
+    facts.add("kind", "measured BRDF, half and difference angles (MERL, .binary)");
+    facts.add("bytes", "{}", bytes.size());
+    facts.add("cells", "{} theta_half, {} theta_difference, {} phi_difference", table.half,
+              table.difference, table.azimuths);
+    const auto missing =
+        std::count_if(table.values.begin(), table.values.end(), [](double v) { return v < 0; });
+    facts.add("not measured", "{:.4g} % of the values (negative)",
+              100.0 * static_cast<double>(missing) / static_cast<double>(table.values.size()));
+    for (int c = 0; c < 3; ++c) {
+        const auto first = table.values.begin() + static_cast<std::ptrdiff_t>(c * table.cells());
+        const double most =
+            *std::max_element(first, first + static_cast<std::ptrdiff_t>(table.cells()));
+        facts.add(std::string("largest ") + (c == 0   ? "red"
+                                             : c == 1 ? "green"
+                                                      : "blue"),
+                  "{:.6g} per sr", most * bsdf::MerlTable::kScale[c]);
+    }
+}
+
 void describe_image(Facts& facts, const std::string& bytes, const std::string& name) {
     const io::Image image = io::parse_image(bytes, name);
     facts.add("kind", "picture");
@@ -146,6 +204,10 @@ std::string describe(const std::string& file) {
         describe_solved_paint(facts, bytes, file);
     } else if (io::looks_like_brdf_table(bytes)) {
         describe_brdf_table(facts, bytes, file);
+    } else if (io::looks_like_rgl(bytes)) {
+        describe_rgl(facts, bytes, file);
+    } else if (io::looks_like_merl(bytes)) {
+        describe_merl(facts, bytes, file);
     } else if (io::looks_like_image(bytes)) {
         describe_image(facts, bytes, file);
     } else {
@@ -165,7 +227,9 @@ std::string describe(const std::string& file) {
 Command add_info(CLI::App& program) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* info = program.add_subcommand("info", "Say what is in a file");
-    info->add_option("FILE", options->file, "Recipe, scene, solved paint or picture")->required();
+    info->add_option("FILE", options->file,
+                     "Recipe, scene, solved paint, table or measured BRDF, picture")
+        ->required();
     add_output(*info, *options);
     info->footer(
         "Checks the file on the way: a solved paint against its checksum, a recipe or a scene "

@@ -46,6 +46,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
     command
         .add_option("--model", options.model,
                     fmt::format("Model of the paint: {}", fmt::join(model_names(), ", ")))
+        ->each([&options](const std::string&) { options.model_given = true; })
         ->capture_default_str();
     add_table_option(command, options);
     command

@@ -15,6 +15,7 @@ namespace nacre::cli {
 
 struct ModelOptions {
     std::string model = "microflake";
+    bool model_given = false;  ///< --model was on the command line
     std::string table = "split";
     std::string colour = "spectral";
     std::string tracking = "delta";

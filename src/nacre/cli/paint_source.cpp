@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/cli/measured_source.h"
 #include "nacre/cli/usage_error.h"
 #include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
@@ -25,6 +26,13 @@ constexpr std::size_t kMostSolvedWavelengths = 2000;
 
 std::string read_paint_file(const std::filesystem::path& path) {
     return read_file(path, std::max(io::kMostSolvedPaintBytes, io::kMostBrdfTableBytes));
+}
+
+void require_recipe(std::string_view bytes, const std::filesystem::path& path) {
+    if (is_measured_brdf(bytes)) {
+        throw InputError(
+            fmt::format("{}: holds a measured BRDF; a recipe is needed here", path.string()));
+    }
 }
 
 /// The series may end somewhat above its tolerance before anybody needs to know: what follows its
@@ -92,6 +100,7 @@ layers::SolvedPaint solve_recipe(std::string_view text, const std::filesystem::p
 
 layers::Recipe load_recipe(const std::filesystem::path& path) {
     const std::string bytes = read_paint_file(path);
+    require_recipe(bytes, path);
     if (io::looks_like_solved_paint(bytes)) {
         return io::parse_solved_paint(bytes, path.string()).recipe;
     }
@@ -103,6 +112,7 @@ layers::SolvedPaint load_paint(const std::filesystem::path& path,
                                const CommonOptions& options,
                                const layers::SolverSettings& settings) {
     const std::string bytes = read_paint_file(path);
+    require_recipe(bytes, path);
     if (io::looks_like_solved_paint(bytes)) {
         layers::SolvedPaint paint = io::parse_solved_paint(bytes, path.string());
         if (wavelengths_nm) {
@@ -138,6 +148,15 @@ std::string PaintSurface::recipe_sha256() const { return recipe ? io::recipe_has
 
 PaintSurface load_surface(const std::filesystem::path& path, models::Model model,
                           const models::SurfaceOptions& surface, const CommonOptions& options) {
+    if (const std::string bytes = read_paint_file(path); is_measured_brdf(bytes)) {
+        if (model != models::Model::microflake || surface.table != models::Table::split) {
+            throw InputError(
+                fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it "
+                            "takes neither --model nor --table",
+                            path.string()));
+        }
+        return {make_measured_brdf(bytes, path.string()), std::nullopt};
+    }
     const bool solves = model == models::Model::microflake ||
                         (model == models::Model::nacre && surface.flakes == models::Flakes::hashed);
     models::Paint paint;

@@ -14,7 +14,7 @@
 namespace nacre::cli {
 
 /// A recipe, or the recipe inside a solved paint.
-/// @throws InputError
+/// @throws InputError, also for a measured BRDF, which has none
 layers::Recipe load_recipe(const std::filesystem::path& path);
 
 /// A solved paint as it is, or a recipe solved at the given wavelengths (by default 400 to 700 nm
@@ -36,13 +36,14 @@ std::size_t wavelength_position(const layers::SolvedPaint& paint, double wavelen
 /// A paint as a model shows it.
 struct PaintSurface {
     std::shared_ptr<const bsdf::Bsdf> surface;
-    /// None: made from a table of a BRDF, which does not hold its recipe.
+    /// None: made from a table of a BRDF, or measured.
     std::optional<layers::Recipe> recipe;
 
     std::string recipe_sha256() const;  ///< empty without a recipe
 };
 
-/// Reads a recipe, a solved paint or (microflake) a table of a BRDF, and makes a surface of it.
+/// Reads a recipe, a solved paint or (microflake) a table of a BRDF, and makes a surface of it; or
+/// a measured BRDF, in which no model has a part: `model` must then be the default, microflake.
 /// @throws InputError naming the file, also where the recipe lacks what the model reads
 /// @throws as load_paint()
 PaintSurface load_surface(const std::filesystem::path& path, models::Model model,

@@ -13,6 +13,7 @@
 
 #include "nacre/cli/command.h"
 #include "nacre/cli/common_options.h"
+#include "nacre/cli/measured_source.h"
 #include "nacre/cli/model_options.h"
 #include "nacre/cli/number_list.h"
 #include "nacre/cli/paint_source.h"
@@ -38,6 +39,7 @@ constexpr int kMostPixelsPerSide = 32768;  // as in render::RenderOptions
 struct RenderCommandOptions : CommonOptions {
     std::string scene;
     std::string paint;
+    std::string brdf;  // measured: in the place of the paint
     ModelOptions model;
     std::string size = "512x512";
     render::RenderOptions render;
@@ -126,6 +128,17 @@ class PaintMaker {
 
     const PaintSurface& make(const render::SceneDescription& scene, const std::string& material,
                              const fs::path& path) {
+        if (is_measured_brdf_file(path)) {
+            auto found = made_.find(Key{path, 0, 0, 0});
+            if (found == made_.end()) {
+                found = made_
+                            .emplace(Key{path, 0, 0, 0},
+                                     load_surface(path, models::Model::microflake, {}, options_))
+                            .first;
+            }
+            return found->second;
+        }
+        model_used_ = true;
         if (model_ == models::Model::volume) surface_.radius_mm = radius_of_shape(scene, material);
         if (surface_.flakes == models::Flakes::explicit_discs) {
             std::tie(surface_.panel_width_mm, surface_.panel_height_mm) =
@@ -139,9 +152,13 @@ class PaintMaker {
         return found->second;
     }
 
+    /// Whether a recipe was among them.
+    bool model_used() const { return model_used_; }
+
  private:
     const RenderCommandOptions& options_;
     models::Model model_;
+    bool model_used_ = false;
     models::SurfaceOptions surface_;
     using Key = std::tuple<fs::path, double, double, double>;  // recipe, radius, size of the panel
     std::map<Key, PaintSurface> made_;
@@ -151,7 +168,20 @@ class PaintMaker {
 struct Paints {
     render::PaintTable table;
     std::map<std::string, std::string> recipe_sha256;  // by name of the material
+    bool model_used = false;                           // false: all are measured
 };
+
+/// What --brdf names must be a measured BRDF, and no model has a part in it.
+void check_brdf(const RenderCommandOptions& options) {
+    if (options.brdf.empty()) return;
+    if (!options.paint.empty()) throw UsageError("--paint and --brdf exclude each other");
+    if (!is_measured_brdf_file(options.brdf)) {
+        throw InputError(fmt::format(
+            "{}: holds no measured BRDF, neither of the RGL database (.bsdf) nor of MERL "
+            "(.binary); recipes go with --paint",
+            options.brdf));
+    }
+}
 
 Paints make_paints(const render::SceneDescription& scene, const RenderCommandOptions& options) {
     Paints paints;
@@ -162,27 +192,41 @@ Paints make_paints(const render::SceneDescription& scene, const RenderCommandOpt
         if (!description) continue;
         const bool is_slot = description->recipe.empty();
         slot_found |= is_slot;
-        const fs::path path = is_slot ? fs::path(options.paint) : description->recipe;
+        const std::string& slot = options.brdf.empty() ? options.paint : options.brdf;
+        const fs::path path = is_slot ? fs::path(slot) : description->recipe;
         if (path.empty()) {
-            throw UsageError(
-                fmt::format("the material {} of the scene {} has no recipe: name one with --paint",
-                            name, options.scene));
+            throw UsageError(fmt::format(
+                "the material {} of the scene {} has no recipe: name one with --paint, or "
+                "a measured BRDF with --brdf",
+                name, options.scene));
         }
         const PaintSurface& paint = maker.make(scene, name, path);
         paints.table[name] = paint.surface;
         if (paint.recipe) paints.recipe_sha256[name] = paint.recipe_sha256();
     }
-    if (!options.paint.empty() && !slot_found) {
-        throw UsageError(fmt::format("--paint = {}: the scene {} has no material without a recipe",
-                                     options.paint, options.scene));
+    if (!(options.paint.empty() && options.brdf.empty()) && !slot_found) {
+        throw UsageError(fmt::format("{} = {}: the scene {} has no material without a recipe",
+                                     options.brdf.empty() ? "--paint" : "--brdf",
+                                     options.brdf.empty() ? options.paint : options.brdf,
+                                     options.scene));
+    }
+    paints.model_used = maker.model_used();
+    if (!paints.model_used && !paints.table.empty()) {
+        refuse_model_of_measured(options.model.model_given, options.model.model,
+                                 "every material of the scene " + options.scene);
     }
     return paints;
+}
+
+/// A picture of measured surfaces alone owes nothing to a model.
+std::string model_name(const RenderCommandOptions& options, const Paints& paints) {
+    return paints.model_used || paints.table.empty() ? options.model.model : "measured";
 }
 
 std::map<std::string, std::string> metadata(const RenderCommandOptions& options,
                                             const Paints& paints) {
     std::map<std::string, std::string> data = {{"nacre:scene", options.scene},
-                                               {"nacre:model", options.model.model},
+                                               {"nacre:model", model_name(options, paints)},
                                                {"nacre:seed", fmt::format("{}", options.seed)}};
     for (const auto& [name, hash] : paints.recipe_sha256) {
         data["nacre:recipe_sha256:" + name] = hash;
@@ -203,6 +247,7 @@ ExitStatus run(RenderCommandOptions options) {
     const InterruptHandler interrupt;
     const Stopwatch watch;
 
+    check_brdf(options);
     const render::SceneDescription description = load_scene(options.scene);
     const Paints paints = make_paints(description, options);
     const render::Scene scene(description, paints.table);
@@ -224,7 +269,7 @@ ExitStatus run(RenderCommandOptions options) {
                              result.samples, duration_text(result.seconds), msamples_per_s));
     write_report(options, "render",
                  {{"scene", options.scene},
-                  {"model", options.model.model},
+                  {"model", model_name(options, paints)},
                   {"recipe_sha256", paints.recipe_sha256},
                   {"output", {exr.string(), png.string()}},
                   {"width", result.width},
@@ -260,6 +305,10 @@ Command add_render(CLI::App& program) {
         ->add_option("--paint", options->paint,
                      "Recipe (TOML) or solved paint (HDF5) for the scene's unnamed paint")
         ->type_name("RECIPE");
+    command
+        ->add_option("--brdf", options->brdf,
+                     "Measured BRDF (.bsdf of the RGL database, .binary of MERL) for it instead")
+        ->type_name("FILE");
     add_model_options(*command, options->model);
     command
         ->add_option("--footprint", options->render.footprint_pixels,

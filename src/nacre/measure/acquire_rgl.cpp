@@ -1,0 +1,180 @@
+#include "nacre/measure/acquire_rgl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/bsdf/rgl_map.h"
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/measure/acquire_loop.h"
+#include "nacre/measure/colour_of_brdf.h"
+
+namespace nacre::measure {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kEvenShare = 0.02;
+/// The largest polar angle that a BRDF is asked for: its domain is open at the horizon.
+constexpr double kMostPolar = 0.5 * kPi - 1e-4;
+
+double polar_node(int k, int count) {
+    const double x = static_cast<double>(k) / (count - 1);
+    return 0.5 * kPi * x * x;
+}
+
+/// Integral over the azimuth of the projected area of facets at polar angle b seen from a.
+double ring_area(double a, double b) {
+    const double along = std::cos(a) * std::cos(b), across = std::sin(a) * std::sin(b);
+    if (along >= across) return 2 * kPi * along;
+    const double edge = std::acos(std::clamp(-along / across, -1.0, 1.0));
+    return 2 * (along * edge + across * std::sin(edge));
+}
+
+/// Facets that are alike at every azimuth, by polar angle at the nodes of an ndf table.
+struct Facets {
+    std::vector<double> density, area;  ///< D and sigma; the area of all from above is 1
+};
+
+/// Weights of an integral over the solid angle of polar angles times 1/(2 pi), by the trapezium
+/// rule in x, theta = (pi/2) x^2.
+std::vector<double> ring_weights(int count) {
+    std::vector<double> weights(count);
+    for (int k = 0; k < count; ++k) {
+        const double x = static_cast<double>(k) / (count - 1);
+        weights[k] = (k == 0 || k == count - 1 ? 0.5 : 1.0) / (count - 1) * kPi * x *
+                     std::sin(polar_node(k, count));
+    }
+    return weights;
+}
+
+std::vector<double> projected_areas(const std::vector<double>& density) {
+    const int count = static_cast<int>(density.size());
+    const std::vector<double> weights = ring_weights(count);
+    std::vector<double> area(count, 0.0);
+    for (int a = 0; a < count; ++a) {
+        for (int b = 0; b < count; ++b) {
+            area[a] +=
+                weights[b] * density[b] * ring_area(polar_node(a, count), polar_node(b, count));
+        }
+    }
+    return area;
+}
+
+Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
+    std::vector<double> retro(count);
+    parallel_for(0, count, [&](std::size_t k) {
+        const double theta = std::min(polar_node(static_cast<int>(k), count), kMostPolar);
+        retro[k] = colour.luminance(brdf(theta, theta, 0)) * std::cos(theta);
+    });
+    // Powers of a positive matrix lead to its one positive eigenvector.
+    constexpr int kRounds = 32;
+    std::vector<double> density(count, 1 / kPi), area = projected_areas(density);
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<double> next(count);
+        for (int k = 0; k < count; ++k) next[k] = retro[k] * area[k];
+        std::vector<double> next_area = projected_areas(next);
+        if (!(next_area[0] > 0)) break;  // black: facets stay even
+        for (int k = 0; k < count; ++k) {
+            density[k] = next[k] / next_area[0];
+            area[k] = next_area[k] / next_area[0];
+        }
+    }
+    for (double& d : density) d = (1 - kEvenShare) * d + kEvenShare / kPi;
+    return {density, projected_areas(density)};
+}
+
+bsdf::SquareTable same_at_every_azimuth(const std::vector<double>& values) {
+    bsdf::SquareTable table{2, static_cast<int>(values.size()), {}};
+    for (int row = 0; row < 2; ++row) {
+        table.values.insert(table.values.end(), values.begin(), values.end());
+    }
+    return table;
+}
+
+/// The visible facets, as a density over the square.
+void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf) {
+    for (std::size_t slice = 0; slice < table.slices(); ++slice) {
+        const double theta_i = table.theta_i[slice];
+        for (int row = 0; row < table.vndf_rows; ++row) {
+            const double phi = (2.0 * row / (table.vndf_rows - 1) - 1) * kPi;
+            for (int column = 0; column < table.vndf_columns; ++column) {
+                const double theta = polar_node(column, table.vndf_columns);
+                const double x = static_cast<double>(column) / (table.vndf_columns - 1);
+                const double seen = std::cos(theta_i) * std::cos(theta) +
+                                    std::sin(theta_i) * std::sin(theta) * std::cos(phi);
+                const double d = bsdf::read_square(ndf, {static_cast<float>(x), 0.5f});
+                table.vndf.push_back(static_cast<float>(
+                    d * std::max(0.0, seen) * 2 * kPi * kPi * x * std::sin(theta) /
+                    bsdf::read_square(table.sigma, bsdf::square_point(table.theta_i[slice], 0))));
+            }
+        }
+    }
+}
+
+void require_setting(const char* name, int value, int least, int most) {
+    require_in_range(value, least, most, name);
+}
+
+}  // namespace
+
+bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
+                           const std::vector<double>& wavelengths_nm, const RglSettings& settings,
+                           const Progress& progress) {
+    require_setting("resolution", settings.resolution, 4, 512);
+    require_setting("incident angles", settings.incident, 2, 256);
+    require_setting("resolution of the facets' distribution", settings.ndf_resolution, 8, 4096);
+    const SpectrumColour colour(wavelengths_nm);
+    const Facets facets = find_facets(brdf, colour, settings.ndf_resolution);
+
+    bsdf::RglTable table;
+    table.description = description;
+    table.phi_i = {0.0f};
+    for (int i = 0; i < settings.incident; ++i) {
+        table.theta_i.push_back(static_cast<float>(kMostIncidence * i / (settings.incident - 1)));
+    }
+    table.ndf = same_at_every_azimuth(facets.density);
+    table.sigma = same_at_every_azimuth(facets.area);
+    const int n = settings.resolution;
+    table.vndf_rows = 2 * n;
+    table.vndf_columns = 2 * n;
+    fill_visible(table, table.ndf);
+    table.resolution = n;
+    if (!settings.rgb) table.wavelengths.assign(wavelengths_nm.begin(), wavelengths_nm.end());
+    const std::size_t square = static_cast<std::size_t>(n) * n, channels = table.channels();
+    table.luminance.resize(table.slices() * square);
+    table.spectra.resize(table.slices() * channels * square);
+
+    const bsdf::RglMap map(table);
+    for_each_row(settings.incident, progress, [&](int slice) {
+        const double theta_i = table.theta_i[slice];
+        const bsdf::RglIncident i = map.incident(
+            {static_cast<float>(std::sin(theta_i)), 0, static_cast<float>(std::cos(theta_i))});
+        for (int row = 0; row < (n + 1) / 2; ++row) {
+            for (int column = 0; column < n; ++column) {
+                const bsdf::RglPoint point = map.at(
+                    i, {static_cast<float>(column) / (n - 1), static_cast<float>(row) / (n - 1)});
+                const Vec3f wo = 2 * dot(i.direction, point.normal) * point.normal - i.direction;
+                if (wo.z <= 0) continue;  // f cos(theta_o) goes to 0 there
+                const double theta_o = std::min<double>(bsdf::polar_angle(wo), kMostPolar);
+                const std::vector<double> f = brdf(theta_i, theta_o, std::atan2(wo.y, wo.x));
+                const double factor = wo.z / map.scale(i, point);
+                const std::vector<double> values = settings.rgb ? colour.rgb(f) : f;
+                for (const int twin : {row, n - 1 - row}) {
+                    const std::size_t at = static_cast<std::size_t>(twin) * n + column;
+                    table.luminance[slice * square + at] =
+                        static_cast<float>(colour.luminance(f) * factor);
+                    for (std::size_t c = 0; c < channels; ++c) {
+                        table.spectra[(slice * channels + c) * square + at] =
+                            static_cast<float>(values[c] * factor);
+                    }
+                }
+            }
+        }
+    });
+    bsdf::validate(table);
+    return table;
+}
+
+}  // namespace nacre::measure
