@@ -28,6 +28,8 @@ bool has_lines(spectra::Illuminant illuminant) {
 double chroma(const spectra::Vec3& lab) { return std::hypot(lab[1], lab[2]); }
 
 double hue_deg(const spectra::Vec3& lab) {
+    // What rounding leaves of grey has no hue.
+    if (chroma(lab) < 1e-9) return 0;
     const double degrees = std::atan2(lab[2], lab[1]) * 180 / std::numbers::pi;
     // A tiny negative angle would round to 360.
     return degrees < 0 ? std::fmod(degrees + 360, 360) : degrees;

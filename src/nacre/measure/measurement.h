@@ -41,7 +41,7 @@ struct Reading {
 };
 
 double chroma(const spectra::Vec3& lab);   ///< C* = sqrt(a*^2 + b*^2)
-double hue_deg(const spectra::Vec3& lab);  ///< h in [0, 360); 0 for C* = 0
+double hue_deg(const spectra::Vec3& lab);  ///< h in [0, 360); 0 for C* < 1e-9
 
 /// The colour as a chip on a display: encoded sRGB in [0, 1], the perfect diffuser being white.
 /// What is brighter than the display, or outside its gamut, is clipped.

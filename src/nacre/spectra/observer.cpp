@@ -7,6 +7,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/suggest.h"
 #include "nacre/spectra/cie_tables.h"
+#include "nacre/spectra/names.h"
 
 namespace nacre::spectra {
 namespace {
@@ -71,5 +72,11 @@ Illuminant parse_illuminant(const std::string& text) {
     }
     return static_cast<Illuminant>(found - kIlluminantNames.begin());
 }
+
+std::string name(Illuminant illuminant) {
+    return kIlluminantNames[static_cast<std::size_t>(illuminant)];
+}
+
+std::string name(Observer observer) { return observer == Observer::cie1931_2deg ? "2" : "10"; }
 
 }  // namespace nacre::spectra

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/spectra/names.h"
 
 namespace nacre::spectra {
 namespace {
@@ -110,6 +111,13 @@ TEST(Names, AreReadStrictlyAndErrorsHelp) {
                 ThrowsMessage<InputError>(
                     AllOf(HasSubstr("D6"), HasSubstr("did you mean 'D65'"), HasSubstr("FL11"))));
     EXPECT_THROW(parse_illuminant(""), InputError);
+}
+
+TEST(Names, AreWrittenAsTheyAreRead) {
+    for (const char* text : {"A", "D50", "D65", "FL2", "FL11", "E"}) {
+        EXPECT_EQ(name(parse_illuminant(text)), text);
+    }
+    for (const char* text : {"2", "10"}) EXPECT_EQ(name(parse_observer(text)), text);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Comma-separated values, as spreadsheets and instruments export them.               [rfc-4180]
+
+namespace nacre::io {
+
+struct CsvCell {
+    std::string text;                  ///< without quotes, and without spaces around unless quoted
+    std::size_t line = 1, column = 1;  ///< where it starts, in bytes, counted from 1
+};
+using CsvRow = std::vector<CsvCell>;
+
+/// The rows of a text; lines that are empty or start with '#' are left out. Cells are separated by
+/// commas, or by the semicolons or tabs that stand in the first row where it has no comma. A byte
+/// order mark and either kind of line end are understood.
+/// @throws InputError with file, line and column if a quote is not closed, or something follows one
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename);
+
+/// A cell as it is written: quoted where it has to be.
+std::string csv_cell(std::string_view text);
+
+}  // namespace nacre::io

@@ -1,0 +1,75 @@
+#include "nacre/io/geometry_file.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "nacre/core/atomic_file.h"
+#include "nacre/core/error.h"
+#include "nacre/io/table_reader.h"
+
+namespace nacre::io {
+
+namespace {
+
+constexpr std::size_t kLongestName = 100, kLongestSummary = 1000;
+
+measure::Geometry read_directions(const TableReader& table) {
+    constexpr Range kPolar{0, 90, "deg", false, true}, kAspecular{-180, 180, "deg"},
+        kTurn{-360, 360, "deg"};
+    const double lamp_deg = table.number("lamp_deg", kPolar);
+    if (table.has("view_deg")) {
+        if (table.has("aspecular_deg") || table.has("azimuth_deg")) {
+            table.fail("view_deg",
+                       "stands for the view by itself, without aspecular_deg and "
+                       "azimuth_deg");
+        }
+        const std::vector<double> view = table.numbers("view_deg", kTurn, 2, 2);
+        return measure::towards(lamp_deg, view[0], view[1]);
+    }
+    const double aspecular_deg = table.number("aspecular_deg", kAspecular);
+    if (!table.has("azimuth_deg")) return measure::in_plane(lamp_deg, aspecular_deg);
+    return measure::off_plane(lamp_deg, aspecular_deg,
+                              table.number("azimuth_deg", {-180, 180, "deg"}));
+}
+
+measure::Geometry read_geometry(const TableReader& table) {
+    try {
+        measure::Geometry geometry = read_directions(table);
+        geometry.name = table.text_or("name", geometry.name, kLongestName);
+        if (geometry.name.empty()) table.fail("name", "must not be empty");
+        return geometry;
+    } catch (const DomainError& error) {
+        table.fail(error.what());
+    }
+}
+
+}  // namespace
+
+measure::GeometrySet parse_geometry_set(std::string_view text, const std::string& filename) {
+    TomlDocument document(text, filename, {});
+    const TableReader root(document, {"name", "summary", "geometry"});
+    measure::GeometrySet set{root.text_or("name", filename, kLongestName),
+                             root.text_or("summary", "", kLongestSummary),
+                             {}};
+    std::set<std::string> names;
+    for (const TableReader& table :
+         root.tables("geometry", kMostGeometries,
+                     {"name", "lamp_deg", "aspecular_deg", "azimuth_deg", "view_deg"})) {
+        set.geometries.push_back(read_geometry(table));
+        const std::string& name = set.geometries.back().name;
+        if (!names.insert(name).second) {
+            table.fail(fmt::format("'{}' stands in this set already", name));
+        }
+    }
+    if (set.geometries.empty()) {
+        root.fail("geometry", "is missing; a set needs at least one [[geometry]]");
+    }
+    return set;
+}
+
+measure::GeometrySet read_geometry_set(const std::filesystem::path& path) {
+    return parse_geometry_set(read_file(path, kMostTextBytes), path.string());
+}
+
+}  // namespace nacre::io

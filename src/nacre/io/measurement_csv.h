@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "nacre/measure/measurement.h"
+
+// The CSV of io/measurement_file.h. Internal to this folder.
+
+namespace nacre::io {
+
+measure::Measurement parse_measurement_csv(std::string_view text, const std::string& filename,
+                                           const measure::Conditions& defaults);
+
+/// Whether the first line that says something has a column of geometries.
+bool has_measurement_header(std::string_view text);
+
+}  // namespace nacre::io

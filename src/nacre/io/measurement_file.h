@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "nacre/measure/measurement.h"
+
+// Multi-angle colour as CSV and JSON: what Nacre writes, and what instruments' software exports.
+// Which columns and keys there are, and what is taken where something is missing: docs/measure.md.
+
+namespace nacre::io {
+
+inline constexpr std::size_t kMostReadings = 100'000;
+inline constexpr int kMeasurementFormatVersion = 1;
+
+/// As CSV: a row a geometry. Reading it back gives the same measurement, bit for bit.
+std::string measurement_csv(const measure::Measurement& measurement);
+
+/// As JSON, with flop index and colour travel. Reading it back gives the same measurement, bit for
+/// bit, as far as names are UTF-8; members that somebody adds are passed over.
+nlohmann::json measurement_json(const measure::Measurement& measurement);
+
+/// Reads either. Colours that are missing come from the spectra, XYZ that are missing from L*a*b*.
+///
+/// @param filename  for messages
+/// @param defaults  for what the text does not state: light, observer, aperture
+/// @throws InputError naming file, line and column (CSV) or member (JSON) if a geometry is not
+///         stated, is stated twice, or contradicts itself; a value is missing, no number, or out of
+///         range; wavelengths have unequal steps; rows differ in light, observer or aperture; or
+///         L*a*b* differ from those of the spectrum by more than a Delta E 2000 of 5, as where
+///         reflectance is in percent
+measure::Measurement parse_measurement(std::string_view text, const std::string& filename,
+                                       const measure::Conditions& defaults = {});
+
+/// @throws InputError as parse_measurement(), or if the file cannot be read
+measure::Measurement read_measurement(const std::filesystem::path& path,
+                                      const measure::Conditions& defaults = {});
+
+/// Whether a text starts like a measurement, and not like a recipe: a JSON object, or a header with
+/// a column `geometry` or `aspecular_deg`.
+bool looks_like_measurement(std::string_view text);
+
+}  // namespace nacre::io
