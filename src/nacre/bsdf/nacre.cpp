@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "nacre/bsdf/bound_nacre.h"
 #include "nacre/bsdf/nacre_tables.h"
@@ -102,6 +104,14 @@ Nacre::Nacre(std::shared_ptr<const layers::SolvedPaint> paint, std::uint64_t see
 }
 
 Nacre::~Nacre() = default;
+
+double Nacre::exact_patch_mm() const {
+    double side = std::numeric_limits<double>::infinity();
+    for (const NacreSpecies& species : tables_->species) {
+        side = std::min(side, species.field.exact_side_mm());
+    }
+    return side;
+}
 
 std::unique_ptr<const BoundBsdf> Nacre::bind(const Wavelengths& wavelengths_nm) const {
     return std::make_unique<const BoundNacre>(tables_, wavelengths_nm);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/single_flakes.h"
 #include "nacre/layers/solved_paint.h"
 
 namespace nacre::bsdf {
@@ -25,7 +26,7 @@ struct NacreSettings {
 ///
 /// Under a binder whose index depends on the wavelength, which flakes answer is decided with the
 /// mean index; the mean of each wavelength stays its own.
-class Nacre final : public Bsdf {
+class Nacre final : public Bsdf, public SingleFlakes {
  public:
     /// @throws DomainError if the paint's clearcoat is rough, or its flakes are such as no
     ///         FlakeField takes
@@ -35,6 +36,7 @@ class Nacre final : public Bsdf {
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
     Layout layout() const override { return Layout::rest_space; }
+    double exact_patch_mm() const override;
 
     struct Tables;
 

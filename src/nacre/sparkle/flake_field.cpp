@@ -1,5 +1,6 @@
 #include "nacre/sparkle/flake_field.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "nacre/core/error.h"
@@ -38,6 +39,14 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     constexpr float kFewestCells = 6, kMostCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
     full_cells_ = std::clamp(1.5f * across * across, kFewestCells, kMostCells);
+}
+
+double FlakeField::exact_side_mm() const {
+    // As weigh() counts cells, a little less to be beyond the rounding.
+    constexpr double kSafety = 0.999;
+    const double side =
+        levels_[0].cell_mm * (std::sqrt(double{full_cells_}) - 1) - 2 * double{largest_radius_mm_};
+    return kSafety * std::max(0.0, side);
 }
 
 void FlakeField::look(const RestPatch& patch, FlakeView& view) const {

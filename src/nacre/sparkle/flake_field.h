@@ -38,6 +38,11 @@ class FlakeField {
     /// Replaces `view` by what the patch shows.
     void look(const RestPatch& patch, FlakeView& view) const;
 
+    /// Side of the largest square, on a flat surface across an axis of the rest space, that tells
+    /// every flake apart: FlakeView::widening is 1 and nothing is approximated. 0 if flakes lie in
+    /// such heaps that not even a point does.
+    double exact_side_mm() const;
+
     const FlakePopulation& population() const { return population_; }
     const DiffractionLobe& lobe() const { return lobe_; }
     const FlakeSizes& sizes() const { return sizes_; }

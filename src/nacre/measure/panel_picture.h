@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "nacre/measure/jackknife.h"
+
+namespace nacre::measure {
+
+/// What a camera sees of a flat panel, looking along its normal from far away: X, Y, Z of each
+/// pixel relative to the perfect diffuser under the same light, which has Y = 1 (CIE 1931 observer:
+/// luminance is defined by it). Row by row from the top left.
+struct PanelPicture {
+    int width = 0, height = 0;
+    double pixel_mm = 0;     ///< side of a pixel on the panel
+    std::vector<float> xyz;  ///< three values a pixel
+
+    std::size_t pixel_count() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+    double luminance(std::size_t pixel) const { return xyz[3 * pixel + 1]; }
+};
+
+/// Y averaged over the pixels; exactly Y if all are alike.
+double mean_luminance(const PanelPicture& picture);
+
+/// Standard deviation of the pixels' Y over its mean, from two pictures of the same panel with
+/// independent noise: by their covariance, which noise does not raise. One picture, given twice,
+/// serves where there is no noise. 0 where noise makes the covariance negative, and for a black
+/// panel.
+/// @throws DomainError unless both have the same size, at least 4 pixels a side
+Estimate pixel_contrast(const PanelPicture& a, const PanelPicture& b);
+
+}  // namespace nacre::measure

@@ -1,0 +1,299 @@
+#include "nacre/measure/sparkle_camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/bsdf/single_flakes.h"
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/rng.h"
+#include "nacre/spectra/xyz.h"
+
+namespace nacre::measure {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr Vec3f kView{0, 0, 1};
+constexpr int kLeastPixels = 32, kMostPixels = 4096;
+// Between directions to a lamp: a quarter of the radius of the lobe of a flake of 100 um.
+constexpr double kLampSpacing_deg = 0.07;
+// Rows between two looks at `progress`.
+constexpr int kRowsAtOnce = 16;
+
+// Wavelengths are shared out in turn, so that either eight span the visible range.
+constexpr int kOctets = 2, kSamples = kOctets * kLanes;
+constexpr double kFirst_nm = 400, kStep_nm = 20;
+constexpr double wavelength_nm(int octet, int lane) {
+    return kFirst_nm + kStep_nm * (kOctets * lane + octet);
+}
+
+using Spectrum = std::array<FloatLanes, kOctets>;
+
+// What each wavelength adds to X, Y and Z.
+struct ColourWeights {
+    std::array<Spectrum, 3> of;
+
+    ColourWeights() {
+        std::array<double, kSamples> wavelengths, one;
+        for (int i = 0; i < kSamples; ++i) wavelengths[i] = kFirst_nm + kStep_nm * i;
+        for (int i = 0; i < kSamples; ++i) {
+            one.fill(0);
+            one[i] = 1;
+            const auto xyz = spectra::reflectance_to_xyz(wavelengths, one, spectra::Illuminant::D65,
+                                                         spectra::Observer::cie1931_2deg);
+            for (int c = 0; c < 3; ++c) {
+                of[c][i % kOctets][i / kOctets] = static_cast<float>(xyz[c] / 100);
+            }
+        }
+    }
+
+    /// XYZ of a reflectance times `scale`.
+    void store(const Spectrum& reflectance, float scale, float* xyz) const {
+        for (int c = 0; c < 3; ++c) {
+            FloatLanes sum{};
+            for (int o = 0; o < kOctets; ++o) sum += of[c][o] * reflectance[o];
+            xyz[c] = scale * lane_sum(sum);
+        }
+    }
+};
+
+struct LampDirection {
+    Vec3f towards;
+    float weight;  // pi times its share of the light on the panel
+};
+
+// Evenly over the disc, along the spiral of a sunflower.                            [vogel-1979]
+std::vector<LampDirection> lamp_directions(double angle_deg, double half_angle_deg) {
+    const int count =
+        std::max(1, static_cast<int>(std::ceil(std::pow(half_angle_deg / kLampSpacing_deg, 2))));
+    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+    const double versine = 1 - std::cos(half_angle_deg * kDegree);
+    const double tilt = angle_deg * kDegree;
+    std::vector<LampDirection> directions;
+    double light = 0;
+    for (int i = 0; i < count; ++i) {
+        const double cosine = 1 - versine * (i + 0.5) / count;
+        const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+        const double x = sine * std::cos(golden_angle * i), y = sine * std::sin(golden_angle * i);
+        const Vec3f towards{static_cast<float>(x * std::cos(tilt) + cosine * std::sin(tilt)),
+                            static_cast<float>(y),
+                            static_cast<float>(cosine * std::cos(tilt) - x * std::sin(tilt))};
+        directions.push_back({towards, towards.z});
+        light += towards.z;
+    }
+    for (LampDirection& d : directions) {
+        d.weight = static_cast<float>(std::numbers::pi * d.weight / light);
+    }
+    return directions;
+}
+
+double radical_inverse(int base, int i) {
+    double inverse = 0, digit = 1;
+    for (; i > 0; i /= base) inverse += (i % base) * (digit /= base);
+    return inverse;
+}
+
+float wrapped(double u) { return std::min(static_cast<float>(u - std::floor(u)), 0x1.fffffep-1f); }
+
+// Pixels are looked at patch by patch, each so small that it tells its flakes apart. Of patches
+// this much larger than such, the flakes told apart stand for 1.002 each, which nothing here
+// notices.
+constexpr double kNearlyExact = 1.35;
+constexpr int kMostPatches = 16;  // a side of a pixel
+
+double patches_wanted(const bsdf::Bsdf& surface, double pixel_mm) {
+    const auto* const flakes = dynamic_cast<const bsdf::SingleFlakes*>(&surface);
+    return flakes ? std::ceil(pixel_mm / (kNearlyExact * flakes->exact_patch_mm())) : 1;
+}
+
+class Photographer {
+ public:
+    Photographer(const bsdf::Bsdf& surface, const SparkleCamera& camera)
+        : camera_(camera),
+          across_(pixels_across(camera)),
+          pixel_mm_(camera.field_mm / across_),
+          unit_square_(surface.layout() == bsdf::Layout::unit_square),
+          patches_(static_cast<int>(
+              std::clamp(patches_wanted(surface, pixel_mm_), 1.0, double{kMostPatches}))),
+          exact_(patches_wanted(surface, pixel_mm_) <= kMostPatches) {
+        for (int o = 0; o < kOctets; ++o) {
+            bsdf::Wavelengths wavelengths;
+            for (int i = 0; i < kLanes; ++i) wavelengths[i] = wavelength_nm(o, i);
+            bound_[o] = surface.bind(wavelengths);
+        }
+        for (double lamp : camera.lamps_deg) {
+            lamps_.push_back(lamp_directions(lamp, camera.lamp_half_angle_deg));
+        }
+        // Hammersley's points, so many a patch and half.
+        const int half = std::max(1, camera.diffuse_samples / (2 * patches_ * patches_));
+        for (int i = 0; i < half; ++i) {
+            points_.push_back({(i + 0.5) / half, radical_inverse(2, i), radical_inverse(3, i)});
+        }
+    }
+
+    PanelPicture blank() const {
+        PanelPicture picture{across_, across_, pixel_mm_, {}};
+        picture.xyz.resize(3 * picture.pixel_count());
+        return picture;
+    }
+    int across() const { return across_; }
+    bool exact() const { return exact_; }
+
+    /// What one thread works with.
+    struct Desk {
+        explicit Desk(const Photographer& p)
+            : memory(p.bound_[0]->patch_memory_bytes()), by_lamp(p.lamps_.size()) {}
+        bsdf::PatchMemory memory;
+        std::vector<Spectrum> by_lamp;
+        std::array<Spectrum, 2> diffuse;
+    };
+
+    void look(std::size_t pixel, Desk& desk, PanelPictures& pictures) const {
+        std::fill(desk.by_lamp.begin(), desk.by_lamp.end(), Spectrum{});
+        desk.diffuse.fill(Spectrum{});
+        Rng rng(camera_.seed, pixel);
+        for (int piece = 0; piece < patches_ * patches_; ++piece) {
+            desk.memory.forget();
+            const bsdf::Patch patch = patch_of(pixel, piece, desk.memory);
+            for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
+                add_lit(patch, lamps_[lamp], desk.by_lamp[lamp]);
+            }
+            if (pictures.diffuse.empty()) continue;
+            for (Spectrum& half : desk.diffuse) add_diffuse(patch, rng, half);
+        }
+        const float share = 1.0f / static_cast<float>(patches_ * patches_);
+        for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
+            weights_.store(desk.by_lamp[lamp], share, &pictures.by_lamp[lamp].xyz[3 * pixel]);
+        }
+        const float share_of_points = share / static_cast<float>(points_.size());
+        for (std::size_t half = 0; half < pictures.diffuse.size(); ++half) {
+            weights_.store(desk.diffuse[half], share_of_points,
+                           &pictures.diffuse[half].xyz[3 * pixel]);
+        }
+    }
+
+ private:
+    bsdf::Patch patch_of(std::size_t pixel, int piece, bsdf::PatchMemory& memory) const {
+        const double side_mm = pixel_mm_ / patches_;
+        const double middle = 0.5 * across_ * patches_ - 0.5;
+        const auto column = static_cast<double>((pixel % across_) * patches_ + piece % patches_);
+        const auto row = static_cast<double>((pixel / across_) * patches_ + piece / patches_);
+        const double x = (column - middle) * side_mm, y = (middle - row) * side_mm;
+        const auto side = static_cast<float>(side_mm);
+        bsdf::Patch patch;
+        patch.memory = &memory;
+        patch.rest = {{static_cast<float>(x), static_cast<float>(y), 0},
+                      {0, 0, 1},
+                      {1, 0, 0},
+                      {{side, 0, 0}, {0, side, 0}}};
+        if (unit_square_) {
+            const auto share = static_cast<float>(side_mm / camera_.unit_square_mm);
+            patch.u = 0.5 + x / camera_.unit_square_mm;
+            patch.v = 0.5 + y / camera_.unit_square_mm;
+            patch.edge_1 = {share, 0};
+            patch.edge_2 = {0, share};
+        }
+        return patch;
+    }
+
+    void add_lit(const bsdf::Patch& patch, const std::vector<LampDirection>& lamp,
+                 Spectrum& sum) const {
+        for (const LampDirection& d : lamp) {
+            for (int o = 0; o < kOctets; ++o) {
+                sum[o] += d.weight * bound_[o]->evaluate_on(patch, kView, d.towards).f;
+            }
+        }
+    }
+
+    void add_diffuse(const bsdf::Patch& patch, Rng& rng, Spectrum& sum) const {
+        const double shift[3] = {rng.uniform_double(), rng.uniform_double(), rng.uniform_double()};
+        for (const auto& point : points_) {
+            const auto sample =
+                bound_[0]->sample_on(patch, kView, wrapped(point[0] + shift[0]),
+                                     {wrapped(point[1] + shift[1]), wrapped(point[2] + shift[2])});
+            if (!sample || sample->mirror) continue;
+            sum[0] += sample->weight;
+            const float cosine_over_pdf = sample->wo.z / sample->pdf;
+            for (int o = 1; o < kOctets; ++o) {
+                sum[o] += cosine_over_pdf * bound_[o]->evaluate_on(patch, kView, sample->wo).f;
+            }
+        }
+    }
+
+    const SparkleCamera& camera_;
+    int across_;
+    double pixel_mm_;
+    bool unit_square_;
+    int patches_;  // a side of a pixel
+    bool exact_;
+    std::array<std::unique_ptr<const bsdf::BoundBsdf>, kOctets> bound_;
+    std::vector<std::vector<LampDirection>> lamps_;
+    std::vector<std::array<double, 3>> points_;
+    ColourWeights weights_;
+};
+
+// All pixels are what the first is.
+void spread_first(PanelPicture& picture) {
+    for (std::size_t i = 3; i < picture.xyz.size(); ++i) picture.xyz[i] = picture.xyz[i - 3];
+}
+
+}  // namespace
+
+int pixels_across(const SparkleCamera& camera) {
+    return static_cast<int>(std::lround(camera.field_mm * 1e3 / camera.pixel_um));
+}
+
+void check(const SparkleCamera& camera) {
+    require_in_range(camera.pixel_um, 1, 1000, "pixel in um");
+    require_in_range(camera.field_mm * 1e3 / camera.pixel_um, kLeastPixels, kMostPixels,
+                     "field of the camera in pixels");
+    require_in_range(camera.lamp_half_angle_deg, 0, 3, "half-angle of the lamps in deg");
+    for (double lamp : camera.lamps_deg) require_in_range(lamp, 0, 85, "angle of a lamp in deg");
+    require_in_range(camera.diffuse_samples, 0, 65536, "directions of diffuse light");
+    if (camera.diffuse_samples % 2 != 0) {
+        throw DomainError(
+            fmt::format("directions of diffuse light = {}: must be even", camera.diffuse_samples));
+    }
+}
+
+PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& camera,
+                            const Progress& progress) {
+    check(camera);
+    if (surface.layout() == bsdf::Layout::unit_square) {
+        require_in_range(camera.unit_square_mm, camera.field_mm, 1e5,
+                         "side of the panel in mm (at least the camera's field)");
+    }
+    const Photographer photographer(surface, camera);
+    PanelPictures pictures;
+    pictures.flakes_told_apart = photographer.exact();
+    pictures.by_lamp.assign(camera.lamps_deg.size(), photographer.blank());
+    if (camera.diffuse_samples > 0) pictures.diffuse.assign(2, photographer.blank());
+    if (!surface.varies_over_surface()) {
+        Photographer::Desk desk(photographer);
+        photographer.look(0, desk, pictures);
+        for (PanelPicture& picture : pictures.by_lamp) spread_first(picture);
+        if (!pictures.diffuse.empty()) pictures.diffuse[1] = pictures.diffuse[0];
+        for (PanelPicture& picture : pictures.diffuse) spread_first(picture);
+        return pictures;
+    }
+    const int rows = photographer.across();
+    for (int first = 0; first < rows; first += kRowsAtOnce) {
+        if (progress && !progress(static_cast<double>(first) / rows)) throw Error("stopped");
+        const int last = std::min(rows, first + kRowsAtOnce);
+        parallel_for_ranges(static_cast<std::size_t>(first) * rows,
+                            static_cast<std::size_t>(last) * rows, 128,
+                            [&](std::size_t begin, std::size_t end) {
+                                Photographer::Desk desk(photographer);
+                                for (std::size_t p = begin; p < end; ++p)
+                                    photographer.look(p, desk, pictures);
+                            });
+    }
+    if (progress) progress(1);
+    return pictures;
+}
+
+}  // namespace nacre::measure

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/core/progress.h"
+#include "nacre/measure/panel_picture.h"
+
+namespace nacre::measure {
+
+/// A telecentric camera that looks along the normal of a flat panel, and the lights around it.
+struct SparkleCamera {
+    double pixel_um = 25;  ///< side of a pixel on the panel, [1, 1000]
+    double field_mm = 12;  ///< side of the square that it sees: 32 to 4096 pixels
+    /// Lamps, from the normal, in one plane; [0, 85] each. May be empty.
+    std::vector<double> lamps_deg = {15, 45, 75};
+    /// Lamps are evenly bright discs of this radius, [0, 3]. 0 is a point. The sun has 0.27.
+    double lamp_half_angle_deg = 0.25;
+    /// Directions a pixel, two a patch at least, for the picture in diffuse light; even, [2,
+    /// 65536], or 0: no such picture.
+    int diffuse_samples = 16;
+    std::uint64_t seed = 0;  ///< of those directions; which flakes there are is the surface's own
+    /// Side of the panel that is an object's unit square (bsdf::Layout::unit_square), at least the
+    /// field.
+    double unit_square_mm = 100;
+};
+
+/// @throws DomainError naming the number and its range
+void check(const SparkleCamera& camera);
+/// Pixels a side.
+int pixels_across(const SparkleCamera& camera);
+
+struct PanelPictures {
+    std::vector<PanelPicture> by_lamp;  ///< in the camera's order
+    /// Under a hemisphere of even radiance: the same flakes twice, looked at along independent
+    /// directions, so that what both show is not noise. Empty without diffuse_samples.
+    std::vector<PanelPicture> diffuse;
+    /// False if flakes lie in such heaps that the model lets some stand for others even on the
+    /// smallest patches: graininess is then too large.
+    bool flakes_told_apart = true;
+};
+
+/// Takes the pictures of a panel. The mirror image of the light in a smooth interface stays out.
+///
+/// Pixels are made of patches that are small enough for the model to tell every flake apart
+/// (bsdf::SingleFlakes). A pixel under a lamp is pi times the BRDF of its patch, averaged over the
+/// lamp's disc with the cosine of incidence, at 16 wavelengths from 400 to 700 nm by 20; under
+/// diffuse light, the integral of BRDF times cosine by sampling the patch along stratified
+/// directions, shifted at random from pixel to pixel [cranley-patterson-1976]. Illuminant D65.
+///
+/// The same bits for any number of threads. A surface that is alike everywhere is looked at once.
+/// @throws DomainError as check(), or if the field is larger than the unit square of a surface that
+///         is laid out over it
+/// @throws Error if `progress` asks to stop
+PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& camera,
+                            const Progress& progress = {});
+
+}  // namespace nacre::measure
