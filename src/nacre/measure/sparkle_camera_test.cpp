@@ -1,0 +1,214 @@
+#include "nacre/measure/sparkle_camera.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "nacre/bsdf/lambertian.h"
+#include "nacre/bsdf/microflake.h"
+#include "nacre/bsdf/nacre.h"
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/layers/solver.h"
+#include "nacre/measure/sparkle_measurement.h"
+
+namespace nacre::measure {
+namespace {
+
+using ::testing::HasSubstr;
+constexpr double kPi = std::numbers::pi;
+
+struct Panel {
+    std::shared_ptr<const layers::SolvedPaint> paint;
+    explicit Panel(const layers::Recipe& recipe)
+        : paint(std::make_shared<const layers::SolvedPaint>(
+              layers::solve(recipe, {400, 475, 550, 625, 700}))) {}
+    bsdf::Nacre sparkling(std::uint64_t seed = 1) const { return bsdf::Nacre(paint, seed); }
+};
+
+// Gray mirrors, so that colour does not matter.
+layers::Recipe mirrors(double diameter_um, double depth, double alpha = 0.12) {
+    constexpr double kThickness_um = 20;
+    layers::FlakeSpecies flake;
+    flake.amount = layers::AreaDensity{depth / kThickness_um};
+    flake.diameter_um = diameter_um;
+    flake.orientation.beckmann_alpha = alpha;
+    flake.body = layers::PrescribedFlake{0.8, 0.0, 0.3};
+    layers::Recipe recipe;
+    recipe.layers.push_back({kThickness_um, {flake}, {}});
+    return recipe;
+}
+
+SparkleCamera small_camera() { return {.pixel_um = 25, .field_mm = 3}; }
+
+double standard_error_of_mean(const PanelPicture& picture) {
+    // Pixels that share a flake are not independent: sixteen pieces are.
+    double sum[kPicturePieces] = {}, count[kPicturePieces] = {};
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const int piece = piece_of(x, y, picture.width, picture.height);
+            sum[piece] += picture.luminance(static_cast<std::size_t>(y) * picture.width + x);
+            count[piece] += 1;
+        }
+    }
+    const double mean = mean_luminance(picture);
+    double variance = 0;
+    for (int i = 0; i < kPicturePieces; ++i) variance += std::pow(sum[i] / count[i] - mean, 2);
+    return std::sqrt(variance / (kPicturePieces * (kPicturePieces - 1.0)));
+}
+
+TEST(SparkleCamera, SeesAWhiteDiffuserAsWhite) {
+    const bsdf::Lambertian white(spectra::Spectrum(1.0));
+    const PanelPictures pictures = take_pictures(white, small_camera());
+    ASSERT_EQ(pictures.by_lamp.size(), 3u);
+    ASSERT_EQ(pictures.diffuse.size(), 2u);
+    for (const PanelPicture* p :
+         {&pictures.by_lamp[0], &pictures.by_lamp[2], &pictures.diffuse[1]}) {
+        EXPECT_NEAR(p->xyz[1], 1, 1e-5);
+        // White point of D65 for the 2 degree observer; sums at 20 nm from 400 to 700 nm.
+        EXPECT_NEAR(p->xyz[0], 0.9505, 0.01);
+        EXPECT_NEAR(p->xyz[2], 1.089, 0.02);
+    }
+}
+
+TEST(SparkleCamera, FindsNeitherSparkleNorGrainOnSmoothSurfaces) {
+    const bsdf::Lambertian gray(spectra::Spectrum(0.3));
+    const Panel panel(mirrors(20, 1.5));
+    const bsdf::Microflake smooth(panel.paint);
+    const SparkleCamera camera = small_camera();
+    for (const bsdf::Bsdf* surface :
+         {static_cast<const bsdf::Bsdf*>(&gray), static_cast<const bsdf::Bsdf*>(&smooth)}) {
+        const auto m = measure_pictures(camera, take_pictures(*surface, camera));
+        for (const Sparkle& s : m.by_lamp) {
+            EXPECT_EQ(s.density_per_cm2.value, 0);
+            EXPECT_EQ(s.area_share.value, 0);
+            EXPECT_EQ(s.pixel_contrast.value, 0);
+        }
+        EXPECT_EQ(m.diffuse->graininess.value, 0);
+    }
+}
+
+TEST(SparkleCamera, SeesOnAverageWhatTheSmoothPaintShows) {
+    const Panel panel(mirrors(20, 1.0, 0.3));
+    const SparkleCamera camera{.pixel_um = 25, .field_mm = 6, .lamps_deg = {15, 45}};
+    const bsdf::Microflake smooth(panel.paint);
+    const PanelPictures mean = take_pictures(smooth, camera);
+    const PanelPictures seen = take_pictures(panel.sparkling(), camera);
+    EXPECT_TRUE(seen.flakes_told_apart);
+    for (std::size_t i = 0; i < camera.lamps_deg.size(); ++i) {
+        const double error = standard_error_of_mean(seen.by_lamp[i]);
+        EXPECT_LT(error, 0.25 * mean.by_lamp[i].luminance(0));
+        EXPECT_NEAR(mean_luminance(seen.by_lamp[i]), mean.by_lamp[i].luminance(0), 4 * error);
+    }
+    // In diffuse light, what leaves but for the mirror of the interface.
+    const auto bound = smooth.bind({400, 440, 480, 520, 560, 600, 640, 680});
+    const double mirror = std::pow((1.5 - 1) / (1.5 + 1), 2);
+    const double expected = bound->albedo({0, 0, 1})[4] - mirror;
+    const double error = standard_error_of_mean(seen.diffuse[0]);
+    EXPECT_LT(error, 0.03 * expected);
+    EXPECT_NEAR(mean_luminance(seen.diffuse[0]), expected, 4 * error);
+}
+
+// Few mirrors under light from everywhere: each is as bright as any other, wherever it looks. Then
+// the picture is shot noise of discs, whose relative power spectrum is, by Campbell's theorem,
+//   P(q) = (2 J_1(x)/x)^2 / density,  x = pi d q                       [kingman-1993, section 3.2]
+TEST(SparkleCamera, GrainOfSparseMirrorsIsThatOfShotNoise) {
+    constexpr double kDiameter_mm = 0.06, kDepth = 0.02;
+    layers::Recipe recipe = mirrors(1e3 * kDiameter_mm, kDepth);
+    recipe.binder = optics::Material(1.0);  // no light returns from the interface
+    const Panel panel(recipe);
+    const SparkleCamera camera{
+        .pixel_um = 25, .field_mm = 12, .lamps_deg = {}, .diffuse_samples = 16};
+    const Viewing viewing;
+    double mean = 0, error = 0;
+    constexpr int kPanels = 3;
+    for (int i = 0; i < kPanels; ++i) {
+        const auto m = measure_pictures(camera, take_pictures(panel.sparkling(i), camera), viewing);
+        mean += m.diffuse->graininess.value / kPanels;
+        error += std::pow(m.diffuse->graininess.standard_error / kPanels, 2);
+    }
+    error = std::sqrt(error);
+    const double density = kDepth / (kPi / 4 * kDiameter_mm * kDiameter_mm);
+    const double per_degree = mm_per_degree(viewing);
+    const double luminance = luminance_cd_m2(viewing, 0.8 * kDepth);
+    double squared = 0;
+    constexpr double kStep = 0.01;  // per deg
+    for (double u = 0.5 * kStep; u < 80; u += kStep) {
+        const double x = kPi * kDiameter_mm * u / per_degree;
+        const double disc = 2 * std::cyl_bessel_j(1, x) / x;
+        const double s = contrast_sensitivity(u, luminance, kPanelSide_mm / per_degree);
+        squared += 2 * kPi * u * kStep * s * s * disc * disc;
+    }
+    const double expected = std::sqrt(2 * squared / density) / per_degree;
+    EXPECT_LT(error, 0.04 * expected);
+    // Light that met two flakes, and the depth of a flake, make 2 % at most.
+    EXPECT_NEAR(mean, expected, 4 * error + 0.02 * expected);
+}
+
+// Large pixels hold so many flakes that the model would let some stand for all: they are looked at
+// in patches.
+TEST(SparkleCamera, GrainDoesNotDependOnThePixels) {
+    const Panel panel(mirrors(15, 2));
+    const bsdf::Nacre surface = panel.sparkling();
+    double grain[2], error = 0;
+    for (int i = 0; i < 2; ++i) {
+        const SparkleCamera camera{.pixel_um = i == 0 ? 20.0 : 50.0,
+                                   .field_mm = 5,
+                                   .lamps_deg = {},
+                                   .diffuse_samples = 64};
+        const Estimate g =
+            measure_pictures(camera, take_pictures(surface, camera)).diffuse->graininess;
+        grain[i] = g.value;
+        error = g.standard_error;
+    }
+    // The same flakes. The pixel's own blur differs by 2 %, the noise of the directions makes 3 %.
+    // Patches that let flakes stand for others would have more than three times as much.
+    EXPECT_NEAR(grain[1] / grain[0], 1, 0.08);
+    EXPECT_LT(error, 0.2 * grain[0]);
+}
+
+TEST(SparkleCamera, ValuesDoNotDependOnTheNumberOfThreads) {
+    const Panel panel(mirrors(20, 1.5));
+    const bsdf::Nacre surface = panel.sparkling();
+    const SparkleCamera camera{.pixel_um = 25, .field_mm = 1.5};
+    PanelPictures by_threads[2];
+    for (int i = 0; i < 2; ++i) {
+        const ThreadLimit threads(i + 1);
+        by_threads[i] = take_pictures(surface, camera);
+    }
+    for (std::size_t lamp = 0; lamp < camera.lamps_deg.size(); ++lamp) {
+        EXPECT_EQ(by_threads[0].by_lamp[lamp].xyz, by_threads[1].by_lamp[lamp].xyz);
+    }
+    EXPECT_EQ(by_threads[0].diffuse[1].xyz, by_threads[1].diffuse[1].xyz);
+    EXPECT_NE(by_threads[0].diffuse[0].xyz, by_threads[0].diffuse[1].xyz);
+}
+
+TEST(SparkleCamera, StopsWhenAsked) {
+    const Panel panel(mirrors(20, 1.5));
+    EXPECT_THROW(
+        take_pictures(panel.sparkling(), small_camera(), [](double done) { return done < 0.3; }),
+        Error);
+}
+
+TEST(SparkleCamera, NumbersOutOfRangeAreRefusedByName) {
+    const auto complaint = [](const SparkleCamera& camera) {
+        try {
+            check(camera);
+        } catch (const DomainError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_THAT(complaint({.pixel_um = 0.1}), HasSubstr("pixel in um = 0.1"));
+    EXPECT_THAT(complaint({.field_mm = 500}), HasSubstr("field of the camera in pixels = 20000"));
+    EXPECT_THAT(complaint({.field_mm = std::nan("")}), HasSubstr("field of the camera"));
+    EXPECT_THAT(complaint({.lamps_deg = {15, 90}}), HasSubstr("angle of a lamp in deg = 90"));
+    EXPECT_THAT(complaint({.lamp_half_angle_deg = 5}), HasSubstr("half-angle"));
+    EXPECT_THAT(complaint({.diffuse_samples = 3}), HasSubstr("must be even"));
+    EXPECT_EQ(complaint({}), "");
+}
+
+}  // namespace
+}  // namespace nacre::measure
