@@ -46,7 +46,7 @@ struct MeasuredRgl::Tables {
 
 namespace {
 
-constexpr int kAlbedoAngles = 33, kAlbedoAzimuths = 16, kAlbedoSamples = 48;
+constexpr int kAlbedoAngles = 33, kAlbedoAzimuths = 12, kAlbedoSamples = 24;
 /// Below, f is taken as at this cosine: the format stores f cos(theta_o).
 constexpr float kLeastCosine = 1e-6f;
 

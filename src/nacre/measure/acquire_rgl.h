@@ -14,7 +14,7 @@ namespace nacre::measure {
 
 struct RglSettings {
     int resolution = 64;       ///< points of the unit square per side, [4, 512]
-    int incident = 32;         ///< polar angles of incidence, [2, 256]
+    int incident = 64;         ///< polar angles of incidence, [2, 256]
     int ndf_resolution = 256;  ///< polar angles of the facets' distribution, [8, 4096]
     bool rgb = false;          ///< linear Rec. 709 instead of a spectrum
 };

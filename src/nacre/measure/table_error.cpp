@@ -58,8 +58,8 @@ TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
             const FloatLanes difference = max_lanes(found - wanted, wanted - found);
             flux += wanted * (s->wo.z / s->pdf);
             wrong += difference * (s->wo.z / s->pdf);
-            peak = max_lanes(peak, wanted);
-            largest = max_lanes(largest, difference);
+            peak = max_lanes(peak, wanted * s->wo.z);
+            largest = max_lanes(largest, difference * s->wo.z);
         }
         for (int i = 0; i < kLanes; ++i) {
             if (!(flux[i] > 0)) continue;  // black

@@ -10,7 +10,9 @@ namespace nacre::measure {
 /// How a table of a BRDF differs from what it was made of, over incidences from 5 to 80 deg.
 struct TableError {
     double flux = 0;  ///< Int |f' - f| cos over Int f cos, mean over incidences and wavelengths
-    double peak = 0;  ///< largest |f' - f| over the largest f of its incidence and wavelength
+    /// Largest |f' - f| cos over the largest f cos of its incidence and wavelength. The cosine is
+    /// that of what such tables hold: near the horizon f itself is its quotient, and uncertain.
+    double peak = 0;
 };
 
 /// Compared at eight of the wavelengths, at directions that the table itself draws and therefore
