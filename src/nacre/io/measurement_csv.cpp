@@ -175,7 +175,8 @@ class MeasurementTable {
     std::optional<double> number(const CsvRow& row, const std::string& column,
                                  const Range& range) const {
         const CsvCell* found = cell(row, column);
-        return found ? std::optional(number(*found, column, range)) : std::nullopt;
+        if (!found) return std::nullopt;
+        return number(*found, rows_[0][columns_.at(column)].text, range);  // as the file calls it
     }
 
     /// Three columns that belong together, or none of them.

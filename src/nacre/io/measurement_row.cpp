@@ -113,6 +113,13 @@ measure::Reading reading_of(const MeasurementRow& row, const std::vector<double>
         reading.xyz = *row.xyz;
         reading.lab = spectra::xyz_to_lab(*row.xyz, white);
     }
+    for (int c = 0; c < 3; ++c) {  // what was computed must be readable again
+        if (!kMeasuredColour.contains(reading.lab[c]) ||
+            !kMeasuredTristimulus.contains(reading.xyz[c])) {
+            fail(row, fmt::format("the colour, X = {:.3g}, Y = {:.3g}, Z = {:.3g}, is out of range",
+                                  reading.xyz[0], reading.xyz[1], reading.xyz[2]));
+        }
+    }
     reading.geometry = geometry_of(row);
     return reading;
 }

@@ -15,7 +15,7 @@ namespace nacre::io {
 inline constexpr std::size_t kMostMeasuredWavelengths = 2000;
 inline constexpr Range kMeasuredReflectance{-1, 1e9};
 inline constexpr Range kMeasuredColour{-1e6, 1e6};  // L*, a*, b*
-inline constexpr Range kMeasuredTristimulus{-1e12, 1e12};
+inline constexpr Range kMeasuredTristimulus{-1e15, 1e15};
 inline constexpr Range kMeasuredAngle{-360, 360, "deg"};
 inline constexpr Range kMeasuredWavelength{100, 10000, "nm"};
 

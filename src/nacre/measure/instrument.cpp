@@ -51,8 +51,12 @@ class Instrument {
         for (const ConeNode& in : lamp) {
             for (const ConeNode& out : detector) {
                 const std::vector<double> f = brdf_(in.theta, out.theta, out.phi - in.phi);
+                if (f.size() != wavelengths_) {
+                    throw DomainError(fmt::format("the BRDF has {} values for {} wavelengths",
+                                                  f.size(), wavelengths_));
+                }
                 const double weight = std::numbers::pi * in.weight * out.weight;
-                for (std::size_t i = 0; i < wavelengths_; ++i) sum[i] += weight * f.at(i);
+                for (std::size_t i = 0; i < wavelengths_; ++i) sum[i] += weight * f[i];
             }
         }
         return sum;

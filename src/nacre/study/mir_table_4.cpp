@@ -6,7 +6,8 @@
 #include "nacre/io/image_difference.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/layers/solver.h"
-#include "nacre/study/angular_colour.h"
+#include "nacre/measure/instrument.h"
+#include "nacre/models/spectral_brdf.h"
 #include "nacre/study/mir_parts.h"
 
 // Table 4 and Figure 4: the models on two pearls, and their colour against angle.
@@ -65,18 +66,25 @@ void add_colour(MirContext& context, const std::string& name, const std::string&
             layers::solve(paint.recipe, wavelengths, {}));
     }
     const auto surface = models::make_surface(model, paint, {});
-    std::vector<double> angles;
-    for (int a = 0; a <= 110; a += 5) angles.push_back(a);
+    const models::SpectralBrdf brdf(*surface, wavelengths);
+    std::vector<measure::Geometry> geometries;
+    for (int a = 0; a <= 110; a += 5) geometries.push_back(measure::in_plane(45, a));
+    const measure::Measurement measurement = measure::measure(
+        name,
+        [&](double theta_i, double theta_o, double phi) { return brdf(theta_i, theta_o, phi); },
+        wavelengths, geometries,
+        {spectra::Illuminant::D65, spectra::Observer::cie1931_2deg, measure::Aperture{}});
     report::Series ab{.name = name, .dots = true}, l{.name = name};
     nlohmann::json& results = context.results["colour"][name];
-    for (const AngularColour& colour :
-         angular_colours(models::SpectralBrdf(*surface, wavelengths), angles)) {
-        ab.x.push_back(colour.lab[1]);
-        ab.y.push_back(colour.lab[2]);
-        ab.point_colours.push_back(colour.css);
-        l.x.push_back(colour.aspecular_deg);
-        l.y.push_back(colour.lab[0]);
-        results.push_back({{"aspecular_deg", colour.aspecular_deg}, {"lab", colour.lab}});
+    for (const measure::Reading& reading : measurement.readings) {
+        const double aspecular_deg = reading.geometry.aspecular_deg;
+        ab.x.push_back(reading.lab[1]);
+        ab.y.push_back(reading.lab[2]);
+        ab.point_colours.push_back(
+            report::css_colour(measure::srgb_chip_at_full_light(reading.lab)));
+        l.x.push_back(aspecular_deg);
+        l.y.push_back(reading.lab[0]);
+        results.push_back({{"aspecular_deg", aspecular_deg}, {"lab", reading.lab}});
     }
     travel.series.push_back(ab);
     lightness.series.push_back(l);
