@@ -9,6 +9,7 @@
 #include "nacre/cli/difference_table.h"
 #include "nacre/cli/instrument_options.h"
 #include "nacre/cli/measured_sample.h"
+#include "nacre/cli/plot_files.h"
 #include "nacre/cli/stopwatch.h"
 #include "nacre/cli/usage_error.h"
 #include "nacre/core/interrupt.h"
@@ -23,7 +24,7 @@ namespace nacre::cli {
 namespace {
 
 struct MeasureOptions : CommonOptions {
-    std::string sample, versus, weights, format = "csv";
+    std::string sample, versus, weights, format = "csv", plots;
     ModelOptions model;
     InstrumentOptions instrument;
 };
@@ -63,6 +64,10 @@ ExitStatus compare(const MeasureOptions& options, const MeasuredSample& sample,
     } else {
         emit(options, difference_csv(difference));
     }
+    if (!options.plots.empty()) {
+        write_plots(options.plots,
+                    panel::measurement_plots(sample.measurement, &standard.measurement));
+    }
     say_summary(options, sample);
     say_summary(options, standard);
     say(options, fmt::format("Delta E 2000 over {} angles: mean {:.2f}, greatest {:.2f}",
@@ -90,6 +95,9 @@ ExitStatus run(const MeasureOptions& options) {
             measure_sample(options.sample, options.model, instrument, options);
         emit(options, options.format == "json" ? dumped(sample_json(sample))
                                                : io::measurement_csv(sample.measurement));
+        if (!options.plots.empty()) {
+            write_plots(options.plots, panel::measurement_plots(sample.measurement));
+        }
         say_summary(options, sample);
         nlohmann::json report = sample_json(sample);
         report["total_s"] = watch.seconds();
@@ -120,6 +128,10 @@ Command add_measure(CLI::App& program) {
     command->add_option("--format", options->format, "csv or json")
         ->check(CLI::IsMember({"csv", "json"}))
         ->capture_default_str();
+    command
+        ->add_option("--plots", options->plots,
+                     "Folder for curves, as SVG and PNG: lightness, travel and spectra")
+        ->type_name("DIR");
     add_output(*command, *options);
     add_seed(*command, *options);
     add_threads(*command, *options);

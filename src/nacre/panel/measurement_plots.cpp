@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
 #include "nacre/panel/texts.h"
+#include "nacre/report/plot_data.h"
 
 namespace nacre::panel {
 
@@ -84,6 +87,34 @@ double largest(const Reading& reading) {
     return *std::max_element(reading.reflectance_factor.begin(), reading.reflectance_factor.end());
 }
 
+/// Curves whose ends are so close that their labels would cover each other share one, as in "75°,
+/// 110°".
+void join_labels(report::Plot& plot) {
+    constexpr double kLeastShare = 0.05;  // of the axis: the height of a letter
+    std::vector<report::Series*> labelled;
+    for (report::Series& series : plot.series) {
+        if (!series.point_labels.empty()) labelled.push_back(&series);
+    }
+    const auto place = [&](const report::Series* series) {
+        // What a logarithmic axis cannot show is far below all else.
+        const double y = series->y.back();
+        return plot.y.logarithmic ? (y > 0 ? std::log10(y) : -1e3) : y;
+    };
+    const auto ends = extents(plot).y;
+    const double length = plot.y.logarithmic ? std::log10(ends.hi / ends.lo) : ends.hi - ends.lo;
+    std::stable_sort(labelled.begin(), labelled.end(),
+                     [&](const auto* a, const auto* b) { return place(a) > place(b); });
+    for (std::size_t i = 0, first = 0; i + 1 < labelled.size(); ++i) {
+        if (place(labelled[first]) - place(labelled[i + 1]) > kLeastShare * length) {
+            first = i + 1;
+            continue;
+        }
+        std::string& joined = labelled[first]->point_labels.back();
+        joined += ", ";
+        joined += std::exchange(labelled[i + 1]->point_labels.back(), {});
+    }
+}
+
 /// A colour for a line on white paper.
 std::string line_colour(spectra::Vec3 lab) {
     constexpr double kLightest = 65;
@@ -157,10 +188,11 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
     constexpr double kWide = 10;
     plot.y.logarithmic = greatest > kWide * least;
     if (!plot.y.logarithmic) plot.y.lo = 0;
+    join_labels(plot);
     if (first_nm < last_nm) {
         // Room for the angles at the ends of the curves.
         plot.x.lo = first_nm;
-        plot.x.hi = last_nm + 0.1 * (last_nm - first_nm);
+        plot.x.hi = last_nm + 0.16 * (last_nm - first_nm);
     }
     return plot;
 }

@@ -51,7 +51,10 @@ TEST(MeasurementPlots, SpectraAreThoseOfTheLampAt45Degrees) {
     ASSERT_EQ(plot.series.size(), 3u);
     EXPECT_THAT(plot.series[0].x, ElementsAre(400, 500, 600));
     EXPECT_THAT(plot.series[0].y, ElementsAre(1.1, 2.2, 0.55));
-    EXPECT_THAT(plot.series[0].point_labels, ElementsAre("", "", "−15°"));
+    EXPECT_THAT(plot.series[2].point_labels, ElementsAre("", "", "110°"));
+    // These two end so close together that they share a label.
+    EXPECT_THAT(plot.series[0].point_labels, ElementsAre("", "", ""));
+    EXPECT_THAT(plot.series[1].point_labels, ElementsAre("", "", "15°, −15°"));
     // 1.2 at most here, 0.4 there: linear. A tenth of that: logarithmic.
     EXPECT_FALSE(plot.y.logarithmic);
     measure::Measurement wide = panel(true);

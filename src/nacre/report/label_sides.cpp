@@ -64,7 +64,14 @@ std::vector<int> label_sides(const Plot& plot, const Extents& ends, const Series
     }
     const std::vector<int> of_shown = label_sides(pixels);
     for (std::size_t k = 0; k < shown.size(); ++k) sides[shown[k]] = of_shown[k];
+    if (labels_only_its_end(series) && sides.back() >= 0) sides.back() = 0;
     return sides;
+}
+
+bool labels_only_its_end(const Series& series) {
+    const auto& labels = series.point_labels;
+    return labels.size() > 1 && std::all_of(labels.begin(), labels.end() - 1,
+                                            [](const std::string& text) { return text.empty(); });
 }
 
 }  // namespace nacre::report

@@ -17,8 +17,11 @@ struct Pixel {
 std::vector<int> label_sides(std::span<const Pixel> points);
 
 /// The same for the points of a series, about as they will lie in a picture; -1 for those that
-/// cannot be shown.
+/// cannot be shown. A label that only the last point has names the line: it stands to its right.
 std::vector<int> label_sides(const Plot& plot, const Extents& ends, const Series& series);
+
+/// Whether no point but the last has a label.
+bool labels_only_its_end(const Series& series);
 
 /// The direction of a side: (cos, sin) of its angle, y downwards.
 Pixel side_direction(int side);

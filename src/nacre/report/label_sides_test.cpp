@@ -37,5 +37,12 @@ TEST(LabelSides, PointsThatCannotBeShownHaveNone) {
     EXPECT_LT(sides[2], 8);
 }
 
+TEST(LabelSides, TheNameOfALineStandsRightOfItsEnd) {
+    Plot plot{.series = {{.x = {0, 1, 2}, .y = {0, 3, 9}, .point_labels = {"", "", "c"}}}};
+    EXPECT_EQ(label_sides(plot, extents(plot), plot.series[0])[2], 0);
+    plot.series[0].point_labels[0] = "a";
+    EXPECT_NE(label_sides(plot, extents(plot), plot.series[0])[2], 0);
+}
+
 }  // namespace
 }  // namespace nacre::report

@@ -149,7 +149,8 @@ std::string labels_svg(const Plot& plot, const PlotFrame& frame, const Series& s
         pixels.push_back(frame.at(series.x[i], series.y[i]));
         shown.push_back(i);
     }
-    const std::vector<int> sides = label_sides(pixels);
+    std::vector<int> sides = label_sides(pixels);
+    if (labels_only_its_end(series) && !sides.empty()) sides.back() = 0;
     // A white outline, drawn first, keeps the words readable on lines.
     const std::string look = fmt::format(
         "font-size=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"3\" "
