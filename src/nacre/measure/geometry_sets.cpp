@@ -50,7 +50,7 @@ std::vector<Geometry> two_lamps_in_plane() {
 }
 
 /// Two detectors off the plane and their mirror images. The maker gives them as unit vectors, and
-/// names that are rounded to a tenth of a degree [xrite-geometries]: one 25 deg beside the mirror
+/// names that are rounded to a tenth of a degree [xrite-2026]: one 25 deg beside the mirror
 /// direction of the lamp at 45 deg, one 45 deg from the normal and at right angles to the plane.
 std::vector<Geometry> two_lamps_off_plane(bool both_sides) {
     const Geometry near = off_plane(45, 25, 90);

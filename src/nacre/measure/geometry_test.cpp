@@ -51,7 +51,7 @@ TEST(Geometry, OffPlaneTurnsAboutTheMirrorDirection) {
 }
 
 // Unit vectors of two detectors and the names of what they read, as the maker's software has them
-// [xrite-geometries]: at (0.640856, 0.422618, 0.640856) and (0, 0.7071, 0.7071), the light
+// [xrite-2026]: at (0.640856, 0.422618, 0.640856) and (0, 0.7071, 0.7071), the light
 // travelling in the plane y = 0.
 TEST(Geometry, NamesOfTheMakersDetectorsAreTheirDirections) {
     const double theta_a = std::acos(0.640856) * 180 / M_PI,
