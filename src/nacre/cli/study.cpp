@@ -14,6 +14,7 @@
 #include "nacre/core/progress_bar.h"
 #include "nacre/study/flakes.h"
 #include "nacre/study/mir_2022.h"
+#include "nacre/study/sparkle.h"
 
 namespace nacre::cli {
 
@@ -66,21 +67,39 @@ std::filesystem::path run_mir_2022(const StudyOptions& options, const study::Sta
     return study::run_mir_2022(settings, stage);
 }
 
-std::filesystem::path run_flakes(const StudyOptions& options, const study::Stage& stage) {
+/// Of the options that choose parts of mir-2022, none may be given.
+void refuse_parts(const StudyOptions& options) {
     const StudyOptions standard;
     if (options.samples != standard.samples || options.size != standard.size ||
         !options.tables.empty() || !options.figures.empty() || !options.parts.empty()) {
         throw UsageError(
-            "--spp, --size, --table, --figure and --part belong to the study mir-2022, not to "
-            "flakes");
+            fmt::format("--spp, --size, --table, --figure and --part belong to the study mir-2022, "
+                        "not to {}",
+                        options.study));
     }
+}
+
+std::filesystem::path run_flakes(const StudyOptions& options, const study::Stage& stage) {
+    refuse_parts(options);
     return study::run_flakes(
         {.folder = options.output, .seed = options.seed, .quick = options.quick}, stage);
 }
 
+std::filesystem::path run_sparkle(const StudyOptions& options, const study::Stage& stage) {
+    refuse_parts(options);
+    return study::run_sparkle(
+        {.folder = options.output, .seed = options.seed, .quick = options.quick}, stage);
+}
+
+using RunStudy = std::filesystem::path (*)(const StudyOptions&, const study::Stage&);
+const std::map<std::string, RunStudy> kStudies = {
+    {"flakes", run_flakes}, {"mir-2022", run_mir_2022}, {"sparkle", run_sparkle}};
+
 ExitStatus run(const StudyOptions& options) {
-    if (options.study != "mir-2022" && options.study != "flakes") {
-        throw UsageError(fmt::format("STUDY = {}: must be one of flakes, mir-2022", options.study));
+    const auto study = kStudies.find(options.study);
+    if (study == kStudies.end()) {
+        throw UsageError(
+            fmt::format("STUDY = {}: must be one of flakes, mir-2022, sparkle", options.study));
     }
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
@@ -91,15 +110,15 @@ ExitStatus run(const StudyOptions& options) {
         work(bar.callback());
     };
     try {
-        const auto page =
-            options.study == "flakes" ? run_flakes(options, stage) : run_mir_2022(options, stage);
+        const auto page = study->second(options, stage);
         say(options, fmt::format("{}", page.string()));
     } catch (const Error&) {
         if (!interrupt_requested()) throw;
-        say(options,
-            fmt::format("nacre: stopped; what is finished is kept in {}, and the same command goes "
-                        "on from there",
-                        options.output));
+        say(options, options.study == "sparkle"
+                         ? "nacre: stopped; no page was written"
+                         : fmt::format("nacre: stopped; what is finished is kept in {}, and the "
+                                       "same command goes on from there",
+                                       options.output));
         return ExitStatus::failure;
     }
     return ExitStatus::ok;
@@ -115,7 +134,7 @@ Command add_study(CLI::App& program) {
         ->add_option(
             "STUDY", options->study,
             "mir-2022: Mir, Yildirim and Kurt 2022; flakes: the model nacre against explicit "
-            "discs")
+            "discs; sparkle: how sparkle and graininess follow from the flakes")
         ->required();
     study->add_option("-o,--output", options->output, "Folder for the report and its pictures")
         ->required()
@@ -141,10 +160,10 @@ Command add_study(CLI::App& program) {
     add_quiet(*study, *options);
     study->footer(
         "Writes DIR/index.html, one self-contained page, and DIR/results.json with every figure.\n"
-        "Pictures that are there already are not made again: after Ctrl-C the same command goes "
-        "on.\n\n"
+        "Pictures of mir-2022 and flakes that are there already are not made again: after Ctrl-C "
+        "the\nsame command goes on.\n\n"
         "Examples:\n  nacre study mir-2022 -o out/mir-2022 --spp 64\n"
-        "  nacre study flakes -o out/flakes");
+        "  nacre study flakes -o out/flakes\n  nacre study sparkle -o out/sparkle");
     return {study, [options] { return run(*options); }};
 }
 

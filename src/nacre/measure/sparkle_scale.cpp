@@ -48,15 +48,13 @@ bool is_peak(const RetinalPicture& picture, int x, int y) {
 }
 
 struct Sums {
-    double pixels = 0, above = 0, spots = 0, visibility = 0, contrast = 0, decades = 0;
+    double pixels = 0, above = 0, spots = 0, decades = 0;
 
     friend Sums operator+(const Sums& a, const Sums& b) {
-        return {a.pixels + b.pixels,         a.above + b.above,       a.spots + b.spots,
-                a.visibility + b.visibility, a.contrast + b.contrast, a.decades + b.decades};
+        return {a.pixels + b.pixels, a.above + b.above, a.spots + b.spots, a.decades + b.decades};
     }
     friend Sums operator-(const Sums& a, const Sums& b) {
-        return {a.pixels - b.pixels,         a.above - b.above,       a.spots - b.spots,
-                a.visibility - b.visibility, a.contrast - b.contrast, a.decades - b.decades};
+        return {a.pixels - b.pixels, a.above - b.above, a.spots - b.spots, a.decades - b.decades};
     }
 };
 
@@ -159,8 +157,6 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
     for (const Spot& spot : spots) {
         Sums& sums = pieces[piece_of(spot.x, spot.y, seen.width, seen.height)];
         sums.spots += 1;
-        sums.visibility += spot.visibility;
-        sums.contrast += spot.excess / result.background.y;
         sums.decades += std::log10(spot.visibility);
     }
     const double pixels_per_cm2 = 100 / (seen.pixel_mm * seen.pixel_mm);
@@ -173,9 +169,12 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
         // As if there had been one: that none was met does not say that there are none.
         result.density_per_cm2.standard_error = 100 / seen.area_mm2();
     } else {
-        result.intensity = jackknife(pieces, [](const Sums& s) { return s.visibility / s.spots; });
+        result.intensity =
+            jackknife(pieces, [](const Sums& s) { return std::pow(10, s.decades / s.spots); });
         if (result.background.y > 0) {
-            result.contrast = jackknife(pieces, [](const Sums& s) { return s.contrast / s.spots; });
+            const double per_threshold = result.background.threshold / result.background.y;
+            result.contrast = Estimate{per_threshold * result.intensity->value,
+                                       per_threshold * result.intensity->standard_error};
         }
     }
     return result;

@@ -49,13 +49,15 @@ struct Sparkle {
     double mean_y = 0;        ///< luminance factor of the panel
     Estimate pixel_contrast;  ///< what the camera saw, without the eye: measure::pixel_contrast()
     Background background;
-    double blur_mm = 0, area_mm2 = 0;   ///< as in RetinalPicture
-    Estimate density_per_cm2;           ///< visible spots per area
-    std::optional<Estimate> intensity;  ///< their mean visibility, in thresholds; none: no spots
-    /// Their mean Weber contrast on the retina; none: no spots, or a black background.
+    double blur_mm = 0, area_mm2 = 0;  ///< as in RetinalPicture
+    Estimate density_per_cm2;          ///< visible spots per area
+    /// Geometric mean of their visibility, in thresholds: the eye tells ratios. None: no spots.
+    std::optional<Estimate> intensity;
+    /// The same as Weber contrast on the retina; none: no spots, or a black background.
     std::optional<Estimate> contrast;
-    Estimate area_share;       ///< of the panel that is above threshold on the retina
-    Estimate sparkle_per_cm2;  ///< sum of log10(visibility) over the spots, per area
+    Estimate area_share;  ///< of the panel that is above threshold on the retina
+    /// Sum of log10(visibility) over the spots, per area: density times log10(intensity).
+    Estimate sparkle_per_cm2;
 };
 
 /// @throws DomainError as check(const Viewing&) and retinal_picture()

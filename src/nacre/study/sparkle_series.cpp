@@ -1,0 +1,106 @@
+#include "nacre/study/sparkle_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "nacre/core/data_directory.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/layers/solver.h"
+#include "nacre/models/make_surface.h"
+
+namespace nacre::study {
+namespace {
+
+// The camera's own, so that nothing is interpolated between wavelengths.
+std::vector<double> camera_wavelengths_nm() {
+    std::vector<double> wavelengths;
+    for (int nm = 400; nm <= 700; nm += 20) wavelengths.push_back(nm);
+    return wavelengths;
+}
+
+}  // namespace
+
+layers::Recipe silver_with(FlakeParameter parameter, double value) {
+    constexpr double kLarge_um = 30;
+    layers::Recipe recipe = io::read_recipe(shipped_file("paints/metallic-silver.toml"));
+    layers::FlakeSpecies& flake = recipe.layers[0].flakes[0];
+    switch (parameter) {
+        case FlakeParameter::diameter:
+            flake.diameter_um = value;
+            flake.diameter_spread_um = value / 3;
+            break;
+        case FlakeParameter::volume:
+            flake.amount = layers::VolumeFraction{value};
+            flake.diameter_um = kLarge_um;
+            flake.diameter_spread_um = kLarge_um / 3;
+            break;
+        case FlakeParameter::orientation:
+            flake.orientation.beckmann_alpha = value;
+            break;
+    }
+    return recipe;
+}
+
+PanelLook look_at(const layers::Recipe& recipe, const measure::SparkleCamera& camera,
+                  std::uint64_t seed, const Progress& progress) {
+    models::SurfaceOptions options;
+    options.seed = seed;
+    const models::Paint paint{.recipe = recipe,
+                              .solved = std::make_shared<const layers::SolvedPaint>(
+                                  layers::solve(recipe, camera_wavelengths_nm()))};
+    const auto surface = models::make_surface(models::Model::nacre, paint, options);
+    PanelLook look;
+    look.pictures = measure::take_pictures(*surface, camera, progress);
+    look.readings = measure::measure_pictures(camera, look.pictures);
+    return look;
+}
+
+std::string name(SparkleMeasure measure) {
+    switch (measure) {
+        case SparkleMeasure::density:
+            return "spots per cm²";
+        case SparkleMeasure::intensity:
+            return "intensity";
+        case SparkleMeasure::sparkle:
+            return "sparkle";
+        case SparkleMeasure::graininess:
+            return "graininess";
+    }
+    return "";
+}
+
+measure::Estimate reading(const measure::SparkleMeasurement& readings, SparkleMeasure measure,
+                          std::size_t lamp) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const measure::Estimate none{kNone, kNone};
+    if (measure == SparkleMeasure::graininess) {
+        return readings.diffuse ? readings.diffuse->graininess : none;
+    }
+    const measure::Sparkle& s = readings.by_lamp.at(lamp);
+    if (measure == SparkleMeasure::density) return s.density_per_cm2;
+    if (measure == SparkleMeasure::sparkle) return s.sparkle_per_cm2;
+    return s.intensity.value_or(none);
+}
+
+TrendVerdict judge(const std::vector<measure::Estimate>& readings, Trend trend) {
+    std::vector<measure::Estimate> known;
+    std::copy_if(readings.begin(), readings.end(), std::back_inserter(known), [](const auto& r) {
+        return std::isfinite(r.value) && std::isfinite(r.standard_error);
+    });
+    if (known.size() < 2) return {};
+    const auto in_errors = [&](const measure::Estimate& a, const measure::Estimate& b) {
+        const double change = trend == Trend::rises ? b.value - a.value : a.value - b.value;
+        const double error = std::hypot(a.standard_error, b.standard_error);
+        return error > 0 ? change / error : 0;
+    };
+    TrendVerdict verdict{known.front(), known.back(), in_errors(known.front(), known.back()), 0};
+    for (std::size_t i = 1; i < known.size(); ++i) {
+        verdict.worst_step_in_errors =
+            std::min(verdict.worst_step_in_errors, in_errors(known[i - 1], known[i]));
+    }
+    return verdict;
+}
+
+}  // namespace nacre::study
