@@ -2,12 +2,11 @@
 #include <cstdint>
 #include <string_view>
 
-#include "nacre/bsdf/measured_merl.h"
 #include "nacre/core/error.h"
 #include "nacre/io/merl_file.h"
 
 // A measured BRDF over half and difference angles is read or refused with an InputError; what is
-// read can be rendered, and written again to be read as the same.
+// read is recognised, and written again as the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     try {
@@ -15,10 +14,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!nacre::io::looks_like_merl(bytes) || nacre::io::merl_bytes(table) != bytes) {
             __builtin_trap();
         }
-        const nacre::bsdf::MeasuredMerl model(table);
-        const auto bound = model.bind({418, 456, 493, 531, 568, 606, 643, 681});
-        bound->sample({0.6f, 0, 0.8f}, 0.5f, {0.3f, 0.7f});
-        bound->evaluate({0.6f, 0, 0.8f}, {0, -0.6f, 0.8f});
     } catch (const nacre::InputError&) {
     }
     return 0;

@@ -15,6 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!(nacre::io::parse_rgl(nacre::io::rgl_bytes(table), "again.bsdf") == table)) {
             __builtin_trap();
         }
+        // Making a surface takes a hundred times as long as reading: only of some.
+        if (!table.description.empty()) return 0;
         const nacre::bsdf::MeasuredRgl model(table);
         const auto bound = model.bind({418, 456, 493, 531, 568, 606, 643, 681});
         bound->sample({0.6f, 0, 0.8f}, 0.5f, {0.3f, 0.7f});

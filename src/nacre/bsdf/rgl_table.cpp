@@ -54,8 +54,8 @@ void validate_square(const char* field, const SquareTable& table, const Range& r
 }  // namespace
 
 void validate(const RglTable& table) {
-    // Finite, and far enough from the largest float that sums of a whole table are too.
-    constexpr float kLargest = 1e30f, kPi = std::numbers::pi_v<float>;
+    // Products of these, over the least cosine, are still finite in single precision.
+    constexpr float kLargest = 1e9f, kPi = std::numbers::pi_v<float>;
     constexpr Range kDensity{0, kLargest}, kAny{-kLargest, kLargest};
     // Files hold 90 and 180 deg as rounded floats.
     constexpr Range kTheta{0, 0.5 * kPi * 1.00001, "rad"},
@@ -72,7 +72,7 @@ void validate(const RglTable& table) {
         }
     }
     validate_square("ndf", table.ndf, kDensity);
-    validate_square("sigma", table.sigma, Range{0, kLargest, "", true});
+    validate_square("sigma", table.sigma, Range{1e-9, kLargest});
     require_sides("vndf", table.vndf_rows, table.vndf_columns);
     require_size("vndf", table.vndf.size(),
                  table.slices() * cells(table.vndf_rows, table.vndf_columns));

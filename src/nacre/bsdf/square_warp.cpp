@@ -67,8 +67,8 @@ SliceMix SliceGrid::locate(float first, float second) const {
 }
 
 SquareCell locate_in_square(Vec2f point, int rows, int columns) {
-    const float x = std::clamp(point.x, 0.0f, 1.0f) * (columns - 1);
-    const float y = std::clamp(point.y, 0.0f, 1.0f) * (rows - 1);
+    const auto inside = [](float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; };  // NaN too
+    const float x = inside(point.x) * (columns - 1), y = inside(point.y) * (rows - 1);
     const int column = std::min(static_cast<int>(x), columns - 2);
     const int row = std::min(static_cast<int>(y), rows - 2);
     return {row, column, y - row, x - column};

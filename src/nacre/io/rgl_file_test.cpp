@@ -226,7 +226,7 @@ TEST(RglFile, ErrorsNameFieldValueAndWhatIsAllowed) {
                    "field theta_i[1] = 0.05 follows 0.1: the values must increase");
     expect_refused(changed(fields, "phi_i", set_float(4, -0.7f)), "field phi_i spans 2.44");
     expect_refused(changed(fields, "sigma", set_float(2, 0.0f)),
-                   "field sigma[2] = 0: must be a number in (0, 1");
+                   "field sigma[2] = 0: must be a number in [1e-09, 1");
     expect_refused(changed(fields, "luminance", set_float(9, -1.0f)), "field luminance[9] = -1");
     expect_refused(changed(fields, "spectra", set_float(5, NAN)), "field spectra[5] = nan");
     expect_refused(changed(fields, "wavelengths", set_float(0, -5.0f)),

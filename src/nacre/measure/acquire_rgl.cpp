@@ -137,8 +137,8 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     table.ndf = same_at_every_azimuth(facets.density);
     table.sigma = same_at_every_azimuth(facets.area);
     const int n = settings.resolution;
-    table.vndf_rows = 2 * n;
-    table.vndf_columns = 2 * n;
+    table.vndf_rows = n;
+    table.vndf_columns = n;
     fill_visible(table, table.ndf);
     table.resolution = n;
     if (!settings.rgb) table.wavelengths.assign(wavelengths_nm.begin(), wavelengths_nm.end());
