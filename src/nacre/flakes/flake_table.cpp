@@ -10,7 +10,7 @@ namespace nacre::flakes {
 namespace {
 
 constexpr double kResolved = 1e-6;
-constexpr int kFirstCosines = 33, kMostCosines = 513;
+constexpr int kFirstCosines = 33;
 
 // Barycentric interpolation from Chebyshev-Lobatto points to the fine grid.
 //                                                        [berrut-trefethen-2004, eq. 5.4]
@@ -128,11 +128,11 @@ FlakeTable FlakeTable::from_chebyshev(int cosine_count, int wavelength_count,
 }
 
 FlakeTable FlakeTable::of_platelet(const optics::Platelet& platelet, const optics::Material& binder,
-                                   std::span<const double> wavelengths_nm) {
+                                   std::span<const double> wavelengths_nm, int most_cosines) {
     const int wavelengths = static_cast<int>(wavelengths_nm.size());
     int count = kFirstCosines;
     auto table = optics::platelet_table(platelet, binder, chebyshev_cosines(count), wavelengths_nm);
-    while (count < kMostCosines &&
+    while (2 * count - 1 <= most_cosines &&
            (unresolved(count, wavelengths, table.reflectance) > kResolved ||
             unresolved(count, wavelengths, table.transmittance) > kResolved)) {
         count = 2 * count - 1;

@@ -20,7 +20,7 @@ std::shared_ptr<const flakes::FlakeTable> FilmCache::table(
     }
     // Unlocked meanwhile: two threads may compute the same table, which is alike.
     auto table = std::make_shared<const flakes::FlakeTable>(
-        flakes::FlakeTable::of_platelet(platelet, binder, wavelengths_nm));
+        flakes::FlakeTable::of_platelet(platelet, binder, wavelengths_nm, most_cosines_));
     const std::lock_guard lock(mutex_);
     entries_.push_front({platelet, binder, wavelengths_nm, table});
     if (entries_.size() > most_tables_) entries_.pop_back();

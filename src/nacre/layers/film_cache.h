@@ -16,7 +16,10 @@ namespace nacre::layers {
 /// several threads at once; forgets what was not used for longest.
 class FilmCache {
  public:
-    explicit FilmCache(std::size_t most_tables = 64) : most_tables_(most_tables) {}
+    /// @param most_cosines  see flakes::FlakeTable::of_platelet()
+    explicit FilmCache(std::size_t most_tables = 64,
+                       int most_cosines = flakes::FlakeTable::kMostCosines)
+        : most_tables_(most_tables), most_cosines_(most_cosines) {}
 
     /// flakes::FlakeTable::of_platelet(), computed or remembered: the same bits.
     std::shared_ptr<const flakes::FlakeTable> table(const optics::Platelet& platelet,
@@ -34,6 +37,7 @@ class FilmCache {
     };
 
     std::size_t most_tables_;
+    int most_cosines_;
     mutable std::mutex mutex_;
     std::list<Entry> entries_;  // the last used one first
     std::size_t computed_ = 0;

@@ -1,0 +1,171 @@
+#include "nacre/fit/fit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/fit/search.h"
+
+namespace nacre::fit {
+
+namespace {
+
+/// A number this near to its bound, as a share of the way between both, is at it.
+constexpr double kAtBound = 1e-3;
+/// Numbers whose share of a weak direction is below this are not named in it.
+constexpr double kPartOfTradeoff = 0.15;
+
+void check(const FitOptions& options) {
+    require_in_range(options.starts, 1, FitOptions::kMostStarts, "starts");
+    require_in_range(options.equal_delta_e, 1e-3, 100, "the Delta E that counts as equal");
+    if (options.noise_delta_e) {
+        require_in_range(*options.noise_delta_e, 1e-6, 100, "noise in Delta E");
+    }
+}
+
+/// A number that only matters elsewhere (the diameter of flakes to the mean colour, a clearcoat's
+/// thickness if it absorbs nothing) cannot be found from colours.
+void require_effect(const FreeNumbers& numbers) {
+    const std::vector<double> wavelengths = {450, 550, 650};
+    const std::vector<double> start = numbers.start_point();
+    const layers::PaintMedium here = layers::make_medium(numbers.at(start), wavelengths);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        std::vector<double> moved = start;
+        moved[i] = start[i] > 0.5 ? start[i] - 0.25 : start[i] + 0.25;
+        try {
+            if (!(layers::make_medium(numbers.at(moved), wavelengths) == here)) continue;
+        } catch (const DomainError&) {
+            continue;  // not with the others as they are; it may have an effect
+        }
+        throw DomainError(fmt::format(
+            "{}: does not change the colours of this paint, so that they cannot tell it",
+            numbers[i].bounds.key));
+    }
+}
+
+/// As everybody else would compute them, without the shortcuts of a search.
+measure::Measurement colours_of(const Target& target, const layers::Recipe& recipe) {
+    return target.read(layers::solve(recipe, target.wavelengths_nm(Detail::fine)), Detail::fine);
+}
+
+std::vector<double> values_at(const FreeNumbers& numbers, const std::vector<double>& x) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < numbers.size(); ++i) values.push_back(numbers[i].from_unit(x[i]));
+    return values;
+}
+
+std::vector<Estimate> estimates_at(const FreeNumbers& numbers, const std::vector<double>& x,
+                                   const Certainty& certainty) {
+    std::vector<Estimate> estimates;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        Estimate estimate{
+            numbers[i], numbers[i].from_unit(x[i]), {}, x[i]<kAtBound, x[i]> 1 - kAtBound};
+        if (const auto& error = certainty.standard_error[i]) {
+            estimate.standard_error = *error * numbers[i].slope(x[i]);
+        }
+        estimates.push_back(std::move(estimate));
+    }
+    return estimates;
+}
+
+Tradeoff describe(const FreeNumbers& numbers, const std::vector<double>& x,
+                  const std::vector<double>& step, double equal_delta_e) {
+    // As far as the bounds allow, in that sense of the direction in which they allow more.
+    const auto room = [&](double sign) {
+        double share = 1;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double d = sign * step[i];
+            if (std::abs(d) < 1e-3) continue;
+            share = std::min(share, (d > 0 ? 1 - x[i] : x[i]) / std::abs(d));
+        }
+        return std::max(share, 0.0);
+    };
+    const double sign = room(1) >= room(-1) ? 1 : -1, share = room(sign);
+    std::vector<std::size_t> order;
+    double largest = 0;
+    for (double d : step) largest = std::max(largest, std::abs(d));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (std::abs(step[i]) >= kPartOfTradeoff * largest) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::abs(step[a]) > std::abs(step[b]);
+    });
+    Tradeoff tradeoff;
+    tradeoff.rms_delta_e = share * equal_delta_e;
+    for (std::size_t i : order) {
+        tradeoff.changes.push_back({numbers[i].bounds.key, numbers[i].from_unit(x[i]),
+                                    numbers[i].from_unit(x[i] + sign * share * step[i])});
+    }
+    return tradeoff;
+}
+
+}  // namespace
+
+Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const FitOptions& options,
+        const Progress& progress) {
+    const auto begin = std::chrono::steady_clock::now();
+    check(options);
+    const Target target(standard, options.target);
+    layers::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
+    require_effect(numbers);
+    ColourModel model(numbers, target);
+
+    Fit out;
+    out.standard = target.standard();
+    const auto compare = [&](const measure::Measurement& sample) {
+        return measure::difference(target.standard(), sample, options.target.weights);
+    };
+    // Whatever is wrong with the recipe comes up here.
+    out.at_start = compare(colours_of(target, numbers.start()));
+
+    SearchEffort effort;
+    const std::vector<Descent> minima =
+        search(model, numbers.start_point(), options.starts, options.seed, progress, effort);
+    const Descent& best = minima[0];
+    const auto at_best = model.evaluate(best.x, Detail::fine);
+    const auto jacobian =
+        at_best ? model.central_jacobian(best.x, *at_best, Detail::fine) : std::nullopt;
+    if (!jacobian) throw Error(model.first_failure());
+    out.certainty = certainty(at_best->residuals, *jacobian, numbers.size(),
+                              {options.noise_delta_e, 3 * target.geometry_count(),
+                               target.geometry_count(), options.equal_delta_e});
+
+    out.recipe = numbers.at(best.x);
+    out.estimates = estimates_at(numbers, best.x, out.certainty);
+    out.colours = colours_of(target, out.recipe);
+    out.difference = compare(out.colours);
+    out.converged = best.converged;
+    out.ended = best.ended;
+    if (target.has_spectra()) {
+        for (spectra::Illuminant light : {spectra::Illuminant::A, spectra::Illuminant::FL11}) {
+            measure::Conditions conditions = target.standard().conditions;
+            conditions.illuminant = light;
+            out.other_lights.emplace_back(
+                light,
+                measure::difference(restated(target.standard(), conditions),
+                                    restated(out.colours, conditions), options.target.weights));
+        }
+    }
+    for (const WeakDirection& weak : out.certainty.weak) {
+        out.tradeoffs.push_back(describe(numbers, best.x, weak.step, options.equal_delta_e));
+    }
+    for (std::size_t i = 1; i < minima.size(); ++i) {
+        const measure::Difference there = compare(colours_of(target, numbers.at(minima[i].x)));
+        if (there.mean_delta_e_2000 > out.difference.mean_delta_e_2000 + options.equal_delta_e) {
+            continue;
+        }
+        out.alternatives.push_back({values_at(numbers, minima[i].x), there.mean_delta_e_2000,
+                                    there.max_delta_e_2000, minima[i].converged, minima[i].ended});
+    }
+    if (progress) progress(1.0);
+    out.effort = {model.solves(),
+                  static_cast<int>(model.films()),
+                  effort.points,
+                  effort.descents,
+                  effort.finished,
+                  std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
+    return out;
+}
+
+}  // namespace nacre::fit

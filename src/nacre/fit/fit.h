@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nacre/core/progress.h"
+#include "nacre/fit/certainty.h"
+#include "nacre/fit/free_numbers.h"
+#include "nacre/fit/target.h"
+#include "nacre/measure/difference.h"
+
+// From multi-angle colour back to composition. The method, what it can know and what it cannot:
+// docs/fit.md.
+
+namespace nacre::fit {
+
+struct FitOptions {
+    TargetOptions target;
+    /// Descents from different points of the bounds, the given start being the first. Before, up to
+    /// 16 times as many points are looked at in passing.
+    int starts = 8;
+    std::uint64_t seed = 0;  ///< of the points
+    /// Standard deviation of the standard's noise in each component of Delta E 2000; none: from the
+    /// residual.
+    std::optional<double> noise_delta_e;
+    /// Paints that are this close to the best one, in the mean of Delta E 2000, count as equal.
+    double equal_delta_e = 0.3;
+
+    static constexpr int kMostStarts = 256;
+};
+
+/// A number as the fit left it.
+struct Estimate {
+    FreeNumber number;
+    double value = 0;
+    std::optional<double> standard_error;  ///< none: not determined (Certainty::standard_error)
+    bool at_lower_bound = false, at_upper_bound = false;
+};
+
+/// Another composition that was found: a minimum of its own.
+struct Minimum {
+    std::vector<double> values;  ///< of the free numbers
+    double mean_delta_e_2000 = 0, max_delta_e_2000 = 0;
+    bool converged = false;
+    std::string ended;
+};
+
+/// A change of numbers that the colours hardly show.
+struct Tradeoff {
+    struct Change {
+        std::string key;
+        double from = 0, to = 0;
+    };
+    std::vector<Change> changes;  ///< of those that take part, the largest first
+    double rms_delta_e = 0;       ///< as far as derivatives at the minimum tell
+};
+
+/// What the work was.
+struct Effort {
+    int solves = 0, films = 0;
+    int points = 0, descents = 0, finished = 0;  ///< looked at, coarsely descended, carried through
+    double seconds = 0;
+};
+
+struct Fit {
+    layers::Recipe recipe;
+    std::vector<Estimate> estimates;
+    measure::Measurement standard, colours;  ///< wanted and reached
+    measure::Difference difference;
+    measure::Difference at_start;
+    /// Under A and FL11 besides, where the standard has spectra: a match under one light need not
+    /// be one under another (metamerism).
+    std::vector<std::pair<spectra::Illuminant, measure::Difference>> other_lights;
+    bool converged = false;
+    std::string ended;
+    Certainty certainty;
+    std::vector<Tradeoff> tradeoffs;
+    std::vector<Minimum> alternatives;  ///< within equal_delta_e of the best, the nearest first
+    Effort effort;
+};
+
+/// Seeks the composition whose colours are nearest to the standard's: the least weighted mean
+/// square of Delta E 2000 between the bounds. The answer does not depend on the number of threads.
+///
+/// @param progress  asked between solves
+/// @throws DomainError as FreeNumbers and Target, or if a free number does not change the colours
+///         at all, or an option is out of range
+/// @throws Error if the paint cannot be solved at the start, or `progress` asks to stop
+Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers,
+        const FitOptions& options = {}, const Progress& progress = {});
+
+}  // namespace nacre::fit

@@ -1,0 +1,106 @@
+#include "nacre/fit/free_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/core/error.h"
+
+namespace nacre::fit {
+
+namespace {
+
+constexpr double kFactor = 3;             // of a number with a size, either way
+constexpr double kIndexFactor = 1.1;      // of a refractive index
+constexpr double kSpreadOfFilm = 0.15;    // of its thickness
+constexpr double kMostAnisotropy = 0.95;  // within what the solver takes (layers/resolution.cpp)
+
+bool ends_with(const std::string& key, std::string_view end) { return key.ends_with(end); }
+
+layers::ParameterBounds spread_bounds(const layers::Recipe& recipe,
+                                      const layers::RecipeParameter& spread) {
+    double most = kFactor * spread.value;
+    const std::string film = spread.key.substr(0, spread.key.rfind('.') + 1);
+    for (const layers::RecipeParameter& other : layers::recipe_parameters(recipe)) {
+        if (other.key == film + "thickness_nm") most = std::max(most, kSpreadOfFilm * other.value);
+    }
+    return {spread.key, 0, most};
+}
+
+}  // namespace
+
+layers::ParameterBounds default_bounds(const layers::Recipe& recipe, const std::string& key) {
+    const layers::RecipeParameter parameter = layers::find_parameter(recipe, key);
+    const Range& range = parameter.range;
+    if (ends_with(key, ".spread_nm")) return spread_bounds(recipe, parameter);
+    if (ends_with(key, ".anisotropy")) return {key, -kMostAnisotropy, kMostAnisotropy};
+    if (range.lo == 0 && range.hi == 1 && !range.lo_open) return {key, 0, 1};
+    if (parameter.value == 0) {
+        throw DomainError(fmt::format(
+            "{} = 0: has no size from which to guess where to seek it; bound it in the recipe's "
+            "table [fit], as in \"{}\" = [0, 1]",
+            key, key));
+    }
+    const double factor = key == "ior" ? kIndexFactor : kFactor;
+    return {key, std::max(range.lo, parameter.value / factor),
+            std::min(range.hi, parameter.value * factor)};
+}
+
+double FreeNumber::to_unit(double value) const {
+    const auto [key, lo, hi] = bounds;
+    const double x = lo > 0 ? std::log(value / lo) / std::log(hi / lo) : (value - lo) / (hi - lo);
+    return std::clamp(x, 0.0, 1.0);
+}
+
+double FreeNumber::from_unit(double x) const {
+    const auto [key, lo, hi] = bounds;
+    // The ends to the last bit, so that a number at its bound is not beyond it.
+    if (x <= 0) return lo;
+    if (x >= 1) return hi;
+    return std::clamp(lo > 0 ? lo * std::pow(hi / lo, x) : lo + x * (hi - lo), lo, hi);
+}
+
+double FreeNumber::slope(double x) const {
+    const auto [key, lo, hi] = bounds;
+    return lo > 0 ? from_unit(x) * std::log(hi / lo) : hi - lo;
+}
+
+FreeNumbers::FreeNumbers(const layers::Recipe& start, const std::vector<std::string>& keys,
+                         const std::vector<layers::ParameterBounds>& bounds)
+    : start_(start) {
+    if (keys.empty()) throw DomainError("no number of the recipe is free: there is nothing to fit");
+    if (keys.size() > kMost) {
+        throw DomainError(
+            fmt::format("{} numbers are free; at most {} can be fitted", keys.size(), kMost));
+    }
+    for (const std::string& key : keys) {
+        const auto given =
+            std::find_if(bounds.begin(), bounds.end(), [&](const auto& b) { return b.key == key; });
+        FreeNumber number;
+        number.bounds_given = given != bounds.end();
+        number.bounds = number.bounds_given ? *given : default_bounds(start, key);
+        layers::check_bounds(start, number.bounds);
+        number.start = layers::find_parameter(start, key).value;
+        for (const FreeNumber& other : numbers_) {
+            if (other.bounds.key == key) {
+                throw DomainError(fmt::format("{}: is named twice among the free numbers", key));
+            }
+        }
+        numbers_.push_back(number);
+    }
+}
+
+std::vector<double> FreeNumbers::start_point() const {
+    std::vector<double> x;
+    for (const FreeNumber& number : numbers_) x.push_back(number.to_unit(number.start));
+    return x;
+}
+
+layers::Recipe FreeNumbers::at(std::span<const double> x) const {
+    layers::Recipe recipe = start_;
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        layers::set_parameter(recipe, numbers_[i].bounds.key, numbers_[i].from_unit(x[i]));
+    }
+    return recipe;
+}
+
+}  // namespace nacre::fit

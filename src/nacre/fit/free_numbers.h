@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "nacre/layers/recipe_parameter.h"
+
+// What a fit may turn: numbers of a recipe between bounds, as coordinates of the unit cube.
+
+namespace nacre::fit {
+
+/// Bounds for a number whose recipe states none: what a colourist might have got wrong, cut to what
+/// the key may be. Reflectances and transmittances: all of [0, 1]. Anisotropy: what the solver
+/// resolves. A spread of thickness: from 0 to three times itself or 15 % of the thickness, whatever
+/// is more. The binder's index: 10 % either way. Everything else: a third to three times itself.
+/// @throws DomainError if the recipe has no such number, or if it is 0 where it must have a size
+layers::ParameterBounds default_bounds(const layers::Recipe& recipe, const std::string& key);
+
+/// One number of a recipe that is sought.
+struct FreeNumber {
+    layers::ParameterBounds bounds;
+    double start = 0;
+    bool bounds_given = false;  ///< by the recipe's table [fit], not by default_bounds()
+
+    /// The place of a value between the bounds, 0 to 1: in its logarithm if the lower bound is
+    /// above 0, since amounts and thicknesses act by their ratios, else in the value.
+    double to_unit(double value) const;
+    double from_unit(double x) const;
+    double slope(double x) const;  ///< derivative of from_unit()
+};
+
+class FreeNumbers {
+ public:
+    static constexpr std::size_t kMost = 24;
+
+    /// @param keys    of numbers of the recipe, without repetition
+    /// @param bounds  of any numbers, as the recipe's file states them
+    /// @throws DomainError if there are no keys, more than kMost, or one twice, and as
+    ///         layers::check_bounds() and default_bounds()
+    FreeNumbers(const layers::Recipe& start, const std::vector<std::string>& keys,
+                const std::vector<layers::ParameterBounds>& bounds);
+
+    std::size_t size() const { return numbers_.size(); }
+    const FreeNumber& operator[](std::size_t i) const { return numbers_[i]; }
+    const layers::Recipe& start() const { return start_; }
+
+    std::vector<double> start_point() const;
+    /// Recipe at a point of the unit cube. Numbers that only make sense together, as R + T <= 1,
+    /// may make it invalid.
+    layers::Recipe at(std::span<const double> x) const;
+
+ private:
+    layers::Recipe start_;
+    std::vector<FreeNumber> numbers_;
+};
+
+}  // namespace nacre::fit

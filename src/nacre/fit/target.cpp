@@ -1,0 +1,153 @@
+#include "nacre/fit/target.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/layers/solver.h"
+#include "nacre/measure/difference.h"
+#include "nacre/measure/instrument.h"
+#include "nacre/spectra/delta_e.h"
+
+namespace nacre::fit {
+
+namespace {
+
+constexpr double kStep_nm[] = {40, 20};  // at a glance, coarse
+// Colours given as L*a*b* alone cannot be summed over as few wavelengths as those of the paint: at
+// 40 nm that would shift them by several Delta E, at 20 nm by 1 at most.
+constexpr double kStepWithoutSpectra_nm = 20;
+
+bool has_all_spectra(const measure::Measurement& m) {
+    return std::all_of(m.readings.begin(), m.readings.end(),
+                       [](const auto& reading) { return !reading.reflectance_factor.empty(); });
+}
+
+/// Every n-th of the wavelengths, n such that their step is about that wanted; eight at least.
+std::size_t stride_of(const std::vector<double>& wavelengths_nm, double wanted_nm) {
+    const std::size_t count = wavelengths_nm.size();
+    if (count < 2) return 1;
+    const double step =
+        (wavelengths_nm.back() - wavelengths_nm.front()) / static_cast<double>(count - 1);
+    const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(wanted_nm / step)));
+    return count / stride >= 7 ? stride : 1;
+}
+
+std::vector<double> every(const std::vector<double>& values, std::size_t stride) {
+    std::vector<double> chosen;
+    for (std::size_t i = 0; i < values.size(); i += stride) chosen.push_back(values[i]);
+    return chosen;
+}
+
+/// The colours that the same sums give at fewer wavelengths, so that a paint that agrees at all of
+/// them agrees at those.
+measure::Measurement seen_coarsely(measure::Measurement standard, std::size_t stride) {
+    standard.conditions.aperture = {};
+    if (stride == 1 || standard.wavelengths_nm.empty()) return standard;
+    standard.wavelengths_nm = every(standard.wavelengths_nm, stride);
+    for (measure::Reading& reading : standard.readings) {
+        reading = measure::coloured(reading.geometry, standard.wavelengths_nm,
+                                    every(reading.reflectance_factor, stride), standard.conditions);
+    }
+    return standard;
+}
+
+}  // namespace
+
+measure::Measurement restated(const measure::Measurement& measurement,
+                              const measure::Conditions& conditions) {
+    measure::Measurement out = measurement;
+    const bool same = measurement.conditions.illuminant == conditions.illuminant &&
+                      measurement.conditions.observer == conditions.observer;
+    out.conditions = conditions;
+    if (same) return out;
+    if (!has_all_spectra(measurement)) {
+        throw DomainError(
+            "the standard has no spectra at all its angles: its colours are known under its own "
+            "illuminant and observer only");
+    }
+    for (measure::Reading& reading : out.readings) {
+        reading = measure::coloured(reading.geometry, out.wavelengths_nm,
+                                    reading.reflectance_factor, conditions);
+    }
+    return out;
+}
+
+Target::Target(const measure::Measurement& standard, const TargetOptions& options) {
+    if (standard.readings.empty()) throw DomainError("the standard has no reading at any angle");
+    measure::difference(standard, standard, options.weights);  // checks the weights
+    has_spectra_ = has_all_spectra(standard) && !standard.wavelengths_nm.empty();
+
+    double sum = 0;
+    for (const measure::Reading& reading : standard.readings) {
+        geometries_.push_back(reading.geometry);
+        const auto found = options.weights.find(reading.geometry.name);
+        root_weight_.push_back(found == options.weights.end() ? 1.0 : found->second);
+        sum += root_weight_.back();
+    }
+    std::vector<spectra::Illuminant> illuminants = options.illuminants;
+    if (illuminants.empty()) illuminants = {standard.conditions.illuminant};
+    const double mean = sum / static_cast<double>(geometries_.size());
+    for (double& weight : root_weight_) {
+        weight = std::sqrt(weight / mean / static_cast<double>(illuminants.size()));
+    }
+
+    const std::vector<double> all =
+        has_spectra_ ? standard.wavelengths_nm : layers::default_wavelengths_nm();
+    for (Detail detail : {Detail::glance, Detail::coarse, Detail::fine}) {
+        const auto d = static_cast<std::size_t>(detail);
+        const bool fine = detail == Detail::fine;
+        const std::size_t stride =
+            fine ? 1 : stride_of(all, has_spectra_ ? kStep_nm[d] : kStepWithoutSpectra_nm);
+        wavelengths_nm_[d] = every(all, stride);
+        for (spectra::Illuminant illuminant : illuminants) {
+            measure::Conditions conditions = standard.conditions;
+            conditions.illuminant = illuminant;
+            conditions.observer = options.observer.value_or(conditions.observer);
+            measure::Measurement wanted = restated(standard, conditions);
+            if (!fine) wanted = seen_coarsely(std::move(wanted), stride);
+            standards_[d].push_back(std::move(wanted));
+        }
+    }
+}
+
+const std::vector<double>& Target::wavelengths_nm(Detail detail) const {
+    return wavelengths_nm_[static_cast<std::size_t>(detail)];
+}
+
+std::size_t Target::residual_count() const {
+    return 3 * geometries_.size() * standards(Detail::fine).size();
+}
+
+measure::Measurement Target::read(const layers::SolvedPaint& paint, Detail detail) const {
+    return measure::measure(
+        paint.recipe.name,
+        [&](double theta_i, double theta_o, double phi) {
+            return paint.brdf(theta_i, theta_o, phi);
+        },
+        wavelengths_nm(detail), geometries_, standards(detail)[0].conditions);
+}
+
+std::vector<double> Target::residuals(const layers::SolvedPaint& paint, Detail detail) const {
+    const measure::Measurement sample = read(paint, detail);
+    std::vector<double> out;
+    out.reserve(residual_count());
+    for (const measure::Measurement& wanted : standards(detail)) {
+        const measure::Measurement seen = restated(sample, wanted.conditions);
+        for (std::size_t i = 0; i < geometries_.size(); ++i) {
+            for (double component :
+                 spectra::delta_e_2000_vector(wanted.readings[i].lab, seen.readings[i].lab)) {
+                out.push_back(root_weight_[i] * component);
+            }
+        }
+    }
+    return out;
+}
+
+double Target::rms_delta_e(const std::vector<double>& residuals) const {
+    double sum = 0;
+    for (double r : residuals) sum += r * r;
+    return std::sqrt(sum / static_cast<double>(geometries_.size()));
+}
+
+}  // namespace nacre::fit
