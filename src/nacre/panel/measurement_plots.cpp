@@ -47,11 +47,13 @@ std::vector<Panel> panels(const Measurement& sample, const Measurement* standard
     return all;
 }
 
-/// "Gold pearl", "Gold pearl, lamp at 45°" where there are several.
+/// "Gold pearl", "standard: Gold pearl, lamp at 45°": what there is to be said.
 std::string series_name(const Panel& panel, double lamp, std::size_t lamps) {
-    std::string name = panel.measurement->name;
-    if (panel.is_standard) name = "standard: " + name;
-    if (lamps > 1) name += ", lamp at " + degrees_text(lamp);
+    std::string name = panel.is_standard ? "standard" : "";
+    if (!panel.measurement->name.empty()) {
+        name += (name.empty() ? "" : ": ") + panel.measurement->name;
+    }
+    if (lamps > 1) name += (name.empty() ? "" : ", ") + ("lamp at " + degrees_text(lamp));
     return name;
 }
 
@@ -129,8 +131,9 @@ std::string chip(const spectra::Vec3& lab) {
 }
 
 report::Plot lightness_plot(const Measurement& sample, const Measurement* standard) {
-    report::Plot plot{
-        .title = "Lightness", .x = {.label = "aspecular angle, degrees"}, .y = {.label = "L*"}};
+    report::Plot plot{.title = "Lightness",
+                      .x = {.label = "aspecular angle, degrees"},
+                      .y = {.label = "L*", .lo = 0}};
     for (const Panel& panel : panels(sample, standard)) {
         add_curves(plot, panel, [](const Reading& reading) {
             return std::pair{reading.geometry.aspecular_deg, reading.lab[0]};
@@ -190,9 +193,16 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
     if (!plot.y.logarithmic) plot.y.lo = 0;
     join_labels(plot);
     if (first_nm < last_nm) {
-        // Room for the angles at the ends of the curves.
+        // Room for the angles at the ends of the curves: for each byte of text, as a share of the
+        // axis in a picture of half a page.
+        std::size_t longest = 0;
+        for (const report::Series& series : plot.series) {
+            if (series.point_labels.empty()) continue;
+            longest = std::max(longest, series.point_labels.back().size());
+        }
         plot.x.lo = first_nm;
-        plot.x.hi = last_nm + 0.16 * (last_nm - first_nm);
+        plot.x.hi =
+            last_nm + std::min(0.02 * static_cast<double>(longest), 0.4) * (last_nm - first_nm);
     }
     return plot;
 }

@@ -84,8 +84,8 @@ std::vector<Metric> metrics(const PanelReport& report) {
                        uncertain(report.sparkle->by_lamp[i].sparkle_per_cm2), "per cm²"});
     }
     if (report.sparkle->diffuse) {
-        all.push_back({"Graininess, diffuse light", uncertain(report.sparkle->diffuse->graininess),
-                       "thresholds of seeing"});
+        all.push_back({"Graininess in diffuse light",
+                       uncertain(report.sparkle->diffuse->graininess), "thresholds"});
     }
     return all;
 }
@@ -141,12 +141,11 @@ std::string chips_html(const PanelReport& report) {
     for (const Reading* reading : readings) {
         html += "<div class=\"chip\">";
         const Reading* other = same_geometry(standard, reading->geometry);
-        if (other) {
-            html += fmt::format("<div class=\"colour half\" style=\"background:{}\"></div>",
-                                chip(other->lab));
-        }
-        html += fmt::format("<div class=\"colour{}\" style=\"background:{}\"></div>",
-                            other ? " half" : "", chip(reading->lab));
+        // The standard above, the sample below, without a seam between them.
+        const std::string below = chip(reading->lab), above = other ? chip(other->lab) : below;
+        html += fmt::format(
+            "<div class=\"colour\" style=\"background:linear-gradient({} 50%, {} 50%)\"></div>",
+            above, below);
         html += fmt::format("<b>{}</b><span>L* {}</span><span>C* {}</span><span>h {}</span>",
                             escape_html(angle_name(report.sample, reading->geometry)),
                             decimal_text(reading->lab[0], 1),
@@ -184,12 +183,17 @@ std::string readings_html(const PanelReport& report) {
 }
 
 std::string plots_html(const PanelReport& report) {
-    constexpr report::SvgSize kHalf{.width_px = 470, .height_px = 340};
-    const Measurement* standard = report.standard ? &report.standard->measurement : nullptr;
+    constexpr report::SvgSize kHalf{.width_px = 470, .height_px = 315};
+    // The page has said whose curves these are.
+    Measurement sample = report.sample;
+    sample.name = report.standard ? "sample" : "";
+    std::optional<Measurement> standard;
+    if (report.standard) {
+        standard = report.standard->measurement;
+        standard->name.clear();
+    }
     std::string html = "<div class=\"two\">\n";
-    for (NamedPlot& named : measurement_plots(report.sample, standard)) {
-        // One panel needs no legend; of two it stands once, under the chips.
-        for (report::Series& series : named.plot.series) series.name.clear();
+    for (const NamedPlot& named : measurement_plots(sample, standard ? &*standard : nullptr)) {
         html += report::static_plot_html(named.plot, kHalf);
     }
     return html + readings_html(report) + "</div>\n";
@@ -201,12 +205,11 @@ std::string composition_html(const PanelReport& report) {
     const bool of_layers = models::info(report.model).ingredients == models::Ingredients::layers;
     std::string html;
     if (of_layers) {
-        html += report::table_html(layers_table(report.recipe), 2);
         std::string words;
         for (const std::string& sentence : layers_in_words(report.recipe)) {
             words += (words.empty() ? "" : " ") + sentence;
         }
-        html += paragraph(words);
+        html += paragraph(words) + report::table_html(layers_table(report.recipe), 2);
     } else if (report.recipe.microfacet) {
         std::string words;
         for (const std::string& sentence : facets_in_words(*report.recipe.microfacet)) {
