@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
         nacre::cli::add_sparkle(program), nacre::cli::add_study(program),
         nacre::cli::add_info(program),    nacre::cli::add_measure(program),
         nacre::cli::add_atlas(program),   nacre::cli::add_export(program),
-        nacre::cli::add_panel(program)};
+        nacre::cli::add_panel(program),   nacre::cli::add_fit(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

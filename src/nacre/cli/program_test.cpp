@@ -24,7 +24,7 @@ using ::testing::StartsWith;
 
 TEST_F(Program, EveryCommandExplainsItselfWithAnExample) {
     for (const char* command : {"film", "solve", "eval", "reference", "render", "diff", "study",
-                                "info", "measure", "atlas", "panel", "sparkle", "export"}) {
+                                "info", "measure", "atlas", "panel", "sparkle", "export", "fit"}) {
         const Outcome help = nacre(std::string(command) + " --help");
         EXPECT_EQ(help.status, 0) << command;
         EXPECT_THAT(help.out, HasSubstr("Example"));

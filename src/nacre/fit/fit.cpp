@@ -131,6 +131,9 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
                               {options.noise_delta_e, 3 * target.geometry_count(),
                                target.geometry_count(), options.equal_delta_e});
 
+    out.noise_given = options.noise_delta_e.has_value();
+    out.equal_delta_e = options.equal_delta_e;
+
     out.recipe = numbers.at(best.x);
     out.estimates = estimates_at(numbers, best.x, out.certainty);
     out.colours = colours_of(target, out.recipe);

@@ -77,6 +77,8 @@ struct Fit {
     bool converged = false;
     std::string ended;
     Certainty certainty;
+    bool noise_given = false;    ///< not taken from the residual
+    double equal_delta_e = 0.3;  ///< as in FitOptions
     std::vector<Tradeoff> tradeoffs;
     std::vector<Minimum> alternatives;  ///< within equal_delta_e of the best, the nearest first
     Effort effort;

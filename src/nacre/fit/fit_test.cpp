@@ -1,0 +1,188 @@
+#include "nacre/fit/fit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/fit/test_support.h"
+
+namespace nacre::fit {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::pearl;
+using testing::read;
+using ::testing::SizeIs;
+using testing::solid;
+
+const std::string kFilm = "layer[0].flakes[0].coats[0].thickness_nm";
+const std::string kAlpha = "layer[0].flakes[0].orientation.alpha";
+const std::string kAmount = "layer[0].flakes[0].volume_fraction";
+const std::string kScattering = "layer[0].pigment[0].scattering_per_mm";
+const std::string kAbsorption = "layer[0].pigment[0].absorption_per_mm.max";
+
+FitOptions with_starts(int starts) {
+    FitOptions options;
+    options.starts = starts;
+    return options;
+}
+
+// What docs/fit.md promises of exact standards is a mean Delta E 2000 below 0.3; a descent that has
+// converged leaves a hundredth of that.
+constexpr double kExact_delta_e = 0.003;
+
+// From gold to violet lie all the colours of the first order: a search downhill alone need not find
+// the way.
+TEST(Fit, FindsAFilmAcrossInterferenceColours) {
+    const Fit found = fit(read(pearl(131)), FreeNumbers(pearl(70), {kFilm}, {}), with_starts(3));
+    EXPECT_GT(found.at_start.mean_delta_e_2000, 10);
+    EXPECT_LT(found.difference.mean_delta_e_2000, kExact_delta_e);
+    EXPECT_NEAR(found.estimates[0].value, 131, 0.05);
+    EXPECT_TRUE(found.converged) << found.ended;
+    EXPECT_FALSE(found.estimates[0].at_lower_bound || found.estimates[0].at_upper_bound);
+    EXPECT_EQ(found.recipe.layers[0].thickness_um, 15);  // what is not free stays
+    // A match of spectra is one under any light.
+    ASSERT_THAT(found.other_lights, SizeIs(2));
+    EXPECT_LT(found.other_lights[1].second.max_delta_e_2000, 0.01);
+}
+
+TEST(Fit, FindsFilmOrientationAndAmountTogether) {
+    layers::Recipe hidden = pearl(105);
+    layers::set_parameter(hidden, kAlpha, 0.32);
+    layers::set_parameter(hidden, kAmount, 0.03);
+    const FreeNumbers numbers(pearl(80), {kFilm, kAlpha, kAmount}, {});
+    const Fit found = fit(read(hidden), numbers, with_starts(2));
+    EXPECT_LT(found.difference.mean_delta_e_2000, kExact_delta_e);
+    EXPECT_NEAR(found.estimates[0].value, 105, 0.05);
+    EXPECT_NEAR(found.estimates[1].value, 0.32, 1e-3);
+    EXPECT_NEAR(found.estimates[2].value, 0.03, 1e-4);
+}
+
+// Instruments that report L*a*b* alone are matched as well, through the same aperture.
+TEST(Fit, TakesColoursWithoutSpectraThroughAnAperture) {
+    measure::Conditions conditions;
+    conditions.aperture = {1, 2};
+    const std::vector<measure::Geometry> angles = {measure::in_plane(45, 15),
+                                                   measure::in_plane(45, 110)};
+    const measure::Measurement standard =
+        testing::without_spectra(read(pearl(90), angles, conditions));
+    const Fit found = fit(standard, FreeNumbers(pearl(80), {kFilm}, {}), with_starts(1));
+    EXPECT_NEAR(found.estimates[0].value, 90, 0.05);
+    EXPECT_EQ(found.colours.conditions.aperture, conditions.aperture);
+    EXPECT_THAT(found.other_lights, IsEmpty());
+}
+
+TEST(Fit, FindsAmountsOfPigmentUnderSeveralLights) {
+    layers::Recipe hidden = solid();
+    layers::set_parameter(hidden, kScattering, 180);
+    layers::set_parameter(hidden, kAbsorption, 35);
+    FitOptions options = with_starts(2);
+    options.target.illuminants = {spectra::Illuminant::D65, spectra::Illuminant::FL11};
+    options.target.observer = spectra::Observer::cie1931_2deg;
+    const Fit found =
+        fit(read(hidden), FreeNumbers(solid(), {kScattering, kAbsorption}, {}), options);
+    EXPECT_NEAR(found.estimates[0].value, 180, 0.5);
+    EXPECT_NEAR(found.estimates[1].value, 35, 0.1);
+    EXPECT_EQ(found.standard.conditions.observer, spectra::Observer::cie1931_2deg);
+}
+
+// Only optical depths matter to a layer of pigment: twice as thick and half as dense is the same.
+TEST(Fit, SaysWhatColoursCannotTell) {
+    const std::string thickness = "layer[0].thickness_um";
+    const FreeNumbers numbers(solid(), {thickness, kScattering, kAbsorption}, {});
+    const Fit found = fit(read(solid()), numbers, with_starts(1));
+    EXPECT_LT(found.difference.mean_delta_e_2000, kExact_delta_e);
+    for (const Estimate& estimate : found.estimates) {
+        EXPECT_FALSE(estimate.standard_error) << estimate.number.bounds.key;
+    }
+    ASSERT_FALSE(found.tradeoffs.empty());
+    const Tradeoff& tradeoff = found.tradeoffs[0];
+    ASSERT_THAT(tradeoff.changes, SizeIs(3));
+    double thickness_ratio = 0, scattering_ratio = 0;
+    for (const Tradeoff::Change& change : tradeoff.changes) {
+        if (change.key == thickness) thickness_ratio = change.to / change.from;
+        if (change.key == kScattering) scattering_ratio = change.to / change.from;
+    }
+    EXPECT_NEAR(thickness_ratio * scattering_ratio, 1, 0.01);
+    EXPECT_GT(std::abs(std::log(thickness_ratio)), std::log(1.2));
+}
+
+TEST(Fit, AStandardOutOfReachLeavesItsResidual) {
+    layers::Recipe green = solid();
+    green.layers[0].pigments[0].absorption_per_mm =
+        spectra::Spectrum({400, 480, 500, 570, 590, 700}, {60, 60, 2, 2, 60, 60});
+    const FreeNumbers numbers(solid(), {kAbsorption}, {{kAbsorption, 30, 90}});
+    const Fit found = fit(read(green), numbers, with_starts(2));
+    EXPECT_GT(found.difference.mean_delta_e_2000, 10);
+    EXPECT_TRUE(found.estimates[0].at_lower_bound);  // the less red the better
+    EXPECT_FALSE(found.ended.empty());
+    EXPECT_GT(*found.certainty.noise_delta_e, 5);
+}
+
+// Without other weights the far angles would have their say.
+TEST(Fit, FollowsTheWeights) {
+    measure::Measurement standard = read(pearl(80));
+    const measure::Measurement other = read(pearl(100));
+    for (std::size_t i = 3; i < 6; ++i) standard.readings[i] = other.readings[i];
+    FitOptions options = with_starts(1);
+    for (std::size_t i = 3; i < 6; ++i) {
+        options.target.weights[standard.readings[i].geometry.name] = 0;
+    }
+    const Fit found = fit(standard, FreeNumbers(pearl(85), {kFilm}, {}), options);
+    EXPECT_NEAR(found.estimates[0].value, 80, 0.05);
+}
+
+TEST(Fit, DoesNotDependOnThreads) {
+    const measure::Measurement standard = read(solid());
+    layers::Recipe start = solid();
+    layers::set_parameter(start, kScattering, 70);
+    const FreeNumbers numbers(start, {kScattering, kAbsorption}, {});
+    const auto values = [&](int threads) {
+        const ThreadLimit limit(threads);
+        const Fit found = fit(standard, numbers, with_starts(2));
+        return std::pair{found.estimates[0].value, found.estimates[1].value};
+    };
+    EXPECT_EQ(values(1), values(2));
+}
+
+TEST(Fit, RefusesNumbersThatColoursDoNotShow) {
+    const std::string diameter = "layer[0].flakes[0].diameter_um";
+    try {
+        fit(read(pearl()), FreeNumbers(pearl(), {kFilm, diameter}, {}));
+        FAIL();
+    } catch (const DomainError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(diameter + ": does not change the colours"));
+    }
+}
+
+TEST(Fit, RefusesWhatTheStandardCannotTell) {
+    const measure::Measurement bare = testing::without_spectra(read(pearl()));
+    const FreeNumbers numbers(pearl(), {kFilm}, {});
+    FitOptions options;
+    options.target.illuminants = {spectra::Illuminant::A};
+    EXPECT_THROW(fit(bare, numbers, options), DomainError);
+    EXPECT_THROW(fit(measure::Measurement{}, numbers), DomainError);
+    options = {};
+    options.target.weights["45as999"] = 1;
+    EXPECT_THROW(fit(bare, numbers, options), DomainError);
+    EXPECT_THROW(fit(bare, numbers, with_starts(0)), DomainError);
+}
+
+TEST(Fit, StopsWhenAsked) {
+    int asked = 0;
+    double last = 0;
+    const auto progress = [&](double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return ++asked < 5;
+    };
+    EXPECT_THROW(fit(read(pearl(90)), FreeNumbers(pearl(), {kFilm}, {}), {}, progress), Error);
+    EXPECT_EQ(asked, 5);
+}
+
+}  // namespace
+}  // namespace nacre::fit

@@ -1,0 +1,81 @@
+#include "nacre/fit/free_numbers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nacre/core/error.h"
+#include "nacre/fit/test_support.h"
+
+namespace nacre::fit {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kFilm = "layer[0].flakes[0].coats[0].";
+
+TEST(FreeNumbers, PlacesBetweenTheBoundsComeBack) {
+    const FreeNumber by_ratio{{"x", 20, 180}, 60, true}, by_value{{"x", 0, 50}, 10, true};
+    EXPECT_NEAR(by_ratio.to_unit(60), 0.5, 1e-15);  // the geometric mean
+    EXPECT_NEAR(by_value.to_unit(10), 0.2, 1e-15);
+    for (const FreeNumber& number : {by_ratio, by_value}) {
+        EXPECT_EQ(number.from_unit(0), number.bounds.lo);
+        EXPECT_EQ(number.from_unit(1), number.bounds.hi);
+        for (double x : {0.1, 0.5, 0.93}) {
+            EXPECT_NEAR(number.to_unit(number.from_unit(x)), x, 1e-14);
+            const double h = 1e-6;
+            EXPECT_NEAR(number.slope(x),
+                        (number.from_unit(x + h) - number.from_unit(x - h)) / (2 * h),
+                        1e-6 * number.slope(x));
+        }
+    }
+}
+
+TEST(FreeNumbers, DefaultBoundsFollowTheKindOfNumber) {
+    const layers::Recipe recipe = testing::pearl(80);
+    const auto bounds = [&](const std::string& key) { return default_bounds(recipe, key); };
+    EXPECT_NEAR(bounds(kFilm + "thickness_nm").lo, 80 / 3.0, 1e-12);
+    EXPECT_NEAR(bounds(kFilm + "thickness_nm").hi, 240, 1e-12);
+    EXPECT_EQ(bounds(kFilm + "spread_nm").lo, 0);
+    EXPECT_NEAR(bounds(kFilm + "spread_nm").hi, 18, 1e-12);                   // three times 6
+    EXPECT_NEAR(bounds("layer[0].flakes[0].core.spread_nm").hi, 240, 1e-12);  // three times 80
+    EXPECT_EQ(bounds("substrate.reflectance").lo, 0);
+    EXPECT_EQ(bounds("substrate.reflectance").hi, 1);
+    EXPECT_NEAR(bounds("ior").hi, 1.65, 1e-12);  // 10 % above 1.5
+}
+
+TEST(FreeNumbers, ASizeOfZeroHasNoDefaultBounds) {
+    layers::Recipe recipe = testing::solid();
+    recipe.layers[0].pigments[0].scattering_per_mm = 0.0;
+    const std::string key = "layer[0].pigment[0].scattering_per_mm";
+    try {
+        default_bounds(recipe, key);
+        FAIL();
+    } catch (const DomainError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(key + " = 0: has no size"));
+        EXPECT_THAT(error.what(), HasSubstr("[fit]"));
+    }
+    EXPECT_NO_THROW(FreeNumbers(recipe, {key}, {{key, 0, 100}}));
+}
+
+TEST(FreeNumbers, BuildTheRecipeAtAPoint) {
+    const std::string film = kFilm + "thickness_nm", alpha = "layer[0].flakes[0].orientation.alpha";
+    const FreeNumbers numbers(testing::pearl(80), {film, alpha}, {{film, 60, 140}});
+    EXPECT_TRUE(numbers[0].bounds_given);
+    EXPECT_FALSE(numbers[1].bounds_given);
+    const layers::Recipe recipe = numbers.at(std::vector<double>{1.0, 0.5});
+    EXPECT_EQ(layers::find_parameter(recipe, film).value, 140);
+    EXPECT_NEAR(layers::find_parameter(recipe, alpha).value, 0.25, 1e-12);
+    EXPECT_NEAR(numbers.start_point()[1], 0.5, 1e-12);
+}
+
+TEST(FreeNumbers, RefusesWhatCannotBeFree) {
+    const layers::Recipe recipe = testing::pearl();
+    EXPECT_THROW(FreeNumbers(recipe, {}, {}), DomainError);
+    EXPECT_THROW(FreeNumbers(recipe, {"layer[0].thickness_um", "layer[0].thickness_um"}, {}),
+                 DomainError);
+    EXPECT_THROW(FreeNumbers(recipe, {"layer[7].thickness_um"}, {}), DomainError);
+    EXPECT_THROW(FreeNumbers(recipe, std::vector<std::string>(25, "ior"), {}), DomainError);
+}
+
+}  // namespace
+}  // namespace nacre::fit
