@@ -33,15 +33,15 @@ struct SquareTable {
 struct RglTable {
     std::string description;
     bool jacobian = true;
-    std::vector<float> phi_i;        ///< rad, increasing; one or two of them: isotropic
-    std::vector<float> theta_i;      ///< rad, increasing, in [0, pi/2]
-    SquareTable ndf;                 ///< D(m) >= 0, in 1/sr, to a factor that sigma shares
-    SquareTable sigma;               ///< projected area of the facets seen from a direction, >= 1e-9
-    int vndf_rows = 2;               ///< along phi_m
-    int vndf_columns = 2;            ///< along theta_m
-    std::vector<float> vndf;         ///< [phi_i][theta_i][row][column] >= 0
-    int resolution = 2;              ///< rows and columns of the two below
-    std::vector<float> luminance;    ///< [phi_i][theta_i][row][column] >= 0: steers sampling only
+    std::vector<float> phi_i;      ///< rad, increasing; one or two of them: isotropic
+    std::vector<float> theta_i;    ///< rad, increasing, in [0, pi/2]
+    SquareTable ndf;               ///< D(m) >= 0, in 1/sr, to a factor that sigma shares
+    SquareTable sigma;             ///< projected area of the facets seen from a direction, >= 1e-9
+    int vndf_rows = 2;             ///< along phi_m
+    int vndf_columns = 2;          ///< along theta_m
+    std::vector<float> vndf;       ///< [phi_i][theta_i][row][column] >= 0
+    int resolution = 2;            ///< rows and columns of the two below
+    std::vector<float> luminance;  ///< [phi_i][theta_i][row][column] >= 0: steers sampling only
     std::vector<float> wavelengths;  ///< nm, increasing; none: linear Rec. 709 in three channels
     std::vector<float> spectra;      ///< [phi_i][theta_i][channel][row][column]
 

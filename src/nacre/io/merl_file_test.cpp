@@ -24,8 +24,8 @@ bsdf::MerlTable random_table(int half, int difference, int azimuths) {
     return table;
 }
 
-/// What an independent program makes of the bytes of sine_table(): numpy 2.4.6 and scipy 1.17.1, half and
-/// difference angles by rotation matrices as the database's reading code has them
+/// What an independent program makes of the bytes of sine_table(): numpy 2.4.6 and scipy 1.17.1,
+/// half and difference angles by rotation matrices as the database's reading code has them
 /// [matusik-2003; rusinkiewicz-1998], then
 ///     scipy.interpolate.RegularGridInterpolator((half + 1/2, difference + 1/2, azimuth + 1/2),
 ///     ...)

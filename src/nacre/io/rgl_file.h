@@ -8,7 +8,8 @@
 #include "nacre/bsdf/rgl_table.h"
 
 // Files of the RGL material database, .bsdf: a tensor file (tensor_file.h) with the fields of
-// bsdf::RglTable.                                             [dupuy-jakob-2018; jakob-2022-mitsuba]
+// bsdf::RglTable.                                             [dupuy-jakob-2018;
+// jakob-2022-mitsuba]
 //
 //   description   uint8    [bytes], text
 //   phi_i         float32  [a], rad

@@ -7,7 +7,8 @@
 #include <vector>
 
 // The container of the RGL material database, which Mitsuba calls a tensor file: named arrays of
-// any rank. All numbers are little-endian.                    [dupuy-jakob-2018; jakob-2022-mitsuba]
+// any rank. All numbers are little-endian.                    [dupuy-jakob-2018;
+// jakob-2022-mitsuba]
 //
 //   "tensor_file" and a zero    12 bytes
 //   version                     two bytes, 1 and 0

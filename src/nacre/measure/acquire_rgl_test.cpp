@@ -71,15 +71,15 @@ TEST(AcquireRgl, ValuesAtTheNodesAreThoseOfTheBrdf) {
     const RglSettings settings{12, 8, 64, false};
     const bsdf::RglTable table = acquire_rgl("test", brdf, kThree, settings);
     const auto bound = bsdf::MeasuredRgl(table).bind(kLanesAt);
+    // A uniform luminance passes samples on: those at nodes of the table stay there.
+    bsdf::RglTable even = table;
+    std::fill(even.luminance.begin(), even.luminance.end(), 1.0f);
+    const auto drawing = bsdf::MeasuredRgl(even).bind(kLanesAt);
     const double theta_i = table.theta_i[3];
     const Vec3f wi = direction(theta_i / testing::kDegree, 0);
     int compared = 0;
     for (int column = 1; column < 11; ++column) {
         for (int row = 1; row < 11; ++row) {
-            // A sample at a node of the uniform luminance is at a node of the table.
-            bsdf::RglTable even = table;
-            std::fill(even.luminance.begin(), even.luminance.end(), 1.0f);
-            static const auto drawing = bsdf::MeasuredRgl(even).bind(kLanesAt);
             const auto s = drawing->sample(wi, 0, {column / 11.0f, row / 11.0f});
             if (!s || s->wo.z < 0.05f) continue;
             const auto f = brdf(theta_i, std::acos(s->wo.z), std::atan2(s->wo.y, s->wo.x));
