@@ -45,7 +45,7 @@ struct AtlasFlake {
 };
 
 /// Cosine of the angle on a flake that mirrors the lamp into the view, both refracted at the flat
-/// surface of a binder: its normal is the half vector inside.             [snell; docs/panel.md]
+/// surface of a binder: its normal is the half vector inside (docs/panel.md).
 /// @param binder_index  real, >= 1
 double cos_on_flake(const measure::Geometry& geometry, double binder_index);
 

@@ -75,12 +75,16 @@ void add_curves(report::Plot& plot, const Panel& panel, const Place& place) {
     }
 }
 
+/// The lamp that stands for all where there is no room for more: at 45 deg, else the first.
+double lamp_of_labels(const std::map<double, Readings>& lamps) {
+    return lamps.contains(45) ? 45 : lamps.begin()->first;
+}
+
 /// The readings whose spectra are shown.
 Readings with_spectra(const Measurement& measurement) {
-    auto lamps = by_lamp(measurement);
+    const auto lamps = by_lamp(measurement);
     if (lamps.empty()) return {};
-    const auto found = lamps.find(45);
-    Readings readings = found != lamps.end() ? found->second : lamps.begin()->second;
+    Readings readings = lamps.at(lamp_of_labels(lamps));
     std::erase_if(readings, [](const Reading* r) { return r->reflectance_factor.empty(); });
     return readings;
 }
@@ -152,8 +156,10 @@ report::Plot travel_plot(const Measurement& sample, const Measurement* standard)
         });
         if (panel.is_standard) continue;  // one set of labels is enough
         std::size_t s = first;
-        for (const auto& [lamp, readings] : by_lamp(sample)) {
+        const auto lamps = by_lamp(sample);
+        for (const auto& [lamp, readings] : lamps) {
             auto& labels = plot.series[s++].point_labels;
+            if (lamp != lamp_of_labels(lamps)) continue;
             for (const Reading* reading : readings) {
                 labels.push_back(degrees_text(reading->geometry.aspecular_deg));
             }

@@ -17,7 +17,8 @@ report::Plot lightness_plot(const measure::Measurement& sample,
                             const measure::Measurement* standard = nullptr);
 
 /// The way through a* and b* as the view leaves the mirror direction, which is where it starts. One
-/// curve for each lamp; equal scales, so that distances are differences in chroma and hue.
+/// curve for each lamp, labelled with angles for that at 45 deg, or the first; equal scales, so
+/// that distances are differences in chroma and hue.
 report::Plot travel_plot(const measure::Measurement& sample,
                          const measure::Measurement* standard = nullptr);
 

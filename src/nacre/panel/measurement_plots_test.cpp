@@ -44,6 +44,7 @@ TEST(MeasurementPlots, TravelHasEqualScalesAndMarksItsStart) {
     EXPECT_THAT(plot.series[1].x, ElementsAre(28, 30, 1));
     EXPECT_THAT(plot.series[1].y, ElementsAre(56, 60, 2));
     EXPECT_THAT(plot.series[1].point_labels, ElementsAre("start, −15°", "15°", "110°"));
+    EXPECT_TRUE(plot.series[0].point_labels.empty());  // of one lamp only
 }
 
 TEST(MeasurementPlots, SpectraAreThoseOfTheLampAt45Degrees) {

@@ -144,7 +144,8 @@ std::string chips_html(const PanelReport& report) {
         // The standard above, the sample below, without a seam between them.
         const std::string below = chip(reading->lab), above = other ? chip(other->lab) : below;
         html += fmt::format(
-            "<div class=\"colour\" style=\"background:linear-gradient({} 50%, {} 50%)\"></div>",
+            "<div class=\"colour\" style=\"background-image:linear-gradient({} 50%, {} "
+            "50%)\"></div>",
             above, below);
         html += fmt::format("<b>{}</b><span>L* {}</span><span>C* {}</span><span>h {}</span>",
                             escape_html(angle_name(report.sample, reading->geometry)),
