@@ -20,7 +20,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr Vec3f kView{0, 0, 1};
 constexpr int kLeastPixels = 32, kMostPixels = 4096;
 // Between directions to a lamp: a quarter of the radius of the lobe of a flake of 100 um.
-constexpr double kLampSpacing_deg = 0.07;
+constexpr double kLampSpacing_deg = 0.1;
 // Rows between two looks at `progress`.
 constexpr int kRowsAtOnce = 16;
 

@@ -169,8 +169,11 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
         // As if there had been one: that none was met does not say that there are none.
         result.density_per_cm2.standard_error = 100 / seen.area_mm2();
     } else {
-        result.intensity =
-            jackknife(pieces, [](const Sums& s) { return std::pow(10, s.decades / s.spots); });
+        // The error of the logarithm, carried over: that of few spots stays sound.
+        const Estimate decades =
+            jackknife(pieces, [](const Sums& s) { return s.decades / s.spots; });
+        const double mean = std::pow(10, decades.value);
+        result.intensity = Estimate{mean, std::numbers::ln10 * mean * decades.standard_error};
         if (result.background.y > 0) {
             const double per_threshold = result.background.threshold / result.background.y;
             result.contrast = Estimate{per_threshold * result.intensity->value,

@@ -71,13 +71,13 @@ std::vector<Series> series_of(bool quick) {
 }
 
 constexpr Expectation kExpectations[] = {
-    {FlakeParameter::diameter, SparkleMeasure::intensity, 1, Trend::rises,
+    {FlakeParameter::diameter, SparkleMeasure::intensity, 0, Trend::rises,
      "a larger flake sends more light, into a narrower lobe [kirchner-2015]"},
     {FlakeParameter::diameter, SparkleMeasure::graininess, -1, Trend::rises,
      "fewer flakes in what the eye resolves average out less: contrast goes with the diameter"},
     {FlakeParameter::volume, SparkleMeasure::density, 0, Trend::rises,
      "more flakes, more of them at the right tilt"},
-    {FlakeParameter::volume, SparkleMeasure::intensity, 1, Trend::falls,
+    {FlakeParameter::volume, SparkleMeasure::intensity, 0, Trend::falls,
      "the light that flakes scatter among them is the background of each [kirchner-2015]"},
     {FlakeParameter::volume, SparkleMeasure::graininess, -1, Trend::falls,
      "more flakes average out better"},
@@ -93,7 +93,7 @@ class Study {
           report_("Sparkle and graininess",
                   "How they follow from the flakes, in the "
                   "model `nacre`") {
-        camera_.field_mm = settings.quick ? 3 : 10;
+        field_mm_ = settings.quick ? 3 : 10;
         make_folder(settings.folder / "pictures");
     }
 
@@ -124,8 +124,9 @@ class Study {
         }
         const measure::Viewing viewing;
         report_.definitions(
-            {{"Camera", fmt::format("{} mm of the panel in pixels of {} um", camera_.field_mm,
-                                    camera_.pixel_um)},
+            {{"Camera",
+              fmt::format("{} mm of the panel in pixels of {} um; {:.3g} mm of large flakes",
+                          field_mm_, camera_.pixel_um, 2.4 * field_mm_)},
              {"Lamps", fmt::format("evenly bright discs of {}° radius, nearly the sun's",
                                    camera_.lamp_half_angle_deg)},
              {"Eye", fmt::format("at {} mm, {} lx on the panel", viewing.distance_mm,
@@ -141,7 +142,7 @@ class Study {
         PanelLook result;
         const std::uint64_t seed = hash_of(settings_.seed, ++panels_);
         stage_(label, [&](const Progress& progress) {
-            result = look_at(recipe, camera_, seed, progress);
+            result = look_at(recipe, camera_for(recipe, field_mm_), seed, progress);
         });
         return result;
     }
@@ -201,10 +202,11 @@ class Study {
         report::Plot plot;
         plot.title = name(measure);
         plot.x = {.label = series.axis, .logarithmic = series.logarithmic};
-        plot.y = {.label = measure == SparkleMeasure::density   ? "spots per cm²"
-                           : measure == SparkleMeasure::sparkle ? "decades of threshold per cm²"
-                                                                : "thresholds",
-                  .logarithmic = true};
+        plot.y = {.label = measure == SparkleMeasure::density     ? "spots per cm²"
+                           : measure == SparkleMeasure::sparkle   ? "decades of threshold per cm²"
+                           : measure == SparkleMeasure::intensity ? "decades above threshold"
+                                                                  : "thresholds",
+                  .logarithmic = measure != SparkleMeasure::intensity};
         const bool diffuse = measure == SparkleMeasure::graininess;
         const std::size_t lines = diffuse ? 1 : camera_.lamps_deg.size();
         for (std::size_t lamp = 0; lamp < lines; ++lamp) {
@@ -307,6 +309,7 @@ class Study {
     report::Report report_;
     json results_;
     measure::SparkleCamera camera_;
+    double field_mm_;
     int panels_ = 0;
     report::Table verdicts_{.columns = {"measure", "expected", "because", "first", "last",
                                         "change, in errors", "worst step, in errors", "holds"}};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 
 #include "nacre/core/data_directory.h"
 #include "nacre/io/recipe_file.h"
@@ -23,7 +24,7 @@ std::vector<double> camera_wavelengths_nm() {
 }  // namespace
 
 layers::Recipe silver_with(FlakeParameter parameter, double value) {
-    constexpr double kLarge_um = 30;
+    constexpr double kLarge_um = 30, kDarkPrimer = 0.01;
     layers::Recipe recipe = io::read_recipe(shipped_file("paints/metallic-silver.toml"));
     layers::FlakeSpecies& flake = recipe.layers[0].flakes[0];
     switch (parameter) {
@@ -35,12 +36,25 @@ layers::Recipe silver_with(FlakeParameter parameter, double value) {
             flake.amount = layers::VolumeFraction{value};
             flake.diameter_um = kLarge_um;
             flake.diameter_spread_um = kLarge_um / 3;
+            recipe.substrate_reflectance = spectra::Spectrum(kDarkPrimer);
             break;
         case FlakeParameter::orientation:
             flake.orientation.beckmann_alpha = value;
             break;
     }
     return recipe;
+}
+
+measure::SparkleCamera camera_for(const layers::Recipe& recipe, double field_mm) {
+    measure::SparkleCamera camera;
+    camera.field_mm = field_mm;
+    // Large flakes are few and answer rarely.
+    constexpr double kLarge_um = 35, kWider = 2.4, kLargePixel_um = 40;
+    if (recipe.layers[0].flakes[0].diameter_um > kLarge_um) {
+        camera.field_mm *= kWider;
+        camera.pixel_um = kLargePixel_um;
+    }
+    return camera;
 }
 
 PanelLook look_at(const layers::Recipe& recipe, const measure::SparkleCamera& camera,
@@ -62,7 +76,7 @@ std::string name(SparkleMeasure measure) {
         case SparkleMeasure::density:
             return "spots per cm²";
         case SparkleMeasure::intensity:
-            return "intensity";
+            return "log10 of intensity";
         case SparkleMeasure::sparkle:
             return "sparkle";
         case SparkleMeasure::graininess:
@@ -81,7 +95,10 @@ measure::Estimate reading(const measure::SparkleMeasurement& readings, SparkleMe
     const measure::Sparkle& s = readings.by_lamp.at(lamp);
     if (measure == SparkleMeasure::density) return s.density_per_cm2;
     if (measure == SparkleMeasure::sparkle) return s.sparkle_per_cm2;
-    return s.intensity.value_or(none);
+    if (!s.intensity) return none;
+    // The logarithm, of which intensity is the mean.
+    const double value = s.intensity->value;
+    return {std::log10(value), s.intensity->standard_error / value / std::numbers::ln10};
 }
 
 TrendVerdict judge(const std::vector<measure::Estimate>& readings, Trend trend) {

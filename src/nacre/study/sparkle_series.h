@@ -20,8 +20,12 @@ enum class FlakeParameter {
 };
 
 /// The recipe with that value. Flakes are 18 um as in the paint, but 30 um where their volume is
-/// varied: then flakes are told apart at most volumes.
+/// varied, on a dark primer: then spots are told apart at most volumes, and their background is the
+/// flakes' own.
 layers::Recipe silver_with(FlakeParameter parameter, double value);
+
+/// A camera whose field is that large, or 2.4 times as large for a paint of large flakes.
+measure::SparkleCamera camera_for(const layers::Recipe& recipe, double field_mm);
 
 /// A panel of the model `nacre`, looked at and read.
 struct PanelLook {
@@ -37,8 +41,8 @@ PanelLook look_at(const layers::Recipe& recipe, const measure::SparkleCamera& ca
 /// What is read off a panel.
 enum class SparkleMeasure { density, intensity, sparkle, graininess };
 std::string name(SparkleMeasure measure);
-/// The reading under a lamp, or in diffuse light for graininess, where `lamp` is not used. NaN
-/// where there is none.
+/// The reading under a lamp (of intensity its logarithm), or in diffuse light for graininess, where
+/// `lamp` is not used. NaN where there is none.
 measure::Estimate reading(const measure::SparkleMeasurement& readings, SparkleMeasure measure,
                           std::size_t lamp);
 
