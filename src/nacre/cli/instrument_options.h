@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct InstrumentRequest {
     std::optional<spectra::Observer> observer;
     std::optional<measure::Aperture> aperture;
     std::optional<std::vector<double>> wavelengths_nm;
+    std::uint64_t walks = std::uint64_t{1} << 18;  ///< per lamp, of the model walk
 
     /// With those that were not given as they are by default.
     measure::Conditions conditions() const;

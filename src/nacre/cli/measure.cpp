@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "nacre/cli/brdf_source.h"
 #include "nacre/cli/command.h"
@@ -27,6 +28,7 @@ struct MeasureOptions : CommonOptions {
     std::string sample, versus, weights, format = "csv", plots;
     ModelOptions model;
     InstrumentOptions instrument;
+    std::optional<std::uint64_t> samples;  // of the model walk
 };
 
 /// What a person wants to read at once.
@@ -44,6 +46,9 @@ nlohmann::json sample_json(const MeasuredSample& sample) {
     document["file"] = sample.path;
     document["recipe_sha256"] = sample.recipe_sha256;
     document["model"] = sample.model;
+    for (std::size_t i = 0; i < sample.standard_error.size(); ++i) {
+        document["readings"][i]["standard_error"] = sample.standard_error[i];
+    }
     return document;
 }
 
@@ -88,13 +93,20 @@ ExitStatus run(const MeasureOptions& options) {
         throw UsageError("--weights belongs to --versus");
     }
     parse_weights(options.weights);
-    const InstrumentRequest instrument = parse_instrument(options.instrument);
+    InstrumentRequest instrument = parse_instrument(options.instrument);
+    if (options.samples) {
+        if (parse_model(options.model).model != models::Model::walk) {
+            throw UsageError("--samples belongs to --model walk; other models are not sampled");
+        }
+        instrument.walks = *options.samples;
+    }
 
     if (options.versus.empty()) {
         const MeasuredSample sample =
             measure_sample(options.sample, options.model, instrument, options);
-        emit(options, options.format == "json" ? dumped(sample_json(sample))
-                                               : io::measurement_csv(sample.measurement));
+        emit(options, options.format == "json"
+                          ? dumped(sample_json(sample))
+                          : io::measurement_csv(sample.measurement, sample.standard_error));
         if (!options.plots.empty()) {
             write_plots(options.plots, panel::measurement_plots(sample.measurement));
         }
@@ -121,6 +133,11 @@ Command add_measure(CLI::App& program) {
         ->required();
     add_instrument_options(*command, options->instrument);
     add_model_options(*command, options->model);
+    command
+        ->add_option("--samples", options->samples,
+                     "With --model walk: walks per lamp; standard errors are in columns SE<nm> "
+                     "[262144]")
+        ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
     command->add_option("--versus", options->versus,
                         "Standard to compare with: a recipe or a measured file");
     command->add_option("--weights", options->weights,

@@ -127,6 +127,27 @@ TEST_F(Program, MeasureTakesASolvedPaintAndAnyModelWithValues) {
     }
 }
 
+TEST_F(Program, MeasureByTheReferenceAgreesWithinItsStandardErrors) {
+    const std::string set = " --geometry 45as15,45as45,15as15 --wavelength 500:600:100";
+    const auto exact = measured(nacre("measure gray.toml" + set));
+    const std::string walk = "measure gray.toml --model walk --samples 20000" + set;
+    const auto json = nlohmann::json::parse(nacre(walk + " --format json").out);
+    const Outcome csv = nacre(walk);
+    const auto walked = measured(csv);
+    EXPECT_THAT(csv.out, HasSubstr(",sample,SE500,SE600\n"));
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double error = json["readings"][i]["standard_error"][k];
+            EXPECT_GT(error, 0);
+            // A share of 6e-5 of normal errors is larger than four of their standard deviation.
+            EXPECT_NEAR(walked.readings[i].reflectance_factor[k],
+                        exact.readings[i].reflectance_factor[k], 4 * error);
+        }
+    }
+    EXPECT_THAT(nacre("measure gray.toml --model walk --aperture 1,1").err, HasSubstr("points"));
+    EXPECT_THAT(nacre("measure gray.toml --model walk --hot-spot").err, HasSubstr("belongs to"));
+}
+
 TEST_F(Program, MeasureSaysWhatIsWrong) {
     const auto expect = [&](const std::string& arguments, int status, const std::string& message) {
         const Outcome outcome = nacre("measure " + arguments);
@@ -147,6 +168,7 @@ TEST_F(Program, MeasureSaysWhatIsWrong) {
     expect("gray.toml --versus gray.toml --weights 45as15", 1, "NAME=W");
     expect("gray.toml --versus gray.toml --weights 45as30=1", 2, "45as30");
     expect("gray.toml --model volume", 1, "volume");
+    expect("gray.toml --samples 100", 1, "--model walk");
     expect("none.toml", 2, "none.toml");
     write("broken.csv", "geometry,L,a,b\n45as15,90,1\n");
     expect("broken.csv", 2, "broken.csv:2:1");

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "nacre/cli/brdf_source.h"
+#include "nacre/cli/walk_sample.h"
 #include "nacre/core/error.h"
 #include "nacre/core/progress_bar.h"
 #include "nacre/io/measurement_file.h"
@@ -87,6 +88,10 @@ bool is_measured_file(const std::filesystem::path& path) {
 MeasuredSample measure_sample(const std::filesystem::path& path, const ModelOptions& model,
                               const InstrumentRequest& request, const CommonOptions& options) {
     if (is_measured_file(path)) return read_sample(path, request);
+    if (parse_model(model).model == models::Model::walk) {
+        parse_surface_options(model, options.seed);  // refuses the options of other models
+        return measure_by_walk(path, request, options);
+    }
     const BrdfSource source =
         load_brdf(path, parse_brdf_request(model, options.seed), request.wavelengths_nm, options);
     const bool is_named = source.recipe && !source.recipe->name.empty();
@@ -94,7 +99,10 @@ MeasuredSample measure_sample(const std::filesystem::path& path, const ModelOpti
     return {measure::measure(is_named ? source.recipe->name : path.stem().string(), source.brdf,
                              source.wavelengths_nm, request.geometries_or_default(),
                              request.conditions(), bar.callback()),
-            path.string(), source.recipe ? io::recipe_hash(*source.recipe) : "", model.model};
+            path.string(),
+            source.recipe ? io::recipe_hash(*source.recipe) : "",
+            model.model,
+            {}};
 }
 
 std::pair<MeasuredSample, MeasuredSample> measure_both(const std::filesystem::path& sample,

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "nacre/cli/common_options.h"
 #include "nacre/cli/instrument_options.h"
@@ -18,9 +19,12 @@ struct MeasuredSample {
     std::string path;
     std::string recipe_sha256;  ///< empty: measured, or made from a table
     std::string model;          ///< empty: measured
+    /// Of the reflectance factor, by reading and wavelength; empty where values are not estimates.
+    std::vector<std::vector<double>> standard_error{};
 };
 
-/// Reads a measured file, or measures a recipe, a solved paint or a table.
+/// Reads a measured file, or measures a recipe, a solved paint or a table; by the model walk, with
+/// standard errors (cli/walk_sample.h).
 ///
 /// A measured file has its own geometries, of which those asked for are taken; its colours are
 /// stated anew under the light asked for, which needs spectra.

@@ -312,15 +312,22 @@ bool has_measurement_header(std::string_view text) {
     return false;
 }
 
-std::string measurement_csv(const measure::Measurement& measurement) {
+std::string measurement_csv(const measure::Measurement& measurement,
+                            const std::vector<std::vector<double>>& standard_error) {
     std::string csv = "geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z";
     const auto out = std::back_inserter(csv);
     for (double wavelength : measurement.wavelengths_nm) fmt::format_to(out, ",R{}", wavelength);
     csv +=
-        ",theta_o,phi,lamp_half_angle_deg,detector_half_angle_deg,illuminant,observer,chip,sample"
-        "\n";
+        ",theta_o,phi,lamp_half_angle_deg,detector_half_angle_deg,illuminant,observer,chip,sample";
+    if (!standard_error.empty()) {
+        for (double wavelength : measurement.wavelengths_nm) {
+            fmt::format_to(out, ",SE{}", wavelength);
+        }
+    }
+    csv += '\n';
     const measure::Conditions& conditions = measurement.conditions;
-    for (const measure::Reading& reading : measurement.readings) {
+    for (std::size_t row = 0; row < measurement.readings.size(); ++row) {
+        const measure::Reading& reading = measurement.readings[row];
         const measure::Geometry& g = reading.geometry;
         fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}", csv_cell(g.name), g.theta_i_deg,
                        g.aspecular_deg, reading.lab[0], reading.lab[1], reading.lab[2],
@@ -333,10 +340,14 @@ std::string measurement_csv(const measure::Measurement& measurement) {
             }
         }
         fmt::format_to(
-            out, ",{},{},{},{},{},{},{},{}\n", g.theta_o_deg, g.phi_deg,
+            out, ",{},{},{},{},{},{},{},{}", g.theta_o_deg, g.phi_deg,
             conditions.aperture.lamp_half_angle_deg, conditions.aperture.detector_half_angle_deg,
             spectra::name(conditions.illuminant), spectra::name(conditions.observer),
             report::css_colour(measure::srgb_chip(reading.lab)), csv_cell(measurement.name));
+        if (!standard_error.empty()) {
+            for (double error : standard_error.at(row)) fmt::format_to(out, ",{}", error);
+        }
+        csv += '\n';
     }
     return csv;
 }

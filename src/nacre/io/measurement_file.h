@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nacre/measure/measurement.h"
 
@@ -17,7 +18,10 @@ inline constexpr std::size_t kMostReadings = 100'000;
 inline constexpr int kMeasurementFormatVersion = 1;
 
 /// As CSV: a row a geometry. Reading it back gives the same measurement, bit for bit.
-std::string measurement_csv(const measure::Measurement& measurement);
+/// @param standard_error  of reflectance, by reading and wavelength, for the last columns SE<nm>,
+///        which a reader passes over; empty: there are none
+std::string measurement_csv(const measure::Measurement& measurement,
+                            const std::vector<std::vector<double>>& standard_error = {});
 
 /// As JSON, with flop index and colour travel. Reading it back gives the same measurement, bit for
 /// bit, as far as names are UTF-8; members that somebody adds are passed over.
