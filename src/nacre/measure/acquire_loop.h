@@ -9,6 +9,14 @@
 
 namespace nacre::measure {
 
+/// What readers take, and more than anybody should want to make.
+inline constexpr double kMostTableBytes = 2147483648.0;
+
+/// @throws DomainError if a table would have more bytes than that
+inline void require_table_size(double bytes) {
+    require_in_range(bytes, 0, kMostTableBytes, "bytes of the table to be measured");
+}
+
 /// Calls body(row) for each row on all threads and reports after each.
 /// @throws Error if `progress` asks to stop
 template <class Body>

@@ -18,6 +18,8 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
     check(settings.half, "cells along theta_half");
     check(settings.difference, "cells along theta_difference");
     check(settings.azimuths, "cells along phi_difference");
+    require_table_size(3.0 * sizeof(double) * settings.half * settings.difference *
+                       settings.azimuths);
     const SpectrumColour colour(wavelengths_nm);
     bsdf::MerlTable table{settings.half, settings.difference, settings.azimuths, {}};
     table.values.assign(3 * table.cells(), -1.0);

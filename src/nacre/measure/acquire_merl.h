@@ -22,7 +22,8 @@ struct MerlSettings {
 /// components outside the gamut cut off at zero, as a negative value would mean another thing.
 ///                                                                        [matusik-2003]
 /// @param wavelengths_nm  those of `brdf`, increasing
-/// @throws DomainError if a setting is out of range, or the BRDF negative or not finite somewhere
+/// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
+/// negative or not finite somewhere
 /// @throws Error if `progress` asks to stop
 bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavelengths_nm,
                              const MerlSettings& settings, const Progress& progress = {});

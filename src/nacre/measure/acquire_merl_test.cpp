@@ -152,6 +152,7 @@ TEST(AcquireMerl, RefusesSettingsAndValuesOutOfRange) {
     const Brdf white = lambertian({1, 1, 1});
     EXPECT_THROW(table_of(white, {1, 10, 10}), DomainError);
     EXPECT_THROW(table_of(white, {10, 10, 2000}), DomainError);
+    EXPECT_THROW(table_of(white, {1024, 1024, 1024}), DomainError);  // 24 GiB
     EXPECT_THROW(table_of(lambertian({1, -1, 1}), {4, 4, 4}), DomainError);
     EXPECT_THROW(acquire_merl(white, kThree, {4, 4, 4}, [](double) { return false; }), Error);
 }

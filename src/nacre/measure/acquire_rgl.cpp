@@ -125,6 +125,9 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     require_setting("resolution", settings.resolution, 4, 512);
     require_setting("incident angles", settings.incident, 2, 256);
     require_setting("resolution of the facets' distribution", settings.ndf_resolution, 8, 4096);
+    require_table_size(static_cast<double>(sizeof(float)) * settings.resolution *
+                       settings.resolution * settings.incident *
+                       (settings.rgb ? 3.0 : static_cast<double>(wavelengths_nm.size())));
     const SpectrumColour colour(wavelengths_nm);
     const Facets facets = find_facets(brdf, colour, settings.ndf_resolution);
 

@@ -32,7 +32,8 @@ struct RglSettings {
 /// components outside the gamut cut off at zero.
 ///
 /// @param wavelengths_nm  those of `brdf`, increasing
-/// @throws DomainError if a setting is out of range, or the BRDF negative or not finite somewhere
+/// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
+/// negative or not finite somewhere
 /// @throws Error if `progress` asks to stop
 bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
                            const std::vector<double>& wavelengths_nm, const RglSettings& settings,

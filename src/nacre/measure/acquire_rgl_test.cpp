@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "nacre/bsdf/measured_rgl.h"
 #include "nacre/bsdf/test_support.h"
 #include "nacre/core/error.h"
@@ -194,6 +196,9 @@ TEST(AcquireRgl, RefusesSettingsAndValuesOutOfRange) {
     EXPECT_THROW(acquire_rgl("", white, kThree, {3, 8, 64, false}), DomainError);
     EXPECT_THROW(acquire_rgl("", white, kThree, {16, 1, 64, false}), DomainError);
     EXPECT_THROW(acquire_rgl("", white, {550, 450, 650}, {}), DomainError);
+    std::vector<double> many(31);
+    std::iota(many.begin(), many.end(), 500.0);
+    EXPECT_THROW(acquire_rgl("", white, many, {512, 256, 64, false}), DomainError);  // 8 GiB
     EXPECT_THROW(acquire_rgl("", lambertian({1, -1, 1}), kThree, {16, 8, 64, false}), DomainError);
     EXPECT_THROW(acquire_rgl("", lambertian({1, 1}), kThree, {16, 8, 64, false}), DomainError);
     EXPECT_THROW(acquire_rgl("", white, kThree, {16, 8, 64, false}, [](double) { return false; }),
