@@ -92,6 +92,10 @@ void check_choices(const PanelOptions& options) {
     if (fs::path(options.output).extension() != ".html") {
         throw UsageError(fmt::format("--output = {}: must end in .html", options.output));
     }
+    const fs::path folder = fs::path(options.output).parent_path();
+    if (!folder.empty() && !fs::is_directory(folder)) {  // known before a minute of work
+        throw InputError(fmt::format("{}: there is no such folder", folder.string()));
+    }
     render::builtin_scene(options.scene);  // throws if there is none
     if (is_measured_file(options.recipe)) {
         throw InputError(fmt::format(

@@ -44,6 +44,7 @@ TEST_F(Panel, RefusesWhatHasNoComposition) {
     EXPECT_THAT(complaint("measured.csv -o a.html", 2), HasSubstr("needs a recipe"));
     EXPECT_THAT(complaint("gray.toml -o a.pdf", 1), HasSubstr("must end in .html"));
     EXPECT_THAT(complaint("gray.toml -o a.html --scene moon", 2), HasSubstr("moon"));
+    EXPECT_THAT(complaint("gray.toml -o nowhere/a.html", 2), HasSubstr("nowhere"));
     EXPECT_THAT(complaint("gray.toml -o a.html --model walk", 1), HasSubstr("walk"));
     EXPECT_THAT(complaint("gray.toml -o a.html --model thin-film", 2), HasSubstr("microfacet"));
     EXPECT_THAT(complaint("missing.toml -o a.html", 2), HasSubstr("missing.toml"));
