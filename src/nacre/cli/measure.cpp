@@ -129,7 +129,9 @@ Command add_measure(CLI::App& program) {
         "measure", "Hold a virtual multi-angle spectrophotometer against a paint");
     command
         ->add_option("SAMPLE", options->sample,
-                     "Recipe (TOML), solved paint or table (HDF5), or a measured file (CSV, JSON)")
+                     "Recipe (TOML), solved paint or table (HDF5), measured BRDF (.bsdf, .binary), "
+                     "or measured "
+                     "colours (CSV, JSON)")
         ->required();
     add_instrument_options(*command, options->instrument);
     add_model_options(*command, options->model);

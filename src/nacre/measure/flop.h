@@ -10,8 +10,7 @@
 namespace nacre::measure {
 
 /// 2.69 (L*15 - L*110)^1.11 / (L*45)^0.86, lit from 45 deg: 0 for a solid colour, some 15 to 20 for
-/// a strong metallic.
-/// [source: docs/measure.md]
+/// a strong metallic.                                      [alman-1987, by way of docs/measure.md]
 /// Empty if one of the three angles was not read, or the formula has no value (L*15 < L*110, or
 /// L*45 = 0).
 std::optional<double> flop_index(const Measurement& measurement);

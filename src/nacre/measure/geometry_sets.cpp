@@ -99,7 +99,7 @@ std::span<const GeometrySet> geometry_sets() {
         {"astm-e2539",
          "45, 15 and 65 deg lamps, 10 angles: interference pigments (after ASTM E2539)",
          astm_e2539()},
-        {"byk-mac", "45 deg lamp, 6 angles: as BYK-mac i and X-Rite MA-T6", byk_mac()},
+        {"byk-mac", "45 deg lamp, 6 angles: BYK-mac", byk_mac()},
         {"ma-t12", "45 and 15 deg lamps, 11 angles in the plane and 4 off it: after X-Rite MA-T12",
          joined(two_lamps_in_plane(), two_lamps_off_plane(false))},
         {"ma98", "45 and 15 deg lamps, 11 angles in the plane and 8 off it: X-Rite MA98",
