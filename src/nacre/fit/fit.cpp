@@ -15,6 +15,8 @@ namespace {
 constexpr double kAtBound = 1e-3;
 /// Numbers whose share of a weak direction is below this are not named in it.
 constexpr double kPartOfTradeoff = 0.15;
+/// A way is not worth naming if the bounds end it within this share of their distance.
+constexpr double kLeastRoom = 0.02;
 
 void check(const FitOptions& options) {
     require_in_range(options.starts, 1, FitOptions::kMostStarts, "starts");
@@ -69,8 +71,9 @@ std::vector<Estimate> estimates_at(const FreeNumbers& numbers, const std::vector
     return estimates;
 }
 
-Tradeoff describe(const FreeNumbers& numbers, const std::vector<double>& x,
-                  const std::vector<double>& step, double equal_delta_e) {
+/// Empty where the bounds leave no room to go that way.
+std::optional<Tradeoff> describe(const FreeNumbers& numbers, const std::vector<double>& x,
+                                 const std::vector<double>& step, double equal_delta_e) {
     // As far as the bounds allow, in that sense of the direction in which they allow more.
     const auto room = [&](double sign) {
         double share = 1;
@@ -91,6 +94,7 @@ Tradeoff describe(const FreeNumbers& numbers, const std::vector<double>& x,
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return std::abs(step[a]) > std::abs(step[b]);
     });
+    if (share * largest < kLeastRoom) return std::nullopt;
     Tradeoff tradeoff;
     tradeoff.rms_delta_e = share * equal_delta_e;
     for (std::size_t i : order) {
@@ -151,7 +155,9 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
         }
     }
     for (const WeakDirection& weak : out.certainty.weak) {
-        out.tradeoffs.push_back(describe(numbers, best.x, weak.step, options.equal_delta_e));
+        if (auto tradeoff = describe(numbers, best.x, weak.step, options.equal_delta_e)) {
+            out.tradeoffs.push_back(std::move(*tradeoff));
+        }
     }
     for (std::size_t i = 1; i < minima.size(); ++i) {
         const measure::Difference there = compare(colours_of(target, numbers.at(minima[i].x)));

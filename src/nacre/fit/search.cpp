@@ -37,7 +37,7 @@ constexpr double kOffTheFloor = 0.05;
 /// Ends of coarse descents are carried through if their difference is so near to the best one's.
 /// Without spectra coarse colours are off by up to 1.
 constexpr double kWorthDelta_e = 0.5, kWorthWithoutSpectra_delta_e = 1.5;
-constexpr std::size_t kMostCarriedThrough = 4;
+constexpr std::size_t kMostCarriedThrough = 3;
 
 // Shares of the work, for the bar.
 constexpr double kGlanceShare = 0.15, kRaceShare = 0.25, kCoarseShare = 0.3, kFineShare = 0.25;
@@ -168,9 +168,11 @@ std::vector<Descent> search(ColourModel& model, const std::vector<double>& start
     const auto racers = choose_starts(glance(model, std::move(points), meter),
                                       static_cast<std::size_t>(starts) * kRacersPerStart);
     std::vector<std::vector<double>> beginnings = {racers[0]};
-    for (const Descent& end :
-         distinct(descend_from(model, racers, Detail::glance, kGlanceLimits, kRaceShare, meter))) {
-        if (beginnings.size() < static_cast<std::size_t>(starts)) beginnings.push_back(end.x);
+    if (racers.size() > 1) {
+        for (const Descent& end : distinct(
+                 descend_from(model, racers, Detail::glance, kGlanceLimits, kRaceShare, meter))) {
+            if (beginnings.size() < static_cast<std::size_t>(starts)) beginnings.push_back(end.x);
+        }
     }
 
     effort.descents = static_cast<int>(beginnings.size());
