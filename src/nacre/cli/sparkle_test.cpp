@@ -50,7 +50,8 @@ TEST_F(Program, SparkleWritesJsonAndPictures) {
 }
 
 TEST_F(Program, SparkleTakesTheModelSpecialEffect) {
-    write("facets.toml", R"([microfacet]
+    write("facets.toml", R"(ior = 1.5
+[microfacet]
 alpha = 0.2
 film_ior = 1.8
 film_thickness_nm = 158
@@ -83,6 +84,7 @@ TEST_F(Program, SparkleRefusesWhatItCannotMeasure) {
         {"--pixel 0", "pixel in um = 0", 2},
         {"--field nan", "field", 2},
         {"--field 1e9", "field of the camera in pixels", 2},
+        {"--field 100 --lamp 1:16:1", "pixels in all pictures", 2},
         {"--lamp-half-angle -1", "half-angle", 2},
         {"--diffuse-samples 5", "must be even", 2},
         {"--distance 1", "viewing distance in mm = 1", 2},
@@ -91,7 +93,9 @@ TEST_F(Program, SparkleRefusesWhatItCannotMeasure) {
         {"--field 1 --distance 5000", "larger field", 2},
     };
     for (const auto& c : cases) {
-        const Outcome run = nacre(std::string("sparkle gray.toml --field 2 ") + c.arguments);
+        const std::string field =
+            std::string(c.arguments).find("--field") == std::string::npos ? "--field 2 " : "";
+        const Outcome run = nacre("sparkle gray.toml " + field + c.arguments);
         EXPECT_EQ(run.status, c.status) << c.arguments << run.err;
         EXPECT_THAT(run.err, HasSubstr(c.complaint)) << c.arguments;
         EXPECT_THAT(run.out, IsEmpty()) << c.arguments;

@@ -19,6 +19,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr Vec3f kView{0, 0, 1};
 constexpr int kLeastPixels = 32, kMostPixels = 4096;
+constexpr double kMostPixelsInAll = 6e7;  // 720 MB
 // Between directions to a lamp: a quarter of the radius of the lobe of a flake of 100 um.
 constexpr double kLampSpacing_deg = 0.1;
 // Rows between two looks at `progress`.
@@ -251,6 +252,10 @@ void check(const SparkleCamera& camera) {
     require_in_range(camera.pixel_um, 1, 1000, "pixel in um");
     require_in_range(camera.field_mm * 1e3 / camera.pixel_um, kLeastPixels, kMostPixels,
                      "field of the camera in pixels");
+    const double pictures =
+        static_cast<double>(camera.lamps_deg.size()) + (camera.diffuse_samples > 0 ? 2 : 0);
+    require_in_range(std::pow(camera.field_mm * 1e3 / camera.pixel_um, 2) * pictures, 0,
+                     kMostPixelsInAll, "pixels in all pictures");
     require_in_range(camera.lamp_half_angle_deg, 0, 3, "half-angle of the lamps in deg");
     for (double lamp : camera.lamps_deg) require_in_range(lamp, 0, 85, "angle of a lamp in deg");
     require_in_range(camera.diffuse_samples, 0, 65536, "directions of diffuse light");

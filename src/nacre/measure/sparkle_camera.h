@@ -12,7 +12,8 @@ namespace nacre::measure {
 /// A telecentric camera that looks along the normal of a flat panel, and the lights around it.
 struct SparkleCamera {
     double pixel_um = 25;  ///< side of a pixel on the panel, [1, 1000]
-    double field_mm = 12;  ///< side of the square that it sees: 32 to 4096 pixels
+    /// Side of the square that it sees: 32 to 4096 pixels, 60 million in all pictures together.
+    double field_mm = 12;
     /// Lamps, from the normal, in one plane; [0, 85] each. May be empty.
     std::vector<double> lamps_deg = {15, 45, 75};
     /// Lamps are evenly bright discs of this radius, [0, 3]. 0 is a point. The sun has 0.27.
