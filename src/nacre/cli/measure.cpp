@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "nacre/cli/brdf_source.h"
 #include "nacre/cli/command.h"
 #include "nacre/cli/difference_table.h"
 #include "nacre/cli/instrument_options.h"
@@ -16,7 +15,6 @@
 #include "nacre/core/interrupt.h"
 #include "nacre/core/parallel.h"
 #include "nacre/io/measurement_file.h"
-#include "nacre/io/version.h"
 #include "nacre/measure/difference.h"
 #include "nacre/measure/flop.h"
 

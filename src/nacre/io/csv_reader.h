@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-// Comma-separated values, as spreadsheets and instruments export them.               [shafranovich-2005]
+// Comma-separated values, as spreadsheets and instruments export them. [shafranovich-2005]
 
 namespace nacre::io {
 
