@@ -11,6 +11,7 @@ find_package(PNG REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(assimp REQUIRED)
 find_package(Ceres 2 REQUIRED)
+include(SharedCeres)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(librsvg REQUIRED IMPORTED_TARGET librsvg-2.0)
 

@@ -25,6 +25,7 @@ function(nacre_install)
                                    COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/nacre-config.cmake
                 ${PROJECT_BINARY_DIR}/nacre-config-version.cmake
+                ${PROJECT_SOURCE_DIR}/cmake/SharedCeres.cmake
           DESTINATION ${NACRE_INSTALL_CMAKEDIR})
 
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/nacre DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
