@@ -44,7 +44,7 @@ Quality quality_of(const PanelOptions& options) {
         options.quality == "low" ? Quality{240, 160, 96, 16, {}} : Quality{600, 400, 300, 64, {}};
     quality.camera.seed = options.seed;
     if (options.quality == "low") {
-        quality.camera.field_mm = 6;
+        quality.camera.field_mm = 4;
         quality.camera.diffuse_samples = 8;
     }
     return quality;

@@ -34,6 +34,13 @@ TEST_F(Panel, ComparesWithWhatWasMeasured) {
     EXPECT_THAT(page, HasSubstr("<dd>0.00"));  // it is the same paint
 }
 
+TEST_F(Panel, IsTheSameHoweverManyThreadsMakeIt) {
+    EXPECT_EQ(nacre("panel gray.toml -o a.html --quality low --threads 1").status, 0);
+    EXPECT_EQ(nacre("panel gray.toml -o b.html --quality low --threads 3").status, 0);
+    EXPECT_THAT(contents(folder_ / "a.html"), HasSubstr("Graininess"));
+    EXPECT_EQ(contents(folder_ / "a.html"), contents(folder_ / "b.html"));
+}
+
 TEST_F(Panel, RefusesWhatHasNoComposition) {
     EXPECT_EQ(nacre("measure gray.toml --geometry 45as15 -o measured.csv").status, 0);
     const auto complaint = [&](const std::string& arguments, int status) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "nacre/optics/number_text.h"
+#include "nacre/report/ticks.h"
 
 namespace nacre::panel {
 
@@ -185,9 +186,10 @@ std::vector<std::string> facets_in_words(const layers::Microfacet& facets) {
         facets.base_extinction > 0 ? fmt::format(" and k = {:.4g}", facets.base_extinction) : "")};
     if (facets.facets) {
         sentences.push_back(fmt::format(
-            "{:.4g} facets over the whole object, their films varying by {:.3g} nm, each seen "
+            "{} facets over the whole object, their films varying by {:.3g} nm, each seen "
             "within {:.3g}° of its mirror direction.",
-            facets.facets->count, facets.facets->thickness_spread_nm, facets.facets->cone_deg));
+            report::tick_text(facets.facets->count, facets.facets->count / 100),
+            facets.facets->thickness_spread_nm, facets.facets->cone_deg));
     }
     return sentences;
 }

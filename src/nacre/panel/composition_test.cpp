@@ -94,7 +94,8 @@ TEST(Composition, FacetsAreDescribedByFilmAndBase) {
     ASSERT_EQ(without.size(), 1u);
     EXPECT_THAT(without[0], HasSubstr("80 nm with n = 2.5"));
     facets.facets = layers::MicrofacetFacets{1e7, 3, 5};
-    EXPECT_EQ(facets_in_words(facets).size(), 2u);
+    ASSERT_EQ(facets_in_words(facets).size(), 2u);
+    EXPECT_THAT(facets_in_words(facets)[1], HasSubstr("10⁷ facets"));
 }
 
 }  // namespace

@@ -25,7 +25,9 @@ std::string painted_picture(std::shared_ptr<const bsdf::Bsdf> paint,
                         .seed = settings.seed},
                        progress);
     if (!result.complete) throw Error("stopped");
-    return io::encode_png(io::image_of(result, {}), "a picture of " + settings.scene);
+    io::Image image = io::image_of(result, {});
+    image.metadata.clear();  // such as the time it took: a report made twice is the same
+    return io::encode_png(image, "a picture of " + settings.scene);
 }
 
 }  // namespace nacre::panel
