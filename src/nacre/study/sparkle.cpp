@@ -72,13 +72,13 @@ std::vector<Series> series_of(bool quick) {
 
 constexpr Expectation kExpectations[] = {
     {FlakeParameter::diameter, SparkleMeasure::intensity, 0, Trend::rises,
-     "a larger flake sends more light, into a narrower lobe [kirchner-2015]"},
+     "a larger flake sends more light, into a narrower lobe (Kirchner et al. 2015)"},
     {FlakeParameter::diameter, SparkleMeasure::graininess, -1, Trend::rises,
      "fewer flakes in what the eye resolves average out less: contrast goes with the diameter"},
     {FlakeParameter::volume, SparkleMeasure::density, 0, Trend::rises,
      "more flakes, more of them at the right tilt"},
     {FlakeParameter::volume, SparkleMeasure::intensity, 0, Trend::falls,
-     "the light that flakes scatter among them is the background of each [kirchner-2015]"},
+     "the light that flakes scatter among them is the background of each (Kirchner et al. 2015)"},
     {FlakeParameter::volume, SparkleMeasure::graininess, -1, Trend::falls,
      "more flakes average out better"},
     {FlakeParameter::orientation, SparkleMeasure::density, 2, Trend::rises,
@@ -148,8 +148,9 @@ class Study {
     }
 
     std::string png(const measure::PanelPicture& picture, const std::string& key) {
-        // 6 mm are enough to see.
-        const int side = std::min(picture.width, 240);
+        constexpr double kShown_mm = 6;  // enough to see
+        const int side =
+            std::min(picture.width, static_cast<int>(std::lround(kShown_mm / picture.pixel_mm)));
         measure::PanelPicture piece{side, side, picture.pixel_mm, {}};
         for (int y = 0; y < side; ++y) {
             const float* const row = &picture.xyz[static_cast<std::size_t>(3 * y) * picture.width];
@@ -237,17 +238,19 @@ class Study {
             e.lamp < 0 ? "diffuse" : fmt::format("{}°", camera_.lamps_deg[e.lamp]);
         const auto with_error = [](const measure::Estimate& m) {
             return report::number_cell(
-                fmt::format("{} ± {}", number(m.value), number(m.standard_error, 1)));
+                fmt::format("{} ± {}", number(m.value), number(m.standard_error, 2)));
         };
         verdicts_.rows.push_back(
             {{fmt::format("{}, {}", name(e.measure), where)},
              {fmt::format("{} with {}", e.trend == Trend::rises ? "rises" : "falls", series.key)},
-             {e.reason},
              with_error(v.first),
              with_error(v.last),
              report::number_cell(number(v.change_in_errors)),
              report::number_cell(number(v.worst_step_in_errors)),
              {v.holds() ? "yes" : "no", false, !v.holds()}});
+        reasons_.push_back(fmt::format("*{}, {}*, {} with {}: {}.", name(e.measure), where,
+                                       e.trend == Trend::rises ? "rises" : "falls", series.key,
+                                       e.reason));
         results_["verdicts"].push_back({{"measure", name(e.measure)},
                                         {"where", where},
                                         {"parameter", series.key},
@@ -260,19 +263,19 @@ class Study {
     void add_verdicts() {
         report_.heading(1, "As expected?", "verdicts");
         report_.table(verdicts_);
+        report_.bullets(reasons_);
         report_.paragraph(
             "A trend holds if the last panel differs from the first by four standard errors and "
-            "more, and no step goes against it by three. Not expected to be monotonous, and not: "
-            "the number of spots with diameter. The flakes that answer become fewer with its "
-            "fourth power, fewer flakes of which each answers more rarely, but small ones lie so "
-            "close that the eye blurs them into one sheen.");
+            "more, and no step goes against it by three. Spots become fewer with the fourth power "
+            "of the diameter where they lie apart: fewer flakes, of which each answers more "
+            "rarely. Small ones lie so close that the eye blurs them into a sheen, and their "
+            "number levels off.");
     }
 
     void add_paints() {
         report_.heading(1, "The paints", "paints");
-        report::Table table{.columns = {"paint", "Y 15°", "Y 45°", "Y 75°", "spots per cm², 15°",
-                                        "45°", "75°", "intensity, 15°", "45°", "75°",
-                                        "sparkle, 15°", "45°", "75°", "graininess"}};
+        report::Table table{.columns = {"paint", "spots per cm², 15°", "45°", "75°",
+                                        "log10 of intensity, 15°", "45°", "75°", "graininess"}};
         std::vector<report::Picture> pictures;
         for (const char* paint :
              {"metallic-silver", "glitter-100um", "ruby", "tio2-mica-110", "tio2-mica-80",
@@ -280,18 +283,15 @@ class Study {
             const PanelLook panel =
                 look(paint, io::read_recipe(shipped_file(fmt::format("paints/{}.toml", paint))));
             std::vector<report::Cell> row = {{paint}};
-            for (const measure::Sparkle& s : panel.readings.by_lamp) {
-                row.push_back(report::number_cell(number(100 * s.mean_y)));
-            }
-            for (SparkleMeasure measure : {SparkleMeasure::density, SparkleMeasure::intensity,
-                                           SparkleMeasure::sparkle, SparkleMeasure::graininess}) {
+            for (SparkleMeasure measure :
+                 {SparkleMeasure::density, SparkleMeasure::intensity, SparkleMeasure::graininess}) {
                 const bool diffuse = measure == SparkleMeasure::graininess;
                 for (std::size_t lamp = 0; lamp < (diffuse ? 1 : 3); ++lamp) {
                     const measure::Estimate r = reading(panel.readings, measure, lamp);
                     row.push_back(report::number_cell(
                         std::isnan(r.value) ? "none"
                                             : fmt::format("{} ± {}", number(r.value),
-                                                          number(r.standard_error, 1))));
+                                                          number(r.standard_error, 2))));
                     results_["paints"][paint][name(measure)].push_back(
                         {{"value", r.value}, {"error", r.standard_error}});
                 }
@@ -311,8 +311,9 @@ class Study {
     measure::SparkleCamera camera_;
     double field_mm_;
     int panels_ = 0;
-    report::Table verdicts_{.columns = {"measure", "expected", "because", "first", "last",
-                                        "change, in errors", "worst step, in errors", "holds"}};
+    std::vector<std::string> reasons_;
+    report::Table verdicts_{.columns = {"measure", "expected", "first", "last", "change, in errors",
+                                        "worst step, in errors", "holds"}};
 };
 
 }  // namespace

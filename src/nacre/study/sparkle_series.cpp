@@ -49,7 +49,7 @@ measure::SparkleCamera camera_for(const layers::Recipe& recipe, double field_mm)
     measure::SparkleCamera camera;
     camera.field_mm = field_mm;
     // Large flakes are few and answer rarely.
-    constexpr double kLarge_um = 35, kWider = 2.4, kLargePixel_um = 40;
+    constexpr double kLarge_um = 28, kWider = 2.4, kLargePixel_um = 40;
     if (recipe.layers[0].flakes[0].diameter_um > kLarge_um) {
         camera.field_mm *= kWider;
         camera.pixel_um = kLargePixel_um;
