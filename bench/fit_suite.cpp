@@ -1,7 +1,7 @@
 // How well and how fast nacre::fit finds hidden recipes back. Not a Google Benchmark: what counts
 // is the worst of many different fits, not the mean of one.
 //
-//   build/bench/fit_suite [REPEATS]        docs/fit.md quotes its table
+//   build/bench/fit_suite [REPEATS [PAINT]]        docs/fit.md quotes its table
 //
 // Each case takes a paint of paints/ as the start. The hidden recipe has the free numbers drawn
 // evenly from the middle nine tenths of their default bounds, on average 1.7 times away from the
@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
     fmt::print("{:<18}{:>8}{:>12}{:>12}{:>14}{:>10}{:>8}{:>8}{:>8}\n", "paint", "numbers",
                "dE start", "dE fitted", "worst number", "seconds", "cpu s", "solves", "other");
     for (const Case& one : kCases) {
+        if (argc > 2 && std::string(argv[2]) != one.paint) continue;
         const layers::Recipe start =
             io::read_recipe(fmt::format(NACRE_SOURCE_DIR "/paints/{}.toml", one.paint));
         std::vector<std::string> keys;

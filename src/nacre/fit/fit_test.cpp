@@ -134,6 +134,7 @@ TEST(Fit, FollowsTheWeights) {
     }
     const Fit found = fit(standard, FreeNumbers(pearl(85), {kFilm}, {}), options);
     EXPECT_NEAR(found.estimates[0].value, 80, 0.05);
+    EXPECT_EQ(found.certainty.degrees_of_freedom, 3 * 3 - 1);  // what weighs nothing tells nothing
 }
 
 TEST(Fit, DoesNotDependOnThreads) {

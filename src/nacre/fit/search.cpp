@@ -19,7 +19,7 @@ namespace {
 /// A few steps show which way a point goes.
 constexpr DescentLimits kGlanceLimits{3, 1e-2, 1e-3, 0.1};
 constexpr DescentLimits kCoarseLimits{20, 1e-3, 1e-4, 1e-2};
-constexpr DescentLimits kFineLimits{50, 1e-5, 1e-6, 1e-3};
+constexpr DescentLimits kFineLimits{50, 1e-4, 1e-5, 2e-3};
 
 /// Points that make a few steps for each one that goes on.
 constexpr int kRacersPerStart = 3;

@@ -84,10 +84,11 @@ Target::Target(const measure::Measurement& standard, const TargetOptions& option
         const auto found = options.weights.find(reading.geometry.name);
         root_weight_.push_back(found == options.weights.end() ? 1.0 : found->second);
         sum += root_weight_.back();
+        if (root_weight_.back() > 0) ++geometry_count_;
     }
     std::vector<spectra::Illuminant> illuminants = options.illuminants;
     if (illuminants.empty()) illuminants = {standard.conditions.illuminant};
-    const double mean = sum / static_cast<double>(geometries_.size());
+    const double mean = sum / static_cast<double>(geometry_count_);
     for (double& weight : root_weight_) {
         weight = std::sqrt(weight / mean / static_cast<double>(illuminants.size()));
     }
@@ -147,7 +148,7 @@ std::vector<double> Target::residuals(const layers::SolvedPaint& paint, Detail d
 double Target::rms_delta_e(const std::vector<double>& residuals) const {
     double sum = 0;
     for (double r : residuals) sum += r * r;
-    return std::sqrt(sum / static_cast<double>(geometries_.size()));
+    return std::sqrt(sum / static_cast<double>(geometry_count_));
 }
 
 }  // namespace nacre::fit

@@ -45,13 +45,14 @@ class Target {
     measure::Measurement read(const layers::SolvedPaint& paint, Detail detail) const;
     /// For each illuminant and geometry the three components of the CIEDE2000 difference
     /// (spectra::delta_e_2000_vector), times the square root of the geometry's weight over the mean
-    /// weight and of one over the number of illuminants: the sum of squares over the number of
-    /// geometries is the weighted mean square of Delta E 2000.
+    /// weight (of those that weigh anything) and of one over the number of illuminants: the sum of
+    /// squares over the number of geometries is the weighted mean square of Delta E 2000.
     std::vector<double> residuals(const layers::SolvedPaint& paint, Detail detail) const;
     /// Root of the weighted mean square of Delta E 2000.
     double rms_delta_e(const std::vector<double>& residuals) const;
 
-    std::size_t geometry_count() const { return geometries_.size(); }
+    /// Those that weigh anything.
+    std::size_t geometry_count() const { return geometry_count_; }
 
  private:
     const std::vector<measure::Measurement>& standards(Detail detail) const {
@@ -62,6 +63,7 @@ class Target {
     bool has_spectra_ = false;
     std::vector<measure::Geometry> geometries_;
     std::vector<double> root_weight_;  // by geometry
+    std::size_t geometry_count_ = 0;   // with a weight above 0
     std::array<std::vector<double>, kDetails> wavelengths_nm_;
     std::array<std::vector<measure::Measurement>, kDetails> standards_;  // by illuminant
 };
