@@ -142,10 +142,11 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
     result.pixel_contrast = pixel_contrast(picture, picture);
     result.background = background(seen, viewing);
     result.blur_mm = seen.blur_mm;
-    result.area_mm2 = seen.area_mm2();
+    result.area_mm2 = (seen.width - 2) * (seen.height - 2) * seen.pixel_mm * seen.pixel_mm;
     std::array<Sums, kPicturePieces> pieces{};
-    for (int y = 0; y < seen.height; ++y) {
-        for (int x = 0; x < seen.width; ++x) {
+    // Where a maximum can be told from a slope: not along the edge.
+    for (int y = 1; y + 1 < seen.height; ++y) {
+        for (int x = 1; x + 1 < seen.width; ++x) {
             Sums& sums = pieces[piece_of(x, y, seen.width, seen.height)];
             const double excess =
                 seen.y[static_cast<std::size_t>(y) * seen.width + x] - result.background.y;
@@ -167,7 +168,7 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
     result.area_share = jackknife(pieces, [](const Sums& s) { return s.above / s.pixels; });
     if (spots.empty()) {
         // As if there had been one: that none was met does not say that there are none.
-        result.density_per_cm2.standard_error = 100 / seen.area_mm2();
+        result.density_per_cm2.standard_error = 100 / result.area_mm2;
     } else {
         // The error of the logarithm, carried over: that of few spots stays sound.
         const Estimate decades =

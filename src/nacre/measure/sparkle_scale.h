@@ -20,8 +20,6 @@ struct RetinalPicture {
     double blur_mm = 0;     ///< standard deviation of the eye's blur on the panel
     /// Excess of Y times area, in mm^2, that a point of light needs to raise its own pixel by 1.
     double point_area_mm2 = 0;
-
-    double area_mm2() const { return width * height * pixel_mm * pixel_mm; }
 };
 
 /// @throws DomainError if the eye's blur is narrower than a pixel or the picture is so small that
@@ -49,8 +47,9 @@ struct Sparkle {
     double mean_y = 0;        ///< luminance factor of the panel
     Estimate pixel_contrast;  ///< what the camera saw, without the eye: measure::pixel_contrast()
     Background background;
-    double blur_mm = 0, area_mm2 = 0;  ///< as in RetinalPicture
-    Estimate density_per_cm2;          ///< visible spots per area
+    double blur_mm = 0;        ///< as in RetinalPicture
+    double area_mm2 = 0;       ///< of the panel in which spots are looked for
+    Estimate density_per_cm2;  ///< visible spots per area
     /// Geometric mean of their visibility, in thresholds: the eye tells ratios. None: no spots.
     std::optional<Estimate> intensity;
     /// The same as Weber contrast on the retina; none: no spots, or a black background.

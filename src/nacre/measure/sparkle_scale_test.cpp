@@ -52,7 +52,7 @@ TEST(Sparkle, SpotsOfKnownContrastAreCountedExactly) {
         }
     }
     const Sparkle s = sparkle(picture, kViewing);
-    EXPECT_EQ(s.density_per_cm2.value, seen / s.area_mm2 * 100);
+    EXPECT_DOUBLE_EQ(s.density_per_cm2.value * s.area_mm2 / 100, seen);
     // Pixels are kept in single precision; what a spot leaves at its neighbour's place is exp(-80).
     const double mean = std::pow(10, decades / seen);
     EXPECT_NEAR(s.intensity->value, mean, 1e-5 * mean);

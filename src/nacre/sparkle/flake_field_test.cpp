@@ -280,6 +280,26 @@ TEST(FlakeField, FootprintsAddUp) {
     EXPECT_GT(different, 30);
 }
 
+TEST(FlakeField, TellsEveryFlakeApartUpToItsExactSide) {
+    const auto view = std::make_unique<FlakeView>();
+    for (double density : {10.0, 4000.0, 9000.0}) {
+        FlakePopulation population = kSilver;
+        population.density_per_mm2 = density;
+        const FlakeField field(population, 1);
+        const double side = field.exact_side_mm();
+        ASSERT_GT(side, 0) << density;
+        field.look(square(5, 7, side), *view);
+        EXPECT_EQ(view->widening, 1) << density;
+        EXPECT_EQ(view->background, 0) << density;
+        field.look(square(5, 7, 4 * side), *view);
+        EXPECT_GT(view->widening, 1) << density;
+    }
+    // Heaps of 60 flakes, one over the other.
+    FlakePopulation heaps = kSilver;
+    heaps.density_per_mm2 = 2e5;
+    EXPECT_EQ(FlakeField(heaps, 1).exact_side_mm(), 0);
+}
+
 TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
     const FlakeField field(kSilver, 1);
     const auto view = std::make_unique<FlakeView>();
