@@ -11,7 +11,7 @@
 
 namespace nacre::layers {
 
-/// Remembers the films of flakes, which are up to two thirds of the work of a solve, for those who
+/// Remembers the films of flakes, a fifth to five sixths of the work of a solve, for those who
 /// solve a recipe again and again with other amounts, layers or orientations. May be used from
 /// several threads at once; forgets what was not used for longest.
 class FilmCache {
