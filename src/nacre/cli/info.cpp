@@ -197,7 +197,8 @@ void describe_scene(Facts& facts, const render::SceneDescription& scene) {
 }
 
 std::string describe(const std::string& file) {
-    const std::string bytes = read_file(file, std::max(io::kMostImageFileBytes, io::kMostMeasuredBytes));
+    const std::string bytes =
+        read_file(file, std::max(io::kMostImageFileBytes, io::kMostMeasuredBytes));
     Facts facts;
     facts.add("file", "{}", file);
     if (io::looks_like_solved_paint(bytes)) {
