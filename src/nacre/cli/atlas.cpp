@@ -224,7 +224,7 @@ Command add_atlas(CLI::App& program) {
         "relative. docs/panel.md has the definitions.\n\n"
         "Examples:\n"
         "  nacre atlas --film TiO2_anatase --core mica:500:60 --thickness 20:200:5 -o atlas.svg\n"
-        "  nacre atlas --recipe paints/tio2-mica-80.toml --key coats[0].thickness_nm \\\n"
+        "  nacre atlas --recipe paints/tio2-mica-80.toml --key 'coats[0].thickness_nm' \\\n"
         "              --values 40:160:20 -o paint.png");
     return {command, [options, command] { return run(*options, *command); }};
 }

@@ -167,7 +167,7 @@ Command add_fit(CLI::App& program) {
         "Ctrl-C stops the fit; nothing is written then.\n\n"
         "Example: how thick the film of a pearl is\n"
         "  nacre fit paints/tio2-mica-110.toml --start paints/tio2-mica-80.toml \\\n"
-        "            --free coats[0].thickness_nm -o fitted.toml");
+        "            --free 'coats[0].thickness_nm' -o fitted.toml");
     return {command, [options] { return run(*options); }};
 }
 
