@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "nacre/panel/texts.h"
@@ -93,32 +94,93 @@ double largest(const Reading& reading) {
     return *std::max_element(reading.reflectance_factor.begin(), reading.reflectance_factor.end());
 }
 
-/// Curves whose ends are so close that their labels would cover each other share one, as in "75°,
-/// 110°".
-void join_labels(report::Plot& plot) {
-    constexpr double kLeastShare = 0.05;  // of the axis: the height of a letter
-    std::vector<report::Series*> labelled;
-    for (report::Series& series : plot.series) {
-        if (!series.point_labels.empty()) labelled.push_back(&series);
+/// What one label says of some of the angles: "15°, 45°", or "−15° to 45°" where three or more of
+/// them follow each other.
+/// @param which  positions in `angles`
+std::string angles_text(const std::vector<double>& angles, std::vector<std::size_t> which) {
+    std::sort(which.begin(), which.end());
+    std::string text;
+    for (std::size_t i = 0; i < which.size();) {
+        std::size_t last = i;
+        while (last + 1 < which.size() && which[last + 1] == which[last] + 1) ++last;
+        if (last < i + 2) last = i;
+        text += (text.empty() ? "" : ", ") + degrees_text(angles[which[i]]);
+        if (last > i) text += " to " + degrees_text(angles[which[last]]);
+        i = last + 1;
     }
-    const auto place = [&](const report::Series* series) {
+    return text;
+}
+
+/// Groups of what shares a label, as labels of their own would cover each other: each is near the
+/// first of its group, at which the label stands.
+/// @param order  in which they are taken
+/// @param near   whether two positions are too close for two labels
+template <class Near>
+std::vector<std::vector<std::size_t>> gathered(const std::vector<std::size_t>& order,
+                                               const Near& near) {
+    std::vector<std::vector<std::size_t>> groups;
+    for (const std::size_t i : order) {
+        const auto home = std::find_if(groups.begin(), groups.end(),
+                                       [&](const auto& group) { return near(group.front(), i); });
+        if (home == groups.end()) {
+            groups.push_back({i});
+        } else {
+            home->push_back(i);
+        }
+    }
+    return groups;
+}
+
+std::vector<std::size_t> positions(std::size_t count) {
+    std::vector<std::size_t> all(count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+std::vector<double> aspecular_angles(const Readings& readings) {
+    std::vector<double> angles;
+    for (const Reading* reading : readings) angles.push_back(reading->geometry.aspecular_deg);
+    return angles;
+}
+
+/// Writes the angles at the ends of curves, the first of which is series number `first`.
+void label_curves(report::Plot& plot, std::size_t first, const std::vector<double>& angles) {
+    constexpr double kLeastShare = 0.05;  // of the axis: the height of a letter
+    const auto place = [&](std::size_t i) {
         // What a logarithmic axis cannot show is far below all else.
-        const double y = series->y.back();
+        const double y = plot.series[first + i].y.back();
         return plot.y.logarithmic ? (y > 0 ? std::log10(y) : -1e3) : y;
     };
     const auto ends = extents(plot).y;
     const double length = plot.y.logarithmic ? std::log10(ends.hi / ends.lo) : ends.hi - ends.lo;
-    std::stable_sort(labelled.begin(), labelled.end(),
-                     [&](const auto* a, const auto* b) { return place(a) > place(b); });
-    for (std::size_t i = 0, first = 0; i + 1 < labelled.size(); ++i) {
-        if (place(labelled[first]) - place(labelled[i + 1]) > kLeastShare * length) {
-            first = i + 1;
-            continue;
-        }
-        std::string& joined = labelled[first]->point_labels.back();
-        joined += ", ";
-        joined += std::exchange(labelled[i + 1]->point_labels.back(), {});
+    std::vector<std::size_t> downwards = positions(angles.size());
+    std::stable_sort(downwards.begin(), downwards.end(),
+                     [&](std::size_t a, std::size_t b) { return place(a) > place(b); });
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        plot.series[first + i].point_labels.resize(plot.series[first + i].x.size());
     }
+    for (const auto& group : gathered(downwards, [&](std::size_t a, std::size_t b) {
+             return std::abs(place(a) - place(b)) <= kLeastShare * length;
+         })) {
+        plot.series[first + group.front()].point_labels.back() = angles_text(angles, group);
+    }
+}
+
+/// Writes the angles beside the points of a curve and marks where it starts.
+void label_points(report::Plot& plot, report::Series& series, const std::vector<double>& angles) {
+    // Two lines of text, as shares of the axes in a picture of half a page, whose scales are equal.
+    constexpr double kShareOfWidth = 0.06, kShareOfHeight = 0.1;
+    const report::Extents ends = extents(plot);
+    const double least =
+        std::max(kShareOfWidth * (ends.x.hi - ends.x.lo), kShareOfHeight * (ends.y.hi - ends.y.lo));
+    const auto groups = gathered(positions(angles.size()), [&](std::size_t a, std::size_t b) {
+        return std::hypot(series.x[a] - series.x[b], series.y[a] - series.y[b]) <= least;
+    });
+    series.point_labels.resize(angles.size());
+    for (const auto& group : groups) {
+        series.point_labels[group.front()] = angles_text(angles, group);
+    }
+    if (groups.size() > 1) series.point_labels[0].insert(0, "start, ");
 }
 
 /// A colour for a line on white paper.
@@ -158,12 +220,10 @@ report::Plot travel_plot(const Measurement& sample, const Measurement* standard)
         std::size_t s = first;
         const auto lamps = by_lamp(sample);
         for (const auto& [lamp, readings] : lamps) {
-            auto& labels = plot.series[s++].point_labels;
-            if (lamp != lamp_of_labels(lamps)) continue;
-            for (const Reading* reading : readings) {
-                labels.push_back(degrees_text(reading->geometry.aspecular_deg));
+            report::Series& series = plot.series[s++];
+            if (lamp == lamp_of_labels(lamps)) {
+                label_points(plot, series, aspecular_angles(readings));
             }
-            if (labels.size() > 1) labels[0] = "start, " + labels[0];
         }
     }
     return plot;
@@ -175,17 +235,18 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
                       .y = {.label = "reflectance factor (perfect diffuser: 1)"}};
     double least = 0, greatest = 0;
     double first_nm = 0, last_nm = 0;
+    std::size_t first = 0;  // series of the sample, which is the last
+    std::vector<double> angles;
     for (const Panel& panel : panels(sample, standard)) {
         const std::vector<double>& wavelengths = panel.measurement->wavelengths_nm;
-        for (const Reading* reading : with_spectra(*panel.measurement)) {
+        const Readings readings = with_spectra(*panel.measurement);
+        first = plot.series.size();
+        angles = aspecular_angles(readings);
+        for (const Reading* reading : readings) {
             report::Series series{.x = wavelengths,
                                   .y = reading->reflectance_factor,
                                   .colour = line_colour(reading->lab),
                                   .dashed = panel.is_standard};
-            if (!panel.is_standard) {
-                series.point_labels.resize(wavelengths.size());
-                series.point_labels.back() = degrees_text(reading->geometry.aspecular_deg);
-            }
             const double peak = largest(*reading);
             if (peak > 0) least = least > 0 ? std::min(least, peak) : peak;
             greatest = std::max(greatest, peak);
@@ -197,7 +258,7 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
     constexpr double kWide = 10;
     plot.y.logarithmic = greatest > kWide * least;
     if (!plot.y.logarithmic) plot.y.lo = 0;
-    join_labels(plot);
+    label_curves(plot, first, angles);
     if (first_nm < last_nm) {
         // Room for the angles at the ends of the curves: for each byte of text, as a share of the
         // axis in a picture of half a page.

@@ -43,8 +43,26 @@ TEST(MeasurementPlots, TravelHasEqualScalesAndMarksItsStart) {
     EXPECT_TRUE(plot.equal_scale);
     EXPECT_THAT(plot.series[1].x, ElementsAre(28, 30, 1));
     EXPECT_THAT(plot.series[1].y, ElementsAre(56, 60, 2));
-    EXPECT_THAT(plot.series[1].point_labels, ElementsAre("start, −15°", "15°", "110°"));
+    // The first two are so close together that they share a label.
+    EXPECT_THAT(plot.series[1].point_labels, ElementsAre("start, −15°, 15°", "", "110°"));
     EXPECT_TRUE(plot.series[0].point_labels.empty());  // of one lamp only
+}
+
+TEST(MeasurementPlots, PointsOfTheTravelThatLieTogetherShareALabel) {
+    const auto labels = [](const std::vector<double>& a) {
+        measure::Measurement m;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            m.readings.push_back(
+                {measure::in_plane(45, 15.0 * static_cast<double>(i)), {}, {}, {50, a[i], 0}});
+        }
+        return travel_plot(m).series[0].point_labels;
+    };
+    EXPECT_THAT(labels({100, 50, 0}), ElementsAre("start, 0°", "15°", "30°"));
+    EXPECT_THAT(labels({100, 1, 0}), ElementsAre("start, 0°", "15°, 30°", ""));
+    EXPECT_THAT(labels({100, 1, 0, 0}), ElementsAre("start, 0°", "15° to 45°", "", ""));
+    // A way that comes back to where it was, and one that leads nowhere.
+    EXPECT_THAT(labels({100, 0, 99}), ElementsAre("start, 0°, 30°", "15°", ""));
+    EXPECT_THAT(labels({1, 1, 1}), ElementsAre("0° to 30°", "", ""));
 }
 
 TEST(MeasurementPlots, SpectraAreThoseOfTheLampAt45Degrees) {
@@ -55,7 +73,7 @@ TEST(MeasurementPlots, SpectraAreThoseOfTheLampAt45Degrees) {
     EXPECT_THAT(plot.series[2].point_labels, ElementsAre("", "", "110°"));
     // These two end so close together that they share a label.
     EXPECT_THAT(plot.series[0].point_labels, ElementsAre("", "", ""));
-    EXPECT_THAT(plot.series[1].point_labels, ElementsAre("", "", "15°, −15°"));
+    EXPECT_THAT(plot.series[1].point_labels, ElementsAre("", "", "−15°, 15°"));
     // 1.2 at most here, 0.4 there: linear. A tenth of that: logarithmic.
     EXPECT_FALSE(plot.y.logarithmic);
     measure::Measurement wide = panel(true);
