@@ -304,7 +304,8 @@ bool has_measurement_header(std::string_view text) {
                    std::any_of(header[0].begin(), header[0].end(), [](const CsvCell& cell) {
                        const std::string heading = lower(cell.text);
                        return heading == "geometry" || heading == "aspecular_deg" ||
-                              heading == "aspecular";
+                              heading == "aspecular" || heading == "theta_i" ||
+                              heading == "theta_i_deg";
                    });
         }
         text.remove_prefix(std::min(text.size(), line.size() + 1));

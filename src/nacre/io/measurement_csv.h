@@ -12,7 +12,7 @@ namespace nacre::io {
 measure::Measurement parse_measurement_csv(std::string_view text, const std::string& filename,
                                            const measure::Conditions& defaults);
 
-/// Whether the first line that says something has a column of geometries.
+/// Whether the first line that says something has a column of geometries or of lamps.
 bool has_measurement_header(std::string_view text);
 
 }  // namespace nacre::io

@@ -44,7 +44,7 @@ measure::Measurement read_measurement(const std::filesystem::path& path,
                                       const measure::Conditions& defaults = {});
 
 /// Whether a text starts like a measurement, and not like a recipe: a JSON object, or a header with
-/// a column `geometry` or `aspecular_deg`.
+/// a column `geometry`, `aspecular_deg` or `theta_i`.
 bool looks_like_measurement(std::string_view text);
 
 }  // namespace nacre::io

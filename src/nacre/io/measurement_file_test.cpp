@@ -202,10 +202,22 @@ TEST(MeasurementFile, JsonRefusalsNameTheMember) {
     EXPECT_THAT(with("/readings", nlohmann::json::array()), HasSubstr("readings"));
 }
 
+TEST(MeasurementFile, ListsInListsAreRefusedHoweverDeep) {
+    // Deeper than the stack of who would print them by recursion.
+    const int depth = 500'000;
+    const std::string text = R"({"format": "nacre-measurement", "format_version": 1, "readings": )"
+                             R"([{"geometry": "45as15", "lab": [50, 0, )" +
+                             std::string(depth, '[') + std::string(depth, ']') + "]}]}";
+    EXPECT_THAT(refusal(text),
+                HasSubstr("readings[0].lab: must be a number in [-1000000, 1000000], "
+                          "not array"));
+}
+
 TEST(MeasurementFile, IsToldFromARecipe) {
     EXPECT_TRUE(looks_like_measurement(measurement_csv(example())));
     EXPECT_TRUE(looks_like_measurement(measurement_json(example()).dump()));
     EXPECT_TRUE(looks_like_measurement("# comment\n\nL;a;b;Geometry\n"));
+    EXPECT_TRUE(looks_like_measurement("theta_i,theta_o,phi,L,a,b\n"));
     for (const char* text : {"", "name = \"geometry\"\n", "[geometry]\n", "# geometry,L,a,b\n",
                              "\x89HDF\r\n\x1a\n", "\"geometry"}) {
         EXPECT_FALSE(looks_like_measurement(text)) << text;

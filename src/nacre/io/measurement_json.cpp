@@ -78,9 +78,12 @@ class Member {
     double as_number(const json& value, const char* key, const Range& range) const {
         const double number = value.is_number() ? value.get<double>() : std::nan("");
         if (!range.contains(number)) {
-            fail(key,
-                 "must be a number in " + range.text() + ", not " +
-                     optics::excerpt(value.dump(-1, ' ', true, json::error_handler_t::replace)));
+            // Lists in lists are not spelled out: dump() calls itself for each depth.
+            const std::string found =
+                value.is_structured()
+                    ? value.type_name()
+                    : optics::excerpt(value.dump(-1, ' ', true, json::error_handler_t::replace));
+            fail(key, "must be a number in " + range.text() + ", not " + found);
         }
         return number;
     }
