@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <tuple>
 
 #include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
@@ -53,6 +54,7 @@ measure::GeometrySet parse_geometry_set(std::string_view text, const std::string
                              root.text_or("summary", "", kLongestSummary),
                              {}};
     std::set<std::string> names;
+    std::set<std::tuple<double, double, double>> directions;
     for (const TableReader& table :
          root.tables("geometry", kMostGeometries,
                      {"name", "lamp_deg", "aspecular_deg", "azimuth_deg", "view_deg"})) {
@@ -60,6 +62,11 @@ measure::GeometrySet parse_geometry_set(std::string_view text, const std::string
         const std::string& name = set.geometries.back().name;
         if (!names.insert(name).second) {
             table.fail(fmt::format("'{}' stands in this set already", name));
+        }
+        // A file of readings names each direction once.
+        const measure::Geometry& g = set.geometries.back();
+        if (!directions.insert({g.theta_i_deg, g.theta_o_deg, g.phi_deg}).second) {
+            table.fail(fmt::format("the direction of '{}' stands in this set already", name));
         }
     }
     if (set.geometries.empty()) {

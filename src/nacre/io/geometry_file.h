@@ -30,7 +30,8 @@ namespace nacre::io {
 inline constexpr std::size_t kMostGeometries = 10'000;
 
 /// @throws InputError naming file, line, key, value and what is allowed: an unknown key, an angle
-///         out of range, a view below the horizon, a name that appears twice, no geometry
+///         out of range, a view below the horizon, a name or a direction that appears twice, no
+///         geometry
 measure::GeometrySet parse_geometry_set(std::string_view text, const std::string& filename);
 measure::GeometrySet read_geometry_set(const std::filesystem::path& path);
 

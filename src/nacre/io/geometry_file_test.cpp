@@ -64,6 +64,9 @@ TEST(GeometryFile, RefusalsNameLineKeyAndRange) {
     EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"
                         "[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"),
                 AllOf(StartsWith("set.toml:4:"), HasSubstr("45as15")));
+    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"
+                        "[[geometry]]\nlamp_deg = 45\nview_deg = [30, 180]\nname = \"again\"\n"),
+                AllOf(StartsWith("set.toml:4:"), HasSubstr("the direction of 'again'")));
 }
 
 }  // namespace
