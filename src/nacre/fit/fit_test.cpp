@@ -76,6 +76,17 @@ TEST(Fit, TakesColoursWithoutSpectraThroughAnAperture) {
     EXPECT_THAT(found.other_lights, IsEmpty());
 }
 
+// Files may hold spectra at some angles and L*a*b* at others.
+TEST(Fit, TakesSpectraAtSomeAnglesOnly) {
+    const std::vector<measure::Geometry> angles = {measure::in_plane(45, 15),
+                                                   measure::in_plane(45, 110)};
+    measure::Measurement standard = read(pearl(90), angles);
+    standard.readings[1].reflectance_factor.clear();
+    const Fit found = fit(standard, FreeNumbers(pearl(80), {kFilm}, {}), with_starts(1));
+    EXPECT_NEAR(found.estimates[0].value, 90, 0.05);
+    EXPECT_THAT(found.other_lights, IsEmpty());
+}
+
 TEST(Fit, FindsAmountsOfPigmentUnderSeveralLights) {
     layers::Recipe hidden = solid();
     layers::set_parameter(hidden, kScattering, 180);

@@ -30,7 +30,7 @@ std::size_t stride_of(const std::vector<double>& wavelengths_nm, double wanted_n
     const double step =
         (wavelengths_nm.back() - wavelengths_nm.front()) / static_cast<double>(count - 1);
     const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(wanted_nm / step)));
-    return count / stride >= 7 ? stride : 1;
+    return (count - 1) / stride + 1 >= 8 ? stride : 1;
 }
 
 std::vector<double> every(const std::vector<double>& values, std::size_t stride) {
@@ -43,7 +43,7 @@ std::vector<double> every(const std::vector<double>& values, std::size_t stride)
 /// them agrees at those.
 measure::Measurement seen_coarsely(measure::Measurement standard, std::size_t stride) {
     standard.conditions.aperture = {};
-    if (stride == 1 || standard.wavelengths_nm.empty()) return standard;
+    if (stride == 1 || !has_all_spectra(standard)) return standard;
     standard.wavelengths_nm = every(standard.wavelengths_nm, stride);
     for (measure::Reading& reading : standard.readings) {
         reading = measure::coloured(reading.geometry, standard.wavelengths_nm,
@@ -76,7 +76,7 @@ measure::Measurement restated(const measure::Measurement& measurement,
 Target::Target(const measure::Measurement& standard, const TargetOptions& options) {
     if (standard.readings.empty()) throw DomainError("the standard has no reading at any angle");
     measure::difference(standard, standard, options.weights);  // checks the weights
-    has_spectra_ = has_all_spectra(standard) && !standard.wavelengths_nm.empty();
+    has_spectra_ = has_all_spectra(standard);
 
     double sum = 0;
     for (const measure::Reading& reading : standard.readings) {
