@@ -23,7 +23,7 @@ layers::ParameterBounds spread_bounds(const layers::Recipe& recipe,
     for (const layers::RecipeParameter& other : layers::recipe_parameters(recipe)) {
         if (other.key == film + "thickness_nm") most = std::max(most, kSpreadOfFilm * other.value);
     }
-    return {spread.key, 0, most};
+    return {spread.key, 0, std::min(most, spread.range.hi)};
 }
 
 }  // namespace

@@ -11,9 +11,10 @@
 namespace nacre::fit {
 
 /// Bounds for a number whose recipe states none: what a colourist might have got wrong, cut to what
-/// the key may be. Reflectances and transmittances: all of [0, 1]. Anisotropy: what the solver
-/// resolves. A spread of thickness: from 0 to three times itself or 15 % of the thickness, whatever
-/// is more. The binder's index: 10 % either way. Everything else: a third to three times itself.
+/// the key may be. Reflectances and transmittances, if alike at all wavelengths: all of [0, 1].
+/// Anisotropy: what the solver resolves. A spread of thickness: from 0 to three times itself or 15
+/// % of the thickness, whatever is more. The binder's index: 10 % either way. Everything else: a
+/// third to three times itself.
 /// @throws DomainError if the recipe has no such number, or if it is 0 where it must have a size
 layers::ParameterBounds default_bounds(const layers::Recipe& recipe, const std::string& key);
 

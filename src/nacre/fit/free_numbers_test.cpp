@@ -43,6 +43,14 @@ TEST(FreeNumbers, DefaultBoundsFollowTheKindOfNumber) {
     EXPECT_NEAR(bounds("ior").hi, 1.65, 1e-12);  // 10 % above 1.5
 }
 
+TEST(FreeNumbers, DefaultBoundsStayWithinWhatTheKeyMayBe) {
+    layers::Recipe recipe = testing::pearl(80);
+    const std::string spread = "layer[0].flakes[0].core.spread_nm";
+    layers::set_parameter(recipe, spread, 5e4);
+    EXPECT_EQ(default_bounds(recipe, spread).hi, layers::find_parameter(recipe, spread).range.hi);
+    EXPECT_NO_THROW(FreeNumbers(recipe, {spread}, {}));
+}
+
 TEST(FreeNumbers, ASizeOfZeroHasNoDefaultBounds) {
     layers::Recipe recipe = testing::solid();
     recipe.layers[0].pigments[0].scattering_per_mm = 0.0;
