@@ -44,7 +44,8 @@ double angle_deg(const Direction& a, const Direction& b) {
 /// An angle in [0, 360).
 double wrapped(double degrees) {
     const double rest = std::fmod(degrees, 360);
-    return rest < 0 ? rest + 360 : rest;
+    // A tiny negative angle would round to 360.
+    return rest < 0 ? std::fmod(rest + 360, 360) : rest;
 }
 
 Direction lamp(const Geometry& geometry) { return direction(geometry.theta_i_deg, 0); }

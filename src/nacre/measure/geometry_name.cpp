@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -5,6 +7,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/measure/geometry.h"
+#include "nacre/optics/number_text.h"
 
 // Names of geometries, as instruments and their exporters write them.
 
@@ -68,7 +71,7 @@ Geometry parse_geometry(std::string_view name) {
     throw DomainError(fmt::format(
         "'{}' is no geometry; one is written 45as15 or 45as-15 (lamp and aspecular angle), "
         "45as25az90 (turned about the mirror direction) or 45to30,90 (theta and phi of the view)",
-        name.substr(0, 60)));
+        optics::excerpt(name)));
 }
 
 }  // namespace nacre::measure

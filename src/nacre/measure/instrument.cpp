@@ -35,7 +35,7 @@ class Instrument {
         }
         throw Error(fmt::format(
             "{}: the mean over the cones (half angles {} and {} deg) has not settled to {} of its "
-            "value: the surface has a lobe far narrower than they are",
+            "value: the surface has a lobe far narrower than they are, or the horizon cuts them",
             geometry.name, aperture_.lamp_half_angle_deg, aperture_.detector_half_angle_deg,
             kApertureTolerance));
     }
