@@ -60,6 +60,7 @@ void validate(const RglTable& table) {
     // Files hold 90 and 180 deg as rounded floats.
     constexpr Range kTheta{0, 0.5 * kPi * 1.00001, "rad"},
         kPhi{-kPi * 2.00001, kPi * 2.00001, "rad"};
+    constexpr float kMostOff = 0.2f;  // rad: a first azimuth half a step inside
     require_increasing("phi_i", table.phi_i, kPhi);
     require_increasing("theta_i", table.theta_i, kTheta);
     if (!table.isotropic()) {
@@ -69,6 +70,12 @@ void validate(const RglTable& table) {
             throw DomainError(
                 fmt::format("phi_i spans {} rad: an anisotropic surface must have pi/2, pi or 2 pi",
                             table.phi_i.back() - table.phi_i.front()));
+        }
+        // Incident directions are turned there; a table of others would be read at its edges.
+        if (std::abs(table.phi_i.front() + kPi) > kMostOff) {
+            throw DomainError(fmt::format(
+                "phi_i begins at {} rad: those of an anisotropic surface must begin at -pi",
+                table.phi_i.front()));
         }
     }
     validate_square("ndf", table.ndf, kDensity);
@@ -82,6 +89,10 @@ void validate(const RglTable& table) {
     require_size("luminance", table.luminance.size(), table.slices() * square);
     require_values("luminance", table.luminance, kDensity);
     if (!table.is_rgb()) {
+        if (table.wavelengths.size() > kMostRglWavelengths) {
+            throw DomainError(fmt::format("wavelengths has {} values: must have at most {}",
+                                          table.wavelengths.size(), kMostRglWavelengths));
+        }
         require_increasing("wavelengths", table.wavelengths, Range{1, 1e6, "nm"});
     }
     const char* values = table.is_rgb() ? "rgb" : "spectra";

@@ -53,10 +53,13 @@ struct RglTable {
     friend bool operator==(const RglTable&, const RglTable&) = default;
 };
 
+/// More than any spectrometer has; the albedo is found for each.
+inline constexpr std::size_t kMostRglWavelengths = 4096;
+
 /// @throws DomainError naming the field, its value and what is allowed: sizes that do not fit
 /// together, values that are not finite or negative where they must not be (spectra may be: noise),
-/// angles or wavelengths that do not increase or leave their range, azimuths of an anisotropic
-/// surface that span neither 90 nor 180 nor 360 deg
+/// angles or wavelengths that do not increase or leave their range, too many wavelengths, azimuths
+/// of an anisotropic surface that span neither 90 nor 180 nor 360 deg or do not begin at -180 deg
 void validate(const RglTable& table);
 
 }  // namespace nacre::bsdf

@@ -277,6 +277,12 @@ TEST(RglFile, ErrorsNameFieldValueAndWhatIsAllowed) {
     expect_refused(changed(fields, "theta_i", set_float(1, 0.05f)),
                    "field theta_i[1] = 0.05 follows 0.1: the values must increase");
     expect_refused(changed(fields, "phi_i", set_float(4, -0.7f)), "field phi_i spans 2.44");
+    expect_refused(changed(fields, "phi_i",
+                           [](auto& f) {
+                               const float half_circle[] = {0, 0.8f, 1.6f, 2.4f, 3.14159f};
+                               std::memcpy(f.bytes.data(), half_circle, sizeof half_circle);
+                           }),
+                   "field phi_i begins at 0 rad");
     expect_refused(changed(fields, "sigma", set_float(2, 0.0f)),
                    "field sigma[2] = 0: must be a number in [1e-09, 1");
     expect_refused(changed(fields, "luminance", set_float(9, -1.0f)), "field luminance[9] = -1");
@@ -290,6 +296,18 @@ TEST(RglFile, ErrorsNameFieldValueAndWhatIsAllowed) {
                                f.shape = {5, 4, 1, 25};
                            }),
                    "field luminance has 1 x 25 points: must be square");
+}
+
+TEST(RglFile, MoreWavelengthsThanAnAlbedoCanBeFoundForAreRefused) {
+    bsdf::RglTable table = random_table(0, false);
+    table.wavelengths.clear();
+    for (std::size_t i = 0; i <= bsdf::kMostRglWavelengths; ++i) {
+        table.wavelengths.push_back(400 + 0.1f * static_cast<float>(i));
+    }
+    table.spectra.assign(table.slices() * table.channels() * 25, 0.5f);
+    EXPECT_THAT([&] { bsdf::validate(table); },
+                ::testing::ThrowsMessage<DomainError>(
+                    HasSubstr("wavelengths has 4097 values: must have at most 4096")));
 }
 
 TEST(RglFile, SizesThatNoFileCanHoldAreRefusedBeforeAnythingIsMade) {
