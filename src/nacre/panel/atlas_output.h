@@ -10,8 +10,8 @@ namespace nacre::panel {
 /// SVG 1.1 without scripts, as report::plot_svg().
 std::string atlas_svg(const Atlas& atlas);
 
-/// One line a chip: the value, theta_i, aspecular_deg, angle_on_flake_deg where the atlas is of
-/// single flakes, L, a, b, C, h, chip.
+/// One line a chip: the value under the heading atlas.column, theta_i, aspecular_deg, L, a, b, C,
+/// h, chip.
 std::string atlas_csv(const Atlas& atlas);
 
 }  // namespace nacre::panel
