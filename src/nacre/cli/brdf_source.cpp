@@ -126,7 +126,9 @@ BrdfSource load_brdf(const std::filesystem::path& path, const BrdfRequest& reque
             throw UsageError(
                 fmt::format("--part: {} holds a measured BRDF, which has no parts", path.string()));
         }
-        BrdfSource source = model_source(path, request, wavelengths_nm, options);
+        BrdfRequest as_measured = request;
+        as_measured.model = models::Model::microflake;  // whatever the default of the command
+        BrdfSource source = model_source(path, as_measured, wavelengths_nm, options);
         source.measured = true;
         return source;
     }

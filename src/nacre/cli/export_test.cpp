@@ -90,6 +90,10 @@ translation_mm = [200, 0, 0]
         nacre("render sphere --brdf gray.bsdf --model nacre --spp 1 --size 8x8 -o c.exr");
     EXPECT_EQ(model.status, 1);
     EXPECT_THAT(model.err, HasSubstr("shown as it was measured"));
+    const Outcome table =
+        nacre("render sphere --brdf gray.bsdf --table raw --spp 1 --size 8x8 -o c.exr");
+    EXPECT_EQ(table.status, 1);
+    EXPECT_THAT(table.err, HasSubstr("tables are made of recipes"));
     const Outcome recipe = nacre("render sphere --brdf gray.toml --spp 1 --size 8x8 -o c.exr");
     EXPECT_EQ(recipe.status, 2);
     EXPECT_THAT(recipe.err, HasSubstr("recipes go with --paint"));
@@ -107,6 +111,23 @@ TEST_F(Program, AMeasuredBrdfTakesNoModelAndHasNoRecipe) {
     EXPECT_EQ(solved.status, 2);
     EXPECT_THAT(solved.err, HasSubstr("gray.bsdf: holds a measured BRDF; a recipe is needed"));
     EXPECT_EQ(nacre(std::string("reference gray.bsdf") + kDirections).status, 2);
+}
+
+TEST_F(Program, BesideAMeasuredBrdfTheModelIsThatOfThePaint) {
+    ASSERT_EQ(nacre(std::string("export gray.toml -q -o gray.bsdf") + kSmall).status, 0);
+    const Outcome both = nacre(
+        "measure gray.toml --versus gray.bsdf --model microflake --geometry 45as45 --format json");
+    EXPECT_EQ(both.status, 0) << both.err;
+    EXPECT_THAT(both.out, HasSubstr("\"model\": \"microflake\""));
+    EXPECT_THAT(both.out, HasSubstr("\"model\": \"\""));
+    EXPECT_EQ(nacre("measure gray.bsdf --versus gray.bsdf --model microflake").status, 1);
+}
+
+TEST_F(Program, NamesCannotSpeakToTheTerminal) {
+    write("escape.toml", "name = \"a\\u001b[31mb\"\n" + contents(folder_ / "gray.toml"));
+    const Outcome info = nacre("info escape.toml");
+    EXPECT_EQ(info.status, 0) << info.err;
+    EXPECT_THAT(info.out, HasSubstr("name: a?[31mb\n"));
 }
 
 TEST_F(Program, ExportRefusesWhatDoesNotFitItsFormat) {

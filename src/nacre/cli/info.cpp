@@ -26,19 +26,6 @@ struct InfoOptions : CommonOptions {
     std::string file;
 };
 
-/// Lines of "name: value".
-class Facts {
- public:
-    template <class... Args>
-    void add(const std::string& name, fmt::format_string<Args...> format, Args&&... args) {
-        text_ += fmt::format("{}: {}\n", name, fmt::format(format, std::forward<Args>(args)...));
-    }
-    const std::string& text() const { return text_; }
-
- private:
-    std::string text_;
-};
-
 /// Text of a file on one line of a terminal: what is not printable becomes a question mark.
 std::string printable(std::string text) {
     for (char& c : text) {
@@ -46,6 +33,20 @@ std::string printable(std::string text) {
     }
     return text;
 }
+
+/// Lines of "name: value".
+class Facts {
+ public:
+    template <class... Args>
+    void add(const std::string& name, fmt::format_string<Args...> format, Args&&... args) {
+        text_ += printable(name) + ": " +
+                 printable(fmt::format(format, std::forward<Args>(args)...)) + "\n";
+    }
+    const std::string& text() const { return text_; }
+
+ private:
+    std::string text_;
+};
 
 void describe_recipe(Facts& facts, const layers::Recipe& recipe) {
     facts.add("name", "{}", recipe.name);
@@ -117,7 +118,7 @@ void describe_rgl(Facts& facts, const std::string& bytes, const std::string& nam
     const auto degrees = [](float rad) { return rad * 180 / std::numbers::pi; };
     facts.add("kind", "measured BRDF, adaptive parameterization (RGL, .bsdf)");
     facts.add("bytes", "{}", bytes.size());
-    facts.add("description", "{}", printable(table.description));
+    facts.add("description", "{}", table.description);
     facts.add("surface", "{}", table.isotropic() ? "isotropic" : "anisotropic");
     facts.add("phi_i", "{} from {:.4g} to {:.4g} deg", table.phi_i.size(),
               degrees(table.phi_i.front()), degrees(table.phi_i.back()));

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "nacre/cli/brdf_source.h"
+#include "nacre/cli/measured_source.h"
 #include "nacre/cli/walk_sample.h"
 #include "nacre/core/error.h"
 #include "nacre/core/progress_bar.h"
@@ -74,6 +75,12 @@ MeasuredSample read_sample(const std::filesystem::path& path, const InstrumentRe
     return sample;
 }
 
+/// Beside a paint, a measured BRDF leaves the model to the paint, and --model is no mistake.
+ModelOptions model_beside(const std::filesystem::path& other, const std::filesystem::path& path,
+                          const ModelOptions& model) {
+    return is_measured_brdf_file(path) && !is_measured_brdf_file(other) ? ModelOptions{} : model;
+}
+
 }  // namespace
 
 bool is_measured_file(const std::filesystem::path& path) {
@@ -101,7 +108,7 @@ MeasuredSample measure_sample(const std::filesystem::path& path, const ModelOpti
                              request.conditions(), bar.callback()),
             path.string(),
             source.recipe ? io::recipe_hash(*source.recipe) : "",
-            model.model,
+            source.measured ? "" : model.model,
             {}};
 }
 
@@ -113,8 +120,8 @@ std::pair<MeasuredSample, MeasuredSample> measure_both(const std::filesystem::pa
     const bool sample_is_measured = is_measured_file(sample),
                standard_is_measured = is_measured_file(standard);
     if (sample_is_measured == standard_is_measured) {
-        return {measure_sample(sample, model, request, options),
-                measure_sample(standard, model, request, options)};
+        return {measure_sample(sample, model_beside(standard, sample, model), request, options),
+                measure_sample(standard, model_beside(sample, standard, model), request, options)};
     }
     // The paint is read as the file was.
     const auto like = [](InstrumentRequest wanted, const measure::Measurement& file) {

@@ -8,6 +8,7 @@
 #include "nacre/cli/brdf_source.h"
 #include "nacre/cli/command.h"
 #include "nacre/cli/measured_sample.h"
+#include "nacre/cli/measured_source.h"
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/stopwatch.h"
 #include "nacre/cli/usage_error.h"
@@ -74,8 +75,10 @@ std::vector<report::Picture> pictures(const PanelOptions& options, const PaintSu
         picture(options, sample, compares ? "Sample, ball of 100 mm" : "Ball of 100 mm", small)};
     if (compares) {
         const PaintSurface standard =
-            load_surface(options.versus, parse_model(options.model).model,
-                         parse_surface_options(options.model, options.seed), options);
+            is_measured_brdf_file(options.versus)
+                ? load_surface(options.versus, models::Model::microflake, {}, options)
+                : load_surface(options.versus, parse_model(options.model).model,
+                               parse_surface_options(options.model, options.seed), options);
         all.push_back(picture(options, standard, "Standard", small));
     }
     return all;
@@ -97,7 +100,7 @@ void check_choices(const PanelOptions& options) {
         throw InputError(fmt::format("{}: there is no such folder", folder.string()));
     }
     render::builtin_scene(options.scene);  // throws if there is none
-    if (is_measured_file(options.recipe)) {
+    if (is_measured_file(options.recipe) || is_measured_brdf_file(options.recipe)) {
         throw InputError(fmt::format(
             "{}: holds measured values; a panel report needs a recipe, for its pictures and its "
             "composition",
@@ -167,8 +170,10 @@ Command add_panel(CLI::App& program) {
     command->add_option("-o,--output", options->output, "Page to write")
         ->type_name("FILE.html")
         ->required();
-    command->add_option("--versus", options->versus,
-                        "Standard to compare with: a recipe or a measured file (CSV, JSON)");
+    command->add_option(
+        "--versus", options->versus,
+        "Standard to compare with: a recipe, a measured file (CSV, JSON) or a measured "
+        "BRDF (.bsdf, .binary)");
     command
         ->add_option("--quality", options->quality,
                      "normal, or low: small and noisy pictures, to see that all works")

@@ -34,6 +34,16 @@ TEST_F(Panel, ComparesWithWhatWasMeasured) {
     EXPECT_THAT(page, HasSubstr("<dd>0.00"));  // it is the same paint
 }
 
+TEST_F(Panel, ComparesWithAMeasuredBrdf) {
+    ASSERT_EQ(nacre("export gray.toml -q -o gray.bsdf --resolution 8 --incidences 4").status, 0);
+    const Outcome outcome = nacre("panel gray.toml -o a.html --quality low --versus gray.bsdf");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(contents(folder_ / "a.html"), HasSubstr("standard, measured"));
+    const Outcome refused = nacre("panel gray.bsdf -o c.html");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("needs a recipe"));
+}
+
 TEST_F(Panel, IsTheSameHoweverManyThreadsMakeIt) {
     EXPECT_EQ(nacre("panel gray.toml -o a.html --quality low --threads 1").status, 0);
     EXPECT_EQ(nacre("panel gray.toml -o b.html --quality low --threads 3").status, 0);

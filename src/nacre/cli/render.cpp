@@ -214,6 +214,12 @@ Paints make_paints(const render::SceneDescription& scene, const RenderCommandOpt
     if (!paints.model_used && !paints.table.empty()) {
         refuse_model_of_measured(options.model.model_given, options.model.model,
                                  "every material of the scene " + options.scene);
+        if (options.model.table != ModelOptions{}.table) {
+            throw UsageError(
+                fmt::format("--table = {}: every material of the scene {} holds a measured BRDF; "
+                            "tables are made of recipes",
+                            options.model.table, options.scene));
+        }
     }
     return paints;
 }
