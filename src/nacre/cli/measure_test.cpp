@@ -85,6 +85,10 @@ TEST_F(Program, MeasuredFilesAreReadAgainUnderAnotherLight) {
     EXPECT_THAT(nacre("measure day.csv --aperture 1,1").err, HasSubstr("half angles of 0 and 0"));
     write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
     EXPECT_EQ(nacre("measure lab.csv").status, 0);
+    // What the file does not say, somebody may know.
+    EXPECT_EQ(measured(nacre("measure lab.csv --aperture 1,2")).conditions.aperture,
+              (measure::Aperture{1, 2}));
+    EXPECT_EQ(nacre("measure lab.csv --model mircoflake").status, 1);
     const Outcome refused = nacre("measure lab.csv --illuminant A");
     EXPECT_EQ(refused.status, 2);
     EXPECT_THAT(refused.err, HasSubstr("no spectrum"));

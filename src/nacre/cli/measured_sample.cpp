@@ -62,7 +62,11 @@ void recolour(measure::Measurement& measurement, const InstrumentRequest& reques
 }
 
 MeasuredSample read_sample(const std::filesystem::path& path, const InstrumentRequest& request) {
-    MeasuredSample sample{io::read_measurement(path), path.string(), "", ""};
+    // Spectra can be stated under another light, but not through other cones: an aperture that is
+    // asked for stands for one that the file does not tell.
+    measure::Conditions defaults;
+    defaults.aperture = request.aperture.value_or(defaults.aperture);
+    MeasuredSample sample{io::read_measurement(path, defaults), path.string(), "", ""};
     if (sample.measurement.name.empty()) sample.measurement.name = path.stem().string();
     if (request.wavelengths_nm) {
         throw InputError(
@@ -94,8 +98,9 @@ bool is_measured_file(const std::filesystem::path& path) {
 
 MeasuredSample measure_sample(const std::filesystem::path& path, const ModelOptions& model,
                               const InstrumentRequest& request, const CommonOptions& options) {
+    const bool walks = parse_model(model).model == models::Model::walk;
     if (is_measured_file(path)) return read_sample(path, request);
-    if (parse_model(model).model == models::Model::walk) {
+    if (walks) {
         parse_surface_options(model, options.seed);  // refuses the options of other models
         return measure_by_walk(path, request, options);
     }

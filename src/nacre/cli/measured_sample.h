@@ -27,7 +27,8 @@ struct MeasuredSample {
 /// standard errors (cli/walk_sample.h).
 ///
 /// A measured file has its own geometries, of which those asked for are taken; its colours are
-/// stated anew under the light asked for, which needs spectra.
+/// stated anew under the light asked for, which needs spectra. An aperture that is asked for must
+/// be the file's, or is taken where it states none.
 /// @throws UsageError, InputError, DomainError, Error as load_brdf(), measure::measure() and
 ///         io::parse_measurement(), or if a measured file cannot be stated as asked
 MeasuredSample measure_sample(const std::filesystem::path& path, const ModelOptions& model,
@@ -41,8 +42,7 @@ std::pair<MeasuredSample, MeasuredSample> measure_both(const std::filesystem::pa
                                                        const InstrumentRequest& request,
                                                        const CommonOptions& options);
 
-/// Whether a file holds measured values.
-/// @throws InputError if it cannot be read
+/// Whether a file holds measured values; no, if it cannot be read.
 bool is_measured_file(const std::filesystem::path& path);
 
 }  // namespace nacre::cli
