@@ -99,7 +99,7 @@ void add_certainty(Text& text, const fit::Fit& fit) {
                             : fmt::format("as the residual has with {} degrees of freedom",
                                           certainty.degrees_of_freedom));
     } else {
-        text.line("No error can be told: as many numbers as measured values; give --noise.");
+        text.line("No error can be told: not more measured values than numbers; give --noise.");
     }
     for (std::size_t a = 0; a < fit.estimates.size(); ++a) {
         for (std::size_t b = a + 1; b < fit.estimates.size(); ++b) {
