@@ -16,6 +16,8 @@
 #include "nacre/cli/paint_source.h"
 #include "nacre/cli/stopwatch.h"
 #include "nacre/cli/usage_error.h"
+#include "nacre/core/atomic_file.h"
+#include "nacre/core/error.h"
 #include "nacre/core/interrupt.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress_bar.h"
@@ -49,10 +51,21 @@ struct Exported {
     bool rgb;
 };
 
+/// What is written holds one azimuth of the lamp; a surface that has more must not lose them
+/// unsaid.
+void refuse_anisotropic(const std::string& paint) {
+    const std::string bytes = read_file(paint, io::kMostMeasuredBytes);
+    if (io::looks_like_rgl(bytes) && !io::parse_rgl(bytes, paint).isotropic()) {
+        throw InputError(fmt::format(
+            "{}: holds an anisotropic BRDF; files are written of isotropic ones only", paint));
+    }
+}
+
 /// The paint as the renderer sees it, which differs from the solver's values by less than
 /// bsdf::kMicroflakeError of the peak and is a hundred times faster: a file asks a million times.
 BrdfSource load_fast(const ExportOptions& options, const BrdfRequest& request,
                      const std::optional<std::vector<double>>& wavelengths) {
+    refuse_anisotropic(options.paint);
     const bool solved = request.model == models::Model::microflake &&
                         request.surface.table == models::Table::split &&
                         !is_measured_brdf_file(options.paint) && !is_brdf_table(options.paint);

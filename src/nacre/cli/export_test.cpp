@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "nacre/cli/program_test_support.h"
+#include "nacre/io/rgl_file.h"
 
 // BRDFs of paints through files of measured ones, as a user meets them.
 
@@ -121,6 +123,23 @@ TEST_F(Program, BesideAMeasuredBrdfTheModelIsThatOfThePaint) {
     EXPECT_THAT(both.out, HasSubstr("\"model\": \"microflake\""));
     EXPECT_THAT(both.out, HasSubstr("\"model\": \"\""));
     EXPECT_EQ(nacre("measure gray.bsdf --versus gray.bsdf --model microflake").status, 1);
+}
+
+TEST_F(Program, ExportRefusesAnisotropicSurfaces) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    bsdf::RglTable table;
+    table.phi_i = {-kPi, 0, kPi};
+    table.theta_i = {0, 1};
+    table.ndf.values = table.sigma.values = {1, 1, 1, 1};
+    table.vndf.assign(3 * 2 * 4, 1);
+    table.luminance.assign(3 * 2 * 4, 1);
+    table.spectra.assign(3 * 2 * 3 * 4, 0.3f);
+    io::write_rgl(folder_ / "brushed.bsdf", table);
+    EXPECT_EQ(nacre(std::string("eval brushed.bsdf") + kDirections).status, 0);
+    const Outcome refused = nacre("export brushed.bsdf -o again.bsdf");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("brushed.bsdf: holds an anisotropic BRDF"));
+    EXPECT_FALSE(exists("again.bsdf"));
 }
 
 TEST_F(Program, NamesCannotSpeakToTheTerminal) {
