@@ -119,8 +119,7 @@ panel::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& progre
         throw UsageError(fmt::format("--key = {}: means {} numbers, such as {}; must mean one",
                                      options.key, keys.size(), keys[0]));
     }
-    return panel::recipe_atlas(recipe, keys[0],
-                               parse_numbers("--thickness", options.values, Range{}),
+    return panel::recipe_atlas(recipe, keys[0], parse_numbers("--values", options.values, Range{}),
                                parse_angles(options), layers::default_wavelengths_nm(),
                                parse_instrument(options.instrument).conditions(), progress);
 }
@@ -140,6 +139,9 @@ void check_choice(const AtlasOptions& options, const CLI::App& command) {
     }
     if (!options.recipe.empty() && options.key.empty()) {
         throw UsageError("--recipe needs --key: which of its numbers is to vary");
+    }
+    if (!options.recipe.empty() && command.count("--values") == 0) {
+        throw UsageError("--recipe needs --values: those of the number that varies");
     }
 }
 

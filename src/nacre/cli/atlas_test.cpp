@@ -76,7 +76,9 @@ TEST_F(Atlas, SaysWhatIsWrongWithAnAtlas) {
     EXPECT_THAT(complaint("--film 2 --aspecular 150", 2), HasSubstr("150"));
     EXPECT_THAT(complaint("--recipe gray.toml --key glitter --values 1", 2), HasSubstr("glitter"));
     EXPECT_THAT(complaint("--recipe gray.toml --key alpha --values 7", 2), HasSubstr("alpha"));
-    EXPECT_THAT(complaint("--recipe missing.toml --key alpha", 2), HasSubstr("missing.toml"));
+    EXPECT_THAT(complaint("--recipe missing.toml --key alpha --values 1", 2),
+                HasSubstr("missing.toml"));
+    EXPECT_THAT(complaint("--recipe gray.toml --key alpha", 1), HasSubstr("needs --values"));
     EXPECT_FALSE(exists("a.jpg"));
 }
 
