@@ -59,14 +59,13 @@ std::vector<measure::Geometry> parse_list(const std::string& text) {
 }
 
 measure::Aperture parse_aperture(const std::string& text) {
-    constexpr Range kHalfAngle{0, 10, "deg"};
     const std::vector<std::string> parts = split(text, ',');
     if (parts.size() != 2) {
         throw UsageError(fmt::format(
             "--aperture = {}: must be the half angles of lamp and detector, as in 2,3", text));
     }
-    return {parse_number("--aperture", parts[0], kHalfAngle),
-            parse_number("--aperture", parts[1], kHalfAngle)};
+    return {parse_number("--aperture", parts[0], measure::kHalfAngle),
+            parse_number("--aperture", parts[1], measure::kHalfAngle)};
 }
 
 std::vector<double> parse_wavelengths(const std::string& text) {

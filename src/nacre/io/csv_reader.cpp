@@ -68,6 +68,7 @@ class CsvParser {
     CsvCell cell() {
         while (!at_cell_end() && (peek() == ' ' || peek() == '\t' || peek() == '\r')) advance();
         CsvCell cell{{}, line_, column()};
+        if (++cells_ > kMostCsvCells) fail(cell, fmt::format("more than {} cells", kMostCsvCells));
         if (!at_end() && peek() == '"') {
             quoted(cell);
             return cell;
@@ -99,14 +100,14 @@ class CsvParser {
             advance();
         }
     }
-    [[noreturn]] void fail(const CsvCell& cell, const char* why) const {
+    [[noreturn]] void fail(const CsvCell& cell, std::string_view why) const {
         throw InputError(fmt::format("{}:{}:{}: {}", filename_, cell.line, cell.column, why));
     }
 
     std::string_view text_;
     const std::string& filename_;
     char separator_;
-    std::size_t position_ = 0, line_ = 1, line_start_ = 0;
+    std::size_t position_ = 0, line_ = 1, line_start_ = 0, cells_ = 0;
 };
 
 }  // namespace

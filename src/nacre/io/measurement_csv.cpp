@@ -232,10 +232,9 @@ class MeasurementTable {
     double half_angle(const std::string& column, double fallback) const {
         return same_in_all_rows(column, fallback, [](const std::string& text) {
             const auto value = optics::parse_number(text);
-            constexpr Range kHalfAngle{0, 10, "deg"};
-            if (!value || !kHalfAngle.contains(*value)) {
+            if (!value || !measure::kHalfAngle.contains(*value)) {
                 throw InputError(fmt::format("'{}' is no number in {}", optics::excerpt(text),
-                                             kHalfAngle.text()));
+                                             measure::kHalfAngle.text()));
             }
             return *value;
         });

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nacre/core/error.h"
+#include "nacre/io/csv_reader.h"
 #include "nacre/measure/flop.h"
 
 namespace nacre::io {
@@ -202,15 +203,13 @@ TEST(MeasurementFile, JsonRefusalsNameTheMember) {
     EXPECT_THAT(with("/readings", nlohmann::json::array()), HasSubstr("readings"));
 }
 
-TEST(MeasurementFile, ListsInListsAreRefusedHoweverDeep) {
-    // Deeper than the stack of who would print them by recursion.
-    const int depth = 500'000;
-    const std::string text = R"({"format": "nacre-measurement", "format_version": 1, "readings": )"
-                             R"([{"geometry": "45as15", "lab": [50, 0, )" +
-                             std::string(depth, '[') + std::string(depth, ']') + "]}]}";
-    EXPECT_THAT(refusal(text),
-                HasSubstr("readings[0].lab: must be a number in [-1000000, 1000000], "
-                          "not array"));
+// Files made to fill the memory, or the stack of who prints them by recursion.
+TEST(MeasurementFile, RefusesDepthAndCellsWithoutEnd) {
+    const std::string deep =
+        R"({"format": "nacre-measurement", "lab": )" + std::string(500'000, '[');
+    EXPECT_THAT(refusal(deep), HasSubstr("m.csv: lists and objects are nested deeper than 64"));
+    EXPECT_THAT(refusal("geometry" + std::string(kMostCsvCells, ',')),
+                AllOf(StartsWith("m.csv:1:"), HasSubstr("more than 5000000 cells")));
 }
 
 TEST(MeasurementFile, IsToldFromARecipe) {

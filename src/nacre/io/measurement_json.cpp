@@ -78,12 +78,9 @@ class Member {
     double as_number(const json& value, const char* key, const Range& range) const {
         const double number = value.is_number() ? value.get<double>() : std::nan("");
         if (!range.contains(number)) {
-            // Lists in lists are not spelled out: dump() calls itself for each depth.
-            const std::string found =
-                value.is_structured()
-                    ? value.type_name()
-                    : optics::excerpt(value.dump(-1, ' ', true, json::error_handler_t::replace));
-            fail(key, "must be a number in " + range.text() + ", not " + found);
+            fail(key,
+                 "must be a number in " + range.text() + ", not " +
+                     optics::excerpt(value.dump(-1, ' ', true, json::error_handler_t::replace)));
         }
         return number;
     }
@@ -110,11 +107,10 @@ measure::Conditions read_conditions(const Member& file, measure::Conditions cond
         conditions.observer =
             parsed(file, "observer", file.text_or("observer", ""), spectra::parse_observer);
     }
-    constexpr Range kHalfAngle{0, 10, "deg"};
     measure::Aperture& aperture = conditions.aperture;
-    aperture.lamp_half_angle_deg =
-        file.number("lamp_half_angle_deg", kHalfAngle).value_or(aperture.lamp_half_angle_deg);
-    aperture.detector_half_angle_deg = file.number("detector_half_angle_deg", kHalfAngle)
+    aperture.lamp_half_angle_deg = file.number("lamp_half_angle_deg", measure::kHalfAngle)
+                                       .value_or(aperture.lamp_half_angle_deg);
+    aperture.detector_half_angle_deg = file.number("detector_half_angle_deg", measure::kHalfAngle)
                                            .value_or(aperture.detector_half_angle_deg);
     return conditions;
 }
@@ -142,9 +138,16 @@ MeasurementRow read_reading(const Member& reading, std::size_t wavelengths) {
 
 measure::Measurement parse_measurement_json(std::string_view text, const std::string& filename,
                                             const measure::Conditions& defaults) {
+    // Our own need 4; who adds members may nest them, but not until memory or the stack is full.
+    constexpr int kMostDepth = 64;
+    const auto limit_depth = [&](int depth, json::parse_event_t, const json&) {
+        if (depth <= kMostDepth) return true;
+        throw InputError(
+            fmt::format("{}: lists and objects are nested deeper than {}", filename, kMostDepth));
+    };
     json document;
     try {
-        document = json::parse(text);
+        document = json::parse(text, limit_depth);
     } catch (const json::exception& error) {
         throw InputError(fmt::format("{}: {}", filename, error.what()));
     }

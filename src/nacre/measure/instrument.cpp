@@ -77,7 +77,6 @@ class Instrument {
 };
 
 void require_aperture(double half_angle_deg, const char* what) {
-    constexpr Range kHalfAngle{0, 10, "deg"};
     if (!kHalfAngle.contains(half_angle_deg)) {
         throw DomainError(fmt::format("half angle of the {} = {}: must be in {}", what,
                                       half_angle_deg, kHalfAngle.text()));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/core/range.h"
 #include "nacre/measure/geometry.h"
 #include "nacre/spectra/colour.h"
 
@@ -11,10 +12,12 @@
 
 namespace nacre::measure {
 
+inline constexpr Range kHalfAngle{0, 10, "deg"};  ///< of an instrument's cones
+
 /// The solid angles of an instrument: round, about the directions of its geometry. Zero is a point.
 struct Aperture {
-    double lamp_half_angle_deg = 0;      ///< [0, 10]
-    double detector_half_angle_deg = 0;  ///< [0, 10]
+    double lamp_half_angle_deg = 0;      ///< in kHalfAngle
+    double detector_half_angle_deg = 0;  ///< in kHalfAngle
 
     friend bool operator==(const Aperture&, const Aperture&) = default;
 };
