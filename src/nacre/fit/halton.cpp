@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "nacre/core/error.h"
+#include "nacre/core/radical_inverse.h"
 #include "nacre/core/rng.h"
 
 namespace nacre::fit {
@@ -11,13 +12,6 @@ namespace {
 
 constexpr unsigned kPrimes[kMostHaltonDimensions] = {
     2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89};
-
-/// The digits of `index` mirrored at the point.
-double radical_inverse(std::size_t index, unsigned base) {
-    double value = 0, digit = 1.0 / base;
-    for (; index > 0; index /= base, digit /= base) value += digit * (index % base);
-    return value;
-}
 
 }  // namespace
 

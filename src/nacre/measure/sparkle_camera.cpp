@@ -10,6 +10,7 @@
 #include "nacre/bsdf/single_flakes.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/radical_inverse.h"
 #include "nacre/core/rng.h"
 #include "nacre/spectra/xyz.h"
 
@@ -92,12 +93,6 @@ std::vector<LampDirection> lamp_directions(double angle_deg, double half_angle_d
     return directions;
 }
 
-double radical_inverse(int base, int i) {
-    double inverse = 0, digit = 1;
-    for (; i > 0; i /= base) inverse += (i % base) * (digit /= base);
-    return inverse;
-}
-
 float wrapped(double u) { return std::min(static_cast<float>(u - std::floor(u)), 0x1.fffffep-1f); }
 
 // Pixels are looked at patch by patch, each so small that it tells its flakes apart. Of patches
@@ -132,7 +127,7 @@ class Photographer {
         // Hammersley's points, so many a patch and half.
         const int half = std::max(1, camera.diffuse_samples / (2 * patches_ * patches_));
         for (int i = 0; i < half; ++i) {
-            points_.push_back({(i + 0.5) / half, radical_inverse(2, i), radical_inverse(3, i)});
+            points_.push_back({(i + 0.5) / half, radical_inverse(i, 2), radical_inverse(i, 3)});
         }
     }
 
