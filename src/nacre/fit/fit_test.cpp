@@ -93,9 +93,10 @@ TEST(Fit, FindsAmountsOfPigmentUnderSeveralLights) {
     layers::set_parameter(hidden, kAbsorption, 35);
     FitOptions options = with_starts(2);
     options.target.illuminants = {spectra::Illuminant::D65, spectra::Illuminant::FL11};
-    options.target.observer = spectra::Observer::cie1931_2deg;
-    const Fit found =
-        fit(read(hidden), FreeNumbers(solid(), {kScattering, kAbsorption}, {}), options);
+    measure::Conditions by_day;
+    by_day.observer = spectra::Observer::cie1931_2deg;
+    const Fit found = fit(read(hidden, testing::six_angles(), by_day),
+                          FreeNumbers(solid(), {kScattering, kAbsorption}, {}), options);
     EXPECT_NEAR(found.estimates[0].value, 180, 0.5);
     EXPECT_NEAR(found.estimates[1].value, 35, 0.1);
     EXPECT_EQ(found.standard.conditions.observer, spectra::Observer::cie1931_2deg);

@@ -104,7 +104,6 @@ Target::Target(const measure::Measurement& standard, const TargetOptions& option
         for (spectra::Illuminant illuminant : illuminants) {
             measure::Conditions conditions = standard.conditions;
             conditions.illuminant = illuminant;
-            conditions.observer = options.observer.value_or(conditions.observer);
             measure::Measurement wanted = restated(standard, conditions);
             if (!fine) wanted = seen_coarsely(std::move(wanted), stride);
             standards_[d].push_back(std::move(wanted));

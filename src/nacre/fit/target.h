@@ -2,7 +2,6 @@
 
 #include <array>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,6 @@ namespace nacre::fit {
 struct TargetOptions {
     /// Colours under all of them count alike. Empty: the standard's own.
     std::vector<spectra::Illuminant> illuminants;
-    std::optional<spectra::Observer> observer;  ///< none: the standard's own
     /// By the geometry's name, >= 0; those not named weigh 1.
     std::map<std::string, double> weights;
 };
@@ -29,8 +27,8 @@ enum class Detail { glance, coarse, fine };
 
 class Target {
  public:
-    /// @throws DomainError if the standard has no reading, an illuminant or observer other than its
-    ///         own is asked for where it has no spectra, a weight is negative or names none of its
+    /// @throws DomainError if the standard has no reading, an illuminant other than its own
+    ///         is asked for where it has no spectra, a weight is negative or names none of its
     ///         geometries, or all weights are 0
     Target(const measure::Measurement& standard, const TargetOptions& options);
 
