@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nacre/cli/difference_table.h"
+#include "nacre/spectra/names.h"
 
 namespace nacre::cli {
 
@@ -17,24 +18,6 @@ using fit::Estimate;
 
 /// Errors of two numbers go together above this: worth a line.
 constexpr double kTogether = 0.9;
-
-const char* name_of(spectra::Illuminant light) {
-    switch (light) {
-        case spectra::Illuminant::A:
-            return "A";
-        case spectra::Illuminant::D50:
-            return "D50";
-        case spectra::Illuminant::D65:
-            return "D65";
-        case spectra::Illuminant::FL2:
-            return "FL2";
-        case spectra::Illuminant::FL11:
-            return "FL11";
-        case spectra::Illuminant::E:
-            return "E";
-    }
-    return "";
-}
 
 class Text {
  public:
@@ -148,7 +131,7 @@ std::string fit_text(const fit::Fit& fit) {
               fit.difference.mean_delta_e_2000, fit.difference.max_delta_e_2000,
               fit.at_start.mean_delta_e_2000, fit.at_start.max_delta_e_2000);
     for (const auto& [light, difference] : fit.other_lights) {
-        text.line("Under {}: mean {:.3f}, greatest {:.3f}.", name_of(light),
+        text.line("Under {}: mean {:.3f}, greatest {:.3f}.", spectra::name(light),
                   difference.mean_delta_e_2000, difference.max_delta_e_2000);
     }
     text.line("{}: {}.", fit.converged ? "Converged" : "Not converged", fit.ended);
@@ -173,7 +156,7 @@ nlohmann::json fit_json(const fit::Fit& fit) {
     document["difference_at_start"] = difference_json(fit.at_start);
     document["other_lights"] = nlohmann::json::object();
     for (const auto& [light, difference] : fit.other_lights) {
-        document["other_lights"][name_of(light)] = difference_json(difference);
+        document["other_lights"][spectra::name(light)] = difference_json(difference);
     }
     document["converged"] = fit.converged;
     document["ended"] = fit.ended;
