@@ -34,6 +34,27 @@ void transform(std::vector<Complex>& values, int width, int height, bool forward
     for (int x = 0; x < width; ++x) along(x, width, height);
 }
 
+// The largest length up to this one without prime factors above 7. A transform takes as many steps
+// a value as the sum of them: minutes for the whole, where a side is a large prime.
+int fast_length(int length) {
+    for (;; --length) {
+        int rest = length;
+        for (int prime : {2, 3, 5, 7}) {
+            while (rest % prime == 0) rest /= prime;
+        }
+        if (rest == 1) return length;
+    }
+}
+
+PanelPicture top_left(const PanelPicture& picture, int width, int height) {
+    PanelPicture part{width, height, picture.pixel_mm, {}};
+    for (int y = 0; y < height; ++y) {
+        const auto row = picture.xyz.begin() + 3 * static_cast<std::ptrdiff_t>(y) * picture.width;
+        part.xyz.insert(part.xyz.end(), row, row + 3 * static_cast<std::ptrdiff_t>(width));
+    }
+    return part;
+}
+
 // Cycles per picture of the i-th coefficient.
 double cycles(int i, int count) { return i <= count / 2 ? i : i - count; }
 
@@ -57,6 +78,10 @@ Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewin
         throw DomainError(fmt::format(
             "pictures of {} x {} and {} x {} pixels: must be alike and at least {} a side", a.width,
             a.height, b.width, b.height, kLeastPixels));
+    }
+    const int width = fast_length(a.width), height = fast_length(a.height);
+    if (width != a.width || height != a.height) {
+        return graininess(top_left(a, width, height), top_left(b, width, height), viewing);
     }
     Graininess result;
     const double mean_a = mean_luminance(a), mean_b = mean_luminance(b);

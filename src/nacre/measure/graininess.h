@@ -20,7 +20,8 @@ struct Graininess {
 /// A sinusoidal grating of modulation m has G = m S(u): 1 at the threshold.
 ///
 /// From two pictures of the same flakes with independent noise: P is their cross spectrum, which
-/// noise does not raise. 0 where noise makes the sum negative, and for a black picture.
+/// noise does not raise. Where a side has prime factors above 7, the rows and columns beyond the
+/// largest one without are left out. 0 where noise makes the sum negative, and for a black picture.
 /// @throws DomainError unless both have the same size, at least 16 pixels a side; as check()
 Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing = {});
 
