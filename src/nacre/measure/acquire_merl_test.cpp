@@ -13,10 +13,9 @@ namespace {
 
 using bsdf::direction;
 using testing::ggx;
+using testing::kLanesAt;
+using testing::kThree;
 using testing::lambertian;
-
-const std::vector<double> kThree = {450, 550, 650};
-const bsdf::Wavelengths kLanesAt = {450, 450, 500, 550, 550, 600, 650, 650};
 
 bsdf::MerlTable table_of(const Brdf& brdf, const MerlSettings& settings = {}) {
     return acquire_merl(brdf, kThree, settings);

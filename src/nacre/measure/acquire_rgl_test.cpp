@@ -16,16 +16,16 @@ namespace {
 
 using bsdf::direction;
 using testing::ggx;
+using testing::kLanesAt;
+using testing::kThree;
 using testing::lambertian;
-
-const std::vector<double> kThree = {450, 550, 650};
-const bsdf::Wavelengths kLanesAt = {450, 450, 500, 550, 550, 600, 650, 650};
 
 bsdf::MeasuredRgl measured(const Brdf& brdf, const RglSettings& settings = {}) {
     return bsdf::MeasuredRgl(acquire_rgl("test", brdf, kThree, settings));
 }
 
-// f cos(theta_o) of a Lambertian is bilinear in nothing: what is left is the error of the format.
+// The table interpolates f cos(theta_o), which is not linear even here: what is left is the
+// error of the format.
 TEST(AcquireRgl, AWhiteDiffuserComesBack) {
     const auto bound = measured(lambertian({1, 1, 1})).bind(kLanesAt);
     for (const double theta_i : {0.5, 30.0, 60.0, 80.0}) {

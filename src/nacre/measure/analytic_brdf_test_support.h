@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "nacre/bsdf/bsdf.h"
 #include "nacre/measure/brdf.h"
 
 // Only for tests: BRDFs in closed form.
 
 namespace nacre::measure::testing {
+
+/// Wavelengths of the tables, and eight at and between them at which they are read.
+inline const std::vector<double> kThree = {450, 550, 650};
+inline constexpr bsdf::Wavelengths kLanesAt = {450, 450, 500, 550, 550, 600, 650, 650};
 
 inline constexpr double kDegree = std::numbers::pi / 180;
 
