@@ -6,16 +6,16 @@
 #include <benchmark/benchmark.h>
 
 #include "bsdf_queries.h"
-#include "nacre/bsdf/microflake.h"
-#include "nacre/layers/solver.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/solver/solver.h"
 
 namespace nacre::bsdf {
 namespace {
 
 template <class F>
 void run(benchmark::State& state, F&& f) {
-    static const auto bound = Microflake(std::make_shared<const layers::SolvedPaint>(layers::solve(
-                                             bench_pearl(), layers::default_wavelengths_nm())))
+    static const auto bound = Microflake(std::make_shared<const solver::SolvedPaint>(solver::solve(
+                                             bench_pearl(), solver::default_wavelengths_nm())))
                                   .bind(kBenchWavelengths);
     static const std::vector<Query> queries = make_queries(*bound);
     run_queries(state, *bound, queries, f);

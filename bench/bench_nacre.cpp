@@ -11,16 +11,15 @@
 #include <vector>
 
 #include "bsdf_queries.h"
-#include "nacre/bsdf/nacre.h"
-#include "nacre/bsdf/nacre_tables.h"
-#include "nacre/layers/solver.h"
+#include "nacre/bsdf/models/nacre.h"
+#include "nacre/solver/solver.h"
 
 namespace nacre::bsdf {
 namespace {
 
 struct Setup {
-    std::shared_ptr<const layers::SolvedPaint> paint = std::make_shared<const layers::SolvedPaint>(
-        layers::solve(bench_pearl(), layers::default_wavelengths_nm()));
+    std::shared_ptr<const solver::SolvedPaint> paint = std::make_shared<const solver::SolvedPaint>(
+        solver::solve(bench_pearl(), solver::default_wavelengths_nm()));
     Nacre nacre{paint, 1};
     std::unique_ptr<const BoundBsdf> bound = nacre.bind(kBenchWavelengths);
     std::vector<Query> queries = make_queries(*bound);
@@ -30,7 +29,7 @@ struct Setup {
         return setup;
     }
     double flakes_per_mm2() const {
-        const layers::FlakeSpecies& flake = paint->recipe.layers[0].flakes[0];
+        const paint::FlakeSpecies& flake = paint->recipe.layers[0].flakes[0];
         const double radius_mm = 0.5e-3 * flake.diameter_um;
         return flake.area_density_per_um() * paint->recipe.layers[0].thickness_um /
                (std::numbers::pi * radius_mm * radius_mm);

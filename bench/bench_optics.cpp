@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "nacre/optics/dielectric.h"
+#include "nacre/optics/fresnel.h"
 #include "nacre/optics/thin_film.h"
 
 // Thin films and flake averages, as solving a paint calls them: 31 wavelengths, 65 cosines.

@@ -6,10 +6,12 @@
 
 #include <cmath>
 
-#include "nacre/layers/impedance.h"
-#include "nacre/layers/solver.h"
+#include "nacre/solver/impedance.h"
+#include "nacre/solver/solver.h"
 
-namespace nacre::layers {
+namespace nacre::solver {
+
+using namespace paint;
 namespace {
 
 // TiO2 on mica in a binder of 1.5; c = 0.1 per um in 15 um.
@@ -109,4 +111,4 @@ void BM_PeakMultiplyAdd(benchmark::State& state) {
 BENCHMARK(BM_PeakMultiplyAdd);
 
 }  // namespace
-}  // namespace nacre::layers
+}  // namespace nacre::solver

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "nacre/bsdf/special_effect.h"
-#include "nacre/core/rng.h"
+#include "nacre/bsdf/models/special_effect.h"
+#include "nacre/core/random.h"
 #include "nacre/sparkle/facet_field.h"
 
 namespace nacre::bsdf {
@@ -102,14 +102,14 @@ struct Setup {
     std::vector<Query> queries;
 
     Setup(double on_object, double in_patch) : on(patches(on_object, in_patch)) {
-        layers::Recipe recipe;
+        paint::Recipe recipe;
         recipe.microfacet =
-            layers::Microfacet{.alpha = kAlpha,
-                               .film_ior = 1.8,
-                               .film_thickness_nm = 158.333,
-                               .base_ior = 1.08,
-                               .base_extinction = 0.51,
-                               .facets = layers::MicrofacetFacets{on_object, kConeDeg, 10}};
+            paint::Microfacet{.alpha = kAlpha,
+                              .film_ior = 1.8,
+                              .film_thickness_nm = 158.333,
+                              .base_ior = 1.08,
+                              .base_extinction = 0.51,
+                              .facets = paint::MicrofacetFacets{on_object, kConeDeg, 10}};
         bsdf = SpecialEffect(recipe, 1).bind({418, 456, 493, 531, 568, 606, 643, 681});
         Rng rng(3, 3);
         while (queries.size() < on.size()) {

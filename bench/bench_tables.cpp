@@ -9,25 +9,25 @@
 #include <memory>
 
 #include "bsdf_queries.h"
-#include "nacre/bsdf/tabulated.h"
-#include "nacre/layers/brdf_table_svd.h"
-#include "nacre/layers/solver.h"
+#include "nacre/bsdf/tabulated/compression.h"
+#include "nacre/bsdf/tabulated/tabulated.h"
+#include "nacre/solver/solver.h"
 
 namespace nacre::bsdf {
 namespace {
 
 struct Setup {
-    layers::SolvedPaint paint;
-    std::shared_ptr<const layers::RawBrdfTable> raw;
-    std::shared_ptr<const layers::CompressedBrdfTable> compressed;
+    solver::SolvedPaint paint;
+    std::shared_ptr<const bsdf::RawBrdfTable> raw;
+    std::shared_ptr<const bsdf::CompressedBrdfTable> compressed;
     std::unique_ptr<const BoundBsdf> bound_raw, bound_compressed;
     std::vector<Query> queries;
 
     Setup() {
-        paint = layers::solve(bench_pearl(), layers::default_wavelengths_nm());
-        raw = std::make_shared<const layers::RawBrdfTable>(layers::make_raw_table(paint));
+        paint = solver::solve(bench_pearl(), solver::default_wavelengths_nm());
+        raw = std::make_shared<const bsdf::RawBrdfTable>(bsdf::make_raw_table(paint));
         compressed =
-            std::make_shared<const layers::CompressedBrdfTable>(layers::compress(*raw, {3, 0.5}));
+            std::make_shared<const bsdf::CompressedBrdfTable>(bsdf::compress(*raw, {3, 0.5}));
         bound_raw = Tabulated(raw).bind(kBenchWavelengths);
         bound_compressed = Tabulated(compressed).bind(kBenchWavelengths);
         queries = make_queries(*bound_raw);
@@ -40,15 +40,15 @@ struct Setup {
 };
 
 void BM_TableMakeRaw(benchmark::State& state) {
-    const layers::SolvedPaint& paint = Setup::get().paint;
-    for (auto _ : state) benchmark::DoNotOptimize(layers::make_raw_table(paint));
+    const solver::SolvedPaint& paint = Setup::get().paint;
+    for (auto _ : state) benchmark::DoNotOptimize(bsdf::make_raw_table(paint));
 }
 BENCHMARK(BM_TableMakeRaw)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void BM_TableCompress(benchmark::State& state) {
-    const layers::CompressionSettings settings{static_cast<int>(state.range(0)), 0.5};
+    const bsdf::CompressionSettings settings{static_cast<int>(state.range(0)), 0.5};
     for (auto _ : state) {
-        benchmark::DoNotOptimize(layers::compress(*Setup::get().raw, settings));
+        benchmark::DoNotOptimize(bsdf::compress(*Setup::get().raw, settings));
     }
 }
 BENCHMARK(BM_TableCompress)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bsdf_queries.h"
-#include "nacre/bsdf/thin_film.h"
+#include "nacre/bsdf/models/thin_film.h"
 #include "nacre/optics/airy.h"
 #include "nacre/optics/antialiased.h"
 
@@ -14,16 +14,16 @@ namespace nacre::bsdf {
 namespace {
 
 // The first parameter set of the comparison of 2022.
-layers::Recipe paint(layers::FacetDistribution law, bool coat) {
-    layers::Recipe recipe;
-    recipe.microfacet = layers::Microfacet{0.07, law, 1.8, 158.333, 1.08, 0.51, {}};
-    if (coat) recipe.clearcoat = layers::Clearcoat{40, 0.0, 0};
+paint::Recipe paint(paint::FacetDistribution law, bool coat) {
+    paint::Recipe recipe;
+    recipe.microfacet = paint::Microfacet{0.07, law, 1.8, 158.333, 1.08, 0.51, {}};
+    if (coat) recipe.clearcoat = paint::Clearcoat{40, 0.0, 0};
     return recipe;
 }
 
 // Arguments of a benchmark: GGX or not, under a coat or not, the colour mode.
-layers::Recipe paint(const benchmark::State& state) {
-    return paint(static_cast<layers::FacetDistribution>(state.range(0)), state.range(1) != 0);
+paint::Recipe paint(const benchmark::State& state) {
+    return paint(static_cast<paint::FacetDistribution>(state.range(0)), state.range(1) != 0);
 }
 ThinFilmColour colour(const benchmark::State& state) {
     return static_cast<ThinFilmColour>(state.range(2));

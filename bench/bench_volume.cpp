@@ -10,32 +10,32 @@
 #include <numbers>
 #include <string>
 
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/volume/plane_walk.h"
-#include "nacre/volume/shell_walk.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/montecarlo/shell_walk.h"
 
-namespace nacre::volume {
+namespace nacre::montecarlo {
 namespace {
 
 constexpr bsdf::Wavelengths kWavelengths{418, 456, 493, 531, 568, 606, 643, 681};
 
-layers::Recipe paint(const std::string& name) {
+paint::Recipe paint(const std::string& name) {
     return io::read_recipe(std::string(NACRE_SOURCE_DIR "/paints/") + name + ".toml");
 }
 
 using Surface = std::unique_ptr<const bsdf::BoundBsdf>;
 
-Surface plane(const layers::Recipe& recipe) { return PlaneWalk(recipe).bind(kWavelengths); }
-Surface delta(const layers::Recipe& recipe) {
+Surface plane(const paint::Recipe& recipe) { return PlaneWalk(recipe).bind(kWavelengths); }
+Surface delta(const paint::Recipe& recipe) {
     return ShellWalk(recipe, {.radius_mm = 50}).bind(kWavelengths);
 }
-Surface simpson(const layers::Recipe& recipe) {
+Surface simpson(const paint::Recipe& recipe) {
     return ShellWalk(recipe, {.radius_mm = 50, .tracking = Tracking::simpson}).bind(kWavelengths);
 }
 
 /// From directions over the hemisphere, by etendue.
-void BM_Walk8Wavelengths(benchmark::State& state, Surface (*make)(const layers::Recipe&),
+void BM_Walk8Wavelengths(benchmark::State& state, Surface (*make)(const paint::Recipe&),
                          const std::string& name) {
     const Surface surface = make(paint(name));
     Rng rng(1, 1);
@@ -69,4 +69,4 @@ BENCHMARK_CAPTURE(BM_WalkBind, metallic_gray, "metallic-gray");
 BENCHMARK_CAPTURE(BM_WalkBind, tio2_mica_80, "tio2-mica-80");
 
 }  // namespace
-}  // namespace nacre::volume
+}  // namespace nacre::montecarlo

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
-#include "nacre/core/rng.h"
-#include "nacre/layers/recipe.h"
+#include "nacre/core/random.h"
+#include "nacre/paint/recipe.h"
 
 // What the benchmarks of surfaces share: wavelengths, a paint, and the questions that a renderer
 // asks.
@@ -18,15 +18,15 @@ namespace nacre::bsdf {
 inline constexpr Wavelengths kBenchWavelengths = {418, 456, 493, 531, 568, 606, 643, 681};
 
 /// Titania on mica, without a coat of its own: the paint of the solver's benchmarks.
-inline layers::Recipe bench_pearl() {
+inline paint::Recipe bench_pearl() {
     optics::Platelet platelet;
     platelet.core = {optics::find_material("mica"), 500, {60}};
     platelet.coats = {{optics::find_material("TiO2_anatase"), 80, {5}}};
-    layers::FlakeSpecies flake;
-    flake.amount = layers::AreaDensity{0.1};
+    paint::FlakeSpecies flake;
+    flake.amount = paint::AreaDensity{0.1};
     flake.orientation.beckmann_alpha = 0.09;
     flake.body = platelet;
-    layers::Recipe recipe;
+    paint::Recipe recipe;
     recipe.layers.push_back({15, {flake}, {}});
     return recipe;
 }

@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 #include "nacre/fit/fit.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/layers/solver.h"
 #include "nacre/measure/instrument.h"
+#include "nacre/solver/solver.h"
 
 namespace {
 
@@ -52,8 +52,8 @@ const Case kCases[] = {
       "pigment[0].absorption_per_mm.max"}},
 };
 
-measure::Measurement colours_of(const layers::Recipe& recipe) {
-    const layers::SolvedPaint paint = layers::solve(recipe, layers::default_wavelengths_nm());
+measure::Measurement colours_of(const paint::Recipe& recipe) {
+    const solver::SolvedPaint paint = solver::solve(recipe, solver::default_wavelengths_nm());
     return measure::measure(recipe.name,
                             [&](double theta_i, double theta_o, double phi) {
                                 return paint.brdf(theta_i, theta_o, phi);
@@ -76,11 +76,11 @@ int main(int argc, char** argv) {
                "dE start", "dE fitted", "worst number", "seconds", "cpu s", "solves", "other");
     for (const Case& one : kCases) {
         if (argc > 2 && std::string(argv[2]) != one.paint) continue;
-        const layers::Recipe start =
+        const paint::Recipe start =
             io::read_recipe(fmt::format(NACRE_SOURCE_DIR "/paints/{}.toml", one.paint));
         std::vector<std::string> keys;
         for (const std::string& name : one.free) {
-            const auto found = layers::matching_parameters(start, name);
+            const auto found = paint::matching_parameters(start, name);
             keys.insert(keys.end(), found.begin(), found.end());
         }
         const fit::FreeNumbers numbers(start, keys, {});

@@ -2,7 +2,7 @@
 # and recipes, and a CMake package, so that another project can say
 #
 #   find_package(nacre REQUIRED)
-#   target_link_libraries(app PRIVATE nacre::layers)
+#   target_link_libraries(app PRIVATE nacre::solver)
 #
 # cmake/consumer is such a project; cmake/consumer/check.sh builds and runs it.
 include(CMakePackageConfigHelpers)
@@ -29,7 +29,7 @@ function(nacre_install)
           DESTINATION ${NACRE_INSTALL_CMAKEDIR})
 
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/nacre DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-          FILES_MATCHING PATTERN "*.h" PATTERN "cli" EXCLUDE)
+          FILES_MATCHING PATTERN "*.h" PATTERN "testing" EXCLUDE)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data ${PROJECT_SOURCE_DIR}/paints
                     ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/studies
           DESTINATION ${NACRE_INSTALL_DATADIR})

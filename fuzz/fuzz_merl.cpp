@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "nacre/core/error.h"
-#include "nacre/io/merl_file.h"
+#include "nacre/io/measured_brdf_file.h"
 
 // A measured BRDF over half and difference angles is read or refused with an InputError; what is
 // read is recognised, and written again as the same.

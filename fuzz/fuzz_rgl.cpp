@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "nacre/bsdf/measured_rgl.h"
+#include "nacre/bsdf/measured/rgl.h"
 #include "nacre/core/error.h"
-#include "nacre/io/rgl_file.h"
+#include "nacre/io/measured_brdf_file.h"
 
 // A measured BRDF in the adaptive parameterization is read or refused with an InputError; what is
 // read can be rendered, and written again to be read as the same.

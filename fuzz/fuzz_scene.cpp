@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "nacre/core/error.h"
-#include "nacre/io/scene_file.h"
+#include "nacre/render/scene_file.h"
 
 // A scene is read or refused with an InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "nacre/io/recipe_file.h"
-#include "nacre/layers/solver.h"
 #include "nacre/optics/thin_film.h"
+#include "nacre/solver/solver.h"
 
 // Uses one thing from the bottom and one from the top of Nacre, from an installed copy: a film
 // whose reflectance is known, and a recipe file that is read and solved.
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     }
 
     const auto recipe = nacre::io::read_recipe(argv[1]);
-    const auto paint = nacre::layers::solve(recipe, {wavelength_nm});
+    const auto paint = nacre::solver::solve(recipe, {wavelength_nm});
     std::printf("R = %.12g; solved '%s'\n", rt.reflectance, recipe.name.c_str());
     return 0;
 }

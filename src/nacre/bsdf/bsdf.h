@@ -8,7 +8,7 @@
 
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
-#include "nacre/sparkle/rest_patch.h"
+#include "nacre/sparkle/footprint.h"
 
 // What the renderer sees of a surface. Local frame: z is the outward normal; both directions point
 // away from the surface; a BRDF is in 1/sr, without the cosine (docs/conventions.md). All of
@@ -115,6 +115,16 @@ class Bsdf {
     virtual Layout layout() const { return Layout::none; }
     /// Whether they differ from patch to patch.
     bool varies_over_surface() const { return layout() != Layout::none; }
+};
+
+/// What surfaces have in common that show single flakes on small patches and, on larger ones, a few
+/// flakes that stand for all.
+class SingleFlakes {
+ public:
+    virtual ~SingleFlakes() = default;
+    /// Side of the largest square patch of a flat panel on which every flake is told apart, so that
+    /// nothing is approximated. 0 if flakes lie too densely for any patch; infinite without flakes.
+    virtual double exact_patch_mm() const = 0;
 };
 
 }  // namespace nacre::bsdf

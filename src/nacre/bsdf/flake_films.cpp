@@ -5,7 +5,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 #include "nacre/optics/thickness_rule.h"
 
 namespace nacre::bsdf {

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 #include "nacre/optics/thickness_rule.h"
 
 namespace nacre::bsdf {

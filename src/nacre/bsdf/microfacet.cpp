@@ -4,7 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/bsdf/flake_lobe.h"
 #include "nacre/bsdf/warp.h"
+#include "nacre/core/error.h"
+#include "nacre/core/lane_math.h"
+#include "nacre/optics/fresnel.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -34,14 +38,14 @@ float erf_inverse(float x) {
 
 }  // namespace
 
-MicrofacetDistribution::MicrofacetDistribution(layers::FacetDistribution law, double alpha)
+MicrofacetDistribution::MicrofacetDistribution(paint::FacetDistribution law, double alpha)
     : law_(law), alpha_(static_cast<float>(alpha)), inverse_alpha2_(1 / (alpha_ * alpha_)) {}
 
 float MicrofacetDistribution::density(Vec3f h) const {
     const float cos2 = h.z * h.z;
     const float tan2 = (h.x * h.x + h.y * h.y) / cos2 * inverse_alpha2_;
     const float scale = inverse_alpha2_ * std::numbers::inv_pi_v<float> / (cos2 * cos2);
-    if (law_ == layers::FacetDistribution::ggx) return scale / ((1 + tan2) * (1 + tan2));
+    if (law_ == paint::FacetDistribution::ggx) return scale / ((1 + tan2) * (1 + tan2));
     return tan2 < 80 ? scale * std::exp(-tan2) : 0;
 }
 
@@ -49,7 +53,7 @@ float MicrofacetDistribution::lambda(Vec3f w) const {
     const float sin2 = w.x * w.x + w.y * w.y;
     // 1/a^2 with a = 1 / (alpha tan theta).
     const float spread2 = alpha_ * alpha_ * sin2 / (w.z * w.z);
-    if (law_ == layers::FacetDistribution::ggx) return 0.5f * (std::sqrt(1 + spread2) - 1);
+    if (law_ == paint::FacetDistribution::ggx) return 0.5f * (std::sqrt(1 + spread2) - 1);
     if (spread2 < 1.0f / 16) return 0;  // Lambda(4) = 1e-9: below the rounding of 1 + Lambda
     const float a = 1 / std::sqrt(spread2);
     return std::max(0.0f, 0.5f * (std::exp(-a * a) * kInvSqrtPi / a - std::erfc(a)));
@@ -94,7 +98,7 @@ float sample_visible_beckmann_slope(float cotangent, float u) {
 }
 
 Vec3f MicrofacetDistribution::sample_visible(Vec3f wi, Vec2f u) const {
-    if (law_ == layers::FacetDistribution::ggx) {
+    if (law_ == paint::FacetDistribution::ggx) {
         const Vec3f stretched = normalize({alpha_ * wi.x, alpha_ * wi.y, wi.z});
         // The hemisphere seen from there: a half disk, and a half ellipse squeezed along `along`.
         const float sine = std::sqrt(stretched.x * stretched.x + stretched.y * stretched.y);
@@ -114,6 +118,61 @@ Vec3f MicrofacetDistribution::sample_visible(Vec3f wi, Vec2f u) const {
     const float x = alpha_ * sample_visible_beckmann_slope(cotangent, std::max(u.x, 1e-7f));
     const float y = alpha_ * erf_inverse(std::clamp(2 * u.y - 1, -0.9999999f, 0.9999999f));
     return normalize({-(x * ex - y * ey), -(x * ey + y * ex), 1.0f});
+}
+
+namespace {
+
+constexpr double kIndexWavelength_nm = 550;
+constexpr double kMmPerUm = 1e-3;
+
+}  // namespace
+
+double index_around_facets(const paint::Recipe& recipe) {
+    return recipe.clearcoat ? recipe.binder.index(kIndexWavelength_nm).real() : 1.0;
+}
+
+void validate_microfacet_recipe(const paint::Recipe& recipe) {
+    if (!recipe.microfacet) {
+        throw DomainError("microfacet: is missing; this model needs the table [microfacet]");
+    }
+    paint::validate(recipe, {kIndexWavelength_nm});
+    if (recipe.clearcoat && recipe.clearcoat->roughness > 0) {
+        throw DomainError(fmt::format(
+            "clearcoat.roughness = {}: must be 0 over microfacets, which take a smooth coat only",
+            recipe.clearcoat->roughness));
+    }
+}
+
+MicrofacetCoat::MicrofacetCoat(const paint::Recipe& recipe, const Wavelengths& wavelengths_nm)
+    : present_(recipe.clearcoat.has_value()),
+      ior_(static_cast<float>(index_around_facets(recipe))),
+      inverse_ior_(1 / ior_),
+      inverse_ior2_(inverse_ior_ * inverse_ior_),
+      depth_{} {
+    if (present_) {
+        depth_ = make_lanes([&](int i) {
+            return static_cast<float>(recipe.clearcoat->absorption_per_mm(wavelengths_nm[i]) *
+                                      recipe.clearcoat->thickness_um * kMmPerUm);
+        });
+    }
+    absorbs_ = lane_max(depth_) > 0;
+}
+
+MicrofacetCoat::Ray MicrofacetCoat::refract(Vec3f outside) const {
+    if (!present_) return {outside, outside, 1};
+    return {outside, refract_in(outside, inverse_ior_),
+            1 - optics::fresnel_dielectric(ior_, outside.z)};
+}
+
+std::optional<Vec3f> MicrofacetCoat::leave(Vec3f inside) const {
+    return present_ ? refract_out(inside, ior_) : inside;
+}
+
+FloatLanes MicrofacetCoat::transfer(const Ray& i, const Ray& o) const {
+    if (!present_) return splat(1.0f);
+    const float interface = i.transmittance * o.transmittance * inverse_ior2_;
+    if (!absorbs_) return splat(interface);
+    return interface * exp_lanes(-depth_ * (1 / i.inside.z + 1 / o.inside.z));
 }
 
 }  // namespace nacre::bsdf

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "nacre/bsdf/bsdf.h"
 #include "nacre/core/vec.h"
-#include "nacre/layers/recipe.h"
+#include "nacre/paint/recipe.h"
 
 // Facets of a rough surface, as the microfacet models share them: how their normals are
 // distributed, how they hide each other, and how to draw those that can be seen.
@@ -11,9 +16,9 @@ namespace nacre::bsdf {
 /// Isotropic microfacets of roughness alpha. Directions are in the local frame, z the mean normal.
 class MicrofacetDistribution {
  public:
-    /// @param alpha  in layers::limits::kMicrofacetAlpha: for Beckmann sqrt(2) times the standard
+    /// @param alpha  in paint::limits::kMicrofacetAlpha: for Beckmann sqrt(2) times the standard
     ///               deviation of a slope component
-    MicrofacetDistribution(layers::FacetDistribution law, double alpha);
+    MicrofacetDistribution(paint::FacetDistribution law, double alpha);
 
     /// D(h), density of normals per solid angle and per area of the mean surface: its integral
     /// times the cosine is 1.       [walter-2007, eq. 25 (Beckmann) and 33 (GGX)]
@@ -45,10 +50,10 @@ class MicrofacetDistribution {
     Vec3f sample_visible(Vec3f wi, Vec2f u) const;
 
     float alpha() const { return alpha_; }
-    layers::FacetDistribution law() const { return law_; }
+    paint::FacetDistribution law() const { return law_; }
 
  private:
-    layers::FacetDistribution law_;
+    paint::FacetDistribution law_;
     float alpha_, inverse_alpha2_;
 };
 
@@ -59,5 +64,118 @@ class MicrofacetDistribution {
 float sample_visible_beckmann_slope(float cotangent, float u);
 
 inline constexpr double kVisibleSlopeError = 2e-6;
+
+// A smooth clearcoat over microfacets: light is refracted on its way to them and back, and what
+// they send below the critical angle, or what the interface throws back at them, is lost: the
+// interreflection of coat and facets is neglected.
+
+/// The index that surrounds the microfacets of a recipe: 1, or under a clearcoat that of the binder
+/// at 550 nm (microfacet models take indices that do not depend on wavelength).
+double index_around_facets(const paint::Recipe& recipe);
+
+/// @throws DomainError if the recipe has no [microfacet] or its clearcoat is rough, or as
+///         paint::validate
+void validate_microfacet_recipe(const paint::Recipe& recipe);
+
+/// The clearcoat of a microfacet recipe at eight wavelengths, or none at all.
+class MicrofacetCoat {
+ public:
+    MicrofacetCoat(const paint::Recipe& recipe, const Wavelengths& wavelengths_nm);
+
+    /// A direction outside, w.z > 0, and what it becomes inside.
+    struct Ray {
+        Vec3f outside, inside;
+        float transmittance;  ///< Fresnel's, unpolarised
+    };
+    Ray refract(Vec3f outside) const;
+    /// The direction outside of one inside; empty beyond the critical angle.
+    std::optional<Vec3f> leave(Vec3f inside) const;
+
+    /// BRDF outside over BRDF of the facets inside: t_i t_o / n^2 times the coat's absorption.
+    FloatLanes transfer(const Ray& i, const Ray& o) const;
+    /// Solid angle inside over solid angle outside.
+    float solid_angle_ratio(const Ray& o) const {
+        return present_ ? o.outside.z * inverse_ior2_ / o.inside.z : 1.0f;
+    }
+    /// Reflectance of the coat's mirror; 0 without a coat.
+    float mirror_reflectance(const Ray& i) const { return 1 - i.transmittance; }
+    /// The mirror's direction, when it is sampled with this probability.
+    BsdfSample mirror_sample(const Ray& i, float probability) const {
+        return {.wo = {-i.outside.x, -i.outside.y, i.outside.z},
+                .weight = splat(mirror_reflectance(i) / probability),
+                .pdf = probability,
+                .mirror = true,
+                .exit_mm = {}};
+    }
+    bool present() const { return present_; }
+
+ private:
+    bool present_, absorbs_;
+    float ior_, inverse_ior_, inverse_ior2_;
+    FloatLanes depth_;  // of absorption, along the normal
+};
+
+/// What microfacets, seen through their coat, reflect of light from a direction: the mean of the
+/// weights of their own samples, tabulated over the cosine of incidence, and how often to sample
+/// the coat's mirror beside them.
+class MicrofacetAlbedo {
+ public:
+    /// Fills the table. weight(wi, u) is the weight f cos / pdf, without the mirror, of the sample
+    /// that the numbers u in (0, 1)^4 give for the direction wi; they are points of a Hammersley
+    /// set.
+    template <class Weight>
+    void tabulate(Weight&& weight) {
+        constexpr unsigned kPoints = 256;
+        for (int row = 0; row <= kIntervals; ++row) {
+            const float z = std::max(static_cast<float>(row) / kIntervals, 1e-3f);
+            const Vec3f wi = {std::sqrt(1 - z * z), 0, z};
+            FloatLanes sum{};
+            for (unsigned p = 0; p < kPoints; ++p) {
+                sum += weight(wi, std::array{(static_cast<float>(p) + 0.5f) / kPoints,
+                                             radical_inverse(p, 2) + 0.5f / kPoints,
+                                             radical_inverse(p, 3), radical_inverse(p, 5)});
+            }
+            lanes_[row] = sum * (1.0f / kPoints);
+            means_[row] = lane_mean(lanes_[row]);
+        }
+    }
+
+    /// Linear between rows; without the mirror.
+    FloatLanes at(float cosine) const { return interpolate(lanes_, cosine); }
+
+    /// Probability with which to sample the coat's mirror for a ray: in proportion to what mirror
+    /// and facets reflect; 0 without a coat.
+    float mirror_odds(const MicrofacetCoat& coat, const MicrofacetCoat::Ray& i) const {
+        if (!coat.present()) return 0;
+        const float mirror = coat.mirror_reflectance(i);
+        if (!(mirror > 0)) return 0;
+        constexpr float kLeast = 0.05f;  // either lobe, so that its weights stay bounded
+        const float facets = interpolate(means_, i.outside.z);
+        return std::clamp(mirror / (mirror + facets), kLeast, 1 - kLeast);
+    }
+
+ private:
+    static constexpr int kIntervals = 16;
+
+    template <class T>
+    static T interpolate(const std::array<T, kIntervals + 1>& rows, float cosine) {
+        const float x = std::min(cosine, 1.0f) * kIntervals;
+        const int row = std::min(static_cast<int>(x), kIntervals - 1);
+        return rows[row] + (x - static_cast<float>(row)) * (rows[row + 1] - rows[row]);
+    }
+
+    // The digits of p mirrored at the point.                    [niederreiter-1992, chapter 3]
+    static float radical_inverse(unsigned p, unsigned base) {
+        float value = 0, digit = 1;
+        for (; p > 0; p /= base) {
+            digit /= static_cast<float>(base);
+            value += digit * static_cast<float>(p % base);
+        }
+        return value;
+    }
+
+    std::array<FloatLanes, kIntervals + 1> lanes_{};
+    std::array<float, kIntervals + 1> means_{};
+};
 
 }  // namespace nacre::bsdf

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/bsdf/test_support.h"
 #include "nacre/core/quadrature.h"
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
+#include "nacre/testing/bsdf.h"
 
 namespace nacre::bsdf {
 namespace {
 
-using layers::FacetDistribution;
+using paint::FacetDistribution;
 constexpr FacetDistribution kLaws[] = {FacetDistribution::beckmann, FacetDistribution::ggx};
 
 // Int f(m) dm over the upper hemisphere, in the radius of stretched slopes tan = alpha r, r =

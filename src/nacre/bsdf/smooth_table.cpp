@@ -34,22 +34,22 @@ void pair_weights(const std::vector<double>& w1, const std::vector<double>& w2, 
 
 }  // namespace
 
-SmoothTable::SmoothTable(std::span<const layers::Remainder* const> tensors, double alpha,
+SmoothTable::SmoothTable(std::span<const solver::Remainder* const> tensors, double alpha,
                          double ior)
     : grid_(choose_grid(alpha)) {
-    for (const layers::Remainder* tensor : tensors) rank_ += tensor->rank();
+    for (const solver::Remainder* tensor : tensors) rank_ += tensor->rank();
     coefficient_.resize(grid_.cells() * rank_);
     int first_rank = 0;
-    for (const layers::Remainder* tensor : tensors) {
+    for (const solver::Remainder* tensor : tensors) {
         tabulate(*tensor, ior, first_rank);
         first_rank += tensor->rank();
     }
 }
 
-void SmoothTable::tabulate(const layers::Remainder& r, double ior, int first_rank) {
+void SmoothTable::tabulate(const solver::Remainder& r, double ior, int first_rank) {
     const int orders = r.orders(), nodes = static_cast<int>(r.exit_angle.size());
     const int rank = r.rank();
-    const layers::ExitInterpolation interpolation(r.exit_angle);
+    const solver::ExitInterpolation interpolation(r.exit_angle);
     std::vector<float> cosine(static_cast<std::size_t>(grid_.q) * orders);
     for (int c = 0; c < grid_.q; ++c) {
         const double root = static_cast<double>(c) / (grid_.q - 1);
@@ -68,7 +68,7 @@ void SmoothTable::tabulate(const layers::Remainder& r, double ior, int first_ran
         interpolation.weights_at(theta_1, w1.data());
         interpolation.weights_at(theta_2, w2.data());
         const double scale =
-            layers::inside_cosine(ior, theta_1) + layers::inside_cosine(ior, theta_2);
+            solver::inside_cosine(ior, theta_1) + solver::inside_cosine(ior, theta_2);
         std::vector<float> weight, by_order(static_cast<std::size_t>(rank) * orders);
         std::size_t at = 0;
         for (int l = 0; l < orders; ++l) {

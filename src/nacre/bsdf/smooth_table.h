@@ -8,7 +8,7 @@
 
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
-#include "nacre/layers/remainder.h"
+#include "nacre/solver/multiple_scattering.h"
 
 // The smooth part of a paint on a grid, for evaluation in tens of nanoseconds: Fourier sums and
 // polynomial interpolation cost microseconds.
@@ -79,7 +79,7 @@ class SmoothTable {
  public:
     /// Tabulates the sum of tensors on the same exit angles; `alpha` is the roughness of the
     /// narrowest lobe, `ior` the binder's mean index. The spectral bases stand one after the other.
-    SmoothTable(std::span<const layers::Remainder* const> tensors, double alpha, double ior);
+    SmoothTable(std::span<const solver::Remainder* const> tensors, double alpha, double ior);
 
     const SmoothGrid& grid() const { return grid_; }
 
@@ -88,7 +88,7 @@ class SmoothTable {
     void bind(std::span<const FloatLanes> basis, FloatLanes* out) const;
 
  private:
-    void tabulate(const layers::Remainder& tensor, double ior, int first_rank);
+    void tabulate(const solver::Remainder& tensor, double ior, int first_rank);
 
     SmoothGrid grid_;
     int rank_ = 0;

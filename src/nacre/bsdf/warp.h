@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "nacre/core/vec.h"
 
@@ -28,5 +31,82 @@ inline Vec3f cosine_hemisphere(Vec2f u) {
     const Vec2f d = concentric_disk(u);
     return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
 }
+
+// Densities on the unit square that depend on two parameters, and the maps that their distribution
+// functions make: what the adaptive parameterization is built of.          [dupuy-jakob-2018]
+
+/// Which slices of a table stand for an incident direction, and with which weights; at most four.
+struct SliceMix {
+    std::array<int, 4> slice{};
+    std::array<float, 4> weight{};
+    int count = 0;
+};
+
+/// The nodes of both parameters; slices are numbered with the second parameter running fastest.
+class SliceGrid {
+ public:
+    /// @param first, second  increasing, at least one each
+    SliceGrid(std::vector<float> first, std::vector<float> second);
+    /// Linear between nodes, constant beyond them.
+    SliceMix locate(float first, float second) const;
+    const std::vector<float>& first() const { return first_; }
+    const std::vector<float>& second() const { return second_; }
+
+ private:
+    std::vector<float> first_, second_;
+};
+
+/// Where a point of the unit square lies among the nodes of a table: the lower node and the share
+/// of the way to the next. Points outside are moved to the edge.
+struct SquareCell {
+    int row, column;
+    float row_share, column_share;
+};
+SquareCell locate_in_square(Vec2f point, int rows, int columns);
+
+/// One table per slice, each made a density (its bilinear interpolant integrates to 1; a slice of
+/// zeros becomes the uniform density), mixed linearly.
+///
+/// The map of sample() is the inverse Rosenblatt transform: first y from its marginal, then x given
+/// y, both of which the mixture's distribution functions give in closed form.
+///                                                                  [rosenblatt-1952]
+class SquareWarp {
+ public:
+    /// @param values  [slice][row][column], not negative
+    SquareWarp(std::span<const float> values, int slices, int rows, int columns);
+
+    struct Point {
+        Vec2f at;
+        float density;  ///< of the point in the square: in `at` for sample(), given for invert()
+    };
+    /// From uniform numbers in [0, 1]^2 to a point with the mixture's density.
+    Point sample(const SliceMix& mix, Vec2f u) const;
+    /// The uniform numbers that lead to a point.
+    Point invert(const SliceMix& mix, Vec2f point) const;
+    float density(const SliceMix& mix, Vec2f point) const;
+
+ private:
+    float mixed(const std::vector<float>& table, std::size_t stride, const SliceMix& mix,
+                std::size_t at) const {
+        float sum = 0;
+        for (int k = 0; k < mix.count; ++k) {
+            sum += mix.weight[k] * table[mix.slice[k] * stride + at];
+        }
+        return sum;
+    }
+    float value(const SliceMix& mix, int row, int column) const {
+        return mixed(density_, cells_, mix, static_cast<std::size_t>(row) * columns_ + column);
+    }
+    /// Integral of a row up to a column; up to the last: the whole row.
+    float along_row(const SliceMix& mix, int row, int column) const {
+        return mixed(row_integral_, cells_, mix, static_cast<std::size_t>(row) * columns_ + column);
+    }
+    /// Integral of everything below a row.
+    float below(const SliceMix& mix, int row) const { return mixed(below_, rows_, mix, row); }
+
+    int rows_, columns_;
+    std::size_t cells_;
+    std::vector<float> density_, row_integral_, below_;
+};
 
 }  // namespace nacre::bsdf

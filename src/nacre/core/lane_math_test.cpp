@@ -4,8 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 
 namespace nacre {
 namespace {
@@ -70,6 +71,105 @@ TEST(LaneMath, LogarithmKeepsItsBound) {
         EXPECT_NEAR(found[1], std::log(static_cast<double>(near_one)), kLogLanesError * 1e-3);
         EXPECT_EQ(found[2], 0);
     }
+}
+
+}  // namespace
+
+namespace {
+
+TEST(ComplexLanes, ExponentialMatchesLongDouble) {
+    for (int i = 0; i < 20000; ++i) {
+        const double x = -700.0 * i / 20000 - 1e-3 * i;
+        const DoubleLanes found = exp_lanes(nacre::splat(x));
+        const double expected = x < -708 ? 0.0 : static_cast<double>(std::exp((long double)x));
+        EXPECT_NEAR(found[0], expected, kExpLanesRelativeError * expected) << x;
+    }
+    EXPECT_EQ(exp_lanes(nacre::splat(-0.0))[3], 1);
+    EXPECT_EQ(exp_lanes(nacre::splat(-1e300))[3], 0);
+}
+
+TEST(ComplexLanes, SineAndCosineMatchLongDouble) {
+    for (int i = -20000; i <= 20000; ++i) {
+        const double x = i % 2 == 0 ? i * 5.0 : i * 1e-3;
+        const ComplexLanes found = cis_lanes(nacre::splat(x));
+        EXPECT_NEAR(found.re[0], static_cast<double>(std::cos((long double)x)), kSinCosLanesError)
+            << x;
+        EXPECT_NEAR(found.im[0], static_cast<double>(std::sin((long double)x)), kSinCosLanesError)
+            << x;
+    }
+}
+
+TEST(ComplexLanes, ArithmeticIsThatOfStdComplex) {
+    const std::complex<double> a(1.5, -2), b(.3, .7);
+    const ComplexLanes x = splat_complex(a), y = splat_complex(b);
+    const std::pair<ComplexLanes, std::complex<double>> pairs[] = {
+        {x + y, a + b},
+        {x - y, a - b},
+        {x * y, a * b},
+        {x / y, a / b},
+        {-x, -a},
+        {conj(x), std::conj(a)},
+        {exp_i(y), std::exp(std::complex<double>(0, 1) * b)}};
+    for (const auto& [found, expected] : pairs) {
+        EXPECT_NEAR(found.re[5], expected.real(), 4e-15);
+        EXPECT_NEAR(found.im[5], expected.imag(), 4e-15);
+    }
+    EXPECT_NEAR(norm(x)[0], std::norm(a), 1e-15);
+}
+
+}  // namespace
+
+namespace {
+
+// Largest error over [-5, 5] turns, of arguments as they are after rounding to the lanes' type.
+template <class V>
+double worst_wave_error() {
+    using Real = LaneScalar<V>;
+    double worst = 0;
+    for (int n = -5000; n < 5000; n += kLanes) {
+        const V turns = make_lanes<V>([&](int i) { return Real(n + i) * Real(0.001); });
+        const auto wave = cos_sin_turns(turns);
+        for (int i = 0; i < kLanes; ++i) {
+            // Whole turns taken off first: what is left is exact.
+            const double rest = std::remainder(static_cast<double>(turns[i]), 1.0);
+            const double angle = 2 * std::numbers::pi * rest;
+            worst = std::max({worst, std::abs(wave.cosine[i] - std::cos(angle)),
+                              std::abs(wave.sine[i] - std::sin(angle))});
+        }
+    }
+    return worst;
+}
+
+TEST(AiryLanes, WavesKeepTheirErrorBound) {
+    EXPECT_LT(worst_wave_error<FloatLanes>(), kAiryLanesError<FloatLanes>);
+    EXPECT_LT(worst_wave_error<DoubleLanes>(), kAiryLanesError<DoubleLanes>);
+}
+
+TEST(AiryLanes, SineKeepsItsDigitsNearZero) {
+    for (const float turns : {1e-20f, 1e-8f, 1e-3f}) {
+        const double expected = std::sin(2 * std::numbers::pi * turns);
+        EXPECT_NEAR(cos_sin_turns(splat(turns)).sine[5] / expected, 1, kAiryLanesError<FloatLanes>);
+    }
+}
+
+template <class V>
+double worst_decay_error() {
+    using Real = LaneScalar<V>;
+    double worst = 0;
+    for (Real x = Real(1e-12); x < 80; x *= Real(1.07)) {
+        const auto d = decay(V{} + x);
+        const double mean = -std::expm1(-static_cast<double>(x)) / x;
+        worst = std::max({worst, std::abs(d.left[2] / std::exp(-static_cast<double>(x)) - 1),
+                          std::abs(d.mean[2] / mean - 1)});
+    }
+    return worst;
+}
+
+TEST(AiryLanes, DecayKeepsItsErrorBound) {
+    EXPECT_LT(worst_decay_error<FloatLanes>(), kAiryLanesError<FloatLanes>);
+    EXPECT_LT(worst_decay_error<DoubleLanes>(), kAiryLanesError<DoubleLanes>);
+    EXPECT_EQ(decay(FloatLanes{}).mean[0], 1);
+    EXPECT_EQ(decay(DoubleLanes{}).mean[0], 1);
 }
 
 }  // namespace

@@ -31,12 +31,12 @@ void check(const FitOptions& options) {
 void require_effect(const FreeNumbers& numbers) {
     const std::vector<double> wavelengths = {450, 550, 650};
     const std::vector<double> start = numbers.start_point();
-    const layers::PaintMedium here = layers::make_medium(numbers.at(start), wavelengths);
+    const solver::PaintMedium here = solver::make_medium(numbers.at(start), wavelengths);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         std::vector<double> moved = start;
         moved[i] = start[i] > 0.5 ? start[i] - 0.25 : start[i] + 0.25;
         try {
-            if (!(layers::make_medium(numbers.at(moved), wavelengths) == here)) continue;
+            if (!(solver::make_medium(numbers.at(moved), wavelengths) == here)) continue;
         } catch (const DomainError&) {
             continue;  // not with the others as they are; it may have an effect
         }
@@ -47,8 +47,8 @@ void require_effect(const FreeNumbers& numbers) {
 }
 
 /// As everybody else would compute them, without the shortcuts of a search.
-measure::Measurement colours_of(const Target& target, const layers::Recipe& recipe) {
-    return target.read(layers::solve(recipe, target.wavelengths_nm(Detail::fine)), Detail::fine);
+measure::Measurement colours_of(const Target& target, const paint::Recipe& recipe) {
+    return target.read(solver::solve(recipe, target.wavelengths_nm(Detail::fine)), Detail::fine);
 }
 
 std::vector<double> values_at(const FreeNumbers& numbers, const std::vector<double>& x) {
@@ -111,7 +111,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     const auto begin = std::chrono::steady_clock::now();
     check(options);
     const Target target(standard, options.target);
-    layers::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
+    paint::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
     require_effect(numbers);
     ColourModel model(numbers, target);
 

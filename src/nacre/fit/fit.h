@@ -66,7 +66,7 @@ struct Effort {
 };
 
 struct Fit {
-    layers::Recipe recipe;
+    paint::Recipe recipe;
     std::vector<Estimate> estimates;
     measure::Measurement standard, colours;  ///< wanted and reached
     measure::Difference difference;

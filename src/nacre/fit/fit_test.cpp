@@ -3,11 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
+#include <random>
 
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-#include "nacre/fit/test_support.h"
+#include "nacre/core/random.h"
+#include "nacre/spectra/lab.h"
+#include "nacre/testing/fit.h"
 
 namespace nacre::fit {
 namespace {
@@ -51,9 +55,9 @@ TEST(Fit, FindsAFilmAcrossInterferenceColours) {
 }
 
 TEST(Fit, FindsFilmOrientationAndAmountTogether) {
-    layers::Recipe hidden = pearl(105);
-    layers::set_parameter(hidden, kAlpha, 0.32);
-    layers::set_parameter(hidden, kAmount, 0.03);
+    paint::Recipe hidden = pearl(105);
+    paint::set_parameter(hidden, kAlpha, 0.32);
+    paint::set_parameter(hidden, kAmount, 0.03);
     const FreeNumbers numbers(pearl(80), {kFilm, kAlpha, kAmount}, {});
     const Fit found = fit(read(hidden), numbers, with_starts(2));
     EXPECT_LT(found.difference.mean_delta_e_2000, kExact_delta_e);
@@ -88,9 +92,9 @@ TEST(Fit, TakesSpectraAtSomeAnglesOnly) {
 }
 
 TEST(Fit, FindsAmountsOfPigmentUnderSeveralLights) {
-    layers::Recipe hidden = solid();
-    layers::set_parameter(hidden, kScattering, 180);
-    layers::set_parameter(hidden, kAbsorption, 35);
+    paint::Recipe hidden = solid();
+    paint::set_parameter(hidden, kScattering, 180);
+    paint::set_parameter(hidden, kAbsorption, 35);
     FitOptions options = with_starts(2);
     options.target.illuminants = {spectra::Illuminant::D65, spectra::Illuminant::FL11};
     measure::Conditions by_day;
@@ -124,7 +128,7 @@ TEST(Fit, SaysWhatColoursCannotTell) {
 }
 
 TEST(Fit, AStandardOutOfReachLeavesItsResidual) {
-    layers::Recipe green = solid();
+    paint::Recipe green = solid();
     green.layers[0].pigments[0].absorption_per_mm =
         spectra::Spectrum({400, 480, 500, 570, 590, 700}, {60, 60, 2, 2, 60, 60});
     const FreeNumbers numbers(solid(), {kAbsorption}, {{kAbsorption, 30, 90}});
@@ -151,8 +155,8 @@ TEST(Fit, FollowsTheWeights) {
 
 TEST(Fit, DoesNotDependOnThreads) {
     const measure::Measurement standard = read(solid());
-    layers::Recipe start = solid();
-    layers::set_parameter(start, kScattering, 70);
+    paint::Recipe start = solid();
+    paint::set_parameter(start, kScattering, 70);
     const FreeNumbers numbers(start, {kScattering, kAbsorption}, {});
     const auto values = [&](int threads) {
         const ThreadLimit limit(threads);
@@ -195,6 +199,67 @@ TEST(Fit, StopsWhenAsked) {
     };
     EXPECT_THROW(fit(read(pearl(90)), FreeNumbers(pearl(), {kFilm}, {}), {}, progress), Error);
     EXPECT_EQ(asked, 5);
+}
+
+}  // namespace
+
+// Whether errors are as large as reported: many standards with noise of a known size.
+
+namespace {
+
+/// L*a*b* moved so that each component of the CIEDE2000 difference is normal with this deviation.
+spectra::Vec3 disturbed(const spectra::Vec3& lab, double sigma, Rng& rng) {
+    Eigen::Matrix3d metric;
+    constexpr double kStep = 1e-4;
+    for (int c = 0; c < 3; ++c) {
+        spectra::Vec3 moved = lab;
+        moved[c] += kStep;
+        const spectra::Vec3 v = spectra::delta_e_2000_vector(lab, moved);
+        for (int r = 0; r < 3; ++r) metric(r, c) = v[r] / kStep;
+    }
+    std::normal_distribution<double> normal(0, sigma);
+    const Eigen::Vector3d noise(normal(rng), normal(rng), normal(rng));
+    const Eigen::Vector3d step = metric.inverse() * noise;
+    return {lab[0] + step[0], lab[1] + step[1], lab[2] + step[2]};
+}
+
+// With the noise given, the errors over the standard errors are standard normal: the sum of their
+// squares over n fits follows the chi-square law of n degrees of freedom, within whose two tails of
+// 0.05 % it must not lie (scipy 1.11: chi2.ppf([0.0005, 0.9995], 24) = 7.45, 53.5). The noise that
+// the fits see in their residuals is the one that was put in, to 5 standard errors.
+TEST(FitNoise, NumbersScatterAsTheirStandardErrorsSay) {
+    const std::string scattering = "layer[0].pigment[0].scattering_per_mm",
+                      absorption = "layer[0].pigment[0].absorption_per_mm.max";
+    const paint::Recipe truth = testing::solid();
+    const FreeNumbers numbers(truth, {scattering, absorption}, {});
+    const measure::Measurement exact = testing::without_spectra(testing::read(truth));
+    constexpr int kFits = 24;
+    constexpr double kSigma = 0.1;
+    Rng rng(42);
+    FitOptions options;
+    options.starts = 1;
+    double squares[2] = {}, variance = 0;
+    for (int i = 0; i < kFits; ++i) {
+        measure::Measurement standard = exact;
+        for (measure::Reading& reading : standard.readings) {
+            reading.lab = disturbed(reading.lab, kSigma, rng);
+        }
+        const Fit found = fit(standard, numbers, options);
+        const double seen = found.certainty.noise_delta_e.value();
+        variance += seen * seen / kFits;
+        for (int p = 0; p < 2; ++p) {
+            const Estimate& e = found.estimates[p];
+            // The reported error rests on the noise seen; restate it for that put in.
+            const double error = e.standard_error.value() * kSigma / seen;
+            squares[p] += std::pow((e.value - e.number.start) / error, 2);
+        }
+    }
+    for (double sum : squares) {
+        EXPECT_GT(sum, 7.45);
+        EXPECT_LT(sum, 53.5);
+    }
+    const int freedom = 3 * 6 - 2;
+    EXPECT_NEAR(variance / (kSigma * kSigma), 1, 5 * std::sqrt(2.0 / (freedom * kFits)));
 }
 
 }  // namespace

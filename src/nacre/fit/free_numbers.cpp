@@ -12,15 +12,15 @@ namespace {
 constexpr double kFactor = 3;             // of a number with a size, either way
 constexpr double kIndexFactor = 1.1;      // of a refractive index
 constexpr double kSpreadOfFilm = 0.15;    // of its thickness
-constexpr double kMostAnisotropy = 0.95;  // within what the solver takes (layers/resolution.cpp)
+constexpr double kMostAnisotropy = 0.95;  // within what the solver takes (solver/resolution.cpp)
 
 bool ends_with(const std::string& key, std::string_view end) { return key.ends_with(end); }
 
-layers::ParameterBounds spread_bounds(const layers::Recipe& recipe,
-                                      const layers::RecipeParameter& spread) {
+paint::ParameterBounds spread_bounds(const paint::Recipe& recipe,
+                                     const paint::RecipeParameter& spread) {
     double most = kFactor * spread.value;
     const std::string film = spread.key.substr(0, spread.key.rfind('.') + 1);
-    for (const layers::RecipeParameter& other : layers::recipe_parameters(recipe)) {
+    for (const paint::RecipeParameter& other : paint::recipe_parameters(recipe)) {
         if (other.key == film + "thickness_nm") most = std::max(most, kSpreadOfFilm * other.value);
     }
     return {spread.key, 0, std::min(most, spread.range.hi)};
@@ -28,8 +28,8 @@ layers::ParameterBounds spread_bounds(const layers::Recipe& recipe,
 
 }  // namespace
 
-layers::ParameterBounds default_bounds(const layers::Recipe& recipe, const std::string& key) {
-    const layers::RecipeParameter parameter = layers::find_parameter(recipe, key);
+paint::ParameterBounds default_bounds(const paint::Recipe& recipe, const std::string& key) {
+    const paint::RecipeParameter parameter = paint::find_parameter(recipe, key);
     const Range& range = parameter.range;
     if (ends_with(key, ".spread_nm")) return spread_bounds(recipe, parameter);
     if (ends_with(key, ".anisotropy")) return {key, -kMostAnisotropy, kMostAnisotropy};
@@ -64,8 +64,8 @@ double FreeNumber::slope(double x) const {
     return lo > 0 ? from_unit(x) * std::log(hi / lo) : hi - lo;
 }
 
-FreeNumbers::FreeNumbers(const layers::Recipe& start, const std::vector<std::string>& keys,
-                         const std::vector<layers::ParameterBounds>& bounds)
+FreeNumbers::FreeNumbers(const paint::Recipe& start, const std::vector<std::string>& keys,
+                         const std::vector<paint::ParameterBounds>& bounds)
     : start_(start) {
     if (keys.empty()) throw DomainError("no number of the recipe is free: there is nothing to fit");
     if (keys.size() > kMost) {
@@ -78,8 +78,8 @@ FreeNumbers::FreeNumbers(const layers::Recipe& start, const std::vector<std::str
         FreeNumber number;
         number.bounds_given = given != bounds.end();
         number.bounds = number.bounds_given ? *given : default_bounds(start, key);
-        layers::check_bounds(start, number.bounds);
-        number.start = layers::find_parameter(start, key).value;
+        paint::check_bounds(start, number.bounds);
+        number.start = paint::find_parameter(start, key).value;
         for (const FreeNumber& other : numbers_) {
             if (other.bounds.key == key) {
                 throw DomainError(fmt::format("{}: is named twice among the free numbers", key));
@@ -95,10 +95,10 @@ std::vector<double> FreeNumbers::start_point() const {
     return x;
 }
 
-layers::Recipe FreeNumbers::at(std::span<const double> x) const {
-    layers::Recipe recipe = start_;
+paint::Recipe FreeNumbers::at(std::span<const double> x) const {
+    paint::Recipe recipe = start_;
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
-        layers::set_parameter(recipe, numbers_[i].bounds.key, numbers_[i].from_unit(x[i]));
+        paint::set_parameter(recipe, numbers_[i].bounds.key, numbers_[i].from_unit(x[i]));
     }
     return recipe;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/layers/recipe_parameter.h"
+#include "nacre/paint/recipe_parameter.h"
 
 // What a fit may turn: numbers of a recipe between bounds, as coordinates of the unit cube.
 
@@ -16,11 +16,11 @@ namespace nacre::fit {
 /// % of the thickness, whatever is more. The binder's index: 10 % either way. Everything else: a
 /// third to three times itself.
 /// @throws DomainError if the recipe has no such number, or if it is 0 where it must have a size
-layers::ParameterBounds default_bounds(const layers::Recipe& recipe, const std::string& key);
+paint::ParameterBounds default_bounds(const paint::Recipe& recipe, const std::string& key);
 
 /// One number of a recipe that is sought.
 struct FreeNumber {
-    layers::ParameterBounds bounds;
+    paint::ParameterBounds bounds;
     double start = 0;
     bool bounds_given = false;  ///< by the recipe's table [fit], not by default_bounds()
 
@@ -38,21 +38,21 @@ class FreeNumbers {
     /// @param keys    of numbers of the recipe, without repetition
     /// @param bounds  of any numbers, as the recipe's file states them
     /// @throws DomainError if there are no keys, more than kMost, or one twice, and as
-    ///         layers::check_bounds() and default_bounds()
-    FreeNumbers(const layers::Recipe& start, const std::vector<std::string>& keys,
-                const std::vector<layers::ParameterBounds>& bounds);
+    ///         paint::check_bounds() and default_bounds()
+    FreeNumbers(const paint::Recipe& start, const std::vector<std::string>& keys,
+                const std::vector<paint::ParameterBounds>& bounds);
 
     std::size_t size() const { return numbers_.size(); }
     const FreeNumber& operator[](std::size_t i) const { return numbers_[i]; }
-    const layers::Recipe& start() const { return start_; }
+    const paint::Recipe& start() const { return start_; }
 
     std::vector<double> start_point() const;
     /// Recipe at a point of the unit cube. Numbers that only make sense together, as R + T <= 1,
     /// may make it invalid.
-    layers::Recipe at(std::span<const double> x) const;
+    paint::Recipe at(std::span<const double> x) const;
 
  private:
-    layers::Recipe start_;
+    paint::Recipe start_;
     std::vector<FreeNumber> numbers_;
 };
 

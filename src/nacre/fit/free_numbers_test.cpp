@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "nacre/core/error.h"
-#include "nacre/fit/test_support.h"
+#include "nacre/testing/fit.h"
 
 namespace nacre::fit {
 namespace {
@@ -31,7 +31,7 @@ TEST(FreeNumbers, PlacesBetweenTheBoundsComeBack) {
 }
 
 TEST(FreeNumbers, DefaultBoundsFollowTheKindOfNumber) {
-    const layers::Recipe recipe = testing::pearl(80);
+    const paint::Recipe recipe = testing::pearl(80);
     const auto bounds = [&](const std::string& key) { return default_bounds(recipe, key); };
     EXPECT_NEAR(bounds(kFilm + "thickness_nm").lo, 80 / 3.0, 1e-12);
     EXPECT_NEAR(bounds(kFilm + "thickness_nm").hi, 240, 1e-12);
@@ -44,15 +44,15 @@ TEST(FreeNumbers, DefaultBoundsFollowTheKindOfNumber) {
 }
 
 TEST(FreeNumbers, DefaultBoundsStayWithinWhatTheKeyMayBe) {
-    layers::Recipe recipe = testing::pearl(80);
+    paint::Recipe recipe = testing::pearl(80);
     const std::string spread = "layer[0].flakes[0].core.spread_nm";
-    layers::set_parameter(recipe, spread, 5e4);
-    EXPECT_EQ(default_bounds(recipe, spread).hi, layers::find_parameter(recipe, spread).range.hi);
+    paint::set_parameter(recipe, spread, 5e4);
+    EXPECT_EQ(default_bounds(recipe, spread).hi, paint::find_parameter(recipe, spread).range.hi);
     EXPECT_NO_THROW(FreeNumbers(recipe, {spread}, {}));
 }
 
 TEST(FreeNumbers, ASizeOfZeroHasNoDefaultBounds) {
-    layers::Recipe recipe = testing::solid();
+    paint::Recipe recipe = testing::solid();
     recipe.layers[0].pigments[0].scattering_per_mm = 0.0;
     const std::string key = "layer[0].pigment[0].scattering_per_mm";
     try {
@@ -70,14 +70,14 @@ TEST(FreeNumbers, BuildTheRecipeAtAPoint) {
     const FreeNumbers numbers(testing::pearl(80), {film, alpha}, {{film, 60, 140}});
     EXPECT_TRUE(numbers[0].bounds_given);
     EXPECT_FALSE(numbers[1].bounds_given);
-    const layers::Recipe recipe = numbers.at(std::vector<double>{1.0, 0.5});
-    EXPECT_EQ(layers::find_parameter(recipe, film).value, 140);
-    EXPECT_NEAR(layers::find_parameter(recipe, alpha).value, 0.25, 1e-12);
+    const paint::Recipe recipe = numbers.at(std::vector<double>{1.0, 0.5});
+    EXPECT_EQ(paint::find_parameter(recipe, film).value, 140);
+    EXPECT_NEAR(paint::find_parameter(recipe, alpha).value, 0.25, 1e-12);
     EXPECT_NEAR(numbers.start_point()[1], 0.5, 1e-12);
 }
 
 TEST(FreeNumbers, RefusesWhatCannotBeFree) {
-    const layers::Recipe recipe = testing::pearl();
+    const paint::Recipe recipe = testing::pearl();
     EXPECT_THROW(FreeNumbers(recipe, {}, {}), DomainError);
     EXPECT_THROW(FreeNumbers(recipe, {"layer[0].thickness_um", "layer[0].thickness_um"}, {}),
                  DomainError);

@@ -1,12 +1,39 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "nacre/core/progress.h"
-#include "nacre/fit/minimise.h"
+#include "nacre/fit/target.h"
 
 namespace nacre::fit {
+
+/// When a descent ends.
+struct DescentLimits {
+    int most_steps = 30;
+    double function_tolerance = 1e-6;   ///< change of the sum of squares over itself
+    double parameter_tolerance = 1e-6;  ///< length of a step over that of the point
+    double enough_delta_e = 1e-3;       ///< root mean square below which colours are alike
+};
+
+/// Where a descent ended.
+struct Descent {
+    std::vector<double> x;
+    double rms_delta_e = 0;
+    bool converged = false;
+    int steps = 0;
+    std::string ended;  ///< why, in a sentence without its full stop
+};
+
+/// Least squares from a point of the unit cube, within it: steps of Levenberg and Marquardt cut off
+/// at the bounds, by Ceres Solver.                  [levenberg-1944; marquardt-1963; agarwal-2022]
+///
+/// @param after_step  called after each step; empty: nobody
+/// @return a descent with an infinite difference if there is no paint at the start
+Descent descend(const ColourModel& model, std::vector<double> x, Detail detail,
+                const DescentLimits& limits, const std::function<void()>& after_step = {});
 
 struct SearchEffort {
     int points = 0, descents = 0, finished = 0;

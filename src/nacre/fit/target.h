@@ -1,12 +1,19 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <map>
+#include <mutex>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "nacre/layers/solved_paint.h"
+#include "nacre/fit/free_numbers.h"
 #include "nacre/measure/measurement.h"
+#include "nacre/solver/film_cache.h"
+#include "nacre/solver/solved_paint.h"
+#include "nacre/solver/solver.h"
 
 // The colours that a fit is after, and how far a paint is from them.
 
@@ -40,12 +47,12 @@ class Target {
     std::size_t residual_count() const;
     /// What the standard's instrument reads on a paint that was solved at wavelengths_nm(detail),
     /// under the first illuminant.
-    measure::Measurement read(const layers::SolvedPaint& paint, Detail detail) const;
+    measure::Measurement read(const solver::SolvedPaint& paint, Detail detail) const;
     /// For each illuminant and geometry the three components of the CIEDE2000 difference
     /// (spectra::delta_e_2000_vector), times the square root of the geometry's weight over the mean
     /// weight (of those that weigh anything) and of one over the number of illuminants: the sum of
     /// squares over the number of geometries is the weighted mean square of Delta E 2000.
-    std::vector<double> residuals(const layers::SolvedPaint& paint, Detail detail) const;
+    std::vector<double> residuals(const solver::SolvedPaint& paint, Detail detail) const;
     /// Root of the weighted mean square of Delta E 2000.
     double rms_delta_e(const std::vector<double>& residuals) const;
 
@@ -70,5 +77,64 @@ class Target {
 /// @throws DomainError if it has none and the conditions differ
 measure::Measurement restated(const measure::Measurement& measurement,
                               const measure::Conditions& conditions);
+
+/// From a point of the unit cube to the differences from the standard: the function whose squares
+/// are to be least. May be asked from several threads at once.
+class ColourModel {
+ public:
+    struct Evaluation {
+        std::vector<double> residuals;
+        /// Nodes and orders that were chosen for this point: what its neighbours must be solved
+        /// with, or the choice would make the function jump between them.
+        solver::SolverSettings settings;
+    };
+
+    ColourModel(const FreeNumbers& numbers, const Target& target);
+
+    const FreeNumbers& numbers() const { return numbers_; }
+    const Target& target() const { return target_; }
+
+    /// Solves the paint at x. Empty where there is no such paint (numbers that exclude each other,
+    /// a lobe that the solver cannot resolve; first_failure() says which was met first), and always
+    /// once stop() was called.
+    std::optional<Evaluation> evaluate(std::span<const double> x, Detail detail,
+                                       const solver::SolverSettings* settings = nullptr) const;
+
+    /// Differences forward (backward at the upper bound, or where there is no paint ahead), each
+    /// number's solve on a thread of its own: rows of residuals, columns of numbers. Empty as
+    /// evaluate().
+    std::optional<std::vector<double>> jacobian(std::span<const double> x, const Evaluation& at_x,
+                                                Detail detail) const;
+    /// Central differences as far as the bounds allow, whose error is of second order: for
+    /// uncertainties.
+    std::optional<std::vector<double>> central_jacobian(std::span<const double> x,
+                                                        const Evaluation& at_x,
+                                                        Detail detail) const;
+
+    void stop() { stopped_ = true; }
+    bool stopped() const { return stopped_; }
+    int solves() const { return solves_; }
+    std::size_t films() const;
+    std::string first_failure() const;
+
+ private:
+    /// Steps from x along one axis, between the bounds, that the differences are taken over.
+    struct Steps {
+        double back = 0, ahead = 0;
+    };
+    std::optional<std::vector<double>> differences(std::span<const double> x,
+                                                   const Evaluation& at_x, Detail detail,
+                                                   bool central) const;
+    bool column(std::span<const double> x, const Evaluation& at_x, Detail detail,
+                std::size_t number, Steps steps, std::span<double> jacobian) const;
+
+    const FreeNumbers& numbers_;
+    const Target& target_;
+    mutable std::array<solver::FilmCache, 3> films_;  // by detail
+    mutable std::atomic<int> solves_ = 0;
+    std::atomic<bool> stopped_ = false;
+    mutable std::mutex mutex_;
+    mutable std::string first_failure_;
+};
 
 }  // namespace nacre::fit

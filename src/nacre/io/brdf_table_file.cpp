@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
-#include "nacre/io/sealed_hdf5.h"
+#include "nacre/core/file.h"
+#include "nacre/io/hdf5_file.h"
 
 namespace nacre::io {
 
 namespace {
 
-using layers::BrdfGrid;
-using layers::BrdfTableSettings;
-using layers::CompressedBrdfTable;
-using layers::RawBrdfTable;
+using bsdf::BrdfGrid;
+using bsdf::BrdfTableSettings;
+using bsdf::CompressedBrdfTable;
+using bsdf::RawBrdfTable;
 
 constexpr SealedFormat kFormat = {"nacre BRDF table", kBrdfTableFormatVersion, "BRDF table"};
 
@@ -59,7 +59,7 @@ BrdfGrid read_grid(hid_t file) {
     grid.ior = read_double_attribute(group, "ior");
     grid.roughness = read_double_attribute(group, "roughness");
     grid.lobe_alpha = read_double_attribute(group, "lobe_alpha");
-    layers::validate(grid);
+    validate(grid);
     return grid;
 }
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <variant>
 
-#include "nacre/layers/brdf_table_svd.h"
+#include "nacre/bsdf/tabulated/compression.h"
 
-// BRDF tables, raw and compressed, as HDF5 behind a sealed head (io/sealed_hdf5.h).
+// BRDF tables, raw and compressed, as HDF5 behind a sealed head (io/hdf5_file.h).
 //
 //   /                   attributes: format, format_version, nacre_version, paint, kind ("raw" or
 //                       "svd"), colour
@@ -18,23 +18,23 @@
 //   /rank               svd: [channel], terms k
 //   /left, /right       svd: [i][o][channel and k], 1/sr, and [azimuth][channel and k]
 //
-// What the numbers mean, and where the azimuths are: layers/brdf_table_grid.h, docs/tables.md.
+// What the numbers mean, and where the azimuths are: bsdf/tabulated/brdf_table.h, docs/tables.md.
 
 namespace nacre::io {
 
 inline constexpr int kBrdfTableFormatVersion = 1;
 inline constexpr std::size_t kMostBrdfTableBytes = std::size_t{1} << 31;
 
-using BrdfTable = std::variant<layers::RawBrdfTable, layers::CompressedBrdfTable>;
+using BrdfTable = std::variant<bsdf::RawBrdfTable, bsdf::CompressedBrdfTable>;
 
 /// Writes a table, whole or not at all.
-/// @throws Error if the file cannot be written, InputError as core/atomic_file.h
-void write_brdf_table(const std::filesystem::path& path, const layers::RawBrdfTable& table);
-void write_brdf_table(const std::filesystem::path& path, const layers::CompressedBrdfTable& table);
+/// @throws Error if the file cannot be written, InputError as core/file.h
+void write_brdf_table(const std::filesystem::path& path, const bsdf::RawBrdfTable& table);
+void write_brdf_table(const std::filesystem::path& path, const bsdf::CompressedBrdfTable& table);
 
 /// The bytes of such a file.
-std::string brdf_table_bytes(const layers::RawBrdfTable& table);
-std::string brdf_table_bytes(const layers::CompressedBrdfTable& table);
+std::string brdf_table_bytes(const bsdf::RawBrdfTable& table);
+std::string brdf_table_bytes(const bsdf::CompressedBrdfTable& table);
 
 /// @throws InputError if the file is cut short, altered, of another version, or no BRDF table
 BrdfTable read_brdf_table(const std::filesystem::path& path);

@@ -7,31 +7,31 @@
 #include <filesystem>
 
 #include "nacre/core/error.h"
-#include "nacre/io/sealed_hdf5.h"
-#include "nacre/layers/solver.h"
+#include "nacre/io/hdf5_file.h"
+#include "nacre/solver/solver.h"
 
 namespace nacre::io {
 namespace {
 
 using ::testing::HasSubstr;
 
-const layers::RawBrdfTable& raw() {
-    static const layers::RawBrdfTable table = [] {
-        layers::FlakeSpecies flake;
-        flake.amount = layers::AreaDensity{0.1};
+const bsdf::RawBrdfTable& raw() {
+    static const bsdf::RawBrdfTable table = [] {
+        paint::FlakeSpecies flake;
+        flake.amount = paint::AreaDensity{0.1};
         flake.orientation.beckmann_alpha = 0.3;
         flake.body =
-            layers::PrescribedFlake{spectra::Spectrum({400.0, 700.0}, {0.3, 0.8}), 0.0, 0.3};
-        layers::Recipe recipe;
+            paint::PrescribedFlake{spectra::Spectrum({400.0, 700.0}, {0.3, 0.8}), 0.0, 0.3};
+        paint::Recipe recipe;
         recipe.name = "copper";
         recipe.layers.push_back({10, {flake}, {}});
-        return layers::make_raw_table(layers::solve(recipe, {450, 550, 650}), {12, 10});
+        return bsdf::make_raw_table(solver::solve(recipe, {450, 550, 650}), {12, 10});
     }();
     return table;
 }
 
-const layers::CompressedBrdfTable& compressed() {
-    static const layers::CompressedBrdfTable table = layers::compress(raw(), {3, 0.5});
+const bsdf::CompressedBrdfTable& compressed() {
+    static const bsdf::CompressedBrdfTable table = bsdf::compress(raw(), {3, 0.5});
     return table;
 }
 
@@ -45,11 +45,10 @@ std::string error_of(const std::string& bytes) {
 }
 
 TEST(BrdfTableFile, GivesBackTheSameTable) {
-    EXPECT_EQ(std::get<layers::RawBrdfTable>(parse_brdf_table(brdf_table_bytes(raw()), "t")),
-              raw());
-    EXPECT_EQ(std::get<layers::CompressedBrdfTable>(
-                  parse_brdf_table(brdf_table_bytes(compressed()), "t")),
-              compressed());
+    EXPECT_EQ(std::get<bsdf::RawBrdfTable>(parse_brdf_table(brdf_table_bytes(raw()), "t")), raw());
+    EXPECT_EQ(
+        std::get<bsdf::CompressedBrdfTable>(parse_brdf_table(brdf_table_bytes(compressed()), "t")),
+        compressed());
     // Nothing in it depends on the time.
     EXPECT_EQ(brdf_table_bytes(raw()), brdf_table_bytes(raw()));
     EXPECT_TRUE(looks_like_brdf_table(brdf_table_bytes(raw())));
@@ -57,11 +56,11 @@ TEST(BrdfTableFile, GivesBackTheSameTable) {
 }
 
 TEST(BrdfTableFile, KeepsABlackTable) {
-    layers::CompressedBrdfTable black = compressed();
+    bsdf::CompressedBrdfTable black = compressed();
     black.rank = {};
     black.left.clear();
     black.right.clear();
-    EXPECT_EQ(std::get<layers::CompressedBrdfTable>(parse_brdf_table(brdf_table_bytes(black), "t")),
+    EXPECT_EQ(std::get<bsdf::CompressedBrdfTable>(parse_brdf_table(brdf_table_bytes(black), "t")),
               black);
 }
 
@@ -69,9 +68,9 @@ TEST(BrdfTableFile, GoesThroughTheDisk) {
     const std::filesystem::path path =
         std::filesystem::path(::testing::TempDir()) / "nacre_brdf_table_file_test.h5";
     write_brdf_table(path, compressed());
-    EXPECT_EQ(std::get<layers::CompressedBrdfTable>(read_brdf_table(path)), compressed());
+    EXPECT_EQ(std::get<bsdf::CompressedBrdfTable>(read_brdf_table(path)), compressed());
     write_brdf_table(path, raw());
-    EXPECT_EQ(std::get<layers::RawBrdfTable>(read_brdf_table(path)), raw());
+    EXPECT_EQ(std::get<bsdf::RawBrdfTable>(read_brdf_table(path)), raw());
     std::filesystem::remove(path);
     EXPECT_THROW(read_brdf_table(path), InputError);
 }
@@ -93,7 +92,7 @@ TEST(BrdfTableFile, IsRefusedWhereverItIsCutOrABitFlips) {
 }
 
 TEST(BrdfTableFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
-    layers::RawBrdfTable table = raw();
+    bsdf::RawBrdfTable table = raw();
     table.values[7] = NAN;
     EXPECT_THAT(error_of(brdf_table_bytes(table)), HasSubstr("a value is not finite"));
     table = raw();
@@ -103,7 +102,7 @@ TEST(BrdfTableFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     table.grid.lobe_alpha = NAN;
     EXPECT_THAT(error_of(brdf_table_bytes(table)), HasSubstr("lobe_alpha"));
 
-    layers::CompressedBrdfTable c = compressed();
+    bsdf::CompressedBrdfTable c = compressed();
     c.rank[0] = -1;
     c.rank[1] += 7;  // the sum is right
     EXPECT_THAT(error_of(brdf_table_bytes(c)), HasSubstr("number of terms"));

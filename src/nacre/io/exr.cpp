@@ -7,16 +7,28 @@
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
-#include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
-#include "nacre/io/exr_guard.h"
-#include "nacre/io/image_formats.h"
+#include "nacre/core/file.h"
+#include "nacre/io/image.h"
 
 namespace nacre::io {
+
+/// Looks through the headers of an OpenEXR file before the OpenEXR library does, which allocates
+/// whatever sizes it finds there: a file of a kilobyte could ask for gigabytes.
+///
+/// @throws InputError naming `name` if an attribute is larger than the file, or if the picture, one
+///         of its tiles or a block of its scan lines has more than `most_values` values
+void check_exr_headers(std::string_view bytes, const std::string& name, std::size_t most_values);
 
 namespace {
 
@@ -130,6 +142,172 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
         throw Error(fmt::format("cannot write '{}': {}", path.string(), error.what()));
     }
     target.commit();
+}
+
+// Layout of the file: magic and version, four bytes each; then a header of attributes (name, 0,
+// type, 0, size, value), ended by an empty name; with the flag "multi-part" several headers, ended
+// by an empty one. Numbers are little-endian, as this program's machines are.
+
+namespace {
+
+constexpr std::uint32_t kMultiPart = 0x1000;
+constexpr std::size_t kChannelBytes = 16;  // what follows a channel's name
+constexpr char kDwab = 9;                  // the compression with the tallest blocks
+
+/// Types whose values always take the same number of bytes. OpenEXR reads that many, whatever size
+/// the file states: with another one it would go on in the middle of a value, and take what it
+/// finds there for the size of the next.
+struct FixedSizeType {
+    std::string_view name;
+    std::size_t bytes;
+};
+constexpr std::array kFixedSizeTypes = {
+    FixedSizeType{"box2f", 16},
+    FixedSizeType{"box2i", 16},
+    FixedSizeType{"chromaticities", 32},
+    FixedSizeType{"compression", 1},
+    FixedSizeType{"deepImageState", 1},
+    FixedSizeType{"double", 8},
+    FixedSizeType{"envmap", 1},
+    FixedSizeType{"float", 4},
+    FixedSizeType{"int", 4},
+    FixedSizeType{"keycode", 28},
+    FixedSizeType{"lineOrder", 1},
+    FixedSizeType{"m33d", 72},
+    FixedSizeType{"m33f", 36},
+    FixedSizeType{"m44d", 128},
+    FixedSizeType{"m44f", 64},
+    FixedSizeType{"rational", 8},
+    FixedSizeType{"tiledesc", 9},
+    FixedSizeType{"timecode", 8},
+    FixedSizeType{"v2d", 16},
+    FixedSizeType{"v2f", 8},
+    FixedSizeType{"v2i", 8},
+    FixedSizeType{"v3d", 24},
+    FixedSizeType{"v3f", 12},
+    FixedSizeType{"v3i", 12},
+};
+/// Buffers of this many values are let pass however small the picture is.
+constexpr std::size_t kSmallBuffer = std::size_t{1} << 22;
+
+class HeaderScan {
+ public:
+    HeaderScan(std::string_view bytes, const std::string& name, std::size_t most_values)
+        : rest_(bytes), name_(name), most_values_(most_values) {}
+
+    void run() {
+        take(4);
+        const bool multi_part = (number<std::uint32_t>(take(4)) & kMultiPart) != 0;
+        do {
+            one_header();
+        } while (multi_part && !rest_.empty() && rest_[0] != '\0');
+    }
+
+ private:
+    [[noreturn]] void fail(std::string_view why) const {
+        throw InputError(fmt::format("{}: damaged OpenEXR picture: {}", name_, why));
+    }
+
+    std::string_view take(std::size_t count) {
+        if (count > rest_.size()) fail("an attribute is larger than the file");
+        const std::string_view taken = rest_.substr(0, count);
+        rest_.remove_prefix(count);
+        return taken;
+    }
+
+    std::string_view take_text() {
+        const std::size_t zero = rest_.find('\0');
+        if (zero == std::string_view::npos) fail("its header does not end");
+        const std::string_view text = take(zero);
+        take(1);
+        return text;
+    }
+
+    template <class T>
+    T number(std::string_view bytes) const {
+        T value{};
+        if (bytes.size() < sizeof value) fail("an attribute is too short");
+        std::memcpy(&value, bytes.data(), sizeof value);
+        return value;
+    }
+
+    void one_header() {
+        long width = 0, height = 0;
+        std::size_t channels = 0, tile_values = 0, block_lines = 32;
+        for (std::string_view key = take_text(); !key.empty(); key = take_text()) {
+            const std::string_view type = take_text();
+            const std::string_view value = take(number<std::uint32_t>(take(4)));
+            check_size(type, value);
+            if (key == "dataWindow") {
+                const auto box = number<std::array<std::int32_t, 4>>(value);
+                width = static_cast<long>(box[2]) - box[0] + 1;
+                height = static_cast<long>(box[3]) - box[1] + 1;
+            } else if (key == "channels") {
+                channels = channel_count(value);
+            } else if (key == "tiles") {
+                const auto size = number<std::array<std::uint32_t, 2>>(value);
+                tile_values = std::size_t{size[0]} * size[1];
+            } else if (key == "compression" && !value.empty() && value[0] == kDwab) {
+                block_lines = 256;
+            }
+        }
+        check_image_size(name_, width, height, channels, most_values_);
+        const std::size_t most = std::max(most_values_, kSmallBuffer);
+        if (tile_values > most / channels) fail("its tiles are too large");
+        if (static_cast<std::size_t>(width) * block_lines > most / channels) {
+            fail("its blocks of scan lines are too large");
+        }
+    }
+
+    /// That OpenEXR will read the value to its end, and no further.
+    void check_size(std::string_view type, std::string_view value) const {
+        const auto fixed = std::ranges::find(kFixedSizeTypes, type, &FixedSizeType::name);
+        bool fits = true;
+        if (fixed != kFixedSizeTypes.end()) {
+            fits = value.size() == fixed->bytes;
+        } else if (type == "floatvector") {
+            fits = value.size() % sizeof(float) == 0;
+        } else if (type == "preview") {  // width, height, four bytes a pixel
+            const auto size = number<std::array<std::uint32_t, 2>>(value);
+            const std::size_t pixels = (value.size() - sizeof size) / 4;
+            fits =
+                (value.size() - sizeof size) % 4 == 0 &&
+                (size[1] == 0 ? pixels == 0 : pixels % size[1] == 0 && pixels / size[1] == size[0]);
+        } else if (type == "chlist") {
+            channel_count(value);
+        } else if (type == "stringvector") {  // strings, each after its length
+            while (fits && !value.empty()) {
+                const std::size_t length = number<std::uint32_t>(value);
+                fits = length <= value.size() - 4;
+                if (fits) value.remove_prefix(4 + length);
+            }
+        }
+        if (!fits) fail(fmt::format("an attribute of type '{}' has the wrong size", type));
+    }
+
+    std::size_t channel_count(std::string_view list) const {
+        std::size_t count = 0;
+        while (!list.empty() && list[0] != '\0') {
+            const std::size_t zero = list.find('\0');
+            if (zero == std::string_view::npos || list.size() - zero - 1 < kChannelBytes) {
+                fail("its list of channels is cut short");
+            }
+            list.remove_prefix(zero + 1 + kChannelBytes);
+            ++count;
+        }
+        if (list.size() != 1) fail("its list of channels does not end where it should");
+        return count;
+    }
+
+    std::string_view rest_;
+    std::string name_;
+    std::size_t most_values_;
+};
+
+}  // namespace
+
+void check_exr_headers(std::string_view bytes, const std::string& name, std::size_t most_values) {
+    HeaderScan(bytes, name, most_values).run();
 }
 
 }  // namespace nacre::io

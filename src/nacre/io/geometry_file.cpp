@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
-#include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/io/table_reader.h"
 
 namespace nacre::io {

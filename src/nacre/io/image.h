@@ -80,4 +80,36 @@ std::string encode_png(const Image& image, const std::string& name, const ToneMa
 ///                                                                   [fichet-2021, section 3]
 std::string spectral_channel_name(double wavelength_nm);
 
+// One reader per picture format; parse_image() picks among them.
+
+bool looks_like_exr(std::string_view bytes);
+bool looks_like_png(std::string_view bytes);
+bool looks_like_radiance_hdr(std::string_view bytes);
+
+Image parse_exr(std::string_view bytes, const std::string& name, std::size_t most_values);
+Image parse_png(std::string_view bytes, const std::string& name, std::size_t most_values);
+Image parse_radiance_hdr(std::string_view bytes, const std::string& name, std::size_t most_values);
+
+/// @throws InputError naming `name` if a picture of that size is absurd or has more than
+///         `most_values` values
+void check_image_size(const std::string& name, long width, long height, std::size_t channels,
+                      std::size_t most_values);
+
+/// An image with the given channels, all zero.
+/// @throws InputError as check_image_size()
+Image blank_image(const std::string& name, long width, long height,
+                  const std::vector<std::string>& channels, std::size_t most_values);
+
+/// Where the shoulder of the tone curve starts: below, light is shown as it is.
+inline constexpr double kShoulderStart = 0.8;
+
+/// Linear light in [0, inf) to linear light on a display in [0, 1): the identity up to s =
+/// kShoulderStart, then s + (1 - s)(1 - exp(-(x - s)/(1 - s))), which continues it with the same
+/// slope and never burns out. Negative light, from colours outside the gamut, becomes 0.
+double soft_shoulder(double light);
+
+/// The whole way to eight bits: exposure, shoulder, sRGB transfer function, rounding.
+/// NaN is shown as 0.                                                      [iec-61966-2-1-1999]
+unsigned char display_byte(double light, double exposure_scale);
+
 }  // namespace nacre::io

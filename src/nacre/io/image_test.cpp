@@ -6,9 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
-#include "nacre/io/tone_map.h"
+#include "nacre/core/file.h"
 #include "nacre/spectra/colour.h"
 
 namespace nacre::io {

@@ -9,15 +9,135 @@
 #include <set>
 
 #include "nacre/core/error.h"
-#include "nacre/core/suggest.h"
-#include "nacre/io/csv_reader.h"
+#include "nacre/core/text.h"
 #include "nacre/io/measurement_file.h"
-#include "nacre/io/measurement_row.h"
-#include "nacre/optics/number_text.h"
-#include "nacre/report/plot.h"
-#include "nacre/spectra/names.h"
+#include "nacre/spectra/observer.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::io {
+
+namespace {
+
+char separator_of(std::string_view text) {
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        const std::string_view content = trimmed(line);
+        if (!content.empty() && content.front() != '#') {
+            if (line.find(',') != std::string_view::npos) return ',';
+            if (line.find(';') != std::string_view::npos) return ';';
+            if (line.find('\t') != std::string_view::npos) return '\t';
+            return ',';
+        }
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
+    return ',';
+}
+
+/// Walks over a text and knows where it is.
+class CsvParser {
+ public:
+    CsvParser(std::string_view text, const std::string& filename)
+        : text_(text), filename_(filename), separator_(separator_of(text)) {}
+
+    std::vector<CsvRow> rows() {
+        std::vector<CsvRow> rows;
+        while (!at_end()) {
+            if (peek() == '#') {
+                while (!at_end() && peek() != '\n') advance();
+            }
+            CsvRow row = this->row();
+            if (row.size() > 1 || !row[0].text.empty()) rows.push_back(std::move(row));
+        }
+        return rows;
+    }
+
+ private:
+    bool at_end() const { return position_ == text_.size(); }
+    char peek() const { return text_[position_]; }
+    bool at_cell_end() const { return at_end() || peek() == separator_ || peek() == '\n'; }
+    void advance() {
+        if (text_[position_++] == '\n') {
+            ++line_;
+            line_start_ = position_;
+        }
+    }
+    std::size_t column() const { return position_ - line_start_ + 1; }
+
+    /// Up to the end of the line, which is passed over.
+    CsvRow row() {
+        CsvRow row;
+        while (true) {
+            row.push_back(cell());
+            if (at_end()) return row;
+            const bool last = peek() == '\n';
+            advance();
+            if (last) return row;
+        }
+    }
+    CsvCell cell() {
+        while (!at_cell_end() && (peek() == ' ' || peek() == '\t' || peek() == '\r')) advance();
+        CsvCell cell{{}, line_, column()};
+        if (++cells_ > kMostCsvCells) fail(cell, fmt::format("more than {} cells", kMostCsvCells));
+        if (!at_end() && peek() == '"') {
+            quoted(cell);
+            return cell;
+        }
+        const std::size_t begin = position_;
+        while (!at_cell_end()) advance();
+        cell.text = trimmed(text_.substr(begin, position_ - begin));
+        return cell;
+    }
+    void quoted(CsvCell& cell) {
+        advance();
+        while (true) {
+            if (at_end()) fail(cell, "the quote that starts here is not closed");
+            const char c = peek();
+            advance();
+            if (c != '"') {
+                cell.text += c;
+            } else if (!at_end() && peek() == '"') {
+                cell.text += '"';
+                advance();
+            } else {
+                break;
+            }
+        }
+        while (!at_cell_end()) {
+            if (peek() != ' ' && peek() != '\t' && peek() != '\r') {
+                fail(cell, "something follows the quoted text before the next separator");
+            }
+            advance();
+        }
+    }
+    [[noreturn]] void fail(const CsvCell& cell, std::string_view why) const {
+        throw InputError(fmt::format("{}:{}:{}: {}", filename_, cell.line, cell.column, why));
+    }
+
+    std::string_view text_;
+    const std::string& filename_;
+    char separator_;
+    std::size_t position_ = 0, line_ = 1, line_start_ = 0, cells_ = 0;
+};
+
+}  // namespace
+
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    return CsvParser(text, filename).rows();
+}
+
+std::string csv_cell(std::string_view text) {
+    const bool plain =
+        text.find_first_of(",;\t\r\n\"#") == std::string_view::npos && trimmed(text) == text;
+    if (plain) return std::string(text);
+    std::string quoted = "\"";
+    for (char c : text) {
+        if (c == '"') quoted += c;
+        quoted += c;
+    }
+    return quoted + '"';
+}
 
 namespace {
 
@@ -61,7 +181,7 @@ std::optional<double> wavelength_of(const std::string& heading) {
     std::string_view text = heading;
     if (text.starts_with('r')) text.remove_prefix(1);
     if (text.ends_with("nm")) text.remove_suffix(2);
-    return optics::parse_number(text);
+    return parse_number(text);
 }
 
 class MeasurementTable {
@@ -128,14 +248,14 @@ class MeasurementTable {
                 const auto meant = closest_match(heading, known);
                 if (meant && meant->size() > 2) {
                     throw InputError(fmt::format("{}unknown column '{}'{}", place(header[i]),
-                                                 optics::excerpt(header[i].text),
+                                                 excerpt(header[i].text),
                                                  did_you_mean(heading, known)));
                 }
                 continue;
             }
             if (!columns_.emplace(found->first, i).second) {
                 throw InputError(fmt::format("{}column '{}' appears twice", place(header[i]),
-                                             optics::excerpt(header[i].text)));
+                                             excerpt(header[i].text)));
             }
         }
     }
@@ -165,10 +285,10 @@ class MeasurementTable {
     }
 
     double number(const CsvCell& cell, const std::string& what, const Range& range) const {
-        const auto value = optics::parse_number(cell.text);
+        const auto value = parse_number(cell.text);
         if (!value || !range.contains(*value)) {
             throw InputError(fmt::format("{}{} = {}: must be a number in {}", place(cell), what,
-                                         optics::excerpt(cell.text), range.text()));
+                                         excerpt(cell.text), range.text()));
         }
         return *value;
     }
@@ -231,9 +351,9 @@ class MeasurementTable {
 
     double half_angle(const std::string& column, double fallback) const {
         return same_in_all_rows(column, fallback, [](const std::string& text) {
-            const auto value = optics::parse_number(text);
+            const auto value = parse_number(text);
             if (!value || !measure::kHalfAngle.contains(*value)) {
-                throw InputError(fmt::format("'{}' is no number in {}", optics::excerpt(text),
+                throw InputError(fmt::format("'{}' is no number in {}", excerpt(text),
                                              measure::kHalfAngle.text()));
             }
             return *value;
@@ -249,19 +369,17 @@ class MeasurementTable {
             if (!here) {
                 if (!first) continue;
                 throw InputError(fmt::format("{}{}: is missing here, but is '{}' above",
-                                             place(rows_[i][0]), column,
-                                             optics::excerpt(first->text)));
+                                             place(rows_[i][0]), column, excerpt(first->text)));
             }
             if (!first && i > 1) {
                 throw InputError(fmt::format("{}{} = {}: is missing in the rows above",
-                                             place(*here), column, optics::excerpt(here->text)));
+                                             place(*here), column, excerpt(here->text)));
             }
             if (first && here->text != first->text) {
                 throw InputError(
                     fmt::format("{}{} = {}: is '{}' above; it must be the same in "
                                 "all rows",
-                                place(*here), column, optics::excerpt(here->text),
-                                optics::excerpt(first->text)));
+                                place(*here), column, excerpt(here->text), excerpt(first->text)));
             }
             first = here;
         }
@@ -291,7 +409,7 @@ bool has_measurement_header(std::string_view text) {
     // The first line that is neither empty nor a comment.
     while (!text.empty()) {
         const std::string_view line = text.substr(0, text.find('\n'));
-        const std::string_view content = optics::trimmed(line);
+        const std::string_view content = trimmed(line);
         if (!content.empty() && content.front() != '#') {
             std::vector<CsvRow> header;
             try {
@@ -343,7 +461,7 @@ std::string measurement_csv(const measure::Measurement& measurement,
             out, ",{},{},{},{},{},{},{},{}", g.theta_o_deg, g.phi_deg,
             conditions.aperture.lamp_half_angle_deg, conditions.aperture.detector_half_angle_deg,
             spectra::name(conditions.illuminant), spectra::name(conditions.observer),
-            report::css_colour(measure::srgb_chip(reading.lab)), csv_cell(measurement.name));
+            spectra::css_colour(measure::srgb_chip(reading.lab)), csv_cell(measurement.name));
         if (!standard_error.empty()) {
             for (double error : standard_error.at(row)) fmt::format_to(out, ",{}", error);
         }

@@ -1,10 +1,359 @@
 #include "nacre/io/measurement_file.h"
 
-#include "nacre/core/atomic_file.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "nacre/core/error.h"
+#include "nacre/core/file.h"
+#include "nacre/core/text.h"
+#include "nacre/core/version.h"
 #include "nacre/io/measurement_csv.h"
-#include "nacre/io/measurement_json.h"
+#include "nacre/measure/measurement.h"
+#include "nacre/spectra/lab.h"
+#include "nacre/spectra/observer.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::io {
+
+namespace {
+
+// Exporters round angles to a tenth of a degree.
+constexpr double kSameAngle_deg = 0.1;
+// What tables of weights and intervals make of the same spectrum differs by less than 1, a wrong
+// light or scale makes far more.
+constexpr double kMostColourError = 5;
+
+[[noreturn]] void fail(const MeasurementRow& row, const std::string& why) {
+    throw InputError(row.place + why);
+}
+
+std::optional<measure::Geometry> named_geometry(const std::string& name) {
+    if (name.empty()) return std::nullopt;
+    try {
+        return measure::parse_geometry(name);
+    } catch (const DomainError&) {
+        return std::nullopt;  // a label of somebody's own
+    }
+}
+
+void require_agreement(const MeasurementRow& row, const char* key,
+                       const std::optional<double>& stated, double found) {
+    if (stated && !(std::abs(*stated - found) <= kSameAngle_deg)) {
+        fail(row, fmt::format("{} = {}: contradicts the geometry '{}', for which it is {:.6g}", key,
+                              *stated, excerpt(row.name), found));
+    }
+}
+
+/// From the directions themselves.
+measure::Geometry by_directions(const MeasurementRow& row) {
+    if (*row.theta_o_deg != 0 && !row.phi_deg) fail(row, "phi: is missing beside theta_o");
+    measure::Geometry geometry =
+        measure::towards(*row.theta_i_deg, *row.theta_o_deg, row.phi_deg.value_or(180));
+    if (row.aspecular_deg) {
+        require_agreement(row, "aspecular_deg", row.aspecular_deg, geometry.aspecular_deg);
+        geometry.aspecular_deg = *row.aspecular_deg;  // with the digits that the file has
+    }
+    if (const auto named = named_geometry(row.name)) {
+        const double separation = measure::separation_deg(*named, geometry);
+        if (separation > kSameAngle_deg) {
+            fail(row, fmt::format("geometry = {}: is {:.3g} deg off theta_i, theta_o and phi",
+                                  excerpt(row.name), separation));
+        }
+    }
+    return geometry;
+}
+
+measure::Geometry geometry_of(const MeasurementRow& row) {
+    measure::Geometry geometry;
+    try {
+        if (row.theta_i_deg && row.theta_o_deg) {
+            geometry = by_directions(row);
+        } else if (const auto named = named_geometry(row.name)) {
+            require_agreement(row, "theta_i", row.theta_i_deg, named->theta_i_deg);
+            require_agreement(row, "aspecular_deg", row.aspecular_deg, named->aspecular_deg);
+            geometry = *named;
+        } else if (row.theta_i_deg && row.aspecular_deg) {
+            geometry = measure::in_plane(*row.theta_i_deg, *row.aspecular_deg);
+        } else if (!row.name.empty()) {
+            measure::parse_geometry(row.name);  // says what a name looks like
+        } else {
+            fail(row,
+                 "geometry: is missing; either its name or theta_i and aspecular_deg are "
+                 "needed");
+        }
+    } catch (const DomainError& error) {
+        fail(row, error.what());
+    }
+    if (!row.name.empty()) geometry.name = row.name;
+    return geometry;
+}
+
+measure::Reading reading_of(const MeasurementRow& row, const std::vector<double>& wavelengths_nm,
+                            const measure::Conditions& conditions) {
+    measure::Reading reading;
+    const spectra::Vec3 white = measure::white_point(
+        row.reflectance_factor.empty() ? std::vector<double>{} : wavelengths_nm, conditions);
+    if (!row.reflectance_factor.empty()) {
+        reading = measure::coloured({}, wavelengths_nm, row.reflectance_factor, conditions);
+        const double error = row.lab ? spectra::delta_e_2000(*row.lab, reading.lab) : 0;
+        if (!(error <= kMostColourError)) {
+            fail(row,
+                 fmt::format("L = {}, a = {}, b = {}: differ from those of the spectrum under the "
+                             "stated light, {:.2f}, {:.2f}, {:.2f}, by Delta E 2000 = {:.1f}; "
+                             "reflectance must be a factor, of which 1 is the perfect diffuser",
+                             (*row.lab)[0], (*row.lab)[1], (*row.lab)[2], reading.lab[0],
+                             reading.lab[1], reading.lab[2], error));
+        }
+    } else if (!row.lab && !row.xyz) {
+        fail(row, "no colour: L, a, b, or X, Y, Z, or a spectrum is needed");
+    }
+    if (row.lab) {
+        reading.lab = *row.lab;
+        reading.xyz = row.xyz ? *row.xyz : spectra::lab_to_xyz(*row.lab, white);
+    } else if (row.reflectance_factor.empty()) {
+        reading.xyz = *row.xyz;
+        reading.lab = spectra::xyz_to_lab(*row.xyz, white);
+    }
+    for (int c = 0; c < 3; ++c) {  // what was computed must be readable again
+        if (!kMeasuredColour.contains(reading.lab[c]) ||
+            !kMeasuredTristimulus.contains(reading.xyz[c])) {
+            fail(row, fmt::format("the colour, X = {:.3g}, Y = {:.3g}, Z = {:.3g}, is out of range",
+                                  reading.xyz[0], reading.xyz[1], reading.xyz[2]));
+        }
+    }
+    reading.geometry = geometry_of(row);
+    return reading;
+}
+
+}  // namespace
+
+measure::Measurement assemble_measurement(std::string name, const measure::Conditions& conditions,
+                                          std::vector<double> wavelengths_nm,
+                                          const std::vector<MeasurementRow>& rows) {
+    measure::Measurement measurement{std::move(name), conditions, {}, {}};
+    std::set<std::tuple<double, double, double>> seen;
+    bool has_spectra = false;
+    for (const MeasurementRow& row : rows) {
+        try {
+            measurement.readings.push_back(reading_of(row, wavelengths_nm, conditions));
+        } catch (const DomainError& error) {  // wavelengths that are no grid
+            fail(row, error.what());
+        }
+        const measure::Reading& reading = measurement.readings.back();
+        const measure::Geometry& g = reading.geometry;
+        if (!seen.insert({g.theta_i_deg, g.theta_o_deg, g.phi_deg}).second) {
+            fail(row, fmt::format("geometry = {}: has been read before", excerpt(g.name)));
+        }
+        has_spectra = has_spectra || !reading.reflectance_factor.empty();
+    }
+    if (has_spectra) measurement.wavelengths_nm = std::move(wavelengths_nm);
+    return measurement;
+}
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kFormat = "nacre-measurement";
+
+/// An object and where it stands, for messages.
+class Member {
+ public:
+    Member(const json& object, std::string place, std::string path)
+        : object_(object), place_(std::move(place)), path_(std::move(path)) {
+        if (!object_.is_object()) fail("", "must be an object");
+    }
+
+    const json* find(const char* key) const {
+        const auto found = object_.find(key);
+        return found == object_.end() || found->is_null() ? nullptr : &*found;
+    }
+    const json& require(const char* key) const {
+        const json* found = find(key);
+        if (!found) fail(key, "is missing");
+        return *found;
+    }
+    std::string text_or(const char* key, std::string fallback) const {
+        const json* found = find(key);
+        if (!found) return fallback;
+        if (!found->is_string()) fail(key, "must be text");
+        return found->get<std::string>();
+    }
+    std::optional<double> number(const char* key, const Range& range) const {
+        const json* found = find(key);
+        return found ? std::optional(as_number(*found, key, range)) : std::nullopt;
+    }
+    std::vector<double> numbers(const char* key, const Range& range, std::size_t most) const {
+        std::vector<double> values;
+        const json* found = find(key);
+        if (!found) return values;
+        if (!found->is_array() || found->size() > most) {
+            fail(key, fmt::format("must be an array of at most {} numbers", most));
+        }
+        for (const json& value : *found) values.push_back(as_number(value, key, range));
+        return values;
+    }
+    std::optional<spectra::Vec3> triple(const char* key, const Range& range) const {
+        const std::vector<double> values = numbers(key, range, 3);
+        if (!find(key)) return std::nullopt;
+        if (values.size() != 3) fail(key, "must have three numbers");
+        return spectra::Vec3{values[0], values[1], values[2]};
+    }
+
+    const std::string& place() const { return place_; }
+    std::string path_of(const std::string& key) const {
+        return path_.empty() || key.empty() ? path_ + key : path_ + "." + key;
+    }
+    [[noreturn]] void fail(const std::string& key, const std::string& why) const {
+        throw InputError(fmt::format("{}: {}: {}", place_, path_of(key), why));
+    }
+
+ private:
+    double as_number(const json& value, const char* key, const Range& range) const {
+        const double number = value.is_number() ? value.get<double>() : std::nan("");
+        if (!range.contains(number)) {
+            fail(key, "must be a number in " + range.text() + ", not " +
+                          excerpt(value.dump(-1, ' ', true, json::error_handler_t::replace)));
+        }
+        return number;
+    }
+
+    const json& object_;
+    std::string place_, path_;
+};
+
+template <class Parse>
+auto parsed(const Member& member, const char* key, const std::string& text, const Parse& parse) {
+    try {
+        return parse(text);
+    } catch (const InputError& error) {
+        member.fail(key, error.what());
+    }
+}
+
+measure::Conditions read_conditions(const Member& file, measure::Conditions conditions) {
+    if (file.find("illuminant")) {
+        conditions.illuminant =
+            parsed(file, "illuminant", file.text_or("illuminant", ""), spectra::parse_illuminant);
+    }
+    if (file.find("observer")) {
+        conditions.observer =
+            parsed(file, "observer", file.text_or("observer", ""), spectra::parse_observer);
+    }
+    measure::Aperture& aperture = conditions.aperture;
+    aperture.lamp_half_angle_deg = file.number("lamp_half_angle_deg", measure::kHalfAngle)
+                                       .value_or(aperture.lamp_half_angle_deg);
+    aperture.detector_half_angle_deg = file.number("detector_half_angle_deg", measure::kHalfAngle)
+                                           .value_or(aperture.detector_half_angle_deg);
+    return conditions;
+}
+
+MeasurementRow read_reading(const Member& reading, std::size_t wavelengths) {
+    MeasurementRow row;
+    row.place = fmt::format("{}: {}: ", reading.place(), reading.path_of(""));
+    row.name = reading.text_or("geometry", "");
+    row.theta_i_deg = reading.number("theta_i_deg", kMeasuredAngle);
+    row.aspecular_deg = reading.number("aspecular_deg", kMeasuredAngle);
+    row.theta_o_deg = reading.number("theta_o_deg", kMeasuredAngle);
+    row.phi_deg = reading.number("phi_deg", kMeasuredAngle);
+    row.reflectance_factor =
+        reading.numbers("reflectance_factor", kMeasuredReflectance, kMostMeasuredWavelengths);
+    if (!row.reflectance_factor.empty() && row.reflectance_factor.size() != wavelengths) {
+        reading.fail("reflectance_factor", fmt::format("has {} values for {} wavelengths",
+                                                       row.reflectance_factor.size(), wavelengths));
+    }
+    row.xyz = reading.triple("xyz", kMeasuredTristimulus);
+    row.lab = reading.triple("lab", kMeasuredColour);
+    return row;
+}
+
+}  // namespace
+
+measure::Measurement parse_measurement_json(std::string_view text, const std::string& filename,
+                                            const measure::Conditions& defaults) {
+    // Our own need 4; who adds members may nest them, but not until memory or the stack is full.
+    constexpr int kMostDepth = 64;
+    const auto limit_depth = [&](int depth, json::parse_event_t, const json&) {
+        if (depth <= kMostDepth) return true;
+        throw InputError(
+            fmt::format("{}: lists and objects are nested deeper than {}", filename, kMostDepth));
+    };
+    json document;
+    try {
+        document = json::parse(text, limit_depth);
+    } catch (const json::exception& error) {
+        throw InputError(fmt::format("{}: {}", filename, error.what()));
+    }
+    const Member file(document, filename, "");
+    if (file.text_or("format", "") != kFormat) {
+        file.fail("format", fmt::format("must be \"{}\"", kFormat));
+    }
+    const json& version = file.require("format_version");
+    if (!version.is_number_integer() || version != kMeasurementFormatVersion) {
+        file.fail("format_version", fmt::format("must be {}", kMeasurementFormatVersion));
+    }
+    const std::vector<double> wavelengths =
+        file.numbers("wavelengths_nm", kMeasuredWavelength, kMostMeasuredWavelengths);
+    const json& readings = file.require("readings");
+    if (!readings.is_array() || readings.empty() || readings.size() > kMostReadings) {
+        file.fail("readings", fmt::format("must be an array of 1 to {} objects", kMostReadings));
+    }
+    std::vector<MeasurementRow> rows;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        rows.push_back(read_reading(Member(readings[i], filename, fmt::format("readings[{}]", i)),
+                                    wavelengths.size()));
+    }
+    return assemble_measurement(file.text_or("sample", ""), read_conditions(file, defaults),
+                                wavelengths, rows);
+}
+
+json measurement_json(const measure::Measurement& measurement) {
+    json readings = json::array();
+    for (const measure::Reading& reading : measurement.readings) {
+        const measure::Geometry& g = reading.geometry;
+        json entry = {{"geometry", g.name},
+                      {"theta_i_deg", g.theta_i_deg},
+                      {"aspecular_deg", g.aspecular_deg},
+                      {"theta_o_deg", g.theta_o_deg},
+                      {"phi_deg", g.phi_deg},
+                      {"xyz", reading.xyz},
+                      {"lab", reading.lab},
+                      {"chroma", measure::chroma(reading.lab)},
+                      {"hue_deg", measure::hue_deg(reading.lab)},
+                      {"chip", spectra::css_colour(measure::srgb_chip(reading.lab))}};
+        if (!reading.reflectance_factor.empty()) {
+            entry["reflectance_factor"] = reading.reflectance_factor;
+        }
+        readings.push_back(std::move(entry));
+    }
+    json document = {
+        {"format", kFormat},
+        {"format_version", kMeasurementFormatVersion},
+        {"nacre_version", version()},
+        {"sample", measurement.name},
+        {"illuminant", spectra::name(measurement.conditions.illuminant)},
+        {"observer", spectra::name(measurement.conditions.observer)},
+        {"lamp_half_angle_deg", measurement.conditions.aperture.lamp_half_angle_deg},
+        {"detector_half_angle_deg", measurement.conditions.aperture.detector_half_angle_deg},
+        {"wavelengths_nm", measurement.wavelengths_nm},
+        {"readings", std::move(readings)}};
+    const auto flop = measure::flop_index(measurement);
+    document["flop_index"] = flop ? json(*flop) : json(nullptr);
+    const measure::ColourTravel travel = measure::colour_travel(measurement);
+    json path = json::array();
+    for (const measure::Reading* reading : travel.path) {
+        path.push_back(
+            {{"geometry", reading->geometry.name}, {"a", reading->lab[1]}, {"b", reading->lab[2]}});
+    }
+    document["colour_travel"] = {
+        {"theta_i_deg", 45}, {"length", travel.length}, {"path", std::move(path)}};
+    return document;
+}
 
 namespace {
 

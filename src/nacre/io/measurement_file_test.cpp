@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "nacre/core/error.h"
-#include "nacre/io/csv_reader.h"
-#include "nacre/measure/flop.h"
+#include "nacre/io/measurement_csv.h"
+#include "nacre/measure/measurement.h"
 
 namespace nacre::io {
 namespace {

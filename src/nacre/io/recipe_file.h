@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "nacre/layers/recipe.h"
-#include "nacre/layers/recipe_parameter.h"
+#include "nacre/paint/recipe.h"
+#include "nacre/paint/recipe_parameter.h"
 
 // Paint recipes as TOML. Every key with its unit and range: docs/recipe.md.
 
@@ -17,33 +17,33 @@ namespace nacre::io {
 /// @throws InputError naming file, line, column, key, value and what is allowed for the first
 ///         thing that is wrong: an unknown key, a missing one, a wrong type, a number out of
 ///         range, R + T > 1, an unknown material, no layer. Nothing is clamped or guessed.
-layers::Recipe read_recipe(const std::filesystem::path& path);
+paint::Recipe read_recipe(const std::filesystem::path& path);
 
 /// The same from a text. `filename` is for messages; materials given as files are looked for from
 /// `base_directory`.
-layers::Recipe parse_recipe(std::string_view text, const std::string& filename,
-                            const std::filesystem::path& base_directory);
+paint::Recipe parse_recipe(std::string_view text, const std::string& filename,
+                           const std::filesystem::path& base_directory);
 
 /// A recipe and what its file says beside it: between which bounds a fit may seek its numbers, the
-/// table [fit], in the order of layers::recipe_parameters(). The bounds are no part of the paint.
+/// table [fit], in the order of paint::recipe_parameters(). The bounds are no part of the paint.
 struct RecipeFile {
-    layers::Recipe recipe;
-    std::vector<layers::ParameterBounds> bounds;
+    paint::Recipe recipe;
+    std::vector<paint::ParameterBounds> bounds;
 };
 
 /// As read_recipe(), which checks the table [fit] too, but does not hand it over.
-/// @throws InputError as read_recipe(), and as layers::check_bounds()
+/// @throws InputError as read_recipe(), and as paint::check_bounds()
 RecipeFile read_recipe_file(const std::filesystem::path& path);
 RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
                              const std::filesystem::path& base_directory);
 
 /// The recipe as TOML that parses back to an equal recipe, without need of any other file:
 /// materials that are not among those shipped are written out sample by sample.
-std::string write_recipe(const layers::Recipe& recipe,
-                         const std::vector<layers::ParameterBounds>& bounds = {});
+std::string write_recipe(const paint::Recipe& recipe,
+                         const std::vector<paint::ParameterBounds>& bounds = {});
 
 /// SHA-256 of write_recipe() without bounds, in hexadecimal: equal for recipes that differ only in
 /// layout, comments or the order of keys.
-std::string recipe_hash(const layers::Recipe& recipe);
+std::string recipe_hash(const paint::Recipe& recipe);
 
 }  // namespace nacre::io

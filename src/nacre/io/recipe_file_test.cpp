@@ -74,7 +74,7 @@ cone_deg = 3.0
 thickness_spread_nm = 10.0
 )";
 
-layers::Recipe parse(const std::string& text) { return parse_recipe(text, "paint.toml", ""); }
+paint::Recipe parse(const std::string& text) { return parse_recipe(text, "paint.toml", ""); }
 
 std::string error_of(const std::string& text) {
     try {
@@ -92,19 +92,19 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(RecipeFile, ReadsEveryKeyWithItsUnit) {
-    const layers::Recipe recipe = parse(kViolet);
+    const paint::Recipe recipe = parse(kViolet);
     EXPECT_EQ(recipe.name, "Violet pearl");
     EXPECT_EQ(recipe.binder.index(550), 1.5);
     ASSERT_TRUE(recipe.clearcoat);
     EXPECT_EQ(recipe.clearcoat->thickness_um, 45);
     EXPECT_DOUBLE_EQ(recipe.clearcoat->absorption_per_mm(550), 0.1);
     ASSERT_EQ(recipe.layers.size(), 1u);
-    const layers::Layer& layer = recipe.layers[0];
+    const paint::Layer& layer = recipe.layers[0];
     EXPECT_EQ(layer.thickness_um, 15);
     ASSERT_EQ(layer.flakes.size(), 1u);
-    const layers::FlakeSpecies& flakes = layer.flakes[0];
+    const paint::FlakeSpecies& flakes = layer.flakes[0];
     EXPECT_EQ(flakes.name, "TiO2 on mica");
-    EXPECT_EQ(std::get<layers::VolumeFraction>(flakes.amount).value, 0.03);
+    EXPECT_EQ(std::get<paint::VolumeFraction>(flakes.amount).value, 0.03);
     EXPECT_EQ(flakes.diameter_um, 18);
     EXPECT_EQ(flakes.diameter_spread_um, 6);
     EXPECT_EQ(flakes.orientation.beckmann_alpha, 0.1);
@@ -127,17 +127,17 @@ TEST(RecipeFile, ReadsEveryKeyWithItsUnit) {
 TEST(RecipeFile, ReadsTheDistributionOfFacets) {
     std::string text = kMicrofacet;
     text.insert(text.find("alpha"), "distribution = \"ggx\"\n");
-    const layers::Recipe recipe = parse(text);
+    const paint::Recipe recipe = parse(text);
     ASSERT_TRUE(recipe.microfacet);
-    EXPECT_EQ(recipe.microfacet->distribution, layers::FacetDistribution::ggx);
+    EXPECT_EQ(recipe.microfacet->distribution, paint::FacetDistribution::ggx);
     EXPECT_EQ(parse(write_recipe(recipe)), recipe);
 }
 
 TEST(RecipeFile, ReadsTheMicrofacetTables) {
-    const layers::Recipe recipe = parse(kMicrofacet);
+    const paint::Recipe recipe = parse(kMicrofacet);
     ASSERT_TRUE(recipe.microfacet);
     EXPECT_EQ(recipe.microfacet->film_thickness_nm, 158.333);
-    EXPECT_EQ(recipe.microfacet->distribution, layers::FacetDistribution::beckmann);
+    EXPECT_EQ(recipe.microfacet->distribution, paint::FacetDistribution::beckmann);
     ASSERT_TRUE(recipe.microfacet->facets);
     EXPECT_EQ(recipe.microfacet->facets->count, 1e7);
     EXPECT_TRUE(recipe.layers.empty());
@@ -145,9 +145,9 @@ TEST(RecipeFile, ReadsTheMicrofacetTables) {
 
 TEST(RecipeFile, AReflectanceMayBeANumberAColourOrASpectrum) {
     const auto reflectance = [](const std::string& value) {
-        const layers::Recipe recipe =
+        const paint::Recipe recipe =
             parse(replaced(replaced(kGray, "transmittance = 0.3\n", ""), "= 0.6", "= " + value));
-        return std::get<layers::PrescribedFlake>(recipe.layers[0].flakes[0].body).reflectance;
+        return std::get<paint::PrescribedFlake>(recipe.layers[0].flakes[0].body).reflectance;
     };
     EXPECT_EQ(reflectance("0.25")(500), 0.25);
     EXPECT_DOUBLE_EQ(reflectance("{ wavelengths_nm = [400, 500], values = [0.2, 0.4] }")(450), 0.3);
@@ -158,7 +158,7 @@ TEST(RecipeFile, AReflectanceMayBeANumberAColourOrASpectrum) {
 
 TEST(RecipeFile, WritingAndReadingGivesTheSameRecipe) {
     for (const std::string& text : {kViolet, kGray, kMicrofacet}) {
-        const layers::Recipe recipe = parse(text);
+        const paint::Recipe recipe = parse(text);
         const std::string written = write_recipe(recipe);
         EXPECT_EQ(parse(written), recipe) << written;
         EXPECT_EQ(write_recipe(parse(written)), written);
@@ -166,7 +166,7 @@ TEST(RecipeFile, WritingAndReadingGivesTheSameRecipe) {
 }
 
 TEST(RecipeFile, AWrittenRecipeCarriesMaterialsOfTheUsersOwn) {
-    layers::Recipe recipe = parse(kViolet);
+    paint::Recipe recipe = parse(kViolet);
     auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
     platelet.core.material = optics::Material("my \"glass\"\n", {400, 550.5, 700},
                                               {{1.6, 0.0}, {1.55, 0.01}, {1.5, 0.1}}, "measured");
@@ -178,7 +178,7 @@ TEST(RecipeFile, AWrittenRecipeCarriesMaterialsOfTheUsersOwn) {
 // In the order of the recipe's numbers, whatever the order in the file.
 TEST(RecipeFile, BoundsOfAFitStandBesideTheRecipe) {
     const RecipeFile file = parse_recipe_file(kBounded, "paint.toml", "");
-    const std::vector<layers::ParameterBounds> expected = {
+    const std::vector<paint::ParameterBounds> expected = {
         {"layer[0].thickness_um", 10, 20.5}, {"layer[0].flakes[0].coats[0].thickness_nm", 60, 140}};
     EXPECT_EQ(file.bounds, expected);
     EXPECT_EQ(file.recipe, parse(kViolet));
@@ -189,18 +189,18 @@ TEST(RecipeFile, BoundsOfAFitStandBesideTheRecipe) {
     EXPECT_EQ(again.bounds, file.bounds);
 }
 
-// The keys of layers/recipe_parameter.h are those of the file: a number that is set comes back
+// The keys of paint/recipe_parameter.h are those of the file: a number that is set comes back
 // under its key.
 TEST(RecipeFile, EveryNumberOfEveryPaintSurvivesTheFile) {
     int numbers = 0;
     for (const auto& entry : std::filesystem::directory_iterator(NACRE_SOURCE_DIR "/paints")) {
         if (entry.path().extension() != ".toml") continue;
-        const layers::Recipe recipe = read_recipe(entry.path());
-        for (const layers::RecipeParameter& parameter : layers::recipe_parameters(recipe)) {
-            layers::Recipe changed = recipe;
+        const paint::Recipe recipe = read_recipe(entry.path());
+        for (const paint::RecipeParameter& parameter : paint::recipe_parameters(recipe)) {
+            paint::Recipe changed = recipe;
             const double value = parameter.value > 0 ? 0.97 * parameter.value : 0.01;
             set_parameter(changed, parameter.key, value);
-            const layers::Recipe again = parse(write_recipe(changed));
+            const paint::Recipe again = parse(write_recipe(changed));
             EXPECT_EQ(again, changed) << entry.path() << " " << parameter.key;
             EXPECT_EQ(find_parameter(again, parameter.key).value, value) << parameter.key;
             ++numbers;
@@ -210,7 +210,7 @@ TEST(RecipeFile, EveryNumberOfEveryPaintSurvivesTheFile) {
 }
 
 TEST(RecipeFile, HashDependsOnMeaningNotOnLayout) {
-    const layers::Recipe recipe = parse(kViolet);
+    const paint::Recipe recipe = parse(kViolet);
     EXPECT_EQ(recipe_hash(parse("# a comment\n" + kViolet)), recipe_hash(recipe));
     EXPECT_NE(recipe_hash(parse(replaced(kViolet, "alpha = 0.1", "alpha = 0.11"))),
               recipe_hash(recipe));
@@ -425,7 +425,7 @@ TEST(RecipeFile, LooksForMaterialsBesideTheRecipe) {
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "glass.csv") << "wavelength_nm,n,k\n400,1.6,0\n700,1.5,0\n";
     std::ofstream(folder / "paint.toml") << replaced(kViolet, "\"mica\"", "\"glass.csv\"");
-    const layers::Recipe recipe = read_recipe(folder / "paint.toml");
+    const paint::Recipe recipe = read_recipe(folder / "paint.toml");
     std::filesystem::remove_all(folder);
     const auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
     EXPECT_DOUBLE_EQ(platelet.core.material.index(550).real(), 1.55);

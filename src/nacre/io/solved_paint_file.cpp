@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/atomic_file.h"
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
+#include "nacre/io/hdf5_file.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/io/sealed_hdf5.h"
 #include "nacre/io/table_reader.h"
 
 namespace nacre::io {
@@ -29,7 +29,7 @@ Hdf5Handle make_group(hid_t parent, const char* name, const char* meaning) {
     return group;
 }
 
-void write_settings(hid_t file, const layers::SolverSettings& settings) {
+void write_settings(hid_t file, const solver::SolverSettings& settings) {
     const Hdf5Handle group =
         make_group(file, "settings", "how finely to solve; 0: chosen from the recipe");
     write_attribute(group, "exit_nodes", settings.exit_nodes);
@@ -38,7 +38,7 @@ void write_settings(hid_t file, const layers::SolverSettings& settings) {
     write_attribute(group, "tolerance", settings.tolerance);
 }
 
-void write_solver_report(hid_t file, const layers::SolverReport& report) {
+void write_solver_report(hid_t file, const solver::SolverReport& report) {
     const Hdf5Handle group = make_group(file, "report", "what the solver found out about itself");
     write_attribute(group, "exit_nodes", report.exit_nodes);
     write_attribute(group, "inner_nodes", report.inner_nodes);
@@ -56,7 +56,7 @@ constexpr TensorGroup kRemainder = {
     "remainder", "multiple scattering, without its Fresnel factors if the interface is smooth"};
 constexpr TensorGroup kRoughSingle = {"rough_single", "single scattering under a rough interface"};
 
-void write_tensor(hid_t file, const TensorGroup& where, const layers::Remainder& r) {
+void write_tensor(hid_t file, const TensorGroup& where, const solver::Remainder& r) {
     const std::string meaning = fmt::format(
         "{}: f(theta_i, theta_o, phi; wavelength) = sum_l (2 - delta_l0) cos(l (phi - pi)) sum_k "
         "basis[k][wavelength] coefficient[k][pair(l, i, j)]; pairs by order l, then rows i >= j "
@@ -78,7 +78,7 @@ void write_tensor(hid_t file, const TensorGroup& where, const layers::Remainder&
 
 /// The recipe as text, materials from a user's files written out by their samples. It is read back
 /// at once: those files may hold more samples than a recipe may.
-std::string kept_recipe(const layers::Recipe& recipe) {
+std::string kept_recipe(const paint::Recipe& recipe) {
     std::string text = write_recipe(recipe);
     try {
         parse_recipe(text, "recipe", "");
@@ -99,10 +99,10 @@ void require_finite(const std::vector<T>& values, const char* what) {
     require(std::all_of(values.begin(), values.end(), [](T v) { return std::isfinite(v); }), what);
 }
 
-layers::Remainder read_tensor(hid_t file, const TensorGroup& where, std::size_t wavelengths) {
+solver::Remainder read_tensor(hid_t file, const TensorGroup& where, std::size_t wavelengths) {
     const Hdf5Handle group(H5Gopen2(file, where.name, H5P_DEFAULT),
                            fmt::format("open group {}", where.name));
-    layers::Remainder r;
+    solver::Remainder r;
     r.wavelength_count = static_cast<int>(wavelengths);
     r.exit_angle = read_doubles(group, "exit_angle", 1, kMostExitNodes);
     r.first = read_ints(group, "first", 1, kMostAzimuthalOrders);
@@ -128,7 +128,7 @@ layers::Remainder read_tensor(hid_t file, const TensorGroup& where, std::size_t 
     return r;
 }
 
-layers::SolvedPaint read_contents(hid_t file, const std::string& name) {
+solver::SolvedPaint read_contents(hid_t file, const std::string& name) {
     const std::string recipe = read_text(file, "recipe", kMostTextBytes);
     const std::vector<double> wavelengths =
         read_doubles(file, "wavelengths_nm", 1, kMostWavelengths);
@@ -137,7 +137,7 @@ layers::SolvedPaint read_contents(hid_t file, const std::string& name) {
                                                        std::greater_equal<>()) == wavelengths.end(),
             "wavelengths must increase");
 
-    layers::SolvedPaint paint;
+    solver::SolvedPaint paint;
     paint.recipe = parse_recipe(recipe, name + "/recipe", "");
     {
         const Hdf5Handle group(H5Gopen2(file, "settings", H5P_DEFAULT), "open group settings");
@@ -153,7 +153,7 @@ layers::SolvedPaint read_contents(hid_t file, const std::string& name) {
                         read_double_attribute(group, "unresolved_scattering"),
                         read_double_attribute(group, "azimuthal_tail")};
     }
-    paint.medium = layers::make_medium(paint.recipe, wavelengths);
+    paint.medium = solver::make_medium(paint.recipe, wavelengths);
     paint.remainder = read_tensor(file, kRemainder, wavelengths.size());
     if (paint.medium.roughness > 0) {
         paint.rough_single = read_tensor(file, kRoughSingle, wavelengths.size());
@@ -170,7 +170,7 @@ layers::SolvedPaint read_contents(hid_t file, const std::string& name) {
 
 bool looks_like_solved_paint(std::string_view bytes) { return is_sealed_as(kFormat, bytes); }
 
-std::string solved_paint_bytes(const layers::SolvedPaint& paint) {
+std::string solved_paint_bytes(const solver::SolvedPaint& paint) {
     return sealed_bytes(kFormat, [&](hid_t file) {
         write_attribute(file, "recipe_sha256", recipe_hash(paint.recipe));
         write_text(file, "recipe", kept_recipe(paint.recipe), "the paint's recipe, TOML");
@@ -183,17 +183,17 @@ std::string solved_paint_bytes(const layers::SolvedPaint& paint) {
     });
 }
 
-void write_solved_paint(const std::filesystem::path& path, const layers::SolvedPaint& paint) {
+void write_solved_paint(const std::filesystem::path& path, const solver::SolvedPaint& paint) {
     write_file_atomically(path, solved_paint_bytes(paint));
 }
 
-layers::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string& name) {
-    layers::SolvedPaint paint;
+solver::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string& name) {
+    solver::SolvedPaint paint;
     read_sealed(kFormat, bytes, name, [&](hid_t file) { paint = read_contents(file, name); });
     return paint;
 }
 
-layers::SolvedPaint read_solved_paint(const std::filesystem::path& path) {
+solver::SolvedPaint read_solved_paint(const std::filesystem::path& path) {
     return parse_solved_paint(read_file(path, kMostSolvedPaintBytes), path.string());
 }
 

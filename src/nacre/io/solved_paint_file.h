@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "nacre/layers/solved_paint.h"
+#include "nacre/solver/solved_paint.h"
 
 // Solved paints as HDF5. The file describes itself: every group and array has its meaning and unit
 // as an attribute; h5dump, h5py, Julia and MATLAB open it.
@@ -33,17 +33,17 @@ inline constexpr std::size_t kMostSolvedPaintBytes = std::size_t{1} << 28;
 
 /// Writes a solved paint, whole or not at all.
 /// @throws Error if the file cannot be written, or a material has more samples than a recipe may
-void write_solved_paint(const std::filesystem::path& path, const layers::SolvedPaint& paint);
+void write_solved_paint(const std::filesystem::path& path, const solver::SolvedPaint& paint);
 
 /// The bytes of such a file.
 /// @throws Error if a material has more samples than a recipe may
-std::string solved_paint_bytes(const layers::SolvedPaint& paint);
+std::string solved_paint_bytes(const solver::SolvedPaint& paint);
 
 /// @throws InputError if the file is cut short, altered, of another version, or no solved paint
-layers::SolvedPaint read_solved_paint(const std::filesystem::path& path);
+solver::SolvedPaint read_solved_paint(const std::filesystem::path& path);
 
 /// The same from the bytes of a file; `name` is for messages.
-layers::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string& name);
+solver::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string& name);
 
 /// Whether the bytes start like a solved paint.
 bool looks_like_solved_paint(std::string_view bytes);

@@ -10,9 +10,9 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/sha256.h"
-#include "nacre/io/hdf5_handle.h"
+#include "nacre/io/hdf5_file.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/layers/solver.h"
+#include "nacre/solver/solver.h"
 
 namespace nacre::io {
 namespace {
@@ -20,8 +20,8 @@ namespace {
 using ::testing::HasSubstr;
 
 /// Silver flakes over white at three wavelengths: quick to solve, with every kind of data.
-const layers::SolvedPaint& silver() {
-    static const layers::SolvedPaint paint = layers::solve(parse_recipe(R"(
+const solver::SolvedPaint& silver() {
+    static const solver::SolvedPaint paint = solver::solve(parse_recipe(R"(
 name = "silver"
 ior = 1.5
 [[layer]]
@@ -39,11 +39,11 @@ reflectance = 0.5
 }
 
 /// The same under a rough interface, whose single scattering is a tensor too.
-const layers::SolvedPaint& satin() {
-    static const layers::SolvedPaint paint = [] {
-        layers::Recipe recipe = silver().recipe;
-        recipe.clearcoat = layers::Clearcoat{40, 0.0, 0.3};
-        return layers::solve(recipe, {450, 550, 650});
+const solver::SolvedPaint& satin() {
+    static const solver::SolvedPaint paint = [] {
+        paint::Recipe recipe = silver().recipe;
+        recipe.clearcoat = paint::Clearcoat{40, 0.0, 0.3};
+        return solver::solve(recipe, {450, 550, 650});
     }();
     return paint;
 }
@@ -75,9 +75,9 @@ TEST(SolvedPaintFile, GivesBackTheSamePaint) {
 
 TEST(SolvedPaintFile, GivesBackTheSingleScatteringUnderARoughInterface) {
     ASSERT_GT(satin().rough_single.rank(), 0);
-    const layers::SolvedPaint read = parse_solved_paint(solved_paint_bytes(satin()), "paint.h5");
+    const solver::SolvedPaint read = parse_solved_paint(solved_paint_bytes(satin()), "paint.h5");
     EXPECT_EQ(read, satin());
-    for (const auto part : {layers::Part::single, layers::Part::multiple, layers::Part::total}) {
+    for (const auto part : {solver::Part::single, solver::Part::multiple, solver::Part::total}) {
         for (const double theta_o : {0.0, 0.4, 1.5}) {
             const std::vector<double> before = satin().brdf(0.7, theta_o, 2.5, part);
             EXPECT_EQ(read.brdf(0.7, theta_o, 2.5, part), before);
@@ -109,8 +109,8 @@ class SolvedPaintOfAUsersMaterial : public ::testing::Test {
     void write_material(const std::string& rows) const {
         std::ofstream(folder_ / "glass.csv") << "wavelength_nm,n,k\n" << rows;
     }
-    layers::SolvedPaint solved() const {
-        return layers::solve(parse_recipe(R"(
+    solver::SolvedPaint solved() const {
+        return solver::solve(parse_recipe(R"(
 ior = 1.5
 [[layer]]
 thickness_um = 10
@@ -128,7 +128,7 @@ core = { material = "glass.csv", thickness_nm = 400 }
 
 TEST_F(SolvedPaintOfAUsersMaterial, NeedsItsFileNoMore) {
     write_material("400,1.9,0.01\n700,1.7,0\n");
-    const layers::SolvedPaint paint = solved();
+    const solver::SolvedPaint paint = solved();
     const std::string bytes = solved_paint_bytes(paint);
     write_material("400,1.1,0\n700,1.1,0\n");  // another file of that name
     EXPECT_EQ(parse_solved_paint(bytes, "paint.h5"), paint);
@@ -187,7 +187,7 @@ TEST(SolvedPaintFile, ForeignFilesAndNewerVersionsAreNamedAsSuch) {
 }
 
 TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
-    layers::SolvedPaint paint = silver();
+    solver::SolvedPaint paint = silver();
     ASSERT_FALSE(paint.remainder.coefficient.empty());
     paint.remainder.coefficient[0] = NAN;
     EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a coefficient is not finite"));
@@ -218,7 +218,7 @@ TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
 }
 
 TEST(SolvedPaintFile, TensorsThatDoNotFitTheInterfaceAreRefused) {
-    layers::SolvedPaint paint = satin();
+    solver::SolvedPaint paint = satin();
     paint.rough_single.coefficient.resize(paint.rough_single.coefficient.size() -
                                           static_cast<std::size_t>(paint.rough_single.rank()));
     EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("do not fit together"));
@@ -244,12 +244,12 @@ TEST(SolvedPaintFile, TensorsThatDoNotFitTheInterfaceAreRefused) {
 }
 
 TEST(SolvedPaintFile, StaysBelow300KilobytesFor31Wavelengths) {
-    layers::Recipe recipe =
+    paint::Recipe recipe =
         read_recipe(std::filesystem::path(NACRE_SOURCE_DIR) / "paints" / "tio2-mica-80.toml");
     // From an ordinary pearl to the narrowest lobes: 76 orders between 44 nodes.
     for (const double alpha : {0.1, 0.02}) {
         recipe.layers[0].flakes[0].orientation.beckmann_alpha = alpha;
-        const layers::SolvedPaint paint = layers::solve(recipe, layers::default_wavelengths_nm());
+        const solver::SolvedPaint paint = solver::solve(recipe, solver::default_wavelengths_nm());
         EXPECT_EQ(paint.wavelengths_nm().size(), 31u);
         EXPECT_LE(solved_paint_bytes(paint).size(), 300'000u) << "alpha " << alpha;
     }

@@ -10,7 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "nacre/core/range.h"
+#include "nacre/core/error.h"
+#include "nacre/spectra/spectrum.h"
 
 // Reads the tables of a TOML text so that whatever is wrong is refused with a message of the form
 //
@@ -113,5 +114,17 @@ class TableReader {
 /// Gives the message of a DomainError ("key = value: ...") the place of its key in the file.
 /// @throws InputError always
 [[noreturn]] void rethrow_with_location(const TomlDocument& document, const std::string& message);
+
+/// A number, or { wavelengths_nm = [...], values = [...] }; every value in the range.
+spectra::Spectrum read_spectrum(const TableReader& table, std::string_view key, const Range& range);
+spectra::Spectrum read_spectrum_or(const TableReader& table, std::string_view key,
+                                   const spectra::Spectrum& fallback, const Range& range);
+
+/// A reflectance in [0, 1]: a spectrum as above, or [r, g, b] in linear Rec. 709, for which a
+/// smooth spectrum of that colour is taken (spectra::reflectance_from_rec709).
+spectra::Spectrum read_reflectance(const TableReader& table, std::string_view key);
+
+/// Wavelengths in nm that increase from each to the next.
+std::vector<double> read_wavelengths(const TableReader& table, std::string_view key);
 
 }  // namespace nacre::io

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "nacre/core/error.h"
-#include "nacre/spectra/delta_e.h"
+#include "nacre/spectra/lab.h"
 
 namespace nacre::measure {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "nacre/core/error.h"
-#include "nacre/spectra/delta_e.h"
+#include "nacre/spectra/lab.h"
 
 namespace nacre::measure {
 namespace {

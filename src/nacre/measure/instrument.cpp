@@ -6,16 +6,73 @@
 #include <mutex>
 #include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-#include "nacre/core/range.h"
-#include "nacre/measure/cone.h"
+#include "nacre/core/quadrature.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::measure {
 
-namespace {
+std::vector<ConeNode> cone_rule(double theta, double phi, double half_angle, int rings) {
+    if (half_angle == 0) return {{theta, phi, 1.0}};
+    const int around = 4 * rings;
+    const Quadrature& rule = unit_gauss_legendre(rings);
+    const double sine = std::sin(theta), cosine = std::cos(theta);
+    // 1 - cos by the half angle: no digits are lost in a narrow cone.
+    const double whole = 2 * std::pow(std::sin(half_angle / 2), 2);
+    std::vector<ConeNode> nodes;
+    double sum = 0;
+    for (int ring = 0; ring < rings; ++ring) {
+        const double fall = whole * rule.nodes[ring];  // 1 - cos of the angle to the axis
+        const double along = 1 - fall, across = std::sqrt(fall * (2 - fall));
+        for (int step = 0; step < around; ++step) {
+            const double turn = 2 * std::numbers::pi * (step + 0.5) / around;
+            // In the frame of the axis: across it away from the normal, and aside.
+            const double away = across * std::cos(turn), aside = across * std::sin(turn);
+            const double x = along * sine + away * cosine, z = along * cosine - away * sine;
+            if (!(z > 1e-12)) continue;
+            const double weight = rule.weights[ring] * z;
+            nodes.push_back(
+                {std::atan2(std::hypot(x, aside), z), phi + std::atan2(aside, x), weight});
+            sum += weight;
+        }
+    }
+    for (ConeNode& node : nodes) node.weight /= sum;
+    return nodes;
+}
 
-constexpr double kDegree = std::numbers::pi / 180;
+SpectrumColour::SpectrumColour(const std::vector<double>& wavelengths_nm)
+    : weights_(spectra::rec709_weights(wavelengths_nm)) {}
+
+spectra::Vec3 SpectrumColour::sum(const std::vector<double>& values) const {
+    if (values.size() != weights_.size()) {
+        throw DomainError(fmt::format("a BRDF gives {} values at {} wavelengths", values.size(),
+                                      weights_.size()));
+    }
+    // As much as files in single precision take.
+    constexpr Range kValue{0, 1e30, "1/sr"};
+    spectra::Vec3 rgb{};
+    for (std::size_t w = 0; w < values.size(); ++w) {
+        if (!kValue.contains(values[w])) {
+            throw DomainError(
+                fmt::format("a BRDF gives {}: must be a number in {}", values[w], kValue.text()));
+        }
+        for (int c = 0; c < 3; ++c) rgb[c] += weights_[w][c] * values[w];
+    }
+    return rgb;
+}
+
+std::vector<double> SpectrumColour::rgb(const std::vector<double>& values) const {
+    const spectra::Vec3 rgb = sum(values);
+    return {std::max(0.0, rgb[0]), std::max(0.0, rgb[1]), std::max(0.0, rgb[2])};
+}
+
+double SpectrumColour::luminance(const std::vector<double>& values) const {
+    return std::max(0.0, spectra::linear_rec709_to_xyz(sum(values))[1]);
+}
+
+namespace {
 
 /// Reads one geometry after the other; may be shared by threads.
 class Instrument {

@@ -1,14 +1,56 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "nacre/core/progress.h"
-#include "nacre/measure/brdf.h"
 #include "nacre/measure/measurement.h"
+#include "nacre/spectra/observer.h"
 
 namespace nacre::measure {
+
+/// What an instrument is held against: the BRDF in 1/sr at each of some wavelengths, without the
+/// mirror of a smooth interface. Polar angles in rad in [0, pi/2); phi = phi_o - phi_i, pi being
+/// the mirror side (docs/conventions.md). May be called from several threads at once.
+using Brdf = std::function<std::vector<double>(double theta_i, double theta_o, double phi)>;
+
+// A round solid angle about a direction, as an instrument's lamp or detector fills it.
+
+/// One direction of a rule.
+struct ConeNode {
+    double theta = 0, phi = 0;  ///< rad
+    double weight = 0;          ///< of its projected solid angle; all of a rule sum to 1
+};
+
+/// A rule for the mean over a cone, weighted with the cosine: `rings` Gauss-Legendre nodes in the
+/// solid angle times 4 `rings` equal steps around, exact for polynomials of degree 4 rings - 1 in
+/// the directions of a small cone. Nodes below the horizon are left out. A half angle of 0 gives
+/// the direction itself.
+/// @param half_angle  rad, >= 0
+/// @param theta, phi  of the axis, rad, theta in [0, pi/2)
+/// @param rings  >= 1
+std::vector<ConeNode> cone_rule(double theta, double phi, double half_angle, int rings);
+
+/// The colour of spectra at some wavelengths, for formats that hold RGB: linear Rec. 709 under D65
+/// for the 2 degree observer (spectra::rec709_weights()), components outside the gamut cut off at
+/// zero.
+class SpectrumColour {
+ public:
+    /// @throws DomainError as spectra::rec709_weights()
+    explicit SpectrumColour(const std::vector<double>& wavelengths_nm);
+
+    /// @throws DomainError if a value is negative or not finite, or their number is another
+    std::vector<double> rgb(const std::vector<double>& values) const;
+    /// The Y of that colour; 0 if it were negative.
+    double luminance(const std::vector<double>& values) const;
+
+ private:
+    spectra::Vec3 sum(const std::vector<double>& values) const;
+
+    std::vector<spectra::Vec3> weights_;
+};
 
 /// Of a reading with finite cones, relative to its greatest value over wavelengths. Rules of
 /// growing size over both cones are tried until the last two agree to this; each is exact for

@@ -7,15 +7,14 @@
 #include <numbers>
 #include <utility>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-#include "nacre/layers/test_support.h"
-#include "nacre/measure/cone.h"
+#include "nacre/testing/layers.h"
 
 namespace nacre::measure {
 namespace {
 
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 const std::vector<double> kTwo = {500, 600};
 
 struct Vector {
@@ -168,8 +167,8 @@ TEST(Instrument, RaysBelowTheHorizonCarryNothing) {
 
 /// A metallic under a clearcoat, at two wavelengths that differ in reflectance.
 Brdf metallic() {
-    const auto paint = std::make_shared<const layers::SolvedPaint>(layers::solve(
-        layers::test::flake_paint(0.2, spectra::Spectrum({500, 600}, {0.3, 0.7}), 0.0, 1.5, 1.5),
+    const auto paint = std::make_shared<const solver::SolvedPaint>(solver::solve(
+        solver::test::flake_paint(0.2, spectra::Spectrum({500, 600}, {0.3, 0.7}), 0.0, 1.5, 1.5),
         kTwo));
     return [paint](double theta_i, double theta_o, double phi) {
         return paint->brdf(theta_i, theta_o, phi);

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "nacre/core/range.h"
+#include "nacre/core/error.h"
 #include "nacre/measure/geometry.h"
 #include "nacre/spectra/colour.h"
 
@@ -76,5 +77,23 @@ spectra::Vec3 white_point(const std::vector<double>& wavelengths_nm, const Condi
 /// @throws DomainError as spectra::reflectance_to_xyz()
 Reading coloured(Geometry geometry, const std::vector<double>& wavelengths_nm,
                  std::vector<double> reflectance_factor, const Conditions& conditions);
+
+// How much a paint changes with the angle, in one number or two.
+
+/// 2.69 (L*15 - L*110)^1.11 / (L*45)^0.86, lit from 45 deg: 0 for a solid colour, some 15 to 20 for
+/// a strong metallic.                                      [alman-1987, by way of docs/measure.md]
+/// Empty if one of the three angles was not read, or the formula has no value (L*15 < L*110, or
+/// L*45 = 0).
+std::optional<double> flop_index(const Measurement& measurement);
+
+/// The path that a paint takes through a* and b* as the view leaves the mirror direction.
+struct ColourTravel {
+    std::vector<const Reading*>
+        path;           ///< readings in the plane lit from one angle, by aspecular angle
+    double length = 0;  ///< sum of the steps in a*b*
+};
+
+/// @param theta_i_deg  the lamp; readings lit from elsewhere, or off the plane, are left out
+ColourTravel colour_travel(const Measurement& measurement, double theta_i_deg = 45);
 
 }  // namespace nacre::measure

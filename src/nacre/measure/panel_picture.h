@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "nacre/measure/jackknife.h"
+#include "nacre/core/estimate.h"
 
 namespace nacre::measure {
 

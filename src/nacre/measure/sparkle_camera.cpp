@@ -7,17 +7,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/bsdf/single_flakes.h"
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-#include "nacre/core/radical_inverse.h"
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 #include "nacre/spectra/xyz.h"
 
 namespace nacre::measure {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr Vec3f kView{0, 0, 1};
 constexpr int kLeastPixels = 32, kMostPixels = 4096;
 constexpr double kMostPixelsInAll = 6e7;  // 720 MB

@@ -6,37 +6,37 @@
 #include <memory>
 #include <numbers>
 
-#include "nacre/bsdf/lambertian.h"
-#include "nacre/bsdf/microflake.h"
-#include "nacre/bsdf/nacre.h"
+#include "nacre/bsdf/models/lambertian.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-#include "nacre/layers/solver.h"
 #include "nacre/measure/sparkle_measurement.h"
+#include "nacre/solver/solver.h"
 
 namespace nacre::measure {
 namespace {
 
 using ::testing::HasSubstr;
-constexpr double kPi = std::numbers::pi;
 
 struct Panel {
-    std::shared_ptr<const layers::SolvedPaint> paint;
-    explicit Panel(const layers::Recipe& recipe)
-        : paint(std::make_shared<const layers::SolvedPaint>(
-              layers::solve(recipe, {400, 475, 550, 625, 700}))) {}
+    std::shared_ptr<const solver::SolvedPaint> paint;
+    explicit Panel(const paint::Recipe& recipe)
+        : paint(std::make_shared<const solver::SolvedPaint>(
+              solver::solve(recipe, {400, 475, 550, 625, 700}))) {}
     bsdf::Nacre sparkling(std::uint64_t seed = 1) const { return bsdf::Nacre(paint, seed); }
 };
 
 // Gray mirrors, so that colour does not matter.
-layers::Recipe mirrors(double diameter_um, double depth, double alpha = 0.12) {
+paint::Recipe mirrors(double diameter_um, double depth, double alpha = 0.12) {
     constexpr double kThickness_um = 20;
-    layers::FlakeSpecies flake;
-    flake.amount = layers::AreaDensity{depth / kThickness_um};
+    paint::FlakeSpecies flake;
+    flake.amount = paint::AreaDensity{depth / kThickness_um};
     flake.diameter_um = diameter_um;
     flake.orientation.beckmann_alpha = alpha;
-    flake.body = layers::PrescribedFlake{0.8, 0.0, 0.3};
-    layers::Recipe recipe;
+    flake.body = paint::PrescribedFlake{0.8, 0.0, 0.3};
+    paint::Recipe recipe;
     recipe.layers.push_back({kThickness_um, {flake}, {}});
     return recipe;
 }
@@ -116,7 +116,7 @@ TEST(SparkleCamera, SeesOnAverageWhatTheSmoothPaintShows) {
 //   P(q) = (2 J_1(x)/x)^2 / density,  x = pi d q                       [kingman-1993, section 3.2]
 TEST(SparkleCamera, GrainOfSparseMirrorsIsThatOfShotNoise) {
     constexpr double kDiameter_mm = 0.06, kDepth = 0.02;
-    layers::Recipe recipe = mirrors(1e3 * kDiameter_mm, kDepth);
+    paint::Recipe recipe = mirrors(1e3 * kDiameter_mm, kDepth);
     recipe.binder = optics::Material(1.0);  // no light returns from the interface
     const Panel panel(recipe);
     const SparkleCamera camera{

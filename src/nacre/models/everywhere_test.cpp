@@ -6,17 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/parallel.h"
-#include "nacre/core/rng.h"
-#include "nacre/models/plain_flakes_test_support.h"
-#include "nacre/render/test_support.h"
+#include "nacre/core/random.h"
+#include "nacre/testing/plain_flakes.h"
+#include "nacre/testing/render.h"
 
 // The model nacre on whole shapes: alike wherever it lies, whichever way it turns, under any light.
 
 namespace nacre::models {
 namespace {
-
-constexpr double kPi = 3.14159265358979;
 
 Vec3f direction(double theta_deg, double phi_deg) {
     const double theta = theta_deg * kPi / 180, phi = phi_deg * kPi / 180;
@@ -211,7 +210,7 @@ TEST(NacreEverywhere, EstimatorsOfDirectLightAgree) {
 // mirror of a clearcoated panel: three standard errors.
 TEST(NacreEverywhere, SparkleIsZeroOnAverageAlsoInAMirror) {
     constexpr int kPaints = 16;
-    const layers::Recipe recipe = testing::recipe_of({.diameter_um = 20});
+    const paint::Recipe recipe = testing::recipe_of({.diameter_um = 20});
     std::array<std::vector<double>, 2> means;
     double light = 0;
     for (int seed = 0; seed < kPaints; ++seed) {

@@ -7,10 +7,11 @@
 #include <numbers>
 #include <vector>
 
-#include "nacre/core/rng.h"
-#include "nacre/models/plain_flakes_test_support.h"
-#include "nacre/render/render_with.h"
+#include "nacre/core/angles.h"
+#include "nacre/core/random.h"
+#include "nacre/render/render.h"
 #include "nacre/sparkle/diffraction_lobe.h"
+#include "nacre/testing/plain_flakes.h"
 
 // A painted panel on a turntable, in pictures: flakes flash for as long as their lobes and the
 // pixels' patches say, and nothing flickers beyond that.
@@ -18,7 +19,6 @@
 namespace nacre::models {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kFrames = 60;  // of a whole turn: what comes after the last is the first
 constexpr int kSide = 40;    // pixels
 constexpr double kPitchMm = 0.008;
@@ -32,7 +32,7 @@ using Frames = std::array<std::vector<float>, kFrames>;
 /// The light of single flakes in each pixel and frame of a turn about the panel's normal, under a
 /// camera that looks down it. One sample a pixel and light from one direction: nothing is left to
 /// chance but the flakes.
-Frames film(const layers::Recipe& recipe, std::uint64_t seed) {
+Frames film(const paint::Recipe& recipe, std::uint64_t seed) {
     const render::PaintTable paints{{"paint", testing::nacre_surface(recipe, seed)}};
     Frames frames;
     for (int frame = 0; frame < kFrames; ++frame) {
@@ -203,7 +203,7 @@ class Turntable : public ::testing::TestWithParam<double> {
                                           .cover = GetParam(),
                                           .reflectance = 0.5 / GetParam(),
                                           .transmittance = 1 - 0.5 / GetParam()};
-        const layers::Recipe recipe = testing::recipe_of(flakes);
+        const paint::Recipe recipe = testing::recipe_of(flakes);
         Films films{};
         for (int seed = 0; seed < kSeeds; ++seed) {
             const Frames frames = film(recipe, static_cast<std::uint64_t>(seed));

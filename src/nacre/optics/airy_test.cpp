@@ -8,7 +8,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/optics/thin_film.h"
 

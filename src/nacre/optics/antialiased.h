@@ -3,6 +3,7 @@
 #include <array>
 #include <complex>
 #include <limits>
+#include <span>
 
 #include "nacre/optics/airy.h"
 #include "nacre/spectra/observer.h"
@@ -60,5 +61,26 @@ spectra::Vec3 antialiased_rgb(const AiryFilm& film, double cosine, double thickn
 /// @throws DomainError for another step
 spectra::Vec3 integrated_rgb(const AiryFilm& film, double cosine, double thickness_nm,
                              int step_nm = 1);
+
+/// How far colours by spectral antialiasing are from integration at 1 nm: differences of CIEDE2000
+/// relative to D65, and of the largest component of linear Rec. 709.
+struct AntialiasingError {
+    double mean_delta_e = 0, max_delta_e = 0;
+    double mean_rgb = 0, max_rgb = 0;
+};
+
+/// One film, thickness and angle.
+struct AntialiasingComparison {
+    spectra::Vec3 rgb, integrated_rgb;
+    double delta_e, rgb_error;
+};
+AntialiasingComparison compare_antialiasing(const AiryFilm& film, double cosine,
+                                            double thickness_nm, const Antialiasing& how);
+
+/// Over all pairs of thickness and cosine.
+/// @throws DomainError if there are none
+AntialiasingError antialiasing_error(const AiryFilm& film, std::span<const double> cosines,
+                                     std::span<const double> thicknesses_nm,
+                                     const Antialiasing& how);
 
 }  // namespace nacre::optics

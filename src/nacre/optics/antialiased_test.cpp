@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "nacre/core/error.h"
-#include "nacre/optics/antialiased_error.h"
 
 namespace nacre::optics {
 namespace {

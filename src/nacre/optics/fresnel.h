@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cmath>
 #include <complex>
+#include <type_traits>
 
+#include "nacre/core/lanes.h"
 #include "nacre/optics/material.h"
 
 // Reflection and refraction of amplitudes at one flat interface, for media that may absorb. The
-// real-valued short cut for two transparent media is optics/dielectric.h.
+// real-valued short cut for two transparent media is optics/fresnel.h.
 // Signs, time factor and the meaning of k: docs/conventions.md.
 
 namespace nacre::optics {
@@ -36,5 +39,64 @@ FresnelAmplitudes fresnel(ComplexIndex n_i, ComplexIndex n_t, double cos_i);
 /// wavelength: the root with Im >= 0, and with Re >= 0 where it is real.
 /// Takes n_i cos_i from the incident side; no range checks.
 std::complex<double> normal_wavevector(ComplexIndex n_i, ComplexIndex n_t, double cos_i);
+
+// The interface between two transparent media, fast: one function for double, float, FloatLanes
+// and DoubleLanes. No argument is checked here; the callers are inner loops. Media that absorb, and
+// phases: optics/fresnel.h.
+
+namespace detail {
+template <class T>
+inline T square_root(T x) {
+    if constexpr (std::is_floating_point_v<T>) {
+        return std::sqrt(x);
+    } else {
+        return sqrt_lanes(x);
+    }
+}
+}  // namespace detail
+
+/// Square of the refracted cosine times (n_t/n_i)^2, by Snell's law; <= 0 beyond the critical
+/// angle. Written without the sine so that it keeps all digits at grazing incidence and for
+/// nearly equal indices.
+template <class T>
+inline T scaled_refracted_cos_squared(T relative_index, T cos_i) {
+    return (relative_index - 1) * (relative_index + 1) + cos_i * cos_i;
+}
+
+/// Cosine of the refracted direction, n_i sin_i = n_t sin_t; 0 beyond the critical angle.
+/// @param n_i, n_t  real indices of the incident and far side, > 0
+/// @param cos_i     in [0, 1]
+template <class T>
+inline T refracted_cos(T n_i, T n_t, T cos_i) {
+    const T relative_index = n_t / n_i;
+    const T g = scaled_refracted_cos_squared(relative_index, cos_i);
+    return detail::square_root(g > T{} ? g : T{}) / relative_index;
+}
+
+/// Unpolarised Fresnel reflectance between transparent media; 1 beyond the critical angle, and at
+/// cos_i = 0 unless the indices are equal; 0 for equal indices. The transmittance is 1 minus it.
+///                                                              [born-wolf-1999, 1.5 eq. 20-21]
+/// @param n_i, n_t  real indices of the incident and far side, > 0
+/// @param cos_i     in [0, 1]
+template <class T>
+inline T dielectric_reflectance(T n_i, T n_t, T cos_i) {
+    const T relative_index = n_t / n_i;
+    const T g = scaled_refracted_cos_squared(relative_index, cos_i);
+    const T one = T{} + 1;
+    // q = (n_t/n_i) cos_t. Of the 0/0 at grazing incidence only the selected value survives.
+    const T q = detail::square_root(g > T{} ? g : one);
+    const T r_s = (cos_i - q) / (cos_i + q);
+    const T r_p = (relative_index * relative_index * cos_i - q) /
+                  (relative_index * relative_index * cos_i + q);
+    const T half = (r_s * r_s + r_p * r_p) / 2;
+    const T beyond = relative_index == one ? T{} : one;
+    return g > T{} ? half : beyond;
+}
+
+/// The same as a function of the relative index n_t / n_i alone.
+template <class T>
+inline T fresnel_dielectric(T relative_index, T cos_i) {
+    return dielectric_reflectance(T{} + 1, relative_index, cos_i);
+}
 
 }  // namespace nacre::optics

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/core/range.h"
+#include "nacre/core/error.h"
 
 // Refractive indices with dispersion. Signs and the meaning of k: docs/conventions.md.
 

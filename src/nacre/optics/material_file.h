@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,5 +34,13 @@ Material parse_material_yaml(std::string_view text, const std::string& name);
 /// Reads a .csv, .yml or .yaml file; the material is named after the path.
 /// @throws InputError if it cannot be read, is too large, or is wrong inside
 Material read_material_file(const std::filesystem::path& path);
+
+/// A file of data/materials, compiled into the library.
+struct ShippedMaterial {
+    std::string_view name;
+    std::string_view csv;
+};
+
+std::span<const ShippedMaterial> shipped_materials();
 
 }  // namespace nacre::optics

@@ -6,12 +6,54 @@
 #include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/core/lane_math.h"
 #include "nacre/core/parallel.h"
-#include "nacre/optics/complex_lanes.h"
-#include "nacre/optics/film_nodes.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/optics/thin_film.h"
+
+// How many nodes Gauss's rule needs for the mean over a film's thickness. Its error falls like
+// rho^(-2 n), rho being the half-axis sum of the largest ellipse around the range of integration
+// inside which R is analytic [trefethen-2013, theorem 19.3]; so the nearest pole of R decides.
+
+namespace nacre::optics {
+
+inline constexpr int kMostNodesPerFilm = 768;
+
+/// For a film in which waves run. As a function of its phase, in [-half_phase, half_phase], R has
+/// its nearest pole where the amplitude after a round trip, p e^(Im phase), reaches 1.
+/// @param p             largest amplitude after a round trip, in [0, 1]
+/// @param target_error  relative error aimed at, in (0, 1)
+/// @return  in [1, kMostNodesPerFilm], rounded up so that few different counts occur
+int nodes_for_wave(double half_phase, double p, double target_error);
+
+/// For a film beyond its critical angle, where waves decay by `decay_per_nm` and nothing resonates:
+/// the pole is at thickness 0, outside [lo, hi].
+int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double target_error);
+
+namespace {
+
+/// Few different counts, so that few rules are made.
+int rounded_count(double n) {
+    const int rounded = n < 16 ? static_cast<int>(std::ceil(n))
+                               : 8 * static_cast<int>(std::ceil(std::min(n, 1e4) / 8));
+    return std::clamp(rounded, 1, kMostNodesPerFilm);
+}
+
+}  // namespace
+
+int nodes_for_wave(double half_phase, double p, double target_error) {
+    p = std::clamp(p, 1e-12, 1 - 1e-9);
+    const double pole = -std::log(p) / std::max(half_phase, 1e-12);
+    return rounded_count(-std::log(target_error) / (2 * std::asinh(pole)) + 1);
+}
+
+int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double target_error) {
+    const double half_nm = (hi_nm - lo_nm) / 2;
+    const double pole = std::max((lo_nm + hi_nm) / 2 / half_nm, 1.05);
+    return rounded_count(-std::log(target_error) / (2 * std::acosh(pole)) +
+                         decay_per_nm * half_nm / 2 + 1);
+}
 
 // A platelet is the core between two mirror images of its coat. For the coat, let r_out be its
 // amplitude reflectance from the binder, r_in the one from the core, and tt the product of its
@@ -19,8 +61,6 @@
 //     r = r_out + tt r_in w / (1 - r_in^2 w),      |t|^2 = |tt|^2 |w| / |1 - r_in^2 w|^2
 // [born-wolf-1999, 7.6 eq. 8-15]. The coat's amplitudes are computed once for each of its
 // thicknesses, then averaged over the core's.
-
-namespace nacre::optics {
 
 namespace {
 
@@ -146,7 +186,7 @@ class PlateletAverage {
         Coat start[2];
         for (int p = 0; p < 2; ++p) {
             const ComplexLanes f = lanes.interface[p][0];
-            start[p] = {f, -f, splat(1.0) - f * f};
+            start[p] = {f, -f, splat_complex(1.0) - f * f};
         }
         add_coats(lanes, rules, films_.size() - 1, start, 1.0, use);
     }
@@ -161,14 +201,14 @@ class PlateletAverage {
         }
         const ThicknessRule& rule = *rules[film];
         for (std::size_t i = 0; i < rule.weights.size(); ++i) {
-            const ComplexLanes e =
-                exp_i(nacre::splat(rule.thickness_nm[i]) * lanes.phase_rate[film]);
+            const ComplexLanes e = exp_i(splat(rule.thickness_nm[i]) * lanes.phase_rate[film]);
             Coat next[2];
             for (int p = 0; p < 2; ++p) {
                 const Coat& a = above[p];
                 const ComplexLanes f = lanes.interface[p][films_.size() - film];
-                const ComplexLanes bounce = splat(1.0) / (splat(1.0) - a.r_in * e * f);
-                const ComplexLanes through = splat(1.0) - f * f;
+                const ComplexLanes bounce =
+                    splat_complex(1.0) / (splat_complex(1.0) - a.r_in * e * f);
+                const ComplexLanes through = splat_complex(1.0) - f * f;
                 const ComplexLanes e_bounce = e * bounce;
                 next[p] = {a.r_out + a.tt * f * e_bounce, through * a.r_in * e_bounce - f,
                            a.tt * through * e_bounce * bounce};
@@ -184,7 +224,7 @@ class PlateletAverage {
         const std::size_t count = core.weights.size();
         w.resize(count);
         for (std::size_t j = 0; j < count; ++j) {
-            w[j] = exp_i(nacre::splat(core.thickness_nm[j]) * lanes.phase_rate[0]);
+            w[j] = exp_i(splat(core.thickness_nm[j]) * lanes.phase_rate[0]);
         }
         std::vector<DoubleLanes> w_abs(count);
         for (std::size_t j = 0; j < count; ++j) {
@@ -195,7 +235,7 @@ class PlateletAverage {
             const ComplexLanes b = coat.tt * coat.r_in - coat.r_out * p;
             DoubleLanes sum_r{}, sum_t{};
             for (std::size_t j = 0; j < count; ++j) {
-                const DoubleLanes share = core.weights[j] / norm(splat(1.0) - p * w[j]);
+                const DoubleLanes share = core.weights[j] / norm(splat_complex(1.0) - p * w[j]);
                 sum_r += share * norm(coat.r_out + b * w[j]);
                 sum_t += share * w_abs[j];
             }
@@ -212,14 +252,14 @@ class PlateletAverage {
         const std::size_t count = arc_.weights.size();
         w.resize(2 * count);  // w, and w times the weight
         for (std::size_t j = 0; j < count; ++j) {
-            w[2 * j] = exp_i(splat(arc_.thickness_nm[j]) * lanes.phase_rate[0]);
-            w[2 * j + 1] = splat(arc_.weights[j]) * w[2 * j];
+            w[2 * j] = exp_i(splat_complex(arc_.thickness_nm[j]) * lanes.phase_rate[0]);
+            w[2 * j + 1] = splat_complex(arc_.weights[j]) * w[2 * j];
         }
         for_each_coat(lanes, rules, [&](const Coat& coat, double weight) {
             const ComplexLanes p = coat.r_in * coat.r_in;
             ComplexLanes mean{};
             for (std::size_t j = 0; j < count; ++j) {
-                mean = mean + w[2 * j + 1] / (splat(1.0) - p * w[2 * j]);
+                mean = mean + w[2 * j + 1] / (splat_complex(1.0) - p * w[2 * j]);
             }
             const ComplexLanes through = coat.tt * coat.r_in;
             // 1 - |p|^2 is (1 - |r_in|^2)(1 + |r_in|^2), and 1 - |r_in|^2 >= |tt|, for no coat

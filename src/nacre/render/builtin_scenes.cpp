@@ -6,7 +6,7 @@
 #include <map>
 
 #include "nacre/core/error.h"
-#include "nacre/core/suggest.h"
+#include "nacre/core/text.h"
 
 namespace nacre::render {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/render/scene_description.h"
+#include "nacre/render/scene.h"
 
 namespace nacre::render {
 

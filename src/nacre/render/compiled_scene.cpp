@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "nacre/bsdf/lambertian.h"
+#include "nacre/bsdf/models/lambertian.h"
 #include "nacre/core/embree.h"
 #include "nacre/core/error.h"
 #include "nacre/render/surface_patch.h"

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "nacre/render/environment.h"
-#include "nacre/render/film_range.h"
 #include "nacre/render/render.h"
-#include "nacre/render/sky.h"
 
 namespace nacre::render {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "nacre/core/error.h"
-#include "nacre/render/test_support.h"
+#include "nacre/testing/render.h"
 
 // Surfaces that vary: which piece of them each sample of a picture is asked about.
 

@@ -6,7 +6,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/render/camera.h"
 #include "nacre/render/compiled_scene.h"
-#include "nacre/render/film_range.h"
+#include "nacre/render/emission.h"
 #include "nacre/render/sampler.h"
 
 // Light along one path, at eight wavelengths.

@@ -5,10 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "nacre/core/angles.h"
+
 namespace nacre::render {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 CompiledRectangle compile(const RectangleLight& light, EmissionBasis& basis) {

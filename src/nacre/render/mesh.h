@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "nacre/core/vec.h"
-#include "nacre/render/scene_description.h"
+#include "nacre/render/scene.h"
 
 namespace nacre::render {
 

@@ -8,7 +8,6 @@
 #include "nacre/core/parallel.h"
 #include "nacre/render/camera.h"
 #include "nacre/render/film.h"
-#include "nacre/render/render_with.h"
 
 namespace nacre::render {
 namespace {

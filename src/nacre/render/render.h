@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nacre/core/progress.h"
+#include "nacre/render/integrator.h"
 #include "nacre/render/scene.h"
 
 // The picture of a scene by spectral path tracing.
@@ -64,5 +65,9 @@ struct RenderResult {
 /// @throws DomainError naming an option out of range
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const Progress& progress = {});
+
+/// As render(), with a choice of estimators of direct light, so that tests can compare them.
+RenderResult render_with(const Scene& scene, const RenderOptions& options, DirectLight direct_light,
+                         const Progress& progress = {});
 
 }  // namespace nacre::render

@@ -10,7 +10,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/render/builtin_scenes.h"
-#include "nacre/render/test_support.h"
+#include "nacre/testing/render.h"
 
 namespace nacre::render {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "nacre/core/parallel.h"
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 #include "nacre/render/builtin_scenes.h"
-#include "nacre/render/speckled_test_support.h"
+#include "nacre/testing/render.h"
 
 // The part of a picture that single flakes make, kept apart from the smooth rest.
 

@@ -1,12 +1,23 @@
 #pragma once
 
+#include <array>
+
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/core/vec.h"
 #include "nacre/render/mesh.h"
+
+namespace nacre::render {
+
+/// The unit sphere onto the unit square, equal areas to equal areas, continuous: the half about +z
+/// fills the diamond in the middle, the other half is folded out into the corners, its pole at all
+/// four of them.                                                          [clarberg-2008, sec. 3]
+///
+/// @param n  a unit vector
+/// @return   (u, v) in [0, 1]
+std::array<double, 2> octahedral_square(Vec3f n);
 
 // Where a point of a shape lies in the unit square over which the shape is laid out or in the
 // shape's rest space, and what becomes of a small parallelogram about it.
-
-namespace nacre::render {
 
 /// On a sphere of radius 1, by octahedral_square() with its pole towards -y, where cameras stand.
 ///

@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/sparkle/flake_sizes.h"
 
 namespace nacre::sparkle {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 TEST(DiffractionLobe, HasTheContrastOfTheAiryPattern) {
     // Int K^2 over |q|, for d = 20 um in a binder of 1.5: of the Airy pattern by quadrature (its

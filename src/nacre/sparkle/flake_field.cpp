@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "nacre/core/error.h"
-#include "nacre/sparkle/projection.h"
+#include "nacre/sparkle/flake_plane.h"
+#include "nacre/sparkle/lane_bits.h"
 
 namespace nacre::sparkle {
 
@@ -97,6 +98,117 @@ FlakeField::Weights FlakeField::weigh(const PatchOutline& outline) const {
     weights.told_apart = std::min(weights.widening / stand_for, 1.0f);
     weights.by_level = w * (weights.told_apart / first);
     return weights;
+}
+
+// The flakes in the cells that a patch touches, eight at a time.
+
+namespace {
+
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio, as in SplitMix64
+
+}  // namespace
+
+void FlakeField::find(const FlakePlane& plane, const Weights& weights, Found& found) const {
+    const CellRange u_range = plane.u.cells(1 / levels_[0].cell_mm);
+    const CellRange v_range = plane.v.cells(1 / levels_[0].cell_mm);
+    for (int level = 0; level < kLevels; ++level) {
+        if (weights.by_level[level] == 0) continue;
+        const int coarser = level * kSideBits;
+        const std::int64_t u_last = u_range.last >> coarser, v_last = v_range.last >> coarser;
+        for (std::int64_t v = v_range.first >> coarser; v <= v_last; ++v) {
+            for (std::int64_t u = u_range.first >> coarser; u <= u_last; ++u) {
+                find_in_cell({u, v, level}, plane, weights, found);
+            }
+        }
+    }
+}
+
+// A flake is 64 bits: twice 16 are its place in the cell, 16 its rank, by which the sides of the
+// rest space share out the flakes, and the last 8 its size.
+inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
+                                     const Weights& weights, Found& found) const {
+    constexpr ShortBitLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
+    constexpr std::uint32_t kShortGolden = 0x9e3779b9u;
+    const Level& level = levels_[cell.level];
+    const std::uint64_t key =
+        mix_bits((level.key + static_cast<std::uint64_t>(plane.side) * kGolden) ^
+                 (static_cast<std::uint64_t>(cell.v) << 32 | static_cast<std::uint32_t>(cell.u)));
+    const Vec2f corner_mm = {
+        static_cast<float>(static_cast<double>(cell.u) * level.cell_mm - plane.u.at_mm),
+        static_cast<float>(static_cast<double>(cell.v) * level.cell_mm - plane.v.at_mm)};
+    const float grain_mm = static_cast<float>(level.cell_mm * 0x1p-16);
+    // The number of flakes exceeds i if the draw exceeds the odds of at most i.
+    const float draw = to_unit_float(static_cast<std::uint32_t>(key >> 32));
+    const auto& strip = plane.strip;
+    const float across[2] = {strip[0].u * corner_mm.x + strip[0].v * corner_mm.y,
+                             strip[1].u * corner_mm.x + strip[1].v * corner_mm.y};
+    for (int first = 0;; first += kLanes) {
+        const FloatLanes odds = load_lanes(&at_most_[first]);
+        const ShortBitLanes step = (static_cast<std::uint32_t>(first) + kNumber) * kShortGolden;
+        const ShortBitLanes place = mix_short_lanes(static_cast<std::uint32_t>(key) + step);
+        const ShortBitLanes kind = mix_short_lanes(static_cast<std::uint32_t>(key >> 32) + step);
+        const FloatLanes u = lower_half(place), v = upper_half(place);
+        const FloatLanes a = across[0] + (strip[0].u * grain_mm) * u + (strip[0].v * grain_mm) * v;
+        const FloatLanes b = across[1] + (strip[1].u * grain_mm) * u + (strip[1].v * grain_mm) * v;
+        const LanePacker here((odds <= draw) & (lower_half(kind) < plane.kept) &
+                              (a * a < strip[0].half_width2_mm2) &
+                              (b * b < strip[1].half_width2_mm2));
+        const int k = found.count;
+        here.store(&found.place[k], place);
+        here.store(&found.kind[k], kind);
+        store_lanes(&found.corner_u[k], splat(corner_mm.x));
+        store_lanes(&found.corner_v[k], splat(corner_mm.y));
+        store_lanes(&found.grain[k], splat(grain_mm));
+        store_lanes(&found.weight[k], splat(weights.by_level[cell.level]));
+        found.count = std::min(k + here.count(), FlakeView::kMost);
+        if (first + kLanes >= kMostFlakesPerCell || draw < at_most_[first + kLanes - 1]) return;
+    }
+}
+
+void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOutline& outline,
+                      float widening, FlakeView& view) const {
+    constexpr FloatLanes kNumber = {0, 1, 2, 3, 4, 5, 6, 7};
+    // Which of them touch the patch, now by their own size.
+    FlakeView::List<float> touching_x, touching_y, touching_weight;
+    const int begin = view.count;
+    for (int first = 0; first < found.count; first += kLanes) {
+        const ShortBitLanes place = load_short_bits(&found.place[first]);
+        const ShortBitLanes kind = load_short_bits(&found.kind[first]);
+        const FloatLanes grain = load_lanes(&found.grain[first]);
+        const FloatLanes u = load_lanes(&found.corner_u[first]) + grain * lower_half(place);
+        const FloatLanes v = load_lanes(&found.corner_v[first]) + grain * upper_half(place);
+        const FloatLanes x = plane.u.step.x * u + plane.v.step.x * v;
+        const FloatLanes y = plane.u.step.y * u + plane.v.step.y * v;
+        const LanePacker touching(
+            outline.touches(x, y, 0.5e-3f * gather_lanes(sizes_.diameters_um(), kind >> 24)) &
+            (kNumber < static_cast<float>(found.count - first)));
+        const int k = view.count;
+        touching.store(&view.place[k], place);
+        touching.store(&view.kind[k], kind);
+        touching.store(&touching_x[k], x);
+        touching.store(&touching_y[k], y);
+        touching.store(&touching_weight[k], load_lanes(&found.weight[first]));
+        view.count = std::min(k + touching.count(), FlakeView::kMost);
+    }
+    FloatLanes weight_sum{};
+    for (int k = begin; k < view.count; k += kLanes) {
+        const ShortBitLanes place = load_short_bits(&view.place[k]);
+        const ShortBitLanes kind = load_short_bits(&view.kind[k]);
+        const FloatLanes diameter_um = gather_lanes(sizes_.diameters_um(), kind >> 24);
+        const FloatLanes weight =
+            load_lanes(&touching_weight[k]) * inverse_cover_ *
+            outline.coverage(load_lanes(&touching_x[k]), load_lanes(&touching_y[k]),
+                             0.5e-3f * diameter_um);
+        weight_sum += kNumber < static_cast<float>(view.count - k) ? weight : FloatLanes{};
+        const SlopeLanes slopes =
+            gaussian_slopes(unit_share(mix_short_lanes(place + 0x9e3779b9u * kind)),
+                            unit_share(mix_short_lanes(kind ^ (place >> 7) ^ (place << 25))));
+        store_lanes(&view.weight[k], weight);
+        store_lanes(&view.slope_x[k], alpha_ * (plane.turn.x * slopes.x - plane.turn.y * slopes.y));
+        store_lanes(&view.slope_y[k], alpha_ * (plane.turn.y * slopes.x + plane.turn.x * slopes.y));
+        store_lanes(&view.lobe_radius[k], widening * lobe_.radius(diameter_um));
+    }
+    view.weight_sum += lane_sum(weight_sum);
 }
 
 }  // namespace nacre::sparkle

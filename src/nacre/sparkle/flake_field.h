@@ -6,8 +6,8 @@
 #include "nacre/sparkle/flake_plane.h"
 #include "nacre/sparkle/flake_sizes.h"
 #include "nacre/sparkle/flake_view.h"
+#include "nacre/sparkle/footprint.h"
 #include "nacre/sparkle/patch_outline.h"
-#include "nacre/sparkle/rest_patch.h"
 
 namespace nacre::sparkle {
 

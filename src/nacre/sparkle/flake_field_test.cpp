@@ -7,14 +7,14 @@
 #include <map>
 #include <memory>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 
 namespace nacre::sparkle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr FlakePopulation kSilver{
     .density_per_mm2 = 4000, .diameter_um = 20, .diameter_spread_um = 0, .alpha = 0.1, .ior = 1.5};
 

@@ -4,9 +4,19 @@
 
 #include "nacre/core/vec.h"
 
-// Parallelograms in the unit square over which an object is laid out.
-
 namespace nacre::sparkle {
+
+/// The piece of a surface that one look at it takes in, in the millimetres of the shape at rest:
+/// before it is turned and moved, so that what lies on the shape turns and moves with it. A
+/// parallelogram about a point, tangent to the surface there.
+struct RestPatch {
+    Vec3f position_mm;
+    Vec3f normal{0, 0, 1};   ///< unit; of the frame in which directions are told (shading normal)
+    Vec3f tangent{1, 0, 0};  ///< unit; where the x axis of that frame points
+    Vec3f edge_mm[2];        ///< perpendicular to the normal; both zero: the point alone
+};
+
+// Parallelograms in the unit square over which an object is laid out.
 
 /// A box [u_lo, u_hi] x [v_lo, v_hi].
 struct Box {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "nacre/core/rng.h"
+#include "nacre/core/random.h"
 
 namespace nacre::sparkle {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "nacre/core/error.h"
-#include "nacre/flakes/beckmann.h"
+#include "nacre/paint/beckmann.h"
 
 namespace nacre::sparkle {
 namespace {
@@ -44,7 +44,7 @@ double rule_of_seven(Point a, Point b, Point c, double alpha) {
         const double r2 = x * x + y * y, length = std::sqrt(r2 + z * z);
         if (z <= 0) continue;
         // A flake counts D_B |cos| / 2 per side: twice that is D_B cos.
-        sum += weight * 2 * flakes::flake_density(r2 / (z * z), alpha) / (length * length * length);
+        sum += weight * 2 * paint::flake_density(r2 / (z * z), alpha) / (length * length * length);
     }
     return 0.5 * std::abs(det) * sum;
 }

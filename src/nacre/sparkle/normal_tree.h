@@ -1,14 +1,87 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "nacre/core/random.h"
 #include "nacre/core/vec.h"
-#include "nacre/sparkle/binomial.h"
 
-// A tree of spherical triangles over the normals of facets.
+// Binomial numbers that are a function of a key: the splits of a hierarchy that is never stored.
+// The same n, p and key give the same number, in whatever order they are asked for.
 
 namespace nacre::sparkle {
+
+/// Counts up to which half_binomial() is the exact law.
+inline constexpr std::uint64_t kExactHalfBinomial = 256;
+/// Variance n p (1 - p) up to which binomial() is the exact law.
+inline constexpr double kExactBinomialVariance = 16;
+/// Beyond, by how much the variance may be off, in counts squared; the mean is exact.
+inline constexpr double kBinomialVarianceError = 1e-2;
+
+namespace detail {
+
+inline constexpr std::uint64_t kNextBits = 0x9e3779b97f4a7c15u;
+
+// Rounds a bell-shaped number of this mean and variance to one of its two neighbours, with the odds
+// that keep the mean; the rounding adds 1/6 to the variance, which the bell leaves out. The bell is
+// the law of 64 coins, interpolated linearly: a popcount plus the difference of two uniforms, of
+// variance 16 + 1/6. Its fourth moment is that of a binomial of 64, where that of large counts is
+// that of a Gaussian: 3 - 1/32 instead of 3. It ends at eight standard deviations.
+inline double rounded_bell(double mean, double variance, std::uint64_t key) {
+    const std::uint64_t spread = mix_bits(key + kNextBits);
+    const double coins = std::popcount(mix_bits(key)) - 32;
+    const double smooth =
+        (static_cast<double>(spread >> 32) - static_cast<double>(spread & 0xffffffffu)) * 0x1p-32;
+    const double bell = (coins + smooth) * std::sqrt((variance - 1.0 / 6) / (16 + 1.0 / 6));
+    return std::floor(mean + bell + to_unit_double(mix_bits(key + 2 * kNextBits)));
+}
+
+}  // namespace detail
+
+/// How many of n coins, n < 2^53, show heads. Exact law up to kExactHalfBinomial coins (their bits
+/// are counted); beyond, a bell with the exact mean n/2 and variance n/4.
+inline std::uint64_t half_binomial(std::uint64_t n, std::uint64_t key) {
+    if (n > kExactHalfBinomial) {
+        const double x = static_cast<double>(n);
+        return static_cast<std::uint64_t>(detail::rounded_bell(0.5 * x, 0.25 * x, key));
+    }
+    std::uint64_t heads = 0;
+    for (; n >= 64; n -= 64, key += detail::kNextBits) heads += std::popcount(mix_bits(key));
+    if (n > 0) heads += std::popcount(mix_bits(key) >> (64 - n));
+    return heads;
+}
+
+/// How many of n trials, n < 2^53, succeed with probability p in [0, 1]. Exact law, by inversion,
+/// while the variance is at most kExactBinomialVariance; beyond, a bell with the exact mean and
+/// variance.
+inline std::uint64_t binomial(std::uint64_t n, double p, std::uint64_t key) {
+    if (n == 0 || p <= 0) return 0;
+    if (p >= 1) return n;
+    if (p > 0.5) return n - binomial(n, 1 - p, key);
+    const double trials = static_cast<double>(n), variance = trials * p * (1 - p);
+    if (variance > kExactBinomialVariance) {
+        // The bell ends at 8 standard deviations; less than 2^-60 of it lies outside [0, n].
+        return static_cast<std::uint64_t>(
+            std::clamp(detail::rounded_bell(trials * p, variance, key), 0.0, trials));
+    }
+    // From P(0) = (1 - p)^n >= e^-33 upwards by the ratio of neighbours.
+    double u = to_unit_double(mix_bits(key)), probability = std::exp(trials * std::log1p(-p));
+    const double odds = p / (1 - p);
+    std::uint64_t k = 0;
+    while (u >= probability && k < n) {
+        u -= probability;
+        probability *= odds * static_cast<double>(n - k) / static_cast<double>(k + 1);
+        // The tail beyond is below the resolution of u.
+        if (probability < 0x1p-60 && static_cast<double>(k) > trials * p) break;
+        ++k;
+    }
+    return k;
+}
+
+// A tree of spherical triangles over the normals of facets.
 
 /// The upper hemisphere as four octants, each halved along its edges into four triangles, over and
 /// over. A triangle's mass is the share of facets whose normals it holds: the integral of

@@ -1,13 +1,99 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
-#include "nacre/sparkle/disc_overlap.h"
-#include "nacre/sparkle/rest_patch.h"
+#include "nacre/core/lane_math.h"
+#include "nacre/core/vec.h"
+#include "nacre/sparkle/footprint.h"
+
+// How much of eight discs lies in a parallelogram.
 
 namespace nacre::sparkle {
+
+inline constexpr double kArctangentLanesError = 4e-7;
+
+/// The angle of (x, y), in [-pi, pi], to kArctangentLanesError; 0 at the origin.
+/// [abramowitz-stegun-1964, eq. 4.4.49]
+inline FloatLanes arctangent_lanes(FloatLanes y, FloatLanes x) {
+    const FloatLanes size_x = x < 0.0f ? -x : x, size_y = y < 0.0f ? -y : y;
+    const FloatLanes larger = max_lanes(max_lanes(size_x, size_y), splat(1e-37f));
+    const FloatLanes t = min_lanes(size_x, size_y) / larger, t2 = t * t;
+    FloatLanes p = splat(0.0028662257f);
+    p = p * t2 - 0.0161657367f;
+    p = p * t2 + 0.0429096138f;
+    p = p * t2 - 0.0752896400f;
+    p = p * t2 + 0.1065626393f;
+    p = p * t2 - 0.1420889944f;
+    p = p * t2 + 0.1999355085f;
+    p = p * t2 - 0.3333314528f;
+    FloatLanes angle = t + t * t2 * p;
+    angle = size_y > size_x ? 0.5f * std::numbers::pi_v<float> - angle : angle;
+    angle = x < 0.0f ? std::numbers::pi_v<float> - angle : angle;
+    return y < 0.0f ? -angle : angle;
+}
+
+/// The parallelogram about the origin that two edges span, by its sides.
+struct Parallelogram {
+    struct Side {
+        Vec2f from, along;  // a corner, and the unit vector towards the next, anticlockwise
+        float size;
+    };
+    std::array<Side, 4> sides;
+    float area;
+
+    Parallelogram() {}  // of no shape yet
+    /// Edges of non-zero area, anticlockwise from the first to the second.
+    Parallelogram(Vec2f edge_1, Vec2f edge_2) {
+        const auto size = [](Vec2f e) { return std::sqrt(e.x * e.x + e.y * e.y); };
+        const float size_1 = size(edge_1), size_2 = size(edge_2);
+        set(edge_1, size_1, {edge_1.x / size_1, edge_1.y / size_1}, edge_2, size_2,
+            {edge_2.x / size_2, edge_2.y / size_2});
+    }
+    /// The same where the lengths of the edges and their unit vectors are known.
+    void set(Vec2f edge_1, float size_1, Vec2f along_1, Vec2f edge_2, float size_2, Vec2f along_2) {
+        area = edge_1.x * edge_2.y - edge_1.y * edge_2.x;
+        const Vec2f a = {0.5f * (edge_1.x + edge_2.x), 0.5f * (edge_1.y + edge_2.y)};
+        const Vec2f b = {0.5f * (edge_2.x - edge_1.x), 0.5f * (edge_2.y - edge_1.y)};
+        sides[0] = {{-a.x, -a.y}, along_1, size_1};
+        sides[1] = {{-b.x, -b.y}, along_2, size_2};
+        sides[2] = {a, {-along_1.x, -along_1.y}, size_1};
+        sides[3] = {b, {-along_2.x, -along_2.y}, size_2};
+    }
+};
+
+/// Error of disc_overlap(), in areas of the disc.
+inline constexpr double kDiscOverlapError = 2e-6;
+
+/// Area that a disc about (x, y) shares with a parallelogram.
+///
+/// By the angles under which the centre sees the sides: a side at the signed distance d, seen from
+/// t_0 to t_1 along it, bounds the area  Int min(r^2, d^2 + t^2)/2 d(angle). The angles add up to
+/// a full turn if the centre is inside and to none outside, so only those of the chords are needed.
+inline FloatLanes disc_overlap(FloatLanes x, FloatLanes y, FloatLanes radius,
+                               const Parallelogram& shape) {
+    const FloatLanes radius2 = radius * radius;
+    FloatLanes triangles{}, sectors{};
+    auto inside = x == x;  // all lanes
+    for (const Parallelogram::Side& side : shape.sides) {
+        const FloatLanes px = side.from.x - x, py = side.from.y - y;
+        const FloatLanes distance = px * side.along.y - py * side.along.x;
+        const FloatLanes t0 = px * side.along.x + py * side.along.y, t1 = t0 + side.size;
+        const FloatLanes chord = sqrt_lanes(max_lanes(radius2 - distance * distance, FloatLanes{}));
+        const FloatLanes c0 = min_lanes(max_lanes(t0, -chord), chord);
+        const FloatLanes c1 = min_lanes(max_lanes(t1, -chord), chord);
+        // On the side itself counts as inside, with the full angle that goes with it.
+        const FloatLanes off = distance == 0.0f ? splat(1e-30f) : distance;
+        inside &= off > 0.0f;
+        triangles += distance * (c1 - c0);
+        sectors += arctangent_lanes(off * (c1 - c0), off * off + c0 * c1);
+    }
+    const FloatLanes full = inside ? splat(2 * std::numbers::pi_v<float>) : FloatLanes{};
+    return max_lanes(0.5f * (triangles + radius2 * (full - sectors)), FloatLanes{});
+}
 
 /// A patch in its own plane, x along its tangent and the origin in its middle: which discs touch it
 /// and how much of it they cover.

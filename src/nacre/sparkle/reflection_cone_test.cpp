@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
-#include "nacre/core/rng.h"
-#include "nacre/flakes/beckmann.h"
+#include "nacre/core/random.h"
+#include "nacre/paint/beckmann.h"
 
 namespace nacre::sparkle {
 namespace {
@@ -17,8 +18,6 @@ Vec3f direction(double theta_deg, double phi_deg) {
     return {static_cast<float>(std::sin(t) * std::cos(p)),
             static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t))};
 }
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 TEST(ReflectionCone, HoldsTheFacetsThatMirrorIntoIt) {
     const double gamma = 3 * kDegree;
@@ -62,7 +61,7 @@ TEST(ConeRule, MeansAreIntegralsOverTheCone) {
                         if (h.z <= 0) continue;
                         const double tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
                         const double cosine = h.z / length(h);
-                        const double d = 2 * flakes::flake_density(tan2, alpha) / cosine;
+                        const double d = 2 * paint::flake_density(tan2, alpha) / cosine;
                         density += d;
                         projected += d * cosine / (4 * dot(wi, normalize(h)));
                     }

@@ -1,7 +1,10 @@
 #include "nacre/spectra/lab.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 
 namespace nacre::spectra {
@@ -34,6 +37,88 @@ Vec3 lab_to_xyz(const Vec3& lab, const Vec3& white) {
     const double fy = (lab[0] + 16) / 116;
     return {white[0] * f_inverse(fy + lab[1] / 500), white[1] * f_inverse(fy),
             white[2] * f_inverse(fy - lab[2] / 200)};
+}
+
+namespace {
+
+double cos_deg(double degrees) { return std::cos(kDegree * degrees); }
+double pow7(double x) { return std::pow(x, 7); }
+
+// sqrt(C^7 / (C^7 + 25^7)), which rises from 0 for greys to 1 for strong colours.
+double chroma_weight(double chroma) { return std::sqrt(pow7(chroma) / (pow7(chroma) + pow7(25))); }
+
+// Hue angle in [0, 360); 0 for a grey.
+double hue_deg(double a, double b) {
+    if (a == 0 && b == 0) return 0;
+    const double h = std::atan2(b, a) / kDegree;
+    return h < 0 ? h + 360 : h;
+}
+
+// The terms of the formula: weighted differences of lightness, chroma and hue, the factor of the
+// cross term, and what is needed to turn chroma and hue back into a* and b*.
+struct Terms {
+    double lightness, chroma, hue;  // dL'/S_L, dC'/S_C, dH'/S_H
+    double rotation;                // R_T
+    double da, db;                  // da' and db*
+    double dc, dh;                  // dC' and dH'
+};
+
+Terms terms(const Vec3& lab1, const Vec3& lab2) {
+    // Step 1: chromas and hues with a* stretched near the grey axis (eq. 2-7).
+    const double mean_chroma = (std::hypot(lab1[1], lab1[2]) + std::hypot(lab2[1], lab2[2])) / 2;
+    const double stretch = 1 + 0.5 * (1 - chroma_weight(mean_chroma));
+    const double a1 = stretch * lab1[1], a2 = stretch * lab2[1];
+    const double c1 = std::hypot(a1, lab1[2]), c2 = std::hypot(a2, lab2[2]);
+    const double h1 = hue_deg(a1, lab1[2]), h2 = hue_deg(a2, lab2[2]);
+    const bool has_hues = c1 * c2 != 0;
+
+    // Step 2: differences of lightness, chroma and hue (eq. 8-11).
+    double dh = has_hues ? h2 - h1 : 0;
+    if (dh > 180) dh -= 360;
+    if (dh < -180) dh += 360;
+    const double dl = lab2[0] - lab1[0], dc = c2 - c1;
+    const double dH = 2 * std::sqrt(c1 * c2) * std::sin(kDegree * dh / 2);
+
+    // Step 3: weights at the means (eq. 12-21).
+    const double l = (lab1[0] + lab2[0]) / 2, c = (c1 + c2) / 2;
+    double h = h1 + h2;
+    if (has_hues) {
+        if (std::abs(h1 - h2) > 180) h += h < 360 ? 360 : -360;
+        h /= 2;
+    }
+    const double t = 1 - 0.17 * cos_deg(h - 30) + 0.24 * cos_deg(2 * h) +
+                     0.32 * cos_deg(3 * h + 6) - 0.20 * cos_deg(4 * h - 63);
+    const double l50 = (l - 50) * (l - 50);
+    const double sl = 1 + 0.015 * l50 / std::sqrt(20 + l50);
+    const double sc = 1 + 0.045 * c, sh = 1 + 0.015 * c * t;
+    const double dtheta = 30 * std::exp(-std::pow((h - 275) / 25, 2));
+    const double rt = -std::sin(2 * kDegree * dtheta) * 2 * chroma_weight(c);
+
+    return {dl / sl, dc / sc, dH / sh, rt, a2 - a1, lab2[2] - lab1[2], dc, dH};
+}
+
+}  // namespace
+
+double delta_e_2000(const Vec3& lab1, const Vec3& lab2) {
+    const Terms t = terms(lab1, lab2);
+    return std::sqrt(t.lightness * t.lightness + t.chroma * t.chroma + t.hue * t.hue +
+                     t.rotation * t.chroma * t.hue);  // eq. 22
+}
+
+Vec3 delta_e_2000_vector(const Vec3& lab1, const Vec3& lab2) {
+    const Terms t = terms(lab1, lab2);
+    // c^2 + h^2 + R c h = (c + R h/2)^2 + (1 - R^2/4) h^2, and |R| <= 2.
+    const double u = t.chroma + t.rotation / 2 * t.hue;
+    const double v = std::sqrt(std::max(0.0, 1 - t.rotation * t.rotation / 4)) * t.hue;
+    // (da', db') and (dC', dH') are equally long: their quotient as complex numbers is a rotation.
+    const double length2 = t.dc * t.dc + t.dh * t.dh;
+    if (length2 == 0) return {t.lightness, 0, 0};
+    double cosine = (t.da * t.dc + t.db * t.dh) / length2;
+    double sine = (t.db * t.dc - t.da * t.dh) / length2;
+    const double size = std::hypot(cosine, sine);  // 1 but for rounding
+    cosine /= size;
+    sine /= size;
+    return {t.lightness, cosine * u - sine * v, sine * u + cosine * v};
 }
 
 }  // namespace nacre::spectra

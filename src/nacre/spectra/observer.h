@@ -3,10 +3,29 @@
 #include <array>
 #include <string>
 
-// The eye and the light: CIE standard colorimetric observers and illuminants, tabulated at 5 nm in
-// data/cie_observers.csv and data/cie_illuminants.csv.                        [cie-15-2018]
+// The tables of data/cie_*.csv as they were when this was compiled. Internal to this folder.
 
 namespace nacre::spectra {
+
+/// Columns tabulated at first_nm, first_nm + kCieStep_nm, ...
+inline constexpr double kCieStep_nm = 5;
+
+struct ObserverRow {
+    double wavelength_nm;
+    double xyz[6];  // 2 degrees, then 10 degrees
+};
+inline constexpr int kObserverRows = 95;
+extern const std::array<ObserverRow, kObserverRows> kObserverTable;
+
+struct IlluminantRow {
+    double wavelength_nm;
+    double power[5];  // A, D50, D65, FL2, FL11; 0 where the CIE gives none
+};
+inline constexpr int kIlluminantRows = 85;
+extern const std::array<IlluminantRow, kIlluminantRows> kIlluminantTable;
+
+// The eye and the light: CIE standard colorimetric observers and illuminants, tabulated at 5 nm in
+// data/cie_observers.csv and data/cie_illuminants.csv.                        [cie-15-2018]
 
 using Vec3 = std::array<double, 3>;  // X Y Z, or L* a* b*, or R G B
 
@@ -25,5 +44,9 @@ double illuminant_power(Illuminant illuminant, double wavelength_nm);
 
 Observer parse_observer(const std::string& text);      ///< "2", "10" @throws InputError
 Illuminant parse_illuminant(const std::string& text);  ///< "D65" ... @throws InputError
+
+/// What parse_illuminant() and parse_observer() take: "D65", "10".
+std::string name(Illuminant illuminant);
+std::string name(Observer observer);
 
 }  // namespace nacre::spectra

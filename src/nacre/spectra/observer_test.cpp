@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "nacre/core/error.h"
-#include "nacre/spectra/names.h"
 
 namespace nacre::spectra {
 namespace {

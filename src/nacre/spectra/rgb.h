@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "nacre/spectra/observer.h"
+#include "nacre/spectra/spectrum.h"
 
 // RGB with the primaries of Rec. 709 and the white D65, x = 0.3127, y = 0.3290, as in sRGB.
 // XYZ here has Y = 1 at white: divide what reflectance_to_xyz gives by 100.
@@ -22,5 +26,35 @@ Vec3 linear_rec709_to_xyz(const Vec3& rgb);
 /// The standard's rounded constants leave a step of 3e-8 where its two branches meet.
 double srgb_encode(double linear);
 double srgb_decode(double encoded);
+
+// Colour and spectrum as linear maps of each other, for data that exist in RGB only.
+
+/// What a sample at each wavelength adds to linear Rec. 709 under D65 for the 2 degree observer:
+/// a reflectance that is linear between its samples, and constant beyond the first and the last,
+/// has the colour  rgb = sum_i weights[i] reflectance[i],  by the sums over 360-780 nm at 5 nm of
+/// reflectance_to_xyz(). Colours are relative to the white of that sum: reflectance 1 has
+/// (1, 1, 1), to rounding.
+/// @throws DomainError unless the wavelengths are finite and strictly increase, at least one
+std::vector<Vec3> rec709_weights(const std::vector<double>& wavelengths_nm);
+
+/// Three smooth spectra b_j >= 0 from 360 to 780 nm, red, green and blue, with b_1 + b_2 + b_3 = 1,
+/// whose colours under D65 are the units of linear Rec. 709. So
+///
+///     rgb -> sum_j rgb_j b_j
+///
+/// is linear, gives back the same colour by rec709_weights() to kRec709BasisError per unit of the
+/// components, turns greys into constants, and colours within [0, 1] into reflectances within
+/// [0, 1]. Of all such triples on a grid of 10 nm it has the least sum of squared slopes.
+///                                                               [mallett-yuksel-2019]
+/// Colours outside the gamut have spectra that may be negative somewhere. The product of two such
+/// spectra has not the product of the colours. Found at the first call by an interior-point method
+/// for the quadratic programme, in a few milliseconds, the same bits every time.
+const std::array<Spectrum, 3>& linear_rec709_basis();
+
+inline constexpr double kRec709BasisError = 1e-12;
+
+/// "#rrggbb" of a colour encoded as sRGB, components in [0, 1]; what lies outside is clipped, NaN
+/// to 0. From linear Rec. 709, encode first: spectra::srgb_encode.
+std::string css_colour(const std::array<double, 3>& srgb);
 
 }  // namespace nacre::spectra

@@ -4,6 +4,10 @@
 
 #include <cmath>
 
+#include "nacre/core/error.h"
+#include "nacre/spectra/lab.h"
+#include "nacre/spectra/xyz.h"
+
 namespace nacre::spectra {
 namespace {
 
@@ -68,6 +72,104 @@ TEST(Srgb, EncodingIsOddIncreasingAndUndoneByDecoding) {
         EXPECT_EQ(srgb_decode(-x), -srgb_decode(x));
         // Near the joint a value may come back through the other branch, 3e-8 away.
         EXPECT_NEAR(srgb_decode(srgb_encode(x)), x, 3e-8);
+    }
+}
+
+}  // namespace
+
+namespace {
+
+// Linear Rec. 709 relative to the white of the same sums, independent of rec709_weights().
+Vec3 rgb_of(const Spectrum& reflectance) {
+    const Vec3 white = white_point(Illuminant::D65, Observer::cie1931_2deg);
+    const Vec3 rec709_white = linear_rec709_to_xyz({1, 1, 1});
+    Vec3 xyz = reflectance_to_xyz(reflectance, Illuminant::D65, Observer::cie1931_2deg);
+    for (int c = 0; c < 3; ++c) xyz[c] *= rec709_white[c] / white[c];
+    return xyz_to_linear_rec709(xyz);
+}
+
+Spectrum combine(const Vec3& rgb) {
+    const auto& basis = linear_rec709_basis();
+    std::vector<double> values;
+    for (std::size_t i = 0; i < basis[0].values().size(); ++i) {
+        values.push_back(rgb[0] * basis[0].values()[i] + rgb[1] * basis[1].values()[i] +
+                         rgb[2] * basis[2].values()[i]);
+    }
+    return Spectrum(basis[0].wavelengths_nm(), values);
+}
+
+TEST(RgbBasis, ColoursOfTheBasisAreTheUnits) {
+    for (int j = 0; j < 3; ++j) {
+        const Vec3 rgb = rgb_of(linear_rec709_basis()[j]);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgb[c], c == j, kRec709BasisError);
+    }
+}
+
+TEST(RgbBasis, EveryColourComesBackThoseOutsideTheGamutToo) {
+    for (const Vec3& rgb : {Vec3{0.2, 0.5, 0.9}, Vec3{1, 0, 0.3}, Vec3{3, -0.4, 0.01}}) {
+        const Vec3 found = rgb_of(combine(rgb));
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], rgb[c], 4 * kRec709BasisError);
+    }
+}
+
+TEST(RgbBasis, IsAPartitionOfUnityWithinZeroAndOne) {
+    const auto& basis = linear_rec709_basis();
+    for (double nm = 350; nm <= 790; nm += 2.5) {
+        double sum = 0;
+        for (const Spectrum& b : basis) {
+            EXPECT_GE(b(nm), 0) << nm;
+            sum += b(nm);
+        }
+        EXPECT_NEAR(sum, 1, 1e-15) << nm;
+    }
+}
+
+TEST(RgbBasis, HasTheLeastSlope) {
+    double sum = 0;
+    for (const Spectrum& b : linear_rec709_basis()) {
+        const std::vector<double>& v = b.values();
+        for (std::size_t i = 1; i < v.size(); ++i) sum += (v[i] - v[i - 1]) * (v[i] - v[i - 1]);
+    }
+    // The same programme by scipy.optimize.minimize (method SLSQP, ftol 1e-15, SciPy 1.17.1).
+    EXPECT_NEAR(sum, 0.74966212040693, 1e-9);
+}
+
+TEST(RgbBasis, WeightsGiveTheColourOfAnySampledSpectrum) {
+    std::vector<double> nm, value;
+    Vec3 sum{};
+    for (int i = 0; i <= 30; ++i) {
+        nm.push_back(400 + 10 * i);
+        value.push_back(0.5 + 0.4 * std::sin(0.3 * i));
+    }
+    const std::vector<Vec3> weights = rec709_weights(nm);
+    for (int i = 0; i <= 30; ++i) {
+        for (int c = 0; c < 3; ++c) sum[c] += weights[i][c] * value[i];
+    }
+    const Vec3 expected = rgb_of(Spectrum(nm, value));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c], 1e-13);
+
+    const std::vector<Vec3> one = rec709_weights({550});
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(one[0][c], 1, 1e-14);  // constant: white
+    EXPECT_THROW(rec709_weights({}), DomainError);
+    EXPECT_THROW(rec709_weights({500, 400}), DomainError);
+}
+
+// What renders over 400-700 nm only, or sums there at 10 nm, sees the basis a little off.
+TEST(RgbBasis, ColourHardlyDependsOnTheEndsOfTheSpectrum) {
+    std::vector<double> nm;
+    for (int i = 0; i <= 30; ++i) nm.push_back(400 + 10 * i);
+    const Vec3 white = white_point(nm, Illuminant::D65, Observer::cie1931_2deg);
+    for (int j = 0; j < 3; ++j) {
+        std::vector<double> value;
+        for (double w : nm) value.push_back(linear_rec709_basis()[j](w));
+        const Vec3 short_sum =
+            reflectance_to_xyz(nm, value, Illuminant::D65, Observer::cie1931_2deg);
+        const Vec3 all =
+            reflectance_to_xyz(linear_rec709_basis()[j], Illuminant::D65, Observer::cie1931_2deg);
+        EXPECT_LT(
+            delta_e_2000(xyz_to_lab(short_sum, white),
+                         xyz_to_lab(all, white_point(Illuminant::D65, Observer::cie1931_2deg))),
+            0.3);
     }
 }
 

@@ -5,7 +5,6 @@
 
 #include "nacre/core/error.h"
 #include "nacre/spectra/rgb.h"
-#include "nacre/spectra/rgb_basis.h"
 
 namespace nacre::spectra {
 namespace {

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
-#include "nacre/core/rng.h"
-#include "nacre/spectra/delta_e.h"
+#include "nacre/core/random.h"
 #include "nacre/spectra/lab.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/spectra/xyz.h"

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/cli/options.h"
+
+// What `eval` and `reference` have in common: a paint, directions, wavelengths, a part of the
+// light.
+
+namespace nacre::cli {
+
+struct BrdfOptions : CommonOptions {
+    std::string recipe;
+    std::vector<std::string> incident, outgoing;
+    std::string wavelengths;
+    std::string part = "total";
+};
+
+/// RECIPE, --incident, --outgoing and --part.
+void add_brdf_options(CLI::App& command, BrdfOptions& options);
+
+/// solver::Part or montecarlo::Part, which are apart because the two share no code.
+template <class Part>
+Part parse_part(const std::string& text) {
+    if (text == "single") return Part::single;
+    if (text == "multiple") return Part::multiple;
+    return Part::total;
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "apps/cli/options.h"
+#include "nacre/io/image_difference.h"
+
+namespace nacre::cli {
+
+namespace {
+
+struct DiffOptions : CommonOptions {
+    std::string a, b;
+    double heat_full_scale = 10;
+    std::optional<double> least_psnr, most_relative, most_delta_e_mean, most_delta_e_95th;
+};
+
+/// The difference picture: signed numbers in an EXR, a heat map of Delta E in a PNG.
+void write_picture(const DiffOptions& options, const io::ImageDifference& difference) {
+    if (options.output.empty()) return;
+    const std::string extension = std::filesystem::path(options.output).extension();
+    if (extension == ".exr") {
+        io::write_exr(options.output, difference.picture);
+    } else if (extension == ".png") {
+        io::write_png(options.output, io::difference_heat_map(difference, options.heat_full_scale));
+    } else {
+        throw UsageError(fmt::format("--output = {}: must end in .exr or .png", options.output));
+    }
+}
+
+/// Whether the difference stays within every bound that was given.
+bool is_within_bounds(const DiffOptions& options, const io::ImageDifference& d) {
+    const auto within = [](double value, const std::optional<double>& most, const char* name) {
+        if (!most || value <= *most) return true;
+        fmt::print(stderr, "nacre: {} = {:.6g} is more than {}\n", name, value, *most);
+        return false;
+    };
+    bool ok = within(d.relative_error, options.most_relative, "relative error");
+    ok &= within(d.delta_e_mean, options.most_delta_e_mean, "mean Delta E 2000");
+    ok &= within(d.delta_e_95th, options.most_delta_e_95th, "95th percentile of Delta E 2000");
+    if (options.least_psnr && d.psnr_db < *options.least_psnr) {
+        fmt::print(stderr, "nacre: PSNR = {:.6g} dB is less than {}\n", d.psnr_db,
+                   *options.least_psnr);
+        ok = false;
+    }
+    return ok;
+}
+
+ExitStatus run(const DiffOptions& options) {
+    const io::ImageDifference d = io::image_difference(
+        io::read_image(options.a), io::read_image(options.b), options.a, options.b);
+    write_picture(options, d);
+    fmt::print(
+        "quantity,value\nmse,{:.9g}\npsnr_db,{:.6g}\nrelative_error,{:.9g}\n"
+        "delta_e_2000_mean,{:.6g}\ndelta_e_2000_95th_percentile,{:.6g}\n"
+        "delta_e_2000_max,{:.6g}\n",
+        d.mean_square_error, d.psnr_db, d.relative_error, d.delta_e_mean, d.delta_e_95th,
+        d.delta_e_max);
+    const bool ok = is_within_bounds(options, d);
+    nlohmann::json report = {{"a", options.a},
+                             {"b", options.b},
+                             {"mse", d.mean_square_error},
+                             {"relative_error", d.relative_error},
+                             {"delta_e_2000_mean", d.delta_e_mean},
+                             {"delta_e_2000_95th_percentile", d.delta_e_95th},
+                             {"delta_e_2000_max", d.delta_e_max},
+                             {"within_bounds", ok}};
+    if (std::isfinite(d.psnr_db)) report["psnr_db"] = d.psnr_db;  // JSON has no infinity
+    write_report(options, "diff", std::move(report));
+    return ok ? ExitStatus::ok : ExitStatus::comparison_failed;
+}
+
+}  // namespace
+
+Command add_diff(CLI::App& program) {
+    auto options = std::make_shared<DiffOptions>();
+    CLI::App* diff = program.add_subcommand("diff", "Compare two pictures");
+    diff->add_option("A", options->a, "Picture: OpenEXR, Radiance HDR or PNG")->required();
+    diff->add_option("B", options->b, "Picture to compare with, the reference")->required();
+    diff->add_option("-o,--output", options->output,
+                     "Picture of the difference: .exr (A - B and Delta E) or .png (heat map)")
+        ->type_name("FILE");
+    diff->add_option("--heat-full-scale", options->heat_full_scale,
+                     "Delta E that is white in the heat map")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str();
+    diff->add_option("--min-psnr", options->least_psnr, "Fail below this PSNR, dB");
+    diff->add_option("--max-relative", options->most_relative, "Fail above this relative error");
+    diff->add_option("--max-delta-e-mean", options->most_delta_e_mean,
+                     "Fail above this mean Delta E 2000");
+    diff->add_option("--max-delta-e-95", options->most_delta_e_95th,
+                     "Fail above this 95th percentile of Delta E 2000");
+    add_report(*diff, *options);
+    diff->footer(
+        "Writes CSV: quantity,value. Over R, G, B in linear light: mse; psnr_db =\n"
+        "10 log10(1 / mse), inf if equal; relative_error, the mean of |a - b| / (|b| + 0.01); and\n"
+        "CIEDE2000 under D65, white being the perfect diffuser. Exit status 4 if a bound given is\n"
+        "broken.\n\n"
+        "Example:\n  nacre diff new.exr approved.exr --max-delta-e-mean 1 -o difference.png");
+    return {diff, [options] { return run(*options); }};
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "apps/cli/brdf_options.h"
+#include "apps/cli/brdf_source.h"
+#include "apps/cli/model_options.h"
+#include "apps/cli/options.h"
+#include "nacre/core/angles.h"
+#include "nacre/core/parallel.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/paint/recipe.h"
+
+namespace nacre::cli {
+
+namespace {
+
+constexpr std::size_t kMostRows = 5'000'000;
+
+struct EvalOptions : BrdfOptions {
+    ModelOptions model;
+    // Without wavelengths: those of a solved paint, else 400 to 700 nm by 10.
+    std::string at, footprint;
+};
+
+ExitStatus run(const EvalOptions& options) {
+    const BrdfRequest request = parse_brdf_request(options.model, options.seed, options.part,
+                                                   options.at, options.footprint);
+    const ThreadLimit threads(options.threads);
+    const Stopwatch watch;
+    const std::vector<Direction> incident = parse_directions("--incident", options.incident);
+    const std::vector<Direction> outgoing = parse_directions("--outgoing", options.outgoing);
+    std::optional<std::vector<double>> wanted;
+    if (!options.wavelengths.empty()) {
+        wanted = parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
+    }
+    const BrdfSource source = load_brdf(options.recipe, request, wanted, options);
+    const std::vector<double>& wavelengths = source.wavelengths_nm;
+    if (incident.size() * outgoing.size() * wavelengths.size() > kMostRows) {
+        throw UsageError(
+            fmt::format("{} incident times {} outgoing directions times {} wavelengths are too "
+                        "many: at most {} rows",
+                        incident.size(), outgoing.size(), wavelengths.size(), kMostRows));
+    }
+    std::string table = "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf\n";
+    for (const Direction& in : incident) {
+        for (const Direction& out : outgoing) {
+            const std::vector<double> brdf =
+                source.brdf(in.theta_deg * kDegree, out.theta_deg * kDegree,
+                            (out.phi_deg - in.phi_deg) * kDegree);
+            for (std::size_t i = 0; i < wavelengths.size(); ++i) {
+                fmt::format_to(std::back_inserter(table), "{},{},{},{},{},{:.9g}\n", in.theta_deg,
+                               in.phi_deg, out.theta_deg, out.phi_deg, wavelengths[i], brdf[i]);
+            }
+        }
+    }
+    emit(options, table);
+    write_report(options, "eval",
+                 {{"recipe", options.recipe},
+                  {"recipe_sha256", source.recipe ? io::recipe_hash(*source.recipe) : ""},
+                  {"model", source.measured ? "measured" : options.model.model},
+                  {"part", options.part},
+                  {"values", incident.size() * outgoing.size() * wavelengths.size()},
+                  {"total_s", watch.seconds()}});
+    return ExitStatus::ok;
+}
+
+}  // namespace
+
+Command add_eval(CLI::App& program) {
+    auto options = std::make_shared<EvalOptions>();
+    CLI::App* eval = program.add_subcommand("eval", "Evaluate the BRDF of a paint");
+    add_brdf_options(*eval, *options);
+    add_model_options(*eval, options->model);
+    eval->add_option("--at", options->at,
+                     "Middle of a patch that shows its single flakes; nacre: X,Y in mm on a flat "
+                     "panel; special-effect: U,V in the object's unit square. Without it, the mean "
+                     "over the object");
+    eval->add_option("--footprint", options->footprint,
+                     "Side of that patch; nacre: in mm; special-effect: as a share of the unit "
+                     "square's");
+    add_seed(*eval, *options);
+    eval->add_option("--wavelength", options->wavelengths,
+                     "Vacuum wavelengths, nm [those of a solved paint, else 400:700:10]");
+    add_output(*eval, *options);
+    add_threads(*eval, *options);
+    add_quiet(*eval, *options);
+    add_report(*eval, *options);
+    eval->footer(
+        "phi_o - phi_i = 180 is the mirror side; theta and phi may be first:last:step. Writes "
+        "CSV:\n"
+        "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf, in 1/sr; the mirror of a smooth "
+        "interface\n"
+        "is left out.\n\n"
+        "Example: the flop of a pearl, lit from 45 deg\n"
+        "  nacre eval paints/tio2-mica-80.toml --incident 45 --outgoing 0:75:5,180 \\\n"
+        "             --wavelength 450,550,650");
+    return {eval, [options] { return run(*options); }};
+}
+
+}  // namespace nacre::cli

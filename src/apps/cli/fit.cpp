@@ -1,0 +1,171 @@
+#include "nacre/fit/fit.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/difference_table.h"
+#include "apps/cli/fit_report.h"
+#include "apps/cli/measured_sample.h"
+#include "apps/cli/options.h"
+#include "nacre/core/file.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
+#include "nacre/io/recipe_file.h"
+
+namespace nacre::cli {
+
+namespace {
+
+constexpr Range kNoise{1e-6, 100, "Delta E"}, kEqual{1e-3, 100, "Delta E"};
+
+struct FitOptions : CommonOptions {
+    std::string standard, start, free, weights, also, noise, format = "text";
+    double equal_delta_e = 0.3;
+    int starts = 8;
+    ModelOptions model;
+    InstrumentOptions instrument;
+};
+
+/// The keys that --free means, each once; those of the recipe's table [fit] without it.
+std::vector<std::string> free_keys(const FitOptions& options, const io::RecipeFile& start) {
+    std::vector<std::string> keys;
+    if (options.free.empty()) {
+        for (const paint::ParameterBounds& bounds : start.bounds) keys.push_back(bounds.key);
+        if (keys.empty()) {
+            throw UsageError(fmt::format(
+                "--free: say which numbers of {} are free, or bound them there in a table [fit]",
+                options.start));
+        }
+        return keys;
+    }
+    for (const std::string& pattern : split(options.free, ',')) {
+        try {
+            for (const std::string& key : paint::matching_parameters(start.recipe, pattern)) {
+                if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+            }
+        } catch (const DomainError& error) {
+            throw UsageError(fmt::format("--free: {}: {}", options.start, error.what()));
+        }
+    }
+    return keys;
+}
+
+fit::FitOptions parse(const FitOptions& options) {
+    fit::FitOptions parsed;
+    parsed.starts = options.starts;
+    parsed.seed = options.seed;
+    parsed.equal_delta_e = options.equal_delta_e;
+    parsed.target.weights = parse_weights(options.weights);
+    if (!options.noise.empty()) {
+        parsed.noise_delta_e = parse_number("--noise", options.noise, kNoise);
+    }
+    return parsed;
+}
+
+/// --also: the standard's own light first.
+void add_lights(const FitOptions& options, const measure::Measurement& standard,
+                fit::TargetOptions& target) {
+    if (options.also.empty()) return;
+    target.illuminants = {standard.conditions.illuminant};
+    for (const std::string& name : split(options.also, ',')) {
+        try {
+            target.illuminants.push_back(spectra::parse_illuminant(name));
+        } catch (const InputError& error) {
+            throw UsageError(fmt::format("--also = {}: {}", options.also, error.what()));
+        }
+    }
+}
+
+ExitStatus run(const FitOptions& options) {
+    fit::FitOptions how = parse(options);
+    const InstrumentRequest instrument = parse_instrument(options.instrument);
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    const io::RecipeFile start = io::read_recipe_file(options.start);
+    if (start.recipe.layers.empty()) {
+        throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
+                                     options.start));
+    }
+    const fit::FreeNumbers numbers(start.recipe, free_keys(options, start), start.bounds);
+    const MeasuredSample standard =
+        measure_sample(options.standard, options.model, instrument, options);
+    add_lights(options, standard.measurement, how.target);
+
+    std::optional<ProgressBar> bar(std::in_place, "fit", options.quiet);
+    const fit::Fit found = fit::fit(standard.measurement, numbers, how, bar->callback());
+    bar.reset();
+
+    nlohmann::json document = fit_json(found);
+    document["standard"] = standard.path;
+    document["start"] = options.start;
+    document["recipe_sha256"] = io::recipe_hash(found.recipe);
+    if (!options.output.empty()) {
+        write_file_atomically(options.output, io::write_recipe(found.recipe, start.bounds));
+    }
+    CommonOptions to_stdout = options;
+    to_stdout.output.clear();
+    emit(to_stdout,
+         options.format == "text"
+             ? fit_text(found)
+             : document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    say(options, fmt::format("{} solves, {:.1f} s", found.effort.solves, found.effort.seconds));
+    write_report(options, "fit", document);
+    return ExitStatus::ok;
+}
+
+}  // namespace
+
+Command add_fit(CLI::App& program) {
+    auto options = std::make_shared<FitOptions>();
+    CLI::App* command =
+        program.add_subcommand("fit", "Find the composition whose colours match a standard");
+    command
+        ->add_option("STANDARD", options->standard,
+                     "What to match: a measured file (CSV, JSON), a recipe or a solved paint")
+        ->required();
+    command->add_option("--start", options->start, "Recipe (TOML) to start from")->required();
+    command->add_option("--free", options->free,
+                        "Numbers to turn, by key or the end of a key; * stands for any text "
+                        "[those of the recipe's table [fit]]");
+    add_instrument_options(*command, options->instrument);
+    command->add_option("--also", options->also,
+                        "More illuminants under which colours are to match, as in A,FL11; needs "
+                        "spectra");
+    command->add_option("--weights", options->weights,
+                        "Weights of geometries as NAME=W,...; others weigh 1");
+    command->add_option("--noise", options->noise,
+                        "Standard deviation of the standard's colours, Delta E in each component "
+                        "[from the residual]");
+    command
+        ->add_option("--equal", options->equal_delta_e,
+                     "Mean Delta E 2000 within which compositions count as equal")
+        ->check(CLI::Range(kEqual.lo, kEqual.hi))
+        ->capture_default_str();
+    command->add_option("--starts", options->starts, "Descents from different places")
+        ->check(CLI::Range(1, fit::FitOptions::kMostStarts))
+        ->capture_default_str();
+    command->add_option("--format", options->format, "text or json, on standard output")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    command->add_option("-o,--output", options->output, "Fitted recipe (TOML) to write")
+        ->type_name("FILE");
+    add_model_options(*command, options->model);
+    add_seed(*command, *options);
+    add_threads(*command, *options);
+    add_quiet(*command, *options);
+    add_report(*command, *options);
+    command->footer(
+        "Bounds come from the table [fit] of the starting recipe; without them a third to three\n"
+        "times the start (docs/fit.md). --model is what a STANDARD that is a recipe is seen by.\n"
+        "Ctrl-C stops the fit; nothing is written then.\n\n"
+        "Example: how thick the film of a pearl is\n"
+        "  nacre fit paints/tio2-mica-110.toml --start paints/tio2-mica-80.toml \\\n"
+        "            --free 'coats[0].thickness_nm' -o fitted.toml");
+    return {command, [options] { return run(*options); }};
+}
+
+}  // namespace nacre::cli

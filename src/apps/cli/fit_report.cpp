@@ -1,0 +1,196 @@
+#include "apps/cli/fit_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/difference_table.h"
+#include "nacre/spectra/observer.h"
+
+namespace nacre::cli {
+
+namespace {
+
+using fit::Estimate;
+
+/// Errors of two numbers go together above this: worth a line.
+constexpr double kTogether = 0.9;
+
+class Text {
+ public:
+    template <class... Args>
+    void line(fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_.resize(text_.find_last_not_of(' ') + 1);
+        text_ += '\n';
+    }
+    std::string take() && { return std::move(text_); }
+
+ private:
+    std::string text_;
+};
+
+std::string remark(const Estimate& estimate) {
+    std::string text;
+    if (estimate.at_lower_bound) text = "at its lower bound";
+    if (estimate.at_upper_bound) text = "at its upper bound";
+    if (!estimate.standard_error)
+        text += (text.empty() ? "" : "; ") + std::string("not determined");
+    return text;
+}
+
+void add_numbers(Text& text, const fit::Fit& fit) {
+    std::size_t width = 6;
+    for (const Estimate& e : fit.estimates) width = std::max(width, e.number.bounds.key.size());
+    text.line("{:<{}}  {:>10}  {:>10}  {:>9}  {:>20}", "number", width, "start", "fitted", "+-",
+              "bounds");
+    for (const Estimate& e : fit.estimates) {
+        const auto& [key, lo, hi] = e.number.bounds;
+        text.line("{:<{}}  {:>10.4g}  {:>10.5g}  {:>9}  {:>20}  {}", key, width, e.number.start,
+                  e.value, e.standard_error ? fmt::format("{:.2g}", *e.standard_error) : "-",
+                  fmt::format("[{:.4g}, {:.4g}]", lo, hi), remark(e));
+    }
+}
+
+void add_angles(Text& text, const fit::Fit& fit) {
+    std::size_t width = 8;
+    for (const auto& angle : fit.difference.angles) {
+        width = std::max(width, angle.geometry.name.size());
+    }
+    text.line("{:<{}}  {:>24}  {:>24}  {:>10}", "geometry", width, "standard L*, a*, b*",
+              "fitted L*, a*, b*", "Delta E");
+    for (const auto& angle : fit.difference.angles) {
+        const auto lab = [](const spectra::Vec3& c) {
+            return fmt::format("{:.2f}, {:.2f}, {:.2f}", c[0], c[1], c[2]);
+        };
+        text.line("{:<{}}  {:>24}  {:>24}  {:>10.3f}", angle.geometry.name, width,
+                  lab(angle.lab_standard), lab(angle.lab_sample), angle.delta_e_2000);
+    }
+}
+
+void add_certainty(Text& text, const fit::Fit& fit) {
+    const fit::Certainty& certainty = fit.certainty;
+    if (certainty.noise_delta_e) {
+        text.line(
+            "+- is one standard error for a noise of {:.3g} Delta E in each component of a colour, "
+            "{}.",
+            *certainty.noise_delta_e,
+            fit.noise_given ? "as given"
+                            : fmt::format("as the residual has with {} degrees of freedom",
+                                          certainty.degrees_of_freedom));
+    } else {
+        text.line("No error can be told: not more measured values than numbers; give --noise.");
+    }
+    for (std::size_t a = 0; a < fit.estimates.size(); ++a) {
+        for (std::size_t b = a + 1; b < fit.estimates.size(); ++b) {
+            const double c = certainty.correlation[a * fit.estimates.size() + b];
+            if (std::abs(c) < kTogether) continue;
+            text.line("Errors of {} and {} go {} (correlation {:.3f}).",
+                      fit.estimates[a].number.bounds.key, fit.estimates[b].number.bounds.key,
+                      c > 0 ? "together" : "against each other", c);
+        }
+    }
+    for (const fit::Tradeoff& tradeoff : fit.tradeoffs) {
+        std::string changes;
+        for (const auto& change : tradeoff.changes) {
+            changes += fmt::format("{}{} {:.4g} -> {:.4g}", changes.empty() ? "" : ", ", change.key,
+                                   change.from, change.to);
+        }
+        text.line("Hardly seen (rms Delta E about {:.2g}): {}.", tradeoff.rms_delta_e, changes);
+    }
+}
+
+void add_alternatives(Text& text, const fit::Fit& fit) {
+    for (const fit::Minimum& minimum : fit.alternatives) {
+        std::string values;
+        for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
+            values += fmt::format("{}{} = {:.5g}", i > 0 ? ", " : "",
+                                  fit.estimates[i].number.bounds.key, minimum.values[i]);
+        }
+        text.line("As good within {:g} (mean {:.3f}, greatest {:.3f}): {}.", fit.equal_delta_e,
+                  minimum.mean_delta_e_2000, minimum.max_delta_e_2000, values);
+    }
+}
+
+nlohmann::json optional_number(const std::optional<double>& x) {
+    return x ? nlohmann::json(*x) : nlohmann::json(nullptr);
+}
+
+}  // namespace
+
+std::string fit_text(const fit::Fit& fit) {
+    Text text;
+    add_numbers(text, fit);
+    text.line("");
+    add_angles(text, fit);
+    text.line("");
+    text.line("Delta E 2000: mean {:.3f}, greatest {:.3f}; at the start {:.2f} and {:.2f}.",
+              fit.difference.mean_delta_e_2000, fit.difference.max_delta_e_2000,
+              fit.at_start.mean_delta_e_2000, fit.at_start.max_delta_e_2000);
+    for (const auto& [light, difference] : fit.other_lights) {
+        text.line("Under {}: mean {:.3f}, greatest {:.3f}.", spectra::name(light),
+                  difference.mean_delta_e_2000, difference.max_delta_e_2000);
+    }
+    text.line("{}: {}.", fit.converged ? "Converged" : "Not converged", fit.ended);
+    add_certainty(text, fit);
+    add_alternatives(text, fit);
+    return std::move(text).take();
+}
+
+nlohmann::json fit_json(const fit::Fit& fit) {
+    nlohmann::json document;
+    for (const Estimate& e : fit.estimates) {
+        document["numbers"].push_back({{"key", e.number.bounds.key},
+                                       {"start", e.number.start},
+                                       {"value", e.value},
+                                       {"standard_error", optional_number(e.standard_error)},
+                                       {"bounds", {e.number.bounds.lo, e.number.bounds.hi}},
+                                       {"bounds_given", e.number.bounds_given},
+                                       {"at_lower_bound", e.at_lower_bound},
+                                       {"at_upper_bound", e.at_upper_bound}});
+    }
+    document["difference"] = difference_json(fit.difference);
+    document["difference_at_start"] = difference_json(fit.at_start);
+    document["other_lights"] = nlohmann::json::object();
+    for (const auto& [light, difference] : fit.other_lights) {
+        document["other_lights"][spectra::name(light)] = difference_json(difference);
+    }
+    document["converged"] = fit.converged;
+    document["ended"] = fit.ended;
+    document["noise_delta_e"] = optional_number(fit.certainty.noise_delta_e);
+    document["noise_given"] = fit.noise_given;
+    document["degrees_of_freedom"] = fit.certainty.degrees_of_freedom;
+    const std::size_t count = fit.estimates.size();
+    for (std::size_t a = 0; a < count; ++a) {
+        const auto row = fit.certainty.correlation.begin() + static_cast<std::ptrdiff_t>(a * count);
+        document["correlation"].push_back(
+            std::vector<double>(row, row + static_cast<std::ptrdiff_t>(count)));
+    }
+    document["tradeoffs"] = nlohmann::json::array();
+    for (const fit::Tradeoff& tradeoff : fit.tradeoffs) {
+        nlohmann::json changes;
+        for (const auto& change : tradeoff.changes) {
+            changes.push_back({{"key", change.key}, {"from", change.from}, {"to", change.to}});
+        }
+        document["tradeoffs"].push_back(
+            {{"rms_delta_e_2000", tradeoff.rms_delta_e}, {"changes", changes}});
+    }
+    document["equal_delta_e"] = fit.equal_delta_e;
+    document["alternatives"] = nlohmann::json::array();
+    for (const fit::Minimum& minimum : fit.alternatives) {
+        document["alternatives"].push_back({{"values", minimum.values},
+                                            {"mean_delta_e_2000", minimum.mean_delta_e_2000},
+                                            {"max_delta_e_2000", minimum.max_delta_e_2000},
+                                            {"converged", minimum.converged},
+                                            {"ended", minimum.ended}});
+    }
+    document["effort"] = {{"solves", fit.effort.solves},     {"films", fit.effort.films},
+                          {"points", fit.effort.points},     {"descents", fit.effort.descents},
+                          {"finished", fit.effort.finished}, {"seconds", fit.effort.seconds}};
+    return document;
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/program_test_support.h"
+#include "nacre/io/recipe_file.h"
+
+// `nacre fit` as a colour designer meets it.
+
+namespace nacre::cli::testing {
+
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// The grey paint of the fixture with other numbers, and bounds.
+const char* const kStart = R"(ior = 1.5
+[[layer]]
+thickness_um = 15
+[[layer.flakes]]
+area_density_per_um = 0.05
+orientation = { distribution = "beckmann", alpha = 0.3 }
+reflectance = 0.6
+[fit]
+"layer[0].flakes[0].area_density_per_um" = [0.02, 0.2]
+"layer[0].flakes[0].orientation.alpha" = [0.1, 0.5]
+)";
+
+double value_of(const nlohmann::json& report, std::size_t number) {
+    return report["numbers"][number]["value"];
+}
+
+TEST_F(Program, FitFindsAHiddenRecipe) {
+    write("start.toml", kStart);
+    const Outcome fit =
+        nacre("fit gray.toml --start start.toml --starts 1 -o fitted.toml --report report.json");
+    ASSERT_EQ(fit.status, 0) << fit.err;
+    EXPECT_THAT(fit.out, AllOf(HasSubstr("layer[0].flakes[0].orientation.alpha"),
+                               HasSubstr("45as110"), HasSubstr("Converged")));
+    const auto report = nlohmann::json::parse(contents(folder_ / "report.json"));
+    EXPECT_EQ(report["command"], "fit");
+    EXPECT_NEAR(value_of(report, 0), 0.1, 1e-4);
+    EXPECT_NEAR(value_of(report, 1), 0.2, 1e-4);
+    EXPECT_LT(report["difference"]["mean_delta_e_2000"], 0.01);
+    // What is written is a recipe with the bounds that it was fitted in.
+    const io::RecipeFile fitted = io::read_recipe_file(folder_ / "fitted.toml");
+    EXPECT_EQ(fitted.bounds.size(), 2u);
+    EXPECT_EQ(paint::find_parameter(fitted.recipe, "layer[0].flakes[0].orientation.alpha").value,
+              value_of(report, 1));
+    const Outcome compared = nacre("measure fitted.toml --versus gray.toml --format json -q");
+    EXPECT_LT(nlohmann::json::parse(compared.out)["mean_delta_e_2000"], 0.01);
+}
+
+TEST_F(Program, FitTakesMeasuredFilesAndSpeaksJson) {
+    write("start.toml", kStart);
+    ASSERT_EQ(nacre("measure gray.toml -q --geometry astm-e2194 -o standard.csv").status, 0);
+    const Outcome fit = nacre(
+        "fit standard.csv --start start.toml --free alpha,area_density_per_um --starts 1 "
+        "--also A,FL11 --weights 45as15=2 --noise 0.1 --format json -q");
+    ASSERT_EQ(fit.status, 0) << fit.err;
+    EXPECT_THAT(fit.err, IsEmpty());
+    const auto json = nlohmann::json::parse(fit.out);
+    EXPECT_EQ(json["difference"]["angles"].size(), 3u);
+    EXPECT_EQ(json["noise_delta_e"], 0.1);
+    EXPECT_EQ(json["noise_given"], true);
+    EXPECT_EQ(json["numbers"][0]["key"], "layer[0].flakes[0].orientation.alpha");  // as asked
+    EXPECT_EQ(json["numbers"][0]["bounds"][1], 0.5);
+    EXPECT_NEAR(value_of(json, 0), 0.2, 1e-4);
+    EXPECT_EQ(json["correlation"].size(), 2u);
+    EXPECT_TRUE(json["other_lights"].contains("FL11"));
+}
+
+TEST_F(Program, FitRefusesWhatItCannotDo) {
+    write("start.toml", kStart);
+    write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
+    write("facets.toml",
+          "ior = 1.5\n[microfacet]\nalpha = 0.1\nfilm_ior = 1.8\nfilm_thickness_nm = 150\n"
+          "base_ior = 1.1\n");
+    const struct {
+        const char* arguments;
+        int status;
+        const char* says;
+    } cases[] = {
+        {"fit gray.toml --start gray.toml", 1, "--free: say which numbers of gray.toml are free"},
+        {"fit gray.toml --start gray.toml --free alhpa", 1, "is not a number of this recipe"},
+        {"fit gray.toml --start gray.toml --free ,", 1, "--free"},
+        {"fit gray.toml --start start.toml --starts 0", 1, "--starts"},
+        {"fit gray.toml --start start.toml --noise none", 1, "--noise"},
+        {"fit gray.toml --start start.toml --also moon", 1, "--also = moon"},
+        {"fit gray.toml --start start.toml --weights 45as15=-1", 1, "weight"},
+        {"fit gray.toml --start start.toml --free diameter_um", 2, "does not change the colours"},
+        {"fit lab.csv --start start.toml --also A", 2, "has no spectra"},
+        {"fit gray.toml --start facets.toml --free alpha", 2, "needs at least one [[layer]]"},
+        {"fit none.csv --start start.toml", 2, "none.csv"},
+    };
+    for (const auto& wrong : cases) {
+        const Outcome outcome = nacre(std::string(wrong.arguments) + " -o out.toml");
+        EXPECT_EQ(outcome.status, wrong.status) << wrong.arguments << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(wrong.says)) << wrong.arguments;
+        EXPECT_THAT(outcome.out, IsEmpty());
+        EXPECT_FALSE(exists("out.toml")) << wrong.arguments;
+    }
+}
+
+// Bounds are for `fit`: everything else reads past them.
+TEST_F(Program, OtherCommandsReadPastTheBoundsOfAFit) {
+    write("start.toml", kStart);
+    write("bare.toml", std::string(kStart, std::string(kStart).find("[fit]")));
+    const std::string arguments = " --incident 45 --outgoing 30,180 --wavelength 550";
+    EXPECT_EQ(nacre("eval start.toml" + arguments).out, nacre("eval bare.toml" + arguments).out);
+}
+
+}  // namespace
+
+}  // namespace nacre::cli::testing

@@ -1,0 +1,244 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <numbers>
+
+#include "apps/cli/options.h"
+#include "nacre/core/file.h"
+#include "nacre/io/brdf_table_file.h"
+#include "nacre/io/image.h"
+#include "nacre/io/measured_brdf_file.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/io/solved_paint_file.h"
+#include "nacre/render/scene_file.h"
+
+namespace nacre::cli {
+
+namespace {
+
+struct InfoOptions : CommonOptions {
+    std::string file;
+};
+
+/// Text of a file on one line of a terminal: what is not printable becomes a question mark.
+std::string printable(std::string text) {
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
+    }
+    return text;
+}
+
+/// Lines of "name: value".
+class Facts {
+ public:
+    template <class... Args>
+    void add(const std::string& name, fmt::format_string<Args...> format, Args&&... args) {
+        text_ += printable(name) + ": " +
+                 printable(fmt::format(format, std::forward<Args>(args)...)) + "\n";
+    }
+    const std::string& text() const { return text_; }
+
+ private:
+    std::string text_;
+};
+
+void describe_recipe(Facts& facts, const paint::Recipe& recipe) {
+    facts.add("name", "{}", recipe.name);
+    facts.add("recipe SHA-256", "{}", io::recipe_hash(recipe));
+    facts.add("binder", "{}", recipe.binder.name());
+    if (recipe.clearcoat) {
+        facts.add("clearcoat", "{} um, roughness {}", recipe.clearcoat->thickness_um,
+                  recipe.clearcoat->roughness);
+    }
+    for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
+        const paint::Layer& layer = recipe.layers[i];
+        facts.add(fmt::format("layer[{}]", i), "{} um, {} species of flakes, {} pigments",
+                  layer.thickness_um, layer.flakes.size(), layer.pigments.size());
+        for (std::size_t j = 0; j < layer.flakes.size(); ++j) {
+            const paint::FlakeSpecies& flakes = layer.flakes[j];
+            const double density = flakes.area_density_per_um();
+            facts.add(fmt::format("layer[{}].flakes[{}]", i, j),
+                      "{} (thickness {:.6g} um, diameter {} um, roughness {}, area density {:.6g} "
+                      "per um, {:.4g} flakes deep)",
+                      flakes.name.empty() ? "unnamed" : flakes.name, flakes.thickness_um(),
+                      flakes.diameter_um, flakes.orientation.beckmann_alpha, density,
+                      density * layer.thickness_um);
+        }
+    }
+    if (recipe.microfacet) {
+        facts.add("microfacet", "roughness {}, film {} nm of index {}, base {} + {}i",
+                  recipe.microfacet->alpha, recipe.microfacet->film_thickness_nm,
+                  recipe.microfacet->film_ior, recipe.microfacet->base_ior,
+                  recipe.microfacet->base_extinction);
+    }
+}
+
+void describe_solved_paint(Facts& facts, const std::string& bytes, const std::string& name) {
+    const solver::SolvedPaint paint = io::parse_solved_paint(bytes, name);
+    facts.add("kind", "solved paint (HDF5, format {})", io::kSolvedPaintFormatVersion);
+    facts.add("bytes", "{}", bytes.size());
+    describe_recipe(facts, paint.recipe);
+    facts.add("wavelengths", "{} from {} to {} nm", paint.wavelengths_nm().size(),
+              paint.wavelengths_nm().front(), paint.wavelengths_nm().back());
+    facts.add("nodes", "{} that leave the coat, {} beyond the critical angle",
+              paint.report.exit_nodes, paint.report.inner_nodes);
+    facts.add("azimuthal orders", "{}, tail {:.2g} of the peak", paint.report.orders,
+              paint.report.azimuthal_tail);
+    facts.add("unresolved scattering", "{:.2g}", paint.report.unresolved_scattering);
+    facts.add("remainder", "rank {}, {} coefficients", paint.remainder.rank(),
+              paint.remainder.coefficient.size());
+}
+
+void describe_brdf_table(Facts& facts, const std::string& bytes, const std::string& name) {
+    const io::BrdfTable table = io::parse_brdf_table(bytes, name);
+    facts.add("kind", "BRDF table, {} (HDF5, format {})", table.index() == 0 ? "raw" : "svd",
+              io::kBrdfTableFormatVersion);
+    facts.add("bytes", "{}", bytes.size());
+    std::visit(
+        [&](const auto& t) {
+            facts.add("name", "{}", t.paint);
+            facts.add("nodes", "{} polar angles, {} azimuths", t.grid.angles, t.grid.azimuths);
+            facts.add("values", "{} bytes", t.bytes());
+        },
+        table);
+    if (const auto* svd = std::get_if<bsdf::CompressedBrdfTable>(&table)) {
+        facts.add("terms", "{}, {}, {} for red, green, blue", svd->rank[0], svd->rank[1],
+                  svd->rank[2]);
+    }
+}
+
+void describe_rgl(Facts& facts, const std::string& bytes, const std::string& name) {
+    const bsdf::RglTable table = io::parse_rgl(bytes, name);
+    const auto degrees = [](float rad) { return rad * 180 / std::numbers::pi; };
+    facts.add("kind", "measured BRDF, adaptive parameterization (RGL, .bsdf)");
+    facts.add("bytes", "{}", bytes.size());
+    facts.add("description", "{}", table.description);
+    facts.add("surface", "{}", table.isotropic() ? "isotropic" : "anisotropic");
+    facts.add("phi_i", "{} from {:.4g} to {:.4g} deg", table.phi_i.size(),
+              degrees(table.phi_i.front()), degrees(table.phi_i.back()));
+    facts.add("theta_i", "{} from {:.4g} to {:.4g} deg", table.theta_i.size(),
+              degrees(table.theta_i.front()), degrees(table.theta_i.back()));
+    facts.add("points", "{} x {}", table.resolution, table.resolution);
+    facts.add("ndf", "{} x {}", table.ndf.rows, table.ndf.columns);
+    facts.add("vndf", "{} x {}", table.vndf_rows, table.vndf_columns);
+    if (table.is_rgb()) {
+        facts.add("colour", "linear RGB");
+    } else {
+        facts.add("wavelengths", "{} from {} to {} nm", table.wavelengths.size(),
+                  table.wavelengths.front(), table.wavelengths.back());
+    }
+    facts.add("jacobian", "{}", table.jacobian ? "yes" : "no");
+    facts.add("not measured", "{:.4g} % of the points (luminance 0)",
+              100.0 * std::count(table.luminance.begin(), table.luminance.end(), 0.0f) /
+                  static_cast<double>(table.luminance.size()));
+}
+
+void describe_merl(Facts& facts, const std::string& bytes, const std::string& name) {
+    const bsdf::MerlTable table = io::parse_merl(bytes, name);
+    facts.add("kind", "measured BRDF, half and difference angles (MERL, .binary)");
+    facts.add("bytes", "{}", bytes.size());
+    facts.add("cells", "{} theta_half, {} theta_difference, {} phi_difference", table.half,
+              table.difference, table.azimuths);
+    const auto missing =
+        std::count_if(table.values.begin(), table.values.end(), [](double v) { return v < 0; });
+    facts.add("not measured", "{:.4g} % of the values (negative)",
+              100.0 * static_cast<double>(missing) / static_cast<double>(table.values.size()));
+    for (int c = 0; c < 3; ++c) {
+        const auto first = table.values.begin() + static_cast<std::ptrdiff_t>(c * table.cells());
+        const double most =
+            *std::max_element(first, first + static_cast<std::ptrdiff_t>(table.cells()));
+        facts.add(std::string("largest ") + (c == 0   ? "red"
+                                             : c == 1 ? "green"
+                                                      : "blue"),
+                  "{:.6g} per sr", most * bsdf::MerlTable::kScale[c]);
+    }
+}
+
+void describe_image(Facts& facts, const std::string& bytes, const std::string& name) {
+    const io::Image image = io::parse_image(bytes, name);
+    facts.add("kind", "picture");
+    facts.add("bytes", "{}", bytes.size());
+    facts.add("size", "{} x {} pixels", image.width, image.height);
+    for (const io::Channel& channel : image.channels) {
+        double sum = 0, least = INFINITY, most = -INFINITY;
+        std::size_t finite = 0;
+        for (float v : channel.pixels) {
+            if (!std::isfinite(v)) continue;
+            ++finite;
+            sum += v;
+            least = std::min<double>(least, v);
+            most = std::max<double>(most, v);
+        }
+        facts.add("channel " + channel.name, "mean {:.6g}, from {:.6g} to {:.6g}, {} not finite",
+                  sum / static_cast<double>(std::max<std::size_t>(finite, 1)), least, most,
+                  channel.pixels.size() - finite);
+    }
+    for (const auto& [key, value] : image.metadata) facts.add(key, "{}", value);
+}
+
+void describe_scene(Facts& facts, const render::SceneDescription& scene) {
+    facts.add("kind", "scene");
+    facts.add("name", "{}", scene.name);
+    facts.add("shapes", "{}", scene.shapes.size());
+    facts.add("lights", "{}", scene.lights.size());
+    facts.add("environment", "{}", scene.environment ? "yes" : "no");
+    for (const auto& [name, material] : scene.materials) {
+        const auto* paint = std::get_if<render::PaintMaterial>(&material);
+        facts.add("material " + name, "{}",
+                  !paint                  ? "diffuse"
+                  : paint->recipe.empty() ? "the paint that --paint names"
+                                          : "paint " + paint->recipe.string());
+    }
+}
+
+std::string describe(const std::string& file) {
+    const std::string bytes =
+        read_file(file, std::max(io::kMostImageFileBytes, io::kMostMeasuredBytes));
+    Facts facts;
+    facts.add("file", "{}", file);
+    if (io::looks_like_solved_paint(bytes)) {
+        describe_solved_paint(facts, bytes, file);
+    } else if (io::looks_like_brdf_table(bytes)) {
+        describe_brdf_table(facts, bytes, file);
+    } else if (io::looks_like_rgl(bytes)) {
+        describe_rgl(facts, bytes, file);
+    } else if (io::looks_like_merl(bytes)) {
+        describe_merl(facts, bytes, file);
+    } else if (io::looks_like_image(bytes)) {
+        describe_image(facts, bytes, file);
+    } else {
+        const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+        if (render::looks_like_scene(bytes, file)) {
+            describe_scene(facts, render::parse_scene(bytes, file, folder));
+        } else {
+            facts.add("kind", "recipe");
+            describe_recipe(facts, io::parse_recipe(bytes, file, folder));
+        }
+    }
+    return facts.text();
+}
+
+}  // namespace
+
+Command add_info(CLI::App& program) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* info = program.add_subcommand("info", "Say what is in a file");
+    info->add_option("FILE", options->file,
+                     "Recipe, scene, solved paint, table or measured BRDF, picture")
+        ->required();
+    add_output(*info, *options);
+    info->footer(
+        "Checks the file on the way: a solved paint against its checksum, a recipe or a scene "
+        "key by key.\n\n"
+        "Example:\n  nacre info gold.h5");
+    return {info, [options] {
+                emit(*options, describe(options->file));
+                return ExitStatus::ok;
+            }};
+}
+
+}  // namespace nacre::cli

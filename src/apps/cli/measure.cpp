@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "apps/cli/difference_table.h"
+#include "apps/cli/instrument_options.h"
+#include "apps/cli/measured_sample.h"
+#include "apps/cli/options.h"
+#include "apps/cli/plot_files.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
+#include "nacre/io/measurement_file.h"
+#include "nacre/measure/difference.h"
+#include "nacre/measure/measurement.h"
+
+namespace nacre::cli {
+
+namespace {
+
+struct MeasureOptions : CommonOptions {
+    std::string sample, versus, weights, format = "csv", plots;
+    ModelOptions model;
+    InstrumentOptions instrument;
+    std::optional<std::uint64_t> samples;  // of the model walk
+};
+
+/// What a person wants to read at once.
+void say_summary(const MeasureOptions& options, const MeasuredSample& sample) {
+    const auto flop = measure::flop_index(sample.measurement);
+    const measure::ColourTravel travel = measure::colour_travel(sample.measurement);
+    std::string line = sample.measurement.name + ": ";
+    line += flop ? fmt::format("flop index {:.2f}", *flop) : "no flop index";
+    if (travel.path.size() > 1) line += fmt::format(", colour travel {:.1f}", travel.length);
+    say(options, line);
+}
+
+nlohmann::json sample_json(const MeasuredSample& sample) {
+    nlohmann::json document = io::measurement_json(sample.measurement);
+    document["file"] = sample.path;
+    document["recipe_sha256"] = sample.recipe_sha256;
+    document["model"] = sample.model;
+    for (std::size_t i = 0; i < sample.standard_error.size(); ++i) {
+        document["readings"][i]["standard_error"] = sample.standard_error[i];
+    }
+    return document;
+}
+
+std::string dumped(const nlohmann::json& document) {
+    return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+ExitStatus compare(const MeasureOptions& options, const MeasuredSample& sample,
+                   const MeasuredSample& standard, const Stopwatch& watch) {
+    const measure::Difference difference = measure::difference(
+        standard.measurement, sample.measurement, parse_weights(options.weights));
+    nlohmann::json document = difference_json(difference);
+    if (options.format == "json") {
+        nlohmann::json whole = document;
+        whole["sample"] = sample_json(sample);
+        whole["standard"] = sample_json(standard);
+        emit(options, dumped(whole));
+    } else {
+        emit(options, difference_csv(difference));
+    }
+    if (!options.plots.empty()) {
+        write_plots(options.plots,
+                    datasheet::measurement_plots(sample.measurement, &standard.measurement));
+    }
+    say_summary(options, sample);
+    say_summary(options, standard);
+    say(options, fmt::format("Delta E 2000 over {} angles: mean {:.2f}, greatest {:.2f}",
+                             difference.angles.size(), difference.mean_delta_e_2000,
+                             difference.max_delta_e_2000));
+    document["sample"] = sample.path;
+    document["standard"] = standard.path;
+    document["total_s"] = watch.seconds();
+    write_report(options, "measure", document);
+    return ExitStatus::ok;
+}
+
+ExitStatus run(const MeasureOptions& options) {
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    const Stopwatch watch;
+    if (options.versus.empty() && !options.weights.empty()) {
+        throw UsageError("--weights belongs to --versus");
+    }
+    parse_weights(options.weights);
+    InstrumentRequest instrument = parse_instrument(options.instrument);
+    if (options.samples) {
+        if (parse_model(options.model).model != models::Model::walk) {
+            throw UsageError("--samples belongs to --model walk; other models are not sampled");
+        }
+        instrument.walks = *options.samples;
+    }
+
+    if (options.versus.empty()) {
+        const MeasuredSample sample =
+            measure_sample(options.sample, options.model, instrument, options);
+        emit(options, options.format == "json"
+                          ? dumped(sample_json(sample))
+                          : io::measurement_csv(sample.measurement, sample.standard_error));
+        if (!options.plots.empty()) {
+            write_plots(options.plots, datasheet::measurement_plots(sample.measurement));
+        }
+        say_summary(options, sample);
+        nlohmann::json report = sample_json(sample);
+        report["total_s"] = watch.seconds();
+        write_report(options, "measure", report);
+        return ExitStatus::ok;
+    }
+    const auto [sample, standard] =
+        measure_both(options.sample, options.versus, options.model, instrument, options);
+    return compare(options, sample, standard, watch);
+}
+
+}  // namespace
+
+Command add_measure(CLI::App& program) {
+    auto options = std::make_shared<MeasureOptions>();
+    CLI::App* command = program.add_subcommand(
+        "measure", "Hold a virtual multi-angle spectrophotometer against a paint");
+    command
+        ->add_option("SAMPLE", options->sample,
+                     "Recipe (TOML), solved paint or table (HDF5), measured BRDF (.bsdf, .binary), "
+                     "or measured "
+                     "colours (CSV, JSON)")
+        ->required();
+    add_instrument_options(*command, options->instrument);
+    add_model_options(*command, options->model);
+    command
+        ->add_option("--samples", options->samples,
+                     "With --model walk: walks per lamp; standard errors are in columns SE<nm> "
+                     "[262144]")
+        ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
+    command->add_option("--versus", options->versus,
+                        "Standard to compare with: a recipe or a measured file");
+    command->add_option("--weights", options->weights,
+                        "With --versus: weights in the mean as NAME=W,...; others weigh 1");
+    command->add_option("--format", options->format, "csv or json")
+        ->check(CLI::IsMember({"csv", "json"}))
+        ->capture_default_str();
+    command
+        ->add_option("--plots", options->plots,
+                     "Folder for curves, as SVG and PNG: lightness, travel and spectra")
+        ->type_name("DIR");
+    add_output(*command, *options);
+    add_seed(*command, *options);
+    add_threads(*command, *options);
+    add_quiet(*command, *options);
+    add_report(*command, *options);
+    command->footer(
+        "Writes CSV: geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z, a column R<nm> a wavelength, "
+        "and\n"
+        "the conditions. Reflectance is relative to the perfect diffuser, which has Y = 100; the\n"
+        "mirror of a smooth interface is left out. Flop index and colour travel go to stderr and "
+        "into\n"
+        "JSON. With --versus: the colour difference at each angle.\n\n"
+        "Examples:\n"
+        "  nacre measure paints/tio2-mica-80.toml --geometry byk-mac\n"
+        "  nacre measure paints/tio2-mica-80.toml --versus paints/tio2-mica-110.toml \\\n"
+        "                --geometry 45as15,45as45,45as110 --illuminant A --observer 2");
+    return {command, [options] { return run(*options); }};
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,184 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/program_test_support.h"
+#include "nacre/io/measurement_file.h"
+#include "nacre/measure/measurement.h"
+
+// `nacre measure` as a colour designer meets it.
+
+namespace nacre::cli::testing {
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+measure::Measurement measured(const Outcome& outcome) {
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return io::parse_measurement(outcome.out, "stdout");
+}
+
+TEST_F(Program, MeasureReadsAPaintAtTheAnglesOfAnInstrument) {
+    const Outcome csv = nacre("measure gray.toml --geometry byk-mac");
+    EXPECT_THAT(csv.out, StartsWith("geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z,R400,R410,"));
+    EXPECT_THAT(csv.err, HasSubstr("gray: flop index"));
+    const measure::Measurement m = measured(csv);
+    ASSERT_EQ(m.readings.size(), 6u);
+    EXPECT_EQ(m.wavelengths_nm.size(), 31u);
+    EXPECT_EQ(m.readings[1].geometry, measure::in_plane(45, 15));
+    // Grey flakes in a clear binder: no colour, and Y is the reflectance in percent.
+    const measure::Reading& near = m.readings[1];
+    EXPECT_NEAR(near.lab[1], 0, 1e-9);
+    EXPECT_NEAR(near.xyz[1], 100 * near.reflectance_factor[0], 1e-9);
+    // Both say pi f.
+    const Outcome eval = nacre("eval gray.toml --incident 45 --outgoing 30,180");
+    EXPECT_NEAR(near.reflectance_factor[15], M_PI * number(eval.out, 16, 5),
+                1e-8 * near.reflectance_factor[15]);
+    EXPECT_THAT(nacre("measure gray.toml -q").err, IsEmpty());
+}
+
+TEST_F(Program, MeasureStatesItsConditions) {
+    const measure::Measurement m = measured(
+        nacre("measure gray.toml --geometry 45as15,45to30,90 --illuminant FL11 --observer 2 "
+              "--aperture 1,2.5 --wavelength 380:780:5 --format json"));
+    EXPECT_EQ(m.conditions.illuminant, spectra::Illuminant::FL11);
+    EXPECT_EQ(m.conditions.observer, spectra::Observer::cie1931_2deg);
+    EXPECT_EQ(m.conditions.aperture, (measure::Aperture{1, 2.5}));
+    EXPECT_EQ(m.wavelengths_nm.size(), 81u);
+    ASSERT_EQ(m.readings.size(), 2u);
+    EXPECT_EQ(m.readings[1].geometry.name, "45to30,90");
+}
+
+TEST_F(Program, MeasureJsonTellsWhatWasMeasured) {
+    const Outcome outcome = nacre("measure gray.toml --format json --report report.json");
+    const auto json = nlohmann::json::parse(outcome.out);
+    const measure::Measurement m = measured(outcome);
+    EXPECT_EQ(json["flop_index"], *measure::flop_index(m));
+    EXPECT_EQ(json["model"], "microflake");
+    EXPECT_EQ(json["file"], "gray.toml");
+    EXPECT_EQ(json["recipe_sha256"].get<std::string>().size(), 64u);
+    const auto report = nlohmann::json::parse(contents(folder_ / "report.json"));
+    EXPECT_EQ(report["command"], "measure");
+    EXPECT_EQ(report["flop_index"], json["flop_index"]);
+}
+
+TEST_F(Program, MeasureTakesASetFromAFile) {
+    write("set.toml", "[[geometry]]\nlamp_deg = 30\naspecular_deg = 15\nname = \"booth\"\n");
+    const measure::Measurement m = measured(nacre("measure gray.toml --geometry set.toml"));
+    ASSERT_EQ(m.readings.size(), 1u);
+    EXPECT_EQ(m.readings[0].geometry.name, "booth");
+    EXPECT_EQ(m.readings[0].geometry.theta_o_deg, 15);
+}
+
+TEST_F(Program, MeasuredFilesAreReadAgainUnderAnotherLight) {
+    ASSERT_EQ(nacre("measure gray.toml -q -o day.csv").status, 0);
+    ASSERT_EQ(nacre("measure gray.toml -q --illuminant A -o lamp.csv").status, 0);
+    EXPECT_EQ(nacre("measure day.csv --illuminant A -q").out, contents(folder_ / "lamp.csv"));
+    EXPECT_EQ(nacre("measure day.csv -q").out, contents(folder_ / "day.csv"));
+    EXPECT_EQ(measured(nacre("measure day.csv --geometry 45as110,45as15")).readings.size(), 2u);
+    EXPECT_THAT(nacre("measure day.csv --geometry 45as30").err, HasSubstr("no reading at 45as30"));
+    EXPECT_THAT(nacre("measure day.csv --aperture 1,1").err, HasSubstr("half angles of 0 and 0"));
+    write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
+    EXPECT_EQ(nacre("measure lab.csv").status, 0);
+    // What the file does not say, somebody may know.
+    EXPECT_EQ(measured(nacre("measure lab.csv --aperture 1,2")).conditions.aperture,
+              (measure::Aperture{1, 2}));
+    EXPECT_EQ(nacre("measure lab.csv --model mircoflake").status, 1);
+    const Outcome refused = nacre("measure lab.csv --illuminant A");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("no spectrum"));
+}
+
+TEST_F(Program, MeasureVersusTellsTheDifferenceAtEachAngle) {
+    ASSERT_EQ(nacre("measure gray.toml -q --geometry astm-e2194 -o standard.csv").status, 0);
+    // A paint is read as the measured file was, and is no different from itself.
+    const Outcome same = nacre("measure gray.toml --versus standard.csv");
+    EXPECT_THAT(same.out, StartsWith("geometry,theta_i,aspecular_deg,L_standard,"));
+    EXPECT_EQ(cell(same.out, 1, 0), "45as15");
+    EXPECT_EQ(cell(same.out, 3, 0), "45as110");
+    for (int row = 1; row <= 3; ++row) EXPECT_EQ(number(same.out, row, 14), 0);
+    EXPECT_THAT(same.err, HasSubstr("mean 0.00, greatest 0.00"));
+
+    // Fewer flakes are darker at the flop; weights choose the mean.
+    std::string darker = contents(folder_ / "gray.toml");
+    darker.replace(darker.find("0.6"), 3, "0.3");
+    write("dark.toml", darker);
+    const auto json = nlohmann::json::parse(
+        nacre("measure dark.toml --versus gray.toml --geometry astm-e2194 --format json "
+              "--weights 45as15=0,45as110=0 --report report.json")
+            .out);
+    ASSERT_EQ(json["angles"].size(), 3u);
+    EXPECT_LT(json["angles"][0]["delta_lab"][0].get<double>(), -10);
+    EXPECT_EQ(json["mean_delta_e_2000"], json["angles"][1]["delta_e_2000"]);
+    EXPECT_EQ(json["standard"]["file"], "gray.toml");
+    EXPECT_EQ(nlohmann::json::parse(contents(folder_ / "report.json"))["mean_delta_e_2000"],
+              json["mean_delta_e_2000"]);
+}
+
+TEST_F(Program, MeasureTakesASolvedPaintAndAnyModelWithValues) {
+    ASSERT_EQ(nacre("solve gray.toml -q -o gray.h5").status, 0);
+    EXPECT_EQ(nacre("measure gray.h5 -q").out, nacre("measure gray.toml -q").out);
+    const auto exact = measured(nacre("measure gray.toml")),
+               sparkling = measured(nacre("measure gray.toml --model nacre"));
+    for (std::size_t i = 0; i < exact.readings.size(); ++i) {
+        // The renderer's tables are in single precision.
+        EXPECT_NEAR(sparkling.readings[i].lab[0], exact.readings[i].lab[0], 0.2) << i;
+    }
+}
+
+TEST_F(Program, MeasureByTheReferenceAgreesWithinItsStandardErrors) {
+    const std::string set = " --geometry 45as15,45as45,15as15 --wavelength 500:600:100";
+    const auto exact = measured(nacre("measure gray.toml" + set));
+    const std::string walk = "measure gray.toml --model walk --samples 20000" + set;
+    const auto json = nlohmann::json::parse(nacre(walk + " --format json").out);
+    const Outcome csv = nacre(walk);
+    const auto walked = measured(csv);
+    EXPECT_THAT(csv.out, HasSubstr(",sample,SE500,SE600\n"));
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double error = json["readings"][i]["standard_error"][k];
+            EXPECT_GT(error, 0);
+            // A share of 6e-5 of normal errors is larger than four of their standard deviation.
+            EXPECT_NEAR(walked.readings[i].reflectance_factor[k],
+                        exact.readings[i].reflectance_factor[k], 4 * error);
+        }
+    }
+    EXPECT_THAT(nacre("measure gray.toml --model walk --aperture 1,1").err, HasSubstr("points"));
+    EXPECT_THAT(nacre("measure gray.toml --model walk --hot-spot").err, HasSubstr("belongs to"));
+}
+
+TEST_F(Program, MeasureSaysWhatIsWrong) {
+    const auto expect = [&](const std::string& arguments, int status, const std::string& message) {
+        const Outcome outcome = nacre("measure " + arguments);
+        EXPECT_EQ(outcome.status, status) << arguments;
+        EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+        EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
+    };
+    expect("gray.toml --geometry bykmac", 1, "did you mean 'byk-mac'");
+    expect("gray.toml --geometry 45as150", 1, "below the horizon");
+    expect("gray.toml --geometry 45as15,45as15", 1, "appears twice");
+    expect("gray.toml --geometry none.toml", 2, "none.toml");
+    expect("gray.toml --illuminant D66", 1, "did you mean 'D65'");
+    expect("gray.toml --observer 4", 1, "--observer = 4");
+    expect("gray.toml --aperture 3", 1, "half angles of lamp and detector");
+    expect("gray.toml --aperture 3,11", 1, "[0, 10] deg");
+    expect("gray.toml --wavelength 400,500,700", 1, "equal steps");
+    expect("gray.toml --weights 45as15=1", 1, "--versus");
+    expect("gray.toml --versus gray.toml --weights 45as15", 1, "NAME=W");
+    expect("gray.toml --versus gray.toml --weights 45as30=1", 2, "45as30");
+    expect("gray.toml --model volume", 1, "volume");
+    expect("gray.toml --samples 100", 1, "--model walk");
+    expect("none.toml", 2, "none.toml");
+    write("broken.csv", "geometry,L,a,b\n45as15,90,1\n");
+    expect("broken.csv", 2, "broken.csv:2:1");
+    expect("gray.toml -o none/out.csv", 2, "none");
+}
+
+}  // namespace
+
+}  // namespace nacre::cli::testing

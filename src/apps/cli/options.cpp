@@ -1,0 +1,155 @@
+#include "apps/cli/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "nacre/core/error.h"
+#include "nacre/core/file.h"
+#include "nacre/core/version.h"
+
+namespace nacre::cli {
+
+void add_output(CLI::App& command, CommonOptions& options) {
+    command.add_option("-o,--output", options.output, "File to write instead of standard output")
+        ->type_name("FILE");
+}
+
+void add_quiet(CLI::App& command, CommonOptions& options) {
+    command.add_flag("-q,--quiet", options.quiet, "No progress and no messages, errors excepted");
+}
+
+void add_report(CLI::App& command, CommonOptions& options) {
+    command.add_option("--report", options.report, "JSON file to write about this run")
+        ->type_name("FILE");
+}
+
+void add_threads(CLI::App& command, CommonOptions& options) {
+    command.add_option("--threads", options.threads, "Threads to use; 0 means all")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+}
+
+void add_seed(CLI::App& command, CommonOptions& options) {
+    command.add_option("--seed", options.seed, "Seed of the random numbers")->capture_default_str();
+}
+
+void emit(const CommonOptions& options, const std::string& data) {
+    if (!options.output.empty()) {
+        write_file_atomically(options.output, data);
+        return;
+    }
+    if (std::fwrite(data.data(), 1, data.size(), stdout) != data.size() ||
+        std::fflush(stdout) != 0) {
+        throw Error("cannot write to standard output");
+    }
+}
+
+void write_report(const CommonOptions& options, const std::string& command, nlohmann::json report) {
+    if (options.report.empty()) return;
+    report["command"] = command;
+    report["version"] = version();
+    // Names come from files that may hold any bytes: what is not UTF-8 is replaced.
+    write_file_atomically(
+        options.report,
+        report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+void say(const CommonOptions& options, const std::string& line) {
+    if (!options.quiet) fmt::print(stderr, "{}\n", line);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    for (std::size_t end; (end = text.find(separator, begin)) != std::string::npos;) {
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    parts.push_back(text.substr(begin));
+    return parts;
+}
+
+double parse_number(const std::string& option, const std::string& text, const Range& range) {
+    const char* first = text.data();
+    const char* last = first + text.size();
+    if (first != last && *first == '+') ++first;  // from_chars takes no plus sign
+    double number = 0;
+    const auto [end, error] = std::from_chars(first, last, number);
+    if (error != std::errc() || end != last || !std::isfinite(number) || !range.contains(number)) {
+        throw UsageError(
+            fmt::format("{} = {}: must be a number in {}", option, text, range.text()));
+    }
+    return number;
+}
+
+std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+                                  const Range& range) {
+    std::vector<double> numbers;
+    const auto check_count = [&](double more) {
+        if (static_cast<double>(numbers.size()) + more > static_cast<double>(kMostNumbers)) {
+            throw UsageError(
+                fmt::format("{} = {}: more than {} values", option, text, kMostNumbers));
+        }
+    };
+    for (const std::string& part : split(text, ',')) {
+        const std::vector<std::string> ends = split(part, ':');
+        if (ends.size() == 1) {
+            check_count(1);
+            numbers.push_back(parse_number(option, part, range));
+            continue;
+        }
+        if (ends.size() != 3) {
+            throw UsageError(fmt::format(
+                "{} = {}: must be a number, a comma list, or first:last:step", option, text));
+        }
+        const double first = parse_number(option, ends[0], range);
+        const double last = parse_number(option, ends[1], range);
+        const double step = parse_number(option, ends[2], Range{});
+        // Rounding must not lose the last value, as in 0:0.3:0.1.
+        const double steps = std::floor((last - first) / step + 1e-9);
+        if (!(steps >= 0)) {
+            throw UsageError(fmt::format("{} = {}: the step {} does not lead from {} to {}", option,
+                                         text, step, first, last));
+        }
+        check_count(steps + 1);
+        for (double i = 0; i <= steps; ++i) numbers.push_back(first + i * step);
+    }
+    return numbers;
+}
+
+namespace {
+
+constexpr Range kTheta{0, 90, "deg", false, true};
+constexpr Range kPhi{-360, 360, "deg"};
+
+}  // namespace
+
+std::vector<Direction> parse_directions(const std::string& option,
+                                        const std::vector<std::string>& texts) {
+    std::vector<Direction> directions;
+    for (const std::string& text : texts) {
+        const std::vector<std::string> parts = split(text, ',');
+        if (parts.size() > 2) {
+            throw UsageError(
+                fmt::format("{} = {}: must be theta or theta,phi in degrees", option, text));
+        }
+        const std::vector<double> thetas = parse_numbers(option + " (theta)", parts[0], kTheta);
+        const std::vector<double> phis = parts.size() == 2
+                                             ? parse_numbers(option + " (phi)", parts[1], kPhi)
+                                             : std::vector<double>{0.0};
+        if (thetas.size() * phis.size() + directions.size() > kMostDirections) {
+            throw UsageError(fmt::format("{}: more than {} directions", option, kMostDirections));
+        }
+        for (double theta : thetas) {
+            for (double phi : phis) directions.push_back({theta, phi});
+        }
+    }
+    return directions;
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "nacre/core/error.h"
+#include "nacre/montecarlo/reference.h"
+
+namespace nacre::cli {
+
+/// The command line is wrong in a way that only the command itself can see. Exit status 1.
+class UsageError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+// One file per command. Each adds its options to the program and hands back what to run once the
+// command line has been read.
+
+/// What the shell is told.
+enum class ExitStatus {
+    ok = 0,
+    usage = 1,              ///< the command line is wrong
+    bad_input = 2,          ///< a file, or a value in it, is wrong
+    failure = 3,            ///< something failed while running
+    comparison_failed = 4,  ///< pictures differ by more than was allowed
+};
+
+struct Command {
+    CLI::App* options = nullptr;
+    std::function<ExitStatus()> run;
+};
+
+Command add_film(CLI::App& program);
+Command add_solve(CLI::App& program);
+Command add_eval(CLI::App& program);
+Command add_reference(CLI::App& program);
+Command add_render(CLI::App& program);
+Command add_diff(CLI::App& program);
+Command add_info(CLI::App& program);
+Command add_study(CLI::App& program);
+Command add_measure(CLI::App& program);  ///< multi-angle colour
+Command add_sparkle(CLI::App& program);  ///< sparkle and graininess
+Command add_atlas(CLI::App& program);    ///< colours of a film by thickness and angle
+Command add_panel(CLI::App& program);    ///< a page about a paint
+Command add_fit(CLI::App& program);      ///< from colour back to composition
+Command add_export(CLI::App& program);   ///< formats of measured BRDFs
+
+/// Wall-clock time since it was made.
+class Stopwatch {
+ public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+ private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace nacre::cli
+
+namespace CLI {
+class App;
+}
+
+// What several commands have in common: where results go, and how much is said meanwhile.
+
+namespace nacre::cli {
+
+struct CommonOptions {
+    int threads = 0;         ///< 0: all
+    std::uint64_t seed = 0;  ///< of random numbers
+    bool quiet = false;      ///< no progress, no messages other than errors
+    std::string report;      ///< JSON file about the run; empty: none
+    std::string output;      ///< empty: stdout
+};
+
+void add_output(CLI::App& command, CommonOptions& options);  ///< -o, --output
+void add_quiet(CLI::App& command, CommonOptions& options);
+void add_report(CLI::App& command, CommonOptions& options);
+void add_threads(CLI::App& command, CommonOptions& options);
+void add_seed(CLI::App& command, CommonOptions& options);
+
+/// Data to the output file, whole or not at all, or to stdout.
+/// @throws Error if they cannot be written
+void emit(const CommonOptions& options, const std::string& data);
+
+/// Writes the report, if one was asked for, with "command" and "version" added to it.
+void write_report(const CommonOptions& options, const std::string& command, nlohmann::json report);
+
+/// A line on stderr unless quiet.
+void say(const CommonOptions& options, const std::string& line);
+
+inline constexpr std::size_t kMostNumbers = 100'000;
+
+/// The numbers of an option: one value, a comma list, or first:last:step (last is included if a
+/// whole number of steps leads there), or a comma list of such.
+///
+/// @param option  for messages, as in "--wavelength"
+/// @throws UsageError naming option, text and what is allowed
+std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+                                  const Range& range);
+
+/// One number.
+double parse_number(const std::string& option, const std::string& text, const Range& range);
+
+/// Parts between separators; at least one, possibly empty.
+std::vector<std::string> split(const std::string& text, char separator);
+
+using montecarlo::Direction;
+
+inline constexpr std::size_t kMostDirections = 100'000;
+
+/// Directions from options "theta" or "theta,phi", in degrees; either may be first:last:step, and
+/// then every theta goes with every phi.
+/// @throws UsageError naming option, text and what is allowed
+std::vector<Direction> parse_directions(const std::string& option,
+                                        const std::vector<std::string>& texts);
+
+}  // namespace nacre::cli

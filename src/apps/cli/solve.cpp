@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/model_options.h"
+#include "apps/cli/options.h"
+#include "apps/cli/paint_source.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
+#include "nacre/io/brdf_table_file.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/io/solved_paint_file.h"
+#include "nacre/paint/recipe.h"
+
+namespace nacre::cli {
+
+namespace {
+
+struct SolveOptions : CommonOptions {
+    std::string recipe;
+    std::string wavelengths = "400:700:10";
+    solver::SolverSettings settings;
+    ModelOptions model;  // only --table
+};
+
+/// --table raw or svd: the solved paint as one RGB table.
+std::string table_bytes(const SolveOptions& options, const solver::SolvedPaint& paint) {
+    ProgressBar bar("tabulate", options.quiet);
+    const models::BrdfTable table =
+        models::make_table(paint, parse_surface_options(options.model, 0), bar.callback());
+    return std::visit([](const auto& t) { return io::brdf_table_bytes(*t); }, table);
+}
+
+ExitStatus run(const SolveOptions& options) {
+    const bool split = parse_surface_options(options.model, 0).table == models::Table::split;
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    const Stopwatch watch;
+    const solver::SolvedPaint paint =
+        load_paint(options.recipe,
+                   parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength),
+                   options, options.settings);
+    const double solve_s = watch.seconds();
+    const std::string bytes = split ? io::solved_paint_bytes(paint) : table_bytes(options, paint);
+    emit(options, bytes);
+    const solver::SolverReport& report = paint.report;
+    say(options,
+        fmt::format("{}: {} wavelengths, {} + {} nodes, {} orders, {:.0f} ms, {} bytes",
+                    options.output, paint.wavelengths_nm().size(), report.exit_nodes,
+                    report.inner_nodes, report.orders, 1000 * watch.seconds(), bytes.size()));
+    write_report(options, "solve",
+                 {{"recipe", options.recipe},
+                  {"recipe_sha256", io::recipe_hash(paint.recipe)},
+                  {"output", options.output},
+                  {"table", options.model.table},
+                  {"bytes", bytes.size()},
+                  {"wavelengths_nm", paint.wavelengths_nm()},
+                  {"exit_nodes", report.exit_nodes},
+                  {"inner_nodes", report.inner_nodes},
+                  {"orders", report.orders},
+                  {"unresolved_scattering", report.unresolved_scattering},
+                  {"azimuthal_tail", report.azimuthal_tail},
+                  {"solve_s", solve_s},
+                  {"total_s", watch.seconds()}});
+    return ExitStatus::ok;
+}
+
+}  // namespace
+
+Command add_solve(CLI::App& program) {
+    auto options = std::make_shared<SolveOptions>();
+    CLI::App* solve =
+        program.add_subcommand("solve", "Solve the light transport in a paint and keep the result");
+    solve->add_option("RECIPE", options->recipe, "Recipe (TOML)")->required();
+    solve->add_option("-o,--output", options->output, "File to write (HDF5)")
+        ->required()
+        ->type_name("FILE");
+    solve->add_option("--wavelength", options->wavelengths, "Vacuum wavelengths, nm")
+        ->capture_default_str();
+    solve
+        ->add_option("--nodes", options->settings.exit_nodes,
+                     "Directions that leave the coat, a multiple of 4; 0: from the recipe")
+        ->check(CLI::Range(0, solver::SolverSettings::kMostNodes))
+        ->capture_default_str();
+    solve
+        ->add_option("--inner-nodes", options->settings.inner_nodes,
+                     "Directions beyond the critical angle, a multiple of 4; 0: from the recipe")
+        ->check(CLI::Range(0, solver::SolverSettings::kMostNodes))
+        ->capture_default_str();
+    solve
+        ->add_option("--orders", options->settings.most_orders,
+                     "Azimuthal Fourier orders at most; 0: from the recipe")
+        ->check(CLI::Range(0, solver::SolverSettings::kMostOrders))
+        ->capture_default_str();
+    solve
+        ->add_option("--tolerance", options->settings.tolerance,
+                     "Share of the peak below which the Fourier series may end")
+        ->check(CLI::Range(1e-9, 0.1))
+        ->capture_default_str();
+    add_table_option(*solve, options->model);
+    add_threads(*solve, *options);
+    add_quiet(*solve, *options);
+    add_report(*solve, *options);
+    solve->footer(
+        "Everything that takes a recipe takes the solved file too, and is then faster.\n\n"
+        "Example:\n  nacre solve paints/tio2-mica-80.toml -o gold.h5");
+    return {solve, [options] { return run(*options); }};
+}
+
+}  // namespace nacre::cli

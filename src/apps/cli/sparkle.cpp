@@ -1,0 +1,276 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/model_options.h"
+#include "apps/cli/options.h"
+#include "apps/cli/paint_source.h"
+#include "apps/study/gallery.h"
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
+#include "nacre/io/panel_image.h"
+#include "nacre/measure/sparkle_measurement.h"
+
+namespace nacre::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct SparkleOptions : CommonOptions {
+    std::string recipe;
+    ModelOptions model;
+    std::string lamps = "15,45,75";
+    measure::SparkleCamera camera;
+    measure::Viewing viewing;
+    std::string format = "csv";
+    std::string pictures;
+};
+
+/// What a model must be able to do here.
+models::Model parse_sparkling_model(const SparkleOptions& options) {
+    const models::ModelInfo& model = parse_model(options.model);
+    if (!model.can.sparkle) {
+        throw UsageError(
+            fmt::format("--model = {}: shows no single flakes, so that there is no sparkle to be "
+                        "measured; must be nacre or special-effect",
+                        model.name));
+    }
+    return model.model;
+}
+
+/// "45s", "22.5s".
+std::string lamp_name(double lamp_deg) { return fmt::format("{}s", lamp_deg); }
+
+// With fewer, numbers say little.
+constexpr double kFewSpots = 10;
+
+constexpr const char* kHeader =
+    "geometry,theta_i,Y,background_Y,threshold_Y,spots_per_cm2,spots_per_cm2_se,intensity,"
+    "intensity_se,contrast,contrast_se,area_percent,area_percent_se,sparkle,sparkle_se,"
+    "graininess,graininess_se,pixel_contrast,pixel_contrast_se\n";
+
+/// A number that may be missing, and its error.
+std::string cells(const std::optional<Estimate>& estimate, double scale = 1) {
+    if (!estimate) return ",,";
+    const double error = scale * estimate->standard_error;
+    return fmt::format(",{:.6g},{}", scale * estimate->value,
+                       std::isfinite(error) ? fmt::format("{:.6g}", error) : "");
+}
+
+std::string csv_of(const measure::SparkleMeasurement& measurement) {
+    std::string table = kHeader;
+    auto out = std::back_inserter(table);
+    for (std::size_t i = 0; i < measurement.by_lamp.size(); ++i) {
+        const measure::Sparkle& s = measurement.by_lamp[i];
+        const double lamp = measurement.lamps_deg[i];
+        fmt::format_to(out, "{},{},{:.6g},{:.6g},{:.6g}", lamp_name(lamp), lamp, 100 * s.mean_y,
+                       100 * s.background.y, 100 * s.background.threshold);
+        table += cells(s.density_per_cm2) + cells(s.intensity) + cells(s.contrast) +
+                 cells(s.area_share, 100) + cells(s.sparkle_per_cm2) + ",," +
+                 cells(s.pixel_contrast) + "\n";
+    }
+    if (const auto& diffuse = measurement.diffuse) {
+        fmt::format_to(out, "diffuse,,{:.6g},,,,,,,,,,,,", 100 * diffuse->mean_y);
+        table += cells(diffuse->graininess) + cells(diffuse->pixel_contrast) + "\n";
+    }
+    return table;
+}
+
+json json_of(const std::optional<Estimate>& estimate, double scale = 1) {
+    if (!estimate) return nullptr;
+    // What is not finite becomes null.
+    return {{"value", scale * estimate->value},
+            {"standard_error", scale * estimate->standard_error}};
+}
+
+json json_of(const SparkleOptions& options, const PaintSurface& paint,
+             const measure::SparkleMeasurement& measurement) {
+    const measure::SparkleCamera& camera = options.camera;
+    json readings = json::array();
+    for (std::size_t i = 0; i < measurement.by_lamp.size(); ++i) {
+        const measure::Sparkle& s = measurement.by_lamp[i];
+        readings.push_back({{"geometry", lamp_name(measurement.lamps_deg[i])},
+                            {"theta_i", measurement.lamps_deg[i]},
+                            {"Y", 100 * s.mean_y},
+                            {"background_Y", 100 * s.background.y},
+                            {"threshold_Y", 100 * s.background.threshold},
+                            {"eye_blur_um", 1e3 * s.blur_mm},
+                            {"area_mm2", s.area_mm2},
+                            {"spots_per_cm2", json_of(s.density_per_cm2)},
+                            {"intensity", json_of(s.intensity)},
+                            {"contrast", json_of(s.contrast)},
+                            {"area_percent", json_of(s.area_share, 100)},
+                            {"sparkle", json_of(s.sparkle_per_cm2)},
+                            {"pixel_contrast", json_of(s.pixel_contrast)}});
+    }
+    if (const auto& diffuse = measurement.diffuse) {
+        readings.push_back({{"geometry", "diffuse"},
+                            {"Y", 100 * diffuse->mean_y},
+                            {"graininess", json_of(diffuse->graininess)},
+                            {"pixel_contrast", json_of(diffuse->pixel_contrast)}});
+    }
+    return {{"recipe", options.recipe},
+            {"recipe_sha256", paint.recipe_sha256()},
+            {"model", options.model.model},
+            {"seed", options.seed},
+            {"pixel_um", camera.pixel_um},
+            {"field_mm", camera.field_mm},
+            {"lamp_half_angle_deg", camera.lamp_half_angle_deg},
+            {"distance_mm", options.viewing.distance_mm},
+            {"illuminance_lx", options.viewing.illuminance_lx},
+            {"readings", readings}};
+}
+
+void write_picture(const SparkleOptions& options, const std::string& name,
+                   const measure::PanelPicture& picture) {
+    const io::ToneMap tone_map{io::display_stops(picture)};
+    const io::Image image = io::image_of(
+        picture, {{"nacre:recipe", options.recipe},
+                  {"nacre:model", options.model.model},
+                  {"nacre:geometry", name},
+                  {"nacre:pixel_um", fmt::format("{}", 1e3 * picture.pixel_mm)},
+                  {"nacre:png_stops", fmt::format("{:.4g}", tone_map.exposure_stops)}});
+    const fs::path folder = options.pictures;
+    io::write_exr(folder / (name + ".exr"), image);
+    io::write_png(folder / (name + ".png"), image, tone_map);
+}
+
+/// Both halves together: less noise.
+measure::PanelPicture mean_of(const std::vector<measure::PanelPicture>& halves) {
+    measure::PanelPicture mean = halves[0];
+    for (std::size_t i = 0; i < mean.xyz.size(); ++i) {
+        mean.xyz[i] = 0.5f * (halves[0].xyz[i] + halves[1].xyz[i]);
+    }
+    return mean;
+}
+
+ExitStatus run(SparkleOptions options) {
+    const models::Model model = parse_sparkling_model(options);
+    const models::SurfaceOptions surface = parse_surface_options(options.model, options.seed);
+    if (surface.flakes == models::Flakes::explicit_discs) {
+        throw UsageError(
+            "--flakes = explicit: follows light and has no values to give; see nacre render");
+    }
+    options.camera.seed = options.seed;
+    options.camera.lamps_deg = parse_numbers("--lamp", options.lamps, {0, 85, "deg"});
+    if (options.camera.lamps_deg.size() > 16) {
+        throw UsageError(fmt::format("--lamp: {} lamps are too many: at most 16",
+                                     options.camera.lamps_deg.size()));
+    }
+    measure::check(options.camera);
+    measure::check(options.viewing);
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    const Stopwatch watch;
+    const PaintSurface paint = load_surface(options.recipe, model, surface, options);
+    const double solved_s = watch.seconds();
+    measure::PanelPictures pictures;
+    {
+        ProgressBar bar("sparkle", options.quiet);
+        pictures = measure::take_pictures(*paint.surface, options.camera, bar.callback());
+    }
+    const double seen_s = watch.seconds();
+    if (!pictures.flakes_told_apart) {
+        say(options,
+            "nacre: flakes lie in heaps too dense to be told apart; graininess is too large");
+    }
+    const measure::SparkleMeasurement measurement =
+        measure::measure_pictures(options.camera, pictures, options.viewing);
+    for (std::size_t i = 0; i < measurement.by_lamp.size(); ++i) {
+        const measure::Sparkle& s = measurement.by_lamp[i];
+        const double spots = s.density_per_cm2.value * s.area_mm2 / 100;
+        if (spots < kFewSpots) {
+            say(options, fmt::format("nacre: {}: only {:.0f} spots were seen; a larger --field "
+                                     "counts more",
+                                     lamp_name(measurement.lamps_deg[i]), spots));
+        }
+    }
+    if (!options.pictures.empty()) {
+        study::make_folder(options.pictures);
+        for (std::size_t i = 0; i < pictures.by_lamp.size(); ++i) {
+            write_picture(options, lamp_name(options.camera.lamps_deg[i]), pictures.by_lamp[i]);
+        }
+        if (!pictures.diffuse.empty()) write_picture(options, "diffuse", mean_of(pictures.diffuse));
+    }
+    emit(options, options.format == "json"
+                      ? json_of(options, paint, measurement)
+                                .dump(2, ' ', false, json::error_handler_t::replace) +
+                            "\n"
+                      : csv_of(measurement));
+    write_report(options, "sparkle",
+                 {{"recipe", options.recipe},
+                  {"recipe_sha256", paint.recipe_sha256()},
+                  {"model", options.model.model},
+                  {"seed", options.seed},
+                  {"prepare_s", solved_s},
+                  {"pictures_s", seen_s - solved_s},
+                  {"total_s", watch.seconds()}});
+    return ExitStatus::ok;
+}
+
+}  // namespace
+
+Command add_sparkle(CLI::App& program) {
+    auto options = std::make_shared<SparkleOptions>();
+    options->model.model = "nacre";
+    CLI::App* sparkle = program.add_subcommand(
+        "sparkle", "Measure sparkle and graininess of a paint with a virtual camera");
+    sparkle->add_option("RECIPE", options->recipe, "Recipe (TOML) or solved paint")->required();
+    add_model_options(*sparkle, options->model);
+    sparkle->add_option("--lamp", options->lamps, "Lamps, deg from the normal")
+        ->capture_default_str();
+    sparkle
+        ->add_option("--lamp-half-angle", options->camera.lamp_half_angle_deg,
+                     "Angular radius of the lamps, deg; 0 is a point, the sun has 0.27")
+        ->capture_default_str();
+    sparkle->add_option("--field", options->camera.field_mm, "Side of what the camera sees, mm")
+        ->capture_default_str();
+    sparkle->add_option("--pixel", options->camera.pixel_um, "Side of a pixel on the panel, um")
+        ->capture_default_str();
+    sparkle
+        ->add_option("--diffuse-samples", options->camera.diffuse_samples,
+                     "Directions a pixel for the picture in diffuse light; even; 0: none")
+        ->capture_default_str();
+    sparkle
+        ->add_option("--distance", options->viewing.distance_mm,
+                     "From which the panel is looked at, mm")
+        ->capture_default_str();
+    sparkle->add_option("--illuminance", options->viewing.illuminance_lx, "On the panel, lx")
+        ->capture_default_str();
+    sparkle
+        ->add_option("--panel", options->camera.unit_square_mm,
+                     "special-effect: side of the panel over which the recipe's facets lie, mm")
+        ->capture_default_str();
+    sparkle->add_option("--format", options->format, "csv or json")
+        ->check(CLI::IsMember({"csv", "json"}))
+        ->capture_default_str();
+    sparkle
+        ->add_option("--pictures", options->pictures,
+                     "Folder for what the camera saw: an EXR and a PNG for each lamp and for "
+                     "diffuse light")
+        ->type_name("DIR");
+    add_output(*sparkle, *options);
+    add_seed(*sparkle, *options);
+    add_threads(*sparkle, *options);
+    add_quiet(*sparkle, *options);
+    add_report(*sparkle, *options);
+    sparkle->footer(
+        "The camera looks along the normal of a flat panel. One row a lamp (15s, 45s, 75s) and "
+        "one\n"
+        "for diffuse light; columns ending in _se are standard errors. Luminances Y are 100 for "
+        "the\n"
+        "perfect diffuser; intensity, graininess and sparkle are in thresholds of seeing:\n"
+        "docs/sparkle.md defines them. Instruments' own scales are not public: do not compare.\n\n"
+        "Examples:\n  nacre sparkle paints/metallic-silver.toml\n"
+        "  nacre sparkle paints/glitter-100um.toml --lamp 15:75:15 --pictures seen -o sparkle.csv");
+    return {sparkle, [options] { return run(*options); }};
+}
+
+}  // namespace nacre::cli

@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/cli/program_test_support.h"
+
+namespace nacre::cli::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+const char* const kSmall = "sparkle gray.toml --field 2 --diffuse-samples 4 ";
+
+TEST_F(Program, SparkleWritesARowALampAndOneForDiffuseLight) {
+    const Outcome run = nacre(std::string(kSmall) + "--lamp 15,60 -q");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.err, IsEmpty());
+    EXPECT_THAT(run.out, StartsWith("geometry,theta_i,Y,background_Y,threshold_Y,spots_per_cm2,"));
+    EXPECT_EQ(cell(run.out, 1, 0), "15s");
+    EXPECT_EQ(cell(run.out, 2, 0), "60s");
+    EXPECT_EQ(cell(run.out, 3, 0), "diffuse");
+    EXPECT_GT(number(run.out, 1, 5), 0);   // spots
+    EXPECT_GT(number(run.out, 3, 15), 0);  // graininess
+    EXPECT_EQ(cell(run.out, 3, 5), "");
+    EXPECT_EQ(cell(run.out, 1, 15), "");
+}
+
+TEST_F(Program, SparkleDependsOnTheSeedAndNotOnTheThreads) {
+    const std::string one = nacre(std::string(kSmall) + "-q --threads 1").out;
+    EXPECT_EQ(nacre(std::string(kSmall) + "-q --threads 2").out, one);
+    EXPECT_NE(nacre(std::string(kSmall) + "-q --seed 1").out, one);
+}
+
+TEST_F(Program, SparkleWritesJsonAndPictures) {
+    const Outcome run = nacre(std::string(kSmall) +
+                              "--format json --pictures seen -o sparkle.json --report r.json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.out, IsEmpty());
+    const auto json = nlohmann::json::parse(contents(folder_ / "sparkle.json"));
+    EXPECT_EQ(json["model"], "nacre");
+    EXPECT_EQ(json["readings"].size(), 4u);
+    EXPECT_GT(json["readings"][3]["graininess"]["value"], 0);
+    for (const char* name : {"15s", "45s", "75s", "diffuse"}) {
+        EXPECT_TRUE(exists(std::string("seen/") + name + ".png")) << name;
+        EXPECT_TRUE(exists(std::string("seen/") + name + ".exr")) << name;
+    }
+    EXPECT_EQ(nlohmann::json::parse(contents(folder_ / "r.json"))["command"], "sparkle");
+}
+
+TEST_F(Program, SparkleTakesTheModelSpecialEffect) {
+    write("facets.toml", R"(ior = 1.5
+[microfacet]
+alpha = 0.2
+film_ior = 1.8
+film_thickness_nm = 158
+base_ior = 1.08
+base_extinction = 0.51
+[microfacet.facets]
+count = 4_000_000
+cone_deg = 3.0
+thickness_spread_nm = 10.0
+)");
+    const Outcome run = nacre(
+        "sparkle facets.toml --model special-effect --field 2 --lamp 15 --diffuse-samples 4 -q");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_GT(number(run.out, 1, 17), 0.1);  // contrast of the pixels
+    EXPECT_EQ(nacre("sparkle facets.toml --model special-effect --field 20 --panel 10").status, 2);
+}
+
+TEST_F(Program, SparkleRefusesWhatItCannotMeasure) {
+    const struct {
+        const char *arguments, *complaint;
+        int status;
+    } cases[] = {
+        {"--model microflake", "shows no single flakes", 1},
+        {"--model thin-film", "shows no single flakes", 1},
+        {"--model walk", "shows no single flakes", 1},
+        {"--flakes explicit", "follows light", 1},
+        {"--lamp 15,90", "--lamp", 1},
+        {"--lamp 0:85:1", "at most 16", 1},
+        {"--format xml", "--format", 1},
+        {"--pixel 0", "pixel in um = 0", 2},
+        {"--field nan", "field", 2},
+        {"--field 1e9", "field of the camera in pixels", 2},
+        {"--field 100 --lamp 1:16:1", "pixels in all pictures", 2},
+        {"--lamp-half-angle -1", "half-angle", 2},
+        {"--diffuse-samples 5", "must be even", 2},
+        {"--distance 1", "viewing distance in mm = 1", 2},
+        {"--illuminance 0", "illuminance in lx = 0", 2},
+        {"--distance 60", "smaller pixels or a larger distance", 2},
+        {"--field 1 --distance 5000", "larger field", 2},
+    };
+    for (const auto& c : cases) {
+        const std::string field =
+            std::string(c.arguments).find("--field") == std::string::npos ? "--field 2 " : "";
+        const Outcome run = nacre("sparkle gray.toml " + field + c.arguments);
+        EXPECT_EQ(run.status, c.status) << c.arguments << run.err;
+        EXPECT_THAT(run.err, HasSubstr(c.complaint)) << c.arguments;
+        EXPECT_THAT(run.out, IsEmpty()) << c.arguments;
+    }
+    EXPECT_EQ(nacre("sparkle none.toml").status, 2);
+}
+
+}  // namespace
+}  // namespace nacre::cli::testing

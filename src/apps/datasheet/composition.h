@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/report/report.h"
+#include "nacre/paint/recipe.h"
+
+// What a paint is made of, for people.
+
+namespace nacre::datasheet {
+
+/// A shipped material as chemists write it, "TiO₂ (anatase)"; a number as "n = 1.58"; other names
+/// as they are.
+std::string material_text(const optics::Material& material);
+
+/// The tilt from lying flat that half of the flakes exceed, deg: tan^2 = alpha^2 ln 2 for Gaussian
+/// slopes.                                                    [walter-2007, eq. 28 with 1/2]
+double median_tilt_deg(const paint::Orientation& orientation);
+
+/// One sentence for each coat, layer and the ground, from the top down.
+std::vector<std::string> layers_in_words(const paint::Recipe& recipe);
+
+/// The same as a table: a row for each flake, pigment, coat and the ground.
+report::Table layers_table(const paint::Recipe& recipe);
+
+/// The film on facets that the microfacet models take instead of layers.
+std::vector<std::string> facets_in_words(const paint::Microfacet& microfacet);
+
+}  // namespace nacre::datasheet

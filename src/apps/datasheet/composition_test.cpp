@@ -1,0 +1,102 @@
+#include "apps/datasheet/composition.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nacre/io/recipe_file.h"
+
+namespace nacre::datasheet {
+namespace {
+
+using testing::HasSubstr;
+
+paint::Recipe recipe(const std::string& text) { return io::parse_recipe(text, "test.toml", {}); }
+
+paint::Recipe pearl() {
+    return recipe(R"(ior = 1.5
+[clearcoat]
+thickness_um = 45
+[[layer]]
+thickness_um = 15
+[[layer.flakes]]
+name = "TiO2 on mica"
+volume_fraction = 0.05
+diameter_um = 18
+diameter_spread_um = 6
+orientation = { distribution = "beckmann", alpha = 0.1 }
+core = { material = "mica", thickness_nm = 500, spread_nm = 100 }
+coats = [{ material = "TiO2_anatase", thickness_nm = 80, spread_nm = 5 }]
+[[layer.pigment]]
+scattering_per_mm = 200.0
+absorption_per_mm = 50.0
+[[layer]]
+thickness_um = 30
+[substrate]
+reflectance = 0.03
+)");
+}
+
+TEST(Composition, NamesMaterialsAsChemistsWriteThem) {
+    EXPECT_EQ(material_text(optics::find_material("TiO2_anatase")), "TiO₂ (anatase)");
+    EXPECT_EQ(material_text(optics::find_material("TiO2_rutile_o")), "TiO₂ (rutile o)");
+    EXPECT_EQ(material_text(optics::find_material("Fe2O3")), "Fe₂O₃");
+    EXPECT_EQ(material_text(optics::find_material("Al")), "Al");
+    EXPECT_EQ(material_text(optics::find_material("synthetic_mica")), "synthetic mica");
+    EXPECT_EQ(material_text(optics::find_material("1.58")), "n = 1.58");
+    EXPECT_EQ(material_text(optics::Material("my_own", {2.0, 0.0})), "my_own");
+}
+
+// P(tan^2 > t) = exp(-t / alpha^2) for Gaussian slopes.
+TEST(Composition, HalfOfTheFlakesTiltLessThanTheMedian) {
+    // python3 -c "import math; print(math.degrees(math.atan(.1*math.sqrt(math.log(2)))))"
+    EXPECT_NEAR(median_tilt_deg({0.1}), 4.759210683456808, 1e-12);
+}
+
+TEST(Composition, WordsHoldEveryNumber) {
+    const auto sentences = layers_in_words(pearl());
+    ASSERT_EQ(sentences.size(), 4u);
+    EXPECT_THAT(sentences[0], HasSubstr("45 µm"));
+    for (const char* part :
+         {"15 µm", "TiO2 on mica", "mica, 500 ± 100 nm", "TiO₂ (anatase), 80 ± 5 nm", "18 ± 6 µm",
+          "0.66 µm thick", "5 % by volume", "1.14 times", "4.8°", "scatters 200 /mm"}) {
+        EXPECT_THAT(sentences[1], HasSubstr(part));
+    }
+    EXPECT_THAT(sentences[2], HasSubstr("binder alone"));
+    EXPECT_THAT(sentences[3], HasSubstr("3 %"));
+}
+
+TEST(Composition, TheTableHasARowForEachIngredient) {
+    const report::Table table = layers_table(pearl());
+    std::vector<std::string> first, second;
+    for (const auto& row : table.rows) {
+        ASSERT_EQ(row.size(), table.columns.size());
+        first.push_back(row[0].text);
+        second.push_back(row[1].text);
+    }
+    using testing::ElementsAre;
+    EXPECT_THAT(first,
+                ElementsAre("Clear coat, 45 µm", "Layer 1, 15 µm", "", "Layer 2, 30 µm", "Ground"));
+    EXPECT_THAT(second,
+                ElementsAre("clear", "TiO2 on mica", "pigment", "binder alone", "reflects 3 %"));
+}
+
+TEST(Composition, SpectraAreStatedByTheirRange) {
+    paint::Recipe paint = pearl();
+    paint.substrate_reflectance = spectra::Spectrum({400, 700}, {0.02, 0.6});
+    EXPECT_THAT(layers_in_words(paint).back(), HasSubstr("2 to 60 %"));
+}
+
+TEST(Composition, FacetsAreDescribedByFilmAndBase) {
+    paint::Microfacet facets;
+    facets.film_ior = 2.5;
+    facets.film_thickness_nm = 80;
+    const auto without = facets_in_words(facets);
+    ASSERT_EQ(without.size(), 1u);
+    EXPECT_THAT(without[0], HasSubstr("80 nm with n = 2.5"));
+    facets.facets = paint::MicrofacetFacets{1e7, 3, 5};
+    ASSERT_EQ(facets_in_words(facets).size(), 2u);
+    EXPECT_THAT(facets_in_words(facets)[1], HasSubstr("10⁷ facets"));
+}
+
+}  // namespace
+}  // namespace nacre::datasheet

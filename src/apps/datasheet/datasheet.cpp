@@ -1,0 +1,317 @@
+#include "apps/datasheet/datasheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "apps/datasheet/atlas.h"
+#include "apps/datasheet/composition.h"
+#include "apps/datasheet/measurement_plots.h"
+#include "apps/report/markup.h"
+#include "apps/report/page.h"
+#include "apps/report/parts.h"
+#include "nacre/core/error.h"
+#include "nacre/core/version.h"
+#include "nacre/measure/measurement.h"
+#include "nacre/render/builtin_scenes.h"
+#include "nacre/render/render.h"
+#include "nacre/render/render_image.h"
+
+namespace nacre::datasheet {
+
+std::string painted_picture(std::shared_ptr<const bsdf::Bsdf> paint,
+                            const PictureSettings& settings, const Progress& progress) {
+    const render::SceneDescription description = render::builtin_scene(settings.scene);
+    render::PaintTable paints;
+    for (const auto& [name, material] : description.materials) {
+        if (std::holds_alternative<render::PaintMaterial>(material)) paints[name] = paint;
+    }
+    const render::Scene scene(description, paints);
+    const render::RenderResult result =
+        render::render(scene,
+                       {.width = settings.width,
+                        .height = settings.height,
+                        .samples_per_pixel = settings.samples_per_pixel,
+                        .seed = settings.seed},
+                       progress);
+    if (!result.complete) throw Error("stopped");
+    io::Image image = render::image_of(result, {});
+    image.metadata.clear();  // such as the time it took: a report made twice is the same
+    return io::encode_png(image, "a picture of " + settings.scene);
+}
+
+namespace {
+
+using measure::Measurement;
+using measure::Reading;
+using report::escape_html;
+
+/// More chips than this would be stamps: then those lit from one angle stand for all.
+constexpr std::size_t kMostChips = 24;
+
+std::string heading(const std::string& words) { return "<h2>" + escape_html(words) + "</h2>\n"; }
+
+std::string paragraph(const std::string& words, const char* look = "") {
+    return fmt::format("<p{}>{}</p>\n", look, escape_html(words));
+}
+
+// ----------------------------------------------------------------------------- metrics
+
+struct Metric {
+    std::string name, value, note;
+};
+
+/// "12.3", with "standard 11.9" beside it.
+Metric compared(const char* name, const std::optional<double>& value,
+                const std::optional<double>& standard, int decimals) {
+    const auto text = [&](const std::optional<double>& v) {
+        return v ? decimal_text(*v, decimals) : std::string("none");
+    };
+    return {name, text(value), standard ? "standard " + text(standard) : ""};
+}
+
+std::string uncertain(const Estimate& estimate) {
+    const double error = estimate.standard_error;
+    if (estimate.value == 0 && error == 0) return "0";
+    // As many digits as the error leaves.
+    const int decimals = std::isfinite(error) && error > 0
+                             ? std::clamp(static_cast<int>(-std::floor(std::log10(error))), 0, 3)
+                             : 1;
+    std::string text = decimal_text(estimate.value, decimals);
+    if (std::isfinite(error)) text += " ± " + decimal_text(error, decimals);
+    return text;
+}
+
+std::vector<Metric> metrics(const PanelReport& report) {
+    const Measurement& sample = report.sample;
+    const Measurement* standard = report.standard ? &report.standard->measurement : nullptr;
+    const auto of_standard = [&](const auto& quantity) -> std::optional<double> {
+        return standard ? quantity(*standard) : std::nullopt;
+    };
+    const auto travel = [](const Measurement& m) -> std::optional<double> {
+        const measure::ColourTravel way = measure::colour_travel(m);
+        return way.path.size() > 1 ? std::optional(way.length) : std::nullopt;
+    };
+    std::vector<Metric> all = {
+        compared("Flop index", measure::flop_index(sample), of_standard(measure::flop_index), 1),
+        compared("Colour travel in a*b*", travel(sample), of_standard(travel), 1)};
+    if (report.standard) {
+        const measure::Difference& d = report.standard->difference;
+        all.push_back({"ΔE2000 to the standard", decimal_text(d.mean_delta_e_2000, 2),
+                       "greatest " + decimal_text(d.max_delta_e_2000, 2)});
+    }
+    if (!report.sparkle) return all;
+    for (std::size_t i = 0; i < report.sparkle->by_lamp.size(); ++i) {
+        all.push_back({"Sparkle, lamp at " + degrees_text(report.sparkle->lamps_deg[i]),
+                       uncertain(report.sparkle->by_lamp[i].sparkle_per_cm2), "per cm²"});
+    }
+    if (report.sparkle->diffuse) {
+        all.push_back({"Graininess in diffuse light",
+                       uncertain(report.sparkle->diffuse->graininess), "thresholds"});
+    }
+    return all;
+}
+
+std::string metrics_html(const PanelReport& report) {
+    std::string html = "<dl class=\"metrics\">\n";
+    for (const Metric& metric : metrics(report)) {
+        html += fmt::format(
+            "<div><dt>{}</dt><dd>{}{}</dd></div>\n", escape_html(metric.name),
+            escape_html(metric.value),
+            metric.note.empty() ? "" : " <span>" + escape_html(metric.note) + "</span>");
+    }
+    return html + "</dl>\n";
+}
+
+// ------------------------------------------------------------------------------- chips
+
+/// The reading of the standard at the same geometry; null if there is none.
+const Reading* same_geometry(const Measurement* standard, const measure::Geometry& geometry) {
+    if (!standard) return nullptr;
+    for (const Reading& reading : standard->readings) {
+        if (measure::separation_deg(reading.geometry, geometry) <= 1e-6) return &reading;
+    }
+    return nullptr;
+}
+
+std::vector<const Reading*> readings_for_chips(const Measurement& sample) {
+    std::vector<const Reading*> all;
+    for (const Reading& reading : sample.readings) all.push_back(&reading);
+    if (all.size() <= kMostChips) return all;
+    const double lamp = sample.readings[0].geometry.theta_i_deg;
+    std::erase_if(all, [&](const Reading* r) {
+        return r->geometry.theta_i_deg != lamp || !measure::is_in_plane(r->geometry);
+    });
+    if (all.size() > kMostChips) all.resize(kMostChips);
+    return all;
+}
+
+std::string angle_name(const Measurement& sample, const measure::Geometry& geometry) {
+    const bool one_lamp =
+        std::all_of(sample.readings.begin(), sample.readings.end(), [&](const Reading& r) {
+            return measure::is_in_plane(r.geometry) &&
+                   r.geometry.theta_i_deg == sample.readings[0].geometry.theta_i_deg;
+        });
+    return one_lamp ? degrees_text(geometry.aspecular_deg) : geometry.name;
+}
+
+std::string chips_html(const PanelReport& report) {
+    const Measurement* standard = report.standard ? &report.standard->measurement : nullptr;
+    const auto readings = readings_for_chips(report.sample);
+    std::string html = fmt::format("<div class=\"chips\" style=\"--columns:{}\">\n",
+                                   std::clamp<std::size_t>(readings.size(), 1, 8));
+    for (const Reading* reading : readings) {
+        html += "<div class=\"chip\">";
+        const Reading* other = same_geometry(standard, reading->geometry);
+        // The standard above, the sample below, without a seam between them.
+        const std::string below = chip(reading->lab), above = other ? chip(other->lab) : below;
+        html += fmt::format(
+            "<div class=\"colour\" style=\"background-image:linear-gradient({} 50%, {} "
+            "50%)\"></div>",
+            above, below);
+        html += fmt::format("<b>{}</b><span>L* {}</span><span>C* {}</span><span>h {}</span>",
+                            escape_html(angle_name(report.sample, reading->geometry)),
+                            decimal_text(reading->lab[0], 1),
+                            decimal_text(measure::chroma(reading->lab), 1),
+                            decimal_text(measure::hue_deg(reading->lab), 0) + "°");
+        html += "</div>\n";
+    }
+    return html + "</div>\n";
+}
+
+// ------------------------------------------------------------------------------ readings
+
+std::string readings_html(const PanelReport& report) {
+    report::Table table{.columns = {"Angle", "L*", "a*", "b*", "C*", "h"}};
+    if (report.standard) table.columns.emplace_back("ΔE2000");
+    for (const Reading* reading : readings_for_chips(report.sample)) {
+        const spectra::Vec3& lab = reading->lab;
+        std::vector<report::Cell> row = {
+            {.text = angle_name(report.sample, reading->geometry), .numeric = true}};
+        for (const double value : {lab[0], lab[1], lab[2], measure::chroma(lab)}) {
+            row.push_back(report::number_cell(decimal_text(value, 1)));
+        }
+        row.push_back(report::number_cell(decimal_text(measure::hue_deg(lab), 0) + "°"));
+        if (report.standard) {
+            const auto& angles = report.standard->difference.angles;
+            const auto found = std::find_if(angles.begin(), angles.end(), [&](const auto& angle) {
+                return measure::separation_deg(angle.geometry, reading->geometry) <= 1e-6;
+            });
+            row.push_back(report::number_cell(
+                found != angles.end() ? decimal_text(found->delta_e_2000, 2) : std::string()));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return report::table_html(table, 1);
+}
+
+std::string plots_html(const PanelReport& report) {
+    constexpr report::SvgSize kHalf{.width_px = 470, .height_px = 315};
+    // The page has said whose curves these are.
+    Measurement sample = report.sample;
+    sample.name = report.standard ? "sample" : "";
+    std::optional<Measurement> standard;
+    if (report.standard) {
+        standard = report.standard->measurement;
+        standard->name.clear();
+    }
+    std::string html = "<div class=\"two\">\n";
+    for (const NamedPlot& named : measurement_plots(sample, standard ? &*standard : nullptr)) {
+        html += report::static_plot_html(named.plot, kHalf);
+    }
+    return html + readings_html(report) + "</div>\n";
+}
+
+// ---------------------------------------------------------------------------- composition
+
+std::string composition_html(const PanelReport& report) {
+    const bool of_layers = models::info(report.model).ingredients == models::Ingredients::layers;
+    std::string html;
+    if (of_layers) {
+        std::string words;
+        for (const std::string& sentence : layers_in_words(report.recipe)) {
+            words += (words.empty() ? "" : " ") + sentence;
+        }
+        html += paragraph(words) + report::table_html(layers_table(report.recipe), 2);
+    } else if (report.recipe.microfacet) {
+        std::string words;
+        for (const std::string& sentence : facets_in_words(*report.recipe.microfacet)) {
+            words += (words.empty() ? "" : " ") + sentence;
+        }
+        html += paragraph(words);
+    }
+    return html;
+}
+
+std::string legend_of_two(const PanelReport& report) {
+    if (!report.standard) return {};
+    return paragraph(
+        fmt::format("Upper halves of the chips and dashed curves: {} ({}). Lower halves "
+                    "and full curves: {}.",
+                    report.standard->measurement.name,
+                    report.standard->measured ? "standard, measured" : "standard, computed",
+                    report.sample.name),
+        " class=\"small\"");
+}
+
+std::string method_html(const PanelReport& report) {
+    const models::ModelInfo& model = models::info(report.model);
+    const std::string lamp = report.sample.readings.empty()
+                                 ? ""
+                                 : fmt::format("; {} geometries", report.sample.readings.size());
+    std::vector<std::string> texts = {
+        fmt::format("Readings: {}{}; angles are aspecular, from the mirror direction towards the "
+                    "normal. The perfect diffuser has Y = 100; the gloss of a smooth surface is "
+                    "excluded, as instruments exclude it. Flop index: 2.69 (L*15 − L*110)^1.11 / "
+                    "L*45^0.86.",
+                    conditions_text(report.sample.conditions), lamp),
+        fmt::format("All numbers and pictures are computed from the composition by the model {} "
+                    "({}){}. They say what a multi-angle instrument would read if the paint were "
+                    "as described and the model true; they do not replace a panel that was "
+                    "painted and measured.",
+                    model.name, model.source,
+                    report.standard && report.standard->measured
+                        ? ", but for the standard, which was measured"
+                        : ""),
+        "Chips and pictures are shown as sRGB. Colours brighter than white are dimmed at equal "
+        "hue; what screen or printer cannot show is cut off. Compare numbers, not prints."};
+    if (report.sparkle) {
+        texts.emplace_back(
+            "Sparkle counts the points of light that an eye at half a metre notices, each by the "
+            "logarithm of how far it stands above the threshold; graininess is the contrast in "
+            "diffuse light "
+            "in units of the threshold. The definitions are Nacre's own and published with it: "
+            "they are not those of any instrument on the market. ± is one standard error.");
+    }
+    std::string html = "<ul class=\"small\">\n";
+    for (const std::string& text : texts) html += "<li>" + escape_html(text) + "</li>\n";
+    return html + "</ul>\n";
+}
+
+std::string pictures_html(const PanelReport& report) {
+    if (report.pictures.empty()) return {};
+    const std::vector<report::Picture> small(report.pictures.begin() + 1, report.pictures.end());
+    std::string html = report::pictures_html({report.pictures[0]}, 1, "");
+    for (const report::Picture& picture : small) html += report::pictures_html({picture}, 1, "");
+    return html;
+}
+
+}  // namespace
+
+std::string panel_report_html(const PanelReport& report) {
+    std::string body = fmt::format("<section class=\"hero\" style=\"--small:{}\">\n",
+                                   report.pictures.empty() ? 0 : report.pictures.size() - 1);
+    body += pictures_html(report) + "</section>\n" + metrics_html(report) +
+            heading("Colour by angle") + chips_html(report) + legend_of_two(report) +
+            plots_html(report);
+    body += heading("Composition") + composition_html(report);
+    body += heading("What these numbers are") + method_html(report);
+    body += fmt::format(
+        "<footer>nacre {} · model {}{}</footer>\n", version(), models::info(report.model).name,
+        report.recipe_sha256.empty() ? "" : " · recipe SHA-256 " + report.recipe_sha256);
+    return report::page_html(report.title, "Virtual panel report", {}, body, false, panel_css());
+}
+
+}  // namespace nacre::datasheet

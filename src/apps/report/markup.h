@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// What keeps text from being taken for HTML.
+
+namespace nacre::report {
+
+/// The text as valid UTF-8 that HTML and XML may hold: each byte that is no part of a character,
+/// each control character but tabs and line ends, U+FFFE and U+FFFF become U+FFFD.
+std::string clean_utf8(std::string_view text);
+
+/// The cleaned text with & < > " ' as character references: safe between tags and inside quoted
+/// attributes.
+std::string escape_html(std::string_view text);
+
+/// A script's source such that it cannot end the <script> element that it stands in. What it does
+/// stays the same as long as "</script" and "<!--" occur in strings and regular expressions only,
+/// where a backslash before / or ! means nothing.
+std::string escape_script(std::string_view source);
+
+/// JSON such that it cannot end the <script> element that it stands in: < becomes \u003c.
+std::string escape_json(std::string_view json);
+
+/// Bytes as base64 with padding and without line breaks.     [rfc-4648-2006, section 4]
+std::string base64(std::string_view bytes);
+
+/// HTML of a text with markup: `code`, *emphasis*, [words](address). Stars inside words mean
+/// nothing, so that L*a*b* stays as it is; nor do marks that do not close. A link whose address is
+/// neither http, https, mailto, #anchor nor a relative path is shown as it was written, so that no
+/// text can bring a script along.
+std::string markup_to_html(std::string_view text);
+
+/// The same text without its marks, for places that hold plain text only. Not escaped.
+std::string markup_to_plain(std::string_view text);
+
+}  // namespace nacre::report

@@ -1,0 +1,257 @@
+#include "apps/report/plot_data.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "apps/report/markup.h"
+#include "apps/report/plot_frame.h"
+#include "apps/report/plot_svg.h"
+#include "nacre/core/error.h"
+
+namespace nacre::report {
+
+void require_colour(std::string_view colour, const std::string& where) {
+    const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
+    if (colour.size() == 7 && colour[0] == '#' &&
+        std::all_of(colour.begin() + 1, colour.end(), is_digit)) {
+        return;
+    }
+    throw DomainError(fmt::format("{}: '{}' is no colour of the form \"#rrggbb\"", where, colour));
+}
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool shown(const Axis& axis, double value) {
+    return std::abs(value) <= kLargestShown && (!axis.logarithmic || value > 0);
+}
+
+void check_axis(const Axis& axis, const char* name, const std::string& where) {
+    for (const auto& end : {axis.lo, axis.hi}) {
+        if (end && !shown(axis, *end)) {
+            throw DomainError(fmt::format("{}: the {} axis cannot end at {}{}", where, name, *end,
+                                          axis.logarithmic ? ": it is logarithmic" : ""));
+        }
+    }
+    if (axis.lo && axis.hi && !(*axis.lo < *axis.hi)) {
+        throw DomainError(
+            fmt::format("{}: the {} axis goes from {} to {}", where, name, *axis.lo, *axis.hi));
+    }
+}
+
+void check_series(const Series& series, const std::string& where) {
+    const std::size_t count = series.x.size();
+    const auto check_count = [&](std::size_t n, const char* name, bool may_be_empty) {
+        if (n == count || (n == 0 && may_be_empty)) return;
+        throw DomainError(fmt::format("{}: {} {} for {} x", where, n, name, count));
+    };
+    check_count(series.y.size(), "y", false);
+    check_count(series.y_error.size(), "y_error", true);
+    check_count(series.point_colours.size(), "point_colours", true);
+    check_count(series.point_labels.size(), "point_labels", true);
+    for (const double error : series.y_error) {
+        if (error < 0) throw DomainError(fmt::format("{}: y_error = {} is below 0", where, error));
+    }
+    if (!series.colour.empty()) require_colour(series.colour, where);
+    for (const std::string& colour : series.point_colours) require_colour(colour, where);
+}
+
+// The range of the values that an axis can show.
+struct Range {
+    double lo = kInfinity, hi = -kInfinity;
+    void add(const Axis& axis, double value) {
+        if (!shown(axis, value)) return;
+        lo = std::min(lo, value);
+        hi = std::max(hi, value);
+    }
+};
+
+Extent extent(const Axis& axis, Range range) {
+    if (!(range.lo <= range.hi)) {  // nothing to show
+        range = axis.logarithmic ? Range{1, 10} : Range{0, 1};
+    }
+    // Margins are parts of the range, on a logarithmic axis of that of the logarithms.
+    const auto to = [&](double v) { return axis.logarithmic ? std::log10(v) : v; };
+    const auto from = [&](double v) { return axis.logarithmic ? std::pow(10, v) : v; };
+    double lo = to(axis.lo.value_or(range.lo)), hi = to(axis.hi.value_or(range.hi));
+    if (!(lo < hi)) {  // one value only, or data on the other side of the end that was given
+        const double half = axis.logarithmic ? 0.5 : lo == 0 ? 0.5 : 0.05 * std::abs(lo);
+        if (axis.hi && !axis.lo) {
+            lo = hi - 2 * half;
+        } else if (axis.lo && !axis.hi) {
+            hi = lo + 2 * half;
+        } else {
+            const double middle = lo;
+            lo = middle - half;
+            hi = middle + half;
+        }
+    } else {
+        const double margin = 0.03 * (hi - lo);
+        if (!axis.lo) lo -= margin;
+        if (!axis.hi) hi += margin;
+    }
+    return {axis.lo.value_or(from(lo)), axis.hi.value_or(from(hi)),
+            !axis.logarithmic && !axis.lo && !axis.hi};
+}
+
+json axis_json(const Axis& axis, const Extent& extent) {
+    return {{"label", clean_utf8(axis.label)},
+            {"log", axis.logarithmic},
+            {"domain", {extent.lo, extent.hi}},
+            {"round", extent.round}};
+}
+
+json point_json(const Plot& plot, const Series& series, std::size_t i) {
+    json point = {{"x", nullptr}, {"y", nullptr}};
+    if (!can_be_shown(plot, series.x[i], series.y[i])) return point;
+    point["x"] = series.x[i];
+    point["y"] = series.y[i];
+    if (const auto bar = error_bar(plot, series, i)) {
+        if (bar->low) point["low"] = *bar->low;
+        point["high"] = bar->high;
+        point["error"] = series.y_error[i];
+    }
+    if (!series.point_colours.empty()) point["colour"] = series.point_colours[i];
+    return point;
+}
+
+json points_json(const Plot& plot, const Extents& ends, const Series& series) {
+    json points = json::array();
+    for (std::size_t i = 0; i < series.x.size(); ++i) points.push_back(point_json(plot, series, i));
+    if (series.point_labels.empty()) return points;
+    const std::vector<int> sides = label_sides(plot, ends, series);
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+        if (sides[i] < 0) continue;
+        points[i]["label"] = clean_utf8(series.point_labels[i]);
+        points[i]["side"] = sides[i];
+    }
+    return points;
+}
+
+json style_json() {
+    return {
+        {"paper", style::kPaper},
+        {"text", style::kText},
+        {"faintText", style::kFaintText},
+        {"pointLabel", style::kPointLabel},
+        {"grid", style::kGrid},
+        {"gridOpacity", style::kGridOpacity},
+        {"frame", style::kFrame},
+        {"zero", style::kZero},
+        {"lineWidth", style::kLineWidth},
+        {"dashes", style::kDashes},
+        {"barWidth", style::kBarWidth},
+        {"barOpacity", style::kBarOpacity},
+        {"dotRadius", style::kDotRadius},
+        {"ownDotRadius", style::kOwnDotRadius},
+        {"ownDotEdge", style::kOwnDotEdge},
+        {"tickFont", style::kTickFont},
+        {"labelFont", style::kLabelFont},
+        {"labelDistance", style::kLabelDistance},
+        {"margins",
+         {style::kMarginTop, style::kMarginRight, style::kMarginBottom, style::kMarginLeft}},
+        {"tickSpacing", {style::kTickSpacingX, style::kTickSpacingY, style::kTickSpacingEqual}}};
+}
+
+}  // namespace
+
+void check(const Plot& plot) {
+    const std::string where = fmt::format("plot '{}'", plot.title);
+    check_axis(plot.x, "x", where);
+    check_axis(plot.y, "y", where);
+    if (plot.equal_scale && (plot.x.logarithmic || plot.y.logarithmic)) {
+        throw DomainError(where + ": axes of equal scale cannot be logarithmic");
+    }
+    for (const Series& series : plot.series) {
+        check_series(series, fmt::format("{}, series '{}'", where, series.name));
+    }
+}
+
+Extents extents(const Plot& plot) {
+    Range x, y;
+    for (const Series& series : plot.series) {
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+            if (!can_be_shown(plot, series.x[i], series.y[i])) continue;
+            x.add(plot.x, series.x[i]);
+            y.add(plot.y, series.y[i]);
+            if (series.y_error.empty()) continue;
+            y.add(plot.y, series.y[i] - series.y_error[i]);
+            y.add(plot.y, series.y[i] + series.y_error[i]);
+        }
+    }
+    if (plot.equal_scale) {
+        x.add(plot.x, 0);
+        y.add(plot.y, 0);
+    }
+    Extents result{extent(plot.x, x), extent(plot.y, y)};
+    if (plot.equal_scale) {
+        // The picture's height follows from its width: keep it between half of it and all of it.
+        const double width = result.x.hi - result.x.lo, height = result.y.hi - result.y.lo;
+        widen(result.x, plot.x, height);
+        widen(result.y, plot.y, width / 2);
+        result.x.round = result.y.round = false;
+    }
+    return result;
+}
+
+void widen(Extent& extent, const Axis& axis, double width) {
+    const double missing = width - (extent.hi - extent.lo);
+    if (missing <= 0 || (axis.lo && axis.hi)) return;
+    const double below = axis.lo ? 0 : axis.hi ? missing : missing / 2;
+    extent.lo -= below;
+    extent.hi += missing - below;
+}
+
+bool can_be_shown(const Plot& plot, double x, double y) {
+    return shown(plot.x, x) && shown(plot.y, y);
+}
+
+std::optional<ErrorBar> error_bar(const Plot& plot, const Series& series, std::size_t i) {
+    if (series.y_error.empty() || !std::isfinite(series.y_error[i])) return {};
+    const double low = series.y[i] - series.y_error[i];
+    ErrorBar bar{low, series.y[i] + series.y_error[i]};
+    // A bar that reaches 0 on a logarithmic axis goes down to its end.
+    if (plot.y.logarithmic && !(low > 0)) bar.low.reset();
+    return bar;
+}
+
+Look look_of(const Series& series, std::size_t index) {
+    // The palette of Okabe and Ito, the yellow last: it is faint on white. [okabe-ito-2008]
+    constexpr std::string_view kPalette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                             "#e69f00", "#56b4e9", "#000000", "#f0e442"};
+    constexpr std::string_view kSymbols[] = {"circle", "square", "triangle", "diamond"};
+    constexpr std::size_t colours = std::size(kPalette), symbols = std::size(kSymbols);
+    return {series.colour.empty() ? std::string(kPalette[index % colours]) : series.colour,
+            kSymbols[(index + index / colours) % symbols]};
+}
+
+std::string plot_json(const Plot& plot) {
+    check(plot);
+    const Extents ends = extents(plot);
+    json series_list = json::array();
+    for (std::size_t s = 0; s < plot.series.size(); ++s) {
+        const Series& series = plot.series[s];
+        const Look look = look_of(series, s);
+        series_list.push_back({{"name", clean_utf8(series.name)},
+                               {"colour", look.colour},
+                               {"symbol", look.symbol},
+                               {"line", series.line},
+                               {"dots", series.dots},
+                               {"dashed", series.dashed},
+                               {"points", points_json(plot, ends, series)}});
+    }
+    const json whole = {{"x", axis_json(plot.x, ends.x)},
+                        {"y", axis_json(plot.y, ends.y)},
+                        {"equal", plot.equal_scale},
+                        {"style", style_json()},
+                        {"series", std::move(series_list)}};
+    return whole.dump();
+}
+
+}  // namespace nacre::report

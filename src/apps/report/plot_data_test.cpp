@@ -1,0 +1,154 @@
+#include "apps/report/plot_data.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "nacre/core/error.h"
+#include "nacre/spectra/rgb.h"
+
+namespace nacre::report {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+Plot plot_of(std::vector<double> x, std::vector<double> y) {
+    return {.title = "t", .series = {{.name = "s", .x = std::move(x), .y = std::move(y)}}};
+}
+
+TEST(PlotData, LeavesOutPointsThatAreNotFinite) {
+    const Plot plot = plot_of({0, kNan, 2, kInf, 4, 1e200}, {0, 1, kNan, 3, -kInf, 1});
+    const json points = json::parse(plot_json(plot))["series"][0]["points"];
+    ASSERT_EQ(points.size(), 6u);  // they stay as gaps of the line
+    EXPECT_EQ(points[0]["x"], 0);
+    for (int i = 1; i < 6; ++i) {
+        EXPECT_TRUE(points[i]["x"].is_null() && points[i]["y"].is_null()) << i;
+    }
+    EXPECT_LT(extents(plot).x.hi, 1);
+}
+
+TEST(PlotData, LeavesOutWhatALogarithmicAxisCannotShow) {
+    Plot plot = plot_of({1, 2, 3, 4}, {1, 0, -1, 100});
+    plot.y.logarithmic = true;
+    plot.series[0].y_error = {2, 0, 0, 50};
+    const json points = json::parse(plot_json(plot))["series"][0]["points"];
+    EXPECT_TRUE(points[1]["y"].is_null());
+    EXPECT_TRUE(points[2]["y"].is_null());
+    EXPECT_FALSE(points[0].contains("low"));  // 1 - 2 < 0: the bar goes down to the axis
+    EXPECT_EQ(points[0]["high"], 3);
+    EXPECT_EQ(points[3]["low"], 50);
+    const Extent y = extents(plot).y;
+    EXPECT_GT(y.lo, 0);
+    EXPECT_LE(y.lo, 1);
+    EXPECT_GE(y.hi, 150);
+}
+
+TEST(PlotData, AxesHoldEveryPointAndBar) {
+    Plot plot = plot_of({-3, 5}, {10, 20});
+    plot.series[0].y_error = {4, kNan};
+    const Extents ends = extents(plot);
+    EXPECT_TRUE(ends.x.lo <= -3 && ends.x.hi >= 5);
+    EXPECT_TRUE(ends.y.lo <= 6 && ends.y.hi >= 20);
+    EXPECT_TRUE(ends.x.round && ends.y.round);
+}
+
+TEST(PlotData, AxesEndWhereTheCallerSays) {
+    Plot plot = plot_of({1, 2}, {3, 4});
+    plot.x.lo = 0;
+    plot.y.lo = 3.5;
+    plot.y.hi = 3.75;
+    const Extents ends = extents(plot);
+    EXPECT_EQ(ends.x.lo, 0);
+    EXPECT_GE(ends.x.hi, 2);
+    EXPECT_EQ(ends.y.lo, 3.5);
+    EXPECT_EQ(ends.y.hi, 3.75);
+    EXPECT_FALSE(ends.x.round || ends.y.round);
+}
+
+TEST(PlotData, AxesHaveALengthWhateverTheData) {
+    for (const bool logarithmic : {false, true}) {
+        for (const std::vector<double>& v : std::vector<std::vector<double>>{
+                 {}, {0}, {5}, {-5, -5}, {kNan}, {1e150, -1e150}, {1e-300}, {7, 7}}) {
+            for (const auto& [lo, hi] :
+                 std::vector<std::pair<std::optional<double>, std::optional<double>>>{
+                     {{}, {}}, {50.0, {}}, {{}, 1e-3}, {1.0, 2.0}}) {
+                Plot plot = plot_of(v, v);
+                plot.y = {.logarithmic = logarithmic, .lo = lo, .hi = hi};
+                const Extent y = extents(plot).y;
+                EXPECT_TRUE(std::isfinite(y.lo) && std::isfinite(y.hi) && y.lo < y.hi)
+                    << y.lo << " " << y.hi << (logarithmic ? " log" : "");
+                EXPECT_TRUE(!logarithmic || y.lo > 0);
+            }
+        }
+    }
+}
+
+TEST(PlotData, EqualScaleShowsTheZerosAndKeepsThePictureInShape) {
+    for (const auto& [x, y] : std::vector<std::pair<std::vector<double>, std::vector<double>>>{
+             {{20, 60}, {1, 2}}, {{1, 2}, {20, 60}}, {{-40, 10}, {-10, 5}}, {{}, {}}}) {
+        Plot plot = plot_of(x, y);
+        plot.equal_scale = true;
+        const Extents ends = extents(plot);
+        EXPECT_TRUE(ends.x.lo < 0 && ends.x.hi > 0 && ends.y.lo < 0 && ends.y.hi > 0);
+        const double ratio = (ends.y.hi - ends.y.lo) / (ends.x.hi - ends.x.lo);
+        EXPECT_GE(ratio, 0.5 - 1e-12);
+        EXPECT_LE(ratio, 1 + 1e-12);
+    }
+}
+
+TEST(PlotData, NamesWhatIsWrong) {
+    const auto message = [](const Plot& plot) -> std::string {
+        try {
+            plot_json(plot);
+        } catch (const DomainError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_EQ(message(plot_of({1, 2}, {1})), "plot 't', series 's': 1 y for 2 x");
+    Plot plot = plot_of({1, 2}, {1, 2});
+    plot.series[0].point_colours = {"#ff0000"};
+    EXPECT_EQ(message(plot), "plot 't', series 's': 1 point_colours for 2 x");
+    plot.series[0].point_colours = {"#ff0000", "red;x:url(a)"};
+    EXPECT_EQ(message(plot),
+              "plot 't', series 's': 'red;x:url(a)' is no colour of the form \"#rrggbb\"");
+    plot = plot_of({1}, {1});
+    plot.series[0].y_error = {-0.5};
+    EXPECT_EQ(message(plot), "plot 't', series 's': y_error = -0.5 is below 0");
+    plot = plot_of({}, {});
+    plot.x.lo = 2;
+    plot.x.hi = 2;
+    EXPECT_EQ(message(plot), "plot 't': the x axis goes from 2 to 2");
+    plot.x.hi = kNan;
+    EXPECT_EQ(message(plot), "plot 't': the x axis cannot end at nan");
+    plot.x = {.logarithmic = true, .lo = 0};
+    EXPECT_EQ(message(plot), "plot 't': the x axis cannot end at 0: it is logarithmic");
+    plot.x = {.logarithmic = true};
+    plot.equal_scale = true;
+    EXPECT_EQ(message(plot), "plot 't': axes of equal scale cannot be logarithmic");
+}
+
+TEST(PlotData, ThirtyTwoSeriesLookDifferent) {
+    std::set<std::pair<std::string, std::string_view>> looks;
+    for (std::size_t i = 0; i < 32; ++i) {
+        const Look look = look_of({}, i);
+        looks.insert({look.colour, look.symbol});
+    }
+    EXPECT_EQ(looks.size(), 32u);
+    EXPECT_EQ(look_of({.colour = "#123456"}, 3).colour, "#123456");
+}
+
+TEST(PlotData, ColoursAreClippedToTheGamut) {
+    EXPECT_EQ(spectra::css_colour({0, 0.5, 1}), "#0080ff");
+    EXPECT_EQ(spectra::css_colour({-1, 2, kNan}), "#00ff00");
+    EXPECT_EQ(spectra::css_colour({kInf, -kInf, 1.0 / 255}), "#ff0001");
+}
+
+}  // namespace
+}  // namespace nacre::report

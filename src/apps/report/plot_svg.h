@@ -1,0 +1,86 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "apps/report/plot_data.h"
+#include "apps/report/plot_frame.h"
+
+// How every plot looks, whoever draws it: plots.js in a browser gets these with its data, and
+// plot_svg.cpp uses them as they are.
+
+namespace nacre::report::style {
+
+inline constexpr const char* kPaper = "#ffffff";
+inline constexpr const char* kText = "#1f1f1f";
+inline constexpr const char* kFaintText = "#5c5c5c";
+inline constexpr const char* kPointLabel = "#333333";
+inline constexpr const char* kGrid = "#000000";
+inline constexpr double kGridOpacity = 0.1;
+inline constexpr const char* kFrame = "#bbbbbb";
+inline constexpr const char* kZero = "#777777";  ///< lines of zero, where scales are equal
+
+inline constexpr double kLineWidth = 2;  ///< px, as all lengths here
+inline constexpr const char* kDashes = "6 4";
+inline constexpr double kBarWidth = 1.2;
+inline constexpr double kBarOpacity = 0.8;
+inline constexpr double kDotRadius = 4;
+/// Dots in colours of their own are larger, so that the colour can be seen, and have a dark edge.
+inline constexpr double kOwnDotRadius = 7;
+inline constexpr const char* kOwnDotEdge = "#333333";
+
+inline constexpr double kTickFont = 13;
+inline constexpr double kLabelFont = 12;      ///< of points
+inline constexpr double kLabelDistance = 10;  ///< from a point to its label
+
+inline constexpr double kMarginTop = 32, kMarginRight = 28, kMarginBottom = 48, kMarginLeft = 62;
+inline constexpr double kTickSpacingX = 80, kTickSpacingY = 50, kTickSpacingEqual = 60;
+
+}  // namespace nacre::report::style
+
+namespace nacre::report {
+
+/// The outline of a dot as the data of an SVG path about (0, 0): equal areas, as eyes compare
+/// them.
+/// @param symbol  circle, square, triangle or diamond, as in Look
+/// @param radius  of the circle, px
+std::string symbol_path(std::string_view symbol, double radius);
+
+/// A coordinate or length in SVG, to a hundredth of a pixel; what lies too far off to be drawn is
+/// moved to where no picture reaches.
+std::string svg_number(double pixels);
+
+// What the lines and dots of a plot stand for.
+
+/// How wide a text will be about, px: fonts are the viewer's. On the safe side for common ones.
+double text_width(std::string_view utf8, double font_px);
+
+/// A piece of line and a dot as a series has them, in a box of 32 x 12 px from (0, 0).
+std::string legend_key(const Series& series, const Look& look);
+
+struct Legend {
+    std::string svg;
+    double height = 0;  ///< 0: no series has a name
+};
+
+/// The names of the series with their keys, in rows from `corner` to the right edge.
+Legend legend_svg(const Plot& plot, Pixel corner, double right);
+
+// A plot as a picture that needs no script: for print, for mail, for a paper.
+
+struct SvgSize {
+    double width_px = 720;
+    double height_px = 420;
+
+    friend bool operator==(const SvgSize&, const SvgSize&) = default;
+};
+
+inline constexpr double kSmallestSvg = 120, kLargestSvg = 10'000;  // px a side
+
+/// The plot as SVG 1.1: valid XML, drawn the way plots.js does, with its title and a legend above
+/// it, text as text in the viewer's sans-serif font. It has no scripts, styles, links or ids, so
+/// that it can stand in a page as often as wanted; the caption becomes its description.
+/// @throws DomainError as check(plot), or if a side is outside [kSmallestSvg, kLargestSvg]
+std::string plot_svg(const Plot& plot, const SvgSize& size = {});
+
+}  // namespace nacre::report

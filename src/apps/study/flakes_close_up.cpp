@@ -1,0 +1,239 @@
+#include "apps/study/flakes_close_up.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "nacre/core/error.h"
+#include "nacre/core/file.h"
+#include "nacre/core/sha256.h"
+#include "nacre/core/version.h"
+#include "nacre/io/image.h"
+#include "nacre/render/scene.h"
+#include "nacre/spectra/lab.h"
+#include "nacre/spectra/rgb.h"
+
+namespace nacre::study {
+namespace {
+
+constexpr int kPiecesAcross = 4;
+constexpr int kPieces = kPiecesAcross * kPiecesAcross;
+
+struct Sums {
+    double n = 0, a = 0, b = 0, ab = 0;
+
+    friend Sums operator+(const Sums& x, const Sums& y) {
+        return {x.n + y.n, x.a + y.a, x.b + y.b, x.ab + y.ab};
+    }
+    friend Sums operator-(const Sums& x, const Sums& y) {
+        return {x.n - y.n, x.a - y.a, x.b - y.b, x.ab - y.ab};
+    }
+};
+
+/// Sums over each piece of the picture.
+std::array<Sums, kPieces> sum_pieces(const Pixels& a, const Pixels& b) {
+    if (a.width != b.width || a.height != b.height || a.width < kPiecesAcross ||
+        a.height < kPiecesAcross) {
+        throw DomainError(
+            fmt::format("pictures of {} x {} and {} x {} pixels: must be alike and at least {} a "
+                        "side",
+                        a.width, a.height, b.width, b.height, kPiecesAcross));
+    }
+    const auto y_a = luminance(a), y_b = luminance(b);
+    std::array<Sums, kPieces> sums{};
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) {
+            const int piece =
+                y * kPiecesAcross / a.height * kPiecesAcross + x * kPiecesAcross / a.width;
+            const std::size_t p = static_cast<std::size_t>(y) * a.width + x;
+            Sums& s = sums[piece];
+            s.n += 1;
+            s.a += y_a[p];
+            s.b += y_b[p];
+            s.ab += y_a[p] * y_b[p];
+        }
+    }
+    return sums;
+}
+
+/// A statistic of the sums over all pieces, with the jackknife's error.
+template <class Statistic>
+Measured jackknife(const std::array<Sums, kPieces>& pieces, Statistic&& statistic) {
+    Sums total;
+    for (const Sums& s : pieces) total = total + s;
+    std::array<double, kPieces> values;
+    double mean = 0, variance = 0;
+    for (int i = 0; i < kPieces; ++i) {
+        values[i] = statistic(total - pieces[i]);
+        mean += values[i] / kPieces;
+    }
+    for (double value : values) variance += (value - mean) * (value - mean) / kPieces;
+    return {statistic(total), std::sqrt((kPieces - 1) * variance)};
+}
+
+// Steps of the histogram: three in each factor of two, over a factor of 2^12.
+constexpr int kStepsPerOctave = 3, kOctavesBelow = 7, kOctavesAbove = 5;
+
+}  // namespace
+
+std::vector<double> luminance(const Pixels& picture) {
+    std::vector<double> y(picture.rgb.size() / 3);
+    for (std::size_t p = 0; p < y.size(); ++p) {
+        const float* c = &picture.rgb[3 * p];
+        y[p] = spectra::linear_rec709_to_xyz({c[0], c[1], c[2]})[1];
+    }
+    return y;
+}
+
+Measured mean_luminance(const Pixels& a, const Pixels& b) {
+    return jackknife(sum_pieces(a, b), [](const Sums& s) { return 0.5 * (s.a + s.b) / s.n; });
+}
+
+Measured contrast(const Pixels& a, const Pixels& b) {
+    return jackknife(sum_pieces(a, b), [](const Sums& s) {
+        const double mean_a = s.a / s.n, mean_b = s.b / s.n, product = mean_a * mean_b;
+        // An unlit picture has none.
+        return product > 0 ? std::sqrt(std::max(0.0, s.ab / s.n / product - 1)) : 0.0;
+    });
+}
+
+Histogram histogram(const Pixels& picture) {
+    constexpr int kSteps = kStepsPerOctave * (kOctavesBelow + kOctavesAbove);
+    const auto y = luminance(picture);
+    double mean = 0;
+    for (double v : y) mean += v / static_cast<double>(y.size());
+    Histogram h;
+    h.share.resize(kSteps);
+    for (int i = 0; i < kSteps; ++i)
+        h.centre.push_back(std::exp2((i + 0.5) / kStepsPerOctave - kOctavesBelow));
+    for (double v : y) {
+        const double octaves = std::log2(std::max(v, 1e-30 * mean) / mean);
+        const double step = std::floor((octaves + kOctavesBelow) * kStepsPerOctave);
+        h.share[static_cast<int>(std::clamp(step, 0.0, kSteps - 1.0))] +=
+            1 / static_cast<double>(y.size());
+    }
+    return h;
+}
+
+ColourSpread colour_spread(const Pixels& picture, double mean_luminance) {
+    constexpr double kShown = 0.3;
+    const double scale = kShown / mean_luminance;
+    const spectra::Vec3 white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    const auto lab = [&](double r, double g, double b) {
+        return spectra::xyz_to_lab(spectra::linear_rec709_to_xyz({scale * r, scale * g, scale * b}),
+                                   white);
+    };
+    ColourSpread spread;
+    const std::size_t count = picture.rgb.size() / 3;
+    const double n = static_cast<double>(count);
+    double rgb[3] = {}, a = 0, b = 0, aa = 0, bb = 0;
+    for (std::size_t p = 0; p < count; ++p) {
+        const float* c = &picture.rgb[3 * p];
+        for (int i = 0; i < 3; ++i) rgb[i] += c[i] / n;
+        const auto colour = lab(c[0], c[1], c[2]);
+        spread.ab.push_back({colour[1], colour[2]});
+        a += colour[1] / n;
+        b += colour[2] / n;
+        aa += colour[1] * colour[1] / n;
+        bb += colour[2] * colour[2] / n;
+    }
+    spread.mean_lab = lab(rgb[0], rgb[1], rgb[2]);
+    spread.a_deviation = std::sqrt(std::max(0.0, aa - a * a));
+    spread.b_deviation = std::sqrt(std::max(0.0, bb - b * b));
+    return spread;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr double kRadians = std::numbers::pi / 180;
+
+Vec3f towards(double angle_deg, double distance_mm) {
+    return {static_cast<float>(distance_mm * std::sin(angle_deg * kRadians)), 0,
+            static_cast<float>(distance_mm * std::cos(angle_deg * kRadians))};
+}
+
+io::Image image_of(const Pixels& picture, double scale) {
+    io::Image image{picture.width, picture.height, {{"R", {}}, {"G", {}}, {"B", {}}}, {}};
+    for (std::size_t i = 0; i < picture.rgb.size(); ++i)
+        image.channels[i % 3].pixels.push_back(static_cast<float>(scale * picture.rgb[i]));
+    return image;
+}
+
+std::string fingerprint(const CloseUpJob& job) {
+    const json description = {
+        {"version", version()}, {"surface", job.surface}, {"pixel_mm", job.pixel_mm},
+        {"pixels", job.pixels}, {"samples", job.samples}, {"seed", job.seed},
+        {"eye_deg", kEyeDeg},   {"lamp_deg", kLampDeg},   {"lamp_size_deg", kLampSizeDeg}};
+    return sha256_hex(description.dump());
+}
+
+}  // namespace
+
+double panel_side_mm(double pixel_mm, int pixels) {
+    return 1.2 * pixel_mm * pixels / std::cos(kEyeDeg * kRadians);
+}
+
+render::SceneDescription close_up_scene(double pixel_mm, int pixels) {
+    const double view_mm = pixel_mm * pixels;
+    // So far away that directions over the view differ by less than a fifth of a degree.
+    const double distance_mm = std::max(100.0, 300 * view_mm);
+    render::SceneDescription scene;
+    scene.name = "close-up";
+    scene.camera.position_mm = towards(kEyeDeg, distance_mm);
+    scene.camera.up = {0, 1, 0};
+    scene.camera.vertical_fov_deg = 2 * std::atan(0.5 * view_mm / distance_mm) / kRadians;
+    scene.materials["paint"] = render::PaintMaterial{};
+    const double side = panel_side_mm(pixel_mm, pixels);
+    scene.shapes.push_back({render::FlatPanel{side, side}, "paint", {}});
+    render::RectangleLight lamp;
+    lamp.center_mm = towards(-kLampDeg, distance_mm);
+    lamp.width_mm = lamp.height_mm = 2 * distance_mm * std::tan(0.5 * kLampSizeDeg * kRadians);
+    lamp.radiance.scale = 100;
+    scene.lights.push_back(lamp);
+    return scene;
+}
+
+CloseUps::CloseUps(fs::path folder, Stage stage)
+    : folder_(std::move(folder)), stage_(std::move(stage)) {
+    make_folder(folder_ / "pictures");
+}
+
+Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {
+    const fs::path exr = folder_ / "pictures" / (job.key + ".exr");
+    const std::string print = fingerprint(job);
+    if (fs::is_regular_file(exr)) {
+        const io::Image image = io::read_image(exr);
+        const auto found = image.metadata.find("nacre:fingerprint");
+        if (found != image.metadata.end() && found->second == print)
+            return {image.width, image.height, io::interleaved_rgb(image, exr.string())};
+    }
+    Pixels pixels{job.pixels, job.pixels, {}};
+    stage_(job.title, [&](const Progress& progress) {
+        const render::Scene scene(close_up_scene(job.pixel_mm, job.pixels), {{"paint", surface()}});
+        render::RenderOptions options;
+        options.width = options.height = job.pixels;
+        options.samples_per_pixel = job.samples;
+        options.seed = job.seed;
+        render::RenderResult result = render::render(scene, options, progress);
+        if (!result.complete) throw Interrupted("stopped");
+        pixels.rgb = std::move(result.rgb);
+        io::Image image = image_of(pixels, 1);
+        image.metadata["nacre:fingerprint"] = print;
+        io::write_exr(exr, image);
+    });
+    return pixels;
+}
+
+std::string CloseUps::png(const Pixels& picture, double mean, const std::string& key) const {
+    const fs::path file = folder_ / "pictures" / (key + ".png");
+    io::write_png(file, image_of(picture, 0.3 / mean));
+    return read_file(file);
+}
+
+}  // namespace nacre::study

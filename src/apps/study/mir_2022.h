@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "apps/report/report.h"
+#include "apps/study/gallery.h"
+
+namespace nacre::study {
+
+/// The parts of the comparison. A figure shows the pictures that a table counts: Figure 2 belongs
+/// to Table 1, 3 to 2, 4 to 4.
+enum class MirPart {
+    table_1,       ///< reference, raw and compressed tables of two paints; with Figure 2
+    table_2,       ///< facets, flakes and time; with Figure 3
+    table_3,       ///< what the models can do
+    table_4,       ///< the models on two pearls; with Figure 4
+    agreement,     ///< three solutions of one paint, pixel by pixel
+    antialiasing,  ///< spectral antialiasing against integration
+    nacre          ///< what the model that the paper asks for costs, and how it errs
+};
+
+std::set<MirPart> all_mir_parts();
+
+struct MirSettings {
+    std::filesystem::path folder;
+    int size = 512;      ///< pixels a side, [16, 4096]
+    int samples = 1024;  ///< per pixel, [8, 2^20]
+    std::uint64_t seed = 0;
+    bool quick = false;  ///< smaller tables, fewer curves: to see that all works
+    std::set<MirPart> parts = all_mir_parts();
+};
+
+/// Reproduces the comparison of Mir, Yildirim and Kurt [mir-2022]: renders what is not yet in
+/// `folder`, and writes index.html (one self-contained page) and results.json (every figure) there.
+///
+/// @return the page
+/// @throws DomainError naming a setting out of range; Interrupted; what solving and rendering throw
+std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& stage);
+
+// The parts of the study, one file each. Each renders what it needs, adds a section to the report
+// and its figures to the results.
+
+inline constexpr double kBallRadiusMm = 50;  ///< of the built-in scene
+
+struct MirContext {
+    const MirSettings& settings;
+    const Gallery& gallery;
+    report::Report& report;
+    nlohmann::json& results;
+
+    /// A picture at the study's size and samples.
+    PictureJob job(std::string key, std::string title, const std::string& paint,
+                   models::Model model) const;
+};
+
+void add_table_1(MirContext& context);
+void add_table_2(MirContext& context);
+void add_table_3(MirContext& context);
+void add_table_4(MirContext& context);
+void add_agreement(MirContext& context);
+void add_antialiasing(MirContext& context);
+void add_nacre(MirContext& context);
+
+/// Parts of add_nacre().
+void add_cost_by_number(MirContext& context);
+void add_query_costs(MirContext& context);
+void add_equal_time_errors(MirContext& context);
+
+/// "0.031" and the like: `digits` significant ones.
+std::string number(double value, int digits = 3);
+/// 10⁷ for the nearest power of ten; value >= 1.
+std::string power_of_ten(double value);
+/// 3.2 s, 1:05.
+std::string duration(double seconds);
+std::string mebibytes(std::size_t bytes);
+
+}  // namespace nacre::study

@@ -1,0 +1,106 @@
+#include "apps/study/picture_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/core/error.h"
+
+namespace nacre::study {
+namespace {
+
+/// Probability that |t| exceeds x for Student's law with nu degrees of freedom, by the midpoint
+/// rule on its density after t = tan(u) sqrt(nu).
+double student_two_sided(double x, double nu) {
+    // The density in u is proportional to cos(u)^(nu - 1).
+    constexpr int kSteps = 4000;
+    const double half_pi = std::numbers::pi / 2, u0 = std::atan(x / std::sqrt(nu));
+    const auto integral = [&](double from) {
+        const double h = (half_pi - from) / kSteps;
+        double sum = 0;
+        for (int i = 0; i < kSteps; ++i) sum += std::pow(std::cos(from + (i + 0.5) * h), nu - 1);
+        return sum * h;
+    };
+    return integral(u0) / integral(0);
+}
+
+struct Moments {
+    double mean, variance_of_mean;
+};
+
+template <class Value>
+Moments moments(std::size_t count, Value&& value) {
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += value(i);
+    const double mean = sum / static_cast<double>(count);
+    for (std::size_t i = 0; i < count; ++i) squares += (value(i) - mean) * (value(i) - mean);
+    const auto n = static_cast<double>(count);
+    return {mean, squares / (n - 1) / n};
+}
+
+/// Luminance per pixel of each batch.
+std::vector<std::vector<double>> luminances(const std::vector<io::Image>& batches,
+                                            std::size_t pixels) {
+    std::vector<std::vector<double>> out;
+    for (const io::Image& image : batches) {
+        if (image.pixel_count() != pixels) throw DomainError("batches differ in size");
+        const std::vector<float> rgb = io::interleaved_rgb(image, "batch");
+        auto& y = out.emplace_back(pixels);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            y[i] = 0.2126 * rgb[3 * i] + 0.7152 * rgb[3 * i + 1] + 0.0722 * rgb[3 * i + 2];
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+PictureAgreement picture_agreement(const std::vector<io::Image>& a,
+                                   const std::vector<io::Image>& b) {
+    require_in_range(static_cast<double>(a.size()), 4, 1e6, "batches");
+    if (a.size() != b.size())
+        throw DomainError("the two pictures have different numbers of batches");
+    const std::size_t batches = a.size(), pixels = a.front().pixel_count();
+    const auto ya = luminances(a, pixels), yb = luminances(b, pixels);
+
+    PictureAgreement out;
+    double square_sum = 0;
+    int above = 0;
+    for (std::size_t p = 0; p < pixels; ++p) {
+        const Moments ma = moments(batches, [&](std::size_t i) { return ya[i][p]; });
+        const Moments mb = moments(batches, [&](std::size_t i) { return yb[i][p]; });
+        const double variance = ma.variance_of_mean + mb.variance_of_mean;
+        // Beside the object both pictures show the same background without noise.
+        const double scale = std::max(std::abs(ma.mean), std::abs(mb.mean));
+        if (variance <= 1e-12 * scale * scale) continue;
+        const double z2 = (ma.mean - mb.mean) * (ma.mean - mb.mean) / variance;
+        square_sum += z2;
+        above += z2 > 9;
+        ++out.pixels;
+    }
+    // Between n - 1 degrees of freedom (all noise in one picture) and 2 n - 2 (shared evenly), the
+    // law of Welch's statistic; expectations are those of the smaller number.
+    const auto nu = static_cast<double>(batches - 1);
+    out.expected_mean_square_z = nu / (nu - 2);
+    out.expected_share_above_3 = student_two_sided(3, nu);
+    if (out.pixels > 0) {
+        out.mean_square_z = square_sum / out.pixels;
+        out.share_above_3 = static_cast<double>(above) / out.pixels;
+    }
+    const auto whole = [&](const std::vector<std::vector<double>>& y) {
+        return moments(batches, [&](std::size_t i) {
+            double sum = 0;
+            for (double v : y[i]) sum += v;
+            return sum / static_cast<double>(pixels);
+        });
+    };
+    const Moments wa = whole(ya), wb = whole(yb);
+    if (wb.mean != 0) {
+        out.relative_difference = (wa.mean - wb.mean) / wb.mean;
+        out.relative_standard_error =
+            std::sqrt(wa.variance_of_mean + wb.variance_of_mean) / std::abs(wb.mean);
+    }
+    return out;
+}
+
+}  // namespace nacre::study

@@ -1,0 +1,471 @@
+#include "nacre/bsdf/models/microflake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/bsdf/warp.h"
+#include "nacre/core/error.h"
+#include "nacre/core/lane_math.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/quadrature.h"
+#include "nacre/optics/fresnel.h"
+#include "nacre/paint/beckmann.h"
+#include "nacre/solver/rough_interface.h"
+
+namespace nacre::bsdf {
+
+// Directional-hemispherical reflectance by the model's own sampling, at the points of a Hammersley
+// set: deterministic, and within 1e-3 as weights hardly vary.
+void tabulate_albedo(
+    Microflake::Tables& tables,
+    const std::function<std::unique_ptr<const BoundBsdf>(const Wavelengths&)>& bind) {
+    constexpr int kStride = 8, kPoints = 512;
+    const int count = tables.wavelength_count();
+    tables.albedo.assign(static_cast<std::size_t>(kDirectionIntervals + 1) * count, 0.0f);
+    const std::vector<double>& grid = tables.paint->wavelengths_nm();
+    for (int block = 0; block < paint::block_count(count); ++block) {
+        Wavelengths wavelengths;
+        for (int i = 0; i < kLanes; ++i) {
+            wavelengths[i] = grid[std::min(block * kLanes + i, count - 1)];
+        }
+        const auto bound = bind(wavelengths);
+        const int lanes = std::min(kLanes, count - block * kLanes);
+        parallel_for(0, kDirectionIntervals / kStride + 1, [&](std::size_t step) {
+            const int row = static_cast<int>(step) * kStride;
+            const double theta = direction_angle(row);
+            const Vec3f wi = {static_cast<float>(std::sin(theta)), 0,
+                              static_cast<float>(std::cos(theta))};
+            FloatLanes sum{};
+            for (unsigned p = 0; p < kPoints; ++p) {
+                unsigned bits = p * 0x9E3779B9u;  // Weyl sequence for the third coordinate
+                float radical = 0, base = 0.5f;
+                for (unsigned q = p; q; q >>= 1, base *= 0.5f) radical += (q & 1) * base;
+                const float lobe = static_cast<float>(bits >> 8) * 0x1p-24f;
+                if (const auto s = bound->sample(wi, lobe, {(p + 0.5f) / kPoints, radical})) {
+                    sum += s->weight;
+                }
+            }
+            for (int lane = 0; lane < lanes; ++lane) {
+                tables.albedo[static_cast<std::size_t>(row) * count + block * kLanes + lane] =
+                    std::min(1.0f, sum[lane] / kPoints);
+            }
+        });
+    }
+    for (int row = 0; row < kDirectionIntervals; ++row) {
+        const int from = row / kStride * kStride;
+        const float f = static_cast<float>(row - from) / kStride;
+        for (int w = 0; w < count; ++w) {
+            const float a = tables.albedo[from * count + w];
+            tables.albedo[row * count + w] =
+                a + f * (tables.albedo[(from + kStride) * count + w] - a);
+        }
+    }
+}
+
+Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint) {
+    auto tables = std::make_shared<Tables>(std::move(paint));
+    tabulate_albedo(*tables, [&](const Wavelengths& wavelengths_nm) {
+        return std::make_unique<const BoundMicroflake>(tables, wavelengths_nm);
+    });
+    tables_ = std::move(tables);
+}
+
+Microflake::~Microflake() = default;
+
+std::unique_ptr<const BoundBsdf> Microflake::bind(const Wavelengths& wavelengths_nm) const {
+    return std::make_unique<const BoundMicroflake>(tables_, wavelengths_nm);
+}
+
+namespace {
+
+// Roughness that the grid of the smooth table must resolve.
+double narrowest_alpha(const solver::PaintMedium& medium) {
+    double alpha = 1.0;
+    for (const auto& layer : medium.layers) {
+        for (const auto& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
+    }
+    // Under a rough interface the table holds single scattering too, narrower by the square root
+    // of three, and weighs all of the peak.
+    return medium.roughness > 0 ? alpha / 3 : alpha;
+}
+
+bool has_rough_interface(const solver::SolvedPaint& paint) {
+    int rough = 0;
+    for (int w = 0; w < paint.medium.wavelength_count(); ++w) rough += paint.is_rough(w);
+    if (rough != 0 && rough != paint.medium.wavelength_count()) {
+        throw Error(
+            "a rough clearcoat whose binder has the index 1 at some wavelengths only "
+            "cannot be rendered");
+    }
+    return rough != 0;
+}
+
+double mean(const std::vector<double>& v) {
+    double sum = 0;
+    for (double x : v) sum += x;
+    return sum / static_cast<double>(v.size());
+}
+
+// Share of the incident flux that the flakes of the paint return after one reflection, roughly:
+// as if the outgoing cosine were the incident one.
+double single_scattering_share(const solver::PaintMedium& medium, double theta) {
+    const double ior = mean(medium.ior);
+    const double mu = solver::inside_cosine(ior, theta);
+    const double t = 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta));
+    double share = 0, depth = 0;
+    for (const auto& layer : medium.layers) {
+        const DoubleLanes rate = 2.0 * solver::extinction(layer, mu, 0) / mu;
+        const double here = layer.thickness_um * lane_mean(rate);
+        double scattering = 0;
+        for (const auto& flake : layer.flakes) {
+            paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
+                scattering += flake.area_density_per_um * weight *
+                              lane_mean(flake.table.reflectance(cosine, 0));
+            });
+        }
+        share += t * t * scattering / mu * std::exp(-depth) * layer.thickness_um *
+                 (here > 1e-9 ? -std::expm1(-here) / here : 1.0);
+        depth += here;
+    }
+    return share;
+}
+
+}  // namespace
+
+double direction_angle(int row) {
+    const double x = static_cast<double>(row) / kDirectionIntervals;
+    return std::min(2 * std::atan(x), std::numbers::pi / 2 - 1e-4);
+}
+
+Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
+    : paint(std::move(solved)),
+      mean_ior(static_cast<float>(mean(paint->medium.ior))),
+      rough(has_rough_interface(*paint)),
+      smooth(tensors(), narrowest_alpha(paint->medium), mean_ior) {
+    tabulate_extinction();
+    choose_lobes();
+}
+
+std::vector<const solver::Remainder*> Microflake::Tables::tensors() const {
+    if (rough) return {&paint->remainder, &paint->rough_single};
+    return {&paint->remainder};
+}
+
+void Microflake::Tables::tabulate_extinction() {
+    const auto& medium = paint->medium;
+    const int count = wavelength_count();
+    for (const auto& layer : medium.layers) {
+        auto& table = extinction.emplace_back((kDirectionIntervals + 1) * count);
+        parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {
+            const double theta = direction_angle(static_cast<int>(row));
+            for (int block = 0; block < paint::block_count(count); ++block) {
+                const int end = std::min(kLanes, count - block * kLanes);
+                DoubleLanes value{};
+                for (int lane = 0; lane < end; ++lane) {
+                    const int w = block * kLanes + lane;
+                    if (lane == 0 || medium.ior[w] != medium.ior[w - 1]) {
+                        value = solver::extinction(
+                            layer, solver::inside_cosine(medium.ior[w], theta), block);
+                    }
+                    table[row * count + w] = static_cast<float>(value[lane]);
+                }
+            }
+        });
+    }
+}
+
+void Microflake::Tables::choose_lobes() {
+    const auto& medium = paint->medium;
+    double weight = 0, sum = 0;
+    for (const auto& layer : medium.layers) {
+        for (const auto& flake : layer.flakes) {
+            const double w = flake.area_density_per_um * layer.thickness_um;
+            weight += w;
+            sum += w * flake.alpha;
+        }
+    }
+    const bool has_flakes = weight > 0;
+    if (has_flakes) flake_alpha = static_cast<float>(sum / weight);
+    // Facets of slope m refract as half a flake of that slope reflects, roughly.
+    if (rough) flake_alpha = static_cast<float>(std::hypot(flake_alpha, 0.5 * medium.roughness));
+    // Three reflections off Gaussian slopes spread like sqrt(3); five and more, wider still.
+    wide_alpha = 2 * flake_alpha;
+
+    const double ior = mean_ior;
+    const Quadrature polar = gauss_legendre(12, 0.0, std::numbers::pi / 2);
+    constexpr int kAzimuths = 12;
+    odds.resize(kDirectionIntervals + 1);
+    constexpr int kStride = 8;  // the smooth part changes slowly with direction
+    parallel_for(0, kDirectionIntervals / kStride + 1, [&](std::size_t step) {
+        const int row = static_cast<int>(step) * kStride;
+        const double theta_i = direction_angle(row);
+        const double mirror = rough
+                                  ? solver::rough_interface(ior, medium.roughness)->albedo(theta_i)
+                                  : optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
+        // Energy of the remainder, and what it would be if its dark side were all there is.
+        const solver::RemainderSlice slice(paint->remainder, theta_i);
+        std::vector<double> coefficient(paint->remainder.rank());
+        double energy = 0, dark = 0;
+        for (std::size_t t = 0; t < polar.nodes.size(); ++t) {
+            const double theta_o = polar.nodes[t];
+            const double fresnel =
+                (1 - mirror) * (1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta_o))) /
+                (ior * ior);
+            for (int p = 0; p < kAzimuths; ++p) {
+                const double phi = std::numbers::pi * (p + 0.5) / kAzimuths;
+                slice.coefficients(theta_o, phi, coefficient);
+                double f = 0;
+                for (int k = 0; k < paint->remainder.rank(); ++k) {
+                    for (int w = 0; w < wavelength_count(); ++w) {
+                        f += coefficient[k] * paint->remainder.basis[k * wavelength_count() + w];
+                    }
+                }
+                const double flux = std::max(0.0, f / wavelength_count()) * fresnel *
+                                    polar.weights[t] * std::sin(theta_o) * std::cos(theta_o) * 2 *
+                                    std::numbers::pi / kAzimuths;
+                energy += flux;
+                if (phi < std::numbers::pi / 2) dark += 2 * flux;
+            }
+        }
+        const double single = has_flakes ? single_scattering_share(medium, theta_i) : 0.0;
+        const double total = mirror + single + energy + 1e-6;
+        // A tenth of the multiple scattering at least, and a hundredth of all, goes everywhere:
+        // that bounds the weights.
+        double diffuse = std::max(std::min(dark, energy), 0.1 * energy) / total + 0.01;
+        double wide = has_flakes ? std::max(energy / total + 0.01 - diffuse, 0.01) : 0.0;
+        double flake = single / total + (has_flakes ? 0.01 : 0.0);
+        const double sum_all = mirror / total + flake + wide + diffuse;
+        odds[row] = {static_cast<float>(mirror / total / sum_all),
+                     static_cast<float>(flake / sum_all), static_cast<float>(wide / sum_all),
+                     static_cast<float>(diffuse / sum_all)};
+    });
+    for (int row = 0; row < kDirectionIntervals; ++row) {
+        const int from = row / kStride * kStride;
+        const float f = static_cast<float>(row - from) / kStride;
+        const LobeOdds &a = odds[from], &b = odds[from + kStride];
+        if (row == from) continue;
+        const auto mix = [&](float LobeOdds::*m) { return a.*m + f * (b.*m - a.*m); };
+        odds[row] = {mix(&LobeOdds::interface), mix(&LobeOdds::flakes), mix(&LobeOdds::wide),
+                     mix(&LobeOdds::diffuse)};
+    }
+}
+
+BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> tables,
+                                 const Wavelengths& wavelengths)
+    : tables_(std::move(tables)),
+      where_(locate_wavelengths(tables_->paint->wavelengths_nm(), wavelengths)),
+      grid_(tables_->smooth.grid()),
+      smooth_(grid_.cells(), FloatLanes{}),
+      flake_lobe_(tables_->flake_alpha),
+      wide_lobe_(tables_->wide_alpha) {
+    const solver::SolvedPaint& paint = *tables_->paint;
+    const int count = tables_->wavelength_count();
+
+    std::vector<FloatLanes> basis;
+    for (const solver::Remainder* tensor : tables_->tensors()) {
+        for (int k = 0; k < tensor->rank(); ++k) {
+            basis.push_back(
+                at_wavelengths(where_, [&](int w) { return tensor->basis[k * count + w]; }));
+        }
+    }
+    tables_->smooth.bind(basis, smooth_.data());
+
+    clearcoat_depth_ =
+        at_wavelengths(where_, [&](int w) { return paint.medium.clearcoat_depth[w]; });
+    ior_ = at_wavelengths(where_, [&](int w) { return paint.medium.ior[w]; });
+    inverse_ior2_ = 1.0f / (ior_ * ior_);
+    mean_ior_ = tables_->mean_ior;
+    for (int i = 0; i < kLanes; ++i) dispersive_ = dispersive_ || ior_[i] != mean_ior_;
+    inverse_mean_ior_ = 1 / mean_ior_;
+
+    if (tables_->rough) {
+        bind_rough_interface();
+    } else {
+        bind_smooth_interface();
+        bind_layers();
+    }
+}
+
+void BoundMicroflake::bind_smooth_interface() {
+    for (int row = 0; row <= kDirectionIntervals; ++row) {
+        const float cosine = static_cast<float>(std::cos(direction_angle(row)));
+        transmittance_over_cosine_.push_back(
+            (1.0f - optics::dielectric_reflectance(splat(1.0f), ior_, splat(cosine))) / cosine);
+    }
+}
+
+// Single scattering of a smooth paint.
+void BoundMicroflake::bind_layers() {
+    const solver::SolvedPaint& paint = *tables_->paint;
+    const int count = tables_->wavelength_count();
+    for (std::size_t n = 0; n < paint.medium.layers.size(); ++n) {
+        const solver::LayerMedium& medium = paint.medium.layers[n];
+        BoundLayer& layer = layers_.emplace_back();
+        layer.thickness_um = static_cast<float>(medium.thickness_um);
+        for (int row = 0; row <= kDirectionIntervals; ++row) {
+            layer.extinction.push_back(at_wavelengths(
+                where_, [&](int w) { return tables_->extinction[n][row * count + w]; }));
+        }
+        float thinnest = INFINITY;
+        for (const FloatLanes& extinction : layer.extinction) {
+            thinnest = std::min(thinnest, -lane_max(-extinction) * layer.thickness_um);
+        }
+        layer.thick = thinnest > 0.1f;  // cosines only make it deeper
+        layer.buried = n > 0 || lane_max(clearcoat_depth_) > 0;
+        for (const solver::FlakeMedium& flake : medium.flakes) {
+            const float alpha2 = static_cast<float>(flake.alpha * flake.alpha);
+            BoundFlake& out = layer.flakes.emplace_back();
+            out.half_density = static_cast<float>(0.5 * flake.area_density_per_um);
+            out.inverse_alpha2 = 1 / alpha2;
+            out.norm = 0.5f * std::numbers::inv_pi_v<float> / alpha2;
+            out.intervals = flake.table.cosine_count() > 1 ? paint::FlakeTable::kFineIntervals : 0;
+            for (int c = 0; c <= out.intervals; ++c) {
+                const double* row = flake.table.fine_reflectance(c);
+                out.reflectance.push_back(at_wavelengths(where_, [&](int w) { return row[w]; }));
+            }
+        }
+        for (const solver::PigmentMedium& pigment : medium.pigments) {
+            layer.pigments.push_back(
+                {static_cast<float>(pigment.anisotropy),
+                 at_wavelengths(where_, [&](int w) { return pigment.scattering_per_um[w]; })});
+        }
+    }
+}
+
+void BoundMicroflake::bind_rough_interface() {
+    const double alpha = tables_->paint->medium.roughness;
+    const float a = static_cast<float>(alpha);
+    Rough rough{FlakeLobe(a), 1 / (a * a), {}, {}, {}};
+    std::array<std::shared_ptr<const solver::RoughInterface>, kLanes> by_lane;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        by_lane[lane] = lane > 0 && ior_[lane] == ior_[lane - 1]
+                            ? by_lane[lane - 1]
+                            : solver::rough_interface(ior_[lane], alpha);
+    }
+    rough.diffuse_scale =
+        make_lanes([&](int lane) { return static_cast<float>(by_lane[lane]->diffuse_scale()); });
+    for (int row = 0; row <= kDirectionIntervals; ++row) {
+        const double theta = direction_angle(row);
+        rough.masking.push_back(static_cast<float>(
+            solver::smith_beckmann_over_cosine(std::cos(theta), std::sin(theta), alpha)));
+        FloatLanes masked{};
+        for (int lane = 0; lane < kLanes; ++lane) {
+            masked[lane] = lane > 0 && by_lane[lane] == by_lane[lane - 1]
+                               ? masked[lane - 1]
+                               : static_cast<float>(by_lane[lane]->masked(theta));
+        }
+        rough.masked.push_back(masked);
+    }
+    rough_ = std::move(rough);
+}
+
+template FloatLanes BoundMicroflake::value(const Ray&, const Ray&, const MeanFlakes&) const;
+template FloatLanes BoundMicroflake::single(Vec3f, Vec3f, const Ray&, const Ray&,
+                                            const MeanFlakes&) const;
+
+Ray BoundMicroflake::make_ray(Vec3f w) const {
+    Ray ray;
+    ray.outside = w;
+    ray.inside = refract_in(w, inverse_mean_ior_);
+    ray.sine = std::sqrt(w.x * w.x + w.y * w.y);
+    ray.x = ray.sine / (1 + w.z);
+    const float at = ray.x * kDirectionIntervals;
+    ray.row = std::min(static_cast<int>(at), kDirectionIntervals - 1);
+    ray.fraction = at - ray.row;
+    return ray;
+}
+
+// solver::RoughInterface::brdf at eight wavelengths.
+FloatLanes BoundMicroflake::rough_lobe(const Ray& i, const Ray& o) const {
+    const Vec3f h = i.outside + o.outside;
+    const float tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z), sec2 = 1 + tan2;
+    const float exponent = tan2 * rough_->inverse_alpha2;
+    FloatLanes f = rough_->diffuse_scale * i.look_up(rough_->masked) * o.look_up(rough_->masked);
+    if (exponent < 60) {
+        const float facets = std::exp(-exponent) * rough_->inverse_alpha2 *
+                             std::numbers::inv_pi_v<float> * sec2 * sec2;
+        const float cosine = std::min(1.0f, 0.5f * length(h));
+        f += (0.25f * facets * i.look_up(rough_->masking) * o.look_up(rough_->masking)) *
+             optics::dielectric_reflectance(splat(1.0f), ior_, splat(cosine));
+    }
+    return f;
+}
+
+const LobeOdds& BoundMicroflake::odds_at(const Ray& i) const {
+    return tables_->odds[i.row + (i.fraction > 0.5f)];
+}
+
+float BoundMicroflake::density(const LobeOdds& odds, const Ray& i, const Ray& o) const {
+    const float inside = flake_lobe_.mixed_pdf(i.inside, o.inside, odds.flakes, odds.wide);
+    const float interface = rough_ ? odds.interface * rough_->lobe.pdf(i.outside, o.outside) : 0.0f;
+    return interface + o.outside.z * (odds.diffuse * std::numbers::inv_pi_v<float> +
+                                      inside * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z);
+}
+
+FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
+    if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+    return value(make_ray(wi), make_ray(wo), MeanFlakes{});
+}
+
+float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {
+    if (wi.z <= 0 || wo.z <= 0) return 0;
+    const Ray i = make_ray(wi);
+    return density(odds_at(i), i, make_ray(wo));
+}
+
+BsdfValue BoundMicroflake::evaluate(Vec3f wi, Vec3f wo) const {
+    if (wi.z <= 0 || wo.z <= 0) return {};
+    const Ray i = make_ray(wi), o = make_ray(wo);
+    return {value(i, o, MeanFlakes{}), density(odds_at(i), i, o)};
+}
+
+BsdfSample BoundMicroflake::mirror_sample(Vec3f wi, float probability) const {
+    BsdfSample s;
+    s.wo = {-wi.x, -wi.y, wi.z};
+    s.weight = optics::dielectric_reflectance(splat(1.0f), ior_, splat(wi.z)) * (1 / probability);
+    s.pdf = probability;
+    s.mirror = true;
+    return s;
+}
+
+Vec3f BoundMicroflake::draw(const LobeOdds& odds, const Ray& i, float u_lobe, Vec2f u) const {
+    constexpr Vec3f kNothing{0, 0, 0};
+    if (u_lobe < odds.interface) return rough_->lobe.sample(i.outside, u_lobe / odds.interface, u);
+    u_lobe -= odds.interface;
+    if (u_lobe < odds.flakes + odds.wide) {
+        const bool narrow = u_lobe < odds.flakes;
+        const float u_sign = narrow ? u_lobe / odds.flakes : (u_lobe - odds.flakes) / odds.wide;
+        const Vec3f inside = (narrow ? flake_lobe_ : wide_lobe_).sample(i.inside, u_sign, u);
+        return leave(inside).value_or(kNothing);
+    }
+    return cosine_hemisphere(u);
+}
+
+std::optional<BsdfSample> BoundMicroflake::sample(Vec3f wi, float u_lobe, Vec2f u) const {
+    if (wi.z <= 0) return std::nullopt;
+    const Ray i = make_ray(wi);
+    const LobeOdds& odds = odds_at(i);
+    if (draws_mirror(odds, u_lobe)) return mirror_sample(wi, odds.interface);
+    BsdfSample s;
+    s.wo = draw(odds, i, u_lobe, u);
+    if (s.wo.z <= 0) return std::nullopt;
+    const Ray o = make_ray(s.wo);
+    s.pdf = density(odds, i, o);
+    if (!(s.pdf > 0)) return std::nullopt;
+    s.weight = value(i, o, MeanFlakes{}) * (s.wo.z / s.pdf);
+    return s;
+}
+
+FloatLanes BoundMicroflake::albedo(Vec3f wi) const {
+    if (wi.z <= 0) return FloatLanes{};
+    const Ray i = make_ray(wi);
+    const int count = tables_->wavelength_count();
+    const auto at = [&](int row) {
+        return at_wavelengths(where_, [&](int w) { return tables_->albedo[row * count + w]; });
+    };
+    const FloatLanes a = at(i.row);
+    return a + i.fraction * (at(i.row + 1) - a);
+}
+
+}  // namespace nacre::bsdf

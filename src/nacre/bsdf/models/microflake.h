@@ -1,0 +1,306 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/flake_lobe.h"
+#include "nacre/bsdf/smooth_table.h"
+#include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/lane_math.h"
+#include "nacre/solver/solved_paint.h"
+
+namespace nacre::bsdf {
+
+/// The micro-flake model of Ergun et al. 2016 for rendering: interface + single scattering in
+/// closed form + the solver's remainder from a table.           [ergun-2016; docs/microflake.md]
+///
+/// Agrees with SolvedPaint::brdf to kMicroflakeError of the peak of each incident direction, for a
+/// binder of index 1.3 or more, flake roughness 0.02 to 0.5 and incidence up to 89 deg. Without a
+/// coat (index near 1) lobes sharpen without bound towards grazing angles, where the table of the
+/// remainder does not follow: up to 5 % of the peak beyond 60 deg at roughness 0.1. The solved
+/// paint itself stays exact there. Wavelengths between those of the paint are interpolated
+/// linearly, those beyond its ends take the end's value.
+class Microflake final : public Bsdf {
+ public:
+    explicit Microflake(std::shared_ptr<const solver::SolvedPaint> paint);
+    ~Microflake() override;
+
+    std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
+
+    struct Tables;
+
+ private:
+    std::shared_ptr<const Tables> tables_;
+};
+
+inline constexpr double kMicroflakeError = 2e-3;
+/// The same under a rough clearcoat, where the table holds single scattering too.
+inline constexpr double kMicroflakeRoughError = 5e-3;
+
+// What the micro-flake model works out once a paint, before any wavelength is chosen.
+
+/// Functions of one direction are tabulated over x = tan(theta/2), even in x.
+inline constexpr int kDirectionIntervals = 128;
+
+/// Odds of the sampling strategies at one incident direction; they sum to 1.
+struct LobeOdds {
+    float interface = 0, flakes = 0, wide = 0, diffuse = 0;
+};
+
+struct Microflake::Tables {
+    explicit Tables(std::shared_ptr<const solver::SolvedPaint> solved);
+
+    std::shared_ptr<const solver::SolvedPaint> paint;
+    float mean_ior;  ///< of the binder over the paint's wavelengths
+    bool rough;      ///< the interface: its lobe takes the place of the mirror
+    SmoothTable smooth;
+    /// Roughness of the sampled lobes inside the coat: flakes (area-weighted mean) and what they
+    /// scatter again.
+    float flake_alpha = 0.1f, wide_alpha = 0.2f;  // the second always twice the first
+    /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
+    std::vector<std::vector<float>> extinction;
+    std::vector<LobeOdds> odds;  ///< by direction
+    /// [direction][wavelength]: directional-hemispherical reflectance; filled by
+    /// tabulate_albedo(), which needs the model itself.
+    std::vector<float> albedo;
+
+    /// What the smooth table sums, in the order of its basis.
+    std::vector<const solver::Remainder*> tensors() const;
+    int wavelength_count() const { return paint->medium.wavelength_count(); }
+
+ private:
+    void tabulate_extinction();
+    void choose_lobes();
+};
+
+/// Fills tables.albedo with the mean weight of sample() of the surface that `bind` makes of the
+/// tables.
+void tabulate_albedo(
+    Microflake::Tables& tables,
+    const std::function<std::unique_ptr<const BoundBsdf>(const Wavelengths&)>& bind);
+
+/// Angle outside the coat of a row of the direction tables, just short of the horizon at the last.
+double direction_angle(int row);
+
+// The micro-flake model at eight wavelengths. bound_microflake.cpp gathers what depends on
+// wavelength; bound_microflake_eval.cpp is what a renderer calls; bound_microflake_inl.h is what
+// models share whose flakes are not those of the mean.
+
+struct BoundFlake {
+    float half_density, inverse_alpha2, norm;  // c/2; 1/alpha^2; 1/(2 pi alpha^2)
+    int intervals;                             // 0: reflectance does not depend on angle
+    std::vector<FloatLanes> reflectance;
+};
+
+struct BoundPigment {
+    float g;
+    FloatLanes scattering;
+};
+
+struct BoundLayer {
+    float thickness_um;
+    bool thick;   ///< 1 - e^-x needs no care: optical depth above 0.1 along every direction
+    bool buried;  ///< under a layer or an absorbing clearcoat
+    std::vector<FloatLanes> extinction;  // by direction
+    std::vector<BoundFlake> flakes;
+    std::vector<BoundPigment> pigments;
+};
+
+// One direction, and what evaluation and sampling both need of it.
+struct Ray {
+    Vec3f outside, inside;  ///< inside: refracted with the mean index
+    float sine, x;          ///< outside: sin theta, tan(theta/2)
+    int row;                ///< of the direction tables
+    float fraction;
+
+    /// A function of direction between its rows.
+    template <class T>
+    T look_up(const std::vector<T>& table) const {
+        return table[row] + fraction * (table[row + 1] - table[row]);
+    }
+};
+
+/// Which flakes scatter once: all of them, as their mean.
+///
+/// Stands for any class with this function: the factor by which the single scattering of a species
+/// differs from its mean, for the `flake`-th species of a layer whose optical depth along both
+/// directions together is `depth`, at eight wavelengths.
+struct MeanFlakes {
+    FloatLanes factor(std::size_t /*layer*/, std::size_t /*flake*/,
+                      const FloatLanes& /*depth*/) const {
+        return splat(1.0f);
+    }
+};
+
+class BoundMicroflake : public BoundBsdf {
+ public:
+    BoundMicroflake(std::shared_ptr<const Microflake::Tables> tables,
+                    const Wavelengths& wavelengths);
+
+    FloatLanes eval(Vec3f wi, Vec3f wo) const override;
+    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override;
+    float pdf(Vec3f wi, Vec3f wo) const override;
+    BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
+    FloatLanes albedo(Vec3f wi) const override;
+
+ protected:
+    // For models that keep the smooth part and the ways to sample it, and change the flakes.
+
+    Ray make_ray(Vec3f w) const;
+    /// BRDF without the mirror.
+    template <class Flakes>
+    FloatLanes value(const Ray& i, const Ray& o, const Flakes& flakes) const;
+
+    const LobeOdds& odds_at(const Ray& i) const;
+    /// Per solid angle outside, of draw() with these odds.
+    float density(const LobeOdds& odds, const Ray& i, const Ray& o) const;
+    /// Whether u_lobe, in [0, sum of the odds), stands for the mirror of a smooth interface.
+    bool draws_mirror(const LobeOdds& odds, float u_lobe) const {
+        return u_lobe < odds.interface && !rough_;
+    }
+    /// By the lobe that u_lobe stands for, not the mirror; not upwards where nothing leaves.
+    Vec3f draw(const LobeOdds& odds, const Ray& i, float u_lobe, Vec2f u) const;
+    /// The mirror of a smooth interface, chosen with this probability.
+    BsdfSample mirror_sample(Vec3f wi, float probability) const;
+    /// The direction outside of one inside; empty where light cannot leave.
+    std::optional<Vec3f> leave(Vec3f inside) const {
+        if (inside.z <= 0) return std::nullopt;
+        return refract_out(inside, mean_ior_);
+    }
+    /// Solid angles inside over those outside.
+    float solid_angle_ratio(const Ray& o) const {
+        return o.outside.z * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z;
+    }
+
+    const std::array<Between, kLanes>& where() const { return where_; }
+
+ private:
+    void bind_smooth_interface();
+    void bind_rough_interface();
+    void bind_layers();
+
+    template <class Flakes>
+    FloatLanes single(Vec3f inside_i, Vec3f inside_o, const Ray& i, const Ray& o,
+                      const Flakes& flakes) const;
+    FloatLanes rough_lobe(const Ray& i, const Ray& o) const;
+
+    std::shared_ptr<const Microflake::Tables> tables_;
+    std::array<Between, kLanes> where_;
+    SmoothGrid grid_;
+    std::vector<FloatLanes> smooth_;
+    std::vector<BoundLayer> layers_;
+    FloatLanes clearcoat_depth_, ior_, inverse_ior2_;
+    bool dispersive_ = false;
+    float mean_ior_, inverse_mean_ior_;
+    FlakeLobe flake_lobe_, wide_lobe_;  // the second twice as rough
+    /// By direction: transmittance of a smooth interface over the cosine, finite at grazing.
+    std::vector<FloatLanes> transmittance_over_cosine_;
+    /// A rough interface: its facets, and by direction the masking over the cosine and what is
+    /// masked and given back diffusely.
+    struct Rough {
+        FlakeLobe lobe;
+        float inverse_alpha2;
+        std::vector<float> masking;
+        std::vector<FloatLanes> masked;
+        FloatLanes diffuse_scale;
+    };
+    std::optional<Rough> rough_;
+};
+
+// The BRDF of a paint whose flakes are those of any class in the place of MeanFlakes.
+
+// Single scattering without the interface: solver::single_scattering at eight wavelengths.
+template <class Flakes>
+FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i, const Ray& o,
+                                   const Flakes& flakes) const {
+    const Vec3f h = inside_i + inside_o;
+    const float inverse_mu_i = 1 / inside_i.z, inverse_mu_o = 1 / inside_o.z;
+    const float tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
+    const float sec2 = 1 + tan2, sec = std::sqrt(sec2);
+    const float cosine = std::min(1.0f, 0.5f * h.z * sec);
+
+    FloatLanes sum{};
+    FloatLanes depth = clearcoat_depth_ * (inverse_mu_i + inverse_mu_o);
+    std::size_t at_layer = 0;
+    for (const BoundLayer& layer : layers_) {
+        const FloatLanes rate =
+            i.look_up(layer.extinction) * inverse_mu_i + o.look_up(layer.extinction) * inverse_mu_o;
+        const FloatLanes here = layer.thickness_um * rate;
+
+        FloatLanes kernel{};
+        bool any = !layer.pigments.empty();
+        std::size_t at_flake = 0;
+        for (const BoundFlake& flake : layer.flakes) {
+            const std::size_t f = at_flake++;
+            const float exponent = tan2 * flake.inverse_alpha2;
+            if (exponent > 60) continue;  // e^-60: outside the lobe
+            any = true;
+            const float density =
+                flake.half_density * flake.norm * sec2 * sec * std::exp(-exponent);
+            const float x = cosine * flake.intervals;
+            const int at = std::min(static_cast<int>(x), std::max(flake.intervals - 1, 0));
+            FloatLanes reflectance = flake.reflectance[at];
+            if (flake.intervals) {
+                reflectance += (x - at) * (flake.reflectance[at + 1] - reflectance);
+            }
+            kernel += density * reflectance * flakes.factor(at_layer, f, here);
+        }
+        for (const BoundPigment& pigment : layer.pigments) {
+            const float g = pigment.g, turn = 1 + g * g + 2 * g * dot(inside_i, inside_o);
+            const float phase =
+                (1 - g * g) * 0.25f * std::numbers::inv_pi_v<float> / (turn * std::sqrt(turn));
+            kernel += phase * pigment.scattering;
+        }
+        if (any) {
+            FloatLanes escape;
+            if (layer.thick) {
+                escape = (1.0f - exp_lanes(-here)) / rate;
+            } else {
+                // (1 - e^-x)/x stays finite for a layer without any extinction.
+                const FloatLanes safe = max_lanes(here, splat(1e-20f));
+                escape = layer.thickness_um * one_minus_exp_lanes(safe) / safe;
+            }
+            sum += layer.buried ? kernel * exp_lanes(-depth) * escape : kernel * escape;
+        }
+        depth += here;
+        ++at_layer;
+    }
+    return sum * (inverse_mu_i * inverse_mu_o);
+}
+
+template <class Flakes>
+FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flakes) const {
+    const SmoothCell cell = locate(grid_, i.outside, o.outside, i.sine, o.sine, i.x, o.x);
+    // The truncated Fourier series may dip below zero by its own error.
+    const FloatLanes smooth = max_lanes(interpolate(grid_, smooth_.data(), cell), FloatLanes{}) *
+                              (1 / (i.inside.z + o.inside.z));
+    if (rough_) return smooth + rough_lobe(i, o);
+    FloatLanes once;
+    if (!dispersive_) {
+        once = single(i.inside, o.inside, i, o, flakes);
+    } else {
+        // Each wavelength refracts its own way: rare, and eight times the work.
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const float inverse = 1 / ior_[lane];
+            once[lane] = single(refract_in(i.outside, inverse), refract_in(o.outside, inverse), i,
+                                o, flakes)[lane];
+        }
+    }
+    const FloatLanes interface = i.look_up(transmittance_over_cosine_) *
+                                 o.look_up(transmittance_over_cosine_) * inverse_ior2_;
+    return (once + smooth) * interface * (i.outside.z * o.outside.z);
+}
+
+// Made once, in bound_microflake_eval.cpp.
+extern template FloatLanes BoundMicroflake::value(const Ray&, const Ray&, const MeanFlakes&) const;
+extern template FloatLanes BoundMicroflake::single(Vec3f, Vec3f, const Ray&, const Ray&,
+                                                   const MeanFlakes&) const;
+
+}  // namespace nacre::bsdf

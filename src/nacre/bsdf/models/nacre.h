@@ -1,0 +1,194 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/flake_films.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/solver/solved_paint.h"
+#include "nacre/sparkle/flake_field.h"
+
+namespace nacre::bsdf {
+
+struct NacreSettings {
+    /// Large flakes: light that has come in between the flakes finds the same gaps on its way out
+    /// (nacre_hot_spot.h). Then the mean is no longer that of the solver.
+    bool hot_spot = false;
+};
+
+/// The micro-flake model with single flakes: colour travel, sparkle and multiple scattering at
+/// once.
+///
+/// Light that met exactly one flake is a sum over those of the patch that is looked at, each with
+/// its own place, size, slope, depth and films (sparkle/flake_field.h); the interface and what is
+/// scattered again are those of Microflake. Without a patch it is Microflake: that is the mean over
+/// all patches, exactly. A patch is read from Patch::rest, in millimetres; which flakes there are
+/// depends on the seed alone.                                          [docs/nacre-model.md]
+///
+/// Under a binder whose index depends on the wavelength, which flakes answer is decided with the
+/// mean index; the mean of each wavelength stays its own.
+class Nacre final : public Bsdf, public SingleFlakes {
+ public:
+    /// @throws DomainError if the paint's clearcoat is rough, or its flakes are such as no
+    ///         FlakeField takes
+    Nacre(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t seed,
+          const NacreSettings& settings = {});
+    ~Nacre() override;
+
+    std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
+    Layout layout() const override { return Layout::rest_space; }
+    double exact_patch_mm() const override;
+
+    struct Tables;
+
+ private:
+    std::shared_ptr<const Tables> tables_;
+};
+
+// The hot spot of large flakes: attenuation on the way in and on the way out is correlated.
+//
+// Discs of diameter d block a ray with the rate q c where their centres lie within d/2 of it,
+// q = s(mu)/mu. Two rays that leave one flake are g dz apart after a step dz in height,
+// g = |tan_i e_i - tan_o e_o|; discs that block both count once:
+//
+//     V(z) = exp(-kappa z + c sqrt(q_i q_o) Int_0^z O(g z'/d) dz'),
+//     O(x) = (2/pi) (acos x - x sqrt(1 - x^2))     for x < 1, the overlap of two discs,
+//
+// as in the theory of leaf canopies [kuusk-1985]. A disc with transmittance T blocks neither ray
+// wholly: both together pass T^2, so that 1 - T enters squared. Each layer and species above the
+// flake adds its part. With g -> 0 (towards the light) or d -> infinity a flake that is lit is
+// seen; with d -> 0 the transfer equation holds again.
+
+/// What does not depend on the wavelengths that are bound.
+class HotSpotTables {
+ public:
+    explicit HotSpotTables(const solver::SolvedPaint& paint);
+
+ private:
+    friend class HotSpot;
+    struct Species {
+        std::size_t layer;
+        float diameter_um;            // mean, weighted by area
+        std::vector<float> coupling;  // [direction][wavelength]: sqrt(c Int (1-T)^2 |w.m| D / mu)
+    };
+    std::vector<Species> species_;
+    std::vector<float> top_um_, thickness_um_;  // by layer
+    int wavelength_count_;
+};
+
+/// Int_0^x O(t) dt; 4 / (3 pi) for x >= 1.
+double disc_overlap_integral(double x);
+
+class HotSpot {
+ public:
+    HotSpot(const HotSpotTables& tables, const std::array<Between, kLanes>& where);
+
+    /// A pair of directions.
+    class Pair {
+     public:
+        Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o);
+        /// ln of the attenuation over exp(-kappa z), at the share u of the layer's thickness.
+        FloatLanes gain(std::size_t layer, float u) const;
+        /// The mean of the attenuation over that of exp(-kappa z), for a layer whose optical depth
+        /// along both directions is `depth`.
+        FloatLanes mean(std::size_t layer, const FloatLanes& depth) const;
+
+     private:
+        // Calls add(coupling, length_um(u) as a function) for the species that lie over the layer.
+        template <class Add>
+        void for_each_species(std::size_t layer, Add&& add) const;
+
+        const HotSpot* hot_spot_;
+        const Ray *i_, *o_;
+        float spread_;  // g
+    };
+
+ private:
+    struct Species {
+        std::size_t layer;
+        float diameter_um;
+        std::vector<FloatLanes> coupling;  // by direction
+    };
+    std::vector<Species> species_;
+    std::vector<float> top_um_, thickness_um_;
+};
+
+// What the nacre model works out once a paint.
+
+/// One kind of flakes in one layer.
+struct NacreSpecies {
+    sparkle::FlakeField field;
+    std::optional<FlakeFilms> films;  ///< empty: all alike
+    /// Share of all singly scattered light that it sends back, seen from above, roughly: how often
+    /// its flakes are sampled. The shares add up to 1.
+    float share;
+};
+
+struct Nacre::Tables {
+    Tables(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t seed,
+           const NacreSettings& settings);
+
+    std::shared_ptr<Microflake::Tables> smooth;
+    std::vector<NacreSpecies> species;       ///< layer by layer
+    std::vector<std::size_t> first_species;  ///< of each layer
+    std::optional<HotSpotTables> hot_spot;
+};
+
+// The nacre model at eight wavelengths.
+
+class BoundNacre final : public BoundMicroflake {
+ public:
+    BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavelengths& wavelengths);
+
+    // The mean over all patches: that of BoundMicroflake, but for a hot spot.
+    FloatLanes eval(Vec3f wi, Vec3f wo) const override;
+    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override;
+    BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
+
+    BsdfValue evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const override;
+    std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_lobe,
+                                        Vec2f u) const override;
+    std::size_t patch_memory_bytes() const override {
+        return tables_->species.size() * sizeof(sparkle::FlakeView);
+    }
+
+ private:
+    class MeanHotSpot;
+    class FlakesOfPatch;
+
+    // The flakes of a patch, by species: in its memory or, where it has none, in one of our own.
+    class Look {
+     public:
+        Look(const BoundNacre& surface, const Patch& patch);
+        const sparkle::FlakeView& operator[](std::size_t species) const { return views_[species]; }
+
+     private:
+        PatchMemory own_;
+        const sparkle::FlakeView* views_;
+    };
+
+    // Odds of the ways to sample a patch, in proportion to the light that they are expected to find
+    // on it; with those of single flakes they add up to 1.
+    struct Odds {
+        LobeOdds lobes;
+        float flakes;       // all told apart
+        float per_species;  // times share times weight_sum: of those of one species
+    };
+    Odds odds_on(const Look& look, const Ray& i) const;
+    std::optional<Vec3f> draw_flake(const Look& look, const Odds& odds, const Ray& i, float u_flake,
+                                    Vec2f u) const;
+    // Per solid angle outside, of draw_flake().
+    float flake_density(const Look& look, const Odds& odds, const Ray& i, const Ray& o) const;
+    FloatLanes value_on(const Look& look, const Ray& i, const Ray& o) const;
+    FloatLanes mean_value(const Ray& i, const Ray& o) const;
+
+    std::shared_ptr<const Nacre::Tables> tables_;
+    std::vector<BoundFlakeFilms> films_;  // by species
+    std::optional<HotSpot> hot_spot_;
+};
+
+}  // namespace nacre::bsdf

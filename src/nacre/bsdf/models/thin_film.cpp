@@ -1,0 +1,228 @@
+#include "nacre/bsdf/models/thin_film.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/microfacet.h"
+#include "nacre/optics/airy.h"
+#include "nacre/optics/antialiased.h"
+#include "nacre/spectra/rgb.h"
+
+// F of the thin-film model.
+
+namespace nacre::bsdf {
+
+/// Linear Rec. 709 colour of the film by the cosine of incidence, by spectral antialiasing.
+class FilmColours {
+ public:
+    FilmColours(const optics::AiryFilm& film, double thickness_nm, ThinFilmColour colour);
+
+    /// Linear between kIntervals + 1 equally spaced cosines.
+    std::array<float, 3> at(float cosine) const;
+
+    static constexpr int kIntervals = 1024;
+
+ private:
+    std::vector<std::array<float, 3>> rgb_;
+};
+
+/// The film at eight wavelengths: a function of the cosine of incidence.
+class FilmReflectance {
+ public:
+    /// @param colours  null for the spectral mode; kept by reference
+    FilmReflectance(const optics::AiryFilm& film, double thickness_nm, const FilmColours* colours,
+                    const Wavelengths& wavelengths_nm);
+
+    FloatLanes operator()(float cosine) const {
+        if (!colours_) [[likely]] {
+            return film_.at(cosine).reflectance(thickness_over_wavelength_);
+        }
+        const auto rgb = colours_->at(cosine);
+        const FloatLanes sum = rgb[0] * basis_[0] + rgb[1] * basis_[1] + rgb[2] * basis_[2];
+        return min_lanes(max_lanes(sum, FloatLanes{}), splat(1.0f));
+    }
+
+ private:
+    optics::AiryFilm film_;
+    const FilmColours* colours_;
+    FloatLanes thickness_over_wavelength_;
+    std::array<FloatLanes, 3> basis_;
+};
+
+FilmColours::FilmColours(const optics::AiryFilm& film, double thickness_nm, ThinFilmColour colour) {
+    optics::Antialiasing how;
+    if (colour == ThinFilmColour::paper) how.transform = optics::ObserverTransform::paper;
+    for (int i = 0; i <= kIntervals; ++i) {
+        const auto rgb =
+            optics::antialiased_rgb(film, static_cast<double>(i) / kIntervals, thickness_nm, how);
+        rgb_.push_back(
+            {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])});
+    }
+}
+
+std::array<float, 3> FilmColours::at(float cosine) const {
+    const float x = std::clamp(cosine, 0.0f, 1.0f) * kIntervals;
+    const int row = std::min(static_cast<int>(x), kIntervals - 1);
+    const float t = x - static_cast<float>(row);
+    std::array<float, 3> rgb;
+    for (int c = 0; c < 3; ++c) rgb[c] = rgb_[row][c] + t * (rgb_[row + 1][c] - rgb_[row][c]);
+    return rgb;
+}
+
+FilmReflectance::FilmReflectance(const optics::AiryFilm& film, double thickness_nm,
+                                 const FilmColours* colours, const Wavelengths& wavelengths_nm)
+    : film_(film), colours_(colours), basis_{} {
+    thickness_over_wavelength_ =
+        make_lanes([&](int i) { return static_cast<float>(thickness_nm / wavelengths_nm[i]); });
+    if (!colours) return;
+    const auto& basis = spectra::linear_rec709_basis();
+    for (int c = 0; c < 3; ++c) {
+        basis_[c] =
+            make_lanes([&](int i) { return static_cast<float>(basis[c](wavelengths_nm[i])); });
+    }
+}
+
+struct ThinFilm::Tables {
+    paint::Recipe recipe;
+    optics::AiryFilm film;
+    MicrofacetDistribution facets;
+    std::optional<FilmColours> colours;
+};
+
+namespace {
+
+using Ray = MicrofacetCoat::Ray;
+
+class BoundThinFilm final : public BoundBsdf {
+ public:
+    BoundThinFilm(std::shared_ptr<const ThinFilm::Tables> tables, const Wavelengths& wavelengths_nm)
+        : tables_(std::move(tables)),
+          facets_(tables_->facets),
+          coat_(tables_->recipe, wavelengths_nm),
+          reflectance_(tables_->film, tables_->recipe.microfacet->film_thickness_nm,
+                       tables_->colours ? &*tables_->colours : nullptr, wavelengths_nm) {
+        albedo_.tabulate([&](Vec3f wi, std::array<float, 4> u) -> FloatLanes {
+            const Ray i = coat_.refract(wi);
+            const auto o = draw(i, {u[0], u[1]});
+            if (!o) return FloatLanes{};
+            const Pair pair(*this, i, *o);
+            if (!(pair.density > 0)) return FloatLanes{};
+            return value(pair) * (o->outside.z / facet_density(pair));
+        });
+    }
+
+    FloatLanes eval(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+        return value(Pair(*this, coat_.refract(wi), coat_.refract(wo)));
+    }
+    float pdf(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return 0;
+        return density(Pair(*this, coat_.refract(wi), coat_.refract(wo)));
+    }
+    BsdfValue evaluate(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return {};
+        const Pair pair(*this, coat_.refract(wi), coat_.refract(wo));
+        return {value(pair), density(pair)};
+    }
+
+    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+        if (wi.z <= 0) return std::nullopt;
+        const Ray i = coat_.refract(wi);
+        const float mirror = albedo_.mirror_odds(coat_, i);
+        if (u_lobe < mirror) return coat_.mirror_sample(i, mirror);
+        const auto o = draw(i, u);
+        if (!o) return std::nullopt;
+        const Pair pair(*this, i, *o);
+        const float p = density(pair);
+        if (!(p > 0)) return std::nullopt;
+        return BsdfSample{.wo = o->outside,
+                          .weight = value(pair) * (o->outside.z / p),
+                          .pdf = p,
+                          .mirror = false,
+                          .exit_mm = {}};
+    }
+
+    FloatLanes albedo(Vec3f wi) const override {
+        if (wi.z <= 0) return FloatLanes{};
+        const FloatLanes mirror = splat(coat_.mirror_reflectance(coat_.refract(wi)));
+        return min_lanes(mirror + albedo_.at(wi.z), splat(1.0f));
+    }
+
+ private:
+    // Two directions, and what value and density share.
+    struct Pair {
+        Ray i, o;
+        float cosine;  // w_i.h, from the half vector alone, which is symmetric in its arguments
+        float density, lambda_i;
+
+        Pair(const BoundThinFilm& b, const Ray& i, const Ray& o) : i(i), o(o) {
+            const Vec3f sum = i.inside + o.inside;
+            const float twice = length(sum);
+            cosine = std::min(1.0f, 0.5f * twice);
+            density = b.facets_.density(sum * (1 / twice));
+            lambda_i = b.facets_.lambda(i.inside);
+        }
+    };
+
+    FloatLanes value(const Pair& p) const {
+        if (p.density == 0) return FloatLanes{};
+        const float visible =
+            MicrofacetDistribution::masking_shadowing(p.lambda_i, facets_.lambda(p.o.inside));
+        const float geometry = 0.25f * p.density * visible / (p.i.inside.z * p.o.inside.z);
+        return reflectance_(p.cosine) * geometry * coat_.transfer(p.i, p.o);
+    }
+
+    // A direction that visible facets mirror to; empty where it does not leave.
+    std::optional<Ray> draw(const Ray& i, Vec2f u) const {
+        const Vec3f h = facets_.sample_visible(i.inside, u);
+        const Vec3f inside = 2 * dot(i.inside, h) * h - i.inside;
+        if (inside.z <= 0) return std::nullopt;
+        const auto outside = coat_.leave(inside);
+        if (!outside || outside->z <= 0) return std::nullopt;
+        return coat_.refract(*outside);
+    }
+
+    // Of draw(): visible normals over the Jacobian of reflection, times that of refraction.
+    float facet_density(const Pair& p) const {
+        return 0.25f * p.density / (p.i.inside.z * (1 + p.lambda_i)) * coat_.solid_angle_ratio(p.o);
+    }
+    float density(const Pair& p) const {
+        return (1 - albedo_.mirror_odds(coat_, p.i)) * facet_density(p);
+    }
+
+    std::shared_ptr<const ThinFilm::Tables> tables_;
+    MicrofacetDistribution facets_;
+    MicrofacetCoat coat_;
+    FilmReflectance reflectance_;
+    MicrofacetAlbedo albedo_;
+};
+
+ThinFilm::Tables make_tables(const paint::Recipe& recipe, ThinFilmColour colour) {
+    validate_microfacet_recipe(recipe);
+    const paint::Microfacet& m = *recipe.microfacet;
+    const optics::AiryFilm film(index_around_facets(recipe), m.film_ior, m.base_ior,
+                                m.base_extinction);
+    ThinFilm::Tables tables{recipe, film, MicrofacetDistribution(m.distribution, m.alpha),
+                            std::nullopt};
+    if (colour != ThinFilmColour::spectral) {
+        tables.colours.emplace(film, m.film_thickness_nm, colour);
+    }
+    return tables;
+}
+
+}  // namespace
+
+ThinFilm::ThinFilm(const paint::Recipe& recipe, ThinFilmColour colour)
+    : tables_(std::make_shared<const Tables>(make_tables(recipe, colour))) {}
+
+ThinFilm::~ThinFilm() = default;
+
+std::unique_ptr<const BoundBsdf> ThinFilm::bind(const Wavelengths& wavelengths_nm) const {
+    return std::make_unique<const BoundThinFilm>(tables_, wavelengths_nm);
+}
+
+}  // namespace nacre::bsdf

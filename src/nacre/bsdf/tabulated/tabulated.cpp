@@ -1,0 +1,337 @@
+#include "nacre/bsdf/tabulated/tabulated.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "nacre/bsdf/flake_lobe.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/warp.h"
+#include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/quadrature.h"
+#include "nacre/optics/fresnel.h"
+
+// What the tabulated model works out once a table, before any wavelength is chosen.
+
+namespace nacre::bsdf {
+
+/// One direction, and what a lookup needs of it.
+struct TableRay {
+    Vec3f outside, inside;  ///< inside: refracted with the mean index
+    float sine;             ///< outside
+    float side_cosine;      ///< on the side on which the grid measures half vectors
+    float transmittance;    ///< of a smooth interface over n; 1 for a rough one
+};
+
+struct Tabulated::Tables {
+    using Data = std::variant<std::shared_ptr<const bsdf::RawBrdfTable>,
+                              std::shared_ptr<const bsdf::CompressedBrdfTable>>;
+
+    explicit Tables(Data table);
+
+    Data data;
+    bsdf::BrdfGrid grid;
+    float ior, inverse_ior;
+    /// Lobes that samples come from, inside the coat; under a rough interface, its own outside.
+    FlakeLobe flakes, wide;
+    std::optional<FlakeLobe> interface;
+    std::vector<LobeOdds> odds;     ///< by direction row
+    std::vector<bsdf::Rgb> albedo;  ///< by direction row, the mirror left out
+
+    TableRay make_ray(Vec3f w) const;
+    /// The BRDF in linear Rec. 709.
+    bsdf::Rgb rgb(const TableRay& i, const TableRay& o) const;
+    const LobeOdds& odds_at(Vec3f wi) const;
+    /// Density of sampling o given i, the mirror left out.
+    float density(const LobeOdds& odds, const TableRay& i, const TableRay& o) const;
+    /// Densities of the lobes apart: interface, flakes, wide, diffuse.
+    std::array<float, 4> densities(const TableRay& i, const TableRay& o) const;
+
+ private:
+    float leave(const TableRay& o) const;
+    void fit_row(int row);
+};
+
+/// Row of the direction tables and the fraction to the next.
+struct DirectionRow {
+    int row;
+    float fraction;
+};
+DirectionRow direction_row(Vec3f w);
+
+namespace {
+
+constexpr int kStride = 8;  // rows that are fitted; between them everything is interpolated
+
+void require_size(std::size_t found, std::size_t wanted, const char* what) {
+    if (found != wanted) {
+        throw DomainError(fmt::format("a BRDF table has {} {}, not {}", found, what, wanted));
+    }
+}
+
+void check(const bsdf::RawBrdfTable& table) {
+    validate(table.grid);
+    require_size(table.values.size(), 3 * table.grid.values(), "values");
+}
+
+void check(const bsdf::CompressedBrdfTable& table) {
+    validate(table.grid);
+    for (int k : table.rank) {
+        require_in_range(k, 0, bsdf::CompressedBrdfTable::kMostTerms,
+                         "terms of a compressed BRDF table");
+    }
+    require_size(table.left.size(), table.grid.pairs() * table.terms(), "left factors");
+    require_size(table.right.size(), static_cast<std::size_t>(table.grid.azimuths) * table.terms(),
+                 "right factors");
+}
+
+bsdf::BrdfGrid checked_grid(const Tabulated::Tables::Data& data) {
+    return std::visit(
+        [](const auto& table) {
+            check(*table);
+            return table->grid;
+        },
+        data);
+}
+
+// Roughness of the flakes' lobe inside the coat. Under a rough interface facets of slope m refract
+// as half a flake of that slope reflects, roughly; the grid knows the narrowest lobe only.
+float flake_roughness(const bsdf::BrdfGrid& grid) {
+    return static_cast<float>(std::min(1.0, std::hypot(grid.lobe_alpha, 0.5 * grid.roughness)));
+}
+
+double brightness(const bsdf::Rgb& rgb) {
+    return std::max(0.0, (static_cast<double>(rgb[0]) + rgb[1] + rgb[2]) / 3);
+}
+
+}  // namespace
+
+DirectionRow direction_row(Vec3f w) {
+    const float sine = std::sqrt(w.x * w.x + w.y * w.y);
+    const float at = sine / (1 + w.z) * kDirectionIntervals;
+    const int row = std::min(static_cast<int>(at), kDirectionIntervals - 1);
+    return {row, at - row};
+}
+
+Tabulated::Tables::Tables(Data table)
+    : data(std::move(table)),
+      grid(checked_grid(data)),
+      ior(static_cast<float>(grid.ior)),
+      inverse_ior(1 / ior),
+      flakes(flake_roughness(grid)),
+      wide(2 * flake_roughness(grid)),
+      odds(kDirectionIntervals + 1),
+      albedo(kDirectionIntervals + 1) {
+    if (grid.roughness > 0) interface.emplace(static_cast<float>(grid.roughness));
+    parallel_for(0, kDirectionIntervals / kStride + 1,
+                 [&](std::size_t step) { fit_row(static_cast<int>(step) * kStride); });
+    for (int row = 0; row < kDirectionIntervals; ++row) {
+        const int from = row / kStride * kStride;
+        const float f = static_cast<float>(row - from) / kStride;
+        if (row == from) continue;
+        const LobeOdds &a = odds[from], &b = odds[from + kStride];
+        const auto mix = [&](float LobeOdds::*m) { return a.*m + f * (b.*m - a.*m); };
+        odds[row] = {mix(&LobeOdds::interface), mix(&LobeOdds::flakes), mix(&LobeOdds::wide),
+                     mix(&LobeOdds::diffuse)};
+        for (int c = 0; c < 3; ++c) {
+            albedo[row][c] = albedo[from][c] + f * (albedo[from + kStride][c] - albedo[from][c]);
+        }
+    }
+}
+
+TableRay Tabulated::Tables::make_ray(Vec3f w) const {
+    TableRay ray;
+    ray.outside = w;
+    ray.inside = refract_in(w, inverse_ior);
+    ray.sine = std::sqrt(w.x * w.x + w.y * w.y);
+    ray.side_cosine = interface ? w.z : ray.inside.z;
+    ray.transmittance =
+        interface ? 1.0f : (1 - optics::dielectric_reflectance(1.0f, ior, w.z)) * inverse_ior;
+    return ray;
+}
+
+bsdf::Rgb Tabulated::Tables::rgb(const TableRay& i, const TableRay& o) const {
+    const bsdf::BrdfCell cell =
+        bsdf::locate(grid, i.outside, o.outside, i.sine, o.sine, i.side_cosine, o.side_cosine);
+    bsdf::Rgb g = std::visit([&](const auto& table) { return table->interpolate(cell); }, data);
+    const float cosines = std::max(i.side_cosine + o.side_cosine, bsdf::kLeastCosines);
+    const float factor = i.transmittance * o.transmittance / cosines;
+    for (float& x : g) x *= factor;
+    return g;
+}
+
+const LobeOdds& Tabulated::Tables::odds_at(Vec3f wi) const {
+    const DirectionRow at = direction_row(wi);
+    return odds[at.row + (at.fraction > 0.5f)];
+}
+
+// Solid angle inside over solid angle outside.
+float Tabulated::Tables::leave(const TableRay& o) const {
+    return o.outside.z / o.inside.z * (inverse_ior * inverse_ior);
+}
+
+std::array<float, 4> Tabulated::Tables::densities(const TableRay& i, const TableRay& o) const {
+    return {interface ? interface->pdf(i.outside, o.outside) : 0.0f,
+            leave(o) * flakes.mixed_pdf(i.inside, o.inside, 1, 0),
+            leave(o) * flakes.mixed_pdf(i.inside, o.inside, 0, 1),
+            o.outside.z * std::numbers::inv_pi_v<float>};
+}
+
+float Tabulated::Tables::density(const LobeOdds& p, const TableRay& i, const TableRay& o) const {
+    const float facets = interface ? p.interface * interface->pdf(i.outside, o.outside) : 0.0f;
+    return facets + leave(o) * flakes.mixed_pdf(i.inside, o.inside, p.flakes, p.wide) +
+           o.outside.z * (p.diffuse * std::numbers::inv_pi_v<float>);
+}
+
+// Albedo by quadrature, and the odds of the lobes from the same points.
+void Tabulated::Tables::fit_row(int row) {
+    constexpr int kPolar = 96, kAzimuths = 96;
+    const double theta_i = direction_angle(row);
+    const TableRay i =
+        make_ray({static_cast<float>(std::sin(theta_i)), 0, static_cast<float>(std::cos(theta_i))});
+    const Quadrature& unit_polar = unit_gauss_legendre(kPolar);
+    const Quadrature& unit_azimuth = unit_gauss_legendre(kAzimuths);
+    std::vector<FluxPoint<4>> points;
+    points.reserve(kPolar * kAzimuths);
+    double energy = 0;
+    std::array<double, 3> sum{};
+    for (int t = 0; t < kPolar; ++t) {
+        const double theta = unit_polar.nodes[t] * std::numbers::pi / 2;
+        const double sine = std::sin(theta), cosine = std::cos(theta);
+        for (int a = 0; a < kAzimuths; ++a) {
+            // phi' = pi x^2 from the mirror direction packs points into the lobe.
+            const double x = unit_azimuth.nodes[a], phi = std::numbers::pi * (1 - x * x);
+            const TableRay o =
+                make_ray({static_cast<float>(sine * std::cos(phi)),
+                          static_cast<float>(sine * std::sin(phi)), static_cast<float>(cosine)});
+            const bsdf::Rgb f = rgb(i, o);
+            const double weight = unit_polar.weights[t] * std::numbers::pi / 2 * sine * cosine *
+                                  unit_azimuth.weights[a] * 4 * std::numbers::pi * x;
+            for (int c = 0; c < 3; ++c) sum[c] += weight * f[c];
+            const double flux = weight * brightness(f);
+            energy += flux;
+            points.push_back({flux, densities(i, o)});
+        }
+    }
+    for (int c = 0; c < 3; ++c) albedo[row][c] = static_cast<float>(sum[c]);
+
+    std::array<double, 4> share =
+        fit_mixture(points, std::array<double, 4>{interface ? 0.25 : 0.0, 0.25, 0.25, 0.25});
+    // The mirror by its energy; a fiftieth of the rest, at least, goes everywhere, and as much to
+    // the wide lobe: that bounds the weights.
+    const double mirror =
+        interface ? 0.0 : optics::dielectric_reflectance(1.0, grid.ior, std::cos(theta_i));
+    const double chance = mirror > 0 ? mirror / (mirror + energy + 1e-6) : 0.0;
+    constexpr double kLeast = 0.02;
+    share[2] = std::max(share[2], kLeast);
+    share[3] = std::max(share[3], kLeast);
+    double all = 0;
+    for (double x : share) all += x;
+    for (double& x : share) x *= (1 - chance) / all;
+    odds[row] = {static_cast<float>(chance + share[0]), static_cast<float>(share[1]),
+                 static_cast<float>(share[2]), static_cast<float>(share[3])};
+}
+
+namespace {
+
+// The model at eight wavelengths.
+class BoundTabulated final : public BoundBsdf {
+ public:
+    BoundTabulated(std::shared_ptr<const Tabulated::Tables> tables, const Wavelengths& wavelengths)
+        : tables_(std::move(tables)), spectrum_(wavelengths) {}
+
+    FloatLanes eval(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+        return value(tables_->make_ray(wi), tables_->make_ray(wo));
+    }
+
+    float pdf(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return 0;
+        return tables_->density(tables_->odds_at(wi), tables_->make_ray(wi), tables_->make_ray(wo));
+    }
+
+    BsdfValue evaluate(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return {};
+        const TableRay i = tables_->make_ray(wi), o = tables_->make_ray(wo);
+        return {value(i, o), tables_->density(tables_->odds_at(wi), i, o)};
+    }
+
+    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+        if (wi.z <= 0) return std::nullopt;
+        const LobeOdds& odds = tables_->odds_at(wi);
+        if (u_lobe < odds.interface && !tables_->interface) {
+            BsdfSample s;
+            s.wo = {-wi.x, -wi.y, wi.z};
+            s.weight =
+                splat(optics::dielectric_reflectance(1.0f, tables_->ior, wi.z) / odds.interface);
+            s.pdf = odds.interface;
+            s.mirror = true;
+            return s;
+        }
+        const TableRay i = tables_->make_ray(wi);
+        const std::optional<Vec3f> wo = draw(i, odds, u_lobe, u);
+        if (!wo || wo->z <= 0) return std::nullopt;
+        const TableRay o = tables_->make_ray(*wo);
+        BsdfSample s;
+        s.wo = *wo;
+        s.pdf = tables_->density(odds, i, o);
+        if (!(s.pdf > 0)) return std::nullopt;
+        s.weight = value(i, o) * (wo->z / s.pdf);
+        return s;
+    }
+
+    FloatLanes albedo(Vec3f wi) const override {
+        if (wi.z <= 0) return FloatLanes{};
+        const DirectionRow at = direction_row(wi);
+        const bsdf::Rgb &a = tables_->albedo[at.row], &b = tables_->albedo[at.row + 1];
+        bsdf::Rgb rgb;
+        for (int c = 0; c < 3; ++c) rgb[c] = a[c] + at.fraction * (b[c] - a[c]);
+        const float mirror =
+            tables_->interface ? 0.0f : optics::dielectric_reflectance(1.0f, tables_->ior, wi.z);
+        return spectrum_(rgb) + mirror;
+    }
+
+ private:
+    FloatLanes value(const TableRay& i, const TableRay& o) const {
+        return spectrum_(tables_->rgb(i, o));
+    }
+
+    std::optional<Vec3f> draw(const TableRay& i, const LobeOdds& odds, float u_lobe,
+                              Vec2f u) const {
+        if (u_lobe < odds.interface) {
+            return tables_->interface->sample(i.outside, u_lobe / odds.interface, u);
+        }
+        u_lobe -= odds.interface;
+        if (u_lobe >= odds.flakes + odds.wide) return cosine_hemisphere(u);
+        const bool narrow = u_lobe < odds.flakes;
+        const float u_sign = narrow ? u_lobe / odds.flakes : (u_lobe - odds.flakes) / odds.wide;
+        const Vec3f inside = (narrow ? tables_->flakes : tables_->wide).sample(i.inside, u_sign, u);
+        if (inside.z <= 0) return std::nullopt;
+        return refract_out(inside, tables_->ior);
+    }
+
+    std::shared_ptr<const Tabulated::Tables> tables_;
+    RgbLanes spectrum_;
+};
+
+}  // namespace
+
+Tabulated::Tabulated(std::shared_ptr<const bsdf::RawBrdfTable> table)
+    : tables_(std::make_shared<const Tables>(Tables::Data(std::move(table)))) {}
+
+Tabulated::Tabulated(std::shared_ptr<const bsdf::CompressedBrdfTable> table)
+    : tables_(std::make_shared<const Tables>(Tables::Data(std::move(table)))) {}
+
+Tabulated::~Tabulated() = default;
+
+std::unique_ptr<const BoundBsdf> Tabulated::bind(const Wavelengths& wavelengths_nm) const {
+    return std::make_unique<const BoundTabulated>(tables_, wavelengths_nm);
+}
+
+}  // namespace nacre::bsdf

@@ -1,0 +1,171 @@
+#include "nacre/core/file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+
+#include "nacre/core/error.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+// A folder of its own for each test.
+class AtomicFileTest : public testing::Test {
+ protected:
+    void SetUp() override {
+        std::string name = testing::TempDir() + "nacre_atomic_XXXXXX";
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    int files() const {
+        return static_cast<int>(
+            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(AtomicFileTest, WritesNewFilesAndReplacesOldOnes) {
+    const fs::path path = folder_ / "paint.h5";
+    const std::string bytes("a\0b\n", 4);
+    write_file_atomically(path, bytes);
+    EXPECT_EQ(read_file(path), bytes);
+    write_file_atomically(path, "");
+    EXPECT_EQ(read_file(path), "");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFileTest, WithoutCommitTheOldFileStaysAndTheTemporaryGoes) {
+    const fs::path path = folder_ / "paint.h5";
+    write_file_atomically(path, "old");
+    {
+        AtomicFile file(path);
+        std::ofstream(file.temporary_path()) << "half of the ne";
+        EXPECT_EQ(file.temporary_path().parent_path(), fs::canonical(folder_));
+        EXPECT_EQ(file.temporary_path().extension(), ".h5");
+        EXPECT_EQ(read_file(path), "old");
+        EXPECT_EQ(files(), 2);
+    }
+    EXPECT_EQ(read_file(path), "old");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFileTest, TwoWritersOfOneNameDoNotMeet) {
+    const fs::path path = folder_ / "out.exr";
+    AtomicFile a(path), b(path);
+    EXPECT_NE(a.temporary_path(), b.temporary_path());
+}
+
+TEST_F(AtomicFileTest, ALibraryMayReplaceTheTemporaryItself) {
+    const fs::path path = folder_ / "out.exr";
+    AtomicFile file(path);
+    fs::remove(file.temporary_path());
+    std::ofstream(file.temporary_path()) << "new";
+    file.commit();
+    EXPECT_EQ(read_file(path), "new");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFileTest, FollowsLinksAndKeepsPermissions) {
+    write_file_atomically(folder_ / "real", "old");
+    ASSERT_EQ(::chmod((folder_ / "real").c_str(), 0640), 0);
+    fs::create_symlink("real", folder_ / "link");
+    write_file_atomically(folder_ / "link", "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(read_file(folder_ / "real"), "new");
+    EXPECT_EQ(fs::status(folder_ / "real").permissions(), fs::perms(0640));
+}
+
+TEST_F(AtomicFileTest, ADeviceIsWrittenToAndNotReplaced) {
+    write_file_atomically("/dev/null", "bytes");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(AtomicFileTest, LongNamesWork) {
+    const fs::path path = folder_ / (std::string(250, 'n') + ".h5");
+    write_file_atomically(path, "x");
+    EXPECT_EQ(read_file(path), "x");
+}
+
+TEST_F(AtomicFileTest, ErrorsNameTheFileAndTheReason) {
+    const fs::path missing = folder_ / "no" / "such.csv";
+    EXPECT_THAT([&] { write_file_atomically(missing, ""); },
+                ThrowsMessage<InputError>(AllOf(HasSubstr(missing.string()), HasSubstr("folder"))));
+    EXPECT_THAT([&] { write_file_atomically(folder_, ""); },
+                ThrowsMessage<InputError>(HasSubstr(folder_.string())));
+    EXPECT_THROW(write_file_atomically("", ""), InputError);
+    EXPECT_THAT([&] { write_file_atomically("/proc/nacre", ""); },
+                ThrowsMessage<Error>(HasSubstr("cannot write '/proc/nacre': ")));
+    EXPECT_THAT([&] { write_file_atomically("/dev/full", "x"); },
+                ThrowsMessage<Error>(HasSubstr("No space left on device")));
+    EXPECT_EQ(files(), 0);
+}
+
+TEST_F(AtomicFileTest, ReadingRefusesWhatItCannotHold) {
+    EXPECT_THAT([&] { read_file(folder_ / "none"); },
+                ThrowsMessage<InputError>(HasSubstr("No such file or directory")));
+    EXPECT_THAT([&] { read_file(folder_); }, ThrowsMessage<InputError>(HasSubstr("directory")));
+    EXPECT_THAT([&] { read_file("/dev/zero", 1000); },
+                ThrowsMessage<InputError>(HasSubstr("longer than 1000 bytes")));
+    write_file_atomically(folder_ / "ten", "0123456789");
+    EXPECT_EQ(read_file(folder_ / "ten", 10), "0123456789");
+    EXPECT_THROW(read_file(folder_ / "ten", 9), InputError);
+}
+
+}  // namespace
+
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+// Sets NACRE_DATA_DIR for one test.
+class DataDirectory : public testing::Test {
+ protected:
+    void SetUp() override {
+        if (const char* old = std::getenv("NACRE_DATA_DIR")) old_ = old;
+        ::unsetenv("NACRE_DATA_DIR");
+    }
+    void TearDown() override {
+        ::unsetenv("NACRE_DATA_DIR");
+        if (old_) ::setenv("NACRE_DATA_DIR", old_->c_str(), 1);
+    }
+    std::optional<std::string> old_;
+};
+
+TEST_F(DataDirectory, IsTheSourceTreeWhenThereIsOne) {
+    EXPECT_EQ(data_directory(), std::filesystem::path(NACRE_SOURCE_DIR) / "data");
+    EXPECT_TRUE(std::filesystem::is_regular_file(data_file("cie_observers.csv")));
+}
+
+TEST_F(DataDirectory, TheEnvironmentComesFirst) {
+    const std::string folder = testing::TempDir();
+    ::setenv("NACRE_DATA_DIR", folder.c_str(), 1);
+    EXPECT_EQ(data_directory(), folder);
+}
+
+TEST_F(DataDirectory, AWrongChoiceIsAnErrorThatNamesIt) {
+    ::setenv("NACRE_DATA_DIR", "/no/such/folder", 1);
+    EXPECT_THAT([] { data_directory(); }, ThrowsMessage<InputError>(HasSubstr("/no/such/folder")));
+}
+
+TEST_F(DataDirectory, AMissingFileIsAnErrorThatNamesItAndTheFolder) {
+    EXPECT_THAT([] { data_file("no-such-file.csv"); },
+                ThrowsMessage<InputError>(
+                    testing::AllOf(HasSubstr("no-such-file.csv"), HasSubstr("data"))));
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,125 @@
+#include "nacre/core/progress.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+
+namespace nacre {
+namespace {
+
+std::atomic<bool> requested{false};
+std::atomic<bool> installed{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not take a lock");
+
+struct sigaction previous_interrupt, previous_terminate;
+
+extern "C" void on_signal(int signal_number) {
+    if (requested.exchange(true)) {
+        // The shell shall see that the signal ended us: restore the default and send it again.
+        signal(signal_number, SIG_DFL);
+        raise(signal_number);
+    }
+}
+
+}  // namespace
+
+InterruptHandler::InterruptHandler() : active_(!installed.exchange(true)) {
+    if (!active_) return;
+    requested = false;
+    struct sigaction action = {};
+    action.sa_handler = on_signal;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;  // a write in progress goes on
+    sigaction(SIGINT, &action, &previous_interrupt);
+    sigaction(SIGTERM, &action, &previous_terminate);
+}
+
+InterruptHandler::~InterruptHandler() {
+    if (!active_) return;
+    sigaction(SIGINT, &previous_interrupt, nullptr);
+    sigaction(SIGTERM, &previous_terminate, nullptr);
+    requested = false;
+    installed = false;
+}
+
+bool interrupt_requested() { return requested.load(std::memory_order_relaxed); }
+
+namespace {
+
+constexpr std::chrono::milliseconds kRedrawInterval{100};
+constexpr int kUsualColumns = 80;
+// Kept free for " 100 %  1:02:03 elapsed, 1:02:03 left", so that the bar keeps its length.
+constexpr int kTailColumns = 37;
+
+int terminal_columns() {
+    winsize size{};
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+    return kUsualColumns;
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+    // From a century on, and for NaN, a number would only be noise.
+    if (!(seconds < 3.2e9)) return "very long";
+    if (seconds < 59.95) return fmt::format("{:.1f} s", std::max(0.0, seconds));
+    const auto whole = static_cast<long long>(std::lround(seconds));
+    const long long h = whole / 3600, m = whole / 60 % 60, s = whole % 60;
+    return h > 0 ? fmt::format("{}:{:02}:{:02}", h, m, s) : fmt::format("{}:{:02}", m, s);
+}
+
+std::string progress_line(const std::string& label, double fraction, double elapsed_s,
+                          int columns) {
+    fraction = fraction >= 0 ? std::min(fraction, 1.0) : 0.0;  // NaN counts as 0
+    std::string times = duration_text(elapsed_s) + " elapsed";
+    // Before a hundredth is done the estimate would jump about.
+    if (fraction >= 0.01 && fraction < 1) {
+        times += ", " + duration_text(elapsed_s * (1 - fraction) / fraction) + " left";
+    }
+    const std::string tail =
+        fmt::format(" {:3} %  {}", static_cast<int>(std::floor(100 * fraction)), times);
+    const int room = columns - static_cast<int>(label.size()) - 4 - kTailColumns;
+    std::string line = label + "  ";
+    if (room >= 5) {
+        const int width = std::min(room, 40);
+        const int done = static_cast<int>(fraction * width);
+        line += fmt::format("[{:#<{}}{:-<{}}]", "", done, "", width - done);
+    }
+    line += tail;
+    return line.substr(0, static_cast<std::size_t>(std::max(columns, 0)));
+}
+
+ProgressBar::ProgressBar(std::string label, bool quiet)
+    : label_(std::move(label)), visible_(!quiet && isatty(STDERR_FILENO)) {}
+
+ProgressBar::~ProgressBar() {
+    if (drawn_) std::fputc('\n', stderr);
+}
+
+Progress ProgressBar::callback() {
+    return [this](double fraction) { return update(fraction); };
+}
+
+bool ProgressBar::update(double fraction) {
+    const auto now = Clock::now();
+    const bool just_finished = fraction >= 1 && drawn_fraction_ < 1;
+    if (visible_ && (just_finished || !drawn_ || now - last_drawn_ >= kRedrawInterval)) {
+        const double elapsed_s = std::chrono::duration<double>(now - start_).count();
+        // One column stays free: a full line would wrap on some terminals. ESC [K clears the rest.
+        const std::string line = progress_line(label_, fraction, elapsed_s, terminal_columns() - 1);
+        std::fputs(("\r" + line + "\x1b[K").c_str(), stderr);
+        std::fflush(stderr);
+        last_drawn_ = now;
+        drawn_ = true;
+        drawn_fraction_ = fraction;
+    }
+    return !interrupt_requested();
+}
+
+}  // namespace nacre

@@ -1,0 +1,101 @@
+#include "nacre/core/progress.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <limits>
+
+namespace nacre {
+namespace {
+
+TEST(Interrupt, TheFirstSignalOnlySetsTheFlag) {
+    for (int signal_number : {SIGINT, SIGTERM}) {
+        const InterruptHandler handler;
+        EXPECT_FALSE(interrupt_requested());
+        raise(signal_number);
+        EXPECT_TRUE(interrupt_requested());
+    }
+    EXPECT_FALSE(interrupt_requested());
+}
+
+TEST(Interrupt, ThePreviousHandlerComesBack) {
+    struct sigaction before, after;
+    sigaction(SIGINT, nullptr, &before);
+    { const InterruptHandler handler; }
+    sigaction(SIGINT, nullptr, &after);
+    EXPECT_EQ(before.sa_handler, after.sa_handler);
+}
+
+TEST(Interrupt, AnInnerHandlerLeavesTheOuterOneInPlace) {
+    const InterruptHandler outer;
+    { const InterruptHandler inner; }
+    raise(SIGINT);
+    EXPECT_TRUE(interrupt_requested());
+}
+
+TEST(InterruptDeathTest, TheSecondSignalEndsTheProgram) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(
+        {
+            const InterruptHandler handler;
+            raise(SIGINT);
+            raise(SIGINT);
+            exit(0);
+        },
+        testing::KilledBySignal(SIGINT), "");
+}
+
+}  // namespace
+
+namespace {
+
+TEST(DurationText, GrowsFromSecondsToHours) {
+    EXPECT_EQ(duration_text(0), "0.0 s");
+    EXPECT_EQ(duration_text(3.21), "3.2 s");
+    EXPECT_EQ(duration_text(59.96), "1:00");
+    EXPECT_EQ(duration_text(65), "1:05");
+    EXPECT_EQ(duration_text(7384), "2:03:04");
+    EXPECT_EQ(duration_text(std::numeric_limits<double>::infinity()), "very long");
+    EXPECT_EQ(duration_text(std::numeric_limits<double>::quiet_NaN()), "very long");
+}
+
+TEST(ProgressLine, ExtrapolatesTheTimeLeft) {
+    EXPECT_EQ(progress_line("render", 0.5, 65, 57),
+              "render  [#####-----]  50 %  1:05 elapsed, 1:05 left");
+    EXPECT_THAT(progress_line("render", 0.25, 1, 60),
+                testing::EndsWith(" 25 %  1.0 s elapsed, 3.0 s left"));
+    EXPECT_EQ(progress_line("render", 1, 65, 57), "render  [##########] 100 %  1:05 elapsed");
+}
+
+TEST(ProgressLine, FitsTheTerminalWhateverItIsGiven) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (double fraction : {-1.0, 0.0, 0.3, 0.999, 1.0, 7.0, nan}) {
+        for (int columns : {0, 1, 10, 40, 79, 300}) {
+            const auto line = progress_line("a rather long label", fraction, 1e9, columns);
+            EXPECT_LE(line.size(), static_cast<std::size_t>(columns));
+        }
+    }
+    EXPECT_NE(progress_line("x", 0.9999, 1, 79).find(" 99 %"), std::string::npos);
+}
+
+TEST(ProgressBar, StopsTheWorkOnAnInterruptEvenWhenQuiet) {
+    const InterruptHandler handler;
+    ProgressBar bar("work", true);
+    const Progress progress = bar.callback();
+    EXPECT_TRUE(progress(0.1));
+    raise(SIGINT);
+    EXPECT_FALSE(progress(0.2));
+}
+
+TEST(ProgressBar, IsSilentWhenStderrIsNoTerminal) {
+    testing::internal::CaptureStderr();
+    {
+        ProgressBar bar("work");
+        bar.callback()(0.5);
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Numbers in material files and on the command line, independent of the locale.
+
+namespace nacre {
+
+/// Without spaces at both ends.
+inline std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view space = " \t\r\n\f\v";
+    const auto first = text.find_first_not_of(space);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(space) - first + 1);
+}
+
+/// Reads a number at the front of `text` and removes it; nothing for anything that is not a finite
+/// number in decimal or exponent form.
+inline std::optional<double> take_number(std::string_view& text) {
+    std::string_view rest = text;
+    if (!rest.empty() && rest.front() == '+') {
+        rest.remove_prefix(1);
+        if (!rest.empty() && rest.front() == '-') return std::nullopt;
+    }
+    double value = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+    text = rest.substr(static_cast<std::size_t>(end - rest.data()));
+    return value;
+}
+
+/// All of `text`, spaces at its ends aside, as a finite number.
+inline std::optional<double> parse_number(std::string_view text) {
+    text = trimmed(text);
+    const auto value = take_number(text);
+    return value && text.empty() ? value : std::nullopt;
+}
+
+/// The pieces between separators, trimmed. A run of spaces separates as one when `separator` is a
+/// space.
+inline std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> pieces;
+    while (true) {
+        if (separator == ' ') {
+            text = trimmed(text);
+            if (text.empty()) return pieces;
+        }
+        const auto end = separator == ' ' ? text.find_first_of(" \t") : text.find(separator);
+        pieces.push_back(trimmed(text.substr(0, end)));
+        if (end == std::string_view::npos) return pieces;
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// For messages: a text that somebody else wrote, shortened, its control characters replaced.
+inline std::string excerpt(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    std::string result(text.substr(0, longest));
+    for (char& c : result) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    }
+    return text.size() > longest ? result + "..." : result;
+}
+
+// "did you mean": the nearest of a list of known names, for error messages.
+
+/// Fewest insertions, deletions, substitutions and swaps of neighbours that turn a into b, no
+/// letter being changed twice: the optimal string alignment distance. Bytes are compared, capital
+/// letters count as their small ones.                                            [damerau-1964]
+int edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate nearest to `name` if it is near enough to be a slip of the hand (at most a third
+/// of the letters differ, and at least one edit is allowed); the first of several equally near.
+std::optional<std::string> closest_match(std::string_view name,
+                                         std::span<const std::string> candidates);
+
+/// " (did you mean 'x'?)", or nothing: to append to a message.
+std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
+
+}  // namespace nacre

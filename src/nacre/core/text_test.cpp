@@ -1,0 +1,51 @@
+#include "nacre/core/text.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace nacre {
+namespace {
+
+TEST(EditDistance, CountsEachKindOfEditOnce) {
+    EXPECT_EQ(edit_distance("alpha", "alpha"), 0);
+    EXPECT_EQ(edit_distance("", "abc"), 3);
+    EXPECT_EQ(edit_distance("abc", ""), 3);
+    EXPECT_EQ(edit_distance("alpha", "alpa"), 1);
+    EXPECT_EQ(edit_distance("alpha", "alphaa"), 1);
+    EXPECT_EQ(edit_distance("alpha", "alphe"), 1);
+    EXPECT_EQ(edit_distance("alpha", "aplha"), 1);
+    EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+    EXPECT_EQ(edit_distance("TiO2", "tio2"), 0);
+}
+
+TEST(EditDistance, IsSymmetric) {
+    const std::vector<std::string> words = {"spread_nm", "thickness_nm", "core", "ca", "abc", ""};
+    for (const auto& a : words) {
+        for (const auto& b : words) EXPECT_EQ(edit_distance(a, b), edit_distance(b, a));
+    }
+}
+
+TEST(ClosestMatch, FindsTheKeyThatWasMeant) {
+    const std::vector<std::string> keys = {"thickness_um", "thickness_nm", "spread_nm", "material"};
+    EXPECT_EQ(closest_match("thicknes_um", keys), "thickness_um");
+    EXPECT_EQ(closest_match("matreial", keys), "material");
+    EXPECT_EQ(did_you_mean("spred_nm", keys), " (did you mean 'spread_nm'?)");
+}
+
+TEST(ClosestMatch, SaysNothingWhenNothingIsNear) {
+    const std::vector<std::string> keys = {"thickness_um", "material"};
+    EXPECT_EQ(closest_match("viscosity", keys), std::nullopt);
+    EXPECT_EQ(closest_match("", keys), std::nullopt);
+    EXPECT_EQ(closest_match("x", {}), std::nullopt);
+    EXPECT_EQ(closest_match("B", std::vector<std::string>{"A", "E"}), std::nullopt);
+    EXPECT_EQ(did_you_mean("viscosity", keys), "");
+}
+
+TEST(ClosestMatch, DoesNotChokeOnAnEnormousName) {
+    const std::vector<std::string> keys = {"material"};
+    EXPECT_EQ(closest_match(std::string(10'000'000, 'm'), keys), std::nullopt);
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,8 +1,0 @@
-#pragma once
-
-namespace nacre::io {
-
-/// Version of Nacre as MAJOR.MINOR.PATCH, written into the files it makes.
-const char* version();
-
-}  // namespace nacre::io

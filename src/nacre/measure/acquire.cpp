@@ -1,0 +1,287 @@
+#include "nacre/measure/acquire.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "nacre/bsdf/measured/rgl.h"
+#include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/angles.h"
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/random.h"
+#include "nacre/measure/instrument.h"
+
+namespace nacre::measure {
+
+bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavelengths_nm,
+                             const MerlSettings& settings, const Progress& progress) {
+    const auto check = [](int cells, const char* what) {
+        require_in_range(cells, bsdf::kLeastMerlCells, bsdf::kMostMerlCells, what);
+    };
+    check(settings.half, "cells along theta_half");
+    check(settings.difference, "cells along theta_difference");
+    check(settings.azimuths, "cells along phi_difference");
+    require_table_size(3.0 * sizeof(double) * settings.half * settings.difference *
+                       settings.azimuths);
+    const SpectrumColour colour(wavelengths_nm);
+    bsdf::MerlTable table{settings.half, settings.difference, settings.azimuths, {}};
+    table.values.assign(3 * table.cells(), -1.0);
+    for_each_row(table.half, progress, [&](int h) {
+        for (int d = 0; d < table.difference; ++d) {
+            // phi_d and pi - phi_d: the same by reciprocity and a mirror's symmetry.
+            for (int a = 0; a < (table.azimuths + 1) / 2; ++a) {
+                const bsdf::DirectionPair pair = bsdf::directions_of(table.middle(h, d, a));
+                const auto &i = pair.wi, &o = pair.wo;
+                if (i[2] <= 0 || o[2] <= 0) continue;
+                const auto polar = [](const std::array<double, 3>& w) {
+                    return std::min(std::atan2(std::hypot(w[0], w[1]), w[2]),
+                                    0.5 * std::numbers::pi - 1e-9);
+                };
+                const std::vector<double> rgb = colour.rgb(
+                    brdf(polar(i), polar(o), std::atan2(o[1], o[0]) - std::atan2(i[1], i[0])));
+                for (const int twin : {a, table.azimuths - 1 - a}) {
+                    for (int c = 0; c < 3; ++c) {
+                        table.values[c * table.cells() + table.cell(h, d, twin)] =
+                            rgb[c] / bsdf::MerlTable::kScale[c];
+                    }
+                }
+            }
+        }
+    });
+    bsdf::validate(table);
+    return table;
+}
+
+namespace {
+
+constexpr double kEvenShare = 0.02;
+/// The largest polar angle that a BRDF is asked for: its domain is open at the horizon.
+constexpr double kMostPolar = 0.5 * kPi - 1e-4;
+
+double polar_node(int k, int count) {
+    const double x = static_cast<double>(k) / (count - 1);
+    return 0.5 * kPi * x * x;
+}
+
+/// Integral over the azimuth of the projected area of facets at polar angle b seen from a.
+double ring_area(double a, double b) {
+    const double along = std::cos(a) * std::cos(b), across = std::sin(a) * std::sin(b);
+    if (along >= across) return 2 * kPi * along;
+    const double edge = std::acos(std::clamp(-along / across, -1.0, 1.0));
+    return 2 * (along * edge + across * std::sin(edge));
+}
+
+/// Facets that are alike at every azimuth, by polar angle at the nodes of an ndf table.
+struct Facets {
+    std::vector<double> density, area;  ///< D and sigma; the area of all from above is 1
+};
+
+/// Weights of an integral over the solid angle of polar angles times 1/(2 pi), by the trapezium
+/// rule in x, theta = (pi/2) x^2.
+std::vector<double> ring_weights(int count) {
+    std::vector<double> weights(count);
+    for (int k = 0; k < count; ++k) {
+        const double x = static_cast<double>(k) / (count - 1);
+        weights[k] = (k == 0 || k == count - 1 ? 0.5 : 1.0) / (count - 1) * kPi * x *
+                     std::sin(polar_node(k, count));
+    }
+    return weights;
+}
+
+std::vector<double> projected_areas(const std::vector<double>& density) {
+    const int count = static_cast<int>(density.size());
+    const std::vector<double> weights = ring_weights(count);
+    std::vector<double> area(count, 0.0);
+    for (int a = 0; a < count; ++a) {
+        for (int b = 0; b < count; ++b) {
+            area[a] +=
+                weights[b] * density[b] * ring_area(polar_node(a, count), polar_node(b, count));
+        }
+    }
+    return area;
+}
+
+Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
+    std::vector<double> retro(count);
+    parallel_for(0, count, [&](std::size_t k) {
+        const double theta = std::min(polar_node(static_cast<int>(k), count), kMostPolar);
+        retro[k] = colour.luminance(brdf(theta, theta, 0)) * std::cos(theta);
+    });
+    // Powers of a positive matrix lead to its one positive eigenvector.
+    constexpr int kRounds = 32;
+    std::vector<double> density(count, 1 / kPi), area = projected_areas(density);
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<double> next(count);
+        for (int k = 0; k < count; ++k) next[k] = retro[k] * area[k];
+        std::vector<double> next_area = projected_areas(next);
+        if (!(next_area[0] > 0)) break;  // black: facets stay even
+        for (int k = 0; k < count; ++k) {
+            density[k] = next[k] / next_area[0];
+            area[k] = next_area[k] / next_area[0];
+        }
+    }
+    for (double& d : density) d = (1 - kEvenShare) * d + kEvenShare / kPi;
+    return {density, projected_areas(density)};
+}
+
+bsdf::SquareTable same_at_every_azimuth(const std::vector<double>& values) {
+    bsdf::SquareTable table{2, static_cast<int>(values.size()), {}};
+    for (int row = 0; row < 2; ++row) {
+        table.values.insert(table.values.end(), values.begin(), values.end());
+    }
+    return table;
+}
+
+/// The visible facets, as a density over the square.
+void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf) {
+    for (std::size_t slice = 0; slice < table.slices(); ++slice) {
+        const double theta_i = table.theta_i[slice];
+        for (int row = 0; row < table.vndf_rows; ++row) {
+            const double phi = (2.0 * row / (table.vndf_rows - 1) - 1) * kPi;
+            for (int column = 0; column < table.vndf_columns; ++column) {
+                const double theta = polar_node(column, table.vndf_columns);
+                const double x = static_cast<double>(column) / (table.vndf_columns - 1);
+                const double seen = std::cos(theta_i) * std::cos(theta) +
+                                    std::sin(theta_i) * std::sin(theta) * std::cos(phi);
+                const double d = bsdf::read_square(ndf, {static_cast<float>(x), 0.5f});
+                table.vndf.push_back(static_cast<float>(
+                    d * std::max(0.0, seen) * 2 * kPi * kPi * x * std::sin(theta) /
+                    bsdf::read_square(table.sigma, bsdf::square_point(table.theta_i[slice], 0))));
+            }
+        }
+    }
+}
+
+void require_setting(const char* name, int value, int least, int most) {
+    require_in_range(value, least, most, name);
+}
+
+}  // namespace
+
+bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
+                           const std::vector<double>& wavelengths_nm, const RglSettings& settings,
+                           const Progress& progress) {
+    require_setting("resolution", settings.resolution, 4, 512);
+    require_setting("incident angles", settings.incident, 2, 256);
+    require_setting("resolution of the facets' distribution", settings.ndf_resolution, 8, 4096);
+    require_table_size(static_cast<double>(sizeof(float)) * settings.resolution *
+                       settings.resolution * settings.incident *
+                       (settings.rgb ? 3.0 : static_cast<double>(wavelengths_nm.size())));
+    const SpectrumColour colour(wavelengths_nm);
+    const Facets facets = find_facets(brdf, colour, settings.ndf_resolution);
+
+    bsdf::RglTable table;
+    table.description = description;
+    table.phi_i = {0.0f};
+    for (int i = 0; i < settings.incident; ++i) {
+        table.theta_i.push_back(static_cast<float>(kMostIncidence * i / (settings.incident - 1)));
+    }
+    table.ndf = same_at_every_azimuth(facets.density);
+    table.sigma = same_at_every_azimuth(facets.area);
+    const int n = settings.resolution;
+    table.vndf_rows = n;
+    table.vndf_columns = n;
+    fill_visible(table, table.ndf);
+    table.resolution = n;
+    if (!settings.rgb) table.wavelengths.assign(wavelengths_nm.begin(), wavelengths_nm.end());
+    const std::size_t square = static_cast<std::size_t>(n) * n, channels = table.channels();
+    table.luminance.resize(table.slices() * square);
+    table.spectra.resize(table.slices() * channels * square);
+
+    const bsdf::RglMap map(table);
+    for_each_row(settings.incident, progress, [&](int slice) {
+        const double theta_i = table.theta_i[slice];
+        const bsdf::RglIncident i = map.incident(
+            {static_cast<float>(std::sin(theta_i)), 0, static_cast<float>(std::cos(theta_i))});
+        for (int row = 0; row < (n + 1) / 2; ++row) {
+            for (int column = 0; column < n; ++column) {
+                const bsdf::RglPoint point = map.at(
+                    i, {static_cast<float>(column) / (n - 1), static_cast<float>(row) / (n - 1)});
+                const Vec3f wo = 2 * dot(i.direction, point.normal) * point.normal - i.direction;
+                if (wo.z <= 0) continue;  // f cos(theta_o) goes to 0 there
+                const double theta_o = std::min<double>(bsdf::polar_angle(wo), kMostPolar);
+                const std::vector<double> f = brdf(theta_i, theta_o, std::atan2(wo.y, wo.x));
+                const double factor = wo.z / map.scale(i, point);
+                const std::vector<double> values = settings.rgb ? colour.rgb(f) : f;
+                for (const int twin : {row, n - 1 - row}) {
+                    const std::size_t at = static_cast<std::size_t>(twin) * n + column;
+                    table.luminance[slice * square + at] =
+                        static_cast<float>(colour.luminance(f) * factor);
+                    for (std::size_t c = 0; c < channels; ++c) {
+                        table.spectra[(slice * channels + c) * square + at] =
+                            static_cast<float>(values[c] * factor);
+                    }
+                }
+            }
+        }
+    });
+    bsdf::validate(table);
+    return table;
+}
+
+namespace {
+
+constexpr int kIncidences = 6, kSamples = 1024;
+
+/// Positions of eight of the wavelengths, spread evenly.
+std::array<std::size_t, kLanes> choose(std::size_t count) {
+    std::array<std::size_t, kLanes> chosen;
+    for (int i = 0; i < kLanes; ++i) chosen[i] = i * (count - 1) / (kLanes - 1);
+    return chosen;
+}
+
+}  // namespace
+
+TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
+                       const std::vector<double>& wavelengths_nm, bool rgb) {
+    const SpectrumColour colour(wavelengths_nm);
+    const auto chosen = choose(wavelengths_nm.size());
+    bsdf::Wavelengths eight;
+    for (int i = 0; i < kLanes; ++i) eight[i] = wavelengths_nm[chosen[i]];
+    const auto bound = table.bind(eight);
+    const bsdf::RgbLanes spectrum(eight);
+    const auto lanes = [&](const std::vector<double>& f) {
+        if (!rgb) return make_lanes([&](int i) { return static_cast<float>(f[chosen[i]]); });
+        const std::vector<double> c = colour.rgb(f);
+        return spectrum(
+            {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])});
+    };
+    std::array<TableError, kIncidences> errors;
+    parallel_for(0, kIncidences, [&](std::size_t k) {
+        const double theta_i = (5 + 15.0 * static_cast<double>(k)) * kDegree;
+        const Vec3f wi = {static_cast<float>(std::sin(theta_i)), 0,
+                          static_cast<float>(std::cos(theta_i))};
+        Rng rng(hash_of(k));
+        FloatLanes flux{}, wrong{}, peak{}, largest{};
+        for (int n = 0; n < kSamples; ++n) {
+            const auto s =
+                bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
+            if (!s || s->wo.z < 1e-4f) continue;
+            // Rounding may leave z above 1.
+            const double theta_o = std::acos(std::min(1.0, static_cast<double>(s->wo.z)));
+            const FloatLanes wanted = lanes(exact(theta_i, theta_o, std::atan2(s->wo.y, s->wo.x)));
+            const FloatLanes found = bound->eval(wi, s->wo);
+            const FloatLanes difference = max_lanes(found - wanted, wanted - found);
+            flux += wanted * (s->wo.z / s->pdf);
+            wrong += difference * (s->wo.z / s->pdf);
+            peak = max_lanes(peak, wanted * s->wo.z);
+            largest = max_lanes(largest, difference * s->wo.z);
+        }
+        for (int i = 0; i < kLanes; ++i) {
+            if (!(flux[i] > 0)) continue;  // black
+            errors[k].flux += wrong[i] / flux[i] / (kLanes * kIncidences);
+            errors[k].peak = std::max<double>(errors[k].peak, largest[i] / peak[i]);
+        }
+    });
+    TableError all;
+    for (const TableError& e : errors) {
+        all.flux += e.flux;
+        all.peak = std::max(all.peak, e.peak);
+    }
+    return all;
+}
+
+}  // namespace nacre::measure

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/measured/merl.h"
+#include "nacre/bsdf/measured/rgl.h"
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
+#include "nacre/measure/instrument.h"
+
+namespace nacre::measure {
+
+/// What readers take, and more than anybody should want to make.
+inline constexpr double kMostTableBytes = 2147483648.0;
+
+/// @throws DomainError if a table would have more bytes than that
+inline void require_table_size(double bytes) {
+    require_in_range(bytes, 0, kMostTableBytes, "bytes of the table to be measured");
+}
+
+/// Calls body(row) for each row on all threads and reports after each.
+/// @throws Error if `progress` asks to stop
+template <class Body>
+void for_each_row(int rows, const Progress& progress, const Body& body) {
+    std::atomic<bool> stop = false;
+    int done = 0;
+    std::mutex report;
+    parallel_for(0, static_cast<std::size_t>(rows), [&](std::size_t row) {
+        if (stop) return;
+        body(static_cast<int>(row));
+        const std::lock_guard lock(report);
+        if (progress && !progress(static_cast<double>(++done) / rows)) stop = true;
+    });
+    if (stop) throw Error("measuring the BRDF was stopped");
+}
+
+/// Cells of a table over half and difference angles, [2, 1024] each. Reading code of the database
+/// takes no others than its own.
+struct MerlSettings {
+    int half = bsdf::MerlTable::kHalf;
+    int difference = bsdf::MerlTable::kDifference;
+    int azimuths = bsdf::MerlTable::kAzimuths;
+};
+
+/// Measures a reciprocal isotropic surface that is alike on both sides of the plane of incidence,
+/// as every one of Nacre's is, in the middle of every cell; cells with a direction below the
+/// horizon are marked as not measured, with -1. RGB is that of spectra::rec709_weights(), with
+/// components outside the gamut cut off at zero, as a negative value would mean another thing.
+///                                                                        [matusik-2003]
+/// @param wavelengths_nm  those of `brdf`, increasing
+/// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
+/// negative or not finite somewhere
+/// @throws Error if `progress` asks to stop
+bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavelengths_nm,
+                             const MerlSettings& settings, const Progress& progress = {});
+
+// A virtual goniophotometer that writes the RGL material database's files: from any BRDF to a
+// table in the adaptive parameterization.                                 [dupuy-jakob-2018]
+
+struct RglSettings {
+    int resolution = 64;       ///< points of the unit square per side, [4, 512]
+    int incident = 64;         ///< polar angles of incidence, [2, 256]
+    int ndf_resolution = 256;  ///< polar angles of the facets' distribution, [8, 4096]
+    bool rgb = false;          ///< linear Rec. 709 instead of a spectrum
+};
+
+/// Measures an isotropic surface that is alike on both sides of the plane of incidence, as every
+/// one of Nacre's is.
+///
+/// The distribution of facets D follows from retroreflection, f(m, m) cos(theta_m) =
+/// D(m) / (4 sigma(m)) to a factor, with sigma the projected area of D: an eigenvector, found by
+/// power iteration [dupuy-jakob-2018, section 5.1]. A fiftieth of it is made even, so that no
+/// direction is left without facets. It steers where the table is fine; the values make up for
+/// whatever it lacks, and at its nodes the table is exact to single precision.
+///
+/// Incidences are even from 0 to kMostIncidence. RGB is that of spectra::rec709_weights(), with
+/// components outside the gamut cut off at zero.
+///
+/// @param wavelengths_nm  those of `brdf`, increasing
+/// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
+/// negative or not finite somewhere
+/// @throws Error if `progress` asks to stop
+bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
+                           const std::vector<double>& wavelengths_nm, const RglSettings& settings,
+                           const Progress& progress = {});
+
+/// The last incidence; what comes flatter looks like this. In rad: 89 deg.
+inline constexpr double kMostIncidence = 1.5533430342749532;
+
+/// How a table of a BRDF differs from what it was made of, over incidences from 5 to 80 deg.
+struct TableError {
+    double flux = 0;  ///< Int |f' - f| cos over Int f cos, mean over incidences and wavelengths
+    /// Largest |f' - f| cos over the largest f cos of its incidence and wavelength. The cosine is
+    /// that of what such tables hold: near the horizon f itself is its quotient, and uncertain.
+    double peak = 0;
+};
+
+/// Compared at eight of the wavelengths, at directions that the table itself draws and therefore
+/// finds important, off its nodes.
+/// @param rgb  the table holds colours: compared with the spectra of the exact ones
+/// @throws DomainError as SpectrumColour
+TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
+                       const std::vector<double>& wavelengths_nm, bool rgb);
+
+}  // namespace nacre::measure

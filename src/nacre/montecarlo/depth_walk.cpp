@@ -1,0 +1,116 @@
+#include "nacre/montecarlo/depth_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nacre::montecarlo {
+namespace {
+
+/// Adds to a tally what a walk contributes.
+class Gatherer {
+ public:
+    Gatherer(const Medium& medium, const AirInterface& interface,
+             std::span<const Connection> connections, Part part, RandomStream& random,
+             WalkTally& tally)
+        : medium_(medium),
+          interface_(interface),
+          connections_(connections),
+          part_(part),
+          random_(random),
+          tally_(tally) {}
+
+    bool follows(const WalkState& state) const { return part_ != Part::single || state.untouched; }
+
+    /// Next-event estimation with a forced candidate: a place on the flight is drawn from the law
+    /// of the first candidate given that there is one, and weighs the probability of that, so that
+    /// thin layers are no noisier than thick ones.
+    void flies(const WalkState& state, const Slab& slab, double to_edge, double rate) {
+        if (!(rate > 0) || !counts(state.untouched ? Part::single : Part::multiple)) return;
+        const double probability = -std::expm1(-rate * to_edge);
+        const double place = -std::log1p(-random_.uniform() * probability) / rate;
+        const double depth =
+            std::clamp(state.depth_um - place * state.travel.z(), 0.0, slab.thickness_um);
+        Lanes power = (probability / rate) * state.weight;
+        if (!is_dark(slab.absorption_per_um))
+            power *= attenuation(place * slab.absorption_per_um, medium_.lane_count);
+        for (std::size_t j = 0; j < connections_.size(); ++j) {
+            if (connections_[j].is_dark()) continue;
+            const Lanes scattered = slab.scattering(state.travel, connections_[j].travel());
+            if (is_dark(scattered)) continue;
+            tally_.radiance[j] += power * scattered * connections_[j].from_slab(state.slab, depth);
+        }
+    }
+
+    void lands(const Lanes& weight) {
+        tally_.absorbed_by_substrate += weight * (1 - medium_.substrate_reflectance);
+    }
+
+    bool lifts(const Lanes& weight) {
+        if (part_ == Part::single) return false;
+        for (std::size_t j = 0; j < connections_.size(); ++j)
+            tally_.radiance[j] +=
+                (1 / std::numbers::pi) * weight * connections_[j].from_substrate();
+        return true;
+    }
+
+    void surfaces(WalkState& state) {
+        const AirInterface::Weighted reflection = interface_.reflect_inside(state.travel, random_);
+        tally_.reflected += (1 - reflection.weight) * state.weight;
+        state.weight *= reflection.weight;
+        state.travel = reflection.travel;
+    }
+
+ private:
+    bool counts(Part kind) const { return part_ == Part::total || part_ == kind; }
+
+    const Medium& medium_;
+    const AirInterface& interface_;
+    std::span<const Connection> connections_;
+    Part part_;
+    RandomStream& random_;
+    WalkTally& tally_;
+};
+
+}  // namespace
+
+Connection::Connection(const AirInterface::Weighted& inner, const Medium& medium)
+    : travel_(inner.travel), weight_(inner.weight), lane_count_(medium.lane_count) {
+    const double mu = travel_.z();
+    Lanes depth{};
+    for (const Slab& slab : medium.slabs) {
+        depth_above_.push_back(depth);
+        depth_per_um_.push_back(slab.extinction(mu) / mu);
+        depth += slab.thickness_um * depth_per_um_.back();
+    }
+    depth_above_.push_back(depth);
+}
+
+Lanes Connection::from_slab(std::size_t slab, double depth_um) const {
+    return (weight_ / travel_.z()) *
+           attenuation(depth_above_[slab] + depth_um * depth_per_um_[slab], lane_count_);
+}
+
+Lanes Connection::from_substrate() const {
+    return weight_ * attenuation(depth_above_.back(), lane_count_);
+}
+
+void WalkTally::clear() {
+    std::fill(radiance.begin(), radiance.end(), Lanes{});
+    reflected = absorbed_by_substrate = Lanes{};
+}
+
+void walk(const Medium& medium, const AirInterface& interface, const Direction3& towards_light,
+          std::span<const Connection> connections, Part part, RandomStream& random,
+          WalkTally& tally) {
+    const AirInterface::Weighted entry = interface.enter(towards_light, random);
+    Lanes weight{};
+    for (int i = 0; i < medium.lane_count; ++i) {
+        weight[i] = entry.weight;
+        tally.reflected[i] += 1 - entry.weight;
+    }
+    Gatherer gatherer(medium, interface, connections, part, random, tally);
+    DepthWalk(medium, random, gatherer).run(entry.travel, weight);
+}
+
+}  // namespace nacre::montecarlo

@@ -1,0 +1,195 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nacre/montecarlo/events.h"
+#include "nacre/montecarlo/interface.h"
+#include "nacre/montecarlo/medium.h"
+#include "nacre/montecarlo/reference.h"
+
+// The walk itself, of which only depth is followed: the paint is the same everywhere along its
+// plane. What is done with it is the business of its observer: walk.h gathers statistics for given
+// eyes, montecarlo/plane_walk.h follows one packet of light out of the paint.
+
+namespace nacre::montecarlo {
+
+struct WalkState {
+    Direction3 travel;
+    std::size_t slab = 0;
+    double depth_um = 0;  ///< below the top of the slab
+    Lanes weight{};
+    bool untouched = true;  ///< no flake, pigment, substrate or inner reflection so far
+    bool alive = true;
+};
+
+/// Observer:
+///     bool follows(const WalkState&)      whether the walk is worth another flight
+///     void flies(const WalkState&, const Slab&, double to_edge_um, double rate_per_um)
+///                                         before it is known where the flight ends
+///     void lands(const Lanes& weight)     on the substrate
+///     bool lifts(const Lanes& weight)     off the substrate; false ends the walk
+///     void surfaces(WalkState&)           at the top, going up: turns the light or ends the walk
+template <class Observer>
+class DepthWalk {
+ public:
+    DepthWalk(const Medium& medium, RandomStream& random, Observer& observer)
+        : medium_(medium), random_(random), observer_(observer) {}
+
+    /// @param travel  inside the paint, downwards
+    void run(const Direction3& travel, const Lanes& weight) {
+        state_ = {};
+        state_.travel = travel;
+        state_.weight = weight;
+        state_.alive = !is_dark(weight);
+        for (std::uint64_t flights = 0; state_.alive && std::abs(state_.travel.z()) > kHorizontal;
+             ++flights) {
+            if (!observer_.follows(state_)) return;
+            if (flights == kMostFlights) throw_endless_walk();
+            fly();
+        }
+    }
+
+ private:
+    /// To the next candidate or to the edge of the slab, whichever comes first.
+    void fly() {
+        const Slab& slab = medium_.slabs[state_.slab];
+        const bool down = state_.travel.z() < 0;
+        const double cosine = std::abs(state_.travel.z());
+        const double to_edge =
+            (down ? slab.thickness_um - state_.depth_um : state_.depth_um) / cosine;
+        const double rate = slab.candidate_rate_per_um();
+        observer_.flies(state_, slab, to_edge, rate);
+
+        const double free_path = rate > 0 ? random_.exponential() / rate : to_edge;
+        const bool collides = free_path < to_edge;
+        const double length = collides ? free_path : to_edge;
+        if (!is_dark(slab.absorption_per_um)) {
+            state_.weight *= attenuation(length * slab.absorption_per_um, medium_.lane_count);
+            roulette();
+            if (!state_.alive) return;
+        }
+        if (collides) {
+            state_.depth_um =
+                std::clamp(state_.depth_um - length * state_.travel.z(), 0.0, slab.thickness_um);
+            collide(slab, rate);
+        } else if (down) {
+            descend();
+        } else {
+            ascend();
+        }
+    }
+
+    void collide(const Slab& slab, double rate) {
+        double lot = random_.uniform() * rate;
+        for (const Flakes& species : slab.flakes) {
+            lot -= species.area_density_per_um;
+            if (lot < 0) return meet_flake(species);
+        }
+        // Rounding may leave a lot at the very end of the flakes where there are no pigments.
+        if (slab.pigments.empty()) return;
+        if (const Pigment* pigment = draw_pigment(slab, state_.weight, random_)) {
+            state_.travel = sample_henyey_greenstein(state_.travel, pigment->anisotropy, random_);
+            state_.untouched = false;
+        }
+    }
+
+    void meet_flake(const Flakes& species) {
+        const Direction3 normal = sample_beckmann_normal(species.alpha, random_);
+        const double projection = state_.travel.dot(normal);
+        const double cosine = std::abs(projection);
+        if (random_.uniform() >= cosine) return;  // a candidate that is not in the way
+        switch (draw_flake_event(species.optics, cosine, state_.weight, random_)) {
+            case FlakeEvent::reflected:
+                state_.travel = mirrored(state_.travel, projection, normal);
+                state_.untouched = false;
+                break;
+            case FlakeEvent::passed:
+                break;
+            case FlakeEvent::absorbed:
+                state_.alive = false;
+        }
+        roulette();
+    }
+
+    void descend() {
+        if (state_.slab + 1 < medium_.slabs.size()) {
+            ++state_.slab;
+            state_.depth_um = 0;
+            return;
+        }
+        observer_.lands(state_.weight);
+        state_.weight *= medium_.substrate_reflectance;
+        if (is_dark(state_.weight) || !observer_.lifts(state_.weight)) {
+            state_.alive = false;
+            return;
+        }
+        state_.travel = sample_lambert(random_);
+        state_.depth_um = medium_.slabs.back().thickness_um;
+        state_.untouched = false;
+        roulette();
+    }
+
+    void ascend() {
+        if (state_.slab > 0) {
+            --state_.slab;
+            state_.depth_um = medium_.slabs[state_.slab].thickness_um;
+            return;
+        }
+        observer_.surfaces(state_);
+        state_.depth_um = 0;
+        state_.untouched = false;
+        roulette();
+    }
+
+    void roulette() {
+        if (state_.alive && !survives_roulette(state_.weight, medium_.lane_count, random_))
+            state_.alive = false;
+    }
+
+    const Medium& medium_;
+    RandomStream& random_;
+    Observer& observer_;
+    WalkState state_;
+};
+
+// One random walk through a paint. Only depth is followed: the paint is the same everywhere along
+// its plane. See docs/reference.md for the estimators.
+
+/// A way out of the paint towards an eye: the inner direction, and all that the radiance loses.
+class Connection {
+ public:
+    Connection(const AirInterface::Weighted& inner, const Medium& medium);
+
+    const Direction3& travel() const { return travel_; }
+    bool is_dark() const { return weight_ == 0; }
+    /// Radiance outside per unit power scattered per sr and unit area at `depth_um` below the top
+    /// of slab number `slab`: attenuation, 1 / mu and the interface's weight.
+    Lanes from_slab(std::size_t slab, double depth_um) const;
+    /// Radiance outside per unit radiance that leaves the substrate.
+    Lanes from_substrate() const;
+
+ private:
+    Direction3 travel_;
+    double weight_;
+    int lane_count_;
+    std::vector<Lanes> depth_above_;   // optical depth of the slabs above, along the direction
+    std::vector<Lanes> depth_per_um_;  // optical depth per um of depth in the slab
+};
+
+/// Receives what a walk contributes.
+struct WalkTally {
+    std::vector<Lanes> radiance;  ///< per connection, for unit irradiance on the paint
+    Lanes reflected{};            ///< power that left upwards, or never came in
+    Lanes absorbed_by_substrate{};
+
+    void clear();
+};
+
+/// Sends one unit of power in from `towards_light` and adds what becomes of it to `tally`.
+/// Reflected and absorbed power are complete only with Part::total.
+void walk(const Medium& medium, const AirInterface& interface, const Direction3& towards_light,
+          std::span<const Connection> connections, Part part, RandomStream& random,
+          WalkTally& tally);
+
+}  // namespace nacre::montecarlo

@@ -1,0 +1,102 @@
+#include "nacre/montecarlo/discs/disc.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "nacre/core/error.h"
+#include "nacre/montecarlo/events.h"
+#include "nacre/sparkle/flake_sizes.h"
+
+namespace nacre::montecarlo {
+namespace {
+
+double discs_per_um2(const paint::FlakeSpecies& species, double thickness_um) {
+    const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
+    return species.area_density_per_um() * thickness_um / sizes.mean_area_um2();
+}
+
+/// Calls visit(layer, species, z_top_um) for all species from the top down.
+template <class Visit>
+void for_each_species(const paint::Recipe& recipe, Visit&& visit) {
+    double z = recipe.clearcoat ? -recipe.clearcoat->thickness_um : 0;
+    for (const paint::Layer& layer : recipe.layers) {
+        for (const paint::FlakeSpecies& species : layer.flakes) visit(layer, species, z);
+        z -= layer.thickness_um;
+    }
+}
+
+/// Moves a flake of this half height into the paint.
+double kept_inside(double z, double half_height, double paint_um) {
+    if (2 * half_height >= paint_um) return -0.5 * paint_um;
+    return std::clamp(z, half_height - paint_um, -half_height);
+}
+
+/// Poisson, for any mean: a generator for the standard library made of the stream's.
+std::uint64_t poisson(double mean, Rng& rng) {
+    return std::poisson_distribution<std::uint64_t>(mean)(rng);
+}
+
+}  // namespace
+
+double paint_thickness_um(const paint::Recipe& recipe) {
+    double sum = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
+    for (const paint::Layer& layer : recipe.layers) sum += layer.thickness_um;
+    return sum;
+}
+
+double expected_discs(const paint::Recipe& recipe, const Tile& tile) {
+    double sum = 0;
+    for_each_species(recipe, [&](const auto& layer, const auto& species, double) {
+        sum += discs_per_um2(species, layer.thickness_um) * tile.width_um * tile.height_um;
+    });
+    return sum;
+}
+
+std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
+                             const std::vector<int>& film_counts, std::uint64_t seed) {
+    const double expected = expected_discs(recipe, tile);
+    if (!(expected <= kMostDiscs)) {
+        throw DomainError(fmt::format(
+            "a piece of {} mm x {} mm of this paint holds {:.3g} flakes; explicit flakes are at "
+            "most {:.3g}: take a smaller panel",
+            1e-3 * tile.width_um, 1e-3 * tile.height_um, expected, kMostDiscs));
+    }
+    std::vector<Disc> discs;
+    discs.reserve(static_cast<std::size_t>(expected + 6 * std::sqrt(expected) + 16));
+    const double paint_um = paint_thickness_um(recipe);
+    std::uint16_t index = 0;
+    for_each_species(recipe, [&](const auto& layer, const auto& species, double z_top_um) {
+        const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
+        Rng count_rng(seed, index);
+        const double mean =
+            discs_per_um2(species, layer.thickness_um) * tile.width_um * tile.height_um;
+        const std::uint64_t count = poisson(mean, count_rng);
+        montecarlo::RandomStream random(seed, 1, index);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Disc disc;
+            const double x = tile.width_um * random.uniform();
+            const double y = tile.height_um * random.uniform();
+            const double z = z_top_um - layer.thickness_um * random.uniform();
+            const auto [radius, c, s] = random.slope();
+            const double slope = species.orientation.beckmann_alpha * radius;
+            const double upright = 1 / std::sqrt(1 + slope * slope);
+            disc.normal = {static_cast<float>(-slope * c * upright),
+                           static_cast<float>(-slope * s * upright), static_cast<float>(upright)};
+            disc.radius_um = 0.5f * sizes.diameter_um(static_cast<std::uint32_t>(
+                                        sparkle::FlakeSizes::kSizes * random.uniform()));
+            disc.centre_um = {
+                static_cast<float>(x), static_cast<float>(y),
+                static_cast<float>(kept_inside(z, disc.radius_um * slope * upright, paint_um))};
+            disc.film = static_cast<std::uint16_t>(film_counts[index] * random.uniform());
+            disc.species = index;
+            discs.push_back(disc);
+        }
+        ++index;
+    });
+    return discs;
+}
+
+}  // namespace nacre::montecarlo

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "nacre/core/error.h"
+#include "nacre/core/vec.h"
+#include "nacre/paint/recipe.h"
+
+namespace nacre::montecarlo {
+
+/// A rectangle of paint that repeats itself: its opposite edges are joined, so that it has no
+/// border, and what light sees beyond an edge is what lies at the other one.
+struct Tile {
+    double width_um = 0, height_um = 0;
+
+    /// Moves a place into the tile.
+    void wrap(double& x, double& y) const {
+        x = modulo(x, width_um);
+        y = modulo(y, height_um);
+    }
+    /// How far a ray goes until it leaves the tile; infinite along the normal.
+    double to_edge(double x, double y, double dx, double dy) const {
+        return std::min(along(x, dx, width_um), along(y, dy, height_um));
+    }
+    /// Out at the edge that the ray has come to, in at the opposite one.
+    void step_over(double& x, double& y, double dx, double dy) const {
+        over(x, dx, width_um);
+        over(y, dy, height_um);
+    }
+
+ private:
+    static double modulo(double x, double period) {
+        const double rest = x - period * std::floor(x / period);
+        return rest < period ? rest : 0;
+    }
+    static double along(double x, double direction, double side) {
+        if (direction == 0) return std::numeric_limits<double>::infinity();
+        return std::max(0.0, ((direction > 0 ? side : 0) - x) / direction);
+    }
+    static void over(double& x, double direction, double side) {
+        const double near = 1e-9 * side;  // what rounding leaves of the way to the edge
+        if (direction > 0 && x >= side - near) {
+            x = 0;
+        } else if (direction < 0 && x <= near) {
+            x = side;
+        }
+    }
+};
+
+inline constexpr Range kTileSide{.lo = 0.01, .hi = 1000, .unit = "mm"};
+
+// The flakes of a paint as what they are: discs at places of their own.
+
+/// One flake. The order of its parts is that of Embree's buffers (disc_scene.cpp).
+struct Disc {
+    Vec3f centre_um;  ///< z = 0 is the interface with the air, z < 0 below it
+    float radius_um;
+    Vec3f normal;           ///< unit, upwards
+    std::uint16_t film;     ///< in FlakeFilms of its species
+    std::uint16_t species;  ///< counted through all layers from the top down
+};
+
+/// Some 150 bytes each, with what finds them.
+inline constexpr double kMostDiscs = 8e6;
+
+/// Clearcoat and layers.
+double paint_thickness_um(const paint::Recipe& recipe);
+
+/// How many discs a tile holds on average: rho H area, over all species.
+double expected_discs(const paint::Recipe& recipe, const Tile& tile);
+
+/// Draws the flakes of a recipe: of each species a Poisson number, centres even over the tile and
+/// the thickness of their layer, Gaussian slopes of variance alpha^2 / 2 per component, diameters
+/// by sparkle::FlakeSizes; rho is c over the mean area.
+///
+/// Flakes may cut through each other, as in the equation of transfer, and reach into neighbouring
+/// layers, but not out of the paint: a flake that would stick out of the interface or into the
+/// ground is moved up or down until it does not. One that is taller than the paint is thick is
+/// centred in it, and sticks out at both ends; no light gets there.
+///
+/// @param film_counts  FlakeFilms::count() by species
+/// @throws DomainError naming the number of discs if it exceeds kMostDiscs
+std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
+                             const std::vector<int>& film_counts, std::uint64_t seed);
+
+}  // namespace nacre::montecarlo

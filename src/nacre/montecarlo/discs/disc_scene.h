@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nacre/core/vec.h"
+#include "nacre/montecarlo/discs/disc.h"
+
+// Embree's handles, named here so that its headers stay out of ours.
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace nacre::montecarlo {
+
+/// The discs of a tile, ready for rays. Immutable, shared between threads.
+class DiscScene {
+ public:
+    /// @param discs  with their centres in the tile; those that reach over an edge are met from the
+    ///               other side too
+    /// @throws Error if the ray tracer runs out of memory
+    DiscScene(std::vector<Disc> discs, const Tile& tile);
+    ~DiscScene();
+    DiscScene(const DiscScene&) = delete;
+    DiscScene& operator=(const DiscScene&) = delete;
+
+    static constexpr std::uint32_t kNone = ~0u;
+
+    struct Hit {
+        float distance_um;
+        std::uint32_t disc;
+    };
+    /// The first disc along a ray that starts in the tile.
+    /// @param distance_um  where the ray ends, at the latest where it leaves the tile
+    /// @param leaving      the disc on which it starts, or kNone: it does not meet a flat disc
+    ///                     again, nor another at the very same place
+    std::optional<Hit> intersect(Vec3f origin_um, Vec3f direction, float distance_um,
+                                 std::uint32_t leaving) const;
+
+    const Disc& operator[](std::uint32_t disc) const { return discs_[disc]; }
+    const Tile& tile() const { return tile_; }
+    /// How many flakes the tile holds.
+    std::size_t count() const { return count_; }
+
+ private:
+    void add_copies();
+
+    Tile tile_;
+    std::size_t count_;
+    std::vector<Disc> discs_;  // beyond count_: those that reach over an edge, moved by a tile
+    std::unique_ptr<RTCDeviceTy, void (*)(RTCDeviceTy*)> device_;
+    std::unique_ptr<RTCSceneTy, void (*)(RTCSceneTy*)> scene_;
+};
+
+/// How much of a flake is lit and seen: v, the share of its area from which straight ways lead both
+/// to the light and to the eye past all other flakes, and its moments over the flakes of a tile.
+struct Visibility {
+    double lit = 0;             ///< mean share that is lit
+    double lit_and_seen = 0;    ///< E[v]
+    double mean_square = 0;     ///< E[v^2], which makes the contrast of flakes seen whole
+    double standard_error = 0;  ///< of lit_and_seen
+};
+
+/// Estimated from two random points on each flake, whose v's have E[v^2] as their mean product.
+///
+/// @param towards_light, towards_eye  unit vectors inside the paint, z > 0
+Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f towards_eye,
+                            std::uint64_t seed);
+
+}  // namespace nacre::montecarlo

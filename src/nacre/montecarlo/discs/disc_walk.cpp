@@ -1,0 +1,477 @@
+#include "nacre/montecarlo/discs/disc_walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "nacre/core/error.h"
+#include "nacre/core/random.h"
+#include "nacre/montecarlo/discs/disc_scene.h"
+#include "nacre/montecarlo/events.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/optics/thickness_rule.h"
+
+namespace nacre::montecarlo {
+namespace {
+
+// Within kLast lies all but 0.3 % of the power; the rest falls off as 2 / (pi x) on average, its
+// rings being too fine to see.
+constexpr double kLast = 200;
+constexpr int kIntervals = 4096;
+
+/// x at equal steps of t, where the share is 1 - (1 - t)^2: fine where the pattern ends.
+struct Table {
+    std::array<double, kIntervals + 1> x;
+    double share_of_last = encircled_power(kLast);
+
+    Table() {
+        for (int i = 0; i <= kIntervals; ++i) {
+            const double rest = 1 - static_cast<double>(i) / kIntervals;
+            const double share = share_of_last * (1 - rest * rest);
+            double lo = 0, hi = kLast;
+            for (int step = 0; step < 60; ++step) {
+                const double middle = 0.5 * (lo + hi);
+                (encircled_power(middle) < share ? lo : hi) = middle;
+            }
+            x[i] = 0.5 * (lo + hi);
+        }
+    }
+};
+
+}  // namespace
+
+double encircled_power(double x) {
+    const double j0 = ::j0(x), j1 = ::j1(x);
+    return 1 - j0 * j0 - j1 * j1;
+}
+
+double AiryDisc::radius_of_share(double share) {
+    static const Table table;
+    if (share >= table.share_of_last) {
+        // The tail 2 / (pi x), scaled to fit where it begins.
+        return kLast * (1 - table.share_of_last) / (1 - share);
+    }
+    // Near the centre the share is x^2 / 4, and the table's first step would be too coarse.
+    constexpr double kCentre = 3e-3;
+    if (share < kCentre) return 2 * std::sqrt(share) * (1 + 0.25 * share);
+    const double t = 1 - std::sqrt(1 - share / table.share_of_last);
+    const double place = t * kIntervals;
+    const int i = std::min(static_cast<int>(place), kIntervals - 1);
+    return table.x[i] + (place - i) * (table.x[i + 1] - table.x[i]);
+}
+
+namespace {
+
+bool varies(const optics::Platelet& platelet) {
+    bool any = platelet.core.spread.standard_deviation_nm > 0;
+    for (const auto& coat : platelet.coats) any |= coat.spread.standard_deviation_nm > 0;
+    return any;
+}
+
+/// `count` thicknesses, one from each of `count` equally probable intervals, in random order.
+std::vector<double> stratified(const optics::FilmPopulation& film, int count, Rng& rng) {
+    std::vector<double> thickness(count);
+    for (int i = 0; i < count; ++i)
+        thickness[i] = optics::thickness_quantile(film.thickness_nm, film.spread,
+                                                  (i + rng.uniform_double()) / count);
+    for (int i = count - 1; i > 0; --i)
+        std::swap(thickness[i], thickness[static_cast<int>((i + 1) * rng.uniform_double())]);
+    return thickness;
+}
+
+optics::FilmPopulation exactly(const optics::FilmPopulation& film, double thickness_nm) {
+    return {film.material, thickness_nm, {}};
+}
+
+std::vector<optics::Platelet> draw(const optics::Platelet& platelet, int count, Rng& rng) {
+    std::vector<optics::Platelet> drawn(count);
+    const auto core = stratified(platelet.core, count, rng);
+    for (int i = 0; i < count; ++i) drawn[i].core = exactly(platelet.core, core[i]);
+    for (const auto& coat : platelet.coats) {
+        const auto thickness = stratified(coat, count, rng);
+        for (int i = 0; i < count; ++i) drawn[i].coats.push_back(exactly(coat, thickness[i]));
+    }
+    return drawn;
+}
+
+}  // namespace
+
+FlakeFilms::FlakeFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
+                       const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+    // A node beyond the last wavelength, which is read with weight zero.
+    stride_ = wavelengths_nm.size() + 1;
+    fill(species, binder, wavelengths_nm, seed);
+}
+
+void FlakeFilms::fill(const paint::FlakeSpecies& species, const optics::Material& binder,
+                      const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+    const auto append = [&](std::vector<float>& to, auto&& value) {
+        for (std::size_t i = 0; i < stride_; ++i) {
+            const std::size_t j = std::min(i, wavelengths_nm.size() - 1);
+            to.push_back(static_cast<float>(value(j)));
+        }
+    };
+    if (const auto* given = std::get_if<paint::PrescribedFlake>(&species.body)) {
+        append(reflectance_, [&](auto j) { return given->reflectance(wavelengths_nm[j]); });
+        append(transmittance_, [&](auto j) { return given->transmittance(wavelengths_nm[j]); });
+        return;
+    }
+    const auto& platelet = std::get<optics::Platelet>(species.body);
+    count_ = varies(platelet) ? kFilms : 1;
+    intervals_ = kCosineIntervals;
+    std::vector<double> cosines(intervals_ + 1);
+    for (int i = 0; i <= intervals_; ++i) cosines[i] = static_cast<double>(i) / intervals_;
+    Rng rng(seed);
+    const std::size_t wavelengths = wavelengths_nm.size();
+    for (const optics::Platelet& flake : draw(platelet, count_, rng)) {
+        const auto table = optics::platelet_table(flake, binder, cosines, wavelengths_nm);
+        for (std::size_t i = 0; i < cosines.size(); ++i) {
+            append(reflectance_, [&](auto j) { return table.reflectance[i * wavelengths + j]; });
+            append(transmittance_,
+                   [&](auto j) { return table.transmittance[i * wavelengths + j]; });
+        }
+    }
+}
+
+FlakeFilms::Optics FlakeFilms::at(int film, double cosine, const WavelengthPlaces& places) const {
+    const double x = std::min(cosine, 1.0) * intervals_;
+    const int i = std::min(static_cast<int>(x), std::max(intervals_ - 1, 0));
+    const double f = x - i;
+    const std::size_t row = (static_cast<std::size_t>(film) * (intervals_ + 1) + i) * stride_;
+    const std::size_t next = intervals_ == 0 ? 0 : stride_;
+    const auto read = [&](const std::vector<float>& table) {
+        const float *a = table.data() + row, *b = a + next;
+        return make_lanes<DoubleLanes>([&](int lane) {
+            const int j = places[lane].lower;
+            const double g = places[lane].fraction;
+            const double at_a = a[j] + g * (a[j + 1] - a[j]), at_b = b[j] + g * (b[j + 1] - b[j]);
+            return at_a + f * (at_b - at_a);
+        });
+    };
+    return {read(reflectance_), read(transmittance_)};
+}
+
+namespace {
+
+/// Light that travels more nearly along the layers, one ray in a million, is turned to this cosine:
+/// it crosses the tile ten million times at most (kLeastTileShare) before it gets out of a slab
+/// without flakes.
+constexpr double kGrazing = 1e-6;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Vec3f to_float(const Direction3& v) {
+    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+}  // namespace
+
+std::optional<montecarlo::Escape> DiscWalker::run(double x_um, double y_um,
+                                                  const Direction3& travel, const Lanes& weight) {
+    position_ = {x_um, y_um, 0};
+    paint_.discs.tile().wrap(position_.x(), position_.y());
+    moved_ = Direction3::Zero();
+    travel_ = travel;
+    leaving_ = DiscScene::kNone;
+    slab_ = 0;
+    slab_top_ = 0;
+    weight_ = weight;
+    alive_ = !montecarlo::is_dark(weight);
+    escape_.reset();
+    for (std::uint64_t flights = 0; alive_; ++flights) {
+        if (flights == montecarlo::kMostFlights) montecarlo::throw_endless_walk();
+        fly();
+    }
+    return escape_;
+}
+
+/// To the next disc or pigment particle, or to the edge of the slab or of the tile, whichever comes
+/// first.
+void DiscWalker::fly() {
+    if (std::abs(travel_.z()) < kGrazing) {
+        travel_.z() = std::copysign(kGrazing, travel_.z());
+        travel_.normalize();
+    }
+    const montecarlo::Slab& slab = paint_.medium.slabs[slab_];
+    const bool down = travel_.z() < 0;
+    const double bottom = slab_top_ - slab.thickness_um;
+    const double to_slab =
+        std::max(0.0, ((down ? bottom : slab_top_) - position_.z()) / travel_.z());
+    const Tile& tile = paint_.discs.tile();
+    const double to_edge = tile.to_edge(position_.x(), position_.y(), travel_.x(), travel_.y());
+    const double to_pigment =
+        slab.pigment_rate_per_um > 0 ? random_.exponential() / slab.pigment_rate_per_um : kInfinity;
+    double distance = std::min({to_slab, to_edge, to_pigment});
+    const auto hit = paint_.discs.intersect(to_float(position_), to_float(travel_),
+                                            static_cast<float>(distance), leaving_);
+    if (hit) distance = hit->distance_um;
+    position_ += distance * travel_;
+    moved_ += distance * travel_;
+    if (!montecarlo::is_dark(slab.absorption_per_um)) {
+        weight_ *=
+            montecarlo::attenuation(distance * slab.absorption_per_um, paint_.medium.lane_count);
+        roulette();
+        if (!alive_) return;
+    }
+    if (hit) {
+        position_.z() = std::clamp(position_.z(), bottom, slab_top_);
+        meet_disc(hit->disc);
+    } else if (to_slab <= std::min(to_edge, to_pigment)) {
+        down ? descend() : ascend();
+    } else if (to_edge <= to_pigment) {
+        tile.step_over(position_.x(), position_.y(), travel_.x(), travel_.y());
+        leaving_ = DiscScene::kNone;
+    } else {
+        meet_pigment(slab);
+    }
+}
+
+void DiscWalker::meet_disc(std::uint32_t number) {
+    const Disc& disc = paint_.discs[number];
+    leaving_ = number;
+    const Direction3 normal = Direction3(disc.normal.x, disc.normal.y, disc.normal.z).normalized();
+    const double projection = travel_.dot(normal);
+    const auto optics =
+        paint_.films[disc.species].at(disc.film, std::abs(projection), paint_.places);
+    switch (
+        montecarlo::draw_flake_event(optics.reflectance, optics.transmittance, weight_, random_)) {
+        case montecarlo::FlakeEvent::reflected:
+            travel_ = montecarlo::mirrored(travel_, projection, normal);
+            if (paint_.diffraction) travel_ = spread(travel_, normal, 2.0 * disc.radius_um);
+            break;
+        case montecarlo::FlakeEvent::passed:
+            break;
+        case montecarlo::FlakeEvent::absorbed:
+            alive_ = false;
+            return;
+    }
+    roulette();
+}
+
+/// The direction of the mirror image, spread by diffraction. What would leave along the disc or not
+/// at all is drawn anew: 0.4 % at perpendicular incidence on a flake of 20 um.
+Direction3 DiscWalker::spread(const Direction3& mirrored, const Direction3& normal,
+                              double diameter_um) {
+    const double scale = paint_.wavelength_um / (index_ * std::numbers::pi * diameter_um);
+    const double upright = mirrored.dot(normal);
+    const Direction3 flat = mirrored - upright * normal;
+    const Direction3 across = normal.unitOrthogonal();
+    // Flakes as small as the wavelength send out most of what they mirror in any direction: after
+    // that many trials the mirror's own is as good.
+    constexpr int kTrials = 64;
+    for (int i = 0; i < kTrials; ++i) {
+        const auto [share, turn] = random_.pair();
+        const double q = scale * AiryDisc::radius_of_share(share);
+        const double phi = 2 * std::numbers::pi * turn;
+        const Direction3 tangential =
+            flat + q * (std::cos(phi) * across + std::sin(phi) * normal.cross(across));
+        const double rest = 1 - tangential.squaredNorm();
+        if (rest > 0)
+            return (tangential + std::copysign(std::sqrt(rest), upright) * normal).normalized();
+    }
+    return mirrored;
+}
+
+void DiscWalker::meet_pigment(const montecarlo::Slab& slab) {
+    leaving_ = DiscScene::kNone;
+    if (const auto* pigment = montecarlo::draw_pigment(slab, weight_, random_))
+        travel_ = montecarlo::sample_henyey_greenstein(travel_, pigment->anisotropy, random_);
+}
+
+void DiscWalker::descend() {
+    const auto& slabs = paint_.medium.slabs;
+    position_.z() = slab_top_ - slabs[slab_].thickness_um;
+    if (slab_ + 1 < slabs.size()) {
+        slab_top_ = position_.z();
+        ++slab_;
+        return;
+    }
+    weight_ *= paint_.medium.substrate_reflectance;
+    if (montecarlo::is_dark(weight_)) {
+        alive_ = false;
+        return;
+    }
+    leaving_ = DiscScene::kNone;
+    travel_ = montecarlo::sample_lambert(random_);
+    roulette();
+}
+
+void DiscWalker::ascend() {
+    position_.z() = slab_top_;
+    if (slab_ > 0) {
+        --slab_;
+        slab_top_ += paint_.medium.slabs[slab_].thickness_um;
+        return;
+    }
+    leaving_ = DiscScene::kNone;
+    const auto passage = interface_.meet_from_inside(travel_, random_);
+    travel_ = passage.travel;
+    if (passage.inside) return;
+    alive_ = false;
+    moved_.z() = 0;
+    escape_ = montecarlo::Escape{travel_, moved_, weight_};
+}
+
+void DiscWalker::roulette() {
+    alive_ = alive_ && montecarlo::survives_roulette(weight_, paint_.medium.lane_count, random_);
+}
+
+namespace {
+
+constexpr double kUmPerMm = 1e3;
+
+/// The recipe with nothing between its pigments: flakes stand elsewhere, as discs.
+paint::Recipe without_flakes(paint::Recipe recipe) {
+    for (paint::Layer& layer : recipe.layers) layer.flakes.clear();
+    return recipe;
+}
+
+std::vector<FlakeFilms> make_films(const paint::Recipe& recipe,
+                                   const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+    std::vector<FlakeFilms> films;
+    for (const paint::Layer& layer : recipe.layers) {
+        for (const paint::FlakeSpecies& species : layer.flakes) {
+            films.emplace_back(species, recipe.binder, wavelengths_nm, hash_of(seed, films.size()));
+        }
+    }
+    return films;
+}
+
+std::vector<int> counts(const std::vector<FlakeFilms>& films) {
+    std::vector<int> result;
+    for (const FlakeFilms& f : films) result.push_back(f.count());
+    return result;
+}
+
+Tile checked_tile(const DiscSettings& settings, const paint::Recipe& recipe) {
+    const auto side_um = [](double side_mm, const char* name) {
+        if (!kTileSide.contains(side_mm))
+            throw DomainError(
+                fmt::format("{} = {} is outside {}", name, side_mm, kTileSide.text()));
+        return kUmPerMm * side_mm;
+    };
+    const Tile tile{side_um(settings.tile_width_mm, "tile_width_mm"),
+                    side_um(settings.tile_height_mm, "tile_height_mm")};
+    const double least = kLeastTileShare * paint_thickness_um(recipe);
+    if (std::min(tile.width_um, tile.height_um) < least) {
+        throw DomainError(fmt::format(
+            "a tile of {} mm x {} mm is too narrow for a paint of {} um: each side must be at "
+            "least {} mm",
+            settings.tile_width_mm, settings.tile_height_mm, paint_thickness_um(recipe),
+            least / kUmPerMm));
+    }
+    return tile;
+}
+
+/// The rotation from the frame in which a renderer tells directions to that of the tile.
+class TileFrame {
+ public:
+    explicit TileFrame(const sparkle::RestPatch& patch)
+        : x_(patch.tangent),
+          y_(cross(patch.normal, patch.tangent)),
+          // Seen from behind, the panel is turned over about its x axis.
+          behind_(patch.normal.z < 0) {}
+
+    Direction3 to_tile(const Direction3& v) const {
+        const Direction3 turned(v.x() * x_.x + v.y() * y_.x, v.x() * x_.y + v.y() * y_.y, v.z());
+        return behind_ ? Direction3(turned.x(), -turned.y(), turned.z()) : turned;
+    }
+    Direction3 to_local(const Direction3& v) const {
+        const double y = behind_ ? -v.y() : v.y();
+        return {v.x() * x_.x + y * x_.y, v.x() * y_.x + y * y_.y, v.z()};
+    }
+    double place_y(const Vec3f& position_mm) const {
+        return behind_ ? -position_mm.y : position_mm.y;
+    }
+
+ private:
+    Vec3f x_, y_;
+    bool behind_;
+};
+
+}  // namespace
+
+struct DiscWalkTables {
+    montecarlo::WalkTables medium;
+    std::vector<double> wavelengths_nm;
+    std::vector<FlakeFilms> films;
+    DiscScene scene;
+    bool diffraction;
+
+    DiscWalkTables(const paint::Recipe& recipe, const Tile& tile, const DiscSettings& settings,
+                   const std::vector<double>& grid_nm)
+        : medium(without_flakes(recipe), grid_nm),
+          wavelengths_nm(grid_nm),
+          films(make_films(recipe, grid_nm, settings.seed)),
+          scene(draw_discs(recipe, tile, counts(films), settings.seed), tile),
+          diffraction(settings.diffraction) {}
+};
+
+namespace {
+
+class BoundDiscWalk final : public montecarlo::BoundWalk {
+ public:
+    BoundDiscWalk(std::shared_ptr<const DiscWalkTables> tables,
+                  const bsdf::Wavelengths& wavelengths_nm)
+        : BoundWalk(tables->medium, wavelengths_nm),
+          tables_(std::move(tables)),
+          paint_{
+              tables_->scene,
+              tables_->films,
+              medium(),
+              bsdf::locate_wavelengths(tables_->wavelengths_nm, wavelengths_nm),
+              tables_->diffraction,
+              1e-3 * std::accumulate(wavelengths_nm.begin(), wavelengths_nm.end(), 0.0) / kLanes} {
+        weigh_mirror();
+    }
+
+ private:
+    std::optional<montecarlo::Escape> follow(const montecarlo::Entry& entry,
+                                             RandomStream& random) const override {
+        DiscWalker walker(paint_, interface(entry.lane), index(entry.lane), random);
+        if (!entry.patch) {
+            const Tile& tile = tables_->scene.tile();
+            const double x = tile.width_um * random.uniform();
+            const double y = tile.height_um * random.uniform();
+            return walker.run(x, y, entry.travel, entry.weight);
+        }
+        const sparkle::RestPatch& patch = entry.patch->rest;
+        const TileFrame frame(patch);
+        auto escape =
+            walker.run(kUmPerMm * patch.position_mm.x, kUmPerMm * frame.place_y(patch.position_mm),
+                       frame.to_tile(entry.travel), entry.weight);
+        if (escape) {
+            escape->direction = frame.to_local(escape->direction);
+            escape->position_um = frame.to_local(escape->position_um);
+        }
+        return escape;
+    }
+
+    std::shared_ptr<const DiscWalkTables> tables_;
+    DiscPaint paint_;
+};
+
+}  // namespace
+
+DiscWalk::DiscWalk(const paint::Recipe& recipe, const DiscSettings& settings,
+                   const std::vector<double>& wavelengths_nm) {
+    paint::validate(recipe, wavelengths_nm);
+    const Tile tile = checked_tile(settings, recipe);
+    tables_ = std::make_shared<const DiscWalkTables>(recipe, tile, settings, wavelengths_nm);
+    // Says now, not at the first picture, what is wrong with a rough interface.
+    montecarlo::make_air_interface(recipe, tables_->medium.grid.index(wavelengths_nm.front()));
+}
+
+DiscWalk::~DiscWalk() = default;
+
+std::unique_ptr<const bsdf::BoundBsdf> DiscWalk::bind(
+    const bsdf::Wavelengths& wavelengths_nm) const {
+    return std::make_unique<BoundDiscWalk>(tables_, wavelengths_nm);
+}
+
+const DiscScene& DiscWalk::scene() const { return tables_->scene; }
+
+}  // namespace nacre::montecarlo

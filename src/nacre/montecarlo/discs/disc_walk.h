@@ -1,0 +1,180 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/lanes.h"
+#include "nacre/montecarlo/discs/disc.h"
+#include "nacre/montecarlo/discs/disc_scene.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/paint/recipe.h"
+#include "nacre/solver/solver.h"
+
+// Diffraction at a flat disc that mirrors light.
+
+namespace nacre::montecarlo {
+
+/// The Airy pattern in x = pi d |q| / lambda', where d is the diameter, q the part parallel to the
+/// disc by which the direction differs from that of the mirror, and lambda' the wavelength in the
+/// binder: power is spread over q with a density proportional to (2 J_1(x) / x)^2.
+///                                                   [born-wolf-1999, section 8.5.2, eq. 14 and 18]
+/// The disc is lit evenly; light that it lets pass, and light that passes beside it, go straight
+/// on. In q the pattern is round at any angle of incidence, and it is reciprocal.
+class AiryDisc {
+ public:
+    /// The x within which a share of the power lies. share in [0, 1); error below kAiryDiscError of
+    /// the lesser of the share and the rest.
+    static double radius_of_share(double share);
+};
+
+/// Of radius_of_share(), against the encircled power.
+inline constexpr double kAiryDiscError = 3e-3;
+
+/// Share of the power within x: 1 - J_0(x)^2 - J_1(x)^2.        [born-wolf-1999, section 8.5.2, eq.
+/// 18]
+double encircled_power(double x);
+
+// R and T of single flakes, each of its own film thicknesses.
+
+/// Where eight wavelengths lie between those of the tables: bsdf::locate_wavelengths().
+using WavelengthPlaces = std::array<bsdf::Between, kLanes>;
+
+/// A set of flakes of one species. Their films are drawn from the recipe's laws, evenly: each film
+/// thickness takes one value from each of so many equally probable intervals, and thicknesses are
+/// combined at random.                                                    [mckay-1979, section 2.3]
+class FlakeFilms {
+ public:
+    /// @param wavelengths_nm  within the data of all materials, increasing
+    /// @throws DomainError as optics::platelet_table()
+    FlakeFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
+               const std::vector<double>& wavelengths_nm, std::uint64_t seed);
+
+    /// How many different flakes there are: one where no film varies.
+    int count() const { return count_; }
+
+    struct Optics {
+        DoubleLanes reflectance, transmittance;
+    };
+    /// Linear in cosine and wavelength between the nodes of the tables.
+    /// @param film    in [0, count())
+    /// @param cosine  of incidence on the flake, in [0, 1]; rounding above 1 is taken as 1
+    Optics at(int film, double cosine, const WavelengthPlaces& places) const;
+
+    static constexpr int kFilms = 256;
+    static constexpr int kCosineIntervals = 256;
+
+ private:
+    void fill(const paint::FlakeSpecies& species, const optics::Material& binder,
+              const std::vector<double>& wavelengths_nm, std::uint64_t seed);
+
+    int count_ = 1, intervals_ = 0;
+    std::size_t stride_ = 0;
+    std::vector<float> reflectance_, transmittance_;  // [film][cosine][wavelength]
+};
+
+using montecarlo::Direction3;
+using montecarlo::Lanes;
+using montecarlo::RandomStream;
+
+/// What all walks at eight wavelengths share.
+struct DiscPaint {
+    const DiscScene& discs;
+    const std::vector<FlakeFilms>& films;  ///< by species
+    const montecarlo::Medium& medium;      ///< all but the flakes
+    WavelengthPlaces places;
+    bool diffraction = true;
+    double wavelength_um = 0.55;  ///< mean of the eight, in vacuum
+};
+
+/// One walk through a paint of discs, in the frame of the tile: x and y within it, z = 0 at the
+/// interface and z > 0 outwards.
+class DiscWalker {
+ public:
+    DiscWalker(const DiscPaint& paint, const montecarlo::AirInterface& interface, double index,
+               RandomStream& random)
+        : paint_(paint), interface_(interface), index_(index), random_(random) {}
+
+    /// @param x_um, y_um  where light comes in, anywhere: taken modulo the tile
+    /// @param travel      inside the paint, z < 0
+    std::optional<montecarlo::Escape> run(double x_um, double y_um, const Direction3& travel,
+                                          const Lanes& weight);
+
+ private:
+    void fly();
+    void meet_disc(std::uint32_t disc);
+    Direction3 spread(const Direction3& mirrored, const Direction3& normal, double diameter_um);
+    void meet_pigment(const montecarlo::Slab& slab);
+    void descend();
+    void ascend();
+    void roulette();
+
+    const DiscPaint& paint_;
+    const montecarlo::AirInterface& interface_;
+    double index_;
+    RandomStream& random_;
+
+    Direction3 position_, moved_, travel_;
+    std::uint32_t leaving_ = DiscScene::kNone;
+    std::size_t slab_ = 0;
+    double slab_top_ = 0;  ///< z of the top of the slab
+    Lanes weight_{};
+    bool alive_ = true;
+    std::optional<montecarlo::Escape> escape_;
+};
+
+// The explicit ground truth of sparkle: paint with every flake in its place.
+// docs/explicit-flakes.md
+
+class DiscScene;
+struct DiscWalkTables;
+
+/// A tile's sides are at least this times the thickness of the paint.
+inline constexpr double kLeastTileShare = 0.1;
+
+struct DiscSettings {
+    /// The piece of paint that repeats itself over the panel, in kTileSide. As large as the panel:
+    /// nothing repeats, and only light that crosses the panel's edge within the paint comes back at
+    /// the opposite one.
+    double tile_width_mm = 10, tile_height_mm = 10;
+    std::uint64_t seed = 0;  ///< which flakes there are
+    /// Whether a flake spreads what it mirrors by the Airy pattern of its disc (airy_disc.h) at the
+    /// mean of the eight wavelengths; if not, it is a perfect mirror.
+    bool diffraction = true;
+};
+
+/// A flat panel of paint whose flakes are discs, and whose light is followed from disc to disc:
+/// geometry instead of the equation of transfer. Flakes hide each other one by one, light finds its
+/// way out where it found its way in, and what is seen of a flake moves with its depth.
+///
+/// Patches are read in rest space (Layout::rest_space): the panel's plane must be one of z = const,
+/// and x and y tell the place. Without a patch the place is random: the mean over the panel. Only
+/// sample() and sample_on() tell what the paint looks like, as with montecarlo::PlaneWalk: eval()
+/// and pdf() are zero, and a renderer sees no light source without extent.
+///
+/// Supports all that a recipe may say. What a flake reflects and lets pass is that of its own films
+/// (flake_films.h); pigments scatter between the flakes; the interface may be rough.
+class DiscWalk final : public bsdf::Bsdf {
+ public:
+    /// @param wavelengths_nm  as for montecarlo::PlaneWalk
+    /// @throws DomainError if the recipe is not valid at these wavelengths, naming a setting out of
+    ///         range, or as draw_discs()
+    DiscWalk(const paint::Recipe& recipe, const DiscSettings& settings,
+             const std::vector<double>& wavelengths_nm = solver::default_wavelengths_nm());
+    ~DiscWalk() override;
+
+    std::unique_ptr<const bsdf::BoundBsdf> bind(
+        const bsdf::Wavelengths& wavelengths_nm) const override;
+    bsdf::Layout layout() const override { return bsdf::Layout::rest_space; }
+
+    const DiscScene& scene() const;
+
+ private:
+    std::shared_ptr<const DiscWalkTables> tables_;
+};
+
+}  // namespace nacre::montecarlo

@@ -1,0 +1,358 @@
+#include "nacre/montecarlo/discs/disc_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/testing/discs.h"
+
+namespace nacre::montecarlo {
+namespace {
+
+TEST(AiryDisc, DarkRingsEnclosePublishedShares) {
+    // [born-wolf-1999, section 8.5.2, table 8.2]: the first three dark rings and what lies within.
+    EXPECT_NEAR(encircled_power(1.220 * M_PI), 0.838, 5e-4);
+    EXPECT_NEAR(encircled_power(2.233 * M_PI), 0.910, 5e-4);
+    EXPECT_NEAR(encircled_power(3.238 * M_PI), 0.938, 5e-4);
+}
+
+TEST(AiryDisc, EncircledPowerIsTheIntegralOfThePattern) {
+    constexpr int kSteps = 20000;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double x = 10 * (i + 0.5) / kSteps, amplitude = 2 * ::j1(x) / x;
+        // The pattern's integral over the plane is 4 pi.
+        sum += amplitude * amplitude * x / 2 * (10.0 / kSteps);
+    }
+    EXPECT_NEAR(sum, encircled_power(10), 1e-7);
+}
+
+TEST(AiryDisc, RadiusInvertsTheEncircledPower) {
+    for (double share = 0; share < 0.996; share += 0.00037) {
+        const double x = AiryDisc::radius_of_share(share);
+        // Flat at dark rings, where x says little: in shares, then.
+        EXPECT_NEAR(encircled_power(x), share, kAiryDiscError * std::fmin(share, 1 - share) + 1e-12)
+            << share;
+    }
+}
+
+TEST(AiryDisc, RadiusGrowsForEverAndStaysFinite) {
+    double last = -1;
+    for (double rest = 0.1; rest > 1e-17; rest *= 0.7) {
+        const double x = AiryDisc::radius_of_share(1 - rest);
+        EXPECT_GE(x, last);
+        EXPECT_TRUE(std::isfinite(x) || 1 - rest == 1);
+        last = x;
+    }
+    EXPECT_EQ(AiryDisc::radius_of_share(0), 0);
+}
+
+}  // namespace
+
+namespace {
+
+const std::vector<double> kGrid{400, 450, 500, 550, 600, 650, 700};
+constexpr std::array<double, kLanes> kWavelengths{400, 425, 450, 500, 550, 600, 625, 700};
+
+paint::FlakeSpecies pearl_flakes() {
+    paint::FlakeSpecies species;
+    optics::Platelet platelet;
+    platelet.core = {optics::find_material("mica"), 500, {60}};
+    platelet.coats = {
+        {optics::find_material("TiO2_anatase"), 110, {5, optics::ThicknessSpread::Law::uniform}}};
+    species.body = platelet;
+    return species;
+}
+
+TEST(FlakeFilms, MeanOverTheSetIsThatOfThePopulation) {
+    const paint::FlakeSpecies species = pearl_flakes();
+    const optics::Material binder(1.5);
+    const FlakeFilms films(species, binder, kGrid, 3);
+    EXPECT_EQ(films.count(), FlakeFilms::kFilms);
+    const WavelengthPlaces places = bsdf::locate_wavelengths(kGrid, kWavelengths);
+    // 0.4671875 lies between nodes of the set's table.
+    for (const double cosine : {1.0, 0.8, 0.4671875}) {
+        const auto mean = optics::platelet_table(std::get<optics::Platelet>(species.body), binder,
+                                                 std::vector{cosine}, kGrid);
+        DoubleLanes r{}, t{}, r2{};
+        for (int i = 0; i < films.count(); ++i) {
+            const auto optics = films.at(i, cosine, places);
+            r += optics.reflectance / films.count();
+            r2 += optics.reflectance * optics.reflectance / films.count();
+            t += optics.transmittance / films.count();
+        }
+        for (const auto& [lane, grid] : {std::pair{0, 0}, {2, 1}, {3, 2}, {4, 3}, {7, 6}}) {
+            const double deviation = std::sqrt(std::max(0.0, r2[lane] - r[lane] * r[lane]));
+            // An even set does better than a random one, whose error would be a sixteenth.
+            EXPECT_NEAR(r[lane], mean.reflectance[grid], deviation / 16 + 1e-3) << cosine;
+            EXPECT_NEAR(r[lane] + t[lane], 1, 1e-3) << "mica and TiO2 absorb next to nothing";
+            EXPECT_GT(deviation, 0.003) << "flakes differ";
+        }
+    }
+}
+
+TEST(FlakeFilms, PrescribedOpticsAreTheSameAtEveryAngle) {
+    paint::FlakeSpecies species;
+    species.body = paint::PrescribedFlake{spectra::Spectrum({400, 700}, {0.2, 0.8}), 0.1, 0.3};
+    const FlakeFilms films(species, optics::Material(1.5), kGrid, 0);
+    EXPECT_EQ(films.count(), 1);
+    for (const double cosine : {0.0, 0.3, 1.0, 1.0000001}) {
+        const auto optics = films.at(0, cosine, bsdf::locate_wavelengths(kGrid, kWavelengths));
+        for (int lane = 0; lane < kLanes; ++lane) {
+            EXPECT_NEAR(optics.reflectance[lane], 0.2 + 0.002 * (kWavelengths[lane] - 400), 1e-6);
+            EXPECT_NEAR(optics.transmittance[lane], 0.1, 1e-6);
+        }
+    }
+}
+
+TEST(FlakeFilms, OneWavelengthServesAll) {
+    paint::FlakeSpecies species = pearl_flakes();
+    std::get<optics::Platelet>(species.body).core.spread = {};
+    std::get<optics::Platelet>(species.body).coats[0].spread = {};
+    const std::vector<double> green{550};
+    const FlakeFilms films(species, optics::Material(1.5), green, 0);
+    EXPECT_EQ(films.count(), 1) << "no film varies";
+    const auto optics = films.at(0, 0.9, bsdf::locate_wavelengths(green, kWavelengths));
+    for (int lane = 1; lane < kLanes; ++lane)
+        EXPECT_EQ(optics.reflectance[lane], optics.reflectance[0]);
+    EXPECT_GT(optics.reflectance[0], 0.001);
+}
+
+}  // namespace
+
+namespace {
+
+using montecarlo::test::Estimates;
+using test::kOnGrid;
+
+bsdf::Patch patch_at(float x_mm, float y_mm, Vec3f tangent = {1, 0, 0}) {
+    bsdf::Patch patch;
+    patch.rest.position_mm = {x_mm, y_mm, 0};
+    patch.rest.tangent = tangent;
+    return patch;
+}
+
+/// One mirror across the whole tile: flakes wider than it, hardly tilted.
+paint::Recipe one_mirror() {
+    paint::Recipe recipe = test::opaque(2, 15, 400, 0.005, 1);
+    recipe.binder = optics::Material(1.0);
+    return recipe;
+}
+
+TEST(DiscWalk, LosesNoLightWhereNothingAbsorbs) {
+    paint::Recipe recipe = test::opaque(3, 15, 5, 0.3, 0);
+    recipe.layers[0].flakes[0].body = paint::PrescribedFlake{0.7, 0.3, 0.3};
+    recipe.layers[0].pigments.push_back({20, 0, 0.5});
+    recipe.substrate_reflectance = 1;
+    for (const bool diffraction : {false, true}) {
+        const auto surface = DiscWalk(recipe, {0.2, 0.2, 1, diffraction}).bind(kOnGrid);
+        Rng rng(3, 4);
+        for (const double theta : {0., 45., 85.}) {
+            for (int i = 0; i < 3000; ++i) {
+                const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
+                const auto sample = surface->sample(test::from_degrees(theta, 20), u_lobe,
+                                                    {u, rng.uniform_float()});
+                ASSERT_TRUE(sample);
+                for (int lane = 0; lane < kLanes; ++lane)
+                    ASSERT_NEAR(sample->weight[lane], 1, 1e-5);
+                ASSERT_GT(sample->wo.z, 0);
+            }
+        }
+    }
+}
+
+TEST(DiscWalk, FlatFlakesMirror) {
+    // Slopes of 0.0035 and no diffraction, no interface: the flash is where geometry has it.
+    const auto surface =
+        DiscWalk(one_mirror(), {.tile_width_mm = 1, .tile_height_mm = 1, .diffraction = false})
+            .bind(kOnGrid);
+    const Vec3f wi = test::from_degrees(40, 30);
+    int left = 0, once = 0;
+    for (int i = 0; i < 500; ++i) {
+        const auto sample =
+            surface->sample_on(patch_at(0.002f * i, 0.5f), wi, 0.5f, {0.002f * i, 0.3f});
+        if (!sample) continue;  // into the black ground
+        EXPECT_EQ(sample->exit_mm.z, 0);
+        ++left;
+        // Down to the flake and back up, 50 to 65 um deep.
+        const double way_mm = length(sample->exit_mm);
+        once += dot(sample->wo, {-wi.x, -wi.y, wi.z}) > 0.999 &&
+                way_mm > 0.1 * std::tan(test::degrees(39)) &&
+                way_mm < 0.13 * std::tan(test::degrees(41));
+    }
+    EXPECT_GT(left, 350);
+    EXPECT_GT(once, 0.97 * left) << "but for what goes to and fro between crossing flakes";
+}
+
+TEST(DiscWalk, PlacesTurnWithTheFrame) {
+    // The same place and the same direction in space, told in two frames.
+    const auto surface = DiscWalk(test::opaque(1, 15, 50, 0.2, 1),
+                                  {.tile_width_mm = 1, .tile_height_mm = 1, .diffraction = false})
+                             .bind(kOnGrid);
+    const Vec3f wi = test::from_degrees(30, 0);
+    const float c = std::cos(0.7f), s = std::sin(0.7f);
+    int found = 0, both = 0;
+    for (int i = 0; i < 200; ++i) {
+        const float x = 0.005f * i, y = 0.37f;
+        // Numbers that let no lot change: opaque white flakes, a black ground, the mirror left out.
+        const auto a = surface->sample_on(patch_at(x, y), wi, 0.9f, {0.1f, 0.2f});
+        const Vec3f turned{c * wi.x + s * wi.y, -s * wi.x + c * wi.y, wi.z};
+        const auto b = surface->sample_on(patch_at(x, y, {c, s, 0}), turned, 0.9f, {0.1f, 0.2f});
+        if (!a || !b) continue;
+        ++both;
+        const Vec3f back{c * b->wo.x - s * b->wo.y, s * b->wo.x + c * b->wo.y, b->wo.z};
+        found += length(back - a->wo) < 1e-3f;
+    }
+    // All but those that the interface has turned back, by lots of their own.
+    EXPECT_GT(both, 60);
+    EXPECT_GT(found, 0.85 * both);
+}
+
+TEST(DiscWalk, DiffractionSpreadsTheMirrorImageByTheAiryPattern) {
+    // Flakes of 20 um, nearly flat, in a binder of index 1: the share of the flash within the first
+    // dark ring, 1.22 lambda / d, is 0.838 for each wavelength; the mean wavelength is 553.75 nm.
+    paint::Recipe recipe = one_mirror();
+    recipe.layers[0].flakes[0].diameter_um = 20;
+    recipe.layers[0].flakes[0].amount = paint::AreaDensity{0.02 / 15};
+    const auto surface = DiscWalk(recipe, {.tile_width_mm = 2, .tile_height_mm = 2}).bind(kOnGrid);
+    double mean_nm = 0;
+    for (double w : kOnGrid) mean_nm += w / kLanes;
+    const double ring = 1.21967 * 1e-3 * mean_nm / 20;
+    int within = 0, all = 0;
+    Rng rng(5);
+    while (all < 4000) {
+        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample = surface->sample({0, 0, 1}, u_lobe, {u, rng.uniform_float()});
+        if (!sample) continue;
+        ++all;
+        within += std::hypot(sample->wo.x, sample->wo.y) < ring;
+    }
+    // Slopes of 0.0035 turn the flash by 0.007 beside a ring of 0.034: it costs 0.02.
+    EXPECT_NEAR(static_cast<double>(within) / all, 0.838, 0.04);
+}
+
+Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, int walks, std::uint64_t seed) {
+    constexpr int kRings = 3, kSectors = 3;
+    return montecarlo::test::estimate(
+        *model.bind(kOnGrid), wi, walks, kRings * kSectors, seed,
+        [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
+            if (montecarlo::test::is_mirror_image(wi, s.wo)) return;
+            const int ring = std::min(static_cast<int>(s.wo.z * s.wo.z * kRings), kRings - 1);
+            const double turn = std::abs(std::atan2(s.wo.y, s.wo.x)) / std::numbers::pi;
+            const int sector = std::min(static_cast<int>(turn * kSectors), kSectors - 1);
+            values[ring * kSectors + sector] = s.weight;
+        });
+}
+
+/// Flakes so small that light meets none of them twice.
+paint::Recipe fine(paint::Recipe recipe) {
+    for (paint::Layer& layer : recipe.layers) {
+        for (paint::FlakeSpecies& species : layer.flakes) {
+            species.diameter_um = 0.15;
+            species.diameter_spread_um = 0.05;
+        }
+    }
+    return recipe;
+}
+
+TEST(DiscWalk, SmallFlakesSendLightWhereTheTransferEquationDoes) {
+    paint::Recipe recipe = test::opaque(1.5, 15, 1, 0.2);
+    recipe.layers[0].flakes[0].body =
+        paint::PrescribedFlake{spectra::Spectrum({400, 700}, {0.4, 0.8}), 0.15, 0.3};
+    recipe.layers[0].pigments.push_back({30, 10, 0.4});
+    recipe.substrate_reflectance = 0.4;
+    recipe.clearcoat->absorption_per_mm = spectra::Spectrum({400, 700}, {5, 1});
+    recipe = fine(recipe);
+    constexpr int kWalks = 200'000;
+    const Vec3f wi = test::from_degrees(45, 0);
+    const auto expected = power_by_direction(montecarlo::PlaneWalk(recipe), wi, kWalks, 1);
+    const auto found = power_by_direction(
+        DiscWalk(recipe,
+                 {.tile_width_mm = 0.06, .tile_height_mm = 0.06, .seed = 2, .diffraction = false}),
+        wi, kWalks, 2);
+    for (std::size_t bin = 0; bin < expected.size(); ++bin) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const auto& e = expected[bin][lane];
+            EXPECT_GT(e.mean, 3 * e.standard_error);
+            // The hot spot of flakes of a hundredth of the layer, and the chance of one drawing.
+            EXPECT_NEAR(
+                found[bin][lane].mean, e.mean,
+                test::kWorstZ * std::hypot(e.standard_error, found[bin][lane].standard_error) +
+                    0.02 * e.mean)
+                << "bin " << bin << ", " << kOnGrid[lane] << " nm";
+        }
+    }
+}
+
+TEST(DiscWalk, PigmentsAloneScatterAsInTheReference) {
+    paint::Recipe recipe = test::paint(1.5, {montecarlo::test::pigment_layer(0.8, 1.0, 0.4)}, 0.3);
+    const auto expected = test::walked_albedo(*montecarlo::PlaneWalk(recipe).bind(kOnGrid),
+                                              test::from_degrees(30, 0), 100'000);
+    const auto found = test::walked_albedo(*DiscWalk(recipe, {1, 1}).bind(kOnGrid),
+                                           test::from_degrees(30, 0), 100'000);
+    EXPECT_LT(std::abs(test::z_score(found[0], expected[0])), test::kWorstZ);
+}
+
+TEST(DiscWalk, PearlsOfManyFilmsHaveTheMeanOfTheReference) {
+    const paint::Recipe recipe = fine(montecarlo::test::pearl());
+    const Vec3f wi = test::from_degrees(45, 0);
+    const auto expected =
+        test::walked_albedo(*montecarlo::PlaneWalk(recipe).bind(kOnGrid), wi, 100'000);
+    const auto found = test::walked_albedo(
+        *DiscWalk(recipe, {.tile_width_mm = 0.05, .tile_height_mm = 0.05, .diffraction = false})
+             .bind(kOnGrid),
+        wi, 100'000);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        EXPECT_NEAR(
+            found[lane].mean, expected[lane].mean,
+            test::kWorstZ * std::hypot(found[lane].standard_error, expected[lane].standard_error) +
+                0.01 * expected[lane].mean)
+            << kOnGrid[lane] << " nm";
+    }
+}
+
+TEST(DiscWalk, LargeFlakesAreBrighterThanTheTransferEquationSays) {
+    // The hot spot again, through the whole walk.
+    const Vec3f wi = test::from_degrees(20, 0);
+    const paint::Recipe recipe = test::opaque(2, 15, 20);
+    const auto equation =
+        test::walked_albedo(*montecarlo::PlaneWalk(recipe).bind(kOnGrid), wi, 50'000);
+    const auto discs = test::walked_albedo(*DiscWalk(recipe, {4, 4}).bind(kOnGrid), wi, 50'000);
+    EXPECT_GT(discs[0].mean, 1.1 * equation[0].mean);
+}
+
+TEST(DiscWalk, OnlySamplesTellWhatItLooksLike) {
+    const DiscWalk model(test::opaque(1, 15, 20), {});
+    EXPECT_EQ(model.layout(), bsdf::Layout::rest_space);
+    const auto surface = model.bind(kOnGrid);
+    const Vec3f wi = test::from_degrees(30, 0), wo = test::from_degrees(30, 180);
+    EXPECT_EQ(lane_max(surface->evaluate_on(patch_at(1, 1), wi, wo).f), 0);
+    EXPECT_EQ(surface->pdf(wi, wo), 0);
+    EXPECT_FALSE(surface->sample_on(patch_at(1, 1), test::from_degrees(91, 0), 0.5f, {0.5f, 0.5f}));
+    // Far outside the tile it repeats.
+    for (int i = 0; i < 20; ++i) {
+        const float x = 0.37f * i;
+        const auto here = surface->sample_on(patch_at(x, 2), wi, 0.9f, {0.1f, 0.2f});
+        const auto there = surface->sample_on(patch_at(x - 50, 72), wi, 0.9f, {0.1f, 0.2f});
+        ASSERT_EQ(here.has_value(), there.has_value());
+        EXPECT_TRUE(!here || length(here->wo - there->wo) < 0.05f) << "float";
+    }
+}
+
+TEST(DiscWalk, RefusesWhatItCannotDo) {
+    const paint::Recipe recipe = test::opaque(1, 15, 20);
+    EXPECT_THROW(DiscWalk(recipe, {.tile_width_mm = 0}), DomainError);
+    EXPECT_THROW(DiscWalk(recipe, {.tile_width_mm = 900, .tile_height_mm = 900}), DomainError)
+        << "too many flakes";
+    paint::Recipe thick = recipe;
+    thick.layers[0].thickness_um = 2000;
+    EXPECT_THROW(DiscWalk(thick, {.tile_width_mm = 0.1}), DomainError) << "narrower than thick";
+    paint::Recipe bad = recipe;
+    bad.layers[0].flakes[0].orientation.beckmann_alpha = 0;
+    EXPECT_THROW(DiscWalk(bad, {}), DomainError);
+}
+
+}  // namespace
+}  // namespace nacre::montecarlo

@@ -1,0 +1,45 @@
+#include "nacre/montecarlo/events.h"
+
+#include "nacre/core/error.h"
+
+namespace nacre::montecarlo {
+
+void throw_endless_walk() {
+    throw Error(
+        fmt::format("a random walk met {} flakes or pigment particles and was still in the paint: "
+                    "it is too thick, and absorbs too little, for the reference to follow light "
+                    "through it",
+                    kMostFlights));
+}
+
+Direction3 sample_henyey_greenstein(const Direction3& in, double g, RandomStream& random) {
+    const double s = 2 * random.uniform() - 1;
+    const double d = 1 + g * s;
+    const double cosine = std::clamp(
+        (2 * s + g * (s * s + 3) + 2 * g * g * s + g * g * g * (s * s - 1)) / (2 * d * d), -1.0,
+        1.0);
+    const double sine = std::sqrt(1 - cosine * cosine);
+    const auto [c, sn] = random.cos_sin();
+    const Direction3 across = in.unitOrthogonal();
+    return (cosine * in + sine * (c * across + sn * in.cross(across))).normalized();
+}
+
+const Pigment* draw_pigment(const Slab& slab, Lanes& weight, RandomStream& random) {
+    const double total = lane_sum(weight) * slab.pigment_rate_per_um;
+    double lot = random.uniform() * total;
+    for (const Pigment& pigment : slab.pigments) {
+        const Lanes scattered = weight * pigment.scattering_per_um;
+        const double sum = lane_sum(scattered);
+        if (sum > 0 && lot < sum) {
+            weight = scattered * (total / (sum * slab.pigment_rate_per_um));
+            return &pigment;
+        }
+        lot -= sum;
+    }
+    const Lanes missed = weight * (slab.pigment_rate_per_um - slab.pigment_scattering_per_um);
+    const double sum = lane_sum(missed);
+    if (sum > 0) weight = missed * (total / (sum * slab.pigment_rate_per_um));
+    return nullptr;
+}
+
+}  // namespace nacre::montecarlo

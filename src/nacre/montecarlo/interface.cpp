@@ -1,0 +1,243 @@
+#include "nacre/montecarlo/interface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "nacre/core/error.h"
+#include "nacre/optics/fresnel.h"
+
+namespace nacre::montecarlo {
+namespace {
+
+class SmoothInterface final : public AirInterface {
+ public:
+    explicit SmoothInterface(double index) : index_(index) {}
+
+    Weighted enter(const Direction3& towards_light, RandomStream&) const override {
+        return {-refract_inwards(towards_light), transmittance(towards_light.z())};
+    }
+
+    Weighted reflect_inside(const Direction3& travel, RandomStream&) const override {
+        return {Direction3(travel.x(), travel.y(), -travel.z()),
+                optics::dielectric_reflectance(index_, 1.0, travel.z())};
+    }
+
+    Passage meet_from_outside(const Direction3& towards_light,
+                              RandomStream& random) const override {
+        if (random.uniform() < transmittance(towards_light.z()))
+            return {-refract_inwards(towards_light), true};
+        return {{-towards_light.x(), -towards_light.y(), towards_light.z()}, false};
+    }
+
+    Passage meet_from_inside(const Direction3& travel, RandomStream& random) const override {
+        if (random.uniform() < optics::dielectric_reflectance(index_, 1.0, travel.z()))
+            return {{travel.x(), travel.y(), -travel.z()}, true};
+        const double x = travel.x() * index_, y = travel.y() * index_;
+        return {{x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))}, false};
+    }
+
+    // Radiance over index squared is kept but for what Fresnel reflects: a cone outside is n^2
+    // times wider, projected, than its image inside.
+    Weighted connect(const Direction3& towards_eye, RandomStream&) const override {
+        return {refract_inwards(towards_eye), transmittance(towards_eye.z()) / (index_ * index_)};
+    }
+
+    bool scatters() const override { return false; }
+
+    double reflect_outside(const Direction3&, const Direction3&, RandomStream&) const override {
+        return 0;
+    }
+
+ private:
+    /// Of light from outside, and along the same ray from inside (Stokes).
+    double transmittance(double cosine_outside) const {
+        return 1 - optics::dielectric_reflectance(1.0, index_, cosine_outside);
+    }
+
+    /// The unit vector inside along which a ray from (or to) `outside` goes on; z > 0.
+    Direction3 refract_inwards(const Direction3& outside) const {
+        const double x = outside.x() / index_, y = outside.y() / index_;
+        return {x, y, std::sqrt(1 - x * x - y * y)};
+    }
+
+    double index_;
+};
+
+}  // namespace
+
+std::unique_ptr<const AirInterface> make_smooth_interface(double index) {
+    return std::make_unique<SmoothInterface>(index);
+}
+
+std::unique_ptr<const AirInterface> make_air_interface(const paint::Recipe& recipe, double index) {
+    const double roughness = recipe.clearcoat ? recipe.clearcoat->roughness : 0;
+    if (roughness > 0 && roughness < kLeastRoughness) {
+        throw DomainError(fmt::format(
+            "clearcoat.roughness = {} is too small for the reference to follow masked light: 0, or "
+            "at least {}",
+            roughness, kLeastRoughness));
+    }
+    // Equal indices are no interface, however rough.
+    if (roughness > 0 && index > 1) return make_rough_interface(index, roughness);
+    return make_smooth_interface(index);
+}
+
+// The rough interface of solver/rough_interface.h as a game of chance: its facets, its masking and
+// what becomes of masked light are defined there; here each is drawn, and nothing is integrated.
+
+namespace {
+
+/// Light at the surface. The direction points away from it: up outside, down inside.
+struct Ray {
+    Direction3 away;
+    bool inside = false;
+};
+
+Direction3 flipped(const Direction3& v) { return {v.x(), v.y(), -v.z()}; }
+
+/// Smith's G1 for Beckmann slopes, in its exact form.                [walter-2007], [heitz-2014]
+double smith_g1(double cosine, double alpha) {
+    const double tangent_sq = (1 - cosine * cosine) / (cosine * cosine);
+    if (tangent_sq <= 0) return 1;
+    const double a = 1 / (alpha * std::sqrt(tangent_sq));
+    return 2 / (1 + std::erf(a) + std::exp(-a * a) / (a * std::sqrt(std::numbers::pi)));
+}
+
+class RoughAirInterface final : public AirInterface {
+ public:
+    RoughAirInterface(double index, double alpha) : index_(index), alpha_(alpha) {}
+
+    Weighted enter(const Direction3& towards_light, RandomStream& random) const override {
+        const Ray ray = scatter({towards_light, false}, random);
+        return {ray.away, ray.inside ? 1.0 : 0.0};
+    }
+
+    Weighted reflect_inside(const Direction3& travel, RandomStream& random) const override {
+        const Ray ray = scatter({-travel, true}, random);
+        return {ray.inside ? ray.away : flipped(travel), ray.inside ? 1.0 : 0.0};
+    }
+
+    Passage meet_from_outside(const Direction3& towards_light,
+                              RandomStream& random) const override {
+        const Ray ray = scatter({towards_light, false}, random);
+        return {ray.away, ray.inside};
+    }
+
+    Passage meet_from_inside(const Direction3& travel, RandomStream& random) const override {
+        const Ray ray = scatter({-travel, true}, random);
+        return {ray.away, ray.inside};
+    }
+
+    // The kernel between basic radiances is symmetric: the light that an eye sees comes from the
+    // directions to which light from the eye would go. 1/n^2 turns radiance inside into basic.
+    Weighted connect(const Direction3& towards_eye, RandomStream& random) const override {
+        const Ray ray = scatter({towards_eye, false}, random);
+        if (!ray.inside) return {Direction3::UnitZ(), 0};
+        return {-ray.away, 1 / (index_ * index_)};
+    }
+
+    bool scatters() const override { return true; }
+
+    double reflect_outside(const Direction3& towards_light, const Direction3& towards_eye,
+                           RandomStream& random) const override {
+        double sum = facet_brdf(towards_light, towards_eye);
+        // m(light) m(eye) / Int m: the masked shares by lot; the number of directions, uniform in
+        // etendue, that it takes to find one whose light is masked has the mean  total / Int m.
+        if (is_masked({towards_light, false}, random) && is_masked({towards_eye, false}, random)) {
+            std::uint64_t trials = 1;
+            while (!is_masked(uniform_in_etendue(random), random)) ++trials;
+            sum += static_cast<double>(trials) / (std::numbers::pi * (1 + index_ * index_));
+        }
+        return sum;
+    }
+
+ private:
+    /// Where light from `from` goes on; masked light from a direction whose own would be masked.
+    Ray scatter(const Ray& from, RandomStream& random) const {
+        Ray to;
+        if (leaves(from, random, to)) return to;
+        do {
+            to = uniform_in_etendue(random);
+        } while (!is_masked(to, random));
+        return to;
+    }
+
+    bool is_masked(const Ray& from, RandomStream& random) const {
+        Ray unused;
+        return !leaves(from, random, unused);
+    }
+
+    /// One meeting with a facet; false if what goes on from it is masked.
+    bool leaves(const Ray& from, RandomStream& random, Ray& to) const {
+        const Direction3 x = from.inside ? flipped(from.away) : from.away;  // now upwards
+        const double n_here = from.inside ? index_ : 1, n_there = from.inside ? 1 : index_;
+        const Direction3 facet = visible_normal(x, random);
+        const double cosine = std::min(1.0, x.dot(facet));
+        Direction3 y;
+        const bool reflected =
+            random.uniform() < optics::dielectric_reflectance(n_here, n_there, cosine);
+        if (reflected) {
+            y = 2 * cosine * facet - x;
+        } else {
+            const double ratio = n_here / n_there;
+            y = (ratio * cosine - optics::refracted_cos(n_here, n_there, cosine)) * facet -
+                ratio * x;
+        }
+        y.normalize();
+        const double height = reflected ? y.z() : -y.z();
+        if (!(height > 0) || random.uniform() >= smith_g1(height, alpha_)) return false;
+        to = {from.inside ? flipped(y) : y, reflected == from.inside};
+        return true;
+    }
+
+    /// Draws a facet normal from G1 <x.h> D(h) / x_z. In slopes, with p that along x: the density
+    /// is (x_z - x_s p)+ exp(-(p^2 + q^2) / alpha^2), so q is Gaussian, and p is drawn from
+    /// (x_z + x_s |p|) exp(-p^2 / alpha^2) and kept with the ratio of the two, at least every
+    /// other time.
+    Direction3 visible_normal(const Direction3& x, RandomStream& random) const {
+        const double sine = std::hypot(x.x(), x.y());
+        const double flat = std::sqrt(std::numbers::pi) * x.z(), tilted = alpha_ * sine;
+        double p;
+        do {
+            if (random.uniform() * (flat + tilted) < flat) {
+                p = alpha_ * std::sqrt(random.exponential()) * std::get<0>(random.cos_sin());
+            } else {
+                p = alpha_ * std::sqrt(random.exponential()) * (random.uniform() < 0.5 ? -1 : 1);
+            }
+        } while (random.uniform() * (x.z() + sine * std::abs(p)) >= x.z() - sine * p);
+        const double q = alpha_ * std::sqrt(random.exponential()) * std::get<0>(random.cos_sin());
+        const double c = sine > 0 ? x.x() / sine : 1, s = sine > 0 ? x.y() / sine : 0;
+        return Direction3(-(p * c - q * s), -(p * s + q * c), 1).normalized();
+    }
+
+    Ray uniform_in_etendue(RandomStream& random) const {
+        const bool inside = random.uniform() * (1 + index_ * index_) >= 1;
+        const double sine_sq = random.uniform();
+        const auto [c, s] = random.cos_sin();
+        const double sine = std::sqrt(sine_sq), height = std::sqrt(1 - sine_sq);
+        return {{sine * c, sine * s, inside ? -height : height}, inside};
+    }
+
+    /// Light that met one facet.                                            [walter-2007, eq. 20]
+    double facet_brdf(const Direction3& light, const Direction3& eye) const {
+        const Direction3 h = (light + eye).normalized();
+        const double cos_sq = h.z() * h.z();
+        const double density = std::exp((1 - 1 / cos_sq) / (alpha_ * alpha_)) /
+                               (std::numbers::pi * alpha_ * alpha_ * cos_sq * cos_sq);
+        const double cosine = std::min(1.0, light.dot(h));
+        return optics::dielectric_reflectance(1.0, index_, cosine) * density *
+               smith_g1(light.z(), alpha_) * smith_g1(eye.z(), alpha_) / (4 * light.z() * eye.z());
+    }
+
+    double index_, alpha_;
+};
+
+}  // namespace
+
+std::unique_ptr<const AirInterface> make_rough_interface(double index, double alpha) {
+    return std::make_unique<RoughAirInterface>(index, alpha);
+}
+
+}  // namespace nacre::montecarlo

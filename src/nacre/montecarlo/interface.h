@@ -1,0 +1,75 @@
+#pragma once
+
+#include <memory>
+
+#include "nacre/montecarlo/events.h"
+#include "nacre/montecarlo/medium.h"
+
+// The boundary between air and the paint, as a random walk uses it: light is sent in from outside,
+// meets the boundary from inside, and is connected from inside to an eye outside. One object per
+// binder index; all functions may be called from several threads.
+
+namespace nacre::montecarlo {
+
+class AirInterface {
+ public:
+    /// A direction of travel inside the paint with the weight that makes its mean right.
+    struct Weighted {
+        Direction3 travel;
+        double weight = 0;
+    };
+
+    /// A direction of travel after a meeting with the boundary, and on which side of it.
+    struct Passage {
+        Direction3 travel;
+        bool inside = false;
+    };
+
+    virtual ~AirInterface() = default;
+
+    /// Sends light in. @param towards_light  unit vector outside, z > 0
+    /// @return travel inside (z < 0) and the share of the incident flux that travels so
+    virtual Weighted enter(const Direction3& towards_light, RandomStream& random) const = 0;
+
+    /// Light that arrives from inside. @param travel  z > 0
+    /// @return travel after reflection (z < 0) and the share of the flux that is reflected; the
+    ///         rest leaves the paint
+    virtual Weighted reflect_inside(const Direction3& travel, RandomStream& random) const = 0;
+
+    /// The same two by lot: all of the light goes one way, reflected or through.
+    /// @param towards_light  unit vector outside, z > 0
+    virtual Passage meet_from_outside(const Direction3& towards_light,
+                                      RandomStream& random) const = 0;
+    /// @param travel  inside, z > 0
+    virtual Passage meet_from_inside(const Direction3& travel, RandomStream& random) const = 0;
+
+    /// Connects the inside with an eye. @param towards_eye  unit vector outside, z > 0
+    /// @return a direction of travel inside (z > 0) and a weight such that the radiance that leaves
+    ///         towards the eye is the mean of  weight * (radiance inside along travel)
+    virtual Weighted connect(const Direction3& towards_eye, RandomStream& random) const = 0;
+
+    /// Whether connect() draws at random, so that each walk wants a connection of its own.
+    virtual bool scatters() const = 0;
+
+    /// Unbiased estimate of the BRDF of the interface by itself, in 1/sr, a mirror left out.
+    virtual double reflect_outside(const Direction3& towards_light, const Direction3& towards_eye,
+                                   RandomStream& random) const = 0;
+};
+
+/// A flat interface: mirror and refraction by Snell and Fresnel.
+/// @param index  of the binder, >= 1
+std::unique_ptr<const AirInterface> make_smooth_interface(double index);
+
+/// Facets with Beckmann slopes, as solver/rough_interface.h defines them.
+/// @param index  of the binder, > 1
+/// @param alpha  at least kLeastRoughness
+std::unique_ptr<const AirInterface> make_rough_interface(double index, double alpha);
+
+/// Masked light is found by trial, which takes some 1/alpha^2 trials.
+inline constexpr double kLeastRoughness = 1e-3;
+
+/// The interface of a recipe whose binder has this index.
+/// @throws DomainError if its roughness is above 0 and below kLeastRoughness
+std::unique_ptr<const AirInterface> make_air_interface(const paint::Recipe& recipe, double index);
+
+}  // namespace nacre::montecarlo

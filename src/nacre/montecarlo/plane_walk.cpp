@@ -1,0 +1,223 @@
+#include "nacre/montecarlo/plane_walk.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "nacre/montecarlo/depth_walk.h"
+#include "nacre/optics/fresnel.h"
+
+namespace nacre::montecarlo {
+namespace {
+
+/// The walk is a function of the sample's numbers: all their bits count.
+RandomStream stream_of(Vec3f wi, float u_lobe, Vec2f u) {
+    const auto pair = [](float a, float b) {
+        return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 |
+               std::bit_cast<std::uint32_t>(b);
+    };
+    RandomStream random(pair(u.x, u.y), pair(wi.x, wi.y), pair(wi.z, u_lobe));
+    // A renderer spreads its numbers well: the first flake, which decides most, takes them as they
+    // are, with their resolution made that of double.
+    constexpr double kStep = 0x1p-24;
+    const double x = u.x + kStep * random.uniform(), y = u.y + kStep * random.uniform();
+    random.lead_with(x, y);
+    return random;
+}
+
+Vec3f to_float(const Direction3& v) {
+    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+FloatLanes to_float(const Lanes& x) { return __builtin_convertvector(x, FloatLanes); }
+
+bsdf::BsdfSample sample_of(const Direction3& wo, const Lanes& weight,
+                           const Direction3& exit_um = Direction3::Zero()) {
+    constexpr double kMmPerUm = 1e-3;
+    bsdf::BsdfSample sample;
+    sample.wo = to_float(wo);
+    sample.weight = to_float(weight);
+    sample.pdf = 1;
+    sample.mirror = true;
+    sample.exit_mm = to_float(Direction3(kMmPerUm * exit_um));
+    return sample;
+}
+
+}  // namespace
+
+BoundWalk::BoundWalk(const WalkTables& tables, const bsdf::Wavelengths& wavelengths_nm)
+    : medium_(tables.grid.at(wavelengths_nm)) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+        index_[lane] = tables.grid.index(wavelengths_nm[lane]);
+        const bool like_last = lane > 0 && index_[lane] == index_[lane - 1];
+        interfaces_[lane] =
+            like_last
+                ? interfaces_[lane - 1]
+                : std::shared_ptr(montecarlo::make_air_interface(tables.recipe, index_[lane]));
+        rough_ = rough_ || interfaces_[lane]->scatters();
+        dispersive_ = dispersive_ || index_[lane] != index_[0];
+    }
+}
+
+BoundWalk::Packet BoundWalk::draw_packet(const bsdf::Patch* patch, RandomStream& random) const {
+    if (!dispersive_) return {splat(1.0), 0, patch};
+    const int lane = static_cast<int>(kLanes * random.uniform());
+    Packet packet{{}, lane, patch};
+    packet.weight[lane] = kLanes;
+    return packet;
+}
+
+Lanes BoundWalk::mirror_reflectance(double cosine) const {
+    if (rough_) return Lanes{};
+    if (!dispersive_) return splat(optics::dielectric_reflectance(1.0, index_[0], cosine));
+    return make_lanes<Lanes>(
+        [&](int i) { return optics::dielectric_reflectance(1.0, index_[i], cosine); });
+}
+
+std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f wi, float u_lobe,
+                                                Vec2f u) const {
+    if (!(wi.z > 0)) return {};
+    RandomStream random = stream_of(wi, u_lobe, u);
+    const Direction3 towards_light = Direction3(wi.x, wi.y, wi.z).normalized();
+    const Packet packet = draw_packet(patch, random);
+    if (rough_) {
+        const auto escape = meet_rough(towards_light, packet, random);
+        if (!escape) return {};
+        return sample_of(escape->direction, escape->weight);
+    }
+    // In proportion to what each way contributes in a white room, as a root mean square.
+    const Lanes mirror = mirror_reflectance(towards_light.z());
+    const double f = lane_mean(mirror);
+    const double inside = (1 - f) * typical_weight_;
+    const double odds = f / (f + inside);
+    if (u_lobe < odds) {
+        return sample_of({-towards_light.x(), -towards_light.y(), towards_light.z()},
+                         mirror / odds);
+    }
+    const Lanes share = (1 - mirror) * ((f + inside) / inside);
+    const auto escape =
+        enter_and_follow(towards_light, {packet.weight * share, packet.lane, patch}, random);
+    if (!escape) return {};
+    return sample_of(escape->direction, escape->weight, escape->position_um);
+}
+
+std::optional<Escape> BoundWalk::enter_and_follow(const Direction3& wi, const Packet& packet,
+                                                  RandomStream& random) const {
+    return follow(
+        {interface(packet.lane).enter(wi, random).travel, packet.weight, packet.lane, packet.patch},
+        random);
+}
+
+std::optional<Escape> BoundWalk::meet_rough(const Direction3& wi, const Packet& packet,
+                                            RandomStream& random) const {
+    const auto passage = interface(packet.lane).meet_from_outside(wi, random);
+    if (!passage.inside) return Escape{.direction = passage.travel, .weight = packet.weight};
+    return follow({passage.travel, packet.weight, packet.lane, packet.patch}, random);
+}
+
+Lanes BoundWalk::mean_weight(double cosine, int walks, std::uint64_t number,
+                             double* mean_square) const {
+    const Direction3 wi(std::sqrt(1 - cosine * cosine), 0, cosine);
+    RandomStream random(0, number, 0);
+    Lanes sum{}, sum_of_squares{};
+    for (int i = 0; i < walks; ++i) {
+        const Packet packet = draw_packet(nullptr, random);
+        const auto escape =
+            rough_ ? meet_rough(wi, packet, random) : enter_and_follow(wi, packet, random);
+        if (!escape) continue;
+        sum += escape->weight;
+        sum_of_squares += escape->weight * escape->weight;
+    }
+    if (mean_square) *mean_square = lane_mean(sum_of_squares) / walks;
+    return sum / static_cast<double>(walks);
+}
+
+void BoundWalk::weigh_mirror() {
+    constexpr int kWalks = 64;
+    constexpr double kTypicalCosine = 0.8;
+    // A mirror drawn less often than this would make its weight large where walks are rarely
+    // bright.
+    constexpr double kLeast = 0.1;
+    double mean_square = 0;
+    mean_weight(kTypicalCosine, kWalks, 0, &mean_square);
+    typical_weight_ = std::max(std::sqrt(mean_square), kLeast);
+}
+
+FloatLanes BoundWalk::albedo(Vec3f wi) const {
+    if (!(wi.z > 0)) return FloatLanes{};
+    std::call_once(albedo_once_, [&] {
+        for (int i = 0; i <= kAlbedoIntervals; ++i) {
+            constexpr double kLeastCosine = 1e-3;
+            const double cosine = std::max(static_cast<double>(i) / kAlbedoIntervals, kLeastCosine);
+            inner_albedo_.push_back(
+                mean_weight(cosine, kAlbedoWalks, static_cast<std::uint64_t>(i) + 1, nullptr));
+        }
+    });
+    const double cosine = std::min(static_cast<double>(wi.z), 1.0);
+    const double x = cosine * kAlbedoIntervals;
+    const int i = std::min(static_cast<int>(x), kAlbedoIntervals - 1);
+    const Lanes inner = inner_albedo_[i] + (x - i) * (inner_albedo_[i + 1] - inner_albedo_[i]);
+    const Lanes mirror = mirror_reflectance(cosine);
+    return to_float(Lanes(mirror + (1 - mirror) * inner));
+}
+
+namespace {
+
+using montecarlo::WalkState;
+
+/// Lets light out by lot.
+class WayOut {
+ public:
+    WayOut(const montecarlo::AirInterface& interface, RandomStream& random)
+        : interface_(interface), random_(random) {}
+
+    bool follows(const WalkState&) const { return true; }
+    void flies(const WalkState&, const montecarlo::Slab&, double, double) const {}
+    void lands(const Lanes&) const {}
+    bool lifts(const Lanes&) const { return true; }
+    void surfaces(WalkState& state) {
+        const auto passage = interface_.meet_from_inside(state.travel, random_);
+        state.travel = passage.travel;
+        if (passage.inside) return;
+        state.alive = false;
+        escape = Escape{.direction = passage.travel, .weight = state.weight};
+    }
+
+    std::optional<Escape> escape;
+
+ private:
+    const montecarlo::AirInterface& interface_;
+    RandomStream& random_;
+};
+
+class BoundPlaneWalk final : public BoundWalk {
+ public:
+    BoundPlaneWalk(const WalkTables& tables, const bsdf::Wavelengths& wavelengths_nm)
+        : BoundWalk(tables, wavelengths_nm) {
+        weigh_mirror();
+    }
+
+ private:
+    std::optional<Escape> follow(const Entry& entry, RandomStream& random) const override {
+        WayOut way_out(interface(entry.lane), random);
+        montecarlo::DepthWalk(medium(), random, way_out).run(entry.travel, entry.weight);
+        return way_out.escape;
+    }
+};
+
+}  // namespace
+
+PlaneWalk::PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm)
+    : tables_(std::make_shared<const WalkTables>(recipe, wavelengths_nm)) {
+    // Says now, not at the first picture, what is wrong with a rough interface.
+    montecarlo::make_air_interface(recipe, tables_->grid.index(wavelengths_nm.front()));
+}
+
+PlaneWalk::~PlaneWalk() = default;
+
+std::unique_ptr<const bsdf::BoundBsdf> PlaneWalk::bind(
+    const bsdf::Wavelengths& wavelengths_nm) const {
+    return std::make_unique<BoundPlaneWalk>(*tables_, wavelengths_nm);
+}
+
+}  // namespace nacre::montecarlo

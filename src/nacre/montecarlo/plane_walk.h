@@ -1,0 +1,138 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/montecarlo/events.h"
+#include "nacre/montecarlo/interface.h"
+#include "nacre/montecarlo/medium.h"
+#include "nacre/paint/recipe.h"
+#include "nacre/solver/solver.h"
+
+namespace nacre::montecarlo {
+
+/// What walks through one paint share, before any wavelength is chosen.
+struct WalkTables {
+    paint::Recipe recipe;
+    montecarlo::MediumGrid grid;
+
+    WalkTables(const paint::Recipe& r, const std::vector<double>& wavelengths_nm)
+        : recipe(r), grid(r, wavelengths_nm) {}
+};
+
+// What the two walks have in common: how light comes in, by which lot, and what a renderer is told.
+
+using montecarlo::Direction3;
+using montecarlo::Lanes;
+using montecarlo::RandomStream;
+
+/// Light that has just come in at the origin of the local frame.
+struct Entry {
+    Direction3 travel;  ///< inside, z < 0
+    Lanes weight{};
+    int lane = 0;                        ///< whose index of refraction holds
+    const bsdf::Patch* patch = nullptr;  ///< where, if known
+};
+
+/// Light that has just left.
+struct Escape {
+    Direction3 direction;
+    Direction3 position_um{0, 0, 0};  ///< from where it came in
+    Lanes weight{};
+};
+
+class BoundWalk : public bsdf::BoundBsdf {
+ public:
+    FloatLanes eval(Vec3f, Vec3f) const override { return FloatLanes{}; }
+    float pdf(Vec3f, Vec3f) const override { return 0; }
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+        return walk(nullptr, wi, u_lobe, u);
+    }
+    std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float u_lobe,
+                                              Vec2f u) const override {
+        return walk(&patch, wi, u_lobe, u);
+    }
+    /// Estimated by kAlbedoWalks walks from each of kAlbedoIntervals + 1 directions, at the first
+    /// call; the mirror of a smooth interface is exact.
+    FloatLanes albedo(Vec3f wi) const override;
+
+    static constexpr int kAlbedoIntervals = 16, kAlbedoWalks = 512;
+
+ protected:
+    BoundWalk(const WalkTables& tables, const bsdf::Wavelengths& wavelengths_nm);
+
+    /// Follows light until it leaves; empty if it is absorbed.
+    virtual std::optional<Escape> follow(const Entry& entry, RandomStream& random) const = 0;
+
+    /// Sends out a few walks, to know how often the mirror is worth a sample. To be called once,
+    /// when follow() is ready.
+    void weigh_mirror();
+
+    const montecarlo::Medium& medium() const { return medium_; }
+    double index(int lane) const { return index_[lane]; }
+    const montecarlo::AirInterface& interface(int lane) const { return *interfaces_[lane]; }
+
+ private:
+    struct Packet {
+        Lanes weight;
+        int lane;
+        const bsdf::Patch* patch = nullptr;
+    };
+    std::optional<bsdf::BsdfSample> walk(const bsdf::Patch* patch, Vec3f wi, float u_lobe,
+                                         Vec2f u) const;
+    Packet draw_packet(const bsdf::Patch* patch, RandomStream& random) const;
+    Lanes mirror_reflectance(double cosine) const;
+    std::optional<Escape> enter_and_follow(const Direction3& wi, const Packet& packet,
+                                           RandomStream& random) const;
+    std::optional<Escape> meet_rough(const Direction3& wi, const Packet& packet,
+                                     RandomStream& random) const;
+    Lanes mean_weight(double cosine, int walks, std::uint64_t number, double* mean_square) const;
+
+    montecarlo::Medium medium_;
+    std::array<double, kLanes> index_;
+    std::array<std::shared_ptr<const montecarlo::AirInterface>, kLanes> interfaces_;
+    bool rough_ = false, dispersive_ = false;
+    /// Root mean square of the weight with which light leaves that came in with weight 1.
+    double typical_weight_ = 1;
+
+    mutable std::once_flag albedo_once_;
+    mutable std::vector<Lanes> inner_albedo_;  // over the outer cosine
+};
+
+// The Monte Carlo reference as a surface to render with. docs/volume.md
+
+struct WalkTables;
+
+/// A paint whose light is followed flake by flake, by depth alone: the position-free walk of
+/// reference/, for one packet of light at eight wavelengths.   [guo-hasan-zhao-2018; wilkie-2014]
+///
+/// Only sample() tells what the paint looks like: it sends light in from wi and follows it until it
+/// leaves, always with mirror = true and pdf = 1, as nobody knows the density of what it found.
+/// eval() and pdf() are zero. A renderer must not weigh it against light sampling, and sees no
+/// light source without extent. The same (wi, u_lobe, u) gives the same walk.
+///
+/// Supports all that a recipe may say: pigments, several layers, a rough clearcoat. Where the
+/// binder's index differs between the eight wavelengths, light bends differently, and each walk
+/// carries one of them, drawn by lot: the mean is right, the noise coloured.
+class PlaneWalk final : public bsdf::Bsdf {
+ public:
+    /// @param wavelengths_nm  where films are computed; between them, R, T and all else are linear
+    ///                        in wavelength, beyond them constant
+    /// @throws DomainError if the recipe is not valid at these wavelengths, or if its clearcoat's
+    ///         roughness is above 0 and below montecarlo::kLeastRoughness
+    explicit PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm =
+                                                        solver::default_wavelengths_nm());
+    ~PlaneWalk() override;
+
+    std::unique_ptr<const bsdf::BoundBsdf> bind(
+        const bsdf::Wavelengths& wavelengths_nm) const override;
+
+ private:
+    std::shared_ptr<const WalkTables> tables_;
+};
+
+}  // namespace nacre::montecarlo

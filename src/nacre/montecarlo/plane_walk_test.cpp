@@ -1,0 +1,183 @@
+#include "nacre/montecarlo/plane_walk.h"
+
+#include <gtest/gtest.h>
+
+#include "nacre/core/error.h"
+#include "nacre/core/quadrature.h"
+#include "nacre/testing/montecarlo.h"
+
+namespace nacre::montecarlo {
+namespace {
+
+using test::from_degrees;
+using test::kOnGrid;
+using test::kWorstZ;
+using test::walked_albedo;
+using test::z_score;
+
+constexpr int kWalks = 200'000;
+
+void expect_reference_albedo(const paint::Recipe& recipe, double theta_deg) {
+    const auto surface = PlaneWalk(recipe).bind(kOnGrid);
+    const auto found = walked_albedo(*surface, from_degrees(theta_deg, 30), kWalks);
+    const auto expected = montecarlo::reference_albedo(
+        recipe, std::vector<montecarlo::Direction>{{theta_deg, 0}}, kOnGrid, {.samples = kWalks});
+    for (int lane = 0; lane < kLanes; ++lane) {
+        EXPECT_GT(found[lane].standard_error, 0);
+        EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
+            << recipe.name << ' ' << theta_deg << " deg, " << kOnGrid[lane]
+            << " nm: " << found[lane].mean << " against " << expected[lane].reflectance.mean;
+    }
+}
+
+TEST(PlaneWalk, AlbedoIsThatOfTheReferenceAtEveryWavelength) {
+    expect_reference_albedo(test::pearl(), 0);
+    expect_reference_albedo(test::pearl(), 60);
+}
+
+TEST(PlaneWalk, AlbedoIsThatOfTheReferenceUnderARoughClearcoat) {
+    paint::Recipe recipe = test::pearl();
+    recipe.clearcoat->roughness = 0.3;
+    expect_reference_albedo(recipe, 40);
+}
+
+TEST(PlaneWalk, AlbedoIsThatOfTheReferenceInADispersiveBinder) {
+    paint::Recipe recipe = test::pearl();
+    recipe.binder = optics::Material("flint", std::vector<double>{400, 700},
+                                     std::vector<optics::ComplexIndex>{1.9, 1.5});
+    expect_reference_albedo(recipe, 60);
+}
+
+TEST(PlaneWalk, PowerIntoASolidAngleIsTheIntegralOfTheReferencesBrdf) {
+    // Around the mirror direction, inside the lobe, and away from both.
+    struct Bin {
+        double theta_from, theta_to, phi_from, phi_to;
+    };
+    const std::array bins{Bin{35, 55, 160, 200}, Bin{10, 30, 140, 180}, Bin{50, 70, 80, 120}};
+    const paint::Recipe recipe = test::pearl();
+    const double theta_i = 45;
+
+    const auto surface = PlaneWalk(recipe).bind(kOnGrid);
+    const Vec3f wi = from_degrees(theta_i, 0);
+    const auto found =
+        test::estimate(*surface, wi, 2 * kWalks, bins.size(), 5,
+                       [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
+                           if (test::is_mirror_image(wi, s.wo)) return;
+                           const double theta = std::acos(s.wo.z) * 180 / std::numbers::pi;
+                           double phi = std::atan2(s.wo.y, s.wo.x) * 180 / std::numbers::pi;
+                           if (phi < 0) phi += 360;
+                           for (std::size_t b = 0; b < bins.size(); ++b) {
+                               if (theta > bins[b].theta_from && theta < bins[b].theta_to &&
+                                   phi > bins[b].phi_from && phi < bins[b].phi_to)
+                                   values[b] = s.weight;
+                           }
+                       });
+
+    constexpr int kNodes = 6;
+    constexpr double kDegree = std::numbers::pi / 180;
+    for (std::size_t b = 0; b < bins.size(); ++b) {
+        const Quadrature theta = gauss_legendre(kNodes, bins[b].theta_from, bins[b].theta_to);
+        const Quadrature phi = gauss_legendre(kNodes, bins[b].phi_from, bins[b].phi_to);
+        std::vector<montecarlo::Direction> eyes;
+        std::vector<double> weights;
+        for (int i = 0; i < kNodes; ++i) {
+            for (int j = 0; j < kNodes; ++j) {
+                eyes.push_back({theta.nodes[i], phi.nodes[j]});
+                const double t = theta.nodes[i] * kDegree;
+                weights.push_back(theta.weights[i] * phi.weights[j] * kDegree * kDegree *
+                                  std::sin(t) * std::cos(t));
+            }
+        }
+        const auto brdf =
+            montecarlo::reference_brdf(recipe, std::vector<montecarlo::Direction>{{theta_i, 0}},
+                                       eyes, kOnGrid, {.samples = 20'000});
+        for (int lane = 0; lane < kLanes; ++lane) {
+            // Eyes share walks: their errors add up at worst.
+            montecarlo::Estimate expected;
+            for (std::size_t j = 0; j < eyes.size(); ++j) {
+                expected.mean += weights[j] * brdf[j * kLanes + lane].mean;
+                expected.standard_error += weights[j] * brdf[j * kLanes + lane].standard_error;
+            }
+            EXPECT_GT(expected.mean, 10 * expected.standard_error);
+            EXPECT_LT(std::abs(z_score(found[b][lane], expected)), 3)
+                << "bin " << b << ", " << kOnGrid[lane] << " nm: " << found[b][lane].mean << " +- "
+                << found[b][lane].standard_error << " against " << expected.mean << " +- "
+                << expected.standard_error;
+        }
+    }
+}
+
+TEST(PlaneWalk, MirrorHasFresnelsReflectance) {
+    const auto surface = PlaneWalk(test::worked_paint()).bind(kOnGrid);
+    // n = 1.5 at normal incidence: 0.04.
+    const Vec3f wi{0, 0, 1};
+    const auto mirror =
+        test::estimate(*surface, wi, 100'000, 1, 3,
+                       [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
+                           if (test::is_mirror_image(wi, s.wo)) values[0] = s.weight;
+                       })[0];
+    EXPECT_LT(std::abs(z_score(mirror[0], 0.04)), kWorstZ);
+    EXPECT_LT(mirror[0].standard_error, 0.04 * std::sqrt(1 / 0.04) / std::sqrt(1e5))
+        << "drawn more often than by Fresnel's odds alone";
+}
+
+TEST(PlaneWalk, EstimatedAlbedoIsThatOfItsSamples) {
+    const auto surface = PlaneWalk(test::pearl()).bind(kOnGrid);
+    for (const double theta : {0., 37., 70.}) {
+        const Vec3f wi = from_degrees(theta, 0);
+        const FloatLanes told = surface->albedo(wi);
+        const auto found = walked_albedo(*surface, wi, 50'000);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            // A weight's deviation is at most about its mean's root: 0.5 over the root of 512.
+            EXPECT_NEAR(told[lane], found[lane].mean, 4 * 0.5 / std::sqrt(512.)) << theta;
+        }
+    }
+}
+
+TEST(PlaneWalk, WavelengthsBetweenTheGridsAreInterpolatedAndThoseBeyondAreItsEnds) {
+    // Albedo is not linear in the films' reflectance: only bounds are known between neighbours.
+    const PlaneWalk model(test::pearl());
+    const bsdf::Wavelengths wavelengths{380, 400, 550, 555, 560, 700, 720, 780};
+    const auto a = walked_albedo(*model.bind(wavelengths), {0, 0, 1}, kWalks);
+    EXPECT_EQ(a[0].mean, a[1].mean);
+    EXPECT_EQ(a[5].mean, a[6].mean);
+    EXPECT_EQ(a[5].mean, a[7].mean);
+    EXPECT_LT(std::abs(z_score(a[3], (a[2].mean + a[4].mean) / 2)), kWorstZ);
+}
+
+TEST(PlaneWalk, OnlySamplesTellWhatItLooksLike) {
+    const auto surface = PlaneWalk(test::worked_paint()).bind(kOnGrid);
+    const Vec3f wi = from_degrees(30, 0), wo = from_degrees(30, 180);
+    EXPECT_EQ(lane_max(surface->eval(wi, wo)), 0);
+    EXPECT_EQ(surface->pdf(wi, wo), 0);
+    int left = 0;
+    for (int i = 0; i < 100; ++i) {
+        const auto sample = surface->sample(wi, 0.01f * static_cast<float>(i), {0.25f, 0.5f});
+        if (!sample) continue;  // absorbed
+        EXPECT_TRUE(sample->mirror);
+        EXPECT_EQ(sample->pdf, 1);
+        EXPECT_EQ(sample->exit_mm, Vec3f{});
+        EXPECT_GT(sample->wo.z, 0);
+        EXPECT_NEAR(length(sample->wo), 1, 1e-6);
+        ++left;
+    }
+    EXPECT_GT(left, 30);
+    EXPECT_FALSE(surface->sample(from_degrees(91, 0), 0.5f, {0.5f, 0.5f}));
+    EXPECT_EQ(lane_max(surface->albedo(from_degrees(91, 0))), 0);
+}
+
+TEST(PlaneWalk, RefusesWhatIsNoPaint) {
+    paint::Recipe recipe = test::worked_paint();
+    recipe.layers[0].thickness_um = -1;
+    EXPECT_THROW(PlaneWalk{recipe}, DomainError);
+    recipe = test::worked_paint();
+    EXPECT_THROW(PlaneWalk(recipe, std::vector<double>{}), DomainError);
+    EXPECT_THROW(PlaneWalk(recipe, std::vector<double>{500, 500}), DomainError);
+    recipe.clearcoat.emplace();
+    recipe.clearcoat->thickness_um = 10;
+    recipe.clearcoat->roughness = 1e-4;
+    EXPECT_THROW(PlaneWalk{recipe}, DomainError);
+}
+
+}  // namespace
+}  // namespace nacre::montecarlo

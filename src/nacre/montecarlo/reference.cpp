@@ -1,0 +1,312 @@
+#include "nacre/montecarlo/reference.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <mutex>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "nacre/core/error.h"
+#include "nacre/core/progress.h"
+#include "nacre/montecarlo/depth_walk.h"
+
+// Many walks from one direction, and the statistics of what they found.
+
+namespace nacre::montecarlo {
+
+/// Sums of what walks contributed, and of its square.
+class Moments {
+ public:
+    explicit Moments(std::size_t eye_count);
+
+    void add(const WalkTally& tally);
+    void add(const Moments& other);
+
+    std::size_t eye_count() const { return sum_.size() - 2; }
+    Estimate radiance(std::size_t eye, int lane, std::uint64_t samples) const {
+        return estimate(eye, lane, samples);
+    }
+    Estimate reflected(int lane, std::uint64_t samples) const {
+        return estimate(eye_count(), lane, samples);
+    }
+    Estimate absorbed_by_substrate(int lane, std::uint64_t samples) const {
+        return estimate(eye_count() + 1, lane, samples);
+    }
+
+ private:
+    void add(std::size_t i, const Lanes& x);
+    Estimate estimate(std::size_t i, int lane, std::uint64_t samples) const;
+
+    // Of the radiance per eye, then of the power reflected, then of that absorbed below.
+    std::vector<Lanes> sum_, sum_of_squares_;
+};
+
+/// Counts blocks and asks the caller whether to go on.
+class Ticker {
+ public:
+    Ticker(const Progress& progress, double total) : progress_(progress), total_(total) {}
+
+    void tick() {
+        if (!progress_) return;
+        const std::scoped_lock lock(mutex_);
+        if (!stopped_ && !progress_(++done_ / total_)) stopped_ = true;
+    }
+    bool stopped() const { return stopped_; }
+
+ private:
+    const Progress& progress_;
+    double total_, done_ = 0;
+    std::mutex mutex_;
+    std::atomic<bool> stopped_ = false;
+};
+
+/// What walks from one direction at one batch of wavelengths are about.
+struct Experiment {
+    const Medium& medium;
+    const AirInterface& interface;
+    Direction3 towards_light;
+    std::span<const Direction3> towards_eyes;
+    std::span<const Connection> connections;  ///< one per eye if the interface is smooth, else none
+    ReferenceSettings settings;
+    std::uint64_t number;  ///< among the experiments of one call
+
+    /// Walks are cut into blocks with a stream of random numbers each; the cut depends on nothing
+    /// but the number of walks.
+    static std::uint64_t block_count(std::uint64_t samples);
+
+    /// All walks; a part of them if `ticker` is stopped. Ticks once for each block.
+    Moments run(Ticker& ticker) const;
+
+ private:
+    void run_block(std::uint64_t block, Moments& moments) const;
+};
+
+namespace {
+
+// More eyes than this are served by walks of their own, to bound memory.
+constexpr std::size_t kMostEyesPerWalk = 1024;
+
+Direction3 unit_vector(const Direction& direction) {
+    const double theta = direction.theta_deg * std::numbers::pi / 180;
+    const double phi = direction.phi_deg * std::numbers::pi / 180;
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+void check(std::span<const Direction> directions, const char* which) {
+    for (const Direction& d : directions) {
+        if (!(d.theta_deg >= 0 && d.theta_deg < 90)) {
+            throw DomainError(fmt::format("theta of the {} direction = {} is outside [0, 90) deg",
+                                          which, d.theta_deg));
+        }
+        if (!std::isfinite(d.phi_deg)) {
+            throw DomainError(
+                fmt::format("phi of the {} direction = {} is not finite", which, d.phi_deg));
+        }
+    }
+}
+
+void check(const paint::Recipe& recipe, std::span<const double> wavelengths_nm,
+           const ReferenceSettings& settings) {
+    paint::validate(recipe, {wavelengths_nm.begin(), wavelengths_nm.end()});
+    constexpr std::uint64_t kMostSamples = 1'000'000'000'000'000;
+    if (settings.samples < 2 || settings.samples > kMostSamples) {
+        throw DomainError(
+            fmt::format("samples = {} is outside [2, {}]", settings.samples, kMostSamples));
+    }
+}
+
+/// Runs of neighbouring wavelengths that one walk can carry: the binder refracts them alike.
+std::vector<std::span<const double>> batches(const paint::Recipe& recipe,
+                                             std::span<const double> wavelengths_nm) {
+    const auto index = [&](std::size_t i) { return recipe.binder.index(wavelengths_nm[i]); };
+    std::vector<std::span<const double>> result;
+    for (std::size_t first = 0, last; first < wavelengths_nm.size(); first = last) {
+        last = first + 1;
+        while (last < wavelengths_nm.size() && last - first < kLanes && index(last) == index(first))
+            ++last;
+        result.push_back(wavelengths_nm.subspan(first, last - first));
+    }
+    return result;
+}
+
+/// What came out of one experiment, and where its numbers belong.
+struct Outcome {
+    std::size_t incident, first_outgoing, first_wavelength;
+    const Medium& medium;
+    const Moments& moments;
+};
+
+/// Runs an experiment for each batch of wavelengths, group of eyes and incident direction.
+template <class Sink>
+void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
+             std::span<const Direction> outgoing, std::span<const double> wavelengths_nm,
+             const ReferenceSettings& settings, const Progress& progress, Sink&& sink) {
+    check(incident, "incident");
+    check(outgoing, "outgoing");
+    check(recipe, wavelengths_nm, settings);
+    std::vector<Direction3> eyes;
+    for (const Direction& direction : outgoing) eyes.push_back(unit_vector(direction));
+
+    const auto all_batches = batches(recipe, wavelengths_nm);
+    const std::size_t groups =
+        std::max<std::size_t>(1, (eyes.size() + kMostEyesPerWalk - 1) / kMostEyesPerWalk);
+    Ticker ticker(progress, static_cast<double>(all_batches.size() * groups * incident.size() *
+                                                Experiment::block_count(settings.samples)));
+    std::uint64_t number = 0;
+    for (const std::span<const double>& batch : all_batches) {
+        const Medium medium(recipe, batch);
+        const auto interface = make_air_interface(recipe, medium.index);
+        for (std::size_t group = 0; group < groups; ++group) {
+            const std::size_t first_eye = group * kMostEyesPerWalk;
+            const auto own_eyes = std::span(eyes).subspan(
+                first_eye, std::min(kMostEyesPerWalk, eyes.size() - first_eye));
+            std::vector<Connection> connections;
+            if (!interface->scatters()) {
+                RandomStream unused(0, 0, 0);
+                for (const Direction3& eye : own_eyes)
+                    connections.emplace_back(interface->connect(eye, unused), medium);
+            }
+            for (std::size_t i = 0; i < incident.size(); ++i) {
+                const Experiment experiment{medium,   *interface,  unit_vector(incident[i]),
+                                            own_eyes, connections, settings,
+                                            number++};
+                const Moments moments = experiment.run(ticker);
+                if (ticker.stopped())
+                    throw Error("the reference was stopped before its random walks were done");
+                const auto first_wavelength =
+                    static_cast<std::size_t>(batch.data() - wavelengths_nm.data());
+                sink(Outcome{i, first_eye, first_wavelength, medium, moments});
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Estimate> reference_brdf(const paint::Recipe& recipe,
+                                     std::span<const Direction> incident,
+                                     std::span<const Direction> outgoing,
+                                     std::span<const double> wavelengths_nm,
+                                     const ReferenceSettings& settings, const Progress& progress) {
+    std::vector<Estimate> result(incident.size() * outgoing.size() * wavelengths_nm.size());
+    run_all(recipe, incident, outgoing, wavelengths_nm, settings, progress, [&](const Outcome& o) {
+        for (std::size_t j = 0; j < o.moments.eye_count(); ++j) {
+            const std::size_t row = o.incident * outgoing.size() + o.first_outgoing + j;
+            for (int lane = 0; lane < o.medium.lane_count; ++lane) {
+                result[row * wavelengths_nm.size() + o.first_wavelength + lane] =
+                    o.moments.radiance(j, lane, settings.samples);
+            }
+        }
+    });
+    return result;
+}
+
+std::vector<Albedo> reference_albedo(const paint::Recipe& recipe,
+                                     std::span<const Direction> incident,
+                                     std::span<const double> wavelengths_nm,
+                                     const ReferenceSettings& settings, const Progress& progress) {
+    ReferenceSettings all_light = settings;
+    all_light.part = Part::total;
+    std::vector<Albedo> result(incident.size() * wavelengths_nm.size());
+    run_all(recipe, incident, {}, wavelengths_nm, all_light, progress, [&](const Outcome& o) {
+        for (int lane = 0; lane < o.medium.lane_count; ++lane) {
+            Albedo& albedo = result[o.incident * wavelengths_nm.size() + o.first_wavelength + lane];
+            albedo.reflectance = o.moments.reflected(lane, settings.samples);
+            albedo.absorbed_by_substrate = o.moments.absorbed_by_substrate(lane, settings.samples);
+        }
+    });
+    return result;
+}
+
+namespace {
+
+// Some blocks have a few walks more.
+constexpr std::uint64_t kWalksPerBlock = 256;
+
+}  // namespace
+
+Moments::Moments(std::size_t eye_count) : sum_(eye_count + 2), sum_of_squares_(eye_count + 2) {}
+
+void Moments::add(const WalkTally& tally) {
+    for (std::size_t j = 0; j < eye_count(); ++j) add(j, tally.radiance[j]);
+    add(eye_count(), tally.reflected);
+    add(eye_count() + 1, tally.absorbed_by_substrate);
+}
+
+void Moments::add(const Moments& other) {
+    for (std::size_t i = 0; i < sum_.size(); ++i) {
+        sum_[i] += other.sum_[i];
+        sum_of_squares_[i] += other.sum_of_squares_[i];
+    }
+}
+
+void Moments::add(std::size_t i, const Lanes& x) {
+    sum_[i] += x;
+    sum_of_squares_[i] += x * x;
+}
+
+Estimate Moments::estimate(std::size_t i, int lane, std::uint64_t samples) const {
+    const double n = static_cast<double>(samples);
+    const double mean = sum_[i][lane] / n;
+    const double variance = (sum_of_squares_[i][lane] / n - mean * mean) * n / (n - 1);
+    return {mean, std::sqrt(std::max(0.0, variance) / n)};  // < 0 by rounding alone
+}
+
+std::uint64_t Experiment::block_count(std::uint64_t samples) {
+    return std::max<std::uint64_t>(samples / kWalksPerBlock, 1);
+}
+
+void Experiment::run_block(std::uint64_t block, Moments& moments) const {
+    RandomStream random(settings.seed, number, block);
+    WalkTally tally;
+    tally.radiance.resize(towards_eyes.size());
+    std::vector<Connection> own_connections;
+    const std::uint64_t blocks = block_count(settings.samples);
+    const std::uint64_t count =
+        settings.samples / blocks + (block < settings.samples % blocks ? 1 : 0);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        tally.clear();
+        if (interface.scatters()) {
+            own_connections.clear();
+            for (const Direction3& eye : towards_eyes)
+                own_connections.emplace_back(interface.connect(eye, random), medium);
+        }
+        walk(medium, interface, towards_light, interface.scatters() ? own_connections : connections,
+             settings.part, random, tally);
+        if (interface.scatters() && settings.part == Part::total) {
+            for (std::size_t j = 0; j < towards_eyes.size(); ++j) {
+                tally.radiance[j] +=
+                    interface.reflect_outside(towards_light, towards_eyes[j], random);
+            }
+        }
+        moments.add(tally);
+    }
+}
+
+// The tree of partial sums is fixed by the number of blocks, and so is the rounding.
+Moments Experiment::run(Ticker& ticker) const {
+    using Range = tbb::blocked_range<std::uint64_t>;
+    return tbb::parallel_deterministic_reduce(
+        Range(0, block_count(settings.samples), 1), Moments(towards_eyes.size()),
+        [&](const Range& range, Moments moments) {
+            for (std::uint64_t block = range.begin(); block < range.end(); ++block) {
+                if (ticker.stopped()) break;
+                run_block(block, moments);
+                ticker.tick();
+            }
+            return moments;
+        },
+        [](Moments left, const Moments& right) {
+            left.add(right);
+            return left;
+        });
+}
+
+}  // namespace nacre::montecarlo

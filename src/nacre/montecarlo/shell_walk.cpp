@@ -1,0 +1,221 @@
+#include "nacre/montecarlo/shell_walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/montecarlo/events.h"
+#include "nacre/montecarlo/free_flight.h"
+#include "nacre/optics/fresnel.h"
+
+namespace nacre::montecarlo {
+namespace {
+
+constexpr double kUmPerMm = 1e3;
+
+class BoundShellWalk final : public BoundWalk {
+ public:
+    BoundShellWalk(std::shared_ptr<const WalkTables> tables, const ShellSettings& settings,
+                   const bsdf::Wavelengths& wavelengths_nm)
+        : BoundWalk(*tables, wavelengths_nm),
+          settings_(settings),
+          curvature_per_um_(1 / (kUmPerMm * settings.radius_mm)) {
+        weigh_mirror();
+    }
+
+ private:
+    std::optional<Escape> follow(const Entry& entry, RandomStream& random) const override {
+        return ShellWalker(medium(), index(entry.lane), curvature_per_um_, settings_, random)
+            .run(entry.travel, entry.weight);
+    }
+
+    ShellSettings settings_;
+    double curvature_per_um_;
+};
+
+void check(const paint::Recipe& recipe, const ShellSettings& settings) {
+    if (!kShellRadius.contains(settings.radius_mm)) {
+        throw DomainError(
+            fmt::format("radius_mm = {} is outside {}", settings.radius_mm, kShellRadius.text()));
+    }
+    if (!kSimpsonPanels.contains(settings.simpson_panels)) {
+        throw DomainError(fmt::format("simpson_panels = {} is outside {}", settings.simpson_panels,
+                                      kSimpsonPanels.text()));
+    }
+    if (recipe.clearcoat && recipe.clearcoat->roughness > 0) {
+        throw DomainError(
+            fmt::format("clearcoat.roughness = {}: the walk through a shell knows smooth "
+                        "interfaces only; the position-free walk knows rough ones",
+                        recipe.clearcoat->roughness));
+    }
+    double thickness_um = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
+    for (const paint::Layer& layer : recipe.layers) thickness_um += layer.thickness_um;
+    // Something must be left for the paint to lie on: a millionth of the radius keeps its digits.
+    constexpr double kLargestShare = 1 - 1e-6;
+    if (!(thickness_um < kLargestShare * kUmPerMm * settings.radius_mm)) {
+        throw DomainError(fmt::format("a paint of {} um does not fit on a sphere of radius {} mm",
+                                      thickness_um, settings.radius_mm));
+    }
+}
+
+}  // namespace
+
+ShellWalk::ShellWalk(const paint::Recipe& recipe, const ShellSettings& settings,
+                     const std::vector<double>& wavelengths_nm)
+    : tables_(std::make_shared<const WalkTables>(recipe, wavelengths_nm)), settings_(settings) {
+    check(recipe, settings);
+}
+
+ShellWalk::~ShellWalk() = default;
+
+std::unique_ptr<const bsdf::BoundBsdf> ShellWalk::bind(
+    const bsdf::Wavelengths& wavelengths_nm) const {
+    return std::make_unique<BoundShellWalk>(tables_, settings_, wavelengths_nm);
+}
+
+using montecarlo::Flakes;
+using montecarlo::Slab;
+
+std::optional<Escape> ShellWalker::run(const Direction3& travel, const Lanes& weight) {
+    position_ = Direction3::Zero();
+    travel_ = travel;
+    weight_ = weight;
+    slab_ = 0;
+    slab_top_um_ = depth_um_ = 0;
+    alive_ = true;
+    escape_.reset();
+    for (std::uint64_t flights = 0; alive_; ++flights) {
+        if (flights == montecarlo::kMostFlights) montecarlo::throw_endless_walk();
+        fly();
+    }
+    return escape_;
+}
+
+// The vector from the centre, over the outer radius: without cancellation, and for any curvature.
+Direction3 ShellWalker::normal() const {
+    return (Direction3::UnitZ() + outer_curvature_ * position_).normalized();
+}
+
+/// To the next candidate or to the edge of the slab, whichever comes first.
+void ShellWalker::fly() {
+    const Slab& slab = medium_.slabs[slab_];
+    const double depth_below_surface = slab_top_um_ + depth_um_;
+    const RadialRay ray{outer_curvature_ / (1 - outer_curvature_ * depth_below_surface),
+                        travel_.dot(normal())};
+    const double outwards = ray.distance_outwards(depth_um_);
+    const double inwards = ray.distance_inwards(slab.thickness_um - depth_um_);
+    const bool down = inwards < outwards;
+    const double to_edge = std::min(outwards, inwards);
+    // In a flat slab only: it would stay there for ever.
+    if (outer_curvature_ == 0 && std::abs(ray.cosine) <= montecarlo::kHorizontal) {
+        alive_ = false;
+        return;
+    }
+    const auto candidate = settings_.tracking == Tracking::delta
+                               ? fly_delta(slab, ray, to_edge, random_)
+                               : fly_simpson(slab, ray, to_edge, settings_.simpson_panels, random_);
+    const double length = candidate ? candidate->distance_um : to_edge;
+    position_ += length * travel_;
+    if (!montecarlo::is_dark(slab.absorption_per_um)) {
+        weight_ *= montecarlo::attenuation(length * slab.absorption_per_um, medium_.lane_count);
+        roulette();
+        if (!alive_) return;
+    }
+    if (candidate) {
+        depth_um_ = std::clamp(depth_um_ - ray.rise(length), 0.0, slab.thickness_um);
+        collide(slab, candidate->lot);
+    } else if (down) {
+        descend();
+    } else {
+        ascend();
+    }
+}
+
+void ShellWalker::collide(const Slab& slab, double lot) {
+    const double cosine = travel_.dot(normal());
+    for (const Flakes& species : slab.flakes) {
+        lot -= species.area_density_per_um * candidate_area(cosine, species.alpha);
+        if (lot < 0) return meet_flake(species);
+    }
+    // Rounding may leave a lot at the very end of the flakes where there are no pigments.
+    if (slab.pigments.empty()) return;
+    if (const montecarlo::Pigment* pigment = montecarlo::draw_pigment(slab, weight_, random_))
+        travel_ = montecarlo::sample_henyey_greenstein(travel_, pigment->anisotropy, random_);
+}
+
+void ShellWalker::meet_flake(const Flakes& species) {
+    const Direction3 up = normal();
+    const double cosine_up = travel_.dot(up);
+    const Direction3 across_up = travel_ - cosine_up * up;
+    const double sine = across_up.norm();
+    const CandidateSlopes slopes = sample_candidate(cosine_up, sine, species.alpha, random_);
+    const double upright =
+        1 / std::sqrt(1 + slopes.along * slopes.along + slopes.across * slopes.across);
+    if (random_.uniform() >= upright) return;  // a candidate that was none
+    // Straight down any pair of axes will do.
+    constexpr double kVertical = 1e-9;
+    const Direction3 along =
+        sine > kVertical ? Direction3(across_up / sine) : Direction3(up.unitOrthogonal());
+    const Direction3 flake =
+        upright * (up - slopes.along * along - slopes.across * up.cross(along));
+    const double projection = travel_.dot(flake);
+    switch (montecarlo::draw_flake_event(species.optics, std::abs(projection), weight_, random_)) {
+        case montecarlo::FlakeEvent::reflected:
+            travel_ = montecarlo::mirrored(travel_, projection, flake);
+            break;
+        case montecarlo::FlakeEvent::passed:
+            break;
+        case montecarlo::FlakeEvent::absorbed:
+            alive_ = false;
+            return;
+    }
+    roulette();
+}
+
+void ShellWalker::descend() {
+    slab_top_um_ += medium_.slabs[slab_].thickness_um;
+    if (slab_ + 1 < medium_.slabs.size()) {
+        ++slab_;
+        depth_um_ = 0;
+        return;
+    }
+    slab_top_um_ -= medium_.slabs[slab_].thickness_um;
+    depth_um_ = medium_.slabs[slab_].thickness_um;
+    weight_ *= medium_.substrate_reflectance;
+    if (montecarlo::is_dark(weight_)) {
+        alive_ = false;
+        return;
+    }
+    const Direction3 up = normal(), local = montecarlo::sample_lambert(random_);
+    const Direction3 across = up.unitOrthogonal();
+    travel_ = (local.x() * across + local.y() * up.cross(across) + local.z() * up).normalized();
+    roulette();
+}
+
+void ShellWalker::ascend() {
+    if (slab_ > 0) {
+        --slab_;
+        depth_um_ = medium_.slabs[slab_].thickness_um;
+        slab_top_um_ -= depth_um_;
+        return;
+    }
+    depth_um_ = 0;
+    const Direction3 up = normal();
+    const double cosine = std::max(0.0, travel_.dot(up));
+    if (random_.uniform() < optics::dielectric_reflectance(index_, 1.0, cosine)) {
+        travel_ = montecarlo::mirrored(travel_, cosine, up);
+        return;
+    }
+    const Direction3 tangential = index_ * (travel_ - cosine * up);
+    const double cosine_outside = std::sqrt(std::max(0.0, 1 - tangential.squaredNorm()));
+    escape_ = Escape{(tangential + cosine_outside * up).normalized(), position_, weight_};
+    alive_ = false;
+}
+
+void ShellWalker::roulette() {
+    alive_ = alive_ && montecarlo::survives_roulette(weight_, medium_.lane_count, random_);
+}
+
+}  // namespace nacre::montecarlo

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/core/error.h"
+#include "nacre/montecarlo/free_flight.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/paint/recipe.h"
+#include "nacre/solver/solver.h"
+
+// The volumetric path tracer of the comparison of 2022. docs/volume.md
+
+namespace nacre::montecarlo {
+
+struct WalkTables;
+
+/// How the next flake along a ray is found in a medium whose extinction varies along it.
+enum class Tracking {
+    delta,   ///< unbiased: candidates at the largest rate on the ray, thinned    [woodcock-1965]
+    simpson  ///< the optical depth by a composite Simpson rule, inverted              [mir-2022]
+};
+
+struct ShellSettings {
+    /// Outer radius of the painted sphere; infinity is a flat slab of infinite extent.
+    double radius_mm = std::numeric_limits<double>::infinity();
+    Tracking tracking = Tracking::delta;
+    /// Panels of the Simpson rule per piece of ray within one layer, two intervals each.
+    int simpson_panels = 8;
+};
+
+inline constexpr Range kShellRadius{0, std::numeric_limits<double>::infinity(), "mm", true};
+inline constexpr Range kSimpsonPanels{1, 1024};
+
+/// A sphere with concentric layers of paint, walked through in three dimensions: clearcoat, layers
+/// and below them a Lambertian sphere, all of true thickness. Normals of flakes are distributed
+/// about the radial direction of the place where the flake lies, so that the medium is
+/// heterogeneous although each layer is one mixture.
+///
+/// sample() as in PlaneWalk; besides it sets exit_mm, the place where light leaves, relative to
+/// where it came in, in the frame of the entry (the centre is at -radius z). wo is in that frame
+/// too, on the outer side of the sphere at the place of exit: its z may be negative. eval() and
+/// pdf() are zero. Dispersive binders as in PlaneWalk. Double precision; the depth of a place is
+/// never the difference of two radii, so that 15 um on 1 km are no problem.
+class ShellWalk final : public bsdf::Bsdf {
+ public:
+    /// @param wavelengths_nm  as in PlaneWalk
+    /// @throws DomainError if the recipe is not valid at these wavelengths, has a rough clearcoat
+    /// or
+    ///         is thicker than the sphere, or if a setting is out of range
+    ShellWalk(const paint::Recipe& recipe, const ShellSettings& settings,
+              const std::vector<double>& wavelengths_nm = solver::default_wavelengths_nm());
+    ~ShellWalk() override;
+
+    std::unique_ptr<const bsdf::BoundBsdf> bind(
+        const bsdf::Wavelengths& wavelengths_nm) const override;
+
+ private:
+    std::shared_ptr<const WalkTables> tables_;
+    ShellSettings settings_;
+};
+
+/// One walk through a shell of paint, in the frame of its entry: the origin lies on the outer
+/// sphere, whose centre is at -z / curvature.
+class ShellWalker {
+ public:
+    /// @param curvature_per_um  of the outer sphere; 0 is a flat slab
+    ShellWalker(const montecarlo::Medium& medium, double index, double curvature_per_um,
+                const ShellSettings& settings, RandomStream& random)
+        : medium_(medium),
+          index_(index),
+          outer_curvature_(curvature_per_um),
+          settings_(settings),
+          random_(random) {}
+
+    /// @param travel  inside the paint, z < 0
+    std::optional<Escape> run(const Direction3& travel, const Lanes& weight);
+
+ private:
+    void fly();
+    void collide(const montecarlo::Slab& slab, double lot);
+    void meet_flake(const montecarlo::Flakes& species);
+    void descend();
+    void ascend();
+    void roulette();
+    Direction3 normal() const;
+
+    const montecarlo::Medium& medium_;
+    double index_, outer_curvature_;
+    const ShellSettings& settings_;
+    RandomStream& random_;
+
+    Direction3 position_, travel_;
+    std::size_t slab_ = 0;
+    double slab_top_um_ = 0;  ///< depth of the slab's top below the outer sphere
+    double depth_um_ = 0;     ///< below the top of the slab: kept for itself, to all digits
+    Lanes weight_{};
+    bool alive_ = true;
+    std::optional<Escape> escape_;
+};
+
+}  // namespace nacre::montecarlo

@@ -1,0 +1,248 @@
+#include "nacre/montecarlo/shell_walk.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nacre/core/error.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/testing/montecarlo.h"
+
+namespace nacre::montecarlo {
+namespace {
+
+using test::from_degrees;
+using test::kOnGrid;
+using test::kWorstZ;
+using test::walked_albedo;
+using test::z_score;
+
+constexpr int kWalks = 200'000;
+constexpr double kFlat = std::numeric_limits<double>::infinity();
+
+/// White flakes that let some light pass, and a pigment that absorbs nothing, over white.
+paint::Recipe lossless(double thickness_um) {
+    paint::Layer layer = test::flake_layer(1.5, 0.2, 0.7, 0.3);
+    const double share = 10 / thickness_um;
+    layer.thickness_um = thickness_um;
+    layer.flakes[0].amount = paint::AreaDensity{0.15 * share};
+    layer.pigments.push_back({20 * share, 0, 0.5});
+    return test::paint(1.5, {layer}, 1);
+}
+
+void expect_reference_albedo(const ShellSettings& settings, double theta_deg) {
+    const paint::Recipe recipe = test::pearl();
+    const auto surface = ShellWalk(recipe, settings).bind(kOnGrid);
+    const auto found = walked_albedo(*surface, from_degrees(theta_deg, 30), kWalks / 2);
+    const auto expected =
+        montecarlo::reference_albedo(recipe, std::vector<montecarlo::Direction>{{theta_deg, 0}},
+                                     kOnGrid, {.samples = kWalks / 2});
+    for (int lane = 0; lane < kLanes; ++lane) {
+        EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
+            << settings.radius_mm << " mm, " << theta_deg << " deg, " << kOnGrid[lane]
+            << " nm: " << found[lane].mean << " against " << expected[lane].reflectance.mean;
+    }
+}
+
+TEST(ShellWalk, ThinShellHasTheAlbedoOfTheReference) {
+    // 80 um on 50 mm: radial directions turn by less than a thousandth within the paint.
+    expect_reference_albedo({.radius_mm = kFlat}, 20);
+    expect_reference_albedo({.radius_mm = 1e9}, 45);
+    expect_reference_albedo({.radius_mm = 50}, 60);
+    expect_reference_albedo({.radius_mm = 50, .tracking = Tracking::simpson}, 30);
+}
+
+/// Power into bins of solid angle, mirror left out: by cosine and by azimuth.
+test::Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, std::uint64_t seed) {
+    constexpr int kRings = 4, kSectors = 4;
+    return test::estimate(
+        *model.bind(kOnGrid), wi, 2 * kWalks, kRings * kSectors, seed,
+        [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
+            if (test::is_mirror_image(wi, s.wo) || s.wo.z <= 0) return;
+            const int ring = std::min(static_cast<int>(s.wo.z * s.wo.z * kRings), kRings - 1);
+            const double turn = std::abs(std::atan2(s.wo.y, s.wo.x)) / std::numbers::pi;
+            const int sector = std::min(static_cast<int>(turn * kSectors), kSectors - 1);
+            values[ring * kSectors + sector] = s.weight;
+        });
+}
+
+TEST(ShellWalk, ThinShellSendsLightWhereThePositionFreeWalkDoes) {
+    const paint::Recipe recipe = test::pearl();
+    const Vec3f wi = from_degrees(50, 0);
+    const auto expected = power_by_direction(PlaneWalk(recipe), wi, 1);
+    std::uint64_t seed = 2;
+    for (const ShellSettings& settings :
+         {ShellSettings{}, ShellSettings{.radius_mm = 50},
+          ShellSettings{.radius_mm = 50, .tracking = Tracking::simpson}}) {
+        const auto found = power_by_direction(ShellWalk(recipe, settings), wi, seed++);
+        for (std::size_t bin = 0; bin < expected.size(); ++bin) {
+            for (int lane = 0; lane < kLanes; ++lane) {
+                EXPECT_GT(expected[bin][lane].mean, 5 * expected[bin][lane].standard_error);
+                EXPECT_LT(std::abs(z_score(found[bin][lane], expected[bin][lane])), kWorstZ)
+                    << "bin " << bin << ", " << kOnGrid[lane] << " nm, radius "
+                    << settings.radius_mm;
+            }
+        }
+    }
+}
+
+TEST(ShellWalk, TrackingsAgreeInAThickShell) {
+    // 5 mm on 10 mm, where extinction varies along every ray. The place and the direction of exit
+    // must agree, not only the power.
+    const paint::Recipe recipe = [] {
+        paint::Recipe r = lossless(5000);
+        r.layers[0].flakes[0].body = paint::PrescribedFlake{0.6, 0.3, 0.3};
+        return r;
+    }();
+    const Vec3f wi = from_degrees(60, 0);
+    const auto measure = [&](Tracking tracking, std::uint64_t seed) {
+        const ShellWalk model(recipe, {.radius_mm = 10, .tracking = tracking});
+        return test::estimate(*model.bind(kOnGrid), wi, kWalks, 5, seed,
+                              [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
+                                  values[0] = s.weight;
+                                  values[1] = s.weight * (1 + s.wo.x);
+                                  values[2] = s.weight * (1 + s.wo.z);
+                                  values[3] = s.weight * (10 + s.exit_mm.x);
+                                  values[4] = s.weight * dot(s.exit_mm, s.exit_mm);
+                              });
+    };
+    const auto delta = measure(Tracking::delta, 1), simpson = measure(Tracking::simpson, 2);
+    for (std::size_t q = 0; q < delta.size(); ++q) {
+        EXPECT_LT(std::abs(z_score(delta[q][0], simpson[q][0])), kWorstZ)
+            << q << ": " << delta[q][0].mean << " against " << simpson[q][0].mean;
+    }
+}
+
+TEST(ShellWalk, LosesNoLightWhereNothingAbsorbs) {
+    // The furnace: nothing absorbs, so each walk comes out, with the weight that it went in with,
+    // and a white room hides the sphere.
+    for (const Tracking tracking : {Tracking::delta, Tracking::simpson}) {
+        for (const double radius_mm : {0.02, 10., 50.}) {
+            const double half_radius_um = 500 * radius_mm;
+            const ShellWalk model(lossless(half_radius_um), {radius_mm, tracking});
+            const auto surface = model.bind(kOnGrid);
+            Rng rng(3, 4);
+            for (const double theta : {0., 45., 89.}) {
+                for (int i = 0; i < 5000; ++i) {
+                    const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
+                    const auto sample =
+                        surface->sample(from_degrees(theta, 20), u_lobe, {u, rng.uniform_float()});
+                    ASSERT_TRUE(sample);
+                    // Products of a few thousand doubles, rounded to float.
+                    for (int lane = 0; lane < kLanes; ++lane)
+                        EXPECT_NEAR(sample->weight[lane], 1, 1e-6);
+                }
+            }
+        }
+    }
+}
+
+TEST(ShellWalk, LeavesOnTheSphereAndOutwards) {
+    const double radius_mm = 10;
+    const ShellWalk model(lossless(4000), {.radius_mm = radius_mm});
+    const auto surface = model.bind(kOnGrid);
+    Rng rng(8, 9);
+    int below_the_horizon = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample = surface->sample(from_degrees(70, 0), u_lobe, {u, rng.uniform_float()});
+        ASSERT_TRUE(sample);
+        const Vec3f from_centre = sample->exit_mm + Vec3f{0, 0, static_cast<float>(radius_mm)};
+        EXPECT_NEAR(length(from_centre), radius_mm, 1e-5) << "float";
+        EXPECT_NEAR(length(sample->wo), 1, 1e-6);
+        EXPECT_GE(dot(sample->wo, from_centre), -1e-5);
+        below_the_horizon += sample->wo.z < 0;
+    }
+    EXPECT_GT(below_the_horizon, 100);
+}
+
+TEST(ShellWalk, LightStaysPutOnAFlatSlabButForItsWayThroughIt) {
+    // A walk goes as far as the paint is thick, not as the sphere is wide.
+    const auto surface = ShellWalk(test::worked_paint(), {}).bind(kOnGrid);
+    Rng rng(1, 2);
+    double furthest = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample = surface->sample(from_degrees(45, 0), u_lobe, {u, rng.uniform_float()});
+        if (!sample) continue;
+        EXPECT_NEAR(sample->exit_mm.z, 0, 1e-6);
+        furthest = std::max<double>(furthest, length(sample->exit_mm));
+    }
+    EXPECT_GT(furthest, 0.01);
+    EXPECT_LT(furthest, 1);
+}
+
+TEST(ShellWalk, WavelengthsWithoutReflectionSeeOnlyTheMirror) {
+    // Reflectance 0.8 from 550 nm on, 0 below: each lane has the mean it has alone.
+    paint::Layer layer = test::flake_layer(2, 0.2, 0, 0);
+    layer.flakes[0].body =
+        paint::PrescribedFlake{spectra::Spectrum({550, 551}, {0, 0.8}), 0.0, 0.3};
+    const paint::Recipe recipe = test::paint(1.5, {layer});
+    const Vec3f wi = from_degrees(30, 0);
+    const ShellWalk model(recipe, {.radius_mm = 50});
+    const auto mixed =
+        walked_albedo(*model.bind({400, 410, 420, 430, 440, 450, 460, 600}), wi, kWalks);
+    const auto alone =
+        walked_albedo(*model.bind({600, 610, 620, 630, 640, 650, 660, 670}), wi, kWalks);
+    EXPECT_LT(std::abs(z_score(mixed[7], alone[0])), kWorstZ);
+    EXPECT_LT(std::abs(z_score(mixed[0], 0.0415)), kWorstZ + 0.1) << "Fresnel at 30 deg: 0.04152";
+    EXPECT_GT(alone[0].mean, 0.3);
+}
+
+TEST(ShellWalk, DispersiveBinderHasTheAlbedoOfEachIndex) {
+    paint::Recipe recipe = test::worked_paint();
+    recipe.binder = optics::Material("flint", std::vector<double>{400, 700},
+                                     std::vector<optics::ComplexIndex>{1.9, 1.5});
+    const Vec3f wi = from_degrees(60, 0);
+    const auto found =
+        walked_albedo(*ShellWalk(recipe, {.radius_mm = 50}).bind(kOnGrid), wi, 2 * kWalks);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        paint::Recipe single = test::worked_paint();
+        single.binder = recipe.binder.index(kOnGrid[lane]);
+        const auto expected = walked_albedo(*PlaneWalk(single).bind(kOnGrid), wi, kWalks);
+        EXPECT_LT(std::abs(z_score(found[lane], expected[lane])), kWorstZ) << lane;
+    }
+}
+
+TEST(ShellWalk, SameNumbersGiveTheSameWalk) {
+    const ShellWalk model(test::pearl(), {.radius_mm = 50});
+    const auto one = model.bind(kOnGrid), two = model.bind(kOnGrid);
+    int different = 0;
+    const auto first = one->sample({0, 0, 1}, 0.99f, {0, 0.5f});
+    for (int i = 0; i < 100; ++i) {
+        const Vec2f u{static_cast<float>(i) * 1e-6f, 0.5f};
+        const auto a = one->sample({0, 0, 1}, 0.99f, u), b = two->sample({0, 0, 1}, 0.99f, u);
+        ASSERT_EQ(a.has_value(), b.has_value());
+        if (!a) continue;
+        EXPECT_EQ(a->wo, b->wo);
+        EXPECT_EQ(a->exit_mm, b->exit_mm);
+        for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(a->weight[lane], b->weight[lane]);
+        different += !first || !(a->wo == first->wo);
+    }
+    EXPECT_GT(different, 20) << "and others another";
+}
+
+TEST(ShellWalk, RefusesWhatItCannotFollowAndSaysWhy) {
+    const auto message = [](const paint::Recipe& recipe, const ShellSettings& settings) {
+        try {
+            ShellWalk model(recipe, settings);
+        } catch (const DomainError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    using testing::HasSubstr;
+    const paint::Recipe good = test::worked_paint();
+    EXPECT_EQ(message(good, {}), "");
+    EXPECT_THAT(message(good, {.radius_mm = 0}), HasSubstr("radius_mm = 0"));
+    EXPECT_THAT(message(good, {.radius_mm = NAN}), HasSubstr("radius_mm = nan"));
+    EXPECT_THAT(message(good, {.simpson_panels = 0}), HasSubstr("simpson_panels = 0"));
+    EXPECT_THAT(message(good, {.radius_mm = 0.015}), HasSubstr("15 um does not fit"));
+    paint::Recipe rough = good;
+    rough.clearcoat.emplace();
+    rough.clearcoat->thickness_um = 10;
+    rough.clearcoat->roughness = 0.1;
+    EXPECT_THAT(message(rough, {}), HasSubstr("clearcoat.roughness = 0.1"));
+}
+
+}  // namespace
+}  // namespace nacre::montecarlo

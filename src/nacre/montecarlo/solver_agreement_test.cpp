@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "nacre/solver/solver.h"
+#include "nacre/testing/montecarlo.h"
+
+// The solver against the random walk, over a grid of paints and angles: one z-score per value.
+
+namespace nacre::montecarlo {
+namespace {
+
+struct Case {
+    std::string name;
+    paint::Recipe recipe;
+    std::vector<double> wavelengths_nm = {550};
+};
+
+paint::FlakeSpecies titania_on_mica(double area_density_per_um, double alpha) {
+    auto species = test::flakes(area_density_per_um, alpha, 0, 0);
+    optics::Platelet body;
+    body.core = {optics::Material(1.58), 500, {60, optics::ThicknessSpread::Law::normal}};
+    body.coats = {{optics::Material(2.5), 110, {5, optics::ThicknessSpread::Law::normal}}};  // TiO2
+    species.body = body;
+    return species;
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    const auto add = [&](std::string name, paint::Recipe recipe) {
+        all.push_back({std::move(name), std::move(recipe)});
+    };
+    // alpha, depth, binder
+    add("alpha .05, beta 1.5", test::paint(1.5, {test::flake_layer(1.5, .05, .6, 0)}));
+    add("alpha .1, beta .02", test::paint(1.5, {test::flake_layer(.02, .1, .9, 0)}));
+    add("alpha .1, beta 20", test::paint(1.5, {test::flake_layer(20, .1, .6, 0)}));
+    add("alpha .1, beta 1.5, n 1", test::paint(1, {test::flake_layer(1.5, .1, .6, 0)}));
+    add("alpha .3, beta 2", test::paint(1.5, {test::flake_layer(2, .3, .8, .1)}));
+    add("alpha .3, beta 2, n 1", test::paint(1, {test::flake_layer(2, .3, .8, .1)}));
+    add("alpha .5, beta 5", test::paint(1.5, {test::flake_layer(5, .5, .7, 0)}));
+    // lossless flakes that transmit, over white
+    add("alpha .5, R + T = 1, white", test::paint(1.5, {test::flake_layer(2, .5, .4, .6)}, 1.0));
+    add("alpha .1, R + T = 1, grey", test::paint(1.5, {test::flake_layer(1, .1, .3, .7)}, 0.4));
+    // an absorbing clearcoat
+    auto coated = test::paint(1.5, {test::flake_layer(1.5, .2, .8, 0)}, 0.2);
+    coated.clearcoat = paint::Clearcoat{45, 6.0, 0};
+    add("absorbing clearcoat", coated);
+    // pigments
+    add("pigment g 0", test::paint(1.5, {test::pigment_layer(.9, 2, 0)}, 0.3));
+    add("pigment g .8", test::paint(1.5, {test::pigment_layer(.99, 8, .8)}));
+    auto mixture = test::paint(1.5, {test::flake_layer(1, .2, .6, .1)}, 0.05);
+    mixture.layers[0].pigments.push_back({40.0, 20.0, 0.5});
+    mixture.layers[0].pigments.push_back({10.0, 0.0, -0.3});
+    mixture.layers[0].flakes.push_back(test::flakes(.05, .4, .2, .3));
+    add("two flakes, two pigments", mixture);
+    add("flakes over pigment",
+        test::paint(1.5, {test::flake_layer(.7, .1, .3, .6), test::pigment_layer(.8, 3, .3)}, 0.1));
+    // an interference pigment over black, colours
+    paint::Layer pearl;
+    pearl.thickness_um = 15;
+    pearl.flakes.push_back(titania_on_mica(.12, .1));
+    all.push_back({"TiO2 on mica", test::paint(1.5, {pearl}, 0.05), {450, 550, 650}});
+    // the mixture in a spectrum, for the weights of eight wavelengths on one walk
+    auto spectral = mixture;
+    spectral.layers[0].pigments[0].scattering_per_mm = spectra::Spectrum({400, 700}, {120, 5});
+    spectral.layers[0].pigments[0].absorption_per_mm = spectra::Spectrum({400, 700}, {2, 60});
+    all.push_back({"mixture, three wavelengths", spectral, {400, 550, 700}});
+    return all;
+}
+
+// Under a rough interface every connection has a path and an extinction of its own: fewer of them.
+std::vector<Case> rough_cases() {
+    const auto roughened = [](paint::Recipe recipe, double roughness, double absorption_per_mm) {
+        recipe.clearcoat = paint::Clearcoat{45, absorption_per_mm, roughness};
+        return recipe;
+    };
+    const auto metallic = test::paint(1.5, {test::flake_layer(1.5, .1, .6, 0)});
+    const auto lossless = test::paint(1.5, {test::flake_layer(2, .3, .4, .6)}, 1.0);
+    const auto pigmented = test::paint(1.6, {test::pigment_layer(.9, 2, .3)}, 0.3);
+    return {{"rough .1 over alpha .1", roughened(metallic, .1, 0)},
+            {"rough .3 over alpha .3, R + T = 1, white", roughened(lossless, .3, 0)},
+            {"rough .5, absorbing, over pigment", roughened(pigmented, .5, 6.0)}};
+}
+
+const std::vector<Direction> kIncident{{10, 0}, {45, 0}, {75, 0}};
+const std::vector<Direction> kOutgoing{{0, 0},    {15, 180}, {30, 180}, {45, 180}, {60, 180},
+                                       {75, 180}, {85, 180}, {45, 90},  {30, 0},   {70, 130}};
+// For rough interfaces: the specular directions, near the horizon, and out of the plane. Not fewer
+// walks instead: that two facets mask is drawn by lot and rare, and where no walk met it the
+// standard error knows nothing of it.
+const std::vector<Direction> kRoughOutgoing{{10, 180}, {45, 180}, {75, 180}, {70, 130}};
+
+// An estimate with a larger relative error rests on a few walks that carry the sum (narrow flakes
+// far off their lobe); its law is skewed and its z-score none.
+constexpr double kSkewedRelativeError = 0.05;
+
+// The solver's own error, as a share of the largest value on the grid: a tenth of what it promises
+// (SolverSettings::tolerance). It adds to the walk's in quadrature.
+constexpr double kSolverError = 1e-5;
+
+// |z| > 4.5 in one of 150000 values; there are some 1700.
+constexpr double kWorstOfManyZ = 4.5;
+
+double radians(double deg) { return deg * std::numbers::pi / 180; }
+
+struct Scores {
+    std::vector<double> z;
+    int skewed = 0;
+
+    std::string histogram() const {
+        std::array<int, 10> bins{};
+        for (double value : z) ++bins[std::clamp(static_cast<int>(std::floor(value)) + 5, 0, 9)];
+        std::string text = "z of solver against random walk:\n";
+        for (int i = 0; i < 10; ++i)
+            text += fmt::format("{:>3} to {:>2}: {:4}\n", i - 5, i - 4, bins[i]);
+        return text;
+    }
+    double mean_square() const {
+        double sum = 0;
+        for (double value : z) sum += value * value;
+        return sum / static_cast<double>(z.size());
+    }
+};
+
+void compare(const Case& c, const std::vector<Direction>& outgoing, solver::Part solver_part,
+             Part part, std::uint64_t samples, Scores& scores) {
+    const solver::SolvedPaint solved = solver::solve(c.recipe, c.wavelengths_nm);
+    const auto found = reference_brdf(c.recipe, kIncident, outgoing, c.wavelengths_nm,
+                                      {.samples = samples, .seed = 2016, .part = part});
+    std::vector<double> expected;
+    for (const Direction& in : kIncident) {
+        for (const Direction& out : outgoing) {
+            for (double value : solved.brdf(radians(in.theta_deg), radians(out.theta_deg),
+                                            radians(out.phi_deg - in.phi_deg), solver_part))
+                expected.push_back(value);
+        }
+    }
+    ASSERT_EQ(expected.size(), found.size());
+    const double solver_error = kSolverError * *std::max_element(expected.begin(), expected.end());
+    const std::size_t values_per_incident = outgoing.size() * c.wavelengths_nm.size();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!(found[i].standard_error <= kSkewedRelativeError * found[i].mean)) {
+            ++scores.skewed;
+            continue;
+        }
+        const double z = test::z_score(found[i], expected[i], solver_error);
+        scores.z.push_back(z);
+        const Direction& in = kIncident[i / values_per_incident];
+        const Direction& out = outgoing[i % values_per_incident / c.wavelengths_nm.size()];
+        EXPECT_LT(std::abs(z), kWorstOfManyZ)
+            << c.name << ": theta_i " << in.theta_deg << ", theta_o " << out.theta_deg << ", phi "
+            << out.phi_deg << ", " << c.wavelengths_nm[i % c.wavelengths_nm.size()]
+            << " nm: solver " << expected[i] << ", walk " << found[i].mean << " +- "
+            << found[i].standard_error;
+    }
+}
+
+void compare_all(const std::vector<Case>& all, const std::vector<Direction>& outgoing,
+                 solver::Part solver_part, Part part, std::uint64_t samples, std::size_t fewest) {
+    Scores scores;
+    for (const Case& c : all) compare(c, outgoing, solver_part, part, samples, scores);
+    fmt::print("{}{} values, {} too skewed for a z-score; mean z^2 {:.3f}\n", scores.histogram(),
+               scores.z.size(), scores.skewed, scores.mean_square());
+    ASSERT_GT(scores.z.size(), fewest);
+    // Values that share walks go together. If all of one incidence were one, the mean of z^2 would
+    // be a chi-square over their number divided by it.
+    const double independent = static_cast<double>(all.size() * kIncident.size());
+    EXPECT_NEAR(scores.mean_square(), 1, 4 * std::sqrt(2 / independent));
+}
+
+TEST(SolverAgreement, SingleScatteringMatchesTheRandomWalk) {
+    compare_all(cases(), kOutgoing, solver::Part::single, Part::single, 10'000, 350);
+}
+TEST(SolverAgreement, MultipleScatteringMatchesTheRandomWalk) {
+    compare_all(cases(), kOutgoing, solver::Part::multiple, Part::multiple, 30'000, 350);
+}
+TEST(SolverAgreement, TotalMatchesTheRandomWalk) {
+    compare_all(cases(), kOutgoing, solver::Part::total, Part::total, 5'000, 350);
+}
+TEST(SolverAgreement, RoughInterfacesMatchTheRandomWalk) {
+    compare_all(rough_cases(), kRoughOutgoing, solver::Part::total, Part::total, 4'000, 25);
+}
+
+}  // namespace
+}  // namespace nacre::montecarlo

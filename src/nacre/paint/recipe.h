@@ -1,0 +1,177 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "nacre/core/error.h"
+#include "nacre/optics/airy.h"
+#include "nacre/optics/material.h"
+#include "nacre/optics/thin_film.h"
+#include "nacre/spectra/spectrum.h"
+
+// What a paint is made of: a value, independent of any file format (io/recipe_file.h reads it).
+// Units are in the names; docs/recipe.md lists every key with its range.
+
+namespace nacre::paint {
+
+/// Orientation of flake normals: Beckmann (Gaussian slopes), alpha = sqrt(2) times the standard
+/// deviation of a slope component.
+struct Orientation {
+    double beckmann_alpha = 0.1;
+
+    friend bool operator==(const Orientation&, const Orientation&) = default;
+};
+
+/// A flake whose optics are given, not computed: R + T <= 1 at every wavelength, at all angles.
+struct PrescribedFlake {
+    spectra::Spectrum reflectance;
+    spectra::Spectrum transmittance;
+    double thickness_um = 0.3;
+
+    friend bool operator==(const PrescribedFlake&, const PrescribedFlake&) = default;
+};
+
+struct VolumeFraction {
+    double value = 0;  ///< v, in (0, 1]
+    friend bool operator==(const VolumeFraction&, const VolumeFraction&) = default;
+};
+struct AreaDensity {
+    double per_um = 0;  ///< c = flake area times number density
+    friend bool operator==(const AreaDensity&, const AreaDensity&) = default;
+};
+
+struct FlakeSpecies {
+    std::string name;
+    std::variant<VolumeFraction, AreaDensity> amount;
+    double diameter_um = 20;
+    double diameter_spread_um = 0;
+    Orientation orientation;
+    std::variant<optics::Platelet, PrescribedFlake> body;
+
+    /// Thickness of the platelet, core + 2 x coats, in um.
+    double thickness_um() const;
+    /// c = a rho in 1/um; from a volume fraction v and thickness t: v / t.
+    double area_density_per_um() const;
+
+    friend bool operator==(const FlakeSpecies&, const FlakeSpecies&) = default;
+};
+
+/// A pigment that scatters by Henyey-Greenstein.
+struct Pigment {
+    spectra::Spectrum scattering_per_mm;
+    spectra::Spectrum absorption_per_mm;
+    double anisotropy = 0;  ///< g, in (-1, 1)
+
+    friend bool operator==(const Pigment&, const Pigment&) = default;
+};
+
+struct Layer {
+    double thickness_um = 0;
+    std::vector<FlakeSpecies> flakes;
+    std::vector<Pigment> pigments;
+
+    friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+struct Clearcoat {
+    double thickness_um = 0;
+    spectra::Spectrum absorption_per_mm;
+    double roughness = 0;  ///< Beckmann alpha of the air interface, 0 = smooth
+
+    friend bool operator==(const Clearcoat&, const Clearcoat&) = default;
+};
+
+/// The microfacet description that the models of Belcour & Barla and Guo et al. take in place of
+/// layers (DESIGN section 3, [microfacet]).
+struct MicrofacetFacets {
+    double count = 0;  ///< K, over the whole object
+    double cone_deg = 3;
+    double thickness_spread_nm = 0;
+
+    friend bool operator==(const MicrofacetFacets&, const MicrofacetFacets&) = default;
+};
+/// The law of facet normals: Beckmann's (Gaussian slopes) or GGX (Trowbridge and Reitz), with long
+/// tails.                                                          [walter-2007, eq. 25 and 33]
+enum class FacetDistribution { beckmann, ggx };
+struct Microfacet {
+    double alpha = 0.1;
+    FacetDistribution distribution = FacetDistribution::beckmann;
+    double film_ior = 1;
+    double film_thickness_nm = 0;
+    double base_ior = 1;
+    double base_extinction = 0;
+    std::optional<MicrofacetFacets> facets;
+
+    friend bool operator==(const Microfacet&, const Microfacet&) = default;
+};
+
+/// A paint: air | clearcoat | layers from the top down | Lambertian substrate. All layers share
+/// the binder's refractive index.
+struct Recipe {
+    std::string name;
+    optics::Material binder = optics::Material(1.5);  ///< real index in [1, 3]
+    std::optional<Clearcoat> clearcoat;
+    std::vector<Layer> layers;
+    spectra::Spectrum substrate_reflectance;
+    std::optional<Microfacet> microfacet;
+
+    friend bool operator==(const Recipe&, const Recipe&) = default;
+};
+
+/// Checks every range, R + T <= 1, and that the data of each material cover `wavelengths_nm`.
+/// @throws DomainError naming the key as a recipe file spells it, its value and the allowed range
+void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm);
+
+}  // namespace nacre::paint
+
+// What a recipe may say. validate() and the reader of recipe files (io/recipe_file.h) share these
+// bounds; docs/recipe.md lists them. They are wide: they keep out slips of a decimal point and
+// numbers on which arithmetic would fail, not unusual paints.
+
+namespace nacre::paint::limits {
+
+inline constexpr std::size_t kLayers = 64;
+inline constexpr std::size_t kSpeciesPerLayer = 64;  ///< of flakes, and as many pigments
+inline constexpr std::size_t kCoats = 64;
+inline constexpr std::size_t kSpectrumSamples = 10'000;
+inline constexpr std::size_t kNameLength = 200;
+
+inline constexpr Range kWavelength{1, 1e6, "nm"};
+inline constexpr Range kBinderIndex{1, 3};
+inline constexpr Range kLayerThickness{0, 1e6, "um", true};
+inline constexpr Range kClearcoatThickness{0, 1e6, "um"};
+inline constexpr Range kPerMillimetre{0, 1e9, "1/mm"};
+inline constexpr Range kRoughness{0, 1};
+/// Roughness of an interface that is not smooth: a lobe below this is a mirror to every use there
+/// is, and smooth interfaces are solved faster and to more digits.
+inline constexpr Range kRoughInterface{0.01, 1};
+inline constexpr Range kFraction{0, 1};  ///< reflectances and transmittances
+inline constexpr Range kVolumeFraction{0, 1, "", true};
+inline constexpr Range kAreaDensity{0, 1e6, "1/um", true};
+inline constexpr Range kDiameter{0, 1e4, "um", true};
+inline constexpr Range kDiameterSpread{0, 1e4, "um"};
+inline constexpr Range kBeckmannAlpha{0.005, 1};
+inline constexpr Range kPlateletThickness{0, 1e3, "um", true};
+inline constexpr Range kFilmThickness{0, 1e5, "nm", true};
+inline constexpr Range kFilmSpread{0, 1e5, "nm"};
+inline constexpr Range kAnisotropy{-1, 1, "", true, true};
+
+/// Below the least alpha a direction in single precision cannot tell slopes apart.
+inline constexpr Range kMicrofacetAlpha{0.001, 1};
+inline constexpr Range kMicrofacetIndex = optics::kAiryIndexRange;
+inline constexpr Range kMicrofacetExtinction = optics::kAiryExtinctionRange;
+inline constexpr Range kMicrofacetFilmThickness{0, 1e5, "nm"};
+inline constexpr Range kFacetCount{1, 1e15};
+inline constexpr Range kConeHalfAngle{0.05, 30, "deg"};
+
+/// R + T may pass 1 by this much: what rounding leaves when both come from one computation.
+inline constexpr double kEnergySlack = 1e-9;
+
+/// The first wavelength (nm) at which R + T > 1, if there is one. Both spectra are linear between
+/// their samples, so it is enough to look there.
+std::optional<double> wavelength_of_excess(const PrescribedFlake& flake);
+
+}  // namespace nacre::paint::limits

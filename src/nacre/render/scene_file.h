@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "nacre/render/scene.h"
+
+// Scenes as TOML. Every key with its unit and range: docs/scene.md.
+
+namespace nacre::render {
+
+/// Reads a scene. Paths of meshes, recipes and environment pictures start from its folder;
+/// environment pictures are read along with it, meshes and recipes are not.
+///
+/// @throws InputError naming file, line, column, key, value and what is allowed for the first
+///         thing that is wrong
+render::SceneDescription read_scene(const std::filesystem::path& path);
+
+/// The same from a text. `filename` is for messages.
+render::SceneDescription parse_scene(std::string_view text, const std::string& filename,
+                                     const std::filesystem::path& base_directory);
+
+/// Whether a TOML text has a table that only scenes have.
+/// @throws InputError if it is not TOML
+bool looks_like_scene(std::string_view text, const std::string& filename);
+
+}  // namespace nacre::render

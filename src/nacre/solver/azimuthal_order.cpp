@@ -1,0 +1,213 @@
+#include "nacre/solver/azimuthal_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/optics/fresnel.h"
+
+namespace nacre::solver {
+
+namespace {
+
+LaneBuffer balanced_extinction(const LayerMedium& layer, const FourierKernel& kernel,
+                               const Directions& d, int block, double& unresolved) {
+    const int n = d.size();
+    LaneBuffer scattering(n, DoubleLanes{}), total(n);
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            const std::size_t at = triangle(i) + j;
+            // Widened before they are added, as in set_operators: a sum rounded to single precision
+            // would be flux lost or gained, 1e-8 of it per unit of optical depth.
+            const DoubleLanes both = 2 * std::numbers::pi *
+                                     (__builtin_convertvector(kernel.same(0)[at], DoubleLanes) +
+                                      __builtin_convertvector(kernel.opposite(0)[at], DoubleLanes));
+            scattering[i] += d.weight[j] * both;
+            if (j != i) scattering[j] += d.weight[i] * both;
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        const DoubleLanes lost = absorption(layer, d.mu[i], block);
+        total[i] = lost + scattering[i];
+        if (i < d.exit_count) {
+            const DoubleLanes exact = extinction(layer, d.mu[i], block);
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const double miss = std::abs(total[i][lane] - exact[lane]);
+                unresolved = std::max(unresolved, miss / std::max(exact[lane], 1e-300));
+            }
+        }
+    }
+    return total;
+}
+
+}  // namespace
+
+PaintBlock make_block(const PaintMedium& medium, const Directions& d, const ActiveNodes& active,
+                      int lit, int block) {
+    const int n = d.size();
+    PaintBlock out;
+    out.substrate = block_lanes(medium.substrate_reflectance, block);
+    const DoubleLanes clearcoat = block_lanes(medium.clearcoat_depth, block);
+    out.coat_absorbs = lane_max(clearcoat) > 0;
+    for (int i = 0; i < n; ++i) {
+        out.coat.push_back(make_lanes<DoubleLanes>(
+            [&](int lane) { return std::exp(-clearcoat[lane] / d.mu[i]); }));
+        out.mirror.push_back(splat(optics::dielectric_reflectance(d.ior, 1.0, d.mu[i])));
+    }
+    LaneBuffer depth(lit, DoubleLanes{});  // above the layer, one way
+    for (const LayerMedium& layer : medium.layers) {
+        FourierKernel kernel(layer, d, active, block);
+        LaneBuffer total = balanced_extinction(layer, kernel, d, block, out.unresolved);
+        DoubleLanes deepest{};
+        for (int i = 0; i < n; ++i) {
+            deepest = max_lanes(deepest, layer.thickness_um * total[i] * (1 / d.mu[i]));
+        }
+        LaneBuffer factor(triangle(lit));
+        for (int i = 0; i < lit; ++i) {
+            for (int j = 0; j <= i; ++j) {
+                const DoubleLanes rate = total[i] / d.mu[i] + total[j] / d.mu[j];
+                factor[triangle(i) + j] =
+                    make_lanes<DoubleLanes>([&](int lane) {
+                        const double x = layer.thickness_um * rate[lane];
+                        return std::exp(-depth[i][lane] - depth[j][lane]) *
+                               (x > 1e-12 ? -std::expm1(-x) / rate[lane] : layer.thickness_um);
+                    }) *
+                    out.coat[i] * out.coat[j];
+            }
+        }
+        for (int i = 0; i < lit; ++i) depth[i] += layer.thickness_um * total[i] / d.mu[i];
+        out.layers.push_back({layer.thickness_um, std::move(kernel), std::move(total),
+                              std::move(factor), doublings_for(lane_max(deepest))});
+    }
+    return out;
+}
+
+namespace {
+
+// The impedance of the Lambertian substrate: order 0 returns the share r of the downward flux
+// evenly, R = r e e^T with e_i = sqrt(weight x cosine) normalised; 1 + R inverts in closed form.
+void set_substrate(DoubleLanes* y, const PaintBlock& block, const Directions& d, int order, int m) {
+    std::fill(y, y + m * m, DoubleLanes{});
+    for (int i = 0; i < m; ++i) y[i * m + i] = splat(1.0);
+    if (order != 0) return;
+    double norm = 0;
+    for (int i = 0; i < m; ++i) norm += d.weight[i] * d.mu[i];
+    const DoubleLanes factor = 2.0 * block.substrate / (1.0 + block.substrate);
+    for (int i = 0; i < m; ++i) {
+        for (int j = 0; j < m; ++j) {
+            y[i * m + j] -=
+                factor * (std::sqrt(d.weight[i] * d.mu[i] * d.weight[j] * d.mu[j]) / norm);
+        }
+    }
+}
+
+// E = A - B and F = A + B of impedance.h for one order of one layer.
+void set_operators(DoubleLanes* e, DoubleLanes* f, const LayerBlock& layer, const Directions& d,
+                   int order, int first, int m, const double* scale) {
+    const FloatLanes *same = layer.kernel.same(order), *opposite = layer.kernel.opposite(order);
+    for (int i = 0; i < m; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            const std::size_t at = triangle(i) + j;
+            const double factor = scale[i] * scale[j];
+            const DoubleLanes stay = factor * __builtin_convertvector(same[at], DoubleLanes);
+            const DoubleLanes turn = factor * __builtin_convertvector(opposite[at], DoubleLanes);
+            DoubleLanes a = -stay;
+            if (i == j) a += layer.extinction[first + i] / d.mu[first + i];
+            e[i * m + j] = e[j * m + i] = a - turn;
+            f[i * m + j] = f[j * m + i] = a + turn;
+        }
+    }
+}
+
+// What meets one flake only, sum of kernel times depth integral, for one pair of active nodes.
+DoubleLanes single_scattering(const PaintBlock& block, int order, int first, int i, int j) {
+    DoubleLanes once{};
+    for (const LayerBlock& layer : block.layers) {
+        once +=
+            __builtin_convertvector(layer.kernel.opposite(order)[triangle(i) + j], DoubleLanes) *
+            layer.single_factor[triangle(first + i) + first + j];
+    }
+    return once;
+}
+
+// The impedance of all layers and the substrate, at the active nodes, into work.y.
+void set_paint_impedance(const PaintBlock& block, const Directions& d, int order, int first,
+                         OrderWorkspace& work) {
+    const int m = d.size() - first;
+    for (int i = 0; i < m; ++i) {
+        work.scale[i] = std::sqrt(2 * std::numbers::pi * d.weight[first + i] / d.mu[first + i]);
+    }
+    DoubleLanes *e = work.e.data(), *f = work.f.data(), *y = work.y.data();
+    set_substrate(y, block, d, order, m);
+    for (auto layer = block.layers.rbegin(); layer != block.layers.rend(); ++layer) {
+        set_operators(e, f, *layer, d, order, first, m, work.scale.data());
+        slab_impedance(e, f, layer->thickness_um, layer->doublings, m, work.impedance);
+        stack_on(e, f, y, m, work.impedance);
+    }
+}
+
+// From impedance to reflection, seen through the clearcoat.
+void reflect_under_coat(const PaintBlock& block, DoubleLanes* y, int first, int m,
+                        ImpedanceWorkspace& work) {
+    impedance_to_reflection(y, m, work);
+    for (int i = 0; i < m; ++i) {
+        for (int j = 0; j < m; ++j) y[i * m + j] *= block.coat[first + i] * block.coat[first + j];
+    }
+}
+
+// 2 pi W_i, W = etendue of an active node on the side where f is wanted: operators are
+// R_ij = 2 pi f_ij sqrt(W_i W_j).
+double flux(const Directions& d, int first, int i, int j) {
+    return 2 * std::numbers::pi *
+           std::sqrt(d.weight[first + i] * d.mu[first + i] * d.weight[first + j] * d.mu[first + j]);
+}
+
+}  // namespace
+
+void solve_order(const PaintBlock& block, const Directions& d, const ActiveNodes& active, int order,
+                 OrderWorkspace& work, DoubleLanes* out) {
+    const int first = active.first(order), m = d.size() - first, exits = d.exit_count - first;
+    set_paint_impedance(block, d, order, first, work);
+    DoubleLanes *y = work.y.data(), *u = work.u.data();
+    reflect_under_coat(block, y, first, m, work.impedance);
+    reflect_under_interface(y, block.mirror.data() + first, u, m, exits, work.impedance);
+
+    // Take out what met one flake only, in the same discretisation.
+    for (int i = 0; i < exits; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            *out++ = u[i * exits + j] * (1 / flux(d, first, i, j)) -
+                     single_scattering(block, order, first, i, j) *
+                         (1 / (d.mu[first + i] * d.mu[first + j]));
+        }
+    }
+}
+
+void solve_rough_order(const PaintBlock& block, const RoughInterfaceOperators::Order& interface,
+                       const Directions& d, int order, OrderWorkspace& work, DoubleLanes* single,
+                       DoubleLanes* rest) {
+    const int m = interface.n, exits = interface.exits, first = d.size() - m;
+    set_paint_impedance(block, d, order, first, work);
+    DoubleLanes *y = work.y.data(), *u = work.u.data(), *s = work.e.data(), *once = work.f.data();
+    if (block.coat_absorbs) {
+        reflect_under_coat(block, y, first, m, work.impedance);
+        impedance_to_reflection(y, m, work.impedance);  // its own inverse
+    }
+    reflect_under_rough_interface(interface, y, u, work.impedance);
+    for (int i = 0; i < m; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            s[i * m + j] = s[j * m + i] =
+                single_scattering(block, order, first, i, j) *
+                (flux(d, first, i, j) / (d.mu[first + i] * d.mu[first + j]));
+        }
+    }
+    reflect_once_under_rough_interface(interface, s, once, work.impedance);
+    for (int i = 0; i < exits; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            const double scale = 1 / (d.ior * d.ior * flux(d, first, i, j));
+            *single++ = once[i * exits + j] * scale;
+            *rest++ = (u[i * exits + j] - once[i * exits + j]) * scale;
+        }
+    }
+}
+
+}  // namespace nacre::solver

@@ -1,0 +1,180 @@
+#include "nacre/solver/fourier_kernel.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/core/quadrature.h"
+#include "nacre/paint/beckmann.h"
+#include "nacre/solver/lane_matrix.h"
+
+namespace nacre::solver {
+
+namespace {
+
+// exp(-kNegligible) of the peak is where a lobe ends.
+constexpr double kNegligible = 22.0;
+
+// What the azimuthal transform of one pair of nodes needs; reused from pair to pair.
+struct PairScratch {
+    std::vector<DoubleLanes> value;
+    std::vector<double> twice_cos, now, before;
+
+    void resize(std::size_t count) {
+        value.resize(count);
+        twice_cos.resize(count);
+        now.resize(count);
+        before.resize(count);
+    }
+};
+
+// kappa_l, l < orders, of flakes for the travel cosines mu_i and sign * mu_j, added to out(l).
+template <class Out>
+void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu_j, double s_j,
+                    bool opposite, int orders, int block, PairScratch& scratch, Out&& out) {
+    const double delta = opposite ? mu_i + mu_j : std::abs(mu_i - mu_j);
+    if (delta == 0.0) return;  // kappa_l -> 0 with |delta|
+    const double across = (opposite ? mu_i - mu_j : mu_i + mu_j) / (s_i + s_j);
+    const double a2 = flake.alpha * flake.alpha;
+    if (across * across > kNegligible * 1.5 * a2) return;
+
+    const double along2 = 4 * s_i * s_j / (delta * delta);
+    const double reach = along2 > 0 ? std::sqrt(kNegligible * a2 / along2) : 1.0;
+    const double phi_max = reach < 1 ? 2 * std::asin(reach) : std::numbers::pi;
+    const int count = 8 * ((16 + static_cast<int>(0.6 * orders * phi_max) + 7) / 8);
+    const Quadrature& rule = unit_gauss_legendre(count);
+    scratch.resize(count);
+    for (int k = 0; k < count; ++k) {
+        const double phi = phi_max * rule.nodes[k];
+        const double half = std::sin(0.5 * phi);
+        const double tan2 = across * across + along2 * half * half;
+        const double cosine = std::min(1.0, 0.5 * delta * std::sqrt(1 + tan2));
+        const double weight = 0.5 * flake.area_density_per_um * std::numbers::inv_pi * phi_max *
+                              rule.weights[k] * paint::flake_density(tan2, flake.alpha);
+        scratch.value[k] = weight * flake.table.reflectance(cosine, block);
+        scratch.now[k] = 1.0;
+        scratch.before[k] = std::cos(phi);
+        scratch.twice_cos[k] = 2 * scratch.before[k];
+    }
+    for (int l = 0; l < orders; ++l) {
+        DoubleLanes sum{};
+        for (int k = 0; k < count; ++k) {
+            sum += scratch.now[k] * scratch.value[k];
+            const double next = scratch.twice_cos[k] * scratch.now[k] - scratch.before[k];
+            scratch.before[k] = scratch.now[k];
+            scratch.now[k] = next;
+        }
+        out(l, sum);
+    }
+}
+
+FloatLanes narrow(const DoubleLanes& v) { return __builtin_convertvector(v, FloatLanes); }
+
+}  // namespace
+
+ActiveNodes::ActiveNodes(const Directions& d, double alpha, int orders) {
+    const int n = d.size();
+    for (int i = 0; i < n; ++i) {
+        // e^(-B) I_l(B) with B = tan^2 theta/(2 alpha^2) falls below 1e-5 of its first term at
+        // l = sqrt(23 B) = 3.4 tan theta/alpha; wide lobes need a few orders more.
+        const double tangent = std::sqrt(1 - d.mu[i] * d.mu[i]) / d.mu[i];
+        const double needed = std::ceil(3.4 * tangent / alpha) + 10;
+        order_count_.push_back(static_cast<int>(std::min<double>(needed, orders)));
+    }
+    for (int l = 0; l < orders; ++l) {
+        int first = 0;
+        while (first < n && order_count_[first] <= l) ++first;
+        if (first == n) break;
+        first_.push_back(first / kTile * kTile);
+    }
+    // Every node of a tile takes part as long as one does.
+    for (int i = 0; i < n; i += kTile) {
+        const auto tile = order_count_.begin() + i;
+        std::fill(tile, tile + kTile, *std::max_element(tile, tile + kTile));
+    }
+}
+
+FourierKernel::FourierKernel(const LayerMedium& layer, const Directions& d,
+                             const ActiveNodes& active, int block) {
+    std::size_t total = 0;
+    for (int l = 0; l < active.orders(); ++l) {
+        offset_.push_back(total);
+        total += triangle(d.size() - active.first(l));
+    }
+    same_.assign(total, FloatLanes{});
+    opposite_.assign(total, FloatLanes{});
+    for (const FlakeMedium& flake : layer.flakes) add_flakes(flake, d, active, block);
+    for (const PigmentMedium& pigment : layer.pigments) add_pigment(pigment, d, active, block);
+}
+
+void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
+                               const ActiveNodes& active, int block) {
+    tbb::parallel_for(0, d.size(), [&](int i) {
+        thread_local PairScratch scratch;
+        const double s_i = std::sqrt((1 - d.mu[i]) * (1 + d.mu[i]));
+        for (int j = 0; j <= i; ++j) {
+            const double s_j = std::sqrt((1 - d.mu[j]) * (1 + d.mu[j]));
+            const int orders = std::min(active.order_count(i), active.order_count(j));
+            for (const bool opposite : {false, true}) {
+                std::vector<FloatLanes>& kernel = opposite ? opposite_ : same_;
+                transform_pair(flake, d.mu[i], s_i, d.mu[j], s_j, opposite, orders, block, scratch,
+                               [&](int l, const DoubleLanes& value) {
+                                   const int first = active.first(l);
+                                   kernel[offset_[l] + triangle(i - first) + j - first] +=
+                                       narrow(value);
+                               });
+            }
+        }
+    });
+}
+
+void FourierKernel::add_pigment(const PigmentMedium& pigment, const Directions& d,
+                                const ActiveNodes& active, int block) {
+    // sum over n >= l of (2n + 1)/(4 pi) g^n Lambda_n^l(mu_i) Lambda_n^l(mu_j), Lambda the Legendre
+    // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
+    const double g = pigment.anisotropy;
+    int degrees = 1;
+    for (double power = std::abs(g); power * (2 * degrees + 1) > 1e-9; power *= std::abs(g)) {
+        ++degrees;
+    }
+    const DoubleLanes scattering = block_lanes(pigment.scattering_per_um, block);
+    const int orders = std::min(active.orders(), degrees);
+    tbb::parallel_for(0, orders, [&](int l) {
+        const int first = active.first(l), m = d.size() - first;
+        const int terms = degrees - l;
+        std::vector<double> lambda(static_cast<std::size_t>(m) * terms);
+        for (int i = 0; i < m; ++i) {
+            const double mu = d.mu[first + i], s = std::sqrt((1 - mu) * (1 + mu));
+            double* value = lambda.data() + static_cast<std::size_t>(i) * terms;
+            value[0] = 1.0;
+            for (int k = 1; k <= l; ++k) value[0] *= s * std::sqrt((2 * k - 1) / (2.0 * k));
+            if (terms > 1) value[1] = std::sqrt(2.0 * l + 1) * mu * value[0];
+            for (int k = 2; k < terms; ++k) {
+                const double n = l + k;
+                value[k] = ((2 * n - 1) * mu * value[k - 1] -
+                            std::sqrt((n - 1) * (n - 1) - 1.0 * l * l) * value[k - 2]) /
+                           std::sqrt(n * n - 1.0 * l * l);
+            }
+        }
+        std::vector<double> coefficient(terms);
+        for (int k = 0; k < terms; ++k) {
+            coefficient[k] = (2 * (l + k) + 1) / (4 * std::numbers::pi) * std::pow(g, l + k);
+        }
+        for (int i = 0; i < m; ++i) {
+            for (int j = 0; j <= i; ++j) {
+                const double* a = lambda.data() + static_cast<std::size_t>(i) * terms;
+                const double* b = lambda.data() + static_cast<std::size_t>(j) * terms;
+                double even = 0, odd = 0;
+                for (int k = 0; k < terms; k += 2) even += coefficient[k] * a[k] * b[k];
+                for (int k = 1; k < terms; k += 2) odd += coefficient[k] * a[k] * b[k];
+                const std::size_t at = offset_[l] + triangle(i) + j;
+                same_[at] += narrow((even + odd) * scattering);
+                opposite_[at] += narrow((even - odd) * scattering);
+            }
+        }
+    });
+}
+
+}  // namespace nacre::solver

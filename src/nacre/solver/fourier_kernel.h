@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "nacre/core/lanes.h"
+#include "nacre/solver/directions.h"
+#include "nacre/solver/medium.h"
+
+// The scattering kernel sigma_s p in azimuthal Fourier orders at pairs of quadrature nodes.
+//
+//     K(mu_i, mu_j, phi) = sum_l (2 - delta_l0) kappa_l(mu_i, mu_j) cos l phi,
+//
+// phi between directions of travel. Even in phi, symmetric in i and j. "Same" keeps the hemisphere
+// of travel, "opposite" changes it.
+
+namespace nacre::solver {
+
+/// Number of elements of a packed lower triangle, and so where row `rows` begins.
+constexpr std::size_t triangle(std::size_t rows) { return rows * (rows + 1) / 2; }
+
+/// Which nodes take part in which order. A direction near the normal has hardly any high orders
+/// (they vanish like sin^l theta); the nodes that do are the last ones.
+class ActiveNodes {
+ public:
+    /// @param alpha   smallest flake roughness, which sets the width of lobes in azimuth
+    /// @param orders  upper bound on the number of orders, >= 1
+    ActiveNodes(const Directions& directions, double alpha, int orders);
+
+    int orders() const { return static_cast<int>(first_.size()); }
+    /// First active node of order l; a multiple of kTile.
+    int first(int l) const { return first_[l]; }
+    int order_count(int node) const { return order_count_[node]; }
+
+ private:
+    std::vector<int> first_, order_count_;
+};
+
+/// kappa_l of one layer at the eight wavelengths of one block, in 1/(um sr). Single precision: the
+/// solver takes extinction from the sums of these very numbers, so that rounding costs no energy.
+class FourierKernel {
+ public:
+    FourierKernel(const LayerMedium& layer, const Directions& directions, const ActiveNodes& active,
+                  int block);
+
+    /// Rows i >= j of order l, both counted from active.first(l): element i (i + 1)/2 + j.
+    const FloatLanes* same(int l) const { return same_.data() + offset_[l]; }
+    const FloatLanes* opposite(int l) const { return opposite_.data() + offset_[l]; }
+
+ private:
+    void add_flakes(const FlakeMedium& flake, const Directions& d, const ActiveNodes& active,
+                    int block);
+    void add_pigment(const PigmentMedium& pigment, const Directions& d, const ActiveNodes& active,
+                     int block);
+
+    std::vector<std::size_t> offset_;
+    std::vector<FloatLanes> same_, opposite_;
+};
+
+}  // namespace nacre::solver

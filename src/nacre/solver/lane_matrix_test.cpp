@@ -1,0 +1,88 @@
+#include "nacre/solver/lane_matrix.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "nacre/testing/layers.h"
+
+namespace nacre::solver {
+namespace {
+
+using test::Matrices;
+
+// Eight symmetric positive definite matrices, each with a condition number of its own.
+Matrices random_spd(int n, unsigned seed) {
+    Matrices all = test::random_matrices(n, n, seed);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        all[lane] = (all[lane] * all[lane].transpose() / n).eval();
+        all[lane].diagonal().array() += std::pow(10.0, -lane);
+    }
+    return all;
+}
+
+class LaneMatrix : public testing::TestWithParam<int> {};
+
+TEST_P(LaneMatrix, CholeskyMatchesEigenInEveryLane) {
+    const int n = GetParam();
+    const Matrices a = random_spd(n, 1);
+    LaneBuffer factor = test::to_lanes(a);
+    cholesky(factor.data(), n);
+    const Matrices found = test::from_lanes(factor, n, n);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        Eigen::MatrixXd l = Eigen::MatrixXd(a[lane].llt().matrixL());
+        l.diagonal() = l.diagonal().cwiseInverse().eval();  // the header: 1/L_ii is stored
+        const Eigen::MatrixXd lower = found[lane].triangularView<Eigen::Lower>();
+        // Rounding grows with the condition number, up to 1e8 in the last lane.
+        EXPECT_LT((lower - l).norm(), 1e-14 * n * std::pow(10.0, lane) * l.norm()) << lane;
+    }
+}
+
+TEST_P(LaneMatrix, ForwardSolveUndoesTheFactor) {
+    const int n = GetParam(), m = n + kTile;
+    const Matrices a = random_spd(n, 2), b = test::random_matrices(n, m, 3);
+    LaneBuffer factor = test::to_lanes(a), x = test::to_lanes(b);
+    cholesky(factor.data(), n);
+    forward_solve(factor.data(), x.data(), n, m);
+    const Matrices found = test::from_lanes(x, n, m);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const Eigen::MatrixXd l = a[lane].llt().matrixL();
+        // Backward stable: the residual is rounding times the size of the terms.
+        EXPECT_LT((l * found[lane] - b[lane]).norm(), 1e-14 * n * l.norm() * found[lane].norm());
+    }
+}
+
+TEST_P(LaneMatrix, GramProductAddsBothTriangles) {
+    const int n = GetParam(), m = n + 2 * kTile;
+    const Matrices w = test::random_matrices(n, m, 4), c = random_spd(m, 5);
+    for (const double a : {0.0, 1.0, -2.0}) {
+        LaneBuffer sum = test::to_lanes(c);
+        add_gram(a, sum.data(), -0.5, test::to_lanes(w).data(), n, m);
+        const Matrices found = test::from_lanes(sum, m, m);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const Eigen::MatrixXd expected = a * c[lane] - 0.5 * w[lane].transpose() * w[lane];
+            EXPECT_LT((found[lane] - expected).norm(), 1e-14 * n * (1 + expected.norm()));
+            EXPECT_EQ((found[lane] - found[lane].transpose()).norm(), 0);  // exactly symmetric
+        }
+    }
+}
+
+TEST_P(LaneMatrix, InverseOfPositiveDefinite) {
+    const int n = GetParam();
+    const Matrices a = random_spd(n, 6);
+    LaneBuffer inverse = test::to_lanes(a), work(n * n);
+    invert_spd(inverse.data(), work.data(), n);
+    const Matrices found = test::from_lanes(inverse, n, n);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const Eigen::MatrixXd expected = a[lane].inverse();
+        EXPECT_LT((found[lane] - expected).norm(),
+                  1e-14 * n * std::pow(10.0, lane) * expected.norm())
+            << lane;
+        EXPECT_EQ((found[lane] - found[lane].transpose()).norm(), 0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, LaneMatrix, testing::Values(4, 8, 12, 28));
+
+}  // namespace
+}  // namespace nacre::solver

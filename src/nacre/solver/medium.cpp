@@ -1,0 +1,130 @@
+#include "nacre/solver/medium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/paint/beckmann.h"
+
+namespace nacre::solver {
+
+namespace {
+
+std::vector<double> sampled(const spectra::Spectrum& spectrum, std::span<const double> wavelengths,
+                            double scale = 1.0) {
+    std::vector<double> values;
+    for (double w : wavelengths) values.push_back(scale * spectrum(w));
+    return values;
+}
+
+paint::FlakeTable make_table(const paint::FlakeSpecies& species, const optics::Material& binder,
+                             const std::vector<double>& wavelengths, FilmCache* films) {
+    if (const auto* platelet = std::get_if<optics::Platelet>(&species.body)) {
+        if (films) return *films->table(*platelet, binder, wavelengths);
+        return paint::FlakeTable::of_platelet(*platelet, binder, wavelengths);
+    }
+    const auto& flake = std::get<paint::PrescribedFlake>(species.body);
+    return paint::FlakeTable::constant(sampled(flake.reflectance, wavelengths),
+                                       sampled(flake.transmittance, wavelengths));
+}
+
+constexpr double kUmPerMm = 1000.0;
+
+}  // namespace
+
+DoubleLanes block_lanes(std::span<const double> values, int block) {
+    return make_lanes<DoubleLanes>([&](int i) {
+        return values[std::min<std::size_t>(block * kLanes + i, values.size() - 1)];
+    });
+}
+
+PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                        FilmCache* films) {
+    validate(recipe, wavelengths_nm);
+    PaintMedium medium;
+    medium.wavelengths_nm = wavelengths_nm;
+    for (double w : wavelengths_nm) medium.ior.push_back(recipe.binder.index(w).real());
+    medium.clearcoat_depth.assign(wavelengths_nm.size(), 0.0);
+    if (recipe.clearcoat) {
+        medium.clearcoat_depth = sampled(recipe.clearcoat->absorption_per_mm, wavelengths_nm,
+                                         recipe.clearcoat->thickness_um / kUmPerMm);
+        medium.roughness = recipe.clearcoat->roughness;
+    }
+    for (const paint::Layer& layer : recipe.layers) {
+        LayerMedium& out = medium.layers.emplace_back();
+        out.thickness_um = layer.thickness_um;
+        for (const paint::FlakeSpecies& species : layer.flakes) {
+            out.flakes.push_back({species.area_density_per_um(), species.orientation.beckmann_alpha,
+                                  make_table(species, recipe.binder, wavelengths_nm, films)});
+        }
+        for (const paint::Pigment& pigment : layer.pigments) {
+            out.pigments.push_back(
+                {sampled(pigment.scattering_per_mm, wavelengths_nm, 1 / kUmPerMm),
+                 sampled(pigment.absorption_per_mm, wavelengths_nm, 1 / kUmPerMm),
+                 pigment.anisotropy});
+        }
+    }
+    medium.substrate_reflectance = sampled(recipe.substrate_reflectance, wavelengths_nm);
+    return medium;
+}
+
+DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
+    DoubleLanes sum{};
+    for (const FlakeMedium& flake : layer.flakes) {
+        DoubleLanes cross_section{};
+        paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
+            cross_section += weight * (1.0 - flake.table.transmittance(cosine, block));
+        });
+        sum += flake.area_density_per_um * cross_section;
+    }
+    for (const PigmentMedium& pigment : layer.pigments) {
+        sum += block_lanes(pigment.scattering_per_um, block) +
+               block_lanes(pigment.absorption_per_um, block);
+    }
+    return sum;
+}
+
+DoubleLanes absorption(const LayerMedium& layer, double mu, int block) {
+    DoubleLanes sum{};
+    for (const FlakeMedium& flake : layer.flakes) {
+        DoubleLanes cross_section{};
+        paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
+            cross_section += weight * (1.0 - flake.table.transmittance(cosine, block) -
+                                       flake.table.reflectance(cosine, block));
+        });
+        // R + T = 1 leaves rounding of either sign.
+        sum += flake.area_density_per_um * max_lanes(cross_section, DoubleLanes{});
+    }
+    for (const PigmentMedium& pigment : layer.pigments) {
+        sum += block_lanes(pigment.absorption_per_um, block);
+    }
+    return sum;
+}
+
+DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, double phi,
+                           int block) {
+    const double s_i = std::sqrt(std::max(0.0, 1 - mu_i * mu_i));
+    const double s_o = std::sqrt(std::max(0.0, 1 - mu_o * mu_o));
+    // Without cancellation at the mirror direction.        [mir-2022, eq. 3-6, repaired]
+    const double delta = mu_i + mu_o;
+    const double half = std::sin(0.5 * (phi - std::numbers::pi));
+    const double across = (mu_i - mu_o) / std::max(s_i + s_o, 1e-300);
+    const double tan2 = across * across + 4 * s_i * s_o / (delta * delta) * half * half;
+    const double cosine = std::min(1.0, 0.5 * delta * std::sqrt(1 + tan2));
+    DoubleLanes sum{};
+    for (const FlakeMedium& flake : layer.flakes) {
+        const double density = paint::flake_density(tan2, flake.alpha);
+        sum += 0.5 * flake.area_density_per_um * density * flake.table.reflectance(cosine, block);
+    }
+    for (const PigmentMedium& pigment : layer.pigments) {
+        // cos of the angle between the directions of travel.      [henyey-greenstein-1941, eq. 2]
+        const double g = pigment.anisotropy;
+        const double turn = -mu_i * mu_o - s_i * s_o * std::cos(phi);
+        const double phase =
+            (1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * turn, 1.5));
+        sum += phase * block_lanes(pigment.scattering_per_um, block);
+    }
+    return sum;
+}
+
+}  // namespace nacre::solver

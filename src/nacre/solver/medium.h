@@ -1,0 +1,70 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nacre/paint/flake_table.h"
+#include "nacre/paint/recipe.h"
+#include "nacre/solver/film_cache.h"
+
+// The optics of a recipe at a set of wavelengths: everything the solver and the single scattering
+// need, with spectra evaluated and films computed. Lengths in um.
+
+namespace nacre::solver {
+
+struct FlakeMedium {
+    double area_density_per_um = 0;  ///< c = a rho
+    double alpha = 0.1;
+    paint::FlakeTable table;
+
+    friend bool operator==(const FlakeMedium&, const FlakeMedium&) = default;
+};
+
+struct PigmentMedium {
+    std::vector<double> scattering_per_um, absorption_per_um;  ///< by wavelength
+    double anisotropy = 0;
+
+    friend bool operator==(const PigmentMedium&, const PigmentMedium&) = default;
+};
+
+struct LayerMedium {
+    double thickness_um = 0;
+    std::vector<FlakeMedium> flakes;
+    std::vector<PigmentMedium> pigments;
+
+    friend bool operator==(const LayerMedium&, const LayerMedium&) = default;
+};
+
+struct PaintMedium {
+    std::vector<double> wavelengths_nm;
+    std::vector<double> ior;              ///< real index of the binder, by wavelength
+    std::vector<double> clearcoat_depth;  ///< absorption times thickness along the normal
+    double roughness = 0;                 ///< Beckmann alpha of the air interface
+    std::vector<LayerMedium> layers;
+    std::vector<double> substrate_reflectance;
+
+    int wavelength_count() const { return static_cast<int>(wavelengths_nm.size()); }
+    friend bool operator==(const PaintMedium&, const PaintMedium&) = default;
+};
+
+/// @param films  where to look for films, if given
+/// @throws DomainError as validate() does
+PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                        FilmCache* films = nullptr);
+
+/// Extinction sigma_t(mu), in 1/um, of the eight wavelengths of `block`.
+DoubleLanes extinction(const LayerMedium& layer, double mu, int block);
+
+/// The same with what scatters taken out: what is lost for good, sigma_t - sigma_s.
+DoubleLanes absorption(const LayerMedium& layer, double mu, int block);
+
+/// sigma_s p(w -> w') in 1/(um sr): light that travels down (towards -z) under the cosine mu_i is
+/// turned upwards under mu_o; both cosines > 0, phi = phi_o - phi_i between the directions that
+/// point away from the surface (pi is the mirror side).
+DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, double phi,
+                           int block);
+
+/// Values of a per-wavelength list as the eight lanes of `block`, the last one repeated.
+DoubleLanes block_lanes(std::span<const double> values, int block);
+
+}  // namespace nacre::solver

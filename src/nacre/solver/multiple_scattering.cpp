@@ -1,0 +1,156 @@
+#include "nacre/solver/multiple_scattering.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nacre::solver {
+
+std::size_t Remainder::pair_count() const {
+    std::size_t count = 0;
+    for (int f : first) {
+        const std::size_t rows = exit_angle.size() - f;
+        count += rows * (rows + 1) / 2;
+    }
+    return count;
+}
+
+namespace {
+
+// Calls visit(i, j) for all pairs of all orders, in the order in which they are stored.
+template <class Visit>
+void for_each_pair(const Remainder& r, Visit&& visit) {
+    for (int first : r.first) {
+        for (int i = first; i < static_cast<int>(r.exit_angle.size()); ++i) {
+            for (int j = first; j <= i; ++j) visit(i, j);
+        }
+    }
+}
+
+// For each pair, the smaller of the largest values that its two directions have.
+std::vector<double> pair_scales(const Remainder& r, const Eigen::VectorXd& largest) {
+    std::vector<double> by_node(r.exit_angle.size(), 0.0), scale;
+    Eigen::Index pair = 0;
+    for_each_pair(r, [&](int i, int j) {
+        by_node[i] = std::max(by_node[i], largest[pair]);
+        by_node[j] = std::max(by_node[j], largest[pair]);
+        ++pair;
+    });
+    scale.reserve(pair);
+    for_each_pair(r, [&](int i, int j) { scale.push_back(std::min(by_node[i], by_node[j])); });
+    return scale;
+}
+
+// To a multiple of the largest power of two that is not above `step`: a float with few digits,
+// which a file packs well.
+float round_to(double value, double step) {
+    if (!(step > 0)) return static_cast<float>(value);
+    const double unit = std::exp2(std::floor(std::log2(step)));
+    return static_cast<float>(std::round(value / unit) * unit);
+}
+
+}  // namespace
+
+Remainder compress(std::vector<double> exit_angle, std::vector<int> first, int wavelength_count,
+                   std::span<const double> values, double tolerance) {
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Remainder out;
+    out.exit_angle = std::move(exit_angle);
+    out.first = std::move(first);
+    out.wavelength_count = wavelength_count;
+    const auto pairs = static_cast<Eigen::Index>(values.size()) / std::max(wavelength_count, 1);
+    if (pairs == 0) return out;
+    const Eigen::Map<const Matrix> all(values.data(), pairs, wavelength_count);
+    const std::vector<double> scale = pair_scales(out, all.cwiseAbs().rowwise().maxCoeff());
+
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(all.transpose() * all);
+    int rank = 0;
+    Matrix residual = all;
+    const auto resolved = [&] {
+        // Half of the tolerance is for the rank, half for rounding.
+        for (Eigen::Index p = 0; p < pairs; ++p) {
+            if (residual.row(p).cwiseAbs().maxCoeff() > 0.5 * tolerance * scale[p]) return false;
+        }
+        return true;
+    };
+    // Largest eigenvalues come last.
+    while (rank < wavelength_count && !resolved()) {
+        const Eigen::VectorXd direction = eigen.eigenvectors().col(wavelength_count - 1 - rank);
+        const Eigen::VectorXd projected = all * direction;
+        residual -= projected * direction.transpose();
+        ++rank;
+    }
+    const Matrix basis = eigen.eigenvectors().rightCols(rank).rowwise().reverse().transpose();
+    const Matrix coefficient = (all * basis.transpose()).transpose();
+    // The errors of the terms add up in squares, and no element of an orthonormal basis exceeds 1;
+    // at worst they add up as they are, hence the root.
+    // Order 0 carries the energy and costs little: it is kept to more digits.
+    const double step = tolerance / std::sqrt(std::max(rank, 1)), finer = 1.0 / 64;
+    const std::size_t order_0 =
+        (out.exit_angle.size() - out.first[0]) * (out.exit_angle.size() - out.first[0] + 1) / 2;
+    for (int k = 0; k < rank; ++k) {
+        for (int w = 0; w < wavelength_count; ++w) {
+            out.basis.push_back(static_cast<float>(basis(k, w)));
+        }
+        for (Eigen::Index p = 0; p < pairs; ++p) {
+            const double here = static_cast<std::size_t>(p) < order_0 ? finer * step : step;
+            out.coefficient.push_back(round_to(coefficient(k, p), here * scale[p]));
+        }
+    }
+    return out;
+}
+
+RemainderSlice::RemainderSlice(const Remainder& r, double theta_i)
+    : remainder_(r), interpolation_(r.exit_angle) {
+    const int n = static_cast<int>(r.exit_angle.size());
+    std::vector<double> weight(n);
+    interpolation_.weights_at(theta_i, weight.data());
+    by_node_.assign(static_cast<std::size_t>(r.rank()) * r.orders() * n, 0.0);
+    const float* value = r.coefficient.data();
+    for (int k = 0; k < r.rank(); ++k) {
+        for (int l = 0; l < r.orders(); ++l) {
+            double* out = by_node_.data() + (static_cast<std::size_t>(k) * r.orders() + l) * n;
+            if (!r.takes_part(l, theta_i)) {
+                const int rows = n - r.first[l];
+                value += rows * (rows + 1) / 2;
+                continue;
+            }
+            for (int i = r.first[l]; i < n; ++i) {
+                for (int j = r.first[l]; j < i; ++j, ++value) {
+                    out[i] += *value * weight[j];
+                    out[j] += *value * weight[i];
+                }
+                out[i] += *value++ * weight[i];
+            }
+        }
+    }
+}
+
+void RemainderSlice::by_order(double theta_o, std::span<double> out) const {
+    const int n = static_cast<int>(remainder_.exit_angle.size());
+    std::vector<double> weight(n);
+    interpolation_.weights_at(theta_o, weight.data());
+    std::size_t at = 0;
+    for (int k = 0; k < remainder_.rank(); ++k) {
+        for (int l = 0; l < remainder_.orders(); ++l, ++at) {
+            out[at] = 0;
+            if (!remainder_.takes_part(l, theta_o)) continue;
+            const double* row = by_node_.data() + at * n;
+            for (int j = remainder_.first[l]; j < n; ++j) out[at] += row[j] * weight[j];
+        }
+    }
+}
+
+void RemainderSlice::coefficients(double theta_o, double phi, std::span<double> out) const {
+    const int orders = remainder_.orders();
+    std::vector<double> term(static_cast<std::size_t>(remainder_.rank()) * orders);
+    by_order(theta_o, term);
+    std::fill(out.begin(), out.end(), 0.0);
+    for (int l = 0; l < orders; ++l) {
+        const double cosine = (l ? 2.0 : 1.0) * std::cos(l * (phi - std::numbers::pi));
+        for (int k = 0; k < remainder_.rank(); ++k) out[k] += cosine * term[k * orders + l];
+    }
+}
+
+}  // namespace nacre::solver

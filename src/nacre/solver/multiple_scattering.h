@@ -1,0 +1,66 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nacre/solver/directions.h"
+
+// The smooth part of a solved paint as a compact tensor.
+
+namespace nacre::solver {
+
+/// f(theta_i, theta_o, phi; wavelength) =
+///     sum_l (2 - delta_l0) cos(l (phi - pi)) sum_k basis[k][wavelength] coefficient[k][l](i, j)
+///
+/// on the exit nodes i >= j, with polynomial interpolation between them: symmetric, hence
+/// reciprocal, by construction. phi - pi because phi is measured between directions that point
+/// away from the surface. The spectral basis comes from a singular value decomposition: a paint's
+/// wavelengths are strongly correlated.
+struct Remainder {
+    std::vector<double> exit_angle;  ///< nodes theta_e, rad
+    int wavelength_count = 0;
+    std::vector<int> first;          ///< by order: first exit node with a coefficient
+    std::vector<float> basis;        ///< [k][wavelength]
+    std::vector<float> coefficient;  ///< [k][pair], pairs by order, then rows i >= j from first[l]
+
+    int orders() const { return static_cast<int>(first.size()); }
+    int rank() const {
+        return wavelength_count ? static_cast<int>(basis.size()) / wavelength_count : 0;
+    }
+    /// Pairs of nodes over all orders; coefficient.size() = rank() pair_count().
+    std::size_t pair_count() const;
+
+    /// Whether an order has anything under theta_e. It is zero at every node before first[order],
+    /// hence also nearer to the normal than the last of them: between such nodes, and beyond the
+    /// first one of all, the polynomial through all nodes would ring instead, alike in hundreds of
+    /// orders. At that last node it vanishes, so nothing jumps.
+    bool takes_part(int order, double theta_e) const {
+        return first[order] == 0 || theta_e > exit_angle[first[order] - 1];
+    }
+
+    friend bool operator==(const Remainder&, const Remainder&) = default;
+};
+
+/// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
+/// the smaller of the largest values that its two directions have: a cut of the spectral basis, and
+/// coefficients of few digits.
+Remainder compress(std::vector<double> exit_angle, std::vector<int> first, int wavelength_count,
+                   std::span<const double> values, double tolerance);
+
+/// Evaluates the remainder for one incident direction at any number of outgoing ones.
+class RemainderSlice {
+ public:
+    RemainderSlice(const Remainder& remainder, double theta_i);
+    /// Coefficients of the spectral basis, rank() values.
+    void coefficients(double theta_o, double phi, std::span<double> out) const;
+    /// The same by azimuthal order, [k][l], rank() orders() values: what is to be multiplied by
+    /// (2 - delta_l0) cos(l (phi - pi)) and summed over l.
+    void by_order(double theta_o, std::span<double> out) const;
+
+ private:
+    const Remainder& remainder_;
+    ExitInterpolation interpolation_;
+    std::vector<double> by_node_;  // [k][l][j]: contracted with the incident direction's weights
+};
+
+}  // namespace nacre::solver

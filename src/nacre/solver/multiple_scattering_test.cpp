@@ -1,0 +1,164 @@
+#include "nacre/solver/multiple_scattering.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "nacre/core/angles.h"
+#include "nacre/solver/directions.h"
+
+namespace nacre::solver {
+namespace {
+
+// Three orders on 12 nodes, 9 wavelengths, spectra of three shapes and a little noise.
+struct Example {
+    std::vector<double> angle = make_directions(1.5, 12, 8).exit_angle;
+    std::vector<int> first = {0, 4, 8};
+    int wavelengths = 9;
+    std::vector<double> values;
+
+    explicit Example(double noise) {
+        std::mt19937 engine(5);
+        std::uniform_real_distribution<double> uniform(-1, 1);
+        const int pairs = 12 * 13 / 2 + 8 * 9 / 2 + 4 * 5 / 2;
+        for (int p = 0; p < pairs; ++p) {
+            const double a = uniform(engine), b = uniform(engine), c = uniform(engine);
+            for (int w = 0; w < wavelengths; ++w) {
+                values.push_back(a + b * w / 9.0 + c * std::sin(w) + noise * uniform(engine));
+            }
+        }
+    }
+    double peak() const {
+        double most = 0;
+        for (double v : values) most = std::max(most, std::abs(v));
+        return most;
+    }
+};
+
+double reconstruct(const Remainder& r, std::size_t pair, int wavelength) {
+    double sum = 0;
+    for (int k = 0; k < r.rank(); ++k) {
+        sum += double(r.basis[k * r.wavelength_count + wavelength]) *
+               r.coefficient[k * r.pair_count() + pair];
+    }
+    return sum;
+}
+
+TEST(Remainder, CompressionKeepsItsBound) {
+    const Example example(0.01);
+    int last_rank = 0;
+    for (const double tolerance : {0.1, 1e-2, 1e-3, 1e-6}) {
+        const Remainder r =
+            compress(example.angle, example.first, example.wavelengths, example.values, tolerance);
+        ASSERT_EQ(r.pair_count() * example.wavelengths, example.values.size());
+        double worst = 0;
+        for (std::size_t p = 0; p < r.pair_count(); ++p) {
+            for (int w = 0; w < example.wavelengths; ++w) {
+                worst = std::max(worst, std::abs(reconstruct(r, p, w) -
+                                                 example.values[p * example.wavelengths + w]));
+            }
+        }
+        // Coefficients and basis are stored in single precision.
+        EXPECT_LE(worst, (tolerance + 5e-7) * example.peak()) << tolerance;
+        EXPECT_GE(r.rank(), last_rank);
+        last_rank = r.rank();
+    }
+    EXPECT_EQ(last_rank, example.wavelengths);  // noise has full rank
+}
+
+TEST(Remainder, FewSpectraNeedFewCoefficients) {
+    const Example example(0.0);
+    const Remainder r =
+        compress(example.angle, example.first, example.wavelengths, example.values, 1e-9);
+    EXPECT_EQ(r.rank(), 3);  // as many as there are shapes
+    EXPECT_EQ(r.coefficient.size(), 3 * r.pair_count());
+    EXPECT_EQ(r.basis.size(), 3u * 9);
+}
+
+TEST(Remainder, NothingCompressesToNothing) {
+    const Example example(0.0);
+    const std::vector<double> zero(example.values.size(), 0.0);
+    const Remainder r = compress(example.angle, example.first, example.wavelengths, zero, 1e-4);
+    EXPECT_EQ(r.rank(), 0);
+    EXPECT_EQ(r.orders(), 3);
+    std::vector<double> none;
+    RemainderSlice(r, 0.3).coefficients(0.2, 1.0, none);  // no coefficient, no access
+}
+
+TEST(Remainder, SlicesReturnTheValuesAtNodes) {
+    const Example example(0.0);
+    const Remainder r =
+        compress(example.angle, example.first, example.wavelengths, example.values, 1e-9);
+    std::vector<double> coefficient(r.rank());
+    int compared = 0;
+    for (int i = 0; i < 12; i += 3) {
+        const RemainderSlice slice(r, example.angle[i]);
+        for (int j = 0; j < 12; j += 2) {
+            for (const double phi : {0.0, 1.1, kPi}) {
+                slice.coefficients(example.angle[j], phi, coefficient);
+                double found = 0;
+                for (int k = 0; k < r.rank(); ++k) {
+                    found += coefficient[k] * r.basis[k * r.wavelength_count + 4];
+                }
+                // The sum of orders, pairs i >= j from first[l].
+                double expected = 0;
+                std::size_t offset = 0;
+                for (std::size_t l = 0; l < example.first.size(); ++l) {
+                    const int f = example.first[l], rows = 12 - f;
+                    const int a = std::max(i, j) - f, b = std::min(i, j) - f;
+                    if (b >= 0) {
+                        const std::size_t pair = offset + a * (a + 1) / 2 + b;
+                        expected += (l ? 2.0 : 1.0) * std::cos(l * (phi - kPi)) *
+                                    example.values[pair * example.wavelengths + 4];
+                    }
+                    offset += rows * (rows + 1) / 2;
+                }
+                EXPECT_NEAR(found, expected, 1e-6 * example.peak());  // single precision
+                ++compared;
+            }
+        }
+    }
+    EXPECT_EQ(compared, 4 * 6 * 3);
+}
+
+TEST(Remainder, HighOrdersStayAwayFromTheNormal) {
+    // 400 orders that live on the outermost four nodes only and are in phase at phi = pi. Towards
+    // the normal nothing may depend on azimuth; the polynomial through the zeros of 40 nodes rings.
+    const std::vector<double> angle = make_directions(1.0, 44, 0).exit_angle;
+    std::vector<int> first = {0};
+    std::vector<double> values(44 * 45 / 2, 0.0);
+    for (int l = 1; l < 400; ++l) {
+        first.push_back(40);
+        values.insert(values.end(), 10, 1.0);
+    }
+    const Remainder r = compress(angle, first, 1, values, 1e-6);
+    std::vector<double> c(1);
+    for (const double theta : {0.0, 0.01, 0.5 * angle[0], 0.5, angle[39]}) {
+        RemainderSlice(r, theta).coefficients(angle[42], kPi, c);
+        EXPECT_EQ(c[0], 0) << theta;
+        RemainderSlice(r, angle[42]).coefficients(theta, kPi, c);
+        EXPECT_EQ(c[0], 0) << theta;
+    }
+    // No jump where the orders begin, and all of them where they are.
+    RemainderSlice(r, angle[39] + 1e-9).coefficients(angle[42], kPi, c);
+    EXPECT_NEAR(c[0] * r.basis[0], 0, 1e-9 * 2 * 400 * 100);  // slopes of polynomials: 1/spacing
+    RemainderSlice(r, angle[41]).coefficients(angle[42], kPi, c);
+    EXPECT_NEAR(c[0] * r.basis[0], 2 * 399, 1e-3);
+}
+
+TEST(Remainder, IsReciprocalBetweenNodesToo) {
+    const Example example(0.01);
+    const Remainder r =
+        compress(example.angle, example.first, example.wavelengths, example.values, 1e-3);
+    std::vector<double> there(r.rank()), back(r.rank());
+    RemainderSlice(r, 0.37).coefficients(1.21, 2.0, there);
+    RemainderSlice(r, 1.21).coefficients(0.37, -2.0, back);
+    for (int k = 0; k < r.rank(); ++k) {
+        EXPECT_NEAR(there[k], back[k], 1e-12 * example.peak());  // rounding of double sums
+    }
+}
+
+}  // namespace
+}  // namespace nacre::solver

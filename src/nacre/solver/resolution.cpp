@@ -1,0 +1,113 @@
+#include "nacre/solver/resolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/core/error.h"
+#include "nacre/solver/lane_matrix.h"
+
+namespace nacre::solver {
+
+namespace {
+
+// Beyond, the number of Legendre degrees makes a solve take minutes.
+constexpr double kSharpestPigment = 0.97;
+
+int round_up_to_tile(double x) { return kTile * static_cast<int>(std::ceil(x / kTile)); }
+
+void check_nodes(int value, int most, const char* what) {
+    require_in_range(value, 0, most, what);
+    if (value % kTile != 0) {
+        throw DomainError(fmt::format("{} = {} is not a multiple of {}", what, value, kTile));
+    }
+}
+
+// Under a rough interface single scattering is not split off: its lobes must be resolved by the
+// nodes too. The interface's lobes ask for nothing (rough_interface_operators.h), but masking sets
+// in within its roughness of the horizon, where the spacing of n nodes is of order 1/n^2.
+void choose_rough(double alpha, double roughness, double n, const SolverSettings& settings,
+                  Resolution& r) {
+    const int exit_nodes =
+        round_up_to_tile(std::max(15 + 0.7 / alpha, 8 + 6 / std::sqrt(roughness)));
+    if (exit_nodes > SolverSettings::kMostNodes && !settings.exit_nodes) {
+        throw Error(fmt::format(
+            "flakes of alpha = {} under a rough clearcoat need {} nodes, more than the {} there "
+            "may be: use wider flakes, a smooth clearcoat, or set exit_nodes",
+            alpha, exit_nodes, SolverSettings::kMostNodes));
+    }
+    r.exit_nodes = exit_nodes;
+    r.inner_nodes = std::min(round_up_to_tile(7 + 0.5 / alpha), SolverSettings::kMostNodes);
+    const double tangent = 1 / std::sqrt(n * n - 1);
+    r.orders =
+        static_cast<int>(std::min<double>(SolverSettings::kMostOrders, 16 + 4 * tangent / alpha));
+}
+
+}  // namespace
+
+bool refine(Resolution& resolution, const SolverSettings& settings, double unresolved,
+            double azimuthal_tail) {
+    bool refined = false;
+    const auto raise = [&](int& value, int wanted, int most, bool fixed) {
+        const int next = std::min(wanted, most);
+        if (fixed || next <= value) return;
+        value = next;
+        refined = true;
+    };
+    if (unresolved > kAcceptedUnresolved) {
+        const auto half_again = [](int nodes) { return round_up_to_tile(1.5 * nodes); };
+        raise(resolution.exit_nodes, half_again(resolution.exit_nodes), SolverSettings::kMostNodes,
+              settings.exit_nodes != 0);
+        raise(resolution.inner_nodes, half_again(resolution.inner_nodes),
+              SolverSettings::kMostNodes, settings.inner_nodes != 0);
+    }
+    if (azimuthal_tail > settings.tolerance) {
+        raise(resolution.orders, 2 * resolution.orders, SolverSettings::kMostOrders,
+              settings.most_orders != 0);
+    }
+    return refined;
+}
+
+Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
+    check_nodes(settings.exit_nodes, SolverSettings::kMostNodes, "exit_nodes");
+    check_nodes(settings.inner_nodes, SolverSettings::kMostNodes, "inner_nodes");
+    require_in_range(settings.most_orders, 0, SolverSettings::kMostOrders, "most_orders");
+    require_in_range(settings.tolerance, 1e-12, 0.1, "tolerance");
+
+    double alpha = 1.0;
+    for (const LayerMedium& layer : medium.layers) {
+        for (const FlakeMedium& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
+        for (const PigmentMedium& pigment : layer.pigments) {
+            if (std::abs(pigment.anisotropy) > kSharpestPigment) {
+                throw Error(fmt::format(
+                    "pigment.anisotropy = {}: the solver resolves Henyey-Greenstein lobes from {} "
+                    "to {}; use similarity, scattering x (1 - anisotropy) with anisotropy = 0, for "
+                    "sharper ones",
+                    pigment.anisotropy, -kSharpestPigment, kSharpestPigment));
+            }
+            alpha = std::min(alpha, 1.5 * (1 - std::abs(pigment.anisotropy)));
+        }
+    }
+    Resolution r;
+    r.lobe_alpha = alpha;
+    const double n_smallest = *std::min_element(medium.ior.begin(), medium.ior.end());
+    const bool bare = n_smallest == 1.0;
+    r.exit_nodes = round_up_to_tile(bare ? 24 + 2 / alpha : 8 + 0.72 / alpha);
+    r.inner_nodes = round_up_to_tile(4 + 0.45 / alpha);
+    r.exit_nodes = std::min(r.exit_nodes, SolverSettings::kMostNodes);
+    r.inner_nodes = std::min(r.inner_nodes, SolverSettings::kMostNodes);
+    r.orders = SolverSettings::kMostOrders;
+    if (!bare) {
+        // The widest exit direction inside the coat sets the number. An estimate: the series ends
+        // by its own tail, and the solver asks for more orders where it has not.
+        const double tangent = 1 / std::sqrt(n_smallest * n_smallest - 1);
+        r.orders = static_cast<int>(std::min<double>(r.orders, 12 + 1.8 * tangent / alpha));
+    }
+    if (medium.roughness > 0 && !bare)
+        choose_rough(alpha, medium.roughness, n_smallest, settings, r);
+    if (settings.exit_nodes) r.exit_nodes = settings.exit_nodes;
+    if (settings.inner_nodes) r.inner_nodes = settings.inner_nodes;
+    if (settings.most_orders) r.orders = settings.most_orders;
+    return r;
+}
+
+}  // namespace nacre::solver

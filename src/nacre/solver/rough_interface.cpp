@@ -1,0 +1,184 @@
+#include "nacre/solver/rough_interface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <mutex>
+#include <numbers>
+
+#include "nacre/core/error.h"
+#include "nacre/optics/fresnel.h"
+#include "nacre/solver/directions.h"
+#include "nacre/solver/rough_interface_operators.h"
+
+namespace nacre::solver {
+
+namespace {
+
+constexpr double kHorizon = std::numbers::pi / 2;
+
+// Nodes of m in the polar angle: it changes within alpha of the horizon, where they are dense.
+constexpr int kNodes = 64;
+
+}  // namespace
+
+double smith_beckmann_over_cosine(double cosine, double sine, double alpha) {
+    // G1 = 2/(1 + erf a + e^(-a^2)/(a sqrt(pi))), a = 1/(alpha tan theta).
+    const double across = alpha * sine;
+    if (cosine > 6 * across) return 1 / cosine;  // e^-36
+    const double a = cosine / across;
+    return 2 / (cosine * (1 + std::erf(a)) + across * std::exp(-a * a) * std::numbers::inv_sqrtpi);
+}
+
+RoughInterface::RoughInterface(double ior, double alpha) : ior_(ior), alpha_(alpha) {
+    if (!(ior > 1.0 && ior <= 3.0)) {
+        throw DomainError(fmt::format("refractive index = {} is not in (1, 3]", ior));
+    }
+    if (!(alpha > 0.0 && alpha <= 1.0)) {
+        throw DomainError(fmt::format("interface roughness = {} is not in (0, 1]", alpha));
+    }
+    const Quadrature outside = gauss_legendre(kNodes, 0.0, kHorizon);
+    double outer = 0, inner = 0;  // Int m over etendue / 2 pi
+    for (int i = 0; i < kNodes; ++i) {
+        const double theta = outside.nodes[i];
+        double reflected = 0, through = 0;
+        for_each_facet_exit(theta, alpha, 1.0, ior, {}, [&](const FacetExit& exit) {
+            (exit.through ? through : reflected) += exit.share;
+        });
+        reflected_.push_back(reflected);
+        masked_.push_back(std::max(0.0, 1 - reflected - through));
+        outer += outside.weights[i] * std::sin(theta) * std::cos(theta) * masked_.back();
+    }
+    const double critical = std::asin(1 / ior);
+    const auto add_inside = [&](double theta, double etendue) {
+        double leaves = 0;
+        for_each_facet_exit(theta, alpha, ior, 1.0, {},
+                            [&](const FacetExit& exit) { leaves += exit.share; });
+        inner += etendue * std::max(0.0, 1 - leaves);
+    };
+    const Quadrature total = gauss_legendre(kNodes, critical, kHorizon);
+    for (int i = 0; i < kNodes; ++i) {
+        const double e = outside.nodes[i], theta = total.nodes[i];
+        add_inside(std::asin(std::sin(e) / ior), outside.weights[i] * std::sin(e) * std::cos(e));
+        add_inside(theta, ior * ior * total.weights[i] * std::sin(theta) * std::cos(theta));
+    }
+    masked_outside_ = 2 * std::numbers::pi * outer;
+    const double both = 2 * std::numbers::pi * (outer + inner);
+    diffuse_scale_ = both > 0 ? 1 / both : 0;
+}
+
+double RoughInterface::facet_brdf(double theta_i, double theta_o, double phi) const {
+    const double c_i = std::cos(theta_i), s_i = std::sin(theta_i);
+    const double c_o = std::cos(theta_o), s_o = std::sin(theta_o);
+    const double cosine_sum = c_i + c_o;
+    // tan^2 of the facet's tilt without cancellation at the mirror direction, as in medium.cpp.
+    const double half = std::sin(0.5 * (phi - std::numbers::pi));
+    const double across2 = (s_i - s_o) * (s_i - s_o) + 4 * s_i * s_o * half * half;
+    const double tan2 = across2 / (cosine_sum * cosine_sum);
+    const double cosine = std::min(1.0, 0.5 * std::sqrt(across2 + cosine_sum * cosine_sum));
+    const double density = std::exp(-tan2 / (alpha_ * alpha_)) * (1 + tan2) * (1 + tan2) /
+                           (std::numbers::pi * alpha_ * alpha_);
+    return 0.25 * optics::dielectric_reflectance(1.0, ior_, cosine) * density *
+           smith_beckmann_over_cosine(c_i, s_i, alpha_) *
+           smith_beckmann_over_cosine(c_o, s_o, alpha_);
+}
+
+namespace {
+
+double interpolate(const ExitInterpolation& interpolation, const std::vector<double>& values,
+                   double theta) {
+    std::array<double, kNodes> weight;
+    interpolation.weights_at(theta, weight.data());
+    double sum = 0;
+    for (int i = 0; i < kNodes; ++i) sum += weight[i] * values[i];
+    return sum;
+}
+
+const ExitInterpolation& on_nodes() {
+    static const ExitInterpolation interpolation(gauss_legendre(kNodes, 0.0, kHorizon).nodes);
+    return interpolation;
+}
+
+}  // namespace
+
+double RoughInterface::masked(double theta) const {
+    return std::clamp(interpolate(on_nodes(), masked_, theta), 0.0, 1.0);
+}
+
+double RoughInterface::albedo(double theta_i) const {
+    return interpolate(on_nodes(), reflected_, theta_i) +
+           diffuse_scale_ * masked_outside_ * masked(theta_i);
+}
+
+double RoughInterface::brdf(double theta_i, double theta_o, double phi) const {
+    return facet_brdf(theta_i, theta_o, phi) + diffuse_scale_ * masked(theta_i) * masked(theta_o);
+}
+
+std::shared_ptr<const RoughInterface> rough_interface(double ior, double alpha) {
+    struct Entry {
+        double ior, alpha;
+        std::shared_ptr<const RoughInterface> interface;
+    };
+    constexpr std::size_t kKept = 256;
+    static std::mutex mutex;
+    static std::deque<Entry> entries;
+    {
+        const std::scoped_lock lock(mutex);
+        for (const Entry& e : entries) {
+            if (e.ior == ior && e.alpha == alpha) return e.interface;
+        }
+    }
+    auto made = std::make_shared<const RoughInterface>(ior, alpha);
+    const std::scoped_lock lock(mutex);
+    entries.push_back({ior, alpha, made});
+    if (entries.size() > kKept) entries.pop_front();
+    return made;
+}
+
+double rough_interface_brdf(double ior, double alpha, double theta_i, double theta_o, double phi) {
+    if (ior == 1.0) return 0;
+    return rough_interface(ior, alpha)->brdf(theta_i, theta_o, phi);
+}
+
+void reflect_under_rough_interface(const RoughInterfaceOperators::Order& interface, DoubleLanes* y,
+                                   DoubleLanes* u, ImpedanceWorkspace& work) {
+    const int n = interface.n, exits = interface.exits;
+    DoubleLanes* solved = work.b.data();
+    for (int i = 0; i < n * n; ++i) y[i] += splat(interface.impedance[i]);
+    for (int i = 0; i < n * exits; ++i) solved[i] = splat(interface.through[i]);
+    for (int i = 0; i < exits * exits; ++i) u[i] = splat(-interface.direct[i]);
+    cholesky(y, n);
+    forward_solve(y, solved, n, exits);
+    add_gram(1.0, u, 2.0, solved, n, exits);
+}
+
+void reflect_once_under_rough_interface(const RoughInterfaceOperators::Order& interface,
+                                        const DoubleLanes* s, DoubleLanes* u,
+                                        ImpedanceWorkspace& work) {
+    const int n = interface.n, exits = interface.exits;
+    const double* enter = interface.enter.data();
+    DoubleLanes* half = work.b.data();  // S T^T, n x exits
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < exits; j += kTile) {
+            DoubleLanes sum[kTile] = {};
+            for (int k = 0; k < n; ++k) {
+                for (int t = 0; t < kTile; ++t) sum[t] += s[i * n + k] * enter[k * exits + j + t];
+            }
+            for (int t = 0; t < kTile; ++t) half[i * exits + j + t] = sum[t];
+        }
+    }
+    for (int i = 0; i < exits; ++i) {
+        for (int j = 0; j < exits; j += kTile) {
+            DoubleLanes sum[kTile] = {};
+            for (int k = 0; k < n; ++k) {
+                for (int t = 0; t < kTile; ++t) {
+                    sum[t] += enter[k * exits + i] * half[k * exits + j + t];
+                }
+            }
+            for (int t = 0; t < kTile; ++t) u[i * exits + j + t] = sum[t];
+        }
+    }
+}
+
+}  // namespace nacre::solver

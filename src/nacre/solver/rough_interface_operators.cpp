@@ -1,0 +1,231 @@
+#include "nacre/solver/rough_interface_operators.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/core/quadrature.h"
+
+namespace nacre::solver {
+
+namespace {
+
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Vector = Eigen::VectorXd;
+
+constexpr double kHorizon = std::numbers::pi / 2;
+
+// A panel of Directions: nodes in its own angle, theta_e outside or the angle inside.
+struct Panel {
+    int first, count;
+    double from, to;
+    ExitInterpolation basis;
+};
+
+// Where the outer integral looks out from: one fine node of one panel on one side.
+struct Station {
+    const Panel* panel;
+    bool outside;
+    double theta;                            // on its own side
+    double etendue;                          // over 2 pi
+    std::vector<double> basis;               // the panel's Lagrange polynomials here
+    int orders;                              // that may matter
+    std::vector<double> reflected, through;  // [order][node inside]: what goes on, by node
+    double masked = 1, reflected_share = 0;
+};
+
+class Projection {
+ public:
+    Projection(const Directions& d, int orders, double alpha)
+        : d_(d), orders_(orders), alpha_(alpha) {
+        panels_.push_back({0, d.exit_count, 0.0, kHorizon, ExitInterpolation(d.exit_angle)});
+        if (d.size() > d.exit_count) {
+            std::vector<double> angle;
+            for (int i = d.exit_count; i < d.size(); ++i) angle.push_back(std::acos(d.mu[i]));
+            panels_.push_back({d.exit_count, d.size() - d.exit_count, std::asin(1 / d.ior),
+                               kHorizon, ExitInterpolation(angle)});
+        }
+        const double n2 = d.ior * d.ior;
+        for (int i = 0; i < d.size(); ++i) etendue_.push_back(n2 * d.weight[i] * d.mu[i]);
+        add_stations(panels_[0], true);
+        for (const Panel& panel : panels_) add_stations(panel, false);
+        tbb::parallel_for(std::size_t{0}, stations_.size(),
+                          [&](std::size_t i) { look_out(stations_[i]); });
+        set_normaliser();
+    }
+
+    // Reflection inside and transmission to outside (exits x size) of one order, all nodes.
+    Matrix reflection(int l) const { return project(false, l, &Station::reflected); }
+    Matrix transmission(int l) const { return project(true, l, &Station::through); }
+
+    // A function given by its values at the stations of one side.
+    Vector project(bool outside, double Station::*value) const {
+        Vector out = Vector::Zero(outside ? d_.exit_count : d_.size());
+        for (const Station& s : stations_) {
+            if (s.outside != outside) continue;
+            for (int i = 0; i < s.panel->count; ++i) {
+                out[s.panel->first + i] += s.etendue * s.basis[i] * (s.*value);
+            }
+        }
+        for (int i = 0; i < out.size(); ++i) out[i] /= std::sqrt(etendue_[i]);
+        return normaliser_.topLeftCorner(out.size(), out.size()) * out;
+    }
+
+    // The function 1, exactly what project() would make of it.
+    Vector ones(bool outside) const {
+        Vector out(outside ? d_.exit_count : d_.size());
+        for (int i = 0; i < out.size(); ++i) out[i] = std::sqrt(etendue_[i]);
+        return out;
+    }
+
+ private:
+    void add_stations(const Panel& panel, bool outside) {
+        // Exact for products of two basis functions and a smooth third one.
+        const Quadrature rule = gauss_legendre(panel.count + 16, panel.from, panel.to);
+        for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+            Station s;
+            s.panel = &panel;
+            s.outside = outside;
+            const double angle = rule.nodes[k];
+            s.etendue = rule.weights[k] * std::sin(angle) * std::cos(angle);
+            const bool exits = panel.first == 0;
+            if (!exits) s.etendue *= d_.ior * d_.ior;
+            s.theta = exits && !outside ? std::asin(std::sin(angle) / d_.ior) : angle;
+            s.basis.resize(panel.count);
+            panel.basis.weights_at(angle, s.basis.data());
+            // Lobes are no narrower than alpha times the bend of a refracted ray, (n - 1)/n.
+            const double narrowest = alpha_ * (d_.ior - 1) / d_.ior;
+            s.orders =
+                static_cast<int>(std::min<double>(orders_, 12 + 5 * std::sin(s.theta) / narrowest));
+            stations_.push_back(std::move(s));
+        }
+    }
+
+    void look_out(Station& s) const {
+        const int n = d_.size();
+        const std::size_t size = static_cast<std::size_t>(s.orders) * n;
+        s.reflected.assign(s.outside ? 0 : size, 0.0);
+        s.through.assign(s.outside ? size : 0, 0.0);
+        // The basis jumps from panel to panel at the critical angle.
+        const double edge = panels_.size() > 1 ? std::sqrt(1 - 1 / (d_.ior * d_.ior)) : 0.0;
+        const FacetDetail detail{2.0 * d_.exit_count / kHorizon, static_cast<double>(s.orders),
+                                 edge};
+        std::vector<double> basis(n);
+        const double here = s.outside ? 1.0 : d_.ior, there = s.outside ? d_.ior : 1.0;
+        for_each_facet_exit(s.theta, alpha_, here, there, detail, [&](const FacetExit& exit) {
+            s.masked -= exit.share;
+            if (s.outside != exit.through) return;  // ends outside: closed form
+            if (exit.share < 1e-15) return;
+            // To the inside: which panel, and the polynomials there.
+            const double sine_outside = d_.ior * exit.sine;
+            const Panel* panel = &panels_[0];
+            double angle = std::asin(std::min(1.0, sine_outside));
+            if (sine_outside >= 1 && panels_.size() > 1) {
+                panel = &panels_[1];
+                angle = std::atan2(exit.sine, exit.cosine);
+            }
+            panel->basis.weights_at(angle, basis.data());
+            double* out = (s.outside ? s.through : s.reflected).data() + panel->first;
+            double now = exit.share, before = exit.share * exit.cos_phi;
+            for (int l = 0; l < s.orders; ++l, out += n) {
+                for (int j = 0; j < panel->count; ++j) out[j] += now * basis[j];
+                const double next = 2 * exit.cos_phi * now - before;
+                before = now;
+                now = next;
+            }
+        });
+    }
+
+    // Polynomials are orthogonal under the nodes' own quadrature, all but exactly so under the
+    // true measure for the highest degrees: M^-1/2 makes them so.                [lowdin-1950]
+    void set_normaliser() {
+        const int n = d_.size();
+        Matrix gram = Matrix::Zero(n, n);
+        for (const Station& s : stations_) {
+            if (s.outside) continue;
+            for (int i = 0; i < s.panel->count; ++i) {
+                for (int j = 0; j < s.panel->count; ++j) {
+                    const int a = s.panel->first + i, b = s.panel->first + j;
+                    gram(a, b) +=
+                        s.etendue * s.basis[i] * s.basis[j] / std::sqrt(etendue_[a] * etendue_[b]);
+                }
+            }
+        }
+        normaliser_ = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).operatorInverseSqrt();
+    }
+
+    Matrix project(bool outside, int l, std::vector<double> Station::*values) const {
+        const int n = d_.size(), rows = outside ? d_.exit_count : n;
+        Matrix out = Matrix::Zero(rows, n);
+        for (const Station& s : stations_) {
+            if (s.outside != outside || l >= s.orders) continue;
+            const Eigen::Map<const Eigen::RowVectorXd> value(
+                (s.*values).data() + std::size_t(l) * n, n);
+            for (int i = 0; i < s.panel->count; ++i) {
+                out.row(s.panel->first + i) += s.etendue * s.basis[i] * value;
+            }
+        }
+        for (int i = 0; i < rows; ++i) {
+            for (int j = 0; j < n; ++j) out(i, j) /= std::sqrt(etendue_[i] * etendue_[j]);
+        }
+        return normaliser_.topLeftCorner(rows, rows) * out * normaliser_;
+    }
+
+    const Directions& d_;
+    int orders_;
+    double alpha_;
+    std::vector<Panel> panels_;
+    std::vector<double> etendue_;  // of the nodes, over 2 pi
+    std::vector<Station> stations_;
+    Matrix normaliser_;
+};
+
+std::vector<double> elements(const Matrix& m) { return {m.data(), m.data() + m.size()}; }
+
+}  // namespace
+
+RoughInterfaceOperators::RoughInterfaceOperators(const Directions& d, const ActiveNodes& active,
+                                                 double alpha) {
+    const Projection projection(d, active.orders(), alpha);
+    orders_.resize(active.orders());
+    tbb::parallel_for(0, active.orders(), [&](int l) {
+        Matrix reflection = projection.reflection(l);
+        reflection = 0.5 * (reflection + reflection.transpose()).eval();
+        Matrix transmission = projection.transmission(l);
+        if (l == 0) {
+            // What is masked goes back evenly. Inside, m is what the matrices lack, so that they
+            // conserve energy to rounding.
+            const Vector masked_outside = projection.project(true, &Station::masked);
+            const Vector masked_inside = projection.ones(false) -
+                                         reflection * projection.ones(false) -
+                                         transmission.transpose() * projection.ones(true);
+            const Vector found = projection.project(false, &Station::masked);
+            asymmetry_ = (found - masked_inside).norm() / projection.ones(false).norm();
+            const double total = masked_outside.dot(projection.ones(true)) +
+                                 masked_inside.dot(projection.ones(false));
+            if (total > 0) {
+                reflection += masked_inside * masked_inside.transpose() / total;
+                transmission += masked_outside * masked_inside.transpose() / total;
+            }
+        }
+        const int first = active.first(l);
+        Order& out = orders_[l];
+        out.n = d.size() - first;
+        out.exits = std::max(0, d.exit_count - first);
+        const Matrix r = reflection.bottomRightCorner(out.n, out.n);
+        const Matrix t = transmission.bottomRightCorner(out.exits, out.n);
+        const Matrix identity = Matrix::Identity(out.n, out.n);
+        const Matrix q = Eigen::LLT<Matrix>(identity + r).solve(identity);
+        const Matrix through = t * q;
+        out.impedance = elements(q + q.transpose() - identity);
+        out.through = elements(through.transpose());
+        out.direct = elements(through * t.transpose());
+        out.enter = elements(t.transpose());
+    });
+}
+
+}  // namespace nacre::solver

@@ -1,0 +1,237 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "nacre/core/quadrature.h"
+#include "nacre/optics/fresnel.h"
+#include "nacre/solver/directions.h"
+#include "nacre/solver/fourier_kernel.h"
+#include "nacre/solver/impedance.h"
+#include "nacre/solver/rough_interface.h"
+
+// Integrals over the facets of a rough interface that are visible from one direction. Lobes may be
+// as narrow as they like: the nodes are facets, not directions.
+
+namespace nacre::solver {
+
+/// Light that left the surface: `towards` is where it goes on.
+struct FacetExit {
+    double share = 0;  ///< of the light that met the surface
+    bool through = false;
+    double cosine = 0;  ///< of the way on, in (0, 1]
+    double sine = 0;
+    double cos_phi = 1;  ///< azimuth between directions of travel before and after
+};
+
+/// What is integrated, for the choice of nodes.
+struct FacetDetail {
+    double polar = 0;  ///< it turns by this many rad per rad of the polar angle of the way on
+    double order = 0;  ///< and has azimuthal orders up to this one
+    /// It has an edge at this cosine of the ways on inside (on the side of larger index); 0: none.
+    double edge_inside = 0;
+};
+
+/// Calls visit(FacetExit) for nodes that integrate over all that leaves the surface when light
+/// comes from the polar angle theta on the side of index n_here. Shares sum to 1 - m(theta).
+///
+/// Nodes are polar in the slope plane. Rings are cut where facets turn out of sight, reflect or
+/// refract beyond the horizon, or begin to reflect totally: between cuts the integrand is smooth
+/// but for square roots at the ends, which the cubic 3 u^2 - 2 u^3 takes away.
+template <class Visit>
+void for_each_facet_exit(double theta, double alpha, double n_here, double n_there,
+                         FacetDetail detail, Visit&& visit) {
+    constexpr double kTail = 27.0, kPi = std::numbers::pi;  // e^-27 of the facets are left out
+    const double c = std::cos(theta), s = std::sin(theta);
+    const double eta = n_there / n_here;
+    const bool inside = eta < 1;
+    const double total_reflection = inside ? std::sqrt(1 - eta * eta) : -1.0;
+    const double scale = smith_beckmann_over_cosine(c, s, alpha);
+    const double t_max = alpha * std::sqrt(kTail);
+
+    const auto facet = [&](double p, double q, double weight) {
+        const double length = std::sqrt(1 + p * p + q * q);
+        const double projected = c + s * p;
+        if (!(projected > 0)) return;
+        const double cosine = std::min(1.0, projected / length);
+        const double share = weight * projected * scale;
+        const double reflectance = optics::dielectric_reflectance(n_here, n_there, cosine);
+        const auto leave = [&](double x, double y, double z, double part, bool through) {
+            if (!(z > 0)) return;
+            const double across = std::sqrt(x * x + y * y);
+            FacetExit exit;
+            exit.through = through;
+            exit.cosine = std::min(1.0, z);
+            exit.sine = std::min(1.0, across);
+            exit.share = share * part * exit.cosine *
+                         smith_beckmann_over_cosine(exit.cosine, exit.sine, alpha);
+            exit.cos_phi = across > 0 ? std::clamp(-x / across, -1.0, 1.0) : 1.0;
+            visit(exit);
+        };
+        const double twice = 2 * cosine / length;
+        leave(twice * p - s, twice * q, twice - c, reflectance, false);
+        if (reflectance < 1) {
+            const double bend =
+                (cosine / eta - optics::refracted_cos(n_here, n_there, cosine)) / length;
+            leave(bend * p - s / eta, bend * q, c / eta - bend, 1 - reflectance, true);
+        }
+    };
+
+    // Cosines of ways on at which rings are cut.
+    const std::array<double, 2> reflected_cut = {0.0, inside ? detail.edge_inside : 0.0};
+    const std::array<double, 2> through_cut = {0.0, inside ? 0.0 : detail.edge_inside};
+    const int reflected_cuts = reflected_cut[1] > 0 ? 2 : 1,
+              through_cuts = through_cut[1] > 0 ? 2 : 1;
+
+    // How far what is integrated turns over facets up to slope t: mirrors turn light by twice their
+    // tilt, refraction by less than it; its azimuth goes round once when the slope passes s.
+    const auto turn = [&](double t) {
+        return detail.polar * std::min(inside ? 2 * t : t, 0.5 * kPi) +
+               detail.order * std::min(2 * t / std::max(s, 1e-9), 1.0);
+    };
+    const double base = inside ? 20 : 10;  // steep about the angle of total reflection
+    const auto nodes = [](double count) { return 4 * static_cast<int>(std::ceil(count / 4)); };
+
+    const auto ring = [&](double t, double weight) {
+        weight *= 2 * t / (alpha * alpha) * std::exp(-t * t / (alpha * alpha)) / kPi;
+        // Where, in p = t cos phi, something changes.
+        std::array<double, 7> cut{};
+        int cuts = 0;
+        cut[cuts++] = 0;
+        double end = kPi;
+        if (s * t > c) end = std::acos(-c / (s * t));
+        const auto cut_at = [&](double p) {
+            if (std::abs(p) < t) {
+                const double phi = std::acos(p / t);
+                if (phi > 0 && phi < end) cut[cuts++] = phi;
+            }
+        };
+        const double length = std::sqrt(1 + t * t);
+        if (inside) cut_at((total_reflection * length - c) / s);
+        for (int k = 0; k < reflected_cuts; ++k) {
+            cut_at((0.5 * (c + reflected_cut[k]) * length * length - c) / s);
+        }
+        for (int k = 0; k < through_cuts; ++k) {
+            // cosine/eta - refracted cosine = turned for the facets that refract to that cosine.
+            const double turned = (c / eta - through_cut[k]) * length;
+            const double cosine = 0.5 * eta * (turned * turned - 1 + 1 / (eta * eta)) / turned;
+            if (cosine > eta * turned) cut_at((cosine * length - c) / s);
+        }
+        cut[cuts++] = end;
+        for (int k = 1; k < cuts; ++k) {  // by insertion: there are seven at most
+            for (int j = k; j > 0 && cut[j] < cut[j - 1]; --j) std::swap(cut[j], cut[j - 1]);
+        }
+        const bool whole = cuts == 2 && end == kPi;
+        for (int k = 0; k + 1 < cuts; ++k) {
+            const double from = cut[k], width = cut[k + 1] - from;
+            if (width < 1e-12) continue;
+            // A whole ring is periodic: equal steps converge fastest.
+            const int count =
+                nodes(whole ? 2 * base + 0.6 * turn(t) : base + 1.2 * turn(t) * width / kPi);
+            const Quadrature& rule = unit_gauss_legendre(count);
+            for (int i = 0; i < count; ++i) {
+                const double u = rule.nodes[i];
+                const double phi =
+                    whole ? kPi * (i + 0.5) / count : from + width * u * u * (3 - 2 * u);
+                const double step = whole ? kPi / count : width * rule.weights[i] * 6 * u * (1 - u);
+                facet(t * std::cos(phi), t * std::sin(phi), weight * step);
+            }
+        }
+    };
+
+    std::array<double, 16> cut{};
+    int cuts = 0;
+    cut[cuts++] = 0;
+    const auto cut_at = [&](double t) {
+        if (std::abs(t) > 0 && std::abs(t) < t_max) cut[cuts++] = std::abs(t);
+    };
+    cut_at(c / s);
+    if (inside) {
+        const double critical = std::acos(total_reflection);
+        cut_at(std::tan(theta - critical));
+        cut_at(std::tan(theta + critical));
+    }
+    for (int k = 0; k < reflected_cuts; ++k) {
+        const double to = std::acos(reflected_cut[k]);
+        cut_at(std::tan(0.5 * (theta - to)));
+        cut_at(std::tan(0.5 * (theta + to)));
+    }
+    for (int k = 0; k < through_cuts; ++k) {
+        const double z = through_cut[k], across = std::sqrt(1 - z * z);
+        cut_at((s - eta * across) / (c - eta * z));
+        cut_at((s + eta * across) / (c - eta * z));
+    }
+    cut[cuts++] = t_max;
+    std::sort(cut.begin(), cut.begin() + cuts);
+    for (int k = 0; k + 1 < cuts; ++k) {
+        const double from = cut[k], width = cut[k + 1] - from;
+        if (width < 1e-12 * t_max) continue;
+        const int count = nodes(8 + (2 * base + 0.6 * turn(t_max)) * width / t_max);
+        const Quadrature& rule = unit_gauss_legendre(count);
+        for (int i = 0; i < count; ++i) {
+            const double u = rule.nodes[i];
+            ring(from + width * u * u * (3 - 2 * u), width * rule.weights[i] * 6 * u * (1 - u));
+        }
+    }
+}
+
+// The rough interface (rough_interface.h) as matrices for the solver, one set per azimuthal order.
+//
+// Psi is basic radiance times the square root of etendue, so that both sides share one scale and
+// what goes in is the transpose of what comes out. The matrices are the Galerkin projections of the
+// kernel on the polynomials that the quadrature nodes interpolate,
+//
+//     A_ij = Int Int l_i(x) K(x, y) l_j(y) dx dy / sqrt(W_i W_j),
+//
+// with the inner integral over facets. Hence (1) lobes narrower than the spacing of the nodes do no
+// harm: only the light they scatter must be smooth, and that the flakes decide; (2) projections of
+// a contraction contract, and constants are among the polynomials: energy is conserved exactly;
+// (3) for alpha -> 0 they tend to Fresnel's diagonal matrices.
+//
+// Below the interface light goes down as D = Rii U + T^T s, and comes back as U = R D. With
+// impedances Y_i = (1 - Rii)(1 + Rii)^-1 and Y = (1 - R)(1 + R)^-1, and B = T (1 + Rii)^-1,
+//
+//     T U = [2 B (Y_i + Y)^-1 B^T - B T^T] s:
+//
+// one Cholesky factor of a symmetric positive definite matrix, as for everything else here.
+
+class RoughInterfaceOperators {
+ public:
+    /// One order, on the active nodes: n inside, of them the first `exits` outside too.
+    struct Order {
+        int n = 0, exits = 0;
+        std::vector<double> impedance;  ///< Y_i, n x n
+        std::vector<double> through;    ///< B^T, n x exits
+        std::vector<double> direct;     ///< B T^T, exits x exits
+        std::vector<double> enter;      ///< T^T, n x exits
+    };
+
+    RoughInterfaceOperators(const Directions& directions, const ActiveNodes& active, double alpha);
+
+    const Order& order(int l) const { return orders_[l]; }
+
+    /// How far the quadrature over facets is from reciprocal: the difference between the masked
+    /// share m inside, found from inside and from what enters, rms over etendue.
+    double asymmetry() const { return asymmetry_; }
+
+ private:
+    std::vector<Order> orders_;
+    double asymmetry_ = 0;
+};
+
+/// T U T^T of one order into u (exits x exits), given the impedance y of all that lies below the
+/// interface (n x n, overwritten).
+void reflect_under_rough_interface(const RoughInterfaceOperators::Order& interface, DoubleLanes* y,
+                                   DoubleLanes* u, ImpedanceWorkspace& work);
+
+/// T S T^T of one order into u (exits x exits), for a symmetric S (n x n): light that the interface
+/// lets in and out, with one reflection S between.
+void reflect_once_under_rough_interface(const RoughInterfaceOperators::Order& interface,
+                                        const DoubleLanes* s, DoubleLanes* u,
+                                        ImpedanceWorkspace& work);
+
+}  // namespace nacre::solver

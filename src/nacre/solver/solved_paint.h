@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "nacre/solver/medium.h"
+#include "nacre/solver/multiple_scattering.h"
+
+namespace nacre::solver {
+
+/// How finely to solve. Zero means: chosen from the recipe.
+struct SolverSettings {
+    int exit_nodes = 0;       ///< directions that leave the coat, a multiple of 4 up to kMostNodes
+    int inner_nodes = 0;      ///< directions beyond the critical angle, a multiple of 4
+    int most_orders = 0;      ///< azimuthal Fourier orders at most
+    double tolerance = 1e-4;  ///< of the peak: where the Fourier series may end
+
+    static constexpr int kMostNodes = 128;
+    static constexpr int kMostOrders = 1024;
+    friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
+};
+
+/// What the solver found out about itself.
+struct SolverReport {
+    int exit_nodes = 0, inner_nodes = 0, orders = 0;
+    /// Largest share by which the quadrature misses the scattering cross section of an exit node;
+    /// it is given back to extinction, so that no energy is lost.
+    double unresolved_scattering = 0;
+    /// Size of the last azimuthal orders over the peak: the truncation error of the series.
+    double azimuthal_tail = 0;
+
+    friend bool operator==(const SolverReport&, const SolverReport&) = default;
+};
+
+enum class Part { total, single, multiple };
+
+/// A paint whose light transport has been solved: a value, complete in itself, that evaluates its
+/// BRDF at the wavelengths it was solved for. The mirror of a smooth interface is left out; the
+/// lobe of a rough one (rough_interface.h) is part of the total, but neither of single nor of
+/// multiple.
+struct SolvedPaint {
+    paint::Recipe recipe;
+    SolverSettings settings;
+    SolverReport report;
+    PaintMedium medium;
+    /// f_multiple: without Fresnel factors under a smooth interface, complete under a rough one.
+    Remainder remainder;
+    /// f_single, complete, if medium.roughness > 0; empty otherwise, where single_scattering() is
+    /// exact. Zero at wavelengths at which the binder's index is 1: there is no interface.
+    Remainder rough_single;
+
+    /// Whether the interface is rough at this wavelength: which of the two the tensors mean.
+    bool is_rough(int wavelength) const {
+        return medium.roughness > 0 && medium.ior[wavelength] > 1;
+    }
+
+    const std::vector<double>& wavelengths_nm() const { return medium.wavelengths_nm; }
+
+    /// BRDF in 1/sr at all wavelengths for polar angles in [0, pi/2) and phi = phi_o - phi_i.
+    /// Exact single scattering under a smooth interface, interpolated remainder; never negative.
+    /// @throws DomainError if an angle is out of range
+    std::vector<double> brdf(double theta_i, double theta_o, double phi,
+                             Part part = Part::total) const;
+
+    friend bool operator==(const SolvedPaint&, const SolvedPaint&) = default;
+};
+
+/// Closed form of the light that met exactly one flake or pigment, in 1/sr, at all wavelengths,
+/// under a smooth interface, its Fresnel factors included; theta outside the coat, phi = phi_o -
+/// phi_i.
+std::vector<double> single_scattering(const PaintMedium& medium, double theta_i, double theta_o,
+                                      double phi);
+
+}  // namespace nacre::solver

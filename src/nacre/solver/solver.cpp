@@ -1,0 +1,203 @@
+#include "nacre/solver/solver.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "nacre/core/error.h"
+#include "nacre/solver/azimuthal_order.h"
+#include "nacre/solver/resolution.h"
+#include "nacre/solver/wavelength_groups.h"
+
+namespace nacre::solver {
+
+namespace {
+
+// Solves wavelengths that share one index of the binder.
+class GroupSolver {
+ public:
+    GroupSolver(const PaintMedium& medium, const Resolution& resolution)
+        : directions_(
+              make_directions(medium.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
+          active_(directions_, resolution.lobe_alpha, resolution.orders),
+          wavelengths_(medium.wavelength_count()) {
+        const bool rough = medium.roughness > 0 && directions_.ior > 1;
+        if (rough) interface_.emplace(directions_, active_, medium.roughness);
+        const int lit = rough ? directions_.size() : directions_.exit_count;
+        blocks_.resize(paint::block_count(wavelengths_));
+        tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
+            blocks_[b] = make_block(medium, directions_, active_, lit, static_cast<int>(b));
+        });
+        set_peaks(medium);
+    }
+
+    // Solves orders in parallel until they no longer matter.
+    GroupSolution run(double tolerance) {
+        constexpr int kChunk = 4;
+        GroupSolution out;
+        out.wavelength_count = wavelengths_;
+        out.exit_angle = directions_.exit_angle;
+        out.inner_nodes = directions_.size() - directions_.exit_count;
+        for (const PaintBlock& block : blocks_) {
+            out.unresolved_scattering = std::max(out.unresolved_scattering, block.unresolved);
+        }
+        if (interface_) {
+            out.unresolved_scattering =
+                std::max(out.unresolved_scattering, interface_->asymmetry());
+        }
+        tbb::enumerable_thread_specific<OrderWorkspace> workspaces(
+            [&] { return OrderWorkspace(directions_.size()); });
+        const int blocks = static_cast<int>(blocks_.size());
+        double last_chunk = 0;
+        for (int from = 0; from < active_.orders(); from += kChunk) {
+            const int count = std::min(kChunk, active_.orders() - from);
+            std::vector<LaneBuffer> values(static_cast<std::size_t>(count) * blocks);
+            tbb::parallel_for(0, count * blocks, [&](int task) {
+                const int order = from + task / blocks;
+                const int rows = directions_.exit_count - active_.first(order);
+                if (rows <= 0) return;
+                const PaintBlock& block = blocks_[task % blocks];
+                OrderWorkspace& work = workspaces.local();
+                const std::size_t pairs = triangle(rows);
+                values[task].resize(interface_ ? 2 * pairs : pairs);
+                DoubleLanes* const at = values[task].data();
+                if (interface_) {
+                    solve_rough_order(block, interface_->order(order), directions_, order, work,
+                                      at + pairs, at);
+                } else {
+                    solve_order(block, directions_, active_, order, work, at);
+                }
+            });
+            double chunk = 0;
+            for (int c = 0; c < count; ++c) {
+                chunk += 2 * append_order(out, from + c, &values[c * blocks]);
+            }
+            // What the orders left out would add, if they fall on as they fell from chunk to chunk.
+            const double ratio = from > 0 ? chunk / std::max(last_chunk, 1e-300) : 1.0;
+            out.azimuthal_tail = ratio < 1 ? chunk * ratio / (1 - ratio) : chunk;
+            if (from > 0 && out.azimuthal_tail < tolerance) break;
+            last_chunk = chunk;
+        }
+        return out;
+    }
+
+ private:
+    // The largest BRDF along the mirror direction of each exit node, for what "small" means: single
+    // scattering alone, a lower bound.
+    void set_peaks(const PaintMedium& medium) {
+        peak_.assign(static_cast<std::size_t>(directions_.exit_count) * blocks_.size(),
+                     DoubleLanes{});
+        if (interface_) return;  // add_to_peaks
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+            for (int i = 0; i < directions_.exit_count; ++i) {
+                const double mu = directions_.mu[i];
+                DoubleLanes sum{};
+                for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+                    sum += backscattering(medium.layers[k], mu, mu, std::numbers::pi,
+                                          static_cast<int>(b)) *
+                           blocks_[b].layers[k].single_factor[triangle(i) + i] * (1 / (mu * mu));
+                }
+                peak_[b * directions_.exit_count + i] = sum;
+            }
+        }
+    }
+
+    // Under a rough interface: what the orders so far add up to along the mirror direction.
+    void add_to_peaks(int order, int first, const LaneBuffer* by_block) {
+        const int rows = directions_.exit_count - first;
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+            for (int i = 0; i < rows; ++i) {
+                const std::size_t at = triangle(i) + i;
+                peak_[b * directions_.exit_count + first + i] +=
+                    (order ? 2.0 : 1.0) * (by_block[b][at] + by_block[b][triangle(rows) + at]);
+            }
+        }
+    }
+
+    // Appends an order's values as [pair][wavelength]; returns its size relative to the peaks.
+    double append_order(GroupSolution& out, int order, const LaneBuffer* by_block) {
+        const int first = active_.first(order);
+        if (first >= directions_.exit_count) return 0;
+        const int rows = directions_.exit_count - first;
+        out.first.push_back(first);
+        if (interface_) add_to_peaks(order, first, by_block);
+        double size = 0;
+        std::size_t pair = 0;
+        const std::size_t pairs = triangle(rows);
+        for (int i = 0; i < rows; ++i) {
+            for (int j = 0; j <= i; ++j, ++pair) {
+                for (std::size_t b = 0; b < blocks_.size(); ++b) {
+                    DoubleLanes value = by_block[b][pair];
+                    DoubleLanes single{};
+                    if (interface_) value += single = by_block[b][pairs + pair];
+                    DoubleLanes* peak = peak_.data() + b * directions_.exit_count + first;
+                    // Order 0 of what is diffuse counts as peak too.
+                    if (order == 0) {
+                        peak[i] = max_lanes(peak[i], value);
+                        peak[j] = max_lanes(peak[j], value);
+                    }
+                    const int lanes =
+                        std::min<int>(kLanes, wavelengths_ - static_cast<int>(b) * kLanes);
+                    for (int lane = 0; lane < lanes; ++lane) {
+                        if (!std::isfinite(value[lane])) {
+                            throw Error(fmt::format(
+                                "the solver broke down in azimuthal order {}: a result is not "
+                                "finite; please report the recipe",
+                                order));
+                        }
+                        out.values.push_back(value[lane] - single[lane]);
+                        if (interface_) out.single_values.push_back(single[lane]);
+                        const double scale = std::min(peak[i][lane], peak[j][lane]);
+                        size = std::max(size, std::abs(value[lane]) / std::max(scale, 1e-300));
+                    }
+                }
+            }
+        }
+        return size;
+    }
+
+    Directions directions_;
+    ActiveNodes active_;
+    std::optional<RoughInterfaceOperators> interface_;  // if rough
+    int wavelengths_;
+    std::vector<PaintBlock> blocks_;
+    LaneBuffer peak_;
+};
+
+}  // namespace
+
+std::vector<double> default_wavelengths_nm() {
+    std::vector<double> w;
+    for (int nm = 400; nm <= 700; nm += 10) w.push_back(nm);
+    return w;
+}
+
+SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                  const SolverSettings& settings, FilmCache* films) {
+    SolvedPaint paint;
+    paint.recipe = recipe;
+    paint.settings = settings;
+    paint.medium = make_medium(recipe, wavelengths_nm, films);
+    Resolution resolution = choose_resolution(paint.medium, settings);
+    const WavelengthGroups groups = group_wavelengths(paint.medium);
+    std::vector<GroupSolution> solutions;
+    double unresolved, tail;
+    do {
+        solutions.clear();
+        unresolved = tail = 0;
+        for (const WavelengthGroup& group : groups) {
+            GroupSolver solver(select_wavelengths(paint.medium, group.distinct), resolution);
+            solutions.push_back(solver.run(settings.tolerance));
+            unresolved = std::max(unresolved, solutions.back().unresolved_scattering);
+            tail = std::max(tail, solutions.back().azimuthal_tail);
+        }
+    } while (refine(resolution, settings, unresolved, tail));
+    merge_groups(groups, solutions, settings.tolerance, paint);
+    return paint;
+}
+
+}  // namespace nacre::solver

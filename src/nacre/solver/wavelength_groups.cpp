@@ -1,0 +1,149 @@
+#include "nacre/solver/wavelength_groups.h"
+
+#include <algorithm>
+
+namespace nacre::solver {
+
+namespace {
+
+// Everything the solution at one wavelength depends on.
+std::vector<double> signature(const PaintMedium& medium, int w) {
+    std::vector<double> s = {medium.ior[w], medium.clearcoat_depth[w],
+                             medium.substrate_reflectance[w]};
+    for (const LayerMedium& layer : medium.layers) {
+        for (const FlakeMedium& flake : layer.flakes) {
+            const int stride = flake.table.wavelength_count();
+            for (int c = 0; c < flake.table.cosine_count(); ++c) {
+                s.push_back(flake.table.chebyshev_reflectance()[c * stride + w]);
+                s.push_back(flake.table.chebyshev_transmittance()[c * stride + w]);
+            }
+        }
+        for (const PigmentMedium& pigment : layer.pigments) {
+            s.push_back(pigment.scattering_per_um[w]);
+            s.push_back(pigment.absorption_per_um[w]);
+        }
+    }
+    return s;
+}
+
+template <class T>
+std::vector<T> pick(const std::vector<T>& from, const std::vector<int>& index) {
+    std::vector<T> out;
+    for (int i : index) out.push_back(from[i]);
+    return out;
+}
+
+paint::FlakeTable pick_columns(const paint::FlakeTable& table, const std::vector<int>& columns) {
+    std::vector<double> r, t;
+    for (int c = 0; c < table.cosine_count(); ++c) {
+        for (int w : columns) {
+            r.push_back(table.chebyshev_reflectance()[c * table.wavelength_count() + w]);
+            t.push_back(table.chebyshev_transmittance()[c * table.wavelength_count() + w]);
+        }
+    }
+    return paint::FlakeTable::from_chebyshev(table.cosine_count(), static_cast<int>(columns.size()),
+                                             r, t);
+}
+
+// Values of all groups as [order][pair][wavelength], pairs from first[order].
+std::vector<double> collect(const WavelengthGroups& groups,
+                            const std::vector<GroupSolution>& solutions,
+                            const std::vector<int>& first,
+                            std::vector<double> GroupSolution::*values) {
+    int count = 0;
+    for (const WavelengthGroup& group : groups) count += static_cast<int>(group.members.size());
+    const int exits = static_cast<int>(solutions[0].exit_angle.size());
+    std::vector<double> all;
+    std::vector<const double*> next;  // by group
+    for (const GroupSolution& s : solutions) next.push_back((s.*values).data());
+    for (std::size_t l = 0; l < first.size(); ++l) {
+        for (int i = first[l]; i < exits; ++i) {
+            for (int j = first[l]; j <= i; ++j) {
+                all.resize(all.size() + count, 0.0);
+                double* row = all.data() + all.size() - count;
+                for (std::size_t g = 0; g < groups.size(); ++g) {
+                    const GroupSolution& s = solutions[g];
+                    if ((s.*values).empty() || l >= s.first.size() || j < s.first[l]) continue;
+                    for (std::size_t k = 0; k < groups[g].members.size(); ++k) {
+                        row[groups[g].members[k]] = next[g][groups[g].solved_as[k]];
+                    }
+                    next[g] += s.wavelength_count;
+                }
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+WavelengthGroups group_wavelengths(const PaintMedium& medium) {
+    WavelengthGroups groups;
+    std::vector<std::vector<std::vector<double>>> known;  // signatures, by group
+    for (int w = 0; w < medium.wavelength_count(); ++w) {
+        std::size_t g = 0;
+        while (g < groups.size() && medium.ior[groups[g].members[0]] != medium.ior[w]) ++g;
+        if (g == groups.size()) {
+            groups.emplace_back();
+            known.emplace_back();
+        }
+        auto s = signature(medium, w);
+        const auto found = std::find(known[g].begin(), known[g].end(), s);
+        groups[g].members.push_back(w);
+        groups[g].solved_as.push_back(static_cast<int>(found - known[g].begin()));
+        if (found == known[g].end()) {
+            groups[g].distinct.push_back(w);
+            known[g].push_back(std::move(s));
+        }
+    }
+    return groups;
+}
+
+PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>& wavelengths) {
+    if (static_cast<int>(wavelengths.size()) == medium.wavelength_count()) return medium;
+    PaintMedium out = medium;
+    out.wavelengths_nm = pick(medium.wavelengths_nm, wavelengths);
+    out.ior = pick(medium.ior, wavelengths);
+    out.clearcoat_depth = pick(medium.clearcoat_depth, wavelengths);
+    out.substrate_reflectance = pick(medium.substrate_reflectance, wavelengths);
+    for (LayerMedium& layer : out.layers) {
+        for (FlakeMedium& flake : layer.flakes)
+            flake.table = pick_columns(flake.table, wavelengths);
+        for (PigmentMedium& pigment : layer.pigments) {
+            pigment.scattering_per_um = pick(pigment.scattering_per_um, wavelengths);
+            pigment.absorption_per_um = pick(pigment.absorption_per_um, wavelengths);
+        }
+    }
+    return out;
+}
+
+void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolution>& solutions,
+                  double tolerance, SolvedPaint& paint) {
+    // All groups share the exit angles; orders that one group did without are zero there. The
+    // first active node can differ with the index: the smallest one holds them all.
+    std::vector<int> first;
+    for (const GroupSolution& s : solutions) {
+        for (std::size_t l = 0; l < s.first.size(); ++l) {
+            if (l == first.size()) first.push_back(s.first[l]);
+            first[l] = std::min(first[l], s.first[l]);
+        }
+        SolverReport& report = paint.report;
+        report.unresolved_scattering =
+            std::max(report.unresolved_scattering, s.unresolved_scattering);
+        report.inner_nodes = std::max(report.inner_nodes, s.inner_nodes);
+        report.azimuthal_tail = std::max(report.azimuthal_tail, s.azimuthal_tail);
+    }
+    const int exits = static_cast<int>(solutions[0].exit_angle.size());
+    paint.report.exit_nodes = exits;
+    paint.report.orders = static_cast<int>(first.size());
+    const auto merge = [&](std::vector<double> GroupSolution::*values) {
+        // A BRDF is a sum of orders, many times larger than each of them where it peaks: what the
+        // orders err by is a small part of the tolerance there.
+        return compress(solutions[0].exit_angle, first, paint.medium.wavelength_count(),
+                        collect(groups, solutions, first, values), tolerance);
+    };
+    paint.remainder = merge(&GroupSolution::values);
+    if (paint.medium.roughness > 0) paint.rough_single = merge(&GroupSolution::single_values);
+}
+
+}  // namespace nacre::solver

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "nacre/solver/solved_paint.h"
+
+// Wavelengths that can be solved together or need not be solved twice.
+
+namespace nacre::solver {
+
+/// Wavelengths at which the binder has one and the same index.
+struct WavelengthGroup {
+    std::vector<int> members;    ///< indices of wavelengths
+    std::vector<int> distinct;   ///< those of them at which the paint differs: what is solved
+    std::vector<int> solved_as;  ///< by member: its position in distinct
+};
+using WavelengthGroups = std::vector<WavelengthGroup>;
+
+/// A metallic grey is the same paint at all wavelengths: it is solved once.
+WavelengthGroups group_wavelengths(const PaintMedium& medium);
+
+/// The medium at some of its wavelengths.
+PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>& wavelengths);
+
+/// What the solver has found for one group: values [order][pair][wavelength of distinct], pairs
+/// i >= j of exit nodes from first[order].
+struct GroupSolution {
+    int wavelength_count = 0;
+    int inner_nodes = 0;
+    std::vector<double> exit_angle;
+    std::vector<int> first;
+    std::vector<double> values;
+    std::vector<double> single_values;  ///< likewise, under a rough interface; else empty
+    double unresolved_scattering = 0, azimuthal_tail = 0;
+};
+
+/// Puts the groups together into paint.remainder, paint.rough_single and paint.report.
+void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolution>& solutions,
+                  double tolerance, SolvedPaint& paint);
+
+}  // namespace nacre::solver

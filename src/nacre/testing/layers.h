@@ -1,0 +1,165 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "nacre/core/angles.h"
+#include "nacre/core/quadrature.h"
+#include "nacre/optics/fresnel.h"
+#include "nacre/solver/lane_matrix.h"
+#include "nacre/solver/solver.h"
+
+// What the tests of lane matrices share: eight Eigen matrices in, one buffer of lanes out, and
+// back.
+
+namespace nacre::solver::test {
+
+using namespace paint;
+
+using Matrices = std::array<Eigen::MatrixXd, kLanes>;
+
+/// One matrix a lane, elements uniform in [-1, 1].
+inline Matrices random_matrices(int rows, int columns, unsigned seed) {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> element(-1, 1);
+    Matrices all;
+    for (Eigen::MatrixXd& m : all) {
+        m = Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return element(engine); });
+    }
+    return all;
+}
+
+inline LaneBuffer to_lanes(const Matrices& all) {
+    const Eigen::Index rows = all[0].rows(), columns = all[0].cols();
+    LaneBuffer out(rows * columns);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        for (Eigen::Index j = 0; j < columns; ++j) {
+            out[i * columns + j] =
+                make_lanes<DoubleLanes>([&](int lane) { return all[lane](i, j); });
+        }
+    }
+    return out;
+}
+
+inline Matrices from_lanes(const LaneBuffer& buffer, int rows, int columns) {
+    Matrices all;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        all[lane].resize(rows, columns);
+        for (int i = 0; i < rows; ++i) {
+            for (int j = 0; j < columns; ++j) all[lane](i, j) = buffer[i * columns + j][lane];
+        }
+    }
+    return all;
+}
+
+// What the tests of the solver share: paints written short, and the light that leaves them.
+
+inline const std::vector<double> kOneWavelength = {550.0};
+
+inline FlakeSpecies flake_species(double alpha, const spectra::Spectrum& reflectance,
+                                  const spectra::Spectrum& transmittance) {
+    FlakeSpecies flake;
+    flake.name = "flakes";
+    flake.amount = AreaDensity{0.1};
+    flake.orientation.beckmann_alpha = alpha;
+    flake.body = PrescribedFlake{reflectance, transmittance, 0.3};
+    return flake;
+}
+
+/// Flakes that reflect and pass the given shares at all angles; c = 0.1 per um, so that a layer of
+/// 10 beta um has the dimensionless depth beta.
+inline Recipe flake_paint(double alpha, const spectra::Spectrum& reflectance,
+                          const spectra::Spectrum& transmittance, double depth, double ior) {
+    Recipe recipe;
+    recipe.binder = optics::Material(ior);
+    recipe.layers.push_back({10 * depth, {flake_species(alpha, reflectance, transmittance)}, {}});
+    return recipe;
+}
+
+/// One layer of a Henyey-Greenstein pigment with the given albedo and optical depth.
+inline Recipe pigment_paint(double albedo, double depth, double anisotropy, double ior) {
+    Recipe recipe;
+    recipe.binder = optics::Material(ior);
+    Layer layer;
+    layer.thickness_um = 1000 * std::min(depth, 1.0);
+    const double per_mm = std::max(depth, 1.0);
+    layer.pigments.push_back({per_mm * albedo, per_mm * (1 - albedo), anisotropy});
+    recipe.layers.push_back(layer);
+    return recipe;
+}
+
+/// Light that meets exactly one flake or pigment and leaves, over the incident light from theta_i,
+/// at the first wavelength: the closed form summed over outgoing directions. One layer only, so
+/// that the kernel alone depends on azimuth and attenuation is computed once a polar angle.
+inline double single_albedo(const SolvedPaint& paint, double theta_i) {
+    constexpr int kPolar = 96, kAzimuths = 128;
+    static const Quadrature polar = gauss_legendre(kPolar, 0, kPi / 2);
+    static const Quadrature azimuth = gauss_legendre(kAzimuths, 0, 1);
+    const PaintMedium& medium = paint.medium;
+    const double mu_i = inside_cosine(medium.ior[0], theta_i);
+    double sum = 0;
+    for (int i = 0; i < kPolar; ++i) {
+        const double theta = polar.nodes[i], mu_o = inside_cosine(medium.ior[0], theta);
+        const auto kernel = [&](double phi) {
+            return backscattering(medium.layers.at(0), mu_i, mu_o, phi, 0)[0];
+        };
+        const double mirror = kernel(kPi);
+        if (mirror == 0) continue;  // so far off the lobe that it underflows
+        double ring = 0;
+        for (int k = 0; k < kAzimuths; ++k) {
+            // phi = pi (1 - x^2) packs nodes around the mirror direction.
+            const double x = azimuth.nodes[k];
+            ring += 4 * kPi * x * azimuth.weights[k] * kernel(kPi * (1 - x * x));
+        }
+        sum += polar.weights[i] * std::sin(theta) * std::cos(theta) * ring / mirror *
+               single_scattering(medium, theta_i, theta, kPi)[0];
+    }
+    return sum;
+}
+
+/// Order 0 of the remainder at the first wavelength, between theta_i and every exit node.
+inline std::vector<double> multiple_by_node(const SolvedPaint& paint, double theta_i) {
+    const Remainder& r = paint.remainder;
+    const std::size_t n = r.exit_angle.size();
+    std::vector<double> weight(n), out(n, 0.0);
+    ExitInterpolation(r.exit_angle).weights_at(theta_i, weight.data());
+    for (int k = 0; k < r.rank(); ++k) {
+        const double basis = r.basis[static_cast<std::size_t>(k) * r.wavelength_count];
+        const float* value = r.coefficient.data() + k * r.pair_count();
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j <= i; ++j, ++value) {
+                out[j] += basis * *value * weight[i];
+                if (j != i) out[i] += basis * *value * weight[j];
+            }
+        }
+    }
+    return out;
+}
+
+/// Light that meets more than one, likewise; a smooth interface.
+inline double multiple_albedo(const SolvedPaint& paint, double theta_i) {
+    const double ior = paint.medium.ior[0];
+    const Directions d =
+        make_directions(ior, static_cast<int>(paint.remainder.exit_angle.size()), 4);
+    const std::vector<double> f = multiple_by_node(paint, theta_i);
+    const auto enter = [&](double theta) {
+        return 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta));
+    };
+    double sum = 0;
+    for (int j = 0; j < d.exit_count; ++j) {
+        sum += 2 * kPi * d.weight[j] * d.mu[j] * enter(d.exit_angle[j]) * f[j];
+    }
+    return enter(theta_i) * sum;
+}
+
+/// All light that leaves, without the mirror of the interface.
+inline double albedo(const SolvedPaint& paint, double theta_i) {
+    return single_albedo(paint, theta_i) + multiple_albedo(paint, theta_i);
+}
+
+}  // namespace nacre::solver::test

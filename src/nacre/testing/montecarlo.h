@@ -1,0 +1,199 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/core/parallel.h"
+#include "nacre/core/random.h"
+#include "nacre/montecarlo/reference.h"
+#include "nacre/optics/material.h"
+
+// What the tests of this folder share: paints written short, and the z-score.
+
+namespace nacre::montecarlo::test {
+
+/// (estimate - expected) in standard errors; the expected value's own error adds in quadrature.
+/// Standard normal if the walk is right.
+inline double z_score(const Estimate& estimate, double expected, double expected_error = 0) {
+    return (estimate.mean - expected) / std::hypot(estimate.standard_error, expected_error);
+}
+inline double z_score(const Estimate& a, const Estimate& b) {
+    return z_score(a, b.mean, b.standard_error);
+}
+
+/// A right walk exceeds this in one of 30000 values; seeds are fixed, so a test that passes once
+/// passes always, and the bound says how likely it was to be kept although the walk is wrong.
+inline constexpr double kWorstZ = 4.2;
+
+inline paint::FlakeSpecies flakes(double area_density_per_um, double alpha,
+                                  const spectra::Spectrum& reflectance,
+                                  const spectra::Spectrum& transmittance) {
+    paint::FlakeSpecies species;
+    species.name = "flakes";
+    species.amount = paint::AreaDensity{area_density_per_um};
+    species.orientation.beckmann_alpha = alpha;
+    species.body = paint::PrescribedFlake{reflectance, transmittance, 0.3};
+    return species;
+}
+
+/// Optical depth `depth` of scattering albedo `albedo` in a layer of 100 um.
+inline paint::Layer pigment_layer(double albedo, double depth, double anisotropy) {
+    constexpr double kThickness_mm = 0.1;
+    paint::Layer layer;
+    layer.thickness_um = 1e3 * kThickness_mm;
+    layer.pigments.push_back(
+        {albedo * depth / kThickness_mm, (1 - albedo) * depth / kThickness_mm, anisotropy});
+    return layer;
+}
+
+/// Flakes of area density times thickness `beta`, in a layer of 10 um.
+inline paint::Layer flake_layer(double beta, double alpha, double reflectance,
+                                double transmittance) {
+    paint::Layer layer;
+    layer.thickness_um = 10;
+    layer.flakes.push_back(flakes(beta / 10, alpha, reflectance, transmittance));
+    return layer;
+}
+
+inline paint::Recipe paint(double index, std::vector<paint::Layer> layers,
+                           double substrate_reflectance = 0) {
+    paint::Recipe recipe;
+    recipe.name = "test paint";
+    recipe.binder = optics::Material(index);
+    recipe.layers = std::move(layers);
+    recipe.substrate_reflectance = substrate_reflectance;
+    return recipe;
+}
+
+/// The worked case of the design: n = 1.5, c = 0.1 per um, alpha = 0.1, R = 0.6, T = 0, H = 15 um,
+/// nothing below.
+inline paint::Recipe worked_paint() {
+    paint::Layer layer;
+    layer.thickness_um = 15;
+    layer.flakes.push_back(flakes(.1, .1, .6, 0));
+    return paint(1.5, {layer});
+}
+
+inline const std::vector<double> kGreen{550};
+
+inline std::vector<Estimate> brdf(const paint::Recipe& recipe, const Direction& incident,
+                                  const std::vector<Direction>& outgoing,
+                                  const ReferenceSettings& settings) {
+    return reference_brdf(recipe, std::vector{incident}, outgoing, kGreen, settings);
+}
+
+inline double degrees_of_cosine(double cosine) {
+    return std::acos(cosine) * 180 / std::numbers::pi;
+}
+
+// What the tests of this folder share: walks in numbers, and the statistics of what they bring.
+
+using montecarlo::Estimate;
+using montecarlo::test::flake_layer;
+using montecarlo::test::kWorstZ;
+using montecarlo::test::paint;
+using montecarlo::test::pigment_layer;
+using montecarlo::test::worked_paint;
+using montecarlo::test::z_score;
+
+/// Eight wavelengths of the grid on which films are computed, so that nothing is interpolated.
+inline constexpr bsdf::Wavelengths kOnGrid{420, 460, 500, 540, 580, 620, 660, 690};
+
+/// What a recipe may hold: flakes that let light pass, a pigment, an absorbing clearcoat, two
+/// layers and a ground; different at every wavelength.
+inline paint::Recipe pearl() {
+    paint::Layer top = flake_layer(0.8, 0.15, 0, 0);
+    optics::Platelet platelet;
+    platelet.core = {optics::find_material("mica"), 500, {60}};
+    platelet.coats = {{optics::find_material("TiO2_anatase"), 110, {5}}};
+    top.flakes[0].body = platelet;
+    paint::Layer below = pigment_layer(0.8, 1.0, 0.4);
+    below.flakes = flake_layer(30, 0.3, 0.5, 0.2).flakes;
+    below.flakes[0].amount = paint::AreaDensity{0.004};
+    paint::Recipe recipe = paint(1.5, {top, below}, 0.3);
+    recipe.name = "pearl";
+    recipe.clearcoat.emplace();
+    recipe.clearcoat->thickness_um = 40;
+    recipe.clearcoat->absorption_per_mm = spectra::Spectrum({400, 700}, {8, 1});
+    return recipe;
+}
+
+inline Vec3f from_degrees(double theta, double phi) {
+    const double t = theta * std::numbers::pi / 180, p = phi * std::numbers::pi / 180;
+    return {static_cast<float>(std::sin(t) * std::cos(p)),
+            static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t))};
+}
+
+/// Estimates of several quantities at eight wavelengths: [quantity][lane].
+using Estimates = std::vector<std::array<Estimate, kLanes>>;
+
+/// What a sample is worth for each quantity, appended as (quantity, value).
+using Score = std::function<void(const bsdf::BsdfSample&, std::vector<FloatLanes>& values)>;
+
+/// Means over `count` samples of `surface` from wi; walks are a function of (seed, number) alone.
+inline Estimates estimate(const bsdf::BoundBsdf& surface, Vec3f wi, int count,
+                          std::size_t quantities, std::uint64_t seed, const Score& score) {
+    constexpr std::size_t kBlock = 4096;
+    const std::size_t blocks = (static_cast<std::size_t>(count) + kBlock - 1) / kBlock;
+    struct Sums {
+        std::vector<DoubleLanes> sum, squares;
+    };
+    std::vector<Sums> of_block(blocks);
+    parallel_for(0, blocks, [&](std::size_t b) {
+        Sums& sums = of_block[b];
+        sums.sum.resize(quantities);
+        sums.squares.resize(quantities);
+        std::vector<FloatLanes> values(quantities);
+        Rng rng(seed, b);
+        const std::size_t last = std::min<std::size_t>((b + 1) * kBlock, count);
+        for (std::size_t i = b * kBlock; i < last; ++i) {
+            const float u_lobe = rng.uniform_float(), x = rng.uniform_float();
+            const auto sample = surface.sample(wi, u_lobe, {x, rng.uniform_float()});
+            if (!sample) continue;
+            std::fill(values.begin(), values.end(), FloatLanes{});
+            score(*sample, values);
+            for (std::size_t q = 0; q < quantities; ++q) {
+                const auto v = __builtin_convertvector(values[q], DoubleLanes);
+                sums.sum[q] += v;
+                sums.squares[q] += v * v;
+            }
+        }
+    });
+    Estimates result(quantities);
+    const double n = count;
+    for (std::size_t q = 0; q < quantities; ++q) {
+        DoubleLanes sum{}, squares{};
+        for (const Sums& sums : of_block) {
+            sum += sums.sum[q];
+            squares += sums.squares[q];
+        }
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const double mean = sum[lane] / n;
+            const double variance = std::max(0.0, squares[lane] / n - mean * mean) * n / (n - 1);
+            result[q][lane] = {mean, std::sqrt(variance / n)};
+        }
+    }
+    return result;
+}
+
+/// Share of the light from wi that leaves again, mirror included.
+inline std::array<Estimate, kLanes> walked_albedo(const bsdf::BoundBsdf& surface, Vec3f wi,
+                                                  int count, std::uint64_t seed = 1) {
+    return estimate(surface, wi, count, 1, seed,
+                    [](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
+                        values[0] = s.weight;
+                    })[0];
+}
+
+inline bool is_mirror_image(Vec3f wi, Vec3f wo) {
+    return std::abs(wi.x + wo.x) < 1e-6f && std::abs(wi.y + wo.y) < 1e-6f &&
+           std::abs(wi.z - wo.z) < 1e-6f;
+}
+
+}  // namespace nacre::montecarlo::test

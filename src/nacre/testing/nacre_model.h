@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
+#include "nacre/core/random.h"
+#include "nacre/solver/solver.h"
+#include "nacre/testing/bsdf.h"
+
+// What the tests of single flakes share.
+
+namespace nacre::bsdf {
+
+// On the paints' own grid, so that nothing is interpolated between wavelengths.
+inline const Wavelengths kOnGrid = {420, 460, 490, 530, 570, 610, 640, 690};
+
+inline paint::FlakeSpecies metal_flake(double diameter_um, double reflectance, double alpha = 0.1) {
+    paint::FlakeSpecies flake;
+    flake.amount = paint::AreaDensity{0.1};
+    flake.diameter_um = diameter_um;
+    flake.orientation.beckmann_alpha = alpha;
+    flake.body = paint::PrescribedFlake{reflectance, 0.0, 0.3};
+    return flake;
+}
+
+inline paint::FlakeSpecies pearl_flake(double diameter_um) {
+    paint::FlakeSpecies flake = metal_flake(diameter_um, 0);
+    optics::Platelet platelet;
+    platelet.core = {optics::find_material("mica"), 500, {}};
+    platelet.coats = {{optics::find_material("TiO2_anatase"), 110, {20}}};
+    flake.body = platelet;
+    return flake;
+}
+
+inline paint::Recipe paint_of(std::vector<paint::FlakeSpecies> flakes) {
+    paint::Recipe recipe;
+    recipe.layers.push_back({15, std::move(flakes), {}});
+    return recipe;
+}
+
+// Two layers, two species, a pigment, an absorbing clearcoat and a bright ground: every term.
+inline paint::Recipe everything_with_flakes() {
+    paint::Recipe recipe = paint_of({metal_flake(20, 0.6)});
+    recipe.layers[0].flakes[0].diameter_spread_um = 6;
+    paint::FlakeSpecies pearl = pearl_flake(12);
+    pearl.orientation.beckmann_alpha = 0.2;
+    recipe.layers.insert(recipe.layers.begin(), paint::Layer{10, {pearl}, {{20.0, 5.0, 0.5}}});
+    recipe.clearcoat = paint::Clearcoat{40, spectra::Spectrum({400.0, 700.0}, {8.0, 1.0}), 0.0};
+    recipe.substrate_reflectance = spectra::Spectrum({400.0, 700.0}, {0.3, 0.8});
+    return recipe;
+}
+
+struct SparklingModel {
+    std::shared_ptr<const solver::SolvedPaint> paint;
+    Nacre nacre;
+    std::unique_ptr<const BoundBsdf> bound;
+
+    explicit SparklingModel(const paint::Recipe& recipe, std::uint64_t seed = 1,
+                            const NacreSettings& settings = {})
+        : paint(std::make_shared<const solver::SolvedPaint>(
+              solver::solve(recipe, solver::default_wavelengths_nm()))),
+          nacre(paint, seed, settings),
+          bound(nacre.bind(kOnGrid)) {}
+
+    /// Of the first species of the first layer.
+    double flakes_per_mm2() const {
+        const paint::Layer& layer = paint->recipe.layers[0];
+        const double radius_mm = 0.5e-3 * layer.flakes[0].diameter_um;
+        return layer.flakes[0].area_density_per_um() * layer.thickness_um /
+               (std::numbers::pi * radius_mm * radius_mm);
+    }
+};
+
+inline const SparklingModel& everything_sparkling() {
+    static const SparklingModel model(everything_with_flakes());
+    return model;
+}
+
+/// A turned square of this side on a plane that faces one of the axes, anywhere within 2 m.
+inline Patch square_somewhere(Rng& rng, double side_mm) {
+    const auto anywhere = [&] { return 2000 * rng.uniform_float() - 1000; };
+    const int axis = static_cast<int>(3 * rng.uniform_float());
+    const float sign = rng.uniform_float() < 0.5f ? -1.0f : 1.0f;
+    const Vec3f n = {axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
+    const Frame frame = Frame::around(n);
+    const float turn = 2 * std::numbers::pi_v<float> * rng.uniform_float();
+    const float c = static_cast<float>(side_mm) * std::cos(turn);
+    const float d = static_cast<float>(side_mm) * std::sin(turn);
+    Patch patch;
+    patch.rest = {{anywhere(), anywhere(), anywhere()},
+                  n,
+                  frame.s,
+                  {c * frame.s + d * frame.t, c * frame.t - d * frame.s}};
+    return patch;
+}
+
+}  // namespace nacre::bsdf

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "nacre/models/models.h"
+#include "nacre/solver/solver.h"
+
+// Only for tests: paints whose sparkle has nothing to it but places and slopes.
+
+namespace nacre::models::testing {
+
+/// Grey flakes of one size.
+struct PlainFlakes {
+    double diameter_um = 20;
+    double alpha = 0.1;
+    double ior = 1.5;
+    double cover = 1;  ///< area of all flakes over that of the paint
+    double reflectance = 0.6, transmittance = 0;
+};
+
+inline paint::Recipe recipe_of(const PlainFlakes& plain) {
+    constexpr double kThicknessUm = 10;
+    paint::FlakeSpecies flakes;
+    flakes.amount = paint::AreaDensity{plain.cover / kThicknessUm};
+    flakes.diameter_um = plain.diameter_um;
+    flakes.orientation.beckmann_alpha = plain.alpha;
+    flakes.body = paint::PrescribedFlake{plain.reflectance, plain.transmittance, 0.3};
+    paint::Recipe recipe;
+    recipe.binder = optics::Material(plain.ior);
+    recipe.clearcoat = paint::Clearcoat{30, 0.0, 0};
+    recipe.layers = {paint::Layer{kThicknessUm, {flakes}, {}}};
+    recipe.substrate_reflectance = 0.02;
+    return recipe;
+}
+
+/// Solved at one wavelength, as nothing depends on it.
+inline std::shared_ptr<const bsdf::Bsdf> nacre_surface(const paint::Recipe& recipe,
+                                                       std::uint64_t seed) {
+    const auto solved =
+        std::make_shared<const solver::SolvedPaint>(solver::solve(recipe, {550}, {}));
+    SurfaceOptions options;
+    options.seed = seed;
+    return make_surface(Model::nacre, {recipe, solved, {}}, options);
+}
+
+}  // namespace nacre::models::testing

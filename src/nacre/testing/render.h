@@ -1,0 +1,187 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/warp.h"
+#include "nacre/render/render.h"
+#include "nacre/render/scene.h"
+
+// Only for tests: a coated paint in a few lines, with a mirror, a sharp lobe whose colour turns
+// with angle, and a diffuse ground. It has all that a renderer must cope with.
+
+namespace nacre::render::testing {
+
+class BoundGlossy final : public bsdf::BoundBsdf {
+ public:
+    BoundGlossy(const bsdf::Wavelengths& wavelengths_nm, float exponent, float mirror)
+        : nm_(make_lanes([&](int i) { return static_cast<float>(wavelengths_nm[i]); })),
+          exponent_(exponent),
+          mirror_(mirror) {}
+
+    FloatLanes eval(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+        const Vec3f h = normalize(wi + wo);
+        const float cos_h = dot(wi, h);
+        const float lobe = density(h) / (4 * cos_h * std::max(wi.z, wo.z));
+        return (1 - mirror_) * (lobe * colour(cos_h) + splat(0.1f * kInvPi));
+    }
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+        if (wi.z <= 0) return std::nullopt;
+        const float p_mirror = mirror_probability();
+        if (u_lobe < p_mirror) {
+            return bsdf::BsdfSample{
+                {-wi.x, -wi.y, wi.z}, splat(mirror_ / p_mirror), p_mirror, true};
+        }
+        Vec3f wo;
+        if ((u_lobe - p_mirror) / (1 - p_mirror) < kLobeShare) {
+            const float z = std::pow(u.x, 1 / (exponent_ + 2));
+            const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+            const float angle = 2 * std::numbers::pi_v<float> * u.y;
+            const Vec3f h{r * std::cos(angle), r * std::sin(angle), z};
+            wo = 2 * dot(wi, h) * h - wi;
+        } else {
+            wo = bsdf::cosine_hemisphere(u);
+        }
+        if (wo.z <= 0) return std::nullopt;
+        const float density = pdf(wi, wo);
+        if (!(density > 0)) return std::nullopt;
+        return bsdf::BsdfSample{wo, (wo.z / density) * eval(wi, wo), density, false};
+    }
+    float pdf(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return 0;
+        const Vec3f h = normalize(wi + wo);
+        return (1 - mirror_probability()) * (kLobeShare * density(h) * h.z / (4 * dot(wi, h)) +
+                                             (1 - kLobeShare) * kInvPi * wo.z);
+    }
+    FloatLanes albedo(Vec3f wi) const override { return 0.8f * colour(wi.z); }
+
+ private:
+    static constexpr float kInvPi = std::numbers::inv_pi_v<float>;
+    static constexpr float kLobeShare = 0.7f;
+
+    float mirror_probability() const { return mirror_ > 0 ? 0.1f : 0; }
+    /// Normalised such that Int D cos(theta_h) d omega = 1.
+    float density(Vec3f h) const {
+        return (exponent_ + 2) * 0.5f * kInvPi * std::pow(std::max(h.z, 0.0f), exponent_);
+    }
+    /// A fringe that moves to shorter wavelengths with angle, as a film's does.
+    FloatLanes colour(float cosine) const {
+        return make_lanes([&](int i) {
+            return 0.4f + 0.35f * std::cos(std::numbers::pi_v<float> * 1300 *
+                                           (0.5f + 0.5f * cosine) / nm_[i]);
+        });
+    }
+
+    FloatLanes nm_;
+    float exponent_, mirror_;
+};
+
+class Glossy final : public bsdf::Bsdf {
+ public:
+    explicit Glossy(float exponent = 60, float mirror = 0.05f)
+        : exponent_(exponent), mirror_(mirror) {}
+    std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths& nm) const override {
+        return std::make_unique<BoundGlossy>(nm, exponent_, mirror_);
+    }
+
+ private:
+    float exponent_, mirror_;
+};
+
+/// Mean of a quantity over renders with different seeds, and the standard error of that mean.
+struct Estimate {
+    double mean = 0, standard_error = 0;
+};
+
+/// Luminance of the whole picture, over `seeds` renders.
+inline Estimate estimate_luminance(const Scene& scene, RenderOptions options,
+                                   DirectLight direct_light, int seeds) {
+    double sum = 0, squares = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        options.seed = static_cast<std::uint64_t>(seed);
+        const RenderResult r = render_with(scene, options, direct_light);
+        double y = 0;
+        for (std::size_t i = 0; i < r.rgb.size(); i += 3) {
+            y += 0.2126 * r.rgb[i] + 0.7152 * r.rgb[i + 1] + 0.0722 * r.rgb[i + 2];
+        }
+        y /= static_cast<double>(r.rgb.size() / 3);
+        sum += y;
+        squares += y * y;
+    }
+    const double mean = sum / seeds;
+    const double variance = std::max(0.0, squares / seeds - mean * mean) / (seeds - 1);
+    return {mean, std::sqrt(variance)};
+}
+
+// Only for tests: a paint that differs from place to place, with a mean that is known.
+
+/// Glossy, times a number that depends on the place and on the half vector. It is sampled as its
+/// mean is, so that both meet the same light. Keeps what it is asked about in the memory of the
+/// patch, and counts where it finds another patch there.
+class Speckled final : public bsdf::Bsdf {
+ public:
+    /// Of the place at rest and the half vector, both in rest space.
+    using Factor = std::function<float(Vec3f position_mm, Vec3f half)>;
+
+    explicit Speckled(Factor factor) : factor_(std::move(factor)) {}
+
+    bsdf::Layout layout() const override { return bsdf::Layout::rest_space; }
+    std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths& nm) const override {
+        return std::make_unique<Bound>(*this, mean_.bind(nm));
+    }
+    /// Patches that a memory held of which it told that it was not filled, or the other way round.
+    static inline thread_local long stale = 0;
+
+ private:
+    class Bound final : public bsdf::BoundBsdf {
+     public:
+        Bound(const Speckled& owner, std::unique_ptr<const bsdf::BoundBsdf> mean)
+            : owner_(owner), mean_(std::move(mean)) {}
+
+        FloatLanes eval(Vec3f wi, Vec3f wo) const override { return mean_->eval(wi, wo); }
+        float pdf(Vec3f wi, Vec3f wo) const override { return mean_->pdf(wi, wo); }
+        FloatLanes albedo(Vec3f wi) const override { return mean_->albedo(wi); }
+        std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+            return mean_->sample(wi, u_lobe, u);
+        }
+        bsdf::BsdfValue evaluate_on(const bsdf::Patch& patch, Vec3f wi, Vec3f wo) const override {
+            bsdf::BsdfValue value = mean_->evaluate(wi, wo);
+            value.f *= factor(patch, wi, wo);
+            return value;
+        }
+        std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float u_lobe,
+                                                  Vec2f u) const override {
+            auto drawn = mean_->sample(wi, u_lobe, u);
+            if (drawn && !drawn->mirror) drawn->weight *= factor(patch, wi, drawn->wo);
+            return drawn;
+        }
+        std::size_t patch_memory_bytes() const override { return sizeof(Vec3f); }
+
+     private:
+        float factor(const bsdf::Patch& patch, Vec3f wi, Vec3f wo) const {
+            const sparkle::RestPatch& rest = patch.rest;
+            auto& kept = *reinterpret_cast<Vec3f*>(patch.memory->data());
+            if (!patch.memory->filled) kept = rest.position_mm;
+            patch.memory->filled = true;
+            stale += kept != rest.position_mm;
+            const Vec3f h = normalize(wi + wo);
+            return owner_.factor_(
+                rest.position_mm,
+                h.x * rest.tangent + h.y * cross(rest.normal, rest.tangent) + h.z * rest.normal);
+        }
+
+        const Speckled& owner_;
+        std::unique_ptr<const bsdf::BoundBsdf> mean_;
+    };
+
+    Factor factor_;
+    Glossy mean_;
+};
+
+}  // namespace nacre::render::testing
