@@ -27,7 +27,7 @@ void BM_MicroflakeEval8Wavelengths(benchmark::State& state) {
 BENCHMARK(BM_MicroflakeEval8Wavelengths);
 
 void BM_MicroflakeSample8Wavelengths(benchmark::State& state) {
-    run(state, [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_lobe, q.u); });
+    run(state, [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_select, q.u); });
 }
 BENCHMARK(BM_MicroflakeSample8Wavelengths);
 

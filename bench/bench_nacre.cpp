@@ -85,7 +85,7 @@ BENCHMARK(BM_NacreEvaluateOn8Wavelengths)->Apply(footprints);
 
 void BM_NacreSampleOn8Wavelengths(benchmark::State& state) {
     run(state, [](const BoundBsdf& b, const Patch& p, const Query& q) {
-        return b.sample_on(p, q.wi, q.u_lobe, q.u);
+        return b.sample_on(p, q.wi, q.u_select, q.u);
     });
 }
 BENCHMARK(BM_NacreSampleOn8Wavelengths)->Apply(footprints);
@@ -94,7 +94,7 @@ BENCHMARK(BM_NacreSampleOn8Wavelengths)->Apply(footprints);
 void BM_NacreEvaluateAndSampleOn8Wavelengths(benchmark::State& state) {
     run(state, [](const BoundBsdf& b, const Patch& p, const Query& q) {
         benchmark::DoNotOptimize(b.evaluate_on(p, q.wi, q.wo));
-        return b.sample_on(p, q.wi, q.u_lobe, q.u);
+        return b.sample_on(p, q.wi, q.u_select, q.u);
     });
 }
 BENCHMARK(BM_NacreEvaluateAndSampleOn8Wavelengths)->Apply(footprints);
@@ -126,7 +126,7 @@ BENCHMARK(BM_NacreEvaluateAgain8Wavelengths)->Apply(footprints);
 
 void BM_NacreSampleAgain8Wavelengths(benchmark::State& state) {
     run_again(state, [](const BoundBsdf& b, const Patch& p, const Query& q) {
-        return b.sample_on(p, q.wi, q.u_lobe, q.u);
+        return b.sample_on(p, q.wi, q.u_select, q.u);
     });
 }
 BENCHMARK(BM_NacreSampleAgain8Wavelengths)->Apply(footprints);
@@ -158,7 +158,7 @@ BENCHMARK(BM_NacreMean8Wavelengths);
 void BM_NacreMeanSample8Wavelengths(benchmark::State& state) {
     const Setup& setup = Setup::get();
     run_queries(state, *setup.bound, setup.queries,
-                [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_lobe, q.u); });
+                [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_select, q.u); });
 }
 BENCHMARK(BM_NacreMeanSample8Wavelengths);
 

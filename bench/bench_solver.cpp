@@ -34,7 +34,7 @@ void BM_SolvePearl31Wavelengths(benchmark::State& state) {
     SolverReport report;
     for (auto _ : state) {
         const SolvedPaint paint = solve(recipe, wavelengths);
-        benchmark::DoNotOptimize(paint.remainder.coefficient.data());
+        benchmark::DoNotOptimize(paint.multiple_scattering.coefficient.data());
         report = paint.report;
     }
     state.counters["exit_nodes"] = report.exit_nodes;

@@ -19,7 +19,7 @@
 namespace nacre::bsdf {
 namespace {
 
-constexpr double kAlpha = 0.07, kConeDeg = 3;
+constexpr double kAlpha = 0.07, kCone_deg = 3;
 
 Vec3f direction(double theta_deg, double phi_deg) {
     const double t = theta_deg * std::numbers::pi / 180, p = phi_deg * std::numbers::pi / 180;
@@ -44,7 +44,7 @@ std::vector<Patch> patches(double facets_on_object, double facets) {
 
 const sparkle::FacetField& field(double facets) {
     static std::map<double, sparkle::FacetField> fields;
-    return fields.try_emplace(facets, facets, kAlpha, kConeDeg, 1).first->second;
+    return fields.try_emplace(facets, facets, kAlpha, kCone_deg, 1).first->second;
 }
 
 struct View {
@@ -81,7 +81,7 @@ BENCHMARK(BM_FacetCount)
 void BM_FacetFieldConstruction(benchmark::State& state) {
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            sparkle::FacetField(std::pow(10.0, state.range(0)), kAlpha, kConeDeg, 1));
+            sparkle::FacetField(std::pow(10.0, state.range(0)), kAlpha, kCone_deg, 1));
     }
 }
 BENCHMARK(BM_FacetFieldConstruction)
@@ -96,7 +96,7 @@ struct Setup {
     std::vector<Patch> on;
     struct Query {
         Vec3f wi, wo;
-        float u_lobe;
+        float u_select;
         Vec2f u;
     };
     std::vector<Query> queries;
@@ -109,7 +109,7 @@ struct Setup {
                               .film_thickness_nm = 158.333,
                               .base_ior = 1.08,
                               .base_extinction = 0.51,
-                              .facets = paint::MicrofacetFacets{on_object, kConeDeg, 10}};
+                              .facets = paint::MicrofacetFacets{on_object, kCone_deg, 10}};
         bsdf = SpecialEffect(recipe, 1).bind({418, 456, 493, 531, 568, 606, 643, 681});
         Rng rng(3, 3);
         while (queries.size() < on.size()) {
@@ -119,7 +119,7 @@ struct Setup {
                     {},
                     rng.uniform_float(),
                     {rng.uniform_float(), rng.uniform_float()}};
-            const auto sample = bsdf->sample(q.wi, q.u_lobe, q.u);
+            const auto sample = bsdf->sample(q.wi, q.u_select, q.u);
             if (!sample) continue;
             q.wo = sample->wo;
             queries.push_back(q);
@@ -158,7 +158,7 @@ BENCHMARK(BM_SpecialEffectEvaluateOn8Wavelengths)->Apply(footprints);
 
 void BM_SpecialEffectSampleOn8Wavelengths(benchmark::State& state) {
     run(state, [](const BoundBsdf& b, const Patch& p, const Setup::Query& q) {
-        return b.sample_on(p, q.wi, q.u_lobe, q.u);
+        return b.sample_on(p, q.wi, q.u_select, q.u);
     });
 }
 BENCHMARK(BM_SpecialEffectSampleOn8Wavelengths)->Apply(footprints);

@@ -66,7 +66,7 @@ template <bool is_raw>
 void BM_TableSample8Wavelengths(benchmark::State& state) {
     const Setup& setup = Setup::get();
     run_queries(state, setup.bound(is_raw), setup.queries,
-                [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_lobe, q.u); });
+                [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_select, q.u); });
 }
 BENCHMARK(BM_TableSample8Wavelengths<true>)->Name("BM_TableRawSample8Wavelengths");
 BENCHMARK(BM_TableSample8Wavelengths<false>)->Name("BM_TableSvdSample8Wavelengths");

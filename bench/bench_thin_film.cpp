@@ -49,7 +49,7 @@ void BM_ThinFilmEval8Wavelengths(benchmark::State& state) {
 BENCHMARK(BM_ThinFilmEval8Wavelengths)->Apply(all_kinds);
 
 void BM_ThinFilmSample8Wavelengths(benchmark::State& state) {
-    run(state, [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_lobe, q.u); });
+    run(state, [](const BoundBsdf& b, const Query& q) { return b.sample(q.wi, q.u_select, q.u); });
 }
 BENCHMARK(BM_ThinFilmSample8Wavelengths)->Apply(all_kinds);
 

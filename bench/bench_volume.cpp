@@ -43,8 +43,8 @@ void BM_Walk8Wavelengths(benchmark::State& state, Surface (*make)(const paint::R
     for (auto _ : state) {
         const float z = std::sqrt(rng.uniform_float()), s = std::sqrt(1 - z * z);
         const float phi = 2 * std::numbers::pi_v<float> * rng.uniform_float();
-        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
-        const auto sample = surface->sample({s * std::cos(phi), s * std::sin(phi), z}, u_lobe,
+        const float u_select = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample = surface->sample({s * std::cos(phi), s * std::sin(phi), z}, u_select,
                                             {u, rng.uniform_float()});
         benchmark::DoNotOptimize(sample);
         left += sample.has_value();

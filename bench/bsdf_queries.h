@@ -33,7 +33,7 @@ inline paint::Recipe bench_pearl() {
 
 struct Query {
     Vec3f wi, wo;
-    float u_lobe;
+    float u_select;
     Vec2f u;
 };
 
@@ -46,9 +46,9 @@ inline std::vector<Query> make_queries(const BoundBsdf& bsdf) {
         const float z = std::sqrt(rng.uniform_float()), s = std::sqrt(1 - z * z);
         const float phi = 2 * std::numbers::pi_v<float> * rng.uniform_float();
         q.wi = {s * std::cos(phi), s * std::sin(phi), z};
-        q.u_lobe = rng.uniform_float();
+        q.u_select = rng.uniform_float();
         q.u = {rng.uniform_float(), rng.uniform_float()};
-        const auto sample = bsdf.sample(q.wi, q.u_lobe, q.u);
+        const auto sample = bsdf.sample(q.wi, q.u_select, q.u);
         if (!sample || sample->mirror) continue;
         q.wo = sample->wo;
         queries.push_back(q);

@@ -36,17 +36,18 @@ BrdfSource solved_source(const std::filesystem::path& path, const BrdfRequest& r
 }
 
 /// The square that --at and --footprint describe, in the terms of the surface; none without them.
-std::optional<bsdf::Patch> parse_patch(const BrdfRequest& options, bsdf::Layout layout) {
+std::optional<bsdf::Patch> parse_patch(const BrdfRequest& options,
+                                       bsdf::SurfaceCoordinates layout) {
     if (options.at.empty()) return std::nullopt;
     // As large as a car.
     constexpr Range kPlace{-1e4, 1e4, "mm"}, kSide{0, 1e4, "mm", true};
-    constexpr Range kShare{0, 1}, kShareOfSide{0, 1, "", true};
-    const bool in_mm = layout == bsdf::Layout::rest_space;
+    constexpr Range kFraction{0, 1}, kFractionOfSide{0, 1, "", true};
+    const bool in_mm = layout == bsdf::SurfaceCoordinates::object_space;
     const std::vector<std::string> place = split(options.at, ',');
-    const double x = parse_number("--at", place[0], in_mm ? kPlace : kShare);
-    const double y = parse_number("--at", place[1], in_mm ? kPlace : kShare);
+    const double x = parse_number("--at", place[0], in_mm ? kPlace : kFraction);
+    const double y = parse_number("--at", place[1], in_mm ? kPlace : kFraction);
     const auto side = static_cast<float>(
-        parse_number("--footprint", options.footprint, in_mm ? kSide : kShareOfSide));
+        parse_number("--footprint", options.footprint, in_mm ? kSide : kFractionOfSide));
     if (!in_mm) return bsdf::Patch{x, y, {side, 0}, {0, side}};
     // A flat panel that faces +z, as in render::FlatPanel.
     const Vec3f position_mm{static_cast<float>(x), static_cast<float>(y), 0}, normal{0, 0, 1};
@@ -61,7 +62,8 @@ BrdfSource model_source(const std::filesystem::path& path, const BrdfRequest& re
                         const std::optional<std::vector<double>>& wanted,
                         const CommonOptions& options) {
     PaintSurface paint = load_surface(path, request.model, request.surface, options);
-    const std::optional<bsdf::Patch> patch = parse_patch(request, paint.surface->layout());
+    const std::optional<bsdf::Patch> patch =
+        parse_patch(request, paint.surface->surface_coordinates());
     std::vector<double> wavelengths = wanted.value_or(solver::default_wavelengths_nm());
     const auto brdf = std::make_shared<const models::SpectralBrdf>(*paint.surface, wavelengths);
     return {std::move(paint.recipe), std::move(wavelengths),

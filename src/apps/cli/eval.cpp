@@ -19,7 +19,7 @@ namespace nacre::cli {
 
 namespace {
 
-constexpr std::size_t kMostRows = 5'000'000;
+constexpr std::size_t kMaxRows = 5'000'000;
 
 struct EvalOptions : BrdfOptions {
     ModelOptions model;
@@ -40,11 +40,11 @@ ExitStatus run(const EvalOptions& options) {
     }
     const BrdfSource source = load_brdf(options.recipe, request, wanted, options);
     const std::vector<double>& wavelengths = source.wavelengths_nm;
-    if (incident.size() * outgoing.size() * wavelengths.size() > kMostRows) {
+    if (incident.size() * outgoing.size() * wavelengths.size() > kMaxRows) {
         throw UsageError(
             fmt::format("{} incident times {} outgoing directions times {} wavelengths are too "
                         "many: at most {} rows",
-                        incident.size(), outgoing.size(), wavelengths.size(), kMostRows));
+                        incident.size(), outgoing.size(), wavelengths.size(), kMaxRows));
     }
     std::string table = "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf\n";
     for (const Direction& in : incident) {

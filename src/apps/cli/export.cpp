@@ -47,7 +47,7 @@ struct Exported {
 /// What is written holds one azimuth of the lamp; a surface that has more must not lose them
 /// unsaid.
 void refuse_anisotropic(const std::string& paint) {
-    const std::string bytes = read_file(paint, io::kMostMeasuredBytes);
+    const std::string bytes = read_file(paint, io::kMaxMeasuredBytes);
     if (io::looks_like_rgl(bytes) && !io::parse_rgl(bytes, paint).isotropic()) {
         throw InputError(fmt::format(
             "{}: holds an anisotropic BRDF; files are written of isotropic ones only", paint));
@@ -76,7 +76,7 @@ BrdfSource load_fast(const ExportOptions& options, const BrdfRequest& request,
 }
 
 measure::MerlSettings parse_cells(const std::string& text) {
-    constexpr Range kCells{bsdf::kLeastMerlCells, bsdf::kMostMerlCells};
+    constexpr Range kCells{bsdf::kMinMerlCells, bsdf::kMaxMerlCells};
     const std::vector<double> n = parse_numbers("--cells", text, kCells);
     if (n.size() != 3 || n[0] != static_cast<int>(n[0]) || n[1] != static_cast<int>(n[1]) ||
         n[2] != static_cast<int>(n[2])) {

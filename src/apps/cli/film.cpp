@@ -16,7 +16,7 @@ namespace {
 
 using optics::Polarization;
 
-constexpr std::size_t kMostFilms = 10'000;
+constexpr std::size_t kMaxFilms = 10'000;
 constexpr Range kAngle{0, 90, "deg", false, true};
 
 struct FilmOptions : CommonOptions {
@@ -51,17 +51,17 @@ Polarization parse_polarization(const std::string& text) {
 std::string film_table(const FilmOptions& options) {
     const optics::Material ambient = optics::find_material(options.ambient);
     const optics::Material substrate = optics::find_material(options.substrate);
-    if (options.layers.size() > kMostFilms) {
-        throw UsageError(fmt::format("--layer: more than {} of them", kMostFilms));
+    if (options.layers.size() > kMaxFilms) {
+        throw UsageError(fmt::format("--layer: more than {} of them", kMaxFilms));
     }
     std::vector<Film> films;
     for (const std::string& text : options.layers) films.push_back(parse_film(text));
     const std::vector<double> angles = parse_numbers("--angle", options.angles, kAngle);
     const std::vector<double> wavelengths =
         parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
-    if (angles.size() * wavelengths.size() > 10 * kMostNumbers) {
+    if (angles.size() * wavelengths.size() > 10 * kMaxNumbers) {
         throw UsageError(fmt::format("{} angles times {} wavelengths are too many: at most {} rows",
-                                     angles.size(), wavelengths.size(), 10 * kMostNumbers));
+                                     angles.size(), wavelengths.size(), 10 * kMaxNumbers));
     }
     std::string table = "wavelength_nm,angle_deg,polarization,R,T\n";
     std::vector<optics::ThinFilm> stack(films.size());

@@ -146,7 +146,7 @@ Command add_fit(CLI::App& program) {
         ->check(CLI::Range(kEqual.lo, kEqual.hi))
         ->capture_default_str();
     command->add_option("--starts", options->starts, "Descents from different places")
-        ->check(CLI::Range(1, fit::FitOptions::kMostStarts))
+        ->check(CLI::Range(1, fit::FitOptions::kMaxStarts))
         ->capture_default_str();
     command->add_option("--format", options->format, "text or json, on standard output")
         ->check(CLI::IsMember({"text", "json"}))

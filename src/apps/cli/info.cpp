@@ -89,8 +89,8 @@ void describe_solved_paint(Facts& facts, const std::string& bytes, const std::st
     facts.add("azimuthal orders", "{}, tail {:.2g} of the peak", paint.report.orders,
               paint.report.azimuthal_tail);
     facts.add("unresolved scattering", "{:.2g}", paint.report.unresolved_scattering);
-    facts.add("remainder", "rank {}, {} coefficients", paint.remainder.rank(),
-              paint.remainder.coefficient.size());
+    facts.add("remainder", "rank {}, {} coefficients", paint.multiple_scattering.rank(),
+              paint.multiple_scattering.coefficient.size());
 }
 
 void describe_brdf_table(Facts& facts, const std::string& bytes, const std::string& name) {
@@ -197,7 +197,7 @@ void describe_scene(Facts& facts, const render::SceneDescription& scene) {
 
 std::string describe(const std::string& file) {
     const std::string bytes =
-        read_file(file, std::max(io::kMostImageFileBytes, io::kMostMeasuredBytes));
+        read_file(file, std::max(io::kMaxImageFileBytes, io::kMaxMeasuredBytes));
     Facts facts;
     facts.add("file", "{}", file);
     if (io::looks_like_solved_paint(bytes)) {

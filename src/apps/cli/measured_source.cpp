@@ -15,7 +15,7 @@ bool is_measured_brdf(std::string_view bytes) {
 }
 
 bool is_measured_brdf_file(const std::filesystem::path& path) {
-    return is_measured_brdf(read_file(path, io::kMostMeasuredBytes));
+    return is_measured_brdf(read_file(path, io::kMaxMeasuredBytes));
 }
 
 std::shared_ptr<const bsdf::Bsdf> make_measured_brdf(std::string_view bytes,

@@ -91,9 +91,9 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
                                   const Range& range) {
     std::vector<double> numbers;
     const auto check_count = [&](double more) {
-        if (static_cast<double>(numbers.size()) + more > static_cast<double>(kMostNumbers)) {
+        if (static_cast<double>(numbers.size()) + more > static_cast<double>(kMaxNumbers)) {
             throw UsageError(
-                fmt::format("{} = {}: more than {} values", option, text, kMostNumbers));
+                fmt::format("{} = {}: more than {} values", option, text, kMaxNumbers));
         }
     };
     for (const std::string& part : split(text, ',')) {
@@ -142,8 +142,8 @@ std::vector<Direction> parse_directions(const std::string& option,
         const std::vector<double> phis = parts.size() == 2
                                              ? parse_numbers(option + " (phi)", parts[1], kPhi)
                                              : std::vector<double>{0.0};
-        if (thetas.size() * phis.size() + directions.size() > kMostDirections) {
-            throw UsageError(fmt::format("{}: more than {} directions", option, kMostDirections));
+        if (thetas.size() * phis.size() + directions.size() > kMaxDirections) {
+            throw UsageError(fmt::format("{}: more than {} directions", option, kMaxDirections));
         }
         for (double theta : thetas) {
             for (double phi : phis) directions.push_back({theta, phi});

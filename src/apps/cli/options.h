@@ -97,7 +97,7 @@ void write_report(const CommonOptions& options, const std::string& command, nloh
 /// A line on stderr unless quiet.
 void say(const CommonOptions& options, const std::string& line);
 
-inline constexpr std::size_t kMostNumbers = 100'000;
+inline constexpr std::size_t kMaxNumbers = 100'000;
 
 /// The numbers of an option: one value, a comma list, or first:last:step (last is included if a
 /// whole number of steps leads there), or a comma list of such.
@@ -115,7 +115,7 @@ std::vector<std::string> split(const std::string& text, char separator);
 
 using montecarlo::Direction;
 
-inline constexpr std::size_t kMostDirections = 100'000;
+inline constexpr std::size_t kMaxDirections = 100'000;
 
 /// Directions from options "theta" or "theta,phi", in degrees; either may be first:last:step, and
 /// then every theta goes with every phi.

@@ -20,12 +20,12 @@ namespace nacre::cli {
 namespace {
 
 /// Two wavelengths closer than this are the same one, written in two ways.
-constexpr double kSameWavelengthNm = 1e-6;
+constexpr double kSameWavelength_nm = 1e-6;
 
-constexpr std::size_t kMostSolvedWavelengths = 2000;
+constexpr std::size_t kMaxSolvedWavelengths = 2000;
 
 std::string read_paint_file(const std::filesystem::path& path) {
-    return read_file(path, std::max(io::kMostSolvedPaintBytes, io::kMostBrdfTableBytes));
+    return read_file(path, std::max(io::kMaxSolvedPaintBytes, io::kMaxBrdfTableBytes));
 }
 
 void require_recipe(std::string_view bytes, const std::filesystem::path& path) {
@@ -81,10 +81,10 @@ solver::SolvedPaint solve_recipe(std::string_view text, const std::filesystem::p
         throw InputError(fmt::format(
             "{}: layer: is missing; solving a paint needs at least one [[layer]]", path.string()));
     }
-    if (wavelengths_nm && wavelengths_nm->size() > kMostSolvedWavelengths) {
+    if (wavelengths_nm && wavelengths_nm->size() > kMaxSolvedWavelengths) {
         throw UsageError(
             fmt::format("--wavelength: {} wavelengths to solve; at most {} are allowed",
-                        wavelengths_nm->size(), kMostSolvedWavelengths));
+                        wavelengths_nm->size(), kMaxSolvedWavelengths));
     }
     std::vector<double> wavelengths = wavelengths_nm.value_or(solver::default_wavelengths_nm());
     std::sort(wavelengths.begin(), wavelengths.end());
@@ -130,7 +130,7 @@ std::size_t wavelength_position(const solver::SolvedPaint& paint, double wavelen
                                 const std::filesystem::path& path) {
     const std::vector<double>& solved = paint.wavelengths_nm();
     const auto found = std::find_if(solved.begin(), solved.end(), [&](double w) {
-        return std::abs(w - wavelength_nm) < kSameWavelengthNm;
+        return std::abs(w - wavelength_nm) < kSameWavelength_nm;
     });
     if (found == solved.end()) {
         throw InputError(fmt::format(
@@ -176,7 +176,7 @@ PaintSurface load_surface(const std::filesystem::path& path, models::Model model
                                          models::name(surface.table), path.string(),
                                          models::name(kind)));
         }
-        paint.table = models::share(std::move(table));
+        paint.table = models::fraction(std::move(table));
     } else {
         paint.solved =
             std::make_shared<const solver::SolvedPaint>(load_paint(path, std::nullopt, options));

@@ -19,7 +19,7 @@ namespace nacre::cli {
 
 namespace {
 
-constexpr std::size_t kMostRows = 1'000'000;
+constexpr std::size_t kMaxRows = 1'000'000;
 
 struct ReferenceOptions : BrdfOptions {
     std::uint64_t samples = std::uint64_t{1} << 20;
@@ -34,8 +34,8 @@ ExitStatus run(const ReferenceOptions& options) {
     const std::vector<double> wavelengths =
         parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
     const std::size_t rows = incident.size() * outgoing.size() * wavelengths.size();
-    if (rows > kMostRows) {
-        throw UsageError(fmt::format("{} rows are too many: at most {}", rows, kMostRows));
+    if (rows > kMaxRows) {
+        throw UsageError(fmt::format("{} rows are too many: at most {}", rows, kMaxRows));
     }
     const paint::Recipe recipe = load_recipe(options.recipe);
     std::vector<montecarlo::Estimate> estimates;

@@ -82,17 +82,17 @@ Command add_solve(CLI::App& program) {
     solve
         ->add_option("--nodes", options->settings.exit_nodes,
                      "Directions that leave the coat, a multiple of 4; 0: from the recipe")
-        ->check(CLI::Range(0, solver::SolverSettings::kMostNodes))
+        ->check(CLI::Range(0, solver::SolverSettings::kMaxNodes))
         ->capture_default_str();
     solve
         ->add_option("--inner-nodes", options->settings.inner_nodes,
                      "Directions beyond the critical angle, a multiple of 4; 0: from the recipe")
-        ->check(CLI::Range(0, solver::SolverSettings::kMostNodes))
+        ->check(CLI::Range(0, solver::SolverSettings::kMaxNodes))
         ->capture_default_str();
     solve
         ->add_option("--orders", options->settings.most_orders,
                      "Azimuthal Fourier orders at most; 0: from the recipe")
-        ->check(CLI::Range(0, solver::SolverSettings::kMostOrders))
+        ->check(CLI::Range(0, solver::SolverSettings::kMaxOrders))
         ->capture_default_str();
     solve
         ->add_option("--tolerance", options->settings.tolerance,

@@ -73,7 +73,7 @@ std::string csv_of(const measure::SparkleMeasurement& measurement) {
         fmt::format_to(out, "{},{},{:.6g},{:.6g},{:.6g}", lamp_name(lamp), lamp, 100 * s.mean_y,
                        100 * s.background.y, 100 * s.background.threshold);
         table += cells(s.density_per_cm2) + cells(s.intensity) + cells(s.contrast) +
-                 cells(s.area_share, 100) + cells(s.sparkle_per_cm2) + ",," +
+                 cells(s.area_fraction, 100) + cells(s.sparkle_per_cm2) + ",," +
                  cells(s.pixel_contrast) + "\n";
     }
     if (const auto& diffuse = measurement.diffuse) {
@@ -106,7 +106,7 @@ json json_of(const SparkleOptions& options, const PaintSurface& paint,
                             {"spots_per_cm2", json_of(s.density_per_cm2)},
                             {"intensity", json_of(s.intensity)},
                             {"contrast", json_of(s.contrast)},
-                            {"area_percent", json_of(s.area_share, 100)},
+                            {"area_percent", json_of(s.area_fraction, 100)},
                             {"sparkle", json_of(s.sparkle_per_cm2)},
                             {"pixel_contrast", json_of(s.pixel_contrast)}});
     }

@@ -57,9 +57,9 @@ void require_cells(std::size_t values, std::size_t geometries) {
     if (values == 0 || geometries == 0) {
         throw DomainError("an atlas needs at least one thickness and one angle");
     }
-    if (values > kMostAtlasCells / geometries) {
+    if (values > kMaxAtlasCells / geometries) {
         throw DomainError(fmt::format("an atlas of {} x {} chips: must have at most {}", values,
-                                      geometries, kMostAtlasCells));
+                                      geometries, kMaxAtlasCells));
     }
 }
 
@@ -226,7 +226,7 @@ namespace style = report::style;
 using report::svg_number;
 
 constexpr double kLeft = 92, kRight = 24, kTop = 62, kFont = 13;
-constexpr double kMostWidth = 880;  // of all chips
+constexpr double kMaxWidth = 880;  // of all chips
 
 struct Text {
     const char* anchor = "start";
@@ -285,7 +285,7 @@ bool one_lamp(const Atlas& atlas) {
 
 std::string atlas_svg(const Atlas& atlas) {
     const auto columns = static_cast<double>(atlas.values.size());
-    const double chip_width = std::clamp(std::floor(kMostWidth / columns), 1.0, 56.0);
+    const double chip_width = std::clamp(std::floor(kMaxWidth / columns), 1.0, 56.0);
     const double chip_height = atlas.geometries.size() <= 12 ? 44 : 22;
     const double width = std::max(480.0, kLeft + columns * chip_width + kRight);
     const double bottom = kTop + chip_height * static_cast<double>(atlas.geometries.size());

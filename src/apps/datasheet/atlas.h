@@ -29,7 +29,7 @@ std::string conditions_text(const measure::Conditions& conditions);
 // pigments are chosen. docs/panel.md has the definitions.
 
 /// At most so many thicknesses times geometries.
-inline constexpr std::size_t kMostAtlasCells = 100'000;
+inline constexpr std::size_t kMaxAtlasCells = 100'000;
 
 struct Atlas {
     std::string title = {};     ///< "TiO2_anatase on mica"

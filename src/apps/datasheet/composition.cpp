@@ -31,7 +31,9 @@ std::string range_text(const spectra::Spectrum& spectrum, double scale = 1) {
     return lo == hi ? fmt::format("{:.4g}", lo) : fmt::format("{:.3g} to {:.3g}", lo, hi);
 }
 
-std::string percent_text(const spectra::Spectrum& share) { return range_text(share, 100) + " %"; }
+std::string percent_text(const spectra::Spectrum& fraction) {
+    return range_text(fraction, 100) + " %";
+}
 
 std::string amount_text(const paint::FlakeSpecies& flakes, const paint::Layer& layer) {
     const double cover = flakes.area_density_per_um() * layer.thickness_um;

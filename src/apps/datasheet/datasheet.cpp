@@ -49,7 +49,7 @@ using measure::Reading;
 using report::escape_html;
 
 /// More chips than this would be stamps: then those lit from one angle stand for all.
-constexpr std::size_t kMostChips = 24;
+constexpr std::size_t kMaxChips = 24;
 
 std::string heading(const std::string& words) { return "<h2>" + escape_html(words) + "</h2>\n"; }
 
@@ -139,12 +139,12 @@ const Reading* same_geometry(const Measurement* standard, const measure::Geometr
 std::vector<const Reading*> readings_for_chips(const Measurement& sample) {
     std::vector<const Reading*> all;
     for (const Reading& reading : sample.readings) all.push_back(&reading);
-    if (all.size() <= kMostChips) return all;
+    if (all.size() <= kMaxChips) return all;
     const double lamp = sample.readings[0].geometry.theta_i_deg;
     std::erase_if(all, [&](const Reading* r) {
         return r->geometry.theta_i_deg != lamp || !measure::is_in_plane(r->geometry);
     });
-    if (all.size() > kMostChips) all.resize(kMostChips);
+    if (all.size() > kMaxChips) all.resize(kMaxChips);
     return all;
 }
 

@@ -145,7 +145,7 @@ std::vector<double> aspecular_angles(const Readings& readings) {
 
 /// Writes the angles at the ends of curves, the first of which is series number `first`.
 void label_curves(report::Plot& plot, std::size_t first, const std::vector<double>& angles) {
-    constexpr double kLeastShare = 0.05;  // of the axis: the height of a letter
+    constexpr double kMinFraction = 0.05;  // of the axis: the height of a letter
     const auto place = [&](std::size_t i) {
         // What a logarithmic axis cannot show is far below all else.
         const double y = plot.series[first + i].y.back();
@@ -160,7 +160,7 @@ void label_curves(report::Plot& plot, std::size_t first, const std::vector<doubl
         plot.series[first + i].point_labels.resize(plot.series[first + i].x.size());
     }
     for (const auto& group : gathered(downwards, [&](std::size_t a, std::size_t b) {
-             return std::abs(place(a) - place(b)) <= kLeastShare * length;
+             return std::abs(place(a) - place(b)) <= kMinFraction * length;
          })) {
         plot.series[first + group.front()].point_labels.back() = angles_text(angles, group);
     }
@@ -169,10 +169,10 @@ void label_curves(report::Plot& plot, std::size_t first, const std::vector<doubl
 /// Writes the angles beside the points of a curve and marks where it starts.
 void label_points(report::Plot& plot, report::Series& series, const std::vector<double>& angles) {
     // Two lines of text, as shares of the axes in a picture of half a page, whose scales are equal.
-    constexpr double kShareOfWidth = 0.06, kShareOfHeight = 0.1;
+    constexpr double kFractionOfWidth = 0.06, kFractionOfHeight = 0.1;
     const report::Extents ends = extents(plot);
-    const double least =
-        std::max(kShareOfWidth * (ends.x.hi - ends.x.lo), kShareOfHeight * (ends.y.hi - ends.y.lo));
+    const double least = std::max(kFractionOfWidth * (ends.x.hi - ends.x.lo),
+                                  kFractionOfHeight * (ends.y.hi - ends.y.lo));
     const auto groups = gathered(positions(angles.size()), [&](std::size_t a, std::size_t b) {
         return std::hypot(series.x[a] - series.x[b], series.y[a] - series.y[b]) <= least;
     });

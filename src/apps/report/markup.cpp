@@ -29,9 +29,9 @@ Character first_character(std::string_view text) {
         if ((byte(i) & 0xC0) != 0x80) return {};
         code = code << 6 | (byte(i) & 0x3Fu);
     }
-    constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+    constexpr std::uint32_t kMin[] = {0, 0, 0x80, 0x800, 0x10000};
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    if (code < kSmallest[length] || code > 0x10FFFF || surrogate) return {};
+    if (code < kMin[length] || code > 0x10FFFF || surrogate) return {};
     return {code, length};
 }
 
@@ -142,7 +142,7 @@ constexpr auto kNone = std::string_view::npos;
 
 // A mark that does not close within so many bytes does not count. This keeps the time for a text
 // full of opening marks proportional to its length.
-constexpr std::size_t kLongestMark = 4096;
+constexpr std::size_t kMaxMarkLength = 4096;
 
 // Bytes of characters beyond ASCII count as letters.
 bool is_word(char c) {
@@ -189,7 +189,7 @@ struct Allowed {
 std::size_t end_of_emphasis(std::string_view text, std::size_t open) {
     if (open > 0 && is_word(text[open - 1])) return kNone;
     if (open + 1 >= text.size() || is_blank(text[open + 1])) return kNone;
-    text = text.substr(0, open + kLongestMark);
+    text = text.substr(0, open + kMaxMarkLength);
     for (std::size_t i = text.find('*', open + 2); i != kNone; i = text.find('*', i + 1)) {
         const bool inside_word = i + 1 < text.size() && is_word(text[i + 1]);
         if (!is_blank(text[i - 1]) && !inside_word) return i;
@@ -203,7 +203,7 @@ struct Link {
 };
 
 std::optional<Link> link_at(std::string_view text, std::size_t open) {
-    text = text.substr(0, open + kLongestMark);
+    text = text.substr(0, open + kMaxMarkLength);
     const std::size_t middle = text.find(']', open);
     if (middle == kNone || middle == open + 1 || text.substr(middle + 1, 1) != "(") return {};
     const std::size_t close = text.find(')', middle);
@@ -224,7 +224,7 @@ std::string convert(std::string_view text, Allowed allowed) {
     };
     for (std::size_t i = 0; i < text.size();) {
         if (text[i] == '`') {
-            const std::size_t close = text.substr(0, i + kLongestMark).find('`', i + 1);
+            const std::size_t close = text.substr(0, i + kMaxMarkLength).find('`', i + 1);
             if (close != kNone && close > i + 1) {
                 i = put(i, Out::code(text.substr(i + 1, close - i - 1)), close + 1);
                 continue;

@@ -29,7 +29,7 @@ using nlohmann::json;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool shown(const Axis& axis, double value) {
-    return std::abs(value) <= kLargestShown && (!axis.logarithmic || value > 0);
+    return std::abs(value) <= kMaxShown && (!axis.logarithmic || value > 0);
 }
 
 void check_axis(const Axis& axis, const char* name, const std::string& where) {

@@ -19,7 +19,7 @@ struct Axis {
 };
 
 /// Values beyond this, and of course infinity, are not shown: the length of an axis must be finite.
-inline constexpr double kLargestShown = 1e150;
+inline constexpr double kMaxShown = 1e150;
 
 /// Points, and perhaps the line through them. A point whose x or y is not finite is left out and
 /// interrupts the line; so does one that a logarithmic axis cannot show. What lies beyond the ends
@@ -83,7 +83,7 @@ Extents extents(const Plot& plot);
 /// Widens an extent about its middle, but not beyond ends that the axis was given.
 void widen(Extent& extent, const Axis& axis, double width);
 
-/// Whether both coordinates are finite, not beyond kLargestShown and, on logarithmic axes, > 0.
+/// Whether both coordinates are finite, not beyond kMaxShown and, on logarithmic axes, > 0.
 bool can_be_shown(const Plot& plot, double x, double y);
 
 struct ErrorBar {

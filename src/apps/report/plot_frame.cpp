@@ -13,9 +13,9 @@ namespace nacre::report {
 namespace {
 
 // From here on, and below the second, numbers are written with powers of ten.
-constexpr double kLargestPlain = 1e6, kSmallestPlain = 1e-3;
+constexpr double kMaxPlain = 1e6, kMinPlain = 1e-3;
 // A double has fifteen digits for certain: beyond this, neighbouring multiples look alike.
-constexpr double kLargestIndex = 1e14;
+constexpr double kMaxIndex = 1e14;
 
 std::string superscript(int exponent) {
     static constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -73,7 +73,7 @@ std::string tick_text(double value, double step) {
     if (std::abs(value) < step * 1e-6) return "0";
     const int place = floor_log10(step * 1.000001);  // of the last digit that counts
     const double size = std::abs(value);
-    if (size >= kLargestPlain || size < kSmallestPlain) {
+    if (size >= kMaxPlain || size < kMinPlain) {
         return scientific(value, std::clamp(floor_log10(size) - place, 0, 15));
     }
     return signed_text(fmt::format("{:.{}f}", value, std::clamp(-place, 0, 15)));
@@ -84,10 +84,10 @@ std::vector<Tick> linear_ticks(double lo, double hi, double count) {
     // Ends that are multiples of the step but for rounding count.
     const double first = std::ceil(lo / step - 1e-9), last = std::floor(hi / step + 1e-9);
     std::vector<Tick> ticks;
-    if (!(std::max(std::abs(first), std::abs(last)) < kLargestIndex)) return ticks;
+    if (!(std::max(std::abs(first), std::abs(last)) < kMaxIndex)) return ticks;
     // One form for all numbers of an axis: with powers of ten if its largest needs them.
     const double largest = std::max(std::abs(first), std::abs(last)) * step;
-    const bool plain = largest < kLargestPlain && largest >= kSmallestPlain;
+    const bool plain = largest < kMaxPlain && largest >= kMinPlain;
     const int decimals = std::clamp(-floor_log10(step * 1.000001), 0, 15);
     for (double i = first; i <= last; ++i) {
         const double value = i * step;

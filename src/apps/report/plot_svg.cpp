@@ -261,8 +261,8 @@ std::string clipped(const Box& box, const std::string& contents) {
 std::string plot_svg(const Plot& plot, const SvgSize& size) {
     check(plot);
     const std::string where = fmt::format("plot '{}'", plot.title);
-    require_in_range(size.width_px, kSmallestSvg, kLargestSvg, (where + ": width in px").c_str());
-    require_in_range(size.height_px, kSmallestSvg, kLargestSvg, (where + ": height in px").c_str());
+    require_in_range(size.width_px, kMinSvg, kMaxSvg, (where + ": width in px").c_str());
+    require_in_range(size.height_px, kMinSvg, kMaxSvg, (where + ": height in px").c_str());
 
     const std::string title = clean_utf8(markup_to_plain(plot.title));
     const double title_height = title.empty() ? 0 : 26;

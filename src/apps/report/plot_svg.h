@@ -75,12 +75,12 @@ struct SvgSize {
     friend bool operator==(const SvgSize&, const SvgSize&) = default;
 };
 
-inline constexpr double kSmallestSvg = 120, kLargestSvg = 10'000;  // px a side
+inline constexpr double kMinSvg = 120, kMaxSvg = 10'000;  // px a side
 
 /// The plot as SVG 1.1: valid XML, drawn the way plots.js does, with its title and a legend above
 /// it, text as text in the viewer's sans-serif font. It has no scripts, styles, links or ids, so
 /// that it can stand in a page as often as wanted; the caption becomes its description.
-/// @throws DomainError as check(plot), or if a side is outside [kSmallestSvg, kLargestSvg]
+/// @throws DomainError as check(plot), or if a side is outside [kMinSvg, kMaxSvg]
 std::string plot_svg(const Plot& plot, const SvgSize& size = {});
 
 }  // namespace nacre::report

@@ -55,9 +55,9 @@ std::string png_of_svg(std::string_view svg, double scale) {
         throw DomainError("the SVG does not say its size in px");
     }
     const double width = std::round(width_px * scale), height = std::round(height_px * scale);
-    if (!(width >= 1 && height >= 1 && width * height <= kMostRasterPixels)) {
+    if (!(width >= 1 && height >= 1 && width * height <= kMaxRasterPixels)) {
         throw DomainError(fmt::format("a picture of {} x {} pixels: must have 1 to {}", width,
-                                      height, kMostRasterPixels));
+                                      height, kMaxRasterPixels));
     }
     const Owned<cairo_surface_t> surface(cairo_image_surface_create(
         CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height)));

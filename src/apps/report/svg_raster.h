@@ -5,13 +5,13 @@
 
 namespace nacre::report {
 
-inline constexpr int kMostRasterPixels = 100'000'000;
+inline constexpr int kMaxRasterPixels = 100'000'000;
 
 /// An SVG picture, with its size in px, as the bytes of a PNG file: `scale` pixels for one px, on
 /// the paper that the SVG has (none: transparent). Drawn by librsvg and cairo; letters are those
 /// of the fonts on this machine.
 /// @throws DomainError if the text is no SVG, has no size in px, the scale is outside [0.01, 100],
-///         or the picture would have no or more than kMostRasterPixels pixels
+///         or the picture would have no or more than kMaxRasterPixels pixels
 /// @throws Error if it cannot be drawn
 std::string png_of_svg(std::string_view svg, double scale = 1);
 

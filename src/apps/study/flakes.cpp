@@ -40,7 +40,7 @@ void add_introduction(FlakesContext& context) {
         {{"Scene", fmt::format("a flat panel in a dark room; eye at {}°, lamp at {}° on the other "
                                "side, a square of {}°; so far away that angles hardly differ over "
                                "the picture",
-                               kEyeDeg, kLampDeg, kLampSizeDeg)},
+                               kEye_deg, kLamp_deg, kLampSize_deg)},
          {"Contrast",
           "standard deviation of the pixels' luminance over its mean, from two "
           "renderings of the same flakes with independent noise, by their covariance"},
@@ -200,16 +200,16 @@ std::string FlakePaint::identity(Way way, double side_mm) const {
 
 namespace {
 
-constexpr double kAlpha = 0.1, kIndex = 1.5, kLayerUm = 15;
+constexpr double kAlpha = 0.1, kIndex = 1.5, kLayer_um = 15;
 
 paint::Recipe opaque_flakes(double depth, double diameter_um) {
     paint::FlakeSpecies species;
-    species.amount = paint::AreaDensity{depth / kLayerUm};
+    species.amount = paint::AreaDensity{depth / kLayer_um};
     species.diameter_um = diameter_um;
     species.orientation.beckmann_alpha = kAlpha;
     species.body = paint::PrescribedFlake{0.6, 0.0, 0.3};
     paint::Layer layer;
-    layer.thickness_um = kLayerUm;
+    layer.thickness_um = kLayer_um;
     layer.flakes.push_back(species);
     paint::Recipe recipe;
     recipe.name = "opaque flakes";
@@ -240,7 +240,7 @@ void add_hiding(FlakesContext& context) {
     report::Table table{.columns = {"diameter, um", "flakes deep", "E[v], discs", "E[v], equation",
                                     "E[v²]/E[v]², discs", "each dimmed by its mean",
                                     "each seen whole or not"}};
-    const Vec3f eye = inside(kEyeDeg, 1), lamp = inside(kLampDeg, -1);
+    const Vec3f eye = inside(kEye_deg, 1), lamp = inside(kLamp_deg, -1);
     const std::size_t flakes = context.settings.quick ? 2000 : 100000;
     for (const double diameter : {2.0, 20.0, 100.0}) {
         for (const double depth : {0.5, 1.25, 2.0, 4.0}) {

@@ -106,13 +106,13 @@ Histogram histogram(const Pixels& picture) {
     double mean = 0;
     for (double v : y) mean += v / static_cast<double>(y.size());
     Histogram h;
-    h.share.resize(kSteps);
+    h.fraction.resize(kSteps);
     for (int i = 0; i < kSteps; ++i)
         h.centre.push_back(std::exp2((i + 0.5) / kStepsPerOctave - kOctavesBelow));
     for (double v : y) {
         const double octaves = std::log2(std::max(v, 1e-30 * mean) / mean);
         const double step = std::floor((octaves + kOctavesBelow) * kStepsPerOctave);
-        h.share[static_cast<int>(std::clamp(step, 0.0, kSteps - 1.0))] +=
+        h.fraction[static_cast<int>(std::clamp(step, 0.0, kSteps - 1.0))] +=
             1 / static_cast<double>(y.size());
     }
     return h;
@@ -169,14 +169,14 @@ std::string fingerprint(const CloseUpJob& job) {
     const json description = {
         {"version", version()}, {"surface", job.surface}, {"pixel_mm", job.pixel_mm},
         {"pixels", job.pixels}, {"samples", job.samples}, {"seed", job.seed},
-        {"eye_deg", kEyeDeg},   {"lamp_deg", kLampDeg},   {"lamp_size_deg", kLampSizeDeg}};
+        {"eye_deg", kEye_deg},  {"lamp_deg", kLamp_deg},  {"lamp_size_deg", kLampSize_deg}};
     return sha256_hex(description.dump());
 }
 
 }  // namespace
 
 double panel_side_mm(double pixel_mm, int pixels) {
-    return 1.2 * pixel_mm * pixels / std::cos(kEyeDeg * kRadians);
+    return 1.2 * pixel_mm * pixels / std::cos(kEye_deg * kRadians);
 }
 
 render::SceneDescription close_up_scene(double pixel_mm, int pixels) {
@@ -185,15 +185,15 @@ render::SceneDescription close_up_scene(double pixel_mm, int pixels) {
     const double distance_mm = std::max(100.0, 300 * view_mm);
     render::SceneDescription scene;
     scene.name = "close-up";
-    scene.camera.position_mm = towards(kEyeDeg, distance_mm);
+    scene.camera.position_mm = towards(kEye_deg, distance_mm);
     scene.camera.up = {0, 1, 0};
     scene.camera.vertical_fov_deg = 2 * std::atan(0.5 * view_mm / distance_mm) / kRadians;
     scene.materials["paint"] = render::PaintMaterial{};
     const double side = panel_side_mm(pixel_mm, pixels);
     scene.shapes.push_back({render::FlatPanel{side, side}, "paint", {}});
     render::RectangleLight lamp;
-    lamp.center_mm = towards(-kLampDeg, distance_mm);
-    lamp.width_mm = lamp.height_mm = 2 * distance_mm * std::tan(0.5 * kLampSizeDeg * kRadians);
+    lamp.center_mm = towards(-kLamp_deg, distance_mm);
+    lamp.width_mm = lamp.height_mm = 2 * distance_mm * std::tan(0.5 * kLampSize_deg * kRadians);
     lamp.radiance.scale = 100;
     scene.lights.push_back(lamp);
     return scene;

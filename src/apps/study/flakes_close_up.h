@@ -44,7 +44,7 @@ Measured contrast(const Pixels& a, const Pixels& b);
 /// first and the last hold what lies beyond.
 struct Histogram {
     std::vector<double> centre;  ///< of the steps, as a ratio
-    std::vector<double> share;
+    std::vector<double> fraction;
 };
 Histogram histogram(const Pixels& picture);
 
@@ -61,9 +61,9 @@ ColourSpread colour_spread(const Pixels& picture, double mean_luminance);
 
 /// Directions outside, from the normal; the eye stands near the mirror image of the lamp, but does
 /// not see it in the clearcoat.
-inline constexpr double kEyeDeg = 20, kLampDeg = 30;
+inline constexpr double kEye_deg = 20, kLamp_deg = 30;
 /// Side of the square lamp, as an angle.
-inline constexpr double kLampSizeDeg = 8;
+inline constexpr double kLampSize_deg = 8;
 
 /// A dark room, a panel of paint, one lamp.
 /// @param pixel_mm  side of a pixel in the middle of the panel, across the line of sight

@@ -66,14 +66,14 @@ TEST(FlakesStatistics, HistogramHoldsEveryPixel) {
     Pixels p = Scene(32, 0.9, 5).picture(0, 0);
     p.rgb[0] = p.rgb[1] = p.rgb[2] = 0;  // black
     const Histogram h = histogram(p);
-    ASSERT_EQ(h.share.size(), h.centre.size());
-    EXPECT_NEAR(std::accumulate(h.share.begin(), h.share.end(), 0.0), 1, 1e-9);
-    EXPECT_GE(h.share.front(), 1 / 1024.0);
+    ASSERT_EQ(h.fraction.size(), h.centre.size());
+    EXPECT_NEAR(std::accumulate(h.fraction.begin(), h.fraction.end(), 0.0), 1, 1e-9);
+    EXPECT_GE(h.fraction.front(), 1 / 1024.0);
     Pixels flat{8, 8, std::vector<float>(192, 0.25f)};
     const Histogram one = histogram(flat);
-    const auto largest = std::max_element(one.share.begin(), one.share.end());
+    const auto largest = std::max_element(one.fraction.begin(), one.fraction.end());
     EXPECT_NEAR(*largest, 1, 1e-9);
-    EXPECT_NEAR(std::log2(one.centre[largest - one.share.begin()]), 0, 1 / 3.0);
+    EXPECT_NEAR(std::log2(one.centre[largest - one.fraction.begin()]), 0, 1 / 3.0);
 }
 
 TEST(FlakesStatistics, ColourSpreadIsThatOfThePixels) {

@@ -34,7 +34,7 @@ class Look {
     Pixels take(Way way, double flakes_per_pixel, const std::string& what, Effort effort,
                 std::uint64_t noise) const {
         if (context_.settings.quick) effort = kQuick;
-        const double foreshortened = std::cos(kEyeDeg * std::numbers::pi / 180);
+        const double foreshortened = std::cos(kEye_deg * std::numbers::pi / 180);
         const double pixel_mm =
             std::sqrt(flakes_per_pixel * foreshortened / paint_.flakes_per_mm2());
         const double side = panel_side_mm(pixel_mm, effort.pixels);
@@ -201,14 +201,14 @@ void add_histogram_and_colour(FlakesContext& context, const FlakePaint& paint, c
         const Pixels p = look.take(kCompared[i], 1, "picture", kPicture, 0);
         const Histogram h = histogram(p);
         bars.series.push_back(
-            {.name = of_name(kCompared[i]), .x = h.centre, .y = h.share, .dots = true});
+            {.name = of_name(kCompared[i]), .x = h.centre, .y = h.fraction, .dots = true});
         report::Series above{.name = of_name(kCompared[i]), .x = {}, .y = {}};
-        double share = 0;
-        for (std::size_t k = h.share.size(); k-- > 0;) {
-            share += h.share[k];
+        double fraction = 0;
+        for (std::size_t k = h.fraction.size(); k-- > 0;) {
+            fraction += h.fraction[k];
             // Steps are a third of an octave; this one begins a sixth below its middle.
             above.x.push_back(h.centre[k] * std::exp2(-1.0 / 6));
-            above.y.push_back(share);
+            above.y.push_back(fraction);
         }
         brighter.series.push_back(above);
         spread[i] = colour_spread(p, std::max(1e-12, mean_luminance(p, p).value));
@@ -218,7 +218,7 @@ void add_histogram_and_colour(FlakesContext& context, const FlakePaint& paint, c
             dots.y.push_back(spread[i].ab[k][1]);
         }
         colours.series.push_back(dots);
-        results["histogram"][name(kCompared[i])] = h.share;
+        results["histogram"][name(kCompared[i])] = h.fraction;
         results["colour"][name(kCompared[i])] = {{"mean_lab", spread[i].mean_lab},
                                                  {"a_deviation", spread[i].a_deviation},
                                                  {"b_deviation", spread[i].b_deviation}};

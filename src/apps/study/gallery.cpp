@@ -44,7 +44,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::uintmax_t kMostRecordBytes = 1 << 20;
+constexpr std::uintmax_t kMaxRecordBytes = 1 << 20;
 
 json description(const PictureJob& job) {
     const render::RenderOptions& r = job.render;
@@ -101,7 +101,7 @@ Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& 
                     out.data_bytes = t->bytes();
                 },
                 table);
-            paint.table = models::share(io::read_brdf_table(file));
+            paint.table = models::fraction(io::read_brdf_table(file));
         }
         out.file_bytes = fs::file_size(file);
         if (job.surface.table == models::Table::split) out.data_bytes = out.file_bytes;
@@ -194,7 +194,7 @@ Picture Gallery::make(const PictureJob& job) const {
         return picture;
     };
     if (fs::is_regular_file(record_file)) {
-        const json record = json::parse(read_file(record_file, kMostRecordBytes), nullptr, false);
+        const json record = json::parse(read_file(record_file, kMaxRecordBytes), nullptr, false);
         // A damaged record is no loss: the picture is made again.
         try {
             if (record.is_object() && record.value("fingerprint", "") == print) return load(record);

@@ -44,7 +44,7 @@ std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& sta
 // The parts of the study, one file each. Each renders what it needs, adds a section to the report
 // and its figures to the results.
 
-inline constexpr double kBallRadiusMm = 50;  ///< of the built-in scene
+inline constexpr double kBallRadius_mm = 50;  ///< of the built-in scene
 
 struct MirContext {
     const MirSettings& settings;

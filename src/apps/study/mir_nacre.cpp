@@ -85,7 +85,7 @@ PictureJob job_of(const MirContext& context, const Contender& contender, int rou
     // Flakes of one size on a larger ball: the picture stays the same, its pixels see more.
     if (contender.count > 0) {
         job.scene_scale =
-            std::sqrt(contender.count / flakes_on_ball(recipe_of(job), kBallRadiusMm));
+            std::sqrt(contender.count / flakes_on_ball(recipe_of(job), kBallRadius_mm));
     }
     // Together the rounds are the picture at the study's samples.
     const int samples = context.settings.samples;
@@ -319,7 +319,7 @@ struct Case {
     double count;       ///< flakes or facets on it, at 512 pixels; at other sizes as many a pixel
     int patches;        ///< a pixel's side over that of the patch that a sample stands for
 };
-constexpr double kBallMm2 = 4 * std::numbers::pi * kBallRadiusMm * kBallRadiusMm;
+constexpr double kBallMm2 = 4 * std::numbers::pi * kBallRadius_mm * kBallRadius_mm;
 constexpr Case kCases[] = {{"ball-1e8-32", "sphere", "ball, soft boxes", kBallMm2, 1e8, 32},
                            {"ball-1e9-32", "sphere", "ball, soft boxes", kBallMm2, 1e9, 32},
                            {"ball-1e9-4", "sphere", "ball, soft boxes", kBallMm2, 1e9, 4},
@@ -329,7 +329,7 @@ constexpr Case kCases[] = {{"ball-1e8-32", "sphere", "ball, soft boxes", kBallMm
 // w = 1.26 lambda' / (2 d)  (docs/nacre-model.md); the cone of gamma = 3 deg lets normals within
 // gamma / 2 answer. At this mean diameter, and 550 nm, the two are equal: as many flakes answer as
 // facets, and the pictures sparkle alike.
-constexpr double kLikeTheConeUm = 6.6;
+constexpr double kLikeTheCone_um = 6.6;
 
 constexpr models::Model kModels[] = {models::Model::special_effect, models::Model::nacre};
 
@@ -345,9 +345,9 @@ PictureJob job_of(const MirContext& context, const Case& c, models::Model model)
     const double scale = static_cast<double>(size) / kFullSize;
     const double count = std::round(c.count * scale * scale);
     if (flakes) {
-        job.flake_scale = kLikeTheConeUm / recipe_of(job).layers[0].flakes[0].diameter_um;
+        job.flake_scale = kLikeTheCone_um / recipe_of(job).layers[0].flakes[0].diameter_um;
         const double on_scene =
-            flakes_on_ball(recipe_of(job), kBallRadiusMm) * c.area_mm2 / kBallMm2;
+            flakes_on_ball(recipe_of(job), kBallRadius_mm) * c.area_mm2 / kBallMm2;
         job.scene_scale = std::sqrt(count / on_scene);
     } else {
         job.facet_count = count;

@@ -91,7 +91,7 @@ void add_cost_curve(MirContext& context) {
                 is_flakes ? kSets[0].flakes : kSets[0].facets,
                 is_flakes ? models::Model::nacre : models::Model::special_effect);
             if (is_flakes) {
-                job.scene_scale = std::sqrt(count / flakes_on_ball(recipe_of(job), kBallRadiusMm));
+                job.scene_scale = std::sqrt(count / flakes_on_ball(recipe_of(job), kBallRadius_mm));
             } else {
                 job.facet_count = count;
             }
@@ -127,7 +127,7 @@ PictureJob flakes_job(const MirContext& context, const ParameterSet& set, double
         fmt::format("table-2-{}-nacre-{}", set.key, fmt::format("1e{:.0f}", std::log10(count))),
         fmt::format("{}: {} flakes", set.name, power_of_ten(count)), set.flakes,
         models::Model::nacre);
-    job.flake_scale = std::sqrt(flakes_on_ball(recipe_of(job), kBallRadiusMm) / count);
+    job.flake_scale = std::sqrt(flakes_on_ball(recipe_of(job), kBallRadius_mm) / count);
     return job;
 }
 

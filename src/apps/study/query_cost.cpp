@@ -22,12 +22,12 @@ float turn(Rng& rng) { return 2 * std::numbers::pi_v<float> * rng.uniform_float(
 
 }  // namespace
 
-std::vector<bsdf::Patch> square_patches(double area_mm2, double share, int count) {
+std::vector<bsdf::Patch> square_patches(double area_mm2, double fraction, int count) {
     require_in_range(area_mm2, 1e-12, 1e6, "area of a patch in mm2");
-    require_in_range(share, 1e-18, 0.25, "share of the unit square");
-    constexpr float kRadiusMm = 50;
+    require_in_range(fraction, 1e-18, 0.25, "share of the unit square");
+    constexpr float kRadius_mm = 50;
     const auto side_mm = static_cast<float>(std::sqrt(area_mm2));
-    const double side = std::sqrt(share), room = std::max(0.0, 1 - std::numbers::sqrt2 * side);
+    const double side = std::sqrt(fraction), room = std::max(0.0, 1 - std::numbers::sqrt2 * side);
     std::vector<bsdf::Patch> patches;
     Rng rng(4, 2);
     while (static_cast<int>(patches.size()) < count) {
@@ -43,7 +43,7 @@ std::vector<bsdf::Patch> square_patches(double area_mm2, double share, int count
         patch.edge_1 = {edge * c, edge * s};
         patch.edge_2 = {-edge * s, edge * c};
         patch.rest = {
-            kRadiusMm * normal,
+            kRadius_mm * normal,
             normal,
             frame.s,
             {side_mm * (c * frame.s + s * frame.t), side_mm * (c * frame.t - s * frame.s)}};
@@ -59,9 +59,9 @@ QuerySubject::QuerySubject(const bsdf::Bsdf& surface, int queries)
     while (static_cast<int>(queries_.size()) < queries) {
         Query q;
         q.wi = hemisphere(std::sqrt(1 - rng.uniform_float()), turn(rng));
-        q.u_lobe = rng.uniform_float();
+        q.u_select = rng.uniform_float();
         q.u = {rng.uniform_float(), rng.uniform_float()};
-        const auto sample = bound_->sample(q.wi, q.u_lobe, q.u);
+        const auto sample = bound_->sample(q.wi, q.u_select, q.u);
         // The mirror is no query: its value is not asked for.
         if (!sample || sample->mirror) continue;
         q.wo = sample->wo;
@@ -95,13 +95,13 @@ QueryCost QuerySubject::ask(const std::vector<bsdf::Patch>& patches, Ask what) c
         const Query& q = queries_[i];
         if (places.empty()) {
             sum += bound_->evaluate(q.wi, q.wo).f;
-            if (what == Ask::value_and_sample) use(bound_->sample(q.wi, q.u_lobe, q.u));
+            if (what == Ask::value_and_sample) use(bound_->sample(q.wi, q.u_select, q.u));
             continue;
         }
         if (!again) places[i].memory->forget();
         sum += bound_->evaluate_on(places[i], q.wi, q.wo).f;
         if (what == Ask::value_and_sample) {
-            use(bound_->sample_on(places[i], q.wi, q.u_lobe, q.u));
+            use(bound_->sample_on(places[i], q.wi, q.u_select, q.u));
         }
     }
     const double time_ns = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

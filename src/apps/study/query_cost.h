@@ -14,7 +14,7 @@ namespace nacre::study {
 ///
 /// @param area_mm2  of each on the ball, above 0
 /// @param share     of the unit square, in (0, 0.25]
-std::vector<bsdf::Patch> square_patches(double area_mm2, double share, int count);
+std::vector<bsdf::Patch> square_patches(double area_mm2, double fraction, int count);
 
 /// What a renderer asks about a patch.
 enum class Ask {
@@ -42,7 +42,7 @@ class QuerySubject {
  private:
     struct Query {
         Vec3f wi, wo;
-        float u_lobe;
+        float u_select;
         Vec2f u;
     };
     std::unique_ptr<const bsdf::BoundBsdf> bound_;

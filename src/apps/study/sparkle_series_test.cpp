@@ -7,7 +7,6 @@
 namespace nacre::study {
 namespace {
 
-
 // Panels that share no flake, so that their errors are independent.
 Estimate seen(FlakeParameter parameter, double value, SparkleMeasure measure) {
     const bool diffuse = measure == SparkleMeasure::graininess;

@@ -63,16 +63,16 @@ struct Patch {
     double u = 0, v = 0;
     Vec2f edge_1, edge_2;
     /// The same in the millimetres of the shape at rest.
-    sparkle::RestPatch rest{};
+    sparkle::ObjectSpaceFootprint rest{};
     /// Null: what is found out is forgotten after each call.
     PatchMemory* memory = nullptr;
 };
 
 /// How a surface that varies tells its places apart.
-enum class Layout {
+enum class SurfaceCoordinates {
     none,         ///< it is alike everywhere
     unit_square,  ///< by shares of the unit square over which the shape is laid out
-    rest_space    ///< by millimetres of the shape at rest
+    object_space  ///< by millimetres of the shape at rest
 };
 
 /// A surface at eight wavelengths: all that depends on wavelength alone has been worked out, so
@@ -83,9 +83,9 @@ class BoundBsdf {
 
     /// BRDF without the mirror of a smooth interface. Reciprocal and never negative.
     virtual FloatLanes eval(Vec3f wi, Vec3f wo) const = 0;
-    /// Draws wo given wi from a mixture that includes the mirror. u_lobe and u in [0, 1).
+    /// Draws wo given wi from a mixture that includes the mirror. u_select and u in [0, 1).
     /// Empty where no light can leave (wi below the horizon, or a sample below it).
-    virtual std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const = 0;
+    virtual std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const = 0;
     /// Density per solid angle with which sample() draws wo other than by the mirror.
     virtual float pdf(Vec3f wi, Vec3f wo) const = 0;
     /// Both at once, for light sampling with multiple importance: they share most of the work.
@@ -95,9 +95,9 @@ class BoundBsdf {
     virtual BsdfValue evaluate_on(const Patch&, Vec3f wi, Vec3f wo) const {
         return evaluate(wi, wo);
     }
-    virtual std::optional<BsdfSample> sample_on(const Patch&, Vec3f wi, float u_lobe,
+    virtual std::optional<BsdfSample> sample_on(const Patch&, Vec3f wi, float u_select,
                                                 Vec2f u) const {
-        return sample(wi, u_lobe, u);
+        return sample(wi, u_select, u);
     }
 
     /// The size of PatchMemory that serves evaluate_on() and sample_on().
@@ -112,9 +112,9 @@ class Bsdf {
     virtual ~Bsdf() = default;
     virtual std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const = 0;
     /// Which part of a Patch evaluate_on() and sample_on() read.
-    virtual Layout layout() const { return Layout::none; }
+    virtual SurfaceCoordinates surface_coordinates() const { return SurfaceCoordinates::none; }
     /// Whether they differ from patch to patch.
-    bool varies_over_surface() const { return layout() != Layout::none; }
+    bool varies_over_surface() const { return surface_coordinates() != SurfaceCoordinates::none; }
 };
 
 /// What surfaces have in common that show single flakes on small patches and, on larger ones, a few

@@ -99,7 +99,7 @@ FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material&
     });
 }
 
-BoundFlakeFilms FlakeFilms::bind(const std::array<Between, kLanes>& where) const {
+BoundFlakeFilms FlakeFilms::bind(const std::array<WavelengthPosition, kLanes>& where) const {
     BoundFlakeFilms out;
     out.sets_ = sets_;
     out.least_cosine_ = static_cast<float>(least_cosine_);

@@ -56,7 +56,7 @@ class FlakeFilms {
     FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
                std::span<const double> wavelengths_nm, double least_cosine);
 
-    BoundFlakeFilms bind(const std::array<Between, kLanes>& where) const;
+    BoundFlakeFilms bind(const std::array<WavelengthPosition, kLanes>& where) const;
 
  private:
     std::size_t sets_;

@@ -33,10 +33,10 @@ inline std::optional<Vec3f> refract_out(Vec3f w, float ior) {
 /// Reflection off Beckmann flakes that are visible from wi, both directions inside the coat.
 ///
 /// Slopes are Gaussian; a flake is seen with the area |w.m|, which is mu - s x up to a factor, x
-/// the slope towards wi. Drawing the magnitude of x from the Gaussian and its sign with the odds
-/// that the area gives is exact where |x| < c = mu/s: q(x) = p(x) clamp(1 - x/c, 0, 2). Steeper
-/// slopes, which matter at grazing incidence alone, only make the weights vary, within bounds.
-/// Compare visible-normal sampling of microfacets [heitz-deon-2014], which needs erf^-1.
+/// the slope towards wi. Drawing the magnitude of x from the Gaussian and its sign with the
+/// probability that the area gives is exact where |x| < c = mu/s: q(x) = p(x) clamp(1 - x/c, 0, 2).
+/// Steeper slopes, which matter at grazing incidence alone, only make the weights vary, within
+/// bounds. Compare visible-normal sampling of microfacets [heitz-deon-2014], which needs erf^-1.
 class FlakeLobe {
  public:
     explicit FlakeLobe(float alpha)
@@ -87,29 +87,30 @@ struct FluxPoint {
     std::array<float, K> density;
 };
 
-/// Odds of lobes that sample what points hold, by expectation maximisation: each round shares the
-/// flux at every point among the lobes by their densities there, and takes the sums for the new
-/// odds. It climbs to the mixture of least relative entropy.      [dempster-laird-rubin-1977]
+/// Probability of lobes that sample what points hold, by expectation maximisation: each round
+/// shares the flux at every point among the lobes by their densities there, and takes the sums for
+/// the new probability. It climbs to the mixture of least relative entropy.
+/// [dempster-laird-rubin-1977]
 /// @param share  where to start, positive where a lobe may be used; comes back where nothing flows
 template <std::size_t K>
 std::array<double, K> fit_mixture(const std::vector<FluxPoint<K>>& points,
-                                  std::array<double, K> share, int rounds = 30) {
+                                  std::array<double, K> fraction, int rounds = 30) {
     for (int round = 0; round < rounds; ++round) {
         std::array<double, K> next{};
         for (const FluxPoint<K>& point : points) {
             double mixture = 0;
-            for (std::size_t k = 0; k < K; ++k) mixture += share[k] * point.density[k];
+            for (std::size_t k = 0; k < K; ++k) mixture += fraction[k] * point.density[k];
             if (!(mixture > 0)) continue;
             for (std::size_t k = 0; k < K; ++k) {
-                next[k] += point.flux * share[k] * point.density[k] / mixture;
+                next[k] += point.flux * fraction[k] * point.density[k] / mixture;
             }
         }
         double all = 0;
         for (double x : next) all += x;
         if (!(all > 0)) break;
-        for (std::size_t k = 0; k < K; ++k) share[k] = next[k] / all;
+        for (std::size_t k = 0; k < K; ++k) fraction[k] = next[k] / all;
     }
-    return share;
+    return fraction;
 }
 
 }  // namespace nacre::bsdf

@@ -67,10 +67,10 @@ float sample_visible_beckmann_slope(float cotangent, float u) {
     const float end = std::erf(cotangent);
     const float target =
         u * (c * (1 + end) + g * std::exp(-std::min(cotangent * cotangent, 80.0f)));
-    constexpr float kLeast = -0.9999999f, kMost = 0.9999999f;
-    const float top = std::min(end, kMost);
+    constexpr float kMin = -0.9999999f, kMax = 0.9999999f;
+    const float top = std::min(end, kMax);
     // First guess: exact for light along the normal, and not far off elsewhere.
-    float b = std::clamp((1 + end) * u - 1, kLeast, top);
+    float b = std::clamp((1 + end) * u - 1, kMin, top);
     float x = erf_inverse(b);
     for (int step = 0; step < 12; ++step) {
         const float gauss = std::exp(-x * x);
@@ -78,7 +78,7 @@ float sample_visible_beckmann_slope(float cotangent, float u) {
         const float slope = c - scale * x;
         const float dx = 0.5f / (kInvSqrtPi * gauss);  // dx/db
         if (slope <= 1e-6f) {                          // next to the end, where the slope vanishes
-            b = 0.5f * (b + kLeast);
+            b = 0.5f * (b + kMin);
         } else {
             // Halley's correction of Newton's step: the slope falls by scale dx/db. It is for steps
             // that are small against the distance to where the slope vanishes.
@@ -90,7 +90,7 @@ float sample_visible_beckmann_slope(float cotangent, float u) {
             if (std::abs(moved) < 0.01f && std::abs(bend) < 0.01f) {
                 return x + moved * (1 + x * moved);
             }
-            b = std::clamp(b + move, 0.5f * (b + kLeast), 0.5f * (b + top));
+            b = std::clamp(b + move, 0.5f * (b + kMin), 0.5f * (b + top));
         }
         x = erf_inverse(b);
     }

@@ -145,13 +145,13 @@ class MicrofacetAlbedo {
 
     /// Probability with which to sample the coat's mirror for a ray: in proportion to what mirror
     /// and facets reflect; 0 without a coat.
-    float mirror_odds(const MicrofacetCoat& coat, const MicrofacetCoat::Ray& i) const {
+    float mirror_probability(const MicrofacetCoat& coat, const MicrofacetCoat::Ray& i) const {
         if (!coat.present()) return 0;
         const float mirror = coat.mirror_reflectance(i);
         if (!(mirror > 0)) return 0;
-        constexpr float kLeast = 0.05f;  // either lobe, so that its weights stay bounded
+        constexpr float kMin = 0.05f;  // either lobe, so that its weights stay bounded
         const float facets = interpolate(means_, i.outside.z);
-        return std::clamp(mirror / (mirror + facets), kLeast, 1 - kLeast);
+        return std::clamp(mirror / (mirror + facets), kMin, 1 - kMin);
     }
 
  private:

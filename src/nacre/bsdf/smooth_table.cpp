@@ -20,7 +20,7 @@ SmoothGrid choose_grid(double alpha) {
 }
 
 // Products w_i(theta_1) w_j(theta_2) + w_j(theta_1) w_i(theta_2) over the node pairs i >= j >=
-// first, in the order in which a remainder stores them.
+// first, in the order in which MultipleScattering stores them.
 void pair_weights(const std::vector<double>& w1, const std::vector<double>& w2, int first,
                   std::vector<float>& out) {
     out.clear();
@@ -34,19 +34,19 @@ void pair_weights(const std::vector<double>& w1, const std::vector<double>& w2, 
 
 }  // namespace
 
-SmoothTable::SmoothTable(std::span<const solver::Remainder* const> tensors, double alpha,
+SmoothTable::SmoothTable(std::span<const solver::MultipleScattering* const> tensors, double alpha,
                          double ior)
     : grid_(choose_grid(alpha)) {
-    for (const solver::Remainder* tensor : tensors) rank_ += tensor->rank();
+    for (const solver::MultipleScattering* tensor : tensors) rank_ += tensor->rank();
     coefficient_.resize(grid_.cells() * rank_);
     int first_rank = 0;
-    for (const solver::Remainder* tensor : tensors) {
+    for (const solver::MultipleScattering* tensor : tensors) {
         tabulate(*tensor, ior, first_rank);
         first_rank += tensor->rank();
     }
 }
 
-void SmoothTable::tabulate(const solver::Remainder& r, double ior, int first_rank) {
+void SmoothTable::tabulate(const solver::MultipleScattering& r, double ior, int first_rank) {
     const int orders = r.orders(), nodes = static_cast<int>(r.exit_angle.size());
     const int rank = r.rank();
     const solver::ExitInterpolation interpolation(r.exit_angle);

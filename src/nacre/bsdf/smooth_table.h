@@ -74,12 +74,14 @@ inline FloatLanes interpolate(const SmoothGrid& grid, const FloatLanes* values,
     return v0 + cell.fa * (v1 - v0);
 }
 
-/// The table before it is bound to wavelengths: coefficients of the remainder's spectral basis.
+/// The table before it is bound to wavelengths: coefficients of the multiple scattering's spectral
+/// basis.
 class SmoothTable {
  public:
     /// Tabulates the sum of tensors on the same exit angles; `alpha` is the roughness of the
     /// narrowest lobe, `ior` the binder's mean index. The spectral bases stand one after the other.
-    SmoothTable(std::span<const solver::Remainder* const> tensors, double alpha, double ior);
+    SmoothTable(std::span<const solver::MultipleScattering* const> tensors, double alpha,
+                double ior);
 
     const SmoothGrid& grid() const { return grid_; }
 
@@ -88,7 +90,7 @@ class SmoothTable {
     void bind(std::span<const FloatLanes> basis, FloatLanes* out) const;
 
  private:
-    void tabulate(const solver::Remainder& tensor, double ior, int first_rank);
+    void tabulate(const solver::MultipleScattering& tensor, double ior, int first_rank);
 
     SmoothGrid grid_;
     int rank_ = 0;

@@ -10,11 +10,11 @@ namespace nacre::bsdf {
 namespace {
 
 /// Position between increasing nodes: the lower one and the share of the way to the next.
-struct Between {
+struct WavelengthPosition {
     int lower;
-    float share;
+    float fraction;
 };
-Between locate(const std::vector<float>& nodes, float x) {
+WavelengthPosition locate(const std::vector<float>& nodes, float x) {
     if (!(x > nodes.front())) return {0, 0.0f};
     if (x >= nodes.back()) return {static_cast<int>(nodes.size()) - 1, 0.0f};
     const int lower =
@@ -51,7 +51,7 @@ SliceGrid::SliceGrid(std::vector<float> first, std::vector<float> second)
 }
 
 SliceMix SliceGrid::locate(float first, float second) const {
-    const Between a = bsdf::locate(first_, first), b = bsdf::locate(second_, second);
+    const WavelengthPosition a = bsdf::locate(first_, first), b = bsdf::locate(second_, second);
     SliceMix mix;
     const int width = static_cast<int>(second_.size());
     const auto add = [&](int i, int j, float weight) {
@@ -59,10 +59,10 @@ SliceMix SliceGrid::locate(float first, float second) const {
         mix.slice[mix.count] = i * width + j;
         mix.weight[mix.count++] = weight;
     };
-    add(a.lower, b.lower, (1 - a.share) * (1 - b.share));
-    add(a.lower, b.lower + 1, (1 - a.share) * b.share);
-    add(a.lower + 1, b.lower, a.share * (1 - b.share));
-    add(a.lower + 1, b.lower + 1, a.share * b.share);
+    add(a.lower, b.lower, (1 - a.fraction) * (1 - b.fraction));
+    add(a.lower, b.lower + 1, (1 - a.fraction) * b.fraction);
+    add(a.lower + 1, b.lower, a.fraction * (1 - b.fraction));
+    add(a.lower + 1, b.lower + 1, a.fraction * b.fraction);
     return mix;
 }
 
@@ -135,7 +135,7 @@ SquareWarp::Point SquareWarp::sample(const SliceMix& mix, Vec2f u) const {
 SquareWarp::Point SquareWarp::invert(const SliceMix& mix, Vec2f point) const {
     const SquareCell cell = locate_in_square(point, rows_, columns_);
     const int row = cell.row, column = cell.column;
-    const float t = cell.row_share, s = cell.column_share;
+    const float t = cell.row_fraction, s = cell.column_fraction;
     const float r0 = along_row(mix, row, columns_ - 1), r1 = along_row(mix, row + 1, columns_ - 1);
     const float y = below(mix, row) + area_to(r0, r1, t) / (rows_ - 1);
     const float d0 = mix_of(value(mix, row, column), value(mix, row + 1, column), t);
@@ -151,9 +151,9 @@ float SquareWarp::density(const SliceMix& mix, Vec2f point) const {
     const SquareCell cell = locate_in_square(point, rows_, columns_);
     const auto row_value = [&](int row) {
         return mix_of(value(mix, row, cell.column), value(mix, row, cell.column + 1),
-                      cell.column_share);
+                      cell.column_fraction);
     };
-    return mix_of(row_value(cell.row), row_value(cell.row + 1), cell.row_share);
+    return mix_of(row_value(cell.row), row_value(cell.row + 1), cell.row_fraction);
 }
 
 }  // namespace nacre::bsdf

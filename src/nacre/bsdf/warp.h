@@ -60,7 +60,7 @@ class SliceGrid {
 /// of the way to the next. Points outside are moved to the edge.
 struct SquareCell {
     int row, column;
-    float row_share, column_share;
+    float row_fraction, column_fraction;
 };
 SquareCell locate_in_square(Vec2f point, int rows, int columns);
 

@@ -13,15 +13,15 @@ namespace nacre::bsdf {
 
 /// Where a wavelength falls between those of the paint: linear between them, and beyond their ends
 /// at the end.
-struct Between {
+struct WavelengthPosition {
     int lower = 0;
     float fraction = 0;
 };
 
 /// @param grid  increasing
-inline std::array<Between, kLanes> locate_wavelengths(const std::vector<double>& grid,
-                                                      const Wavelengths& wavelengths) {
-    std::array<Between, kLanes> out;
+inline std::array<WavelengthPosition, kLanes> locate_wavelengths(const std::vector<double>& grid,
+                                                                 const Wavelengths& wavelengths) {
+    std::array<WavelengthPosition, kLanes> out;
     for (int i = 0; i < kLanes; ++i) {
         const auto above = std::upper_bound(grid.begin(), grid.end(), wavelengths[i]);
         if (above == grid.begin()) continue;
@@ -37,7 +37,7 @@ inline std::array<Between, kLanes> locate_wavelengths(const std::vector<double>&
 
 /// Lanes of a function of the wavelength index.
 template <class F>
-FloatLanes at_wavelengths(const std::array<Between, kLanes>& where, F&& f) {
+FloatLanes at_wavelengths(const std::array<WavelengthPosition, kLanes>& where, F&& f) {
     return make_lanes([&](int i) {
         const float a = static_cast<float>(f(where[i].lower));
         if (where[i].fraction == 0) return a;

@@ -10,13 +10,13 @@
 namespace nacre {
 
 /// The most a text file for people (recipe, scene, table) may hold.
-inline constexpr std::uintmax_t kLargestTextFile = std::uintmax_t{64} << 20;
+inline constexpr std::uintmax_t kMaxTextFileBytes = std::uintmax_t{64} << 20;
 
 /// The whole contents of a file.
 /// @throws InputError naming the file and the reason: not there, not readable, a folder, or longer
 /// than max_bytes
 std::string read_file(const std::filesystem::path& path,
-                      std::uintmax_t max_bytes = kLargestTextFile);
+                      std::uintmax_t max_bytes = kMaxTextFileBytes);
 
 /// A file under construction: write to temporary_path(), then commit(). Until then `path` keeps
 /// its old contents, and afterwards it has all of the new ones. Meant for libraries that open files

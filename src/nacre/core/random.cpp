@@ -8,14 +8,14 @@ namespace nacre {
 
 namespace {
 
-constexpr unsigned kPrimes[kMostHaltonDimensions] = {
-    2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89};
+constexpr unsigned kPrimes[kMaxHaltonDimensions] = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37,
+                                                    41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89};
 
 }  // namespace
 
 std::vector<std::vector<double>> halton_points(std::size_t count, std::size_t dimensions,
                                                std::uint64_t seed) {
-    require_in_range(static_cast<double>(dimensions), 1, kMostHaltonDimensions,
+    require_in_range(static_cast<double>(dimensions), 1, kMaxHaltonDimensions,
                      "dimensions of a Halton sequence");
     Rng rng(seed);
     std::vector<double> shift;

@@ -10,7 +10,7 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 
 // No name of ours is longer; a longer text is no slip of the hand, and the distance costs the
 // product of the lengths.
-constexpr std::size_t kLongestName = 100;
+constexpr std::size_t kMaxNameLength = 100;
 
 }  // namespace
 
@@ -35,11 +35,11 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> closest_match(std::string_view name,
                                          std::span<const std::string> candidates) {
-    if (name.empty() || name.size() > kLongestName) return std::nullopt;
+    if (name.empty() || name.size() > kMaxNameLength) return std::nullopt;
     std::optional<std::string> best;
     int best_distance = 0;
     for (const std::string& candidate : candidates) {
-        if (candidate.size() > kLongestName) continue;
+        if (candidate.size() > kMaxNameLength) continue;
         const int longest = static_cast<int>(std::max(name.size(), candidate.size()));
         const int distance = edit_distance(name, candidate);
         if (distance < longest && distance <= std::max(1, longest / 3) &&

@@ -16,10 +16,10 @@ constexpr double kAtBound = 1e-3;
 /// Numbers whose share of a weak direction is below this are not named in it.
 constexpr double kPartOfTradeoff = 0.15;
 /// A way is not worth naming if the bounds end it within this share of their distance.
-constexpr double kLeastRoom = 0.02;
+constexpr double kMinRoom = 0.02;
 
 void check(const FitOptions& options) {
-    require_in_range(options.starts, 1, FitOptions::kMostStarts, "starts");
+    require_in_range(options.starts, 1, FitOptions::kMaxStarts, "starts");
     require_in_range(options.equal_delta_e, 1e-3, 100, "the Delta E that counts as equal");
     if (options.noise_delta_e) {
         require_in_range(*options.noise_delta_e, 1e-6, 100, "noise in Delta E");
@@ -76,15 +76,15 @@ std::optional<Tradeoff> describe(const FreeNumbers& numbers, const std::vector<d
                                  const std::vector<double>& step, double equal_delta_e) {
     // As far as the bounds allow, in that sense of the direction in which they allow more.
     const auto room = [&](double sign) {
-        double share = 1;
+        double fraction = 1;
         for (std::size_t i = 0; i < x.size(); ++i) {
             const double d = sign * step[i];
             if (std::abs(d) < 1e-3) continue;
-            share = std::min(share, (d > 0 ? 1 - x[i] : x[i]) / std::abs(d));
+            fraction = std::min(fraction, (d > 0 ? 1 - x[i] : x[i]) / std::abs(d));
         }
-        return std::max(share, 0.0);
+        return std::max(fraction, 0.0);
     };
-    const double sign = room(1) >= room(-1) ? 1 : -1, share = room(sign);
+    const double sign = room(1) >= room(-1) ? 1 : -1, fraction = room(sign);
     std::vector<std::size_t> order;
     double largest = 0;
     for (double d : step) largest = std::max(largest, std::abs(d));
@@ -94,12 +94,12 @@ std::optional<Tradeoff> describe(const FreeNumbers& numbers, const std::vector<d
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return std::abs(step[a]) > std::abs(step[b]);
     });
-    if (share * largest < kLeastRoom) return std::nullopt;
+    if (fraction * largest < kMinRoom) return std::nullopt;
     Tradeoff tradeoff;
-    tradeoff.rms_delta_e = share * equal_delta_e;
+    tradeoff.rms_delta_e = fraction * equal_delta_e;
     for (std::size_t i : order) {
         tradeoff.changes.push_back({numbers[i].bounds.key, numbers[i].from_unit(x[i]),
-                                    numbers[i].from_unit(x[i] + sign * share * step[i])});
+                                    numbers[i].from_unit(x[i] + sign * fraction * step[i])});
     }
     return tradeoff;
 }

@@ -29,7 +29,7 @@ struct FitOptions {
     /// Paints that are this close to the best one, in the mean of Delta E 2000, count as equal.
     double equal_delta_e = 0.3;
 
-    static constexpr int kMostStarts = 256;
+    static constexpr int kMaxStarts = 256;
 };
 
 /// A number as the fit left it.

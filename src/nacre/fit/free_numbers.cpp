@@ -9,10 +9,10 @@ namespace nacre::fit {
 
 namespace {
 
-constexpr double kFactor = 3;             // of a number with a size, either way
-constexpr double kIndexFactor = 1.1;      // of a refractive index
-constexpr double kSpreadOfFilm = 0.15;    // of its thickness
-constexpr double kMostAnisotropy = 0.95;  // within what the solver takes (solver/resolution.cpp)
+constexpr double kFactor = 3;            // of a number with a size, either way
+constexpr double kIndexFactor = 1.1;     // of a refractive index
+constexpr double kSpreadOfFilm = 0.15;   // of its thickness
+constexpr double kMaxAnisotropy = 0.95;  // within what the solver takes (solver/resolution.cpp)
 
 bool ends_with(const std::string& key, std::string_view end) { return key.ends_with(end); }
 
@@ -32,7 +32,7 @@ paint::ParameterBounds default_bounds(const paint::Recipe& recipe, const std::st
     const paint::RecipeParameter parameter = paint::find_parameter(recipe, key);
     const Range& range = parameter.range;
     if (ends_with(key, ".spread_nm")) return spread_bounds(recipe, parameter);
-    if (ends_with(key, ".anisotropy")) return {key, -kMostAnisotropy, kMostAnisotropy};
+    if (ends_with(key, ".anisotropy")) return {key, -kMaxAnisotropy, kMaxAnisotropy};
     if (range.lo == 0 && range.hi == 1 && !range.lo_open) return {key, 0, 1};
     if (parameter.value == 0) {
         throw DomainError(fmt::format(
@@ -68,9 +68,9 @@ FreeNumbers::FreeNumbers(const paint::Recipe& start, const std::vector<std::stri
                          const std::vector<paint::ParameterBounds>& bounds)
     : start_(start) {
     if (keys.empty()) throw DomainError("no number of the recipe is free: there is nothing to fit");
-    if (keys.size() > kMost) {
+    if (keys.size() > kMax) {
         throw DomainError(
-            fmt::format("{} numbers are free; at most {} can be fitted", keys.size(), kMost));
+            fmt::format("{} numbers are free; at most {} can be fitted", keys.size(), kMax));
     }
     for (const std::string& key : keys) {
         const auto given =

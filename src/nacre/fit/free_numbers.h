@@ -33,11 +33,11 @@ struct FreeNumber {
 
 class FreeNumbers {
  public:
-    static constexpr std::size_t kMost = 24;
+    static constexpr std::size_t kMax = 24;
 
     /// @param keys    of numbers of the recipe, without repetition
     /// @param bounds  of any numbers, as the recipe's file states them
-    /// @throws DomainError if there are no keys, more than kMost, or one twice, and as
+    /// @throws DomainError if there are no keys, more than kMax, or one twice, and as
     ///         paint::check_bounds() and default_bounds()
     FreeNumbers(const paint::Recipe& start, const std::vector<std::string>& keys,
                 const std::vector<paint::ParameterBounds>& bounds);

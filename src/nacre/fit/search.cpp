@@ -157,19 +157,20 @@ constexpr double kOffTheFloor = 0.05;
 /// Ends of coarse descents are carried through if their difference is so near to the best one's.
 /// Without spectra coarse colours are off by up to 1.
 constexpr double kWorthDelta_e = 0.5, kWorthWithoutSpectra_delta_e = 1.5;
-constexpr std::size_t kMostCarriedThrough = 3;
+constexpr std::size_t kMaxCarriedThrough = 3;
 
 // Shares of the work, for the bar.
-constexpr double kGlanceShare = 0.15, kRaceShare = 0.25, kCoarseShare = 0.3, kFineShare = 0.25;
+constexpr double kGlanceFraction = 0.15, kRaceFraction = 0.25, kCoarseFraction = 0.3,
+                 kFineFraction = 0.25;
 
 /// Adds up what threads have done and tells the caller, one at a time.
 class Meter {
  public:
     Meter(ColourModel& model, const Progress& progress) : model_(model), progress_(progress) {}
 
-    void begin(double share, double units) {
-        base_ += share_;
-        share_ = share;
+    void begin(double fraction, double units) {
+        base_ += fraction_;
+        fraction_ = fraction;
         units_ = units;
         done_ = 0;
     }
@@ -177,14 +178,14 @@ class Meter {
         const std::lock_guard lock(mutex_);
         done_ = std::min(done_ + units, units_);
         if (!progress_ || model_.stopped()) return;
-        if (!progress_(std::min(1.0, base_ + share_ * done_ / units_))) model_.stop();
+        if (!progress_(std::min(1.0, base_ + fraction_ * done_ / units_))) model_.stop();
     }
 
  private:
     ColourModel& model_;
     const Progress& progress_;
     std::mutex mutex_;
-    double base_ = 0, share_ = 0, units_ = 1, done_ = 0;
+    double base_ = 0, fraction_ = 0, units_ = 1, done_ = 0;
 };
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
@@ -205,7 +206,7 @@ struct Candidate {
 std::vector<Candidate> glance(const ColourModel& model, std::vector<std::vector<double>> points,
                               Meter& meter) {
     std::vector<Candidate> candidates(points.size());
-    meter.begin(kGlanceShare, static_cast<double>(points.size()));
+    meter.begin(kGlanceFraction, static_cast<double>(points.size()));
     parallel_for_ranges(0, points.size(), 1, [&](std::size_t i, std::size_t) {
         candidates[i].x = points[i];
         // Waiting for a solve, a thread must not begin another point.
@@ -240,10 +241,10 @@ std::vector<std::vector<double>> choose_starts(std::vector<Candidate> candidates
 
 std::vector<Descent> descend_from(const ColourModel& model,
                                   const std::vector<std::vector<double>>& starts, Detail detail,
-                                  const DescentLimits& limits, double share, Meter& meter) {
+                                  const DescentLimits& limits, double fraction, Meter& meter) {
     std::vector<Descent> ends(starts.size());
     const double units = limits.most_steps + 1;
-    meter.begin(share, units * static_cast<double>(starts.size()));
+    meter.begin(fraction, units * static_cast<double>(starts.size()));
     parallel_for_ranges(0, starts.size(), 1, [&](std::size_t i, std::size_t) {
         tbb::this_task_arena::isolate(
             [&] { ends[i] = descend(model, starts[i], detail, limits, [&] { meter.add(1); }); });
@@ -289,15 +290,15 @@ std::vector<Descent> search(ColourModel& model, const std::vector<double>& start
                                       static_cast<std::size_t>(starts) * kRacersPerStart);
     std::vector<std::vector<double>> beginnings = {racers[0]};
     if (racers.size() > 1) {
-        for (const Descent& end : distinct(
-                 descend_from(model, racers, Detail::glance, kGlanceLimits, kRaceShare, meter))) {
+        for (const Descent& end : distinct(descend_from(model, racers, Detail::glance,
+                                                        kGlanceLimits, kRaceFraction, meter))) {
             if (beginnings.size() < static_cast<std::size_t>(starts)) beginnings.push_back(end.x);
         }
     }
 
     effort.descents = static_cast<int>(beginnings.size());
     const std::vector<Descent> coarse = distinct(
-        descend_from(model, beginnings, Detail::coarse, kCoarseLimits, kCoarseShare, meter));
+        descend_from(model, beginnings, Detail::coarse, kCoarseLimits, kCoarseFraction, meter));
     if (coarse.empty()) throw Error(model.first_failure());
 
     std::vector<std::vector<double>> worthy;
@@ -305,13 +306,13 @@ std::vector<Descent> search(ColourModel& model, const std::vector<double>& start
         coarse[0].rms_delta_e +
         (model.target().has_spectra() ? kWorthDelta_e : kWorthWithoutSpectra_delta_e);
     for (const Descent& end : coarse) {
-        if (worthy.size() < kMostCarriedThrough && end.rms_delta_e <= limit) {
+        if (worthy.size() < kMaxCarriedThrough && end.rms_delta_e <= limit) {
             worthy.push_back(end.x);
         }
     }
     effort.finished = static_cast<int>(worthy.size());
     std::vector<Descent> fine =
-        distinct(descend_from(model, worthy, Detail::fine, kFineLimits, kFineShare, meter));
+        distinct(descend_from(model, worthy, Detail::fine, kFineLimits, kFineFraction, meter));
     if (fine.empty()) throw Error(model.first_failure());
     return fine;
 }

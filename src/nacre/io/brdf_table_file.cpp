@@ -87,7 +87,7 @@ BrdfTable read_contents(hid_t file) {
     const std::vector<int> rank = read_ints(file, "rank", 1, 3);
     require(rank.size() == 3, "there are not three channels");
     for (int c = 0; c < 3; ++c) {
-        require(rank[c] >= 0 && rank[c] <= CompressedBrdfTable::kMostTerms,
+        require(rank[c] >= 0 && rank[c] <= CompressedBrdfTable::kMaxTerms,
                 "the number of terms of a channel is out of range");
         table.rank[c] = rank[c];
     }
@@ -138,7 +138,7 @@ BrdfTable parse_brdf_table(std::string_view bytes, const std::string& name) {
 }
 
 BrdfTable read_brdf_table(const std::filesystem::path& path) {
-    return parse_brdf_table(read_file(path, kMostBrdfTableBytes), path.string());
+    return parse_brdf_table(read_file(path, kMaxBrdfTableBytes), path.string());
 }
 
 }  // namespace nacre::io

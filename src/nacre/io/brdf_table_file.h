@@ -23,7 +23,7 @@
 namespace nacre::io {
 
 inline constexpr int kBrdfTableFormatVersion = 1;
-inline constexpr std::size_t kMostBrdfTableBytes = std::size_t{1} << 31;
+inline constexpr std::size_t kMaxBrdfTableBytes = std::size_t{1} << 31;
 
 using BrdfTable = std::variant<bsdf::RawBrdfTable, bsdf::CompressedBrdfTable>;
 

@@ -13,7 +13,7 @@ namespace nacre::io {
 
 namespace {
 
-constexpr std::size_t kLongestName = 100, kLongestSummary = 1000;
+constexpr std::size_t kMaxNameLength = 100, kMaxSummaryLength = 1000;
 
 measure::Geometry read_directions(const TableReader& table) {
     constexpr Range kPolar{0, 90, "deg", false, true}, kAspecular{-180, 180, "deg"},
@@ -37,7 +37,7 @@ measure::Geometry read_directions(const TableReader& table) {
 measure::Geometry read_geometry(const TableReader& table) {
     try {
         measure::Geometry geometry = read_directions(table);
-        geometry.name = table.text_or("name", geometry.name, kLongestName);
+        geometry.name = table.text_or("name", geometry.name, kMaxNameLength);
         if (geometry.name.empty()) table.fail("name", "must not be empty");
         return geometry;
     } catch (const DomainError& error) {
@@ -50,13 +50,13 @@ measure::Geometry read_geometry(const TableReader& table) {
 measure::GeometrySet parse_geometry_set(std::string_view text, const std::string& filename) {
     TomlDocument document(text, filename, {});
     const TableReader root(document, {"name", "summary", "geometry"});
-    measure::GeometrySet set{root.text_or("name", filename, kLongestName),
-                             root.text_or("summary", "", kLongestSummary),
+    measure::GeometrySet set{root.text_or("name", filename, kMaxNameLength),
+                             root.text_or("summary", "", kMaxSummaryLength),
                              {}};
     std::set<std::string> names;
     std::set<std::tuple<double, double, double>> directions;
     for (const TableReader& table :
-         root.tables("geometry", kMostGeometries,
+         root.tables("geometry", kMaxGeometries,
                      {"name", "lamp_deg", "aspecular_deg", "azimuth_deg", "view_deg"})) {
         set.geometries.push_back(read_geometry(table));
         const std::string& name = set.geometries.back().name;
@@ -76,7 +76,7 @@ measure::GeometrySet parse_geometry_set(std::string_view text, const std::string
 }
 
 measure::GeometrySet read_geometry_set(const std::filesystem::path& path) {
-    return parse_geometry_set(read_file(path, kMostTextBytes), path.string());
+    return parse_geometry_set(read_file(path, kMaxTextBytes), path.string());
 }
 
 }  // namespace nacre::io

@@ -27,7 +27,7 @@
 
 namespace nacre::io {
 
-inline constexpr std::size_t kMostGeometries = 10'000;
+inline constexpr std::size_t kMaxGeometries = 10'000;
 
 /// @throws InputError naming file, line, key, value and what is allowed: an unknown key, an angle
 ///         out of range, a view below the horizon, a name or a direction that appears twice, no

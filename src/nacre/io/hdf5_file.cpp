@@ -8,7 +8,7 @@ namespace nacre::io {
 
 namespace {
 
-constexpr std::size_t kMostAttributeBytes = 4096;
+constexpr std::size_t kMaxAttributeBytes = 4096;
 /// Below this many bytes the header of a compressed chunk costs more than it saves.
 constexpr std::size_t kWorthCompressing = 2048;
 constexpr unsigned kDeflateLevel = 6;
@@ -122,7 +122,7 @@ std::string read_text_attribute(hid_t object, const char* name) {
     const Hdf5Handle stored(H5Aget_type(attribute), action);
     const std::size_t size = H5Tget_size(stored);
     require(H5Tget_class(stored) == H5T_STRING && H5Tis_variable_str(stored) == 0 &&
-                size <= kMostAttributeBytes,
+                size <= kMaxAttributeBytes,
             action);
     std::string text(size, '\0');
     require(H5Aread(attribute, text_type(size), text.data()) >= 0, action);

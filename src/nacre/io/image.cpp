@@ -26,13 +26,13 @@ const Channel* Image::find(std::string_view name) const {
 
 void check_image_size(const std::string& name, long width, long height, std::size_t channels,
                       std::size_t most_values) {
-    if (width < 1 || height < 1 || width > kMostPixelsPerSide || height > kMostPixelsPerSide) {
+    if (width < 1 || height < 1 || width > kMaxPixelsPerSide || height > kMaxPixelsPerSide) {
         throw InputError(fmt::format("{}: size = {} x {}: each side must be in [1, {}] pixels",
-                                     name, width, height, kMostPixelsPerSide));
+                                     name, width, height, kMaxPixelsPerSide));
     }
-    if (channels < 1 || channels > kMostChannels) {
+    if (channels < 1 || channels > kMaxChannels) {
         throw InputError(
-            fmt::format("{}: has {} channels; must be in [1, {}]", name, channels, kMostChannels));
+            fmt::format("{}: has {} channels; must be in [1, {}]", name, channels, kMaxChannels));
     }
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (pixels * channels > most_values) {
@@ -64,7 +64,7 @@ Image parse_image(std::string_view bytes, const std::string& name, std::size_t m
 }
 
 Image read_image(const std::filesystem::path& path, std::size_t most_values) {
-    return parse_image(read_file(path, kMostImageFileBytes), path.string(), most_values);
+    return parse_image(read_file(path, kMaxImageFileBytes), path.string(), most_values);
 }
 
 std::vector<float> interleaved_rgb(const Image& image, const std::string& name) {
@@ -279,7 +279,7 @@ void write_png(const std::filesystem::path& path, const Image& image, const Tone
 
 namespace {
 
-constexpr std::size_t kMostHeaderBytes = 1 << 16;
+constexpr std::size_t kMaxHeaderBytes = 1 << 16;
 
 class HdrReader {
  public:
@@ -308,7 +308,7 @@ class HdrReader {
     }
 
     std::string text_line() {
-        const std::size_t end = bytes_.substr(0, kMostHeaderBytes).find('\n', at_);
+        const std::size_t end = bytes_.substr(0, kMaxHeaderBytes).find('\n', at_);
         if (end == std::string_view::npos) fail("its header does not end");
         std::string line(bytes_.substr(at_, end - at_));
         at_ = end + 1;

@@ -33,22 +33,22 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
-inline constexpr int kMostPixelsPerSide = 32768;
-inline constexpr std::size_t kMostChannels = 1024;
+inline constexpr int kMaxPixelsPerSide = 32768;
+inline constexpr std::size_t kMaxChannels = 1024;
 /// Pixels times channels that a file may unfold to: 2 GB.
-inline constexpr std::size_t kMostImageValues = std::size_t{1} << 29;
+inline constexpr std::size_t kMaxImageValues = std::size_t{1} << 29;
 
-inline constexpr std::size_t kMostImageFileBytes = std::size_t{1} << 30;
+inline constexpr std::size_t kMaxImageFileBytes = std::size_t{1} << 30;
 
 /// Reads OpenEXR (the first part, scan lines or tiles, every channel), Radiance HDR (RGBE) or PNG
 /// (8 and 16 bit, decoded from sRGB; transparency is laid over black), whichever the contents are.
 ///
 /// @throws InputError if the file is none of these, is cut short or damaged, or unfolds to more
 ///         than `most_values` values
-Image read_image(const std::filesystem::path& path, std::size_t most_values = kMostImageValues);
+Image read_image(const std::filesystem::path& path, std::size_t most_values = kMaxImageValues);
 /// The same from the bytes of a file; `name` is for messages.
 Image parse_image(std::string_view bytes, const std::string& name,
-                  std::size_t most_values = kMostImageValues);
+                  std::size_t most_values = kMaxImageValues);
 
 /// Whether the bytes start like a picture that parse_image() reads.
 bool looks_like_image(std::string_view bytes);

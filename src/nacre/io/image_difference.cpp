@@ -32,9 +32,9 @@ std::vector<float> finite_rgb(const Image& image, const std::string& name) {
 }
 
 /// The value below which the given share of the values lies.
-double quantile(std::vector<float> values, double share) {
+double quantile(std::vector<float> values, double fraction) {
     const auto at = values.begin() +
-                    static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+                    static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
 }

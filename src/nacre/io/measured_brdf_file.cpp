@@ -52,8 +52,8 @@ class Parser {
                                    kMajor, kMinor));
         }
         const auto count = number<std::uint32_t>("");
-        if (count > kMostTensorFields) {
-            refuse("", fmt::format("has {} fields: must be at most {}", count, kMostTensorFields));
+        if (count > kMaxTensorFields) {
+            refuse("", fmt::format("has {} fields: must be at most {}", count, kMaxTensorFields));
         }
         std::vector<TensorField> fields;
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -87,9 +87,9 @@ class Parser {
         }
         field.name = *name;
         const auto rank = number<std::uint16_t>(field.name);
-        if (rank > kMostTensorRank) {
+        if (rank > kMaxTensorRank) {
             refuse(field.name,
-                   fmt::format("has rank {}: must be at most {}", rank, kMostTensorRank));
+                   fmt::format("has rank {}: must be at most {}", rank, kMaxTensorRank));
         }
         const auto type = number<std::uint8_t>(field.name);
         if (type < 1 || type > kTypes.size()) {
@@ -136,12 +136,12 @@ std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::st
 }
 
 std::string tensor_file_bytes(const std::vector<TensorField>& fields) {
-    require_in_range(static_cast<double>(fields.size()), 0, kMostTensorFields, "number of fields");
+    require_in_range(static_cast<double>(fields.size()), 0, kMaxTensorFields, "number of fields");
     std::size_t position = kMagic.size() + 2 + sizeof(std::uint32_t);
     for (const TensorField& field : fields) {
         std::uint64_t size = bytes_of(field.type);
         for (const std::uint64_t n : field.shape) size *= n;
-        if (size != field.bytes.size() || field.shape.size() > kMostTensorRank ||
+        if (size != field.bytes.size() || field.shape.size() > kMaxTensorRank ||
             field.name.empty() || field.name.size() > 255) {
             throw DomainError(fmt::format("field '{}' has {} bytes, its shape {} wants {}",
                                           field.name, field.bytes.size(),
@@ -172,7 +172,7 @@ namespace {
 using Shape = std::vector<std::uint64_t>;
 
 /// More points than this per side or angle is no measurement, and would not fit an int.
-constexpr std::uint64_t kMostPerAxis = 1 << 20;
+constexpr std::uint64_t kMaxPerAxis = 1 << 20;
 
 // ---------------------------------------------------------------------------------- reading
 
@@ -194,9 +194,9 @@ class Fields {
             refuse(name, fmt::format("has rank {}: must be {}", field->shape.size(), rank));
         }
         for (const std::uint64_t n : field->shape) {
-            if (n > kMostPerAxis) {
+            if (n > kMaxPerAxis) {
                 refuse(name, fmt::format("has shape {}: at most {} in each direction",
-                                         fmt::join(field->shape, " x "), kMostPerAxis));
+                                         fmt::join(field->shape, " x "), kMaxPerAxis));
             }
         }
         return *field;
@@ -318,7 +318,7 @@ bsdf::RglTable parse_rgl(std::string_view bytes, const std::string& name) {
 }
 
 bsdf::RglTable read_rgl(const std::filesystem::path& path) {
-    return parse_rgl(read_file(path, kMostMeasuredBytes), path.string());
+    return parse_rgl(read_file(path, kMaxMeasuredBytes), path.string());
 }
 
 std::string rgl_bytes(const bsdf::RglTable& table) {
@@ -356,7 +356,7 @@ struct Sides {
     std::int32_t cells[3];
     bool in_range() const {
         for (const std::int32_t n : cells) {
-            if (n < bsdf::kLeastMerlCells || n > bsdf::kMostMerlCells) return false;
+            if (n < bsdf::kMinMerlCells || n > bsdf::kMaxMerlCells) return false;
         }
         return true;
     }
@@ -392,8 +392,8 @@ bsdf::MerlTable parse_merl(std::string_view bytes, const std::string& name) {
     const auto& n = sides->cells;
     if (!sides->in_range()) {
         throw InputError(fmt::format("{}: has {} x {} x {} cells: must have {} to {} along each",
-                                     name, n[0], n[1], n[2], bsdf::kLeastMerlCells,
-                                     bsdf::kMostMerlCells));
+                                     name, n[0], n[1], n[2], bsdf::kMinMerlCells,
+                                     bsdf::kMaxMerlCells));
     }
     if (sides->bytes() != bytes.size()) {
         throw InputError(fmt::format("{}: has {} bytes: {} x {} x {} cells must have {}", name,
@@ -411,7 +411,7 @@ bsdf::MerlTable parse_merl(std::string_view bytes, const std::string& name) {
 }
 
 bsdf::MerlTable read_merl(const std::filesystem::path& path) {
-    return parse_merl(read_file(path, kMostMeasuredBytes), path.string());
+    return parse_merl(read_file(path, kMaxMeasuredBytes), path.string());
 }
 
 std::string merl_bytes(const bsdf::MerlTable& table) {

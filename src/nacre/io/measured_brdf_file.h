@@ -85,8 +85,8 @@ struct TensorField {
     friend bool operator==(const TensorField&, const TensorField&) = default;
 };
 
-inline constexpr std::uint32_t kMostTensorFields = 256;
-inline constexpr std::uint16_t kMostTensorRank = 16;
+inline constexpr std::uint32_t kMaxTensorFields = 256;
+inline constexpr std::uint16_t kMaxTensorRank = 16;
 
 bool looks_like_tensor_file(std::string_view bytes);
 
@@ -115,7 +115,7 @@ std::string tensor_file_bytes(const std::vector<TensorField>& fields);
 //
 // Other fields (the database has `version` and `valid`) are allowed and not used.
 
-inline constexpr std::size_t kMostMeasuredBytes = std::size_t{1} << 31;
+inline constexpr std::size_t kMaxMeasuredBytes = std::size_t{1} << 31;
 
 bool looks_like_rgl(std::string_view bytes);
 

@@ -303,7 +303,7 @@ TEST(RglFile, ErrorsNameFieldValueAndWhatIsAllowed) {
 TEST(RglFile, MoreWavelengthsThanAnAlbedoCanBeFoundForAreRefused) {
     bsdf::RglTable table = random_table(0, false);
     table.wavelengths.clear();
-    for (std::size_t i = 0; i <= bsdf::kMostRglWavelengths; ++i) {
+    for (std::size_t i = 0; i <= bsdf::kMaxRglWavelengths; ++i) {
         table.wavelengths.push_back(400 + 0.1f * static_cast<float>(i));
     }
     table.spectra.assign(table.slices() * table.channels() * 25, 0.5f);

@@ -77,7 +77,7 @@ class CsvParser {
     CsvCell cell() {
         while (!at_cell_end() && (peek() == ' ' || peek() == '\t' || peek() == '\r')) advance();
         CsvCell cell{{}, line_, column()};
-        if (++cells_ > kMostCsvCells) fail(cell, fmt::format("more than {} cells", kMostCsvCells));
+        if (++cells_ > kMaxCsvCells) fail(cell, fmt::format("more than {} cells", kMaxCsvCells));
         if (!at_end() && peek() == '"') {
             quoted(cell);
             return cell;
@@ -189,9 +189,9 @@ class MeasurementTable {
     MeasurementTable(std::string_view text, const std::string& filename)
         : filename_(filename), rows_(parse_csv(text, filename)) {
         if (rows_.empty()) throw InputError(filename + ": is empty: there is no header");
-        if (rows_.size() - 1 > kMostReadings) {
+        if (rows_.size() - 1 > kMaxReadings) {
             throw InputError(fmt::format("{}: has {} rows; at most {} are allowed", filename,
-                                         rows_.size() - 1, kMostReadings));
+                                         rows_.size() - 1, kMaxReadings));
         }
         if (rows_.size() == 1) throw InputError(filename + ": has a header, but no reading");
         read_header(rows_[0]);
@@ -269,9 +269,9 @@ class MeasurementTable {
             throw InputError(fmt::format("{}wavelength = {} nm: must be above the {} nm before it",
                                          place(heading), wavelength_nm, wavelengths_nm_.back()));
         }
-        if (wavelengths_nm_.size() == kMostMeasuredWavelengths) {
-            throw InputError(fmt::format("{}more than {} wavelengths", place(heading),
-                                         kMostMeasuredWavelengths));
+        if (wavelengths_nm_.size() == kMaxMeasuredWavelengths) {
+            throw InputError(
+                fmt::format("{}more than {} wavelengths", place(heading), kMaxMeasuredWavelengths));
         }
         wavelengths_nm_.push_back(wavelength_nm);
         spectrum_columns_.push_back(column);

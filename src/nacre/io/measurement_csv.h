@@ -18,14 +18,14 @@ struct CsvCell {
 using CsvRow = std::vector<CsvCell>;
 
 /// In all rows: 250 MB of them, and what the largest text file of numbers needs.
-inline constexpr std::size_t kMostCsvCells = 5'000'000;
+inline constexpr std::size_t kMaxCsvCells = 5'000'000;
 
 /// The rows of a text; lines that are empty or start with '#' are left out. Cells are separated by
 /// commas, or by the semicolons or tabs that stand in the first row where it has no comma. A byte
 /// order mark and either kind of line end are understood.
 /// @throws InputError with file, line and column if a quote is not closed, or something follows
 /// one,
-///         or there are more than kMostCsvCells
+///         or there are more than kMaxCsvCells
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename);
 
 /// A cell as it is written: quoted where it has to be.

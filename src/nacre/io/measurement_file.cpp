@@ -26,7 +26,7 @@ namespace {
 constexpr double kSameAngle_deg = 0.1;
 // What tables of weights and intervals make of the same spectrum differs by less than 1, a wrong
 // light or scale makes far more.
-constexpr double kMostColourError = 5;
+constexpr double kMaxColourError = 5;
 
 [[noreturn]] void fail(const MeasurementRow& row, const std::string& why) {
     throw InputError(row.place + why);
@@ -101,7 +101,7 @@ measure::Reading reading_of(const MeasurementRow& row, const std::vector<double>
     if (!row.reflectance_factor.empty()) {
         reading = measure::coloured({}, wavelengths_nm, row.reflectance_factor, conditions);
         const double error = row.lab ? spectra::delta_e_2000(*row.lab, reading.lab) : 0;
-        if (!(error <= kMostColourError)) {
+        if (!(error <= kMaxColourError)) {
             fail(row,
                  fmt::format("L = {}, a = {}, b = {}: differ from those of the spectrum under the "
                              "stated light, {:.2f}, {:.2f}, {:.2f}, by Delta E 2000 = {:.1f}; "
@@ -262,7 +262,7 @@ MeasurementRow read_reading(const Member& reading, std::size_t wavelengths) {
     row.theta_o_deg = reading.number("theta_o_deg", kMeasuredAngle);
     row.phi_deg = reading.number("phi_deg", kMeasuredAngle);
     row.reflectance_factor =
-        reading.numbers("reflectance_factor", kMeasuredReflectance, kMostMeasuredWavelengths);
+        reading.numbers("reflectance_factor", kMeasuredReflectance, kMaxMeasuredWavelengths);
     if (!row.reflectance_factor.empty() && row.reflectance_factor.size() != wavelengths) {
         reading.fail("reflectance_factor", fmt::format("has {} values for {} wavelengths",
                                                        row.reflectance_factor.size(), wavelengths));
@@ -277,11 +277,11 @@ MeasurementRow read_reading(const Member& reading, std::size_t wavelengths) {
 measure::Measurement parse_measurement_json(std::string_view text, const std::string& filename,
                                             const measure::Conditions& defaults) {
     // Our own need 4; who adds members may nest them, but not until memory or the stack is full.
-    constexpr int kMostDepth = 64;
+    constexpr int kMaxDepth = 64;
     const auto limit_depth = [&](int depth, json::parse_event_t, const json&) {
-        if (depth <= kMostDepth) return true;
+        if (depth <= kMaxDepth) return true;
         throw InputError(
-            fmt::format("{}: lists and objects are nested deeper than {}", filename, kMostDepth));
+            fmt::format("{}: lists and objects are nested deeper than {}", filename, kMaxDepth));
     };
     json document;
     try {
@@ -298,10 +298,10 @@ measure::Measurement parse_measurement_json(std::string_view text, const std::st
         file.fail("format_version", fmt::format("must be {}", kMeasurementFormatVersion));
     }
     const std::vector<double> wavelengths =
-        file.numbers("wavelengths_nm", kMeasuredWavelength, kMostMeasuredWavelengths);
+        file.numbers("wavelengths_nm", kMeasuredWavelength, kMaxMeasuredWavelengths);
     const json& readings = file.require("readings");
-    if (!readings.is_array() || readings.empty() || readings.size() > kMostReadings) {
-        file.fail("readings", fmt::format("must be an array of 1 to {} objects", kMostReadings));
+    if (!readings.is_array() || readings.empty() || readings.size() > kMaxReadings) {
+        file.fail("readings", fmt::format("must be an array of 1 to {} objects", kMaxReadings));
     }
     std::vector<MeasurementRow> rows;
     for (std::size_t i = 0; i < readings.size(); ++i) {

@@ -16,7 +16,7 @@
 
 namespace nacre::io {
 
-inline constexpr std::size_t kMostMeasuredWavelengths = 2000;
+inline constexpr std::size_t kMaxMeasuredWavelengths = 2000;
 inline constexpr Range kMeasuredReflectance{-1, 1e9};
 inline constexpr Range kMeasuredColour{-1e6, 1e6};  // L*, a*, b*
 inline constexpr Range kMeasuredTristimulus{-1e15, 1e15};
@@ -45,7 +45,7 @@ measure::Measurement parse_measurement_json(std::string_view text, const std::st
 // Multi-angle colour as CSV and JSON: what Nacre writes, and what instruments' software exports.
 // Which columns and keys there are, and what is taken where something is missing: docs/measure.md.
 
-inline constexpr std::size_t kMostReadings = 100'000;
+inline constexpr std::size_t kMaxReadings = 100'000;
 inline constexpr int kMeasurementFormatVersion = 1;
 
 /// As CSV: a row a geometry. Reading it back gives the same measurement, bit for bit.

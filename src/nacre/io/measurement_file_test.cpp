@@ -208,7 +208,7 @@ TEST(MeasurementFile, RefusesDepthAndCellsWithoutEnd) {
     const std::string deep =
         R"({"format": "nacre-measurement", "lab": )" + std::string(500'000, '[');
     EXPECT_THAT(refusal(deep), HasSubstr("m.csv: lists and objects are nested deeper than 64"));
-    EXPECT_THAT(refusal("geometry" + std::string(kMostCsvCells, ',')),
+    EXPECT_THAT(refusal("geometry" + std::string(kMaxCsvCells, ',')),
                 AllOf(StartsWith("m.csv:1:"), HasSubstr("more than 5000000 cells")));
 }
 

@@ -286,7 +286,7 @@ RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
 }
 
 RecipeFile read_recipe_file(const std::filesystem::path& path) {
-    return parse_recipe_file(read_file(path, kMostTextBytes), path.string(), path.parent_path());
+    return parse_recipe_file(read_file(path, kMaxTextBytes), path.string(), path.parent_path());
 }
 
 paint::Recipe parse_recipe(std::string_view text, const std::string& filename,

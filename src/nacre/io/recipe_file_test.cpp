@@ -405,7 +405,7 @@ TEST(RecipeFile, RefusesAbsurdSizes) {
     std::string many = "ior = 1.5\n";
     for (int i = 0; i < 65; ++i) many += "[[layer]]\nthickness_um = 1\n";
     EXPECT_THAT(error_of(many), HasSubstr("layer = [...] (65 entries): must be a list of 1 to 64"));
-    EXPECT_THAT(error_of(std::string(kMostTextBytes + 1, '\n')),
+    EXPECT_THAT(error_of(std::string(kMaxTextBytes + 1, '\n')),
                 HasSubstr("at most 1048576 are allowed"));
     EXPECT_THAT(error_of("a = " + std::string(100000, '[')), HasSubstr("paint.toml:1:"));
 }

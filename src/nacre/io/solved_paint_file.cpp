@@ -15,10 +15,10 @@ namespace nacre::io {
 namespace {
 
 constexpr SealedFormat kFormat = {"nacre solved paint", kSolvedPaintFormatVersion, "solved paint"};
-constexpr std::size_t kMostWavelengths = 10'000;
-constexpr std::size_t kMostCoefficients = std::size_t{1} << 26;
-constexpr std::size_t kMostAzimuthalOrders = 65'536;
-constexpr std::size_t kMostExitNodes = 4'096;
+constexpr std::size_t kMaxWavelengths = 10'000;
+constexpr std::size_t kMaxCoefficients = std::size_t{1} << 26;
+constexpr std::size_t kMaxAzimuthalOrders = 65'536;
+constexpr std::size_t kMaxExitNodes = 4'096;
 
 // ---------------------------------------------------------------------------------- writing
 
@@ -56,7 +56,7 @@ constexpr TensorGroup kRemainder = {
     "remainder", "multiple scattering, without its Fresnel factors if the interface is smooth"};
 constexpr TensorGroup kRoughSingle = {"rough_single", "single scattering under a rough interface"};
 
-void write_tensor(hid_t file, const TensorGroup& where, const solver::Remainder& r) {
+void write_tensor(hid_t file, const TensorGroup& where, const solver::MultipleScattering& r) {
     const std::string meaning = fmt::format(
         "{}: f(theta_i, theta_o, phi; wavelength) = sum_l (2 - delta_l0) cos(l (phi - pi)) sum_k "
         "basis[k][wavelength] coefficient[k][pair(l, i, j)]; pairs by order l, then rows i >= j "
@@ -99,15 +99,16 @@ void require_finite(const std::vector<T>& values, const char* what) {
     require(std::all_of(values.begin(), values.end(), [](T v) { return std::isfinite(v); }), what);
 }
 
-solver::Remainder read_tensor(hid_t file, const TensorGroup& where, std::size_t wavelengths) {
+solver::MultipleScattering read_tensor(hid_t file, const TensorGroup& where,
+                                       std::size_t wavelengths) {
     const Hdf5Handle group(H5Gopen2(file, where.name, H5P_DEFAULT),
                            fmt::format("open group {}", where.name));
-    solver::Remainder r;
+    solver::MultipleScattering r;
     r.wavelength_count = static_cast<int>(wavelengths);
-    r.exit_angle = read_doubles(group, "exit_angle", 1, kMostExitNodes);
-    r.first = read_ints(group, "first", 1, kMostAzimuthalOrders);
+    r.exit_angle = read_doubles(group, "exit_angle", 1, kMaxExitNodes);
+    r.first = read_ints(group, "first", 1, kMaxAzimuthalOrders);
     r.basis = read_floats(group, "basis", 2, wavelengths * wavelengths);
-    r.coefficient = read_floats(group, "coefficient", 2, kMostCoefficients);
+    r.coefficient = read_floats(group, "coefficient", 2, kMaxCoefficients);
     require_finite(r.exit_angle, "an exit angle is not finite");
     require_finite(r.basis, "a spectral basis is not finite");
     require_finite(r.coefficient, "a coefficient is not finite");
@@ -121,7 +122,7 @@ solver::Remainder read_tensor(hid_t file, const TensorGroup& where, std::size_t 
     }
     for (int first : r.first) require(first >= 0 && first <= nodes, "a first node is out of range");
     const Hdf5Shape basis = array_shape(group, "basis", 2, wavelengths * wavelengths);
-    const Hdf5Shape coefficient = array_shape(group, "coefficient", 2, kMostCoefficients);
+    const Hdf5Shape coefficient = array_shape(group, "coefficient", 2, kMaxCoefficients);
     require(basis[1] == wavelengths && coefficient[0] == basis[0] &&
                 coefficient[1] == (basis[0] ? r.pair_count() : 0),
             "the sizes of the arrays do not fit together");
@@ -129,9 +130,9 @@ solver::Remainder read_tensor(hid_t file, const TensorGroup& where, std::size_t 
 }
 
 solver::SolvedPaint read_contents(hid_t file, const std::string& name) {
-    const std::string recipe = read_text(file, "recipe", kMostTextBytes);
+    const std::string recipe = read_text(file, "recipe", kMaxTextBytes);
     const std::vector<double> wavelengths =
-        read_doubles(file, "wavelengths_nm", 1, kMostWavelengths);
+        read_doubles(file, "wavelengths_nm", 1, kMaxWavelengths);
     require_finite(wavelengths, "a wavelength is not finite");
     require(!wavelengths.empty() && std::adjacent_find(wavelengths.begin(), wavelengths.end(),
                                                        std::greater_equal<>()) == wavelengths.end(),
@@ -154,10 +155,10 @@ solver::SolvedPaint read_contents(hid_t file, const std::string& name) {
                         read_double_attribute(group, "azimuthal_tail")};
     }
     paint.medium = solver::make_medium(paint.recipe, wavelengths);
-    paint.remainder = read_tensor(file, kRemainder, wavelengths.size());
+    paint.multiple_scattering = read_tensor(file, kRemainder, wavelengths.size());
     if (paint.medium.roughness > 0) {
         paint.rough_single = read_tensor(file, kRoughSingle, wavelengths.size());
-        require(paint.rough_single.exit_angle == paint.remainder.exit_angle,
+        require(paint.rough_single.exit_angle == paint.multiple_scattering.exit_angle,
                 "the exit angles of remainder and rough_single differ");
     } else {
         require(H5Lexists(file, kRoughSingle.name, H5P_DEFAULT) == 0,
@@ -178,7 +179,7 @@ std::string solved_paint_bytes(const solver::SolvedPaint& paint) {
                     paint.wavelengths_nm().data(), "nm", "vacuum wavelengths");
         write_settings(file, paint.settings);
         write_solver_report(file, paint.report);
-        write_tensor(file, kRemainder, paint.remainder);
+        write_tensor(file, kRemainder, paint.multiple_scattering);
         if (paint.medium.roughness > 0) write_tensor(file, kRoughSingle, paint.rough_single);
     });
 }
@@ -194,7 +195,7 @@ solver::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string
 }
 
 solver::SolvedPaint read_solved_paint(const std::filesystem::path& path) {
-    return parse_solved_paint(read_file(path, kMostSolvedPaintBytes), path.string());
+    return parse_solved_paint(read_file(path, kMaxSolvedPaintBytes), path.string());
 }
 
 }  // namespace nacre::io

@@ -29,7 +29,7 @@
 namespace nacre::io {
 
 inline constexpr int kSolvedPaintFormatVersion = 2;
-inline constexpr std::size_t kMostSolvedPaintBytes = std::size_t{1} << 28;
+inline constexpr std::size_t kMaxSolvedPaintBytes = std::size_t{1} << 28;
 
 /// Writes a solved paint, whole or not at all.
 /// @throws Error if the file cannot be written, or a material has more samples than a recipe may

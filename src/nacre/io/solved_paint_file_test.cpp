@@ -188,21 +188,22 @@ TEST(SolvedPaintFile, ForeignFilesAndNewerVersionsAreNamedAsSuch) {
 
 TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     solver::SolvedPaint paint = silver();
-    ASSERT_FALSE(paint.remainder.coefficient.empty());
-    paint.remainder.coefficient[0] = NAN;
+    ASSERT_FALSE(paint.multiple_scattering.coefficient.empty());
+    paint.multiple_scattering.coefficient[0] = NAN;
     EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a coefficient is not finite"));
 
     paint = silver();
-    paint.remainder.exit_angle[0] = 2;
+    paint.multiple_scattering.exit_angle[0] = 2;
     EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("exit angles must increase"));
 
     paint = silver();
-    paint.remainder.first[0] = -1;
+    paint.multiple_scattering.first[0] = -1;
     EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a first node is out of range"));
 
     paint = silver();
-    paint.remainder.coefficient.resize(paint.remainder.coefficient.size() -
-                                       static_cast<std::size_t>(paint.remainder.rank()));
+    paint.multiple_scattering.coefficient.resize(
+        paint.multiple_scattering.coefficient.size() -
+        static_cast<std::size_t>(paint.multiple_scattering.rank()));
     EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("do not fit together"));
 
     paint = silver();

@@ -13,11 +13,11 @@ namespace nacre::io {
 
 namespace {
 
-constexpr std::size_t kLongestShownValue = 60;
-constexpr std::size_t kLongestComplaint = 200;  // of the TOML parser, which quotes the text
+constexpr std::size_t kMaxShownValueLength = 60;
+constexpr std::size_t kMaxComplaintLength = 200;  // of the TOML parser, which quotes the text
 
 /// Printable and short, so that a message stays a line whatever stands in the file.
-std::string shortened(std::string text, std::size_t longest = kLongestShownValue) {
+std::string shortened(std::string text, std::size_t longest = kMaxShownValueLength) {
     for (char& c : text) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
     }
@@ -77,15 +77,15 @@ std::string place(const std::string& filename, const toml::source_region& where)
 TomlDocument::TomlDocument(std::string_view text, std::string filename,
                            std::filesystem::path base_directory)
     : filename_(std::move(filename)), base_directory_(std::move(base_directory)) {
-    if (text.size() > kMostTextBytes) {
+    if (text.size() > kMaxTextBytes) {
         throw InputError(fmt::format("{}: has {} bytes; at most {} are allowed", filename_,
-                                     text.size(), kMostTextBytes));
+                                     text.size(), kMaxTextBytes));
     }
     try {
         root_ = toml::parse(text, filename_);
     } catch (const toml::parse_error& error) {
         throw InputError(place(filename_, error.source()) +
-                         shortened(std::string(error.description()), kLongestComplaint));
+                         shortened(std::string(error.description()), kMaxComplaintLength));
     }
 }
 

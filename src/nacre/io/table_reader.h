@@ -22,7 +22,7 @@
 namespace nacre::io {
 
 /// Characters that a recipe or a scene may have: a megabyte.
-inline constexpr std::size_t kMostTextBytes = 1 << 20;
+inline constexpr std::size_t kMaxTextBytes = 1 << 20;
 
 /// A parsed TOML text: its name for messages, the folder that its relative paths start from, and
 /// where each key stands.

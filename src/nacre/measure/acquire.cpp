@@ -19,7 +19,7 @@ namespace nacre::measure {
 bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavelengths_nm,
                              const MerlSettings& settings, const Progress& progress) {
     const auto check = [](int cells, const char* what) {
-        require_in_range(cells, bsdf::kLeastMerlCells, bsdf::kMostMerlCells, what);
+        require_in_range(cells, bsdf::kMinMerlCells, bsdf::kMaxMerlCells, what);
     };
     check(settings.half, "cells along theta_half");
     check(settings.difference, "cells along theta_difference");
@@ -57,9 +57,9 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
 
 namespace {
 
-constexpr double kEvenShare = 0.02;
+constexpr double kEvenFraction = 0.02;
 /// The largest polar angle that a BRDF is asked for: its domain is open at the horizon.
-constexpr double kMostPolar = 0.5 * kPi - 1e-4;
+constexpr double kMaxPolar = 0.5 * kPi - 1e-4;
 
 double polar_node(int k, int count) {
     const double x = static_cast<double>(k) / (count - 1);
@@ -107,7 +107,7 @@ std::vector<double> projected_areas(const std::vector<double>& density) {
 Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
     std::vector<double> retro(count);
     parallel_for(0, count, [&](std::size_t k) {
-        const double theta = std::min(polar_node(static_cast<int>(k), count), kMostPolar);
+        const double theta = std::min(polar_node(static_cast<int>(k), count), kMaxPolar);
         retro[k] = colour.luminance(brdf(theta, theta, 0)) * std::cos(theta);
     });
     // Powers of a positive matrix lead to its one positive eigenvector.
@@ -123,7 +123,7 @@ Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
             area[k] = next_area[k] / next_area[0];
         }
     }
-    for (double& d : density) d = (1 - kEvenShare) * d + kEvenShare / kPi;
+    for (double& d : density) d = (1 - kEvenFraction) * d + kEvenFraction / kPi;
     return {density, projected_areas(density)};
 }
 
@@ -177,7 +177,7 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     table.description = description;
     table.phi_i = {0.0f};
     for (int i = 0; i < settings.incident; ++i) {
-        table.theta_i.push_back(static_cast<float>(kMostIncidence * i / (settings.incident - 1)));
+        table.theta_i.push_back(static_cast<float>(kMaxIncidence * i / (settings.incident - 1)));
     }
     table.ndf = same_at_every_azimuth(facets.density);
     table.sigma = same_at_every_azimuth(facets.area);
@@ -202,7 +202,7 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
                     i, {static_cast<float>(column) / (n - 1), static_cast<float>(row) / (n - 1)});
                 const Vec3f wo = 2 * dot(i.direction, point.normal) * point.normal - i.direction;
                 if (wo.z <= 0) continue;  // f cos(theta_o) goes to 0 there
-                const double theta_o = std::min<double>(bsdf::polar_angle(wo), kMostPolar);
+                const double theta_o = std::min<double>(bsdf::polar_angle(wo), kMaxPolar);
                 const std::vector<double> f = brdf(theta_i, theta_o, std::atan2(wo.y, wo.x));
                 const double factor = wo.z / map.scale(i, point);
                 const std::vector<double> values = settings.rgb ? colour.rgb(f) : f;

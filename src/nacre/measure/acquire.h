@@ -16,11 +16,11 @@
 namespace nacre::measure {
 
 /// What readers take, and more than anybody should want to make.
-inline constexpr double kMostTableBytes = 2147483648.0;
+inline constexpr double kMaxTableBytes = 2147483648.0;
 
 /// @throws DomainError if a table would have more bytes than that
 inline void require_table_size(double bytes) {
-    require_in_range(bytes, 0, kMostTableBytes, "bytes of the table to be measured");
+    require_in_range(bytes, 0, kMaxTableBytes, "bytes of the table to be measured");
 }
 
 /// Calls body(row) for each row on all threads and reports after each.
@@ -78,7 +78,7 @@ struct RglSettings {
 /// direction is left without facets. It steers where the table is fine; the values make up for
 /// whatever it lacks, and at its nodes the table is exact to single precision.
 ///
-/// Incidences are even from 0 to kMostIncidence. RGB is that of spectra::rec709_weights(), with
+/// Incidences are even from 0 to kMaxIncidence. RGB is that of spectra::rec709_weights(), with
 /// components outside the gamut cut off at zero.
 ///
 /// @param wavelengths_nm  those of `brdf`, increasing
@@ -90,7 +90,7 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
                            const Progress& progress = {});
 
 /// The last incidence; what comes flatter looks like this. In rad: 89 deg.
-inline constexpr double kMostIncidence = 1.5533430342749532;
+inline constexpr double kMaxIncidence = 1.5533430342749532;
 
 /// How a table of a BRDF differs from what it was made of, over incidences from 5 to 80 deg.
 struct TableError {

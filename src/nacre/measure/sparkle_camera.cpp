@@ -18,8 +18,8 @@ namespace nacre::measure {
 namespace {
 
 constexpr Vec3f kView{0, 0, 1};
-constexpr int kLeastPixels = 32, kMostPixels = 4096;
-constexpr double kMostPixelsInAll = 6e7;  // 720 MB
+constexpr int kMinPixels = 32, kMaxPixels = 4096;
+constexpr double kMaxTotalPixels = 6e7;  // 720 MB
 // Between directions to a lamp: a quarter of the radius of the lobe of a flake of 100 um.
 constexpr double kLampSpacing_deg = 0.1;
 // Rows between two looks at `progress`.
@@ -98,7 +98,7 @@ float wrapped(double u) { return std::min(static_cast<float>(u - std::floor(u)),
 // this much larger than such, the flakes told apart stand for 1.002 each, which nothing here
 // notices.
 constexpr double kNearlyExact = 1.35;
-constexpr int kMostPatches = 16;  // a side of a pixel
+constexpr int kMaxPatches = 16;  // a side of a pixel
 
 double patches_wanted(const bsdf::Bsdf& surface, double pixel_mm) {
     const auto* const flakes = dynamic_cast<const bsdf::SingleFlakes*>(&surface);
@@ -111,10 +111,10 @@ class Photographer {
         : camera_(camera),
           across_(pixels_across(camera)),
           pixel_mm_(camera.field_mm / across_),
-          unit_square_(surface.layout() == bsdf::Layout::unit_square),
+          unit_square_(surface.surface_coordinates() == bsdf::SurfaceCoordinates::unit_square),
           patches_(static_cast<int>(
-              std::clamp(patches_wanted(surface, pixel_mm_), 1.0, double{kMostPatches}))),
-          exact_(patches_wanted(surface, pixel_mm_) <= kMostPatches) {
+              std::clamp(patches_wanted(surface, pixel_mm_), 1.0, double{kMaxPatches}))),
+          exact_(patches_wanted(surface, pixel_mm_) <= kMaxPatches) {
         for (int o = 0; o < kOctets; ++o) {
             bsdf::Wavelengths wavelengths;
             for (int i = 0; i < kLanes; ++i) wavelengths[i] = wavelength_nm(o, i);
@@ -160,13 +160,13 @@ class Photographer {
             if (pictures.diffuse.empty()) continue;
             for (Spectrum& half : desk.diffuse) add_diffuse(patch, rng, half);
         }
-        const float share = 1.0f / static_cast<float>(patches_ * patches_);
+        const float fraction = 1.0f / static_cast<float>(patches_ * patches_);
         for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
-            weights_.store(desk.by_lamp[lamp], share, &pictures.by_lamp[lamp].xyz[3 * pixel]);
+            weights_.store(desk.by_lamp[lamp], fraction, &pictures.by_lamp[lamp].xyz[3 * pixel]);
         }
-        const float share_of_points = share / static_cast<float>(points_.size());
+        const float fraction_of_points = fraction / static_cast<float>(points_.size());
         for (std::size_t half = 0; half < pictures.diffuse.size(); ++half) {
-            weights_.store(desk.diffuse[half], share_of_points,
+            weights_.store(desk.diffuse[half], fraction_of_points,
                            &pictures.diffuse[half].xyz[3 * pixel]);
         }
     }
@@ -186,11 +186,11 @@ class Photographer {
                       {1, 0, 0},
                       {{side, 0, 0}, {0, side, 0}}};
         if (unit_square_) {
-            const auto share = static_cast<float>(side_mm / camera_.unit_square_mm);
+            const auto fraction = static_cast<float>(side_mm / camera_.unit_square_mm);
             patch.u = 0.5 + x / camera_.unit_square_mm;
             patch.v = 0.5 + y / camera_.unit_square_mm;
-            patch.edge_1 = {share, 0};
-            patch.edge_2 = {0, share};
+            patch.edge_1 = {fraction, 0};
+            patch.edge_2 = {0, fraction};
         }
         return patch;
     }
@@ -244,12 +244,12 @@ int pixels_across(const SparkleCamera& camera) {
 
 void check(const SparkleCamera& camera) {
     require_in_range(camera.pixel_um, 1, 1000, "pixel in um");
-    require_in_range(camera.field_mm * 1e3 / camera.pixel_um, kLeastPixels, kMostPixels,
+    require_in_range(camera.field_mm * 1e3 / camera.pixel_um, kMinPixels, kMaxPixels,
                      "field of the camera in pixels");
     const double pictures =
         static_cast<double>(camera.lamps_deg.size()) + (camera.diffuse_samples > 0 ? 2 : 0);
     require_in_range(std::pow(camera.field_mm * 1e3 / camera.pixel_um, 2) * pictures, 0,
-                     kMostPixelsInAll, "pixels in all pictures");
+                     kMaxTotalPixels, "pixels in all pictures");
     require_in_range(camera.lamp_half_angle_deg, 0, 3, "half-angle of the lamps in deg");
     for (double lamp : camera.lamps_deg) require_in_range(lamp, 0, 85, "angle of a lamp in deg");
     require_in_range(camera.diffuse_samples, 0, 65536, "directions of diffuse light");
@@ -262,7 +262,7 @@ void check(const SparkleCamera& camera) {
 PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& camera,
                             const Progress& progress) {
     check(camera);
-    if (surface.layout() == bsdf::Layout::unit_square) {
+    if (surface.surface_coordinates() == bsdf::SurfaceCoordinates::unit_square) {
         require_in_range(camera.unit_square_mm, camera.field_mm, 1e5,
                          "side of the panel in mm (at least the camera's field)");
     }

@@ -83,7 +83,7 @@ TEST(SparkleCamera, FindsNeitherSparkleNorGrainOnSmoothSurfaces) {
         const auto m = measure_pictures(camera, take_pictures(*surface, camera));
         for (const Sparkle& s : m.by_lamp) {
             EXPECT_EQ(s.density_per_cm2.value, 0);
-            EXPECT_EQ(s.area_share.value, 0);
+            EXPECT_EQ(s.area_fraction.value, 0);
             EXPECT_EQ(s.pixel_contrast.value, 0);
         }
         EXPECT_EQ(m.diffuse->graininess.value, 0);

@@ -42,7 +42,7 @@ double contrast_sensitivity(double u, double luminance_cd_m2, double field_deg) 
     // Typical values of [barten-1999, chapter 3]: signal-to-noise ratio, time and angles of
     // integration, quantum efficiency, photons (per s, deg^2 and troland) of a white display,
     // noise of the neurons, and the frequency up to which lateral inhibition works.
-    constexpr double kSignalToNoise = 3, kTime_s = 0.1, kLargestField_deg = 12, kMostCycles = 15;
+    constexpr double kSignalToNoise = 3, kTime_s = 0.1, kMaxField_deg = 12, kMaxCycles = 15;
     constexpr double kQuantumEfficiency = 0.03, kPhotons = 1.2274e6, kNeuralNoise = 3e-8;
     constexpr double kInhibition_per_deg = 7;
     const double d = pupil_diameter_mm(luminance_cd_m2, field_deg);
@@ -51,9 +51,8 @@ double contrast_sensitivity(double u, double luminance_cd_m2, double field_deg) 
     const double retinal_illuminance =
         kPi * d * d / 4 * luminance_cd_m2 * (1 - std::pow(d / 9.7, 2) + std::pow(d / 12.4, 4));
     const double optics = std::exp(-2 * kPi * kPi * sigma * sigma * u * u);
-    const double per_area = 1 / (field_deg * field_deg) +
-                            1 / (kLargestField_deg * kLargestField_deg) +
-                            u * u / (kMostCycles * kMostCycles);
+    const double per_area = 1 / (field_deg * field_deg) + 1 / (kMaxField_deg * kMaxField_deg) +
+                            u * u / (kMaxCycles * kMaxCycles);
     const double inhibition = -std::expm1(-u * u / (kInhibition_per_deg * kInhibition_per_deg));
     const double noise =
         1 / (kQuantumEfficiency * kPhotons * retinal_illuminance) + kNeuralNoise / inhibition;
@@ -74,7 +73,7 @@ namespace {
 
 // Beyond so many standard deviations the eye's Gaussian is cut off; it holds all but 6e-5 of it.
 constexpr double kReach = 4;
-constexpr int kLeastPixels = 16;
+constexpr int kMinPixels = 16;
 
 // One side of a kernel that adds up to 1 with the other.
 std::vector<double> half_gaussian(double sigma_pixels) {
@@ -138,13 +137,13 @@ RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewi
     const int margin = static_cast<int>(kernel.size()) - 1;
     seen.width = picture.width - 2 * margin;
     seen.height = picture.height - 2 * margin;
-    if (seen.width < kLeastPixels || seen.height < kLeastPixels) {
+    if (seen.width < kMinPixels || seen.height < kMinPixels) {
         throw DomainError(
             fmt::format("of a picture of {} x {} pixels the eye's blur of {:.3g} pixels leaves {} "
                         "x {}: must be "
                         "at least {} a side; needs a larger field or a smaller distance",
                         picture.width, picture.height, seen.blur_mm / picture.pixel_mm,
-                        std::max(0, seen.width), std::max(0, seen.height), kLeastPixels));
+                        std::max(0, seen.width), std::max(0, seen.height), kMinPixels));
     }
     // About the first pixel, as in mean_luminance(): an even picture stays even to the last bit.
     const double first = picture.luminance(0);
@@ -225,7 +224,7 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
         jackknife(pieces, [&](const Sums& s) { return s.spots / s.pixels * pixels_per_cm2; });
     result.sparkle_per_cm2 =
         jackknife(pieces, [&](const Sums& s) { return s.decades / s.pixels * pixels_per_cm2; });
-    result.area_share = jackknife(pieces, [](const Sums& s) { return s.above / s.pixels; });
+    result.area_fraction = jackknife(pieces, [](const Sums& s) { return s.above / s.pixels; });
     if (spots.empty()) {
         // As if there had been one: that none was met does not say that there are none.
         result.density_per_cm2.standard_error = 100 / result.area_mm2;
@@ -248,7 +247,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kLeastSide = 16;
+constexpr int kMinSide = 16;
 
 // In place, along rows and then along columns; the inverse divides by the number of pixels.
 void transform(std::vector<Complex>& values, int width, int height, bool forward) {
@@ -307,11 +306,10 @@ struct ProductSums {
 
 Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing) {
     check(viewing);
-    if (a.width != b.width || a.height != b.height || a.width < kLeastSide ||
-        a.height < kLeastSide) {
+    if (a.width != b.width || a.height != b.height || a.width < kMinSide || a.height < kMinSide) {
         throw DomainError(fmt::format(
             "pictures of {} x {} and {} x {} pixels: must be alike and at least {} a side", a.width,
-            a.height, b.width, b.height, kLeastSide));
+            a.height, b.width, b.height, kMinSide));
     }
     const int width = fast_length(a.width), height = fast_length(a.height);
     if (width != a.width || height != a.height) {

@@ -101,7 +101,7 @@ struct Sparkle {
     std::optional<Estimate> intensity;
     /// The same as Weber contrast on the retina; none: no spots, or a black background.
     std::optional<Estimate> contrast;
-    Estimate area_share;  ///< of the panel that is above threshold on the retina
+    Estimate area_fraction;  ///< of the panel that is above threshold on the retina
     /// Sum of log10(visibility) over the spots, per area: density times log10(intensity).
     Estimate sparkle_per_cm2;
 };

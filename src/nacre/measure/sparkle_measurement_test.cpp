@@ -97,7 +97,7 @@ TEST(Sparkle, AnEvenPanelHasNone) {
     for (double y : {0.0, 0.04, 0.7312345, 12.0}) {
         const Sparkle s = sparkle(even_picture(160, kPixel_mm, y));
         EXPECT_EQ(s.density_per_cm2.value, 0);
-        EXPECT_EQ(s.area_share.value, 0);
+        EXPECT_EQ(s.area_fraction.value, 0);
         EXPECT_EQ(s.sparkle_per_cm2.value, 0);
         EXPECT_EQ(s.pixel_contrast.value, 0);
         EXPECT_FALSE(s.intensity);

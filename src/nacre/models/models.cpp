@@ -119,7 +119,7 @@ std::shared_ptr<const bsdf::Bsdf> make_nacre(const Paint& paint, const SurfaceOp
 
 }  // namespace
 
-BrdfTable share(std::variant<bsdf::RawBrdfTable, bsdf::CompressedBrdfTable> table) {
+BrdfTable fraction(std::variant<bsdf::RawBrdfTable, bsdf::CompressedBrdfTable> table) {
     return std::visit(
         [](auto&& t) -> BrdfTable {
             using T = std::decay_t<decltype(t)>;

@@ -50,7 +50,8 @@ const ModelInfo* find_model(std::string_view name);
 
 /// In which form the BRDF of a solved paint is kept for rendering.
 enum class Table {
-    split,  ///< ours: interface, single scattering in closed form, a low-rank remainder; spectral
+    split,  ///< ours: interface, single scattering in closed form, a low-rank multiple scattering;
+            ///< spectral
     raw,    ///< as the paper tabulates it: angles times angles, RGB         [ergun-2016; mir-2022]
     svd     ///< the same after its singular value decomposition
 };
@@ -84,7 +85,7 @@ using BrdfTable = std::variant<std::shared_ptr<const bsdf::RawBrdfTable>,
                                std::shared_ptr<const bsdf::CompressedBrdfTable>>;
 
 /// Takes over a table read from a file.
-BrdfTable share(std::variant<bsdf::RawBrdfTable, bsdf::CompressedBrdfTable> table);
+BrdfTable fraction(std::variant<bsdf::RawBrdfTable, bsdf::CompressedBrdfTable> table);
 
 /// @param options  options.table is raw or svd
 /// @throws as bsdf::make_raw_table() and bsdf::compress()

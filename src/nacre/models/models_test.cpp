@@ -37,7 +37,7 @@ Vec3f direction(double theta_deg) {
 /// more than 60 deg from the mirror direction, by sampling: all models can do that.
 struct Reflected {
     FloatLanes mean{};
-    double far_share = 0;
+    double far_fraction = 0;
 };
 Reflected reflected(const bsdf::BoundBsdf& surface, double theta_deg) {
     constexpr int kSamples = 20000;
@@ -54,7 +54,7 @@ Reflected reflected(const bsdf::BoundBsdf& surface, double theta_deg) {
         if (dot(s->wo, mirror) < 0.5f) far += lane_mean(s->weight);
     }
     out.mean *= 1.0f / kSamples;
-    out.far_share = far / all;
+    out.far_fraction = far / all;
     return out;
 }
 
@@ -110,7 +110,7 @@ TEST(Models, MultipleScatteringIsAsListed) {
     // 30 deg outside the coat; what leaves farther has met several.
     for (const ModelInfo& model : all_models()) {
         const auto surface = pearl(model.model)->bind(visible());
-        const double far = reflected(*surface, 30).far_share;
+        const double far = reflected(*surface, 30).far_fraction;
         EXPECT_EQ(far > 1e-3, model.can.multiple_scattering) << model.name << ": " << far;
     }
 }

@@ -21,10 +21,10 @@ namespace {
 
 constexpr int kFrames = 60;  // of a whole turn: what comes after the last is the first
 constexpr int kSide = 40;    // pixels
-constexpr double kPitchMm = 0.008;
-constexpr double kPatchMm = 0.012;  // neighbouring patches overlap
-constexpr double kLightDeg = 15;
-constexpr double kDiameterUm = 6, kAlpha = 0.1, kIor = 1.5;
+constexpr double kPitch_mm = 0.008;
+constexpr double kPatch_mm = 0.012;  // neighbouring patches overlap
+constexpr double kLight_deg = 15;
+constexpr double kDiameter_um = 6, kAlpha = 0.1, kIor = 1.5;
 
 using Turn = std::array<double, kFrames>;  // by frame, by lag, or by frequency
 using Frames = std::array<std::vector<float>, kFrames>;
@@ -42,12 +42,12 @@ Frames film(const paint::Recipe& recipe, std::uint64_t seed) {
                                 "paint",
                                 {.rotation_deg = {0, 0, frame * 360.0f / kFrames}}});
         // So far away that all pixels look down the normal to 2e-4 rad.
-        constexpr float kDistanceMm = 1000;
+        constexpr float kDistance_mm = 1000;
         scene.camera = {
-            .position_mm = {0, 0, kDistanceMm},
+            .position_mm = {0, 0, kDistance_mm},
             .up = {0, 1, 0},
-            .vertical_fov_deg = 2 * std::atan(0.5 * kSide * kPitchMm / kDistanceMm) * 180 / kPi};
-        const auto tilt = static_cast<float>(kLightDeg * kPi / 180);
+            .vertical_fov_deg = 2 * std::atan(0.5 * kSide * kPitch_mm / kDistance_mm) * 180 / kPi};
+        const auto tilt = static_cast<float>(kLight_deg * kPi / 180);
         scene.lights.push_back(
             render::DirectionalLight{.to_light = {std::sin(tilt), 0, std::cos(tilt)}});
         frames[frame] = render::render_with(render::Scene(scene, paints),
@@ -55,7 +55,7 @@ Frames film(const paint::Recipe& recipe, std::uint64_t seed) {
                                              .height = kSide,
                                              .samples_per_pixel = 1,
                                              .max_depth = 1,
-                                             .footprint_pixels = kPatchMm / kPitchMm,
+                                             .footprint_pixels = kPatch_mm / kPitch_mm,
                                              .sparkle = true},
                                             render::DirectLight::light_sampling)
                             .sparkle;
@@ -75,9 +75,9 @@ double lens(double distance) {
 /// That the square has turned as well, against what lies below, is left out: after 6 deg it makes
 /// 0.2 %, and after 45 deg no lobe answers any more.
 double shared_places(Vec2f place_mm, double angle) {
-    const double diameter_mm = 1e-3 * kDiameterUm, step = 2 * std::sin(angle / 2);
+    const double diameter_mm = 1e-3 * kDiameter_um, step = 2 * std::sin(angle / 2);
     const double dx = -step * place_mm.y, dy = step * place_mm.x;
-    if (std::hypot(dx, dy) > diameter_mm + std::numbers::sqrt2 * kPatchMm) return 0;
+    if (std::hypot(dx, dy) > diameter_mm + std::numbers::sqrt2 * kPatch_mm) return 0;
     // Differences of two points of a square fall off linearly on each axis.
     constexpr int kSteps = 20;
     double sum = 0;
@@ -86,7 +86,7 @@ double shared_places(Vec2f place_mm, double angle) {
         for (int j = 0; j < kSteps; ++j) {
             const double v = 2 * (j + 0.5) / kSteps - 1;
             sum += (1 - std::abs(u)) * (1 - std::abs(v)) *
-                   lens(std::hypot(dx + u * kPatchMm, dy + v * kPatchMm) / diameter_mm);
+                   lens(std::hypot(dx + u * kPatch_mm, dy + v * kPatch_mm) / diameter_mm);
         }
     }
     return sum;
@@ -97,10 +97,10 @@ double shared_places(Vec2f place_mm, double angle) {
 double shared_slopes(double angle) {
     const sparkle::DiffractionLobe law(kAlpha, kIor);
     // In the paint: Snell's law, then half way between the normal and the light.
-    const double tilt = std::asin(std::sin(kLightDeg * kPi / 180) / kIor) / 2;
+    const double tilt = std::asin(std::sin(kLight_deg * kPi / 180) / kIor) / 2;
     const auto slope = static_cast<float>(std::tan(tilt));
     const float width =
-        law.radius_at(splat(law.radius(static_cast<float>(kDiameterUm))), splat(1 + slope * slope),
+        law.radius_at(splat(law.radius(static_cast<float>(kDiameter_um))), splat(1 + slope * slope),
                       splat(static_cast<float>(std::cos(tilt))))[0];
     const auto x2 = static_cast<float>(slope * std::cos(angle));
     const auto y2 = static_cast<float>(slope * std::sin(angle));
@@ -141,8 +141,8 @@ struct Ring {
 };
 
 Vec2f middle(int pixel) {
-    return {static_cast<float>((pixel % kSide + 0.5 - kSide / 2) * kPitchMm),
-            static_cast<float>((kSide / 2 - pixel / kSide - 0.5) * kPitchMm)};
+    return {static_cast<float>((pixel % kSide + 0.5 - kSide / 2) * kPitch_mm),
+            static_cast<float>((kSide / 2 - pixel / kSide - 0.5) * kPitch_mm)};
 }
 
 /// Correlation by lag over the pixels of a ring; its value at lag 0 is the variance.
@@ -173,7 +173,7 @@ Turn predicted(const Ring& ring) {
         if (!ring.holds(at)) continue;
         // Samples lie about the middle of their pixel with the density of a tent.
         const auto tent = [&] {
-            return static_cast<float>(kPitchMm) * (rng.uniform_float() + rng.uniform_float() - 1);
+            return static_cast<float>(kPitch_mm) * (rng.uniform_float() + rng.uniform_float() - 1);
         };
         const Vec2f place{at.x + tent(), at.y + tent()};
         for (int lag = 0; lag <= kFrames / 2; ++lag) {
@@ -197,7 +197,7 @@ class Turntable : public ::testing::TestWithParam<double> {
     /// Correlations of each ring, by seed.
     using Films = std::array<std::array<Turn, kSeeds>, kRings.size()>;
     Films films() const {
-        const testing::PlainFlakes flakes{.diameter_um = kDiameterUm,
+        const testing::PlainFlakes flakes{.diameter_um = kDiameter_um,
                                           .alpha = kAlpha,
                                           .ior = kIor,
                                           .cover = GetParam(),
@@ -216,11 +216,11 @@ class Turntable : public ::testing::TestWithParam<double> {
 };
 
 /// A quotient of sums over the seeds, and its standard error by leaving out one seed at a time.
-struct Share {
+struct Fraction {
     double value, error;
 };
 template <class Part>
-Share share_of_variance(const std::array<Turn, kSeeds>& turns, Part&& part) {
+Fraction fraction_of_variance(const std::array<Turn, kSeeds>& turns, Part&& part) {
     double a = 0, b = 0, squares = 0;
     for (const Turn& t : turns) a += part(t), b += t[0];
     for (const Turn& t : turns) {
@@ -243,13 +243,13 @@ TEST_P(Turntable, FlakesFlashForAsLongAsTheirLobesLastAndNothingFlickers) {
         SCOPED_TRACE(r);
         const Turn expected = predicted(kRings[r]);
         for (int lag = 1; lag <= kFrames / 2; ++lag) {
-            const Share s = share_of_variance(all[r], [&](const Turn& t) { return t[lag]; });
+            const Fraction s = fraction_of_variance(all[r], [&](const Turn& t) { return t[lag]; });
             // One in 16 000 lies beyond four standard errors by chance; these are themselves known
             // from six seeds only, and few pixels stand for the places within a ring: 0.02.
             EXPECT_NEAR(s.value, expected[lag] / expected[0], 4 * s.error + 0.02) << lag;
         }
         const double explained = fast(expected) / expected[0];
-        const Share s = share_of_variance(all[r], fast);
+        const Fraction s = fraction_of_variance(all[r], fast);
         EXPECT_NEAR(s.value, explained, 4 * s.error + 0.005);
         EXPECT_LT(s.value, r == 0 ? 0.03 : 0.5);
     }

@@ -45,7 +45,7 @@ class DepthWalk {
         for (std::uint64_t flights = 0; state_.alive && std::abs(state_.travel.z()) > kHorizontal;
              ++flights) {
             if (!observer_.follows(state_)) return;
-            if (flights == kMostFlights) throw_endless_walk();
+            if (flights == kMaxFlights) throw_endless_walk();
             fly();
         }
     }

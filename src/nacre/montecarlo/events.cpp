@@ -9,7 +9,7 @@ void throw_endless_walk() {
         fmt::format("a random walk met {} flakes or pigment particles and was still in the paint: "
                     "it is too thick, and absorbs too little, for the reference to follow light "
                     "through it",
-                    kMostFlights));
+                    kMaxFlights));
 }
 
 Direction3 sample_henyey_greenstein(const Direction3& in, double g, RandomStream& random) {

@@ -79,12 +79,12 @@ inline constexpr double kHorizontal = 1e-12;
 
 /// A walk that takes longer is given up with an error. Light crosses a layer that does not absorb
 /// after some square of its optical depth: 3000 is within reach.
-inline constexpr std::uint64_t kMostFlights = 20'000'000;
+inline constexpr std::uint64_t kMaxFlights = 20'000'000;
 
 /// A walk whose mean weight is below this goes on by lot.
 inline constexpr double kRouletteThreshold = 0.1;
 
-/// Gives up a walk that is still in the paint after kMostFlights.
+/// Gives up a walk that is still in the paint after kMaxFlights.
 [[noreturn]] void throw_endless_walk();
 
 inline bool is_dark(const Lanes& lanes) { return lane_max(lanes) <= 0; }

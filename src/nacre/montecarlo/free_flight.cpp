@@ -28,10 +28,10 @@ struct Panel {
     /// method, with bisection where it would leave the bracket (a parabola through rates that fall
     /// to zero can dip below it).
     double invert(double target) const {
-        constexpr int kMostSteps = 60;
+        constexpr int kMaxSteps = 60;
         constexpr double kPrecision = 1e-14;
         double low = 0, high = 1, x = target / depth();
-        for (int step = 0; step < kMostSteps; ++step) {
+        for (int step = 0; step < kMaxSteps; ++step) {
             const double miss = depth_to(x) - target;
             if (std::abs(miss) <= kPrecision * target) break;
             (miss < 0 ? low : high) = x;

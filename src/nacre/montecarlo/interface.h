@@ -62,14 +62,14 @@ std::unique_ptr<const AirInterface> make_smooth_interface(double index);
 
 /// Facets with Beckmann slopes, as solver/rough_interface.h defines them.
 /// @param index  of the binder, > 1
-/// @param alpha  at least kLeastRoughness
+/// @param alpha  at least kMinRoughness
 std::unique_ptr<const AirInterface> make_rough_interface(double index, double alpha);
 
 /// Masked light is found by trial, which takes some 1/alpha^2 trials.
-inline constexpr double kLeastRoughness = 1e-3;
+inline constexpr double kMinRoughness = 1e-3;
 
 /// The interface of a recipe whose binder has this index.
-/// @throws DomainError if its roughness is above 0 and below kLeastRoughness
+/// @throws DomainError if its roughness is above 0 and below kMinRoughness
 std::unique_ptr<const AirInterface> make_air_interface(const paint::Recipe& recipe, double index);
 
 }  // namespace nacre::montecarlo

@@ -101,12 +101,12 @@ TEST(SmoothInterface, MeetingsByLotHaveTheWeightsAndDirectionsOfTheOthers) {
             }
             reflected += out.inside;
         }
-        const auto expect_share = [&](int count, double share) {
-            const double deviation = std::sqrt(share * (1 - share) * kMeetings);
-            EXPECT_NEAR(count, share * kMeetings, 4 * deviation) << mu;
+        const auto expect_fraction = [&](int count, double fraction) {
+            const double deviation = std::sqrt(fraction * (1 - fraction) * kMeetings);
+            EXPECT_NEAR(count, fraction * kMeetings, 4 * deviation) << mu;
         };
-        expect_share(entered, entry.weight);
-        expect_share(reflected, reflection.weight);
+        expect_fraction(entered, entry.weight);
+        expect_fraction(reflected, reflection.weight);
     }
 }
 

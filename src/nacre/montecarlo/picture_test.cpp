@@ -198,8 +198,8 @@ void expect_sound_samples(const bsdf::Bsdf& model, Rng& rng, int& left) {
         const Vec3f wi =
             test::from_degrees(i % 4 == 0 ? 89.999 * rng.uniform_double() : 89.999 * (1 - 1e-6 * i),
                                360 * rng.uniform_double());
-        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
-        const auto sample = surface->sample(wi, u_lobe, {u, rng.uniform_float()});
+        const float u_select = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample = surface->sample(wi, u_select, {u, rng.uniform_float()});
         if (!sample) continue;
         ++left;
         EXPECT_NEAR(length(sample->wo), 1, 1e-5);

@@ -11,12 +11,12 @@ namespace nacre::montecarlo {
 namespace {
 
 /// The walk is a function of the sample's numbers: all their bits count.
-RandomStream stream_of(Vec3f wi, float u_lobe, Vec2f u) {
+RandomStream stream_of(Vec3f wi, float u_select, Vec2f u) {
     const auto pair = [](float a, float b) {
         return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 |
                std::bit_cast<std::uint32_t>(b);
     };
-    RandomStream random(pair(u.x, u.y), pair(wi.x, wi.y), pair(wi.z, u_lobe));
+    RandomStream random(pair(u.x, u.y), pair(wi.x, wi.y), pair(wi.z, u_select));
     // A renderer spreads its numbers well: the first flake, which decides most, takes them as they
     // are, with their resolution made that of double.
     constexpr double kStep = 0x1p-24;
@@ -74,10 +74,10 @@ Lanes BoundWalk::mirror_reflectance(double cosine) const {
         [&](int i) { return optics::dielectric_reflectance(1.0, index_[i], cosine); });
 }
 
-std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f wi, float u_lobe,
+std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f wi, float u_select,
                                                 Vec2f u) const {
     if (!(wi.z > 0)) return {};
-    RandomStream random = stream_of(wi, u_lobe, u);
+    RandomStream random = stream_of(wi, u_select, u);
     const Direction3 towards_light = Direction3(wi.x, wi.y, wi.z).normalized();
     const Packet packet = draw_packet(patch, random);
     if (rough_) {
@@ -89,14 +89,14 @@ std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f 
     const Lanes mirror = mirror_reflectance(towards_light.z());
     const double f = lane_mean(mirror);
     const double inside = (1 - f) * typical_weight_;
-    const double odds = f / (f + inside);
-    if (u_lobe < odds) {
+    const double probability = f / (f + inside);
+    if (u_select < probability) {
         return sample_of({-towards_light.x(), -towards_light.y(), towards_light.z()},
-                         mirror / odds);
+                         mirror / probability);
     }
-    const Lanes share = (1 - mirror) * ((f + inside) / inside);
+    const Lanes fraction = (1 - mirror) * ((f + inside) / inside);
     const auto escape =
-        enter_and_follow(towards_light, {packet.weight * share, packet.lane, patch}, random);
+        enter_and_follow(towards_light, {packet.weight * fraction, packet.lane, patch}, random);
     if (!escape) return {};
     return sample_of(escape->direction, escape->weight, escape->position_um);
 }
@@ -137,18 +137,18 @@ void BoundWalk::weigh_mirror() {
     constexpr double kTypicalCosine = 0.8;
     // A mirror drawn less often than this would make its weight large where walks are rarely
     // bright.
-    constexpr double kLeast = 0.1;
+    constexpr double kMin = 0.1;
     double mean_square = 0;
     mean_weight(kTypicalCosine, kWalks, 0, &mean_square);
-    typical_weight_ = std::max(std::sqrt(mean_square), kLeast);
+    typical_weight_ = std::max(std::sqrt(mean_square), kMin);
 }
 
 FloatLanes BoundWalk::albedo(Vec3f wi) const {
     if (!(wi.z > 0)) return FloatLanes{};
     std::call_once(albedo_once_, [&] {
         for (int i = 0; i <= kAlbedoIntervals; ++i) {
-            constexpr double kLeastCosine = 1e-3;
-            const double cosine = std::max(static_cast<double>(i) / kAlbedoIntervals, kLeastCosine);
+            constexpr double kMinCosine = 1e-3;
+            const double cosine = std::max(static_cast<double>(i) / kAlbedoIntervals, kMinCosine);
             inner_albedo_.push_back(
                 mean_weight(cosine, kAlbedoWalks, static_cast<std::uint64_t>(i) + 1, nullptr));
         }

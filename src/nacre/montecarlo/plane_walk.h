@@ -49,12 +49,12 @@ class BoundWalk : public bsdf::BoundBsdf {
  public:
     FloatLanes eval(Vec3f, Vec3f) const override { return FloatLanes{}; }
     float pdf(Vec3f, Vec3f) const override { return 0; }
-    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
-        return walk(nullptr, wi, u_lobe, u);
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
+        return walk(nullptr, wi, u_select, u);
     }
-    std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float u_lobe,
+    std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float u_select,
                                               Vec2f u) const override {
-        return walk(&patch, wi, u_lobe, u);
+        return walk(&patch, wi, u_select, u);
     }
     /// Estimated by kAlbedoWalks walks from each of kAlbedoIntervals + 1 directions, at the first
     /// call; the mirror of a smooth interface is exact.
@@ -82,7 +82,7 @@ class BoundWalk : public bsdf::BoundBsdf {
         int lane;
         const bsdf::Patch* patch = nullptr;
     };
-    std::optional<bsdf::BsdfSample> walk(const bsdf::Patch* patch, Vec3f wi, float u_lobe,
+    std::optional<bsdf::BsdfSample> walk(const bsdf::Patch* patch, Vec3f wi, float u_select,
                                          Vec2f u) const;
     Packet draw_packet(const bsdf::Patch* patch, RandomStream& random) const;
     Lanes mirror_reflectance(double cosine) const;
@@ -113,7 +113,7 @@ struct WalkTables;
 /// Only sample() tells what the paint looks like: it sends light in from wi and follows it until it
 /// leaves, always with mirror = true and pdf = 1, as nobody knows the density of what it found.
 /// eval() and pdf() are zero. A renderer must not weigh it against light sampling, and sees no
-/// light source without extent. The same (wi, u_lobe, u) gives the same walk.
+/// light source without extent. The same (wi, u_select, u) gives the same walk.
 ///
 /// Supports all that a recipe may say: pigments, several layers, a rough clearcoat. Where the
 /// binder's index differs between the eight wavelengths, light bends differently, and each walk
@@ -123,7 +123,7 @@ class PlaneWalk final : public bsdf::Bsdf {
     /// @param wavelengths_nm  where films are computed; between them, R, T and all else are linear
     ///                        in wavelength, beyond them constant
     /// @throws DomainError if the recipe is not valid at these wavelengths, or if its clearcoat's
-    ///         roughness is above 0 and below montecarlo::kLeastRoughness
+    ///         roughness is above 0 and below montecarlo::kMinRoughness
     explicit PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm =
                                                         solver::default_wavelengths_nm());
     ~PlaneWalk() override;

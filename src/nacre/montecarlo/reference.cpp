@@ -91,7 +91,7 @@ struct Experiment {
 namespace {
 
 // More eyes than this are served by walks of their own, to bound memory.
-constexpr std::size_t kMostEyesPerWalk = 1024;
+constexpr std::size_t kMaxEyesPerWalk = 1024;
 
 Direction3 unit_vector(const Direction& direction) {
     const double theta = direction.theta_deg * std::numbers::pi / 180;
@@ -115,10 +115,10 @@ void check(std::span<const Direction> directions, const char* which) {
 void check(const paint::Recipe& recipe, std::span<const double> wavelengths_nm,
            const ReferenceSettings& settings) {
     paint::validate(recipe, {wavelengths_nm.begin(), wavelengths_nm.end()});
-    constexpr std::uint64_t kMostSamples = 1'000'000'000'000'000;
-    if (settings.samples < 2 || settings.samples > kMostSamples) {
+    constexpr std::uint64_t kMaxSamples = 1'000'000'000'000'000;
+    if (settings.samples < 2 || settings.samples > kMaxSamples) {
         throw DomainError(
-            fmt::format("samples = {} is outside [2, {}]", settings.samples, kMostSamples));
+            fmt::format("samples = {} is outside [2, {}]", settings.samples, kMaxSamples));
     }
 }
 
@@ -156,7 +156,7 @@ void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
 
     const auto all_batches = batches(recipe, wavelengths_nm);
     const std::size_t groups =
-        std::max<std::size_t>(1, (eyes.size() + kMostEyesPerWalk - 1) / kMostEyesPerWalk);
+        std::max<std::size_t>(1, (eyes.size() + kMaxEyesPerWalk - 1) / kMaxEyesPerWalk);
     Ticker ticker(progress, static_cast<double>(all_batches.size() * groups * incident.size() *
                                                 Experiment::block_count(settings.samples)));
     std::uint64_t number = 0;
@@ -164,9 +164,9 @@ void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
         const Medium medium(recipe, batch);
         const auto interface = make_air_interface(recipe, medium.index);
         for (std::size_t group = 0; group < groups; ++group) {
-            const std::size_t first_eye = group * kMostEyesPerWalk;
+            const std::size_t first_eye = group * kMaxEyesPerWalk;
             const auto own_eyes = std::span(eyes).subspan(
-                first_eye, std::min(kMostEyesPerWalk, eyes.size() - first_eye));
+                first_eye, std::min(kMaxEyesPerWalk, eyes.size() - first_eye));
             std::vector<Connection> connections;
             if (!interface->scatters()) {
                 RandomStream unused(0, 0, 0);

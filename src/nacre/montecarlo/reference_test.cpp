@@ -166,7 +166,8 @@ TEST(Reference, BrdfIntegratesToTheAlbedo) {
 }
 
 TEST(Reference, WavelengthsWalkTogetherAsTheyWouldAlone) {
-    // Eight wavelengths from black to white, for which the same walk has very different odds.
+    // Eight wavelengths from black to white, for which the same walk has very different
+    // probability.
     const std::vector<double> wavelengths{400, 440, 480, 520, 560, 600, 640, 680};
     const spectra::Spectrum rising({400, 680}, {0.02, 0.9});
     const spectra::Spectrum falling({400, 680}, {0.5, 0.05});

@@ -53,8 +53,8 @@ void check(const paint::Recipe& recipe, const ShellSettings& settings) {
     double thickness_um = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
     for (const paint::Layer& layer : recipe.layers) thickness_um += layer.thickness_um;
     // Something must be left for the paint to lie on: a millionth of the radius keeps its digits.
-    constexpr double kLargestShare = 1 - 1e-6;
-    if (!(thickness_um < kLargestShare * kUmPerMm * settings.radius_mm)) {
+    constexpr double kMaxFraction = 1 - 1e-6;
+    if (!(thickness_um < kMaxFraction * kUmPerMm * settings.radius_mm)) {
         throw DomainError(fmt::format("a paint of {} um does not fit on a sphere of radius {} mm",
                                       thickness_um, settings.radius_mm));
     }
@@ -87,7 +87,7 @@ std::optional<Escape> ShellWalker::run(const Direction3& travel, const Lanes& we
     alive_ = true;
     escape_.reset();
     for (std::uint64_t flights = 0; alive_; ++flights) {
-        if (flights == montecarlo::kMostFlights) montecarlo::throw_endless_walk();
+        if (flights == montecarlo::kMaxFlights) montecarlo::throw_endless_walk();
         fly();
     }
     return escape_;

@@ -22,10 +22,10 @@ constexpr double kFlat = std::numeric_limits<double>::infinity();
 /// White flakes that let some light pass, and a pigment that absorbs nothing, over white.
 paint::Recipe lossless(double thickness_um) {
     paint::Layer layer = test::flake_layer(1.5, 0.2, 0.7, 0.3);
-    const double share = 10 / thickness_um;
+    const double fraction = 10 / thickness_um;
     layer.thickness_um = thickness_um;
-    layer.flakes[0].amount = paint::AreaDensity{0.15 * share};
-    layer.pigments.push_back({20 * share, 0, 0.5});
+    layer.flakes[0].amount = paint::AreaDensity{0.15 * fraction};
+    layer.pigments.push_back({20 * fraction, 0, 0.5});
     return test::paint(1.5, {layer}, 1);
 }
 
@@ -123,9 +123,9 @@ TEST(ShellWalk, LosesNoLightWhereNothingAbsorbs) {
             Rng rng(3, 4);
             for (const double theta : {0., 45., 89.}) {
                 for (int i = 0; i < 5000; ++i) {
-                    const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
-                    const auto sample =
-                        surface->sample(from_degrees(theta, 20), u_lobe, {u, rng.uniform_float()});
+                    const float u_select = rng.uniform_float(), u = rng.uniform_float();
+                    const auto sample = surface->sample(from_degrees(theta, 20), u_select,
+                                                        {u, rng.uniform_float()});
                     ASSERT_TRUE(sample);
                     // Products of a few thousand doubles, rounded to float.
                     for (int lane = 0; lane < kLanes; ++lane)
@@ -143,8 +143,9 @@ TEST(ShellWalk, LeavesOnTheSphereAndOutwards) {
     Rng rng(8, 9);
     int below_the_horizon = 0;
     for (int i = 0; i < 5000; ++i) {
-        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
-        const auto sample = surface->sample(from_degrees(70, 0), u_lobe, {u, rng.uniform_float()});
+        const float u_select = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample =
+            surface->sample(from_degrees(70, 0), u_select, {u, rng.uniform_float()});
         ASSERT_TRUE(sample);
         const Vec3f from_centre = sample->exit_mm + Vec3f{0, 0, static_cast<float>(radius_mm)};
         EXPECT_NEAR(length(from_centre), radius_mm, 1e-5) << "float";
@@ -161,8 +162,9 @@ TEST(ShellWalk, LightStaysPutOnAFlatSlabButForItsWayThroughIt) {
     Rng rng(1, 2);
     double furthest = 0;
     for (int i = 0; i < 2000; ++i) {
-        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
-        const auto sample = surface->sample(from_degrees(45, 0), u_lobe, {u, rng.uniform_float()});
+        const float u_select = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample =
+            surface->sample(from_degrees(45, 0), u_select, {u, rng.uniform_float()});
         if (!sample) continue;
         EXPECT_NEAR(sample->exit_mm.z, 0, 1e-6);
         furthest = std::max<double>(furthest, length(sample->exit_mm));

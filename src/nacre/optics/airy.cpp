@@ -120,18 +120,18 @@ AiryMoments AiryFilm::moments(double cosine, ThicknessRange range, double wavele
     static_assert(kNodes % kLanes == 0);
     const Quadrature& rule = unit_gauss_legendre(kNodes);
     AiryMoments moments;
-    const double share = width > 0 ? near / width : 1;
+    const double fraction = width > 0 ? near / width : 1;
     for (int k = 0; k < kNodes; k += kLanes) {
         const DoubleLanes nm = range.lo_nm + near * load_lanes(&rule.nodes[k]);
         const DoubleLanes R = angle.reflectance(nm / wavelength_nm);
-        const DoubleLanes weight = share * load_lanes(&rule.weights[k]);
+        const DoubleLanes weight = fraction * load_lanes(&rule.weights[k]);
         moments.mean += lane_sum(weight * R);
         moments.mean_square += lane_sum(weight * R * R);
     }
-    if (share < 1) {
+    if (fraction < 1) {
         const double R = angle.reflectance(splat(range.hi_nm / wavelength_nm))[0];
-        moments.mean += (1 - share) * R;
-        moments.mean_square += (1 - share) * R * R;
+        moments.mean += (1 - fraction) * R;
+        moments.mean_square += (1 - fraction) * R * R;
     }
     return moments;
 }

@@ -6,7 +6,7 @@ namespace nacre::optics {
 
 inline constexpr int kDispersionFormulas = 9;
 /// The longest formula (number 4) takes this many coefficients; shorter lists end in zeros.
-inline constexpr int kMostDispersionCoefficients = 17;
+inline constexpr int kMaxDispersionCoefficients = 17;
 
 /// Refractive index by one of the dispersion formulas of refractiveindex.info [polyanskiy-2024,
 /// "Dispersion formulas"]: 1 Sellmeier, 2 Sellmeier-2, 3 polynomial, 4 RefractiveIndex.INFO,

@@ -75,7 +75,7 @@ TEST(DispersionFormula, ExoticGivesUrea) {
 TEST(DispersionFormula, MissingCoefficientsAreZero) {
     for (int number = 1; number <= kDispersionFormulas; ++number) {
         const double c1 = number == 8 ? .25 : 2.25;
-        std::vector<double> padded(kMostDispersionCoefficients);
+        std::vector<double> padded(kMaxDispersionCoefficients);
         padded[0] = c1;
         EXPECT_DOUBLE_EQ(index(number, {c1}, .6), index(number, padded, .6)) << number;
         EXPECT_TRUE(std::isfinite(index(number, {c1}, .6))) << number;

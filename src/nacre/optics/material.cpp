@@ -139,9 +139,9 @@ Material read_material_file(const std::filesystem::path& path) {
         throw InputError(fmt::format("{}: there is no such file", name));
     }
     const auto size = std::filesystem::file_size(path, error);
-    if (error || size > kLargestMaterialFile) {
+    if (error || size > kMaxMaterialFileBytes) {
         throw InputError(fmt::format("{}: larger than {} bytes, the most that a material may have",
-                                     name, kLargestMaterialFile));
+                                     name, kMaxMaterialFileBytes));
     }
     std::ifstream file(path, std::ios::binary);
     std::string text(size, '\0');

@@ -230,7 +230,7 @@ Material parse_material_csv(std::string_view text, const std::string& name) {
 namespace {
 
 constexpr double kNanometresPerMicrometre = 1e3;
-constexpr std::size_t kMostSamples = 100000;
+constexpr std::size_t kMaxSamples = 100000;
 
 /// One page while it is read: `n` and `k` fill as the DATA entries come.
 class Page {
@@ -393,14 +393,14 @@ class Page {
         if (range.size() != 2) {
             fail(line, fmt::format("{} holds {} numbers instead of 2", range_key, range.size()));
         }
-        if (!(range[0] > 0 && range[0] < range[1] && range[1] <= kLongestWavelength_um)) {
+        if (!(range[0] > 0 && range[0] < range[1] && range[1] <= kMaxWavelength_um)) {
             fail(line, fmt::format("{} = {} {} um must increase and lie in (0, {}]", range_key,
-                                   range[0], range[1], kLongestWavelength_um));
+                                   range[0], range[1], kMaxWavelength_um));
         }
         const auto coefficients = numbers(list.Scalar(), "coefficients", list.Mark().line + 1);
-        if (coefficients.empty() || coefficients.size() > kMostDispersionCoefficients) {
+        if (coefficients.empty() || coefficients.size() > kMaxDispersionCoefficients) {
             fail(list, fmt::format("coefficients holds {} numbers instead of 1 to {}",
-                                   coefficients.size(), kMostDispersionCoefficients));
+                                   coefficients.size(), kMaxDispersionCoefficients));
         }
         const auto formula = [&](double wavelength_nm) {
             const double um = wavelength_nm / kNanometresPerMicrometre;
@@ -414,13 +414,13 @@ class Page {
         try {
             n_ = sample_smooth(formula, range[0] * kNanometresPerMicrometre,
                                range[1] * kNanometresPerMicrometre, kFormulaSamplingError,
-                               kMostSamples);
+                               kMaxSamples);
         } catch (const DomainError& error) {
             fail(list, error.what());
         }
     }
 
-    static constexpr double kLongestWavelength_um = 1e6;
+    static constexpr double kMaxWavelength_um = 1e6;
 
     const std::string& name_;
     std::optional<SampledFunction> n_, k_;
@@ -429,9 +429,9 @@ class Page {
 }  // namespace
 
 Material parse_material_yaml(std::string_view text, const std::string& name) {
-    if (text.size() > kLargestMaterialFile) {
+    if (text.size() > kMaxMaterialFileBytes) {
         throw InputError(fmt::format("{}: larger than {} bytes, the most that a material may have",
-                                     name, kLargestMaterialFile));
+                                     name, kMaxMaterialFileBytes));
     }
     try {
         require_plain_yaml(text, name);

@@ -12,7 +12,7 @@
 namespace nacre::optics {
 
 /// Files beyond this size are refused; the largest page of refractiveindex.info has 1 MB.
-inline constexpr std::size_t kLargestMaterialFile = 4 << 20;
+inline constexpr std::size_t kMaxMaterialFileBytes = 4 << 20;
 
 /// Linear interpolation between the samples of a dispersion formula errs by less than this in n.
 inline constexpr double kFormulaSamplingError = 1e-6;

@@ -145,7 +145,7 @@ TEST(MaterialYaml, HostilePagesGetCleanErrors) {
         for (int i = 0; i < 100000; ++i) deep += opening;
         EXPECT_THAT(yaml_error(deep), HasSubstr("file:1:")) << opening;
     }
-    EXPECT_THAT(yaml_error(std::string(kLargestMaterialFile + 1, ' ')), HasSubstr("larger than"));
+    EXPECT_THAT(yaml_error(std::string(kMaxMaterialFileBytes + 1, ' ')), HasSubstr("larger than"));
     EXPECT_NE(yaml_error(std::string("DATA:\0\xff\xfe: [", 10)), "no error");
     // A formula that wiggles faster than it can be sampled.
     EXPECT_THAT(yaml_error("DATA:\n  - type: formula 1\n    wavelength_range: 1e-9 1e6\n"

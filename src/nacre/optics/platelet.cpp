@@ -18,13 +18,13 @@
 
 namespace nacre::optics {
 
-inline constexpr int kMostNodesPerFilm = 768;
+inline constexpr int kMaxNodesPerFilm = 768;
 
 /// For a film in which waves run. As a function of its phase, in [-half_phase, half_phase], R has
 /// its nearest pole where the amplitude after a round trip, p e^(Im phase), reaches 1.
 /// @param p             largest amplitude after a round trip, in [0, 1]
 /// @param target_error  relative error aimed at, in (0, 1)
-/// @return  in [1, kMostNodesPerFilm], rounded up so that few different counts occur
+/// @return  in [1, kMaxNodesPerFilm], rounded up so that few different counts occur
 int nodes_for_wave(double half_phase, double p, double target_error);
 
 /// For a film beyond its critical angle, where waves decay by `decay_per_nm` and nothing resonates:
@@ -37,7 +37,7 @@ namespace {
 int rounded_count(double n) {
     const int rounded = n < 16 ? static_cast<int>(std::ceil(n))
                                : 8 * static_cast<int>(std::ceil(std::min(n, 1e4) / 8));
-    return std::clamp(rounded, 1, kMostNodesPerFilm);
+    return std::clamp(rounded, 1, kMaxNodesPerFilm);
 }
 
 }  // namespace
@@ -64,10 +64,10 @@ int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double targ
 
 namespace {
 
-// Aimed at for the mean of each film; the first that needs no more than kMostNodes is taken.
+// Aimed at for the mean of each film; the first that needs no more than kMaxNodes is taken.
 constexpr double kTargetErrors[] = {1e-7, 1e-5, 1e-4};
-constexpr double kLeastCosine = 1e-9;  // stands for the limit at 0, where all is 0/0
-constexpr double kMostNodes = 1e6;     // of all films together, some seconds of work
+constexpr double kMinCosine = 1e-9;  // stands for the limit at 0, where all is 0/0
+constexpr double kMaxNodes = 1e6;    // of all films together, some seconds of work
 
 /// Wave vectors and interfaces at one cosine for one lane vector of wavelengths.
 struct Lanes {
@@ -107,7 +107,7 @@ class PlateletAverage {
     /// Chooses and prepares the nodes for a set of cosines.
     void prepare(std::span<const double> cosines) {
         for (double c : cosines) {
-            counts_.push_back(affordable_counts(std::max(c, kLeastCosine)));
+            counts_.push_back(affordable_counts(std::max(c, kMinCosine)));
             for (std::size_t f = 0; f < films_.size(); ++f) {
                 const int count = counts_.back()[f];
                 ThicknessRule& rule = rules_[{f, count}];
@@ -119,7 +119,7 @@ class PlateletAverage {
     }
 
     void row(std::size_t i, double cosine, double* reflectance, double* transmittance) const {
-        cosine = std::max(cosine, kLeastCosine);
+        cosine = std::max(cosine, kMinCosine);
         std::vector<const ThicknessRule*> rules;
         for (std::size_t f = 0; f < films_.size(); ++f) {
             rules.push_back(&rules_.at({f, counts_[i][f]}));
@@ -235,9 +235,9 @@ class PlateletAverage {
             const ComplexLanes b = coat.tt * coat.r_in - coat.r_out * p;
             DoubleLanes sum_r{}, sum_t{};
             for (std::size_t j = 0; j < count; ++j) {
-                const DoubleLanes share = core.weights[j] / norm(splat_complex(1.0) - p * w[j]);
-                sum_r += share * norm(coat.r_out + b * w[j]);
-                sum_t += share * w_abs[j];
+                const DoubleLanes fraction = core.weights[j] / norm(splat_complex(1.0) - p * w[j]);
+                sum_r += fraction * norm(coat.r_out + b * w[j]);
+                sum_t += fraction * w_abs[j];
             }
             r += weight * sum_r;
             t += weight * norm(coat.tt) * sum_t;
@@ -283,12 +283,12 @@ class PlateletAverage {
             all = core_spreads_ ? static_cast<double>(arc_.weights.size()) : 1.0;
             all = std::max<double>(all, counts[0]);
             for (std::size_t f = 1; f < counts.size(); ++f) all *= counts[f];
-            if (all <= kMostNodes) return counts;
+            if (all <= kMaxNodes) return counts;
         }
         throw DomainError(fmt::format(
             "averaging a platelet of {} films over all their spreads takes {:g} combinations of "
             "thicknesses at cosine {}, more than {:g}; give fewer films a spread_nm",
-            films_.size(), all, cosine, kMostNodes));
+            films_.size(), all, cosine, kMaxNodes));
     }
 
     std::vector<int> node_counts(double cosine, double target_error) const {

@@ -11,7 +11,7 @@ namespace nacre::optics {
 namespace {
 
 constexpr double kNormalCut = 3;  // standard deviations
-constexpr int kMostGaussNodes = 24;
+constexpr int kMaxGaussNodes = 24;
 
 /// Proportional to the density inside the range; x may be complex.
 template <class Number>
@@ -43,15 +43,15 @@ ThicknessRange thickness_range(double mean_nm, const ThicknessSpread& spread) {
     return {std::max(0.0, mean_nm - half), mean_nm + half};
 }
 
-double thickness_quantile(double mean_nm, const ThicknessSpread& spread, double share) {
+double thickness_quantile(double mean_nm, const ThicknessSpread& spread, double fraction) {
     if (spread.standard_deviation_nm == 0) return mean_nm;
     auto [lo, hi] = thickness_range(mean_nm, spread);
-    if (spread.law == ThicknessSpread::Law::uniform) return std::lerp(lo, hi, share);
+    if (spread.law == ThicknessSpread::Law::uniform) return std::lerp(lo, hi, fraction);
     const auto below = [&](double thickness) {
         return 0.5 * std::erfc((mean_nm - thickness) /
                                (std::numbers::sqrt2 * spread.standard_deviation_nm));
     };
-    const double wanted = std::lerp(below(lo), below(hi), share);
+    const double wanted = std::lerp(below(lo), below(hi), fraction);
     for (int step = 0; step < 45; ++step) {
         const double middle = 0.5 * (lo + hi);
         (below(middle) < wanted ? lo : hi) = middle;
@@ -62,7 +62,7 @@ double thickness_quantile(double mean_nm, const ThicknessSpread& spread, double 
 ThicknessRule thickness_rule(double mean_nm, const ThicknessSpread& spread, int n) {
     if (spread.standard_deviation_nm == 0) return {{mean_nm}, {1.0}};
     const auto [lo, hi] = thickness_range(mean_nm, spread);
-    if (n > kMostGaussNodes) return product_rule(mean_nm, spread, n);
+    if (n > kMaxGaussNodes) return product_rule(mean_nm, spread, n);
     // The law as a sum of points, on [-1, 1] to keep the recurrence well scaled. Twice n points and
     // some for the density make the inner products of the n polynomials exact to rounding.
     const Quadrature points = gauss_legendre(2 * n + 24, -1, 1);

@@ -79,10 +79,10 @@ TEST(ThicknessQuantile, SplitsTheLawIntoTheSharesItSays) {
                 for (std::size_t i = 0; i < rule.weights.size(); ++i) {
                     expected += rule.weights[i] * std::pow(rule.thickness_nm[i], power);
                 }
-                constexpr int kShares = 4000;
-                for (int i = 0; i < kShares; ++i) {
-                    const double t = thickness_quantile(mean_nm, spread, (i + 0.5) / kShares);
-                    found += std::pow(t, power) / kShares;
+                constexpr int kFractions = 4000;
+                for (int i = 0; i < kFractions; ++i) {
+                    const double t = thickness_quantile(mean_nm, spread, (i + 0.5) / kFractions);
+                    found += std::pow(t, power) / kFractions;
                 }
                 EXPECT_NEAR(found, expected, 1e-4 * expected) << mean_nm << ' ' << power;
             }

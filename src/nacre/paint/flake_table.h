@@ -30,7 +30,7 @@ class FlakeTable {
     /// resolved to 1e-6, or until it is `most_cosines`.
     static FlakeTable of_platelet(const optics::Platelet& platelet, const optics::Material& binder,
                                   std::span<const double> wavelengths_nm,
-                                  int most_cosines = kMostCosines);
+                                  int most_cosines = kMaxCosines);
 
     int wavelength_count() const { return wavelength_count_; }
     int cosine_count() const { return cosine_count_; }
@@ -52,7 +52,7 @@ class FlakeTable {
     const double* fine_reflectance(int node) const { return fine_r_.data() + node * stride_; }
 
     static constexpr int kFineIntervals = 512;
-    static constexpr int kMostCosines = 513;
+    static constexpr int kMaxCosines = 513;
 
     friend bool operator==(const FlakeTable& a, const FlakeTable& b) {
         return a.wavelength_count_ == b.wavelength_count_ && a.cosine_count_ == b.cosine_count_ &&

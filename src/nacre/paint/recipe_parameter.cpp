@@ -16,7 +16,7 @@ using optics::Material;
 using spectra::Spectrum;
 
 /// Keys that a message lists at most.
-constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kMaxListed = 12;
 
 /// Where a number of a recipe is kept.
 struct Slot {
@@ -165,11 +165,11 @@ std::vector<std::string> keys_of(const Entries& entries) {
 
 std::string listed(const std::vector<std::string>& keys) {
     std::string text;
-    for (std::size_t i = 0; i < keys.size() && i < kMostListed; ++i) {
+    for (std::size_t i = 0; i < keys.size() && i < kMaxListed; ++i) {
         text += (i > 0 ? ", " : "") + keys[i];
     }
-    if (keys.size() > kMostListed) {
-        text += fmt::format(" and {} more", keys.size() - kMostListed);
+    if (keys.size() > kMaxListed) {
+        text += fmt::format(" and {} more", keys.size() - kMaxListed);
     }
     return text;
 }

@@ -87,7 +87,8 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
                 return Mesh{};  // a sphere: handled above
             },
             shape.geometry);
-        if (materials[material]->layout() == bsdf::Layout::unit_square && surface.mesh.uv.empty()) {
+        if (materials[material]->surface_coordinates() == bsdf::SurfaceCoordinates::unit_square &&
+            surface.mesh.uv.empty()) {
             throw InputError(
                 fmt::format("mesh '{}': has no texture coordinates; the paint of the material '{}' "
                             "shows single facets, whose places they give",
@@ -193,10 +194,10 @@ std::optional<Hit> CompiledScene::intersect(const Ray& ray, bool coherent) const
     if (dot(hit.shading_normal, hit.geometric_normal) < 0) hit.shading_normal = -hit.shading_normal;
     // At the outline of a coarse mesh an interpolated normal may face away from the ray, which
     // would be black; it is bent until it is just seen.
-    constexpr float kLeastCosine = 1e-3f;
+    constexpr float kMinCosine = 1e-3f;
     const float facing = dot(hit.shading_normal, back);
-    if (facing < kLeastCosine) {
-        hit.shading_normal = normalize(hit.shading_normal + (kLeastCosine - facing) * back);
+    if (facing < kMinCosine) {
+        hit.shading_normal = normalize(hit.shading_normal + (kMinCosine - facing) * back);
     }
     return hit;
 }
@@ -215,7 +216,7 @@ Vec3f CompiledScene::origin(const Hit& hit, Vec3f exit_mm) const {
 
 bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const {
     const Surface& surface = surfaces_[hit.surface];
-    if (materials[hit.material]->layout() == bsdf::Layout::rest_space) {
+    if (materials[hit.material]->surface_coordinates() == bsdf::SurfaceCoordinates::object_space) {
         bsdf::Patch patch;
         patch.rest = rest_patch(surface.map, hit.position_mm, hit.geometric_normal,
                                 hit.shading_normal, edge_1_mm, edge_2_mm);

@@ -8,15 +8,15 @@
 namespace nacre::render {
 namespace {
 
-constexpr double kLaneSpacingNm = (kFilmLastNm - kFilmFirstNm) / kLanes;
+constexpr double kLaneSpacing_nm = (kFilmLast_nm - kFilmFirst_nm) / kLanes;
 
 /// Int f(lambda) y_bar(lambda) d lambda over the film's range, trapezoidal in 1 nm steps.
 template <class F>
 double integrate_with_luminosity(F&& f) {
     double sum = 0;
-    const int steps = static_cast<int>(kFilmLastNm - kFilmFirstNm);
+    const int steps = static_cast<int>(kFilmLast_nm - kFilmFirst_nm);
     for (int i = 0; i <= steps; ++i) {
-        const double nm = kFilmFirstNm + i;
+        const double nm = kFilmFirst_nm + i;
         const double end = i == 0 || i == steps ? 0.5 : 1.0;
         sum += end * f(nm) * spectra::colour_matching(spectra::Observer::cie1931_2deg, nm)[1];
     }
@@ -35,7 +35,7 @@ bsdf::Wavelengths film_wavelengths(std::uint32_t sample_index) {
     double whole;
     const double offset = std::modf(0.5 + sample_index * kGoldenRatio, &whole);
     bsdf::Wavelengths nm;
-    for (int i = 0; i < kLanes; ++i) nm[i] = kFilmFirstNm + (i + offset) * kLaneSpacingNm;
+    for (int i = 0; i < kLanes; ++i) nm[i] = kFilmFirst_nm + (i + offset) * kLaneSpacing_nm;
     return nm;
 }
 
@@ -45,7 +45,7 @@ XyzWeights film_xyz_weights(const bsdf::Wavelengths& wavelengths_nm) {
         const auto xyz =
             spectra::colour_matching(spectra::Observer::cie1931_2deg, wavelengths_nm[i]);
         for (int c = 0; c < 3; ++c) {
-            weights[c][i] = static_cast<float>(xyz[c] * kLaneSpacingNm / luminosity_integral());
+            weights[c][i] = static_cast<float>(xyz[c] * kLaneSpacing_nm / luminosity_integral());
         }
     }
     return weights;
@@ -64,9 +64,9 @@ using spectra::Spectrum;
 template <class F>
 Spectrum tabulate(double step_nm, F&& f) {
     std::vector<double> nm, values;
-    const int steps = static_cast<int>((kFilmLastNm - kFilmFirstNm) / step_nm);
+    const int steps = static_cast<int>((kFilmLast_nm - kFilmFirst_nm) / step_nm);
     for (int i = 0; i <= steps; ++i) {
-        nm.push_back(kFilmFirstNm + i * step_nm);
+        nm.push_back(kFilmFirst_nm + i * step_nm);
         values.push_back(f(nm.back()));
     }
     return Spectrum(nm, values);
@@ -124,7 +124,7 @@ std::vector<Spectrum> daylight_basis() {
     std::vector<Spectrum> basis;
     for (const auto& row : kBasis) {
         basis.push_back(tabulate(
-            10, [&](double nm) { return row[static_cast<int>((nm - kFilmFirstNm) / 10 + 0.5)]; }));
+            10, [&](double nm) { return row[static_cast<int>((nm - kFilmFirst_nm) / 10 + 0.5)]; }));
     }
     return basis;
 }

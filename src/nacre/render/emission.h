@@ -13,8 +13,8 @@
 
 namespace nacre::render {
 
-inline constexpr double kFilmFirstNm = 400;
-inline constexpr double kFilmLastNm = 700;
+inline constexpr double kFilmFirst_nm = 400;
+inline constexpr double kFilmLast_nm = 700;
 
 /// Eight wavelengths with even spacing, offset as a whole by a golden-ratio sequence over the
 /// sample index. All pixels share those of a sample: surfaces are bound to wavelengths once for a

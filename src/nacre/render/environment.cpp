@@ -323,15 +323,15 @@ double sun_transmittance(double wavelength_nm, double sun_elevation_deg, double 
 }
 
 double black_body(double wavelength_nm, double kelvin) {
-    constexpr double kSecondRadiationNm = 1.438776877e7;  // h c / k in nm K
-    return std::pow(wavelength_nm, -5) / std::expm1(kSecondRadiationNm / (wavelength_nm * kelvin));
+    constexpr double kSecondRadiation_nm = 1.438776877e7;  // h c / k in nm K
+    return std::pow(wavelength_nm, -5) / std::expm1(kSecondRadiation_nm / (wavelength_nm * kelvin));
 }
 
 DistantDisk compile_sun(const SkyEnvironment& sky, Vec3f direction, EmissionBasis& basis) {
     constexpr double kOutsideKcd = 1.88e6;
     constexpr double kSolarKelvin = 5778;
     std::vector<double> nm, outside, ground;
-    for (double w = kFilmFirstNm; w <= kFilmLastNm; w += 10) {
+    for (double w = kFilmFirst_nm; w <= kFilmLast_nm; w += 10) {
         nm.push_back(w);
         outside.push_back(black_body(w, kSolarKelvin));
         ground.push_back(outside.back() *
@@ -340,7 +340,7 @@ DistantDisk compile_sun(const SkyEnvironment& sky, Vec3f direction, EmissionBasi
     const double norm = kOutsideKcd / kUnitKcd / film_luminance(spectra::Spectrum(nm, outside));
     for (double& g : ground) g *= norm;
     const spectra::Spectrum spectrum(nm, ground);
-    const double half_chord = std::sin(0.5 * kSunRadiusDeg * kDegree);
+    const double half_chord = std::sin(0.5 * kSunRadius_deg * kDegree);
     return {direction, static_cast<float>(4 * half_chord * half_chord),
             static_cast<float>(sky.scale), basis.add(spectrum),
             sky.scale * film_luminance(spectrum)};

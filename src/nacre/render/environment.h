@@ -46,7 +46,7 @@ CompiledEnvironment compile_environment(const Environment& description, Emission
 Vec3f direction_from_angles(double azimuth_deg, double elevation_deg);
 
 /// Angular radius of the sun seen from the earth (mean).
-inline constexpr double kSunRadiusDeg = 0.2666;
+inline constexpr double kSunRadius_deg = 0.2666;
 
 /// The clear-to-hazy sky of Preetham et al., as radiance in units of 10 000 cd/m^2 times scale,
 /// with the sun as a disk. Valid for turbidity 1.7 to 10; the fit is at its best from 2 to 6, and

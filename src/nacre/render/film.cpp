@@ -41,7 +41,7 @@ void Film::begin_pass(const Pass& pass, bool with_albedo) {
     for (int i = 0; i < kLanes; ++i) {
         // Position among the bins' centres; beyond the outermost ones all goes to the outermost.
         const double x = std::clamp(
-            (pass.wavelengths_nm[i] - kFilmFirstNm) / (kFilmLastNm - kFilmFirstNm) * bins_ - 0.5,
+            (pass.wavelengths_nm[i] - kFilmFirst_nm) / (kFilmLast_nm - kFilmFirst_nm) * bins_ - 0.5,
             0.0, bins_ - 1.0);
         const int bin = std::min(static_cast<int>(x), std::max(bins_ - 2, 0));
         const auto next = static_cast<float>(x - bin);
@@ -132,8 +132,8 @@ RenderResult Film::develop() const {
 
     result.spectral.resize(spectral_.size());
     for (int b = 0; b < bins_; ++b) {
-        result.bin_centres_nm.push_back(kFilmFirstNm +
-                                        (b + 0.5) * (kFilmLastNm - kFilmFirstNm) / bins_);
+        result.bin_centres_nm.push_back(kFilmFirst_nm +
+                                        (b + 0.5) * (kFilmLast_nm - kFilmFirst_nm) / bins_);
         // With fewer wavelengths than bins some bins have seen none: they take after the nearest
         // one that has.
         int source = b;

@@ -30,7 +30,7 @@ class Recorder final : public bsdf::Bsdf {
         std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float,
                                                   Vec2f) const override {
             const Vec3f* edges = patch.rest.edge_mm;
-            owner_.area += owner_.layout_ == bsdf::Layout::unit_square
+            owner_.area += owner_.layout_ == bsdf::SurfaceCoordinates::unit_square
                                ? std::abs(double{patch.edge_1.x} * patch.edge_2.y -
                                           double{patch.edge_1.y} * patch.edge_2.x)
                                : length(cross(edges[0], edges[1]));
@@ -45,19 +45,20 @@ class Recorder final : public bsdf::Bsdf {
     };
 
  public:
-    explicit Recorder(bool mirror, bsdf::Layout layout = bsdf::Layout::unit_square)
+    explicit Recorder(bool mirror,
+                      bsdf::SurfaceCoordinates layout = bsdf::SurfaceCoordinates::unit_square)
         : mirror(mirror), layout_(layout) {}
     std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths&) const override {
         return std::make_unique<Bound>(*this);
     }
-    bsdf::Layout layout() const override { return layout_; }
+    bsdf::SurfaceCoordinates surface_coordinates() const override { return layout_; }
 
     bool mirror;
     mutable std::atomic<double> area = 0;
     mutable std::atomic<long> patches = 0, means = 0;
 
  private:
-    bsdf::Layout layout_;
+    bsdf::SurfaceCoordinates layout_;
 };
 
 SceneDescription seen_at_45_deg(Geometry geometry) {
@@ -99,7 +100,7 @@ TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
 TEST(Footprint, AtRestIsAsLargeAsTheScaledShape) {
     SceneDescription scene = seen_at_45_deg(FlatPanel{.width_mm = 100, .height_mm = 75});
     scene.shapes[0].transform = {.scale = 2, .rotation_deg = {0, 0, 25}};
-    const auto recorder = std::make_shared<Recorder>(false, bsdf::Layout::rest_space);
+    const auto recorder = std::make_shared<Recorder>(false, bsdf::SurfaceCoordinates::object_space);
     render(Scene(scene, {{"paint", recorder}}), kOptions);
     EXPECT_NEAR(recorder->area / (200 * 150), 1, 0.01);
 }
@@ -161,7 +162,7 @@ TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
     render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}), kOptions);
     EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's share of the square
 
-    const auto at_rest = std::make_shared<Recorder>(false, bsdf::Layout::rest_space);
+    const auto at_rest = std::make_shared<Recorder>(false, bsdf::SurfaceCoordinates::object_space);
     render(Scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", at_rest}}), kOptions);
     EXPECT_NEAR(at_rest->area / 5000, 1, 0.04);  // half of 100 mm x 100 mm, in 10 pixels' outline
 }

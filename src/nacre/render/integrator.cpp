@@ -44,8 +44,8 @@ struct LocalSurface {
     FloatLanes eval(Vec3f wi, Vec3f wo) const {
         return patch ? bsdf.evaluate_on(*patch, wi, wo).f : bsdf.eval(wi, wo);
     }
-    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const {
-        return patch ? bsdf.sample_on(*patch, wi, u_lobe, u) : bsdf.sample(wi, u_lobe, u);
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const {
+        return patch ? bsdf.sample_on(*patch, wi, u_select, u) : bsdf.sample(wi, u_select, u);
     }
 };
 

@@ -69,14 +69,14 @@ void LightSet::add(Kind kind, int index, double estimate) {
 
 void LightSet::normalise() {
     // A tenth is shared out evenly: the estimate may be far off for a given point.
-    constexpr double kEvenShare = 0.1;
+    constexpr double kEvenFraction = 0.1;
     double total = 0;
     for (const Entry& e : entries_) total += e.probability;
     double sum = 0;
     rectangle_probability_.assign(rectangles_.size(), 0);
     for (Entry& e : entries_) {
-        const double p = (1 - kEvenShare) * e.probability / total +
-                         kEvenShare / static_cast<double>(entries_.size());
+        const double p = (1 - kEvenFraction) * e.probability / total +
+                         kEvenFraction / static_cast<double>(entries_.size());
         sum += p;
         e.probability = static_cast<float>(p);
         e.cumulative = static_cast<float>(sum);

@@ -90,12 +90,12 @@ std::optional<int> scalar_size(const std::string& type) {
 }  // namespace
 
 std::optional<std::string> ply_fault(const std::filesystem::path& path) {
-    constexpr int kLongestHeader = 1000;  // lines
+    constexpr int kMaxHeaderLength = 1000;  // lines
     std::ifstream in(path, std::ios::binary);
     std::string line;
     bool binary = false, ended = false;
     double count = 0, element_bytes = 0, least_bytes = 0;  // doubles: counts may overflow integers
-    for (int number = 1; number <= kLongestHeader && !ended && std::getline(in, line); ++number) {
+    for (int number = 1; number <= kMaxHeaderLength && !ended && std::getline(in, line); ++number) {
         if (!line.empty() && line.back() == '\r') line.pop_back();
         std::istringstream words(line);
         std::string key, a, b;

@@ -14,14 +14,14 @@ namespace nacre::render {
 
 namespace {
 
-constexpr std::size_t kMostShapes = 10'000;
-constexpr std::size_t kMostLights = 1'000;
-constexpr std::size_t kMostMaterials = 1'000;
-constexpr std::size_t kMostSoftBoxes = 100;
-constexpr std::size_t kLongestName = 200;
-constexpr std::size_t kLongestPath = 2'000;
+constexpr std::size_t kMaxShapes = 10'000;
+constexpr std::size_t kMaxLights = 1'000;
+constexpr std::size_t kMaxMaterials = 1'000;
+constexpr std::size_t kMaxSoftBoxes = 100;
+constexpr std::size_t kMaxNameLength = 200;
+constexpr std::size_t kMaxPathLength = 2'000;
 /// 16384 x 8192 pixels: what an environment may have.
-constexpr std::size_t kMostEnvironmentValues = std::size_t{3} << 27;
+constexpr std::size_t kMaxEnvironmentValues = std::size_t{3} << 27;
 
 constexpr Range finite(const char* unit) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ Vec3f vector_or(const io::TableReader& table, std::string_view key, Vec3f fallba
 }
 
 std::filesystem::path path_in(const io::TableReader& table, std::string_view key) {
-    return table.document().base_directory() / table.text(key, kLongestPath);
+    return table.document().base_directory() / table.text(key, kMaxPathLength);
 }
 
 const Keys kEmitterKeys = {"illuminant", "scale"};
@@ -53,7 +53,8 @@ render::Emitter read_emitter(const io::TableReader& table) {
     render::Emitter emitter;
     if (table.has("illuminant")) {
         try {
-            emitter.illuminant = spectra::parse_illuminant(table.text("illuminant", kLongestName));
+            emitter.illuminant =
+                spectra::parse_illuminant(table.text("illuminant", kMaxNameLength));
         } catch (const InputError& error) {
             table.fail("illuminant", error.what());
         }
@@ -162,7 +163,7 @@ render::Shape read_shape(const io::TableReader& table) {
     render::Shape shape;
     shape.geometry = kReaders[table.choice("type", {"sphere", "mesh", "flat-panel", "curved-panel",
                                                     "speed-shape", "backdrop", "ground"})](table);
-    shape.material = table.text("material", kLongestName);
+    shape.material = table.text("material", kMaxNameLength);
     shape.transform.scale = table.number_or("scale", 1, kNumber);
     shape.transform.rotation_deg = vector_or(table, "rotation_deg", {}, kDegrees);
     shape.transform.translation_mm = vector_or(table, "translation_mm", {}, kMillimetres);
@@ -203,7 +204,7 @@ render::Environment read_studio(const io::TableReader& any) {
     studio.horizon = table.number_or("horizon", studio.horizon, kNumber);
     studio.zenith = table.number_or("zenith", studio.zenith, kNumber);
     for (const io::TableReader& entry : table.tables(
-             "boxes", kMostSoftBoxes,
+             "boxes", kMaxSoftBoxes,
              {"azimuth_deg", "elevation_deg", "width_deg", "height_deg", "softness", "scale"})) {
         render::SoftBox box;
         box.azimuth_deg = entry.number_or("azimuth_deg", box.azimuth_deg, kDegrees);
@@ -235,7 +236,7 @@ render::Environment read_image_environment(const io::TableReader& any) {
     environment.scale = table.number_or("scale", environment.scale, kNumber);
     try {
         const std::filesystem::path path = path_in(table, "path");
-        const io::Image image = io::read_image(path, kMostEnvironmentValues);
+        const io::Image image = io::read_image(path, kMaxEnvironmentValues);
         environment.width = image.width;
         environment.height = image.height;
         environment.rgb = interleaved_rgb(image, path.string());
@@ -263,7 +264,7 @@ render::Environment read_environment(const io::TableReader& any) {
 
 render::SceneDescription read_scene_table(const io::TableReader& table) {
     render::SceneDescription scene;
-    scene.name = table.text_or("name", "", kLongestName);
+    scene.name = table.text_or("name", "", kMaxNameLength);
     if (const auto camera =
             table.table_if_present("camera", {"position_mm", "target_mm", "up", "vertical_fov_deg",
                                               "aperture_radius_mm", "focus_distance_mm"})) {
@@ -271,18 +272,18 @@ render::SceneDescription read_scene_table(const io::TableReader& table) {
     }
     if (const auto materials = table.table_if_present("materials", {})) {
         const std::vector<std::string> names = materials->keys();
-        if (names.size() > kMostMaterials) {
+        if (names.size() > kMaxMaterials) {
             table.fail("materials", fmt::format("has {} entries; at most {} are allowed",
-                                                names.size(), kMostMaterials));
+                                                names.size(), kMaxMaterials));
         }
         for (const std::string& name : names) {
             scene.materials.emplace(name, read_material(materials->table(name, {})));
         }
     }
-    for (const io::TableReader& shape : table.tables("shapes", kMostShapes, {})) {
+    for (const io::TableReader& shape : table.tables("shapes", kMaxShapes, {})) {
         scene.shapes.push_back(read_shape(shape));
     }
-    for (const io::TableReader& light : table.tables("lights", kMostLights, {})) {
+    for (const io::TableReader& light : table.tables("lights", kMaxLights, {})) {
         scene.lights.push_back(read_light(light));
     }
     if (const auto environment = table.table_if_present("environment", {})) {
@@ -290,7 +291,7 @@ render::SceneDescription read_scene_table(const io::TableReader& table) {
     }
     if (scene.shapes.empty()) {
         table.fail("shapes",
-                   fmt::format("is missing; a scene needs 1 to {} tables [[shapes]]", kMostShapes));
+                   fmt::format("is missing; a scene needs 1 to {} tables [[shapes]]", kMaxShapes));
     }
     if (scene.lights.empty() && !scene.environment) {
         table.fail("environment",
@@ -323,7 +324,7 @@ bool looks_like_scene(std::string_view text, const std::string& filename) {
 }
 
 render::SceneDescription read_scene(const std::filesystem::path& path) {
-    return parse_scene(read_file(path, io::kMostTextBytes), path.string(), path.parent_path());
+    return parse_scene(read_file(path, io::kMaxTextBytes), path.string(), path.parent_path());
 }
 
 }  // namespace nacre::render

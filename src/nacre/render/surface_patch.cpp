@@ -83,8 +83,9 @@ bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycen
     return patch;
 }
 
-sparkle::RestPatch rest_patch(const AffineMap& map, Vec3f position_mm, Vec3f geometric_normal,
-                              Vec3f shading_normal, Vec3f edge_1_mm, Vec3f edge_2_mm) {
+sparkle::ObjectSpaceFootprint rest_patch(const AffineMap& map, Vec3f position_mm,
+                                         Vec3f geometric_normal, Vec3f shading_normal,
+                                         Vec3f edge_1_mm, Vec3f edge_2_mm) {
     // The rotation that takes one normal to the other, applied to what is perpendicular to the
     // first.
     const Vec3f sum = geometric_normal + shading_normal;

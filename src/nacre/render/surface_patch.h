@@ -43,7 +43,8 @@ bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycen
 /// @param position_mm       in the world, like all that follows
 /// @param geometric_normal, shading_normal  unit vectors, not opposite
 /// @param edge_1_mm, edge_2_mm  perpendicular to the geometric normal
-sparkle::RestPatch rest_patch(const AffineMap& map, Vec3f position_mm, Vec3f geometric_normal,
-                              Vec3f shading_normal, Vec3f edge_1_mm, Vec3f edge_2_mm);
+sparkle::ObjectSpaceFootprint rest_patch(const AffineMap& map, Vec3f position_mm,
+                                         Vec3f geometric_normal, Vec3f shading_normal,
+                                         Vec3f edge_1_mm, Vec3f edge_2_mm);
 
 }  // namespace nacre::render

@@ -82,9 +82,9 @@ TEST(SurfacePatch, KeepsTheShareOfASpheresArea) {
             const Vec3f n{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
                           std::cos(theta)};
             const Frame frame = Frame::around(n);
-            const double share =
+            const double fraction =
                 area(sphere_patch(n, kEdge * frame.s, kEdge * frame.t)) * 4 * std::numbers::pi;
-            EXPECT_NEAR(share / (kEdge * kEdge), 1, 0.02) << theta << ' ' << phi;
+            EXPECT_NEAR(fraction / (kEdge * kEdge), 1, 0.02) << theta << ' ' << phi;
             ++checked;
         }
     }
@@ -113,7 +113,7 @@ TEST(SurfacePatch, AtRestKeepsItsAreaAndLiesAcrossTheShadingNormal) {
         const Vec3f shading =
             normalize(geometric + std::tan(tilt) * facet.to_world({0.6f, 0.8f, 0}));
         const Vec3f at_rest{0.5f, 2, -1};
-        const sparkle::RestPatch p =
+        const sparkle::ObjectSpaceFootprint p =
             rest_patch(map, map.point((1 / 3.0f) * at_rest), geometric, shading, edge_1, edge_2);
         EXPECT_LT(length(p.position_mm - at_rest), 4e-6f);  // lengths at rest are true lengths
         EXPECT_NEAR(length(cross(p.edge_mm[0], p.edge_mm[1])), 0.06, 1e-6);

@@ -18,7 +18,7 @@ class FilmCache {
  public:
     /// @param most_cosines  see paint::FlakeTable::of_platelet()
     explicit FilmCache(std::size_t most_tables = 64,
-                       int most_cosines = paint::FlakeTable::kMostCosines)
+                       int most_cosines = paint::FlakeTable::kMaxCosines)
         : most_tables_(most_tables), most_cosines_(most_cosines) {}
 
     /// paint::FlakeTable::of_platelet(), computed or remembered: the same bits.

@@ -14,7 +14,6 @@ namespace nacre::solver {
 namespace {
 
 using test::kOneWavelength;
-using test::kPi;
 
 // Relative to order 0 of the same pair. R is linear between 512 cosines: (1/512)^2/8 R'' = 6e-7,
 // over R >= 0.2. Single precision and the exp(-22) of a lobe that is left out are less.

@@ -15,7 +15,6 @@ namespace nacre::solver {
 namespace {
 
 using test::kOneWavelength;
-using test::kPi;
 
 // Equations (3) to (6) of mir-2022 as printed, with the exponent of (4) repaired: full of
 // cancellation, but another road to the same numbers.

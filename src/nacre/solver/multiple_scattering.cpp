@@ -7,7 +7,7 @@
 
 namespace nacre::solver {
 
-std::size_t Remainder::pair_count() const {
+std::size_t MultipleScattering::pair_count() const {
     std::size_t count = 0;
     for (int f : first) {
         const std::size_t rows = exit_angle.size() - f;
@@ -20,7 +20,7 @@ namespace {
 
 // Calls visit(i, j) for all pairs of all orders, in the order in which they are stored.
 template <class Visit>
-void for_each_pair(const Remainder& r, Visit&& visit) {
+void for_each_pair(const MultipleScattering& r, Visit&& visit) {
     for (int first : r.first) {
         for (int i = first; i < static_cast<int>(r.exit_angle.size()); ++i) {
             for (int j = first; j <= i; ++j) visit(i, j);
@@ -29,7 +29,7 @@ void for_each_pair(const Remainder& r, Visit&& visit) {
 }
 
 // For each pair, the smaller of the largest values that its two directions have.
-std::vector<double> pair_scales(const Remainder& r, const Eigen::VectorXd& largest) {
+std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::VectorXd& largest) {
     std::vector<double> by_node(r.exit_angle.size(), 0.0), scale;
     Eigen::Index pair = 0;
     for_each_pair(r, [&](int i, int j) {
@@ -52,10 +52,11 @@ float round_to(double value, double step) {
 
 }  // namespace
 
-Remainder compress(std::vector<double> exit_angle, std::vector<int> first, int wavelength_count,
-                   std::span<const double> values, double tolerance) {
+MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
+                            int wavelength_count, std::span<const double> values,
+                            double tolerance) {
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Remainder out;
+    MultipleScattering out;
     out.exit_angle = std::move(exit_angle);
     out.first = std::move(first);
     out.wavelength_count = wavelength_count;
@@ -101,8 +102,8 @@ Remainder compress(std::vector<double> exit_angle, std::vector<int> first, int w
     return out;
 }
 
-RemainderSlice::RemainderSlice(const Remainder& r, double theta_i)
-    : remainder_(r), interpolation_(r.exit_angle) {
+MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, double theta_i)
+    : multiple_scattering_(r), interpolation_(r.exit_angle) {
     const int n = static_cast<int>(r.exit_angle.size());
     std::vector<double> weight(n);
     interpolation_.weights_at(theta_i, weight.data());
@@ -127,29 +128,31 @@ RemainderSlice::RemainderSlice(const Remainder& r, double theta_i)
     }
 }
 
-void RemainderSlice::by_order(double theta_o, std::span<double> out) const {
-    const int n = static_cast<int>(remainder_.exit_angle.size());
+void MultipleScatteringSlice::by_order(double theta_o, std::span<double> out) const {
+    const int n = static_cast<int>(multiple_scattering_.exit_angle.size());
     std::vector<double> weight(n);
     interpolation_.weights_at(theta_o, weight.data());
     std::size_t at = 0;
-    for (int k = 0; k < remainder_.rank(); ++k) {
-        for (int l = 0; l < remainder_.orders(); ++l, ++at) {
+    for (int k = 0; k < multiple_scattering_.rank(); ++k) {
+        for (int l = 0; l < multiple_scattering_.orders(); ++l, ++at) {
             out[at] = 0;
-            if (!remainder_.takes_part(l, theta_o)) continue;
+            if (!multiple_scattering_.takes_part(l, theta_o)) continue;
             const double* row = by_node_.data() + at * n;
-            for (int j = remainder_.first[l]; j < n; ++j) out[at] += row[j] * weight[j];
+            for (int j = multiple_scattering_.first[l]; j < n; ++j) out[at] += row[j] * weight[j];
         }
     }
 }
 
-void RemainderSlice::coefficients(double theta_o, double phi, std::span<double> out) const {
-    const int orders = remainder_.orders();
-    std::vector<double> term(static_cast<std::size_t>(remainder_.rank()) * orders);
+void MultipleScatteringSlice::coefficients(double theta_o, double phi,
+                                           std::span<double> out) const {
+    const int orders = multiple_scattering_.orders();
+    std::vector<double> term(static_cast<std::size_t>(multiple_scattering_.rank()) * orders);
     by_order(theta_o, term);
     std::fill(out.begin(), out.end(), 0.0);
     for (int l = 0; l < orders; ++l) {
         const double cosine = (l ? 2.0 : 1.0) * std::cos(l * (phi - std::numbers::pi));
-        for (int k = 0; k < remainder_.rank(); ++k) out[k] += cosine * term[k * orders + l];
+        for (int k = 0; k < multiple_scattering_.rank(); ++k)
+            out[k] += cosine * term[k * orders + l];
     }
 }
 

@@ -16,7 +16,7 @@ namespace nacre::solver {
 /// reciprocal, by construction. phi - pi because phi is measured between directions that point
 /// away from the surface. The spectral basis comes from a singular value decomposition: a paint's
 /// wavelengths are strongly correlated.
-struct Remainder {
+struct MultipleScattering {
     std::vector<double> exit_angle;  ///< nodes theta_e, rad
     int wavelength_count = 0;
     std::vector<int> first;          ///< by order: first exit node with a coefficient
@@ -38,19 +38,19 @@ struct Remainder {
         return first[order] == 0 || theta_e > exit_angle[first[order] - 1];
     }
 
-    friend bool operator==(const Remainder&, const Remainder&) = default;
+    friend bool operator==(const MultipleScattering&, const MultipleScattering&) = default;
 };
 
 /// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
 /// the smaller of the largest values that its two directions have: a cut of the spectral basis, and
 /// coefficients of few digits.
-Remainder compress(std::vector<double> exit_angle, std::vector<int> first, int wavelength_count,
-                   std::span<const double> values, double tolerance);
+MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
+                            int wavelength_count, std::span<const double> values, double tolerance);
 
-/// Evaluates the remainder for one incident direction at any number of outgoing ones.
-class RemainderSlice {
+/// Evaluates the multiple scattering for one incident direction at any number of outgoing ones.
+class MultipleScatteringSlice {
  public:
-    RemainderSlice(const Remainder& remainder, double theta_i);
+    MultipleScatteringSlice(const MultipleScattering& multiple_scattering, double theta_i);
     /// Coefficients of the spectral basis, rank() values.
     void coefficients(double theta_o, double phi, std::span<double> out) const;
     /// The same by azimuthal order, [k][l], rank() orders() values: what is to be multiplied by
@@ -58,7 +58,7 @@ class RemainderSlice {
     void by_order(double theta_o, std::span<double> out) const;
 
  private:
-    const Remainder& remainder_;
+    const MultipleScattering& multiple_scattering_;
     ExitInterpolation interpolation_;
     std::vector<double> by_node_;  // [k][l][j]: contracted with the incident direction's weights
 };

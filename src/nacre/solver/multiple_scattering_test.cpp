@@ -37,7 +37,7 @@ struct Example {
     }
 };
 
-double reconstruct(const Remainder& r, std::size_t pair, int wavelength) {
+double reconstruct(const MultipleScattering& r, std::size_t pair, int wavelength) {
     double sum = 0;
     for (int k = 0; k < r.rank(); ++k) {
         sum += double(r.basis[k * r.wavelength_count + wavelength]) *
@@ -46,11 +46,11 @@ double reconstruct(const Remainder& r, std::size_t pair, int wavelength) {
     return sum;
 }
 
-TEST(Remainder, CompressionKeepsItsBound) {
+TEST(MultipleScattering, CompressionKeepsItsBound) {
     const Example example(0.01);
     int last_rank = 0;
     for (const double tolerance : {0.1, 1e-2, 1e-3, 1e-6}) {
-        const Remainder r =
+        const MultipleScattering r =
             compress(example.angle, example.first, example.wavelengths, example.values, tolerance);
         ASSERT_EQ(r.pair_count() * example.wavelengths, example.values.size());
         double worst = 0;
@@ -68,33 +68,34 @@ TEST(Remainder, CompressionKeepsItsBound) {
     EXPECT_EQ(last_rank, example.wavelengths);  // noise has full rank
 }
 
-TEST(Remainder, FewSpectraNeedFewCoefficients) {
+TEST(MultipleScattering, FewSpectraNeedFewCoefficients) {
     const Example example(0.0);
-    const Remainder r =
+    const MultipleScattering r =
         compress(example.angle, example.first, example.wavelengths, example.values, 1e-9);
     EXPECT_EQ(r.rank(), 3);  // as many as there are shapes
     EXPECT_EQ(r.coefficient.size(), 3 * r.pair_count());
     EXPECT_EQ(r.basis.size(), 3u * 9);
 }
 
-TEST(Remainder, NothingCompressesToNothing) {
+TEST(MultipleScattering, NothingCompressesToNothing) {
     const Example example(0.0);
     const std::vector<double> zero(example.values.size(), 0.0);
-    const Remainder r = compress(example.angle, example.first, example.wavelengths, zero, 1e-4);
+    const MultipleScattering r =
+        compress(example.angle, example.first, example.wavelengths, zero, 1e-4);
     EXPECT_EQ(r.rank(), 0);
     EXPECT_EQ(r.orders(), 3);
     std::vector<double> none;
-    RemainderSlice(r, 0.3).coefficients(0.2, 1.0, none);  // no coefficient, no access
+    MultipleScatteringSlice(r, 0.3).coefficients(0.2, 1.0, none);  // no coefficient, no access
 }
 
-TEST(Remainder, SlicesReturnTheValuesAtNodes) {
+TEST(MultipleScattering, SlicesReturnTheValuesAtNodes) {
     const Example example(0.0);
-    const Remainder r =
+    const MultipleScattering r =
         compress(example.angle, example.first, example.wavelengths, example.values, 1e-9);
     std::vector<double> coefficient(r.rank());
     int compared = 0;
     for (int i = 0; i < 12; i += 3) {
-        const RemainderSlice slice(r, example.angle[i]);
+        const MultipleScatteringSlice slice(r, example.angle[i]);
         for (int j = 0; j < 12; j += 2) {
             for (const double phi : {0.0, 1.1, kPi}) {
                 slice.coefficients(example.angle[j], phi, coefficient);
@@ -123,7 +124,7 @@ TEST(Remainder, SlicesReturnTheValuesAtNodes) {
     EXPECT_EQ(compared, 4 * 6 * 3);
 }
 
-TEST(Remainder, HighOrdersStayAwayFromTheNormal) {
+TEST(MultipleScattering, HighOrdersStayAwayFromTheNormal) {
     // 400 orders that live on the outermost four nodes only and are in phase at phi = pi. Towards
     // the normal nothing may depend on azimuth; the polynomial through the zeros of 40 nodes rings.
     const std::vector<double> angle = make_directions(1.0, 44, 0).exit_angle;
@@ -133,28 +134,28 @@ TEST(Remainder, HighOrdersStayAwayFromTheNormal) {
         first.push_back(40);
         values.insert(values.end(), 10, 1.0);
     }
-    const Remainder r = compress(angle, first, 1, values, 1e-6);
+    const MultipleScattering r = compress(angle, first, 1, values, 1e-6);
     std::vector<double> c(1);
     for (const double theta : {0.0, 0.01, 0.5 * angle[0], 0.5, angle[39]}) {
-        RemainderSlice(r, theta).coefficients(angle[42], kPi, c);
+        MultipleScatteringSlice(r, theta).coefficients(angle[42], kPi, c);
         EXPECT_EQ(c[0], 0) << theta;
-        RemainderSlice(r, angle[42]).coefficients(theta, kPi, c);
+        MultipleScatteringSlice(r, angle[42]).coefficients(theta, kPi, c);
         EXPECT_EQ(c[0], 0) << theta;
     }
     // No jump where the orders begin, and all of them where they are.
-    RemainderSlice(r, angle[39] + 1e-9).coefficients(angle[42], kPi, c);
+    MultipleScatteringSlice(r, angle[39] + 1e-9).coefficients(angle[42], kPi, c);
     EXPECT_NEAR(c[0] * r.basis[0], 0, 1e-9 * 2 * 400 * 100);  // slopes of polynomials: 1/spacing
-    RemainderSlice(r, angle[41]).coefficients(angle[42], kPi, c);
+    MultipleScatteringSlice(r, angle[41]).coefficients(angle[42], kPi, c);
     EXPECT_NEAR(c[0] * r.basis[0], 2 * 399, 1e-3);
 }
 
-TEST(Remainder, IsReciprocalBetweenNodesToo) {
+TEST(MultipleScattering, IsReciprocalBetweenNodesToo) {
     const Example example(0.01);
-    const Remainder r =
+    const MultipleScattering r =
         compress(example.angle, example.first, example.wavelengths, example.values, 1e-3);
     std::vector<double> there(r.rank()), back(r.rank());
-    RemainderSlice(r, 0.37).coefficients(1.21, 2.0, there);
-    RemainderSlice(r, 1.21).coefficients(0.37, -2.0, back);
+    MultipleScatteringSlice(r, 0.37).coefficients(1.21, 2.0, there);
+    MultipleScatteringSlice(r, 1.21).coefficients(0.37, -2.0, back);
     for (int k = 0; k < r.rank(); ++k) {
         EXPECT_NEAR(there[k], back[k], 1e-12 * example.peak());  // rounding of double sums
     }

@@ -29,17 +29,17 @@ void choose_rough(double alpha, double roughness, double n, const SolverSettings
                   Resolution& r) {
     const int exit_nodes =
         round_up_to_tile(std::max(15 + 0.7 / alpha, 8 + 6 / std::sqrt(roughness)));
-    if (exit_nodes > SolverSettings::kMostNodes && !settings.exit_nodes) {
+    if (exit_nodes > SolverSettings::kMaxNodes && !settings.exit_nodes) {
         throw Error(fmt::format(
             "flakes of alpha = {} under a rough clearcoat need {} nodes, more than the {} there "
             "may be: use wider flakes, a smooth clearcoat, or set exit_nodes",
-            alpha, exit_nodes, SolverSettings::kMostNodes));
+            alpha, exit_nodes, SolverSettings::kMaxNodes));
     }
     r.exit_nodes = exit_nodes;
-    r.inner_nodes = std::min(round_up_to_tile(7 + 0.5 / alpha), SolverSettings::kMostNodes);
+    r.inner_nodes = std::min(round_up_to_tile(7 + 0.5 / alpha), SolverSettings::kMaxNodes);
     const double tangent = 1 / std::sqrt(n * n - 1);
     r.orders =
-        static_cast<int>(std::min<double>(SolverSettings::kMostOrders, 16 + 4 * tangent / alpha));
+        static_cast<int>(std::min<double>(SolverSettings::kMaxOrders, 16 + 4 * tangent / alpha));
 }
 
 }  // namespace
@@ -55,22 +55,22 @@ bool refine(Resolution& resolution, const SolverSettings& settings, double unres
     };
     if (unresolved > kAcceptedUnresolved) {
         const auto half_again = [](int nodes) { return round_up_to_tile(1.5 * nodes); };
-        raise(resolution.exit_nodes, half_again(resolution.exit_nodes), SolverSettings::kMostNodes,
+        raise(resolution.exit_nodes, half_again(resolution.exit_nodes), SolverSettings::kMaxNodes,
               settings.exit_nodes != 0);
-        raise(resolution.inner_nodes, half_again(resolution.inner_nodes),
-              SolverSettings::kMostNodes, settings.inner_nodes != 0);
+        raise(resolution.inner_nodes, half_again(resolution.inner_nodes), SolverSettings::kMaxNodes,
+              settings.inner_nodes != 0);
     }
     if (azimuthal_tail > settings.tolerance) {
-        raise(resolution.orders, 2 * resolution.orders, SolverSettings::kMostOrders,
+        raise(resolution.orders, 2 * resolution.orders, SolverSettings::kMaxOrders,
               settings.most_orders != 0);
     }
     return refined;
 }
 
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
-    check_nodes(settings.exit_nodes, SolverSettings::kMostNodes, "exit_nodes");
-    check_nodes(settings.inner_nodes, SolverSettings::kMostNodes, "inner_nodes");
-    require_in_range(settings.most_orders, 0, SolverSettings::kMostOrders, "most_orders");
+    check_nodes(settings.exit_nodes, SolverSettings::kMaxNodes, "exit_nodes");
+    check_nodes(settings.inner_nodes, SolverSettings::kMaxNodes, "inner_nodes");
+    require_in_range(settings.most_orders, 0, SolverSettings::kMaxOrders, "most_orders");
     require_in_range(settings.tolerance, 1e-12, 0.1, "tolerance");
 
     double alpha = 1.0;
@@ -93,9 +93,9 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
     const bool bare = n_smallest == 1.0;
     r.exit_nodes = round_up_to_tile(bare ? 24 + 2 / alpha : 8 + 0.72 / alpha);
     r.inner_nodes = round_up_to_tile(4 + 0.45 / alpha);
-    r.exit_nodes = std::min(r.exit_nodes, SolverSettings::kMostNodes);
-    r.inner_nodes = std::min(r.inner_nodes, SolverSettings::kMostNodes);
-    r.orders = SolverSettings::kMostOrders;
+    r.exit_nodes = std::min(r.exit_nodes, SolverSettings::kMaxNodes);
+    r.inner_nodes = std::min(r.inner_nodes, SolverSettings::kMaxNodes);
+    r.orders = SolverSettings::kMaxOrders;
     if (!bare) {
         // The widest exit direction inside the coat sets the number. An estimate: the series ends
         // by its own tail, and the solver asks for more orders where it has not.

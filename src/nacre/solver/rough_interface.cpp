@@ -44,7 +44,7 @@ RoughInterface::RoughInterface(double ior, double alpha) : ior_(ior), alpha_(alp
         const double theta = outside.nodes[i];
         double reflected = 0, through = 0;
         for_each_facet_exit(theta, alpha, 1.0, ior, {}, [&](const FacetExit& exit) {
-            (exit.through ? through : reflected) += exit.share;
+            (exit.through ? through : reflected) += exit.fraction;
         });
         reflected_.push_back(reflected);
         masked_.push_back(std::max(0.0, 1 - reflected - through));
@@ -54,7 +54,7 @@ RoughInterface::RoughInterface(double ior, double alpha) : ior_(ior), alpha_(alp
     const auto add_inside = [&](double theta, double etendue) {
         double leaves = 0;
         for_each_facet_exit(theta, alpha, ior, 1.0, {},
-                            [&](const FacetExit& exit) { leaves += exit.share; });
+                            [&](const FacetExit& exit) { leaves += exit.fraction; });
         inner += etendue * std::max(0.0, 1 - leaves);
     };
     const Quadrature total = gauss_legendre(kNodes, critical, kHorizon);

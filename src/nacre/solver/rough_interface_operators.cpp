@@ -35,7 +35,7 @@ struct Station {
     std::vector<double> basis;               // the panel's Lagrange polynomials here
     int orders;                              // that may matter
     std::vector<double> reflected, through;  // [order][node inside]: what goes on, by node
-    double masked = 1, reflected_share = 0;
+    double masked = 1, reflected_fraction = 0;
 };
 
 class Projection {
@@ -117,9 +117,9 @@ class Projection {
         std::vector<double> basis(n);
         const double here = s.outside ? 1.0 : d_.ior, there = s.outside ? d_.ior : 1.0;
         for_each_facet_exit(s.theta, alpha_, here, there, detail, [&](const FacetExit& exit) {
-            s.masked -= exit.share;
+            s.masked -= exit.fraction;
             if (s.outside != exit.through) return;  // ends outside: closed form
-            if (exit.share < 1e-15) return;
+            if (exit.fraction < 1e-15) return;
             // To the inside: which panel, and the polynomials there.
             const double sine_outside = d_.ior * exit.sine;
             const Panel* panel = &panels_[0];
@@ -130,7 +130,7 @@ class Projection {
             }
             panel->basis.weights_at(angle, basis.data());
             double* out = (s.outside ? s.through : s.reflected).data() + panel->first;
-            double now = exit.share, before = exit.share * exit.cos_phi;
+            double now = exit.fraction, before = exit.fraction * exit.cos_phi;
             for (int l = 0; l < s.orders; ++l, out += n) {
                 for (int j = 0; j < panel->count; ++j) out[j] += now * basis[j];
                 const double next = 2 * exit.cos_phi * now - before;

@@ -21,7 +21,7 @@ namespace nacre::solver {
 
 /// Light that left the surface: `towards` is where it goes on.
 struct FacetExit {
-    double share = 0;  ///< of the light that met the surface
+    double fraction = 0;  ///< of the light that met the surface
     bool through = false;
     double cosine = 0;  ///< of the way on, in (0, 1]
     double sine = 0;
@@ -58,7 +58,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
         const double projected = c + s * p;
         if (!(projected > 0)) return;
         const double cosine = std::min(1.0, projected / length);
-        const double share = weight * projected * scale;
+        const double fraction = weight * projected * scale;
         const double reflectance = optics::dielectric_reflectance(n_here, n_there, cosine);
         const auto leave = [&](double x, double y, double z, double part, bool through) {
             if (!(z > 0)) return;
@@ -67,8 +67,8 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
             exit.through = through;
             exit.cosine = std::min(1.0, z);
             exit.sine = std::min(1.0, across);
-            exit.share = share * part * exit.cosine *
-                         smith_beckmann_over_cosine(exit.cosine, exit.sine, alpha);
+            exit.fraction = fraction * part * exit.cosine *
+                            smith_beckmann_over_cosine(exit.cosine, exit.sine, alpha);
             exit.cos_phi = across > 0 ? std::clamp(-x / across, -1.0, 1.0) : 1.0;
             visit(exit);
         };

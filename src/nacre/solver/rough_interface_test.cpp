@@ -82,7 +82,7 @@ TEST(RoughInterface, LetsAsMuchOutAsIn) {
     const auto through = [&](double theta, double here, double there) {
         double sum = 0;
         for_each_facet_exit(theta, alpha, here, there, {}, [&](const FacetExit& exit) {
-            if (exit.through) sum += exit.share;
+            if (exit.through) sum += exit.fraction;
         });
         return sum;
     };

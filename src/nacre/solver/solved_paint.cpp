@@ -47,9 +47,10 @@ DoubleLanes single_block(const PaintMedium& medium, int block, double ior, doubl
 // Calls add(wavelength, value) with the values of a tensor. A truncated series may dip below zero
 // by its own error.
 template <class Add>
-void add_tensor(const Remainder& tensor, double theta_i, double theta_o, double phi, Add&& add) {
+void add_tensor(const MultipleScattering& tensor, double theta_i, double theta_o, double phi,
+                Add&& add) {
     std::vector<double> coefficient(tensor.rank());
-    RemainderSlice(tensor, theta_i).coefficients(theta_o, phi, coefficient);
+    MultipleScatteringSlice(tensor, theta_i).coefficients(theta_o, phi, coefficient);
     for (int w = 0; w < tensor.wavelength_count; ++w) {
         double value = 0;
         for (int k = 0; k < tensor.rank(); ++k) {
@@ -101,7 +102,7 @@ std::vector<double> SolvedPaint::brdf(double theta_i, double theta_o, double phi
         }
     }
     if (part == Part::single) return f;
-    add_tensor(remainder, theta_i, theta_o, phi, [&](int w, double multiple) {
+    add_tensor(multiple_scattering, theta_i, theta_o, phi, [&](int w, double multiple) {
         const double factor = is_rough(w) ? 1.0 : interface_factor(medium.ior[w], theta_i, theta_o);
         f[w] += factor * multiple;
     });

@@ -12,13 +12,13 @@ namespace nacre::solver {
 
 /// How finely to solve. Zero means: chosen from the recipe.
 struct SolverSettings {
-    int exit_nodes = 0;       ///< directions that leave the coat, a multiple of 4 up to kMostNodes
+    int exit_nodes = 0;       ///< directions that leave the coat, a multiple of 4 up to kMaxNodes
     int inner_nodes = 0;      ///< directions beyond the critical angle, a multiple of 4
     int most_orders = 0;      ///< azimuthal Fourier orders at most
     double tolerance = 1e-4;  ///< of the peak: where the Fourier series may end
 
-    static constexpr int kMostNodes = 128;
-    static constexpr int kMostOrders = 1024;
+    static constexpr int kMaxNodes = 128;
+    static constexpr int kMaxOrders = 1024;
     friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
 };
 
@@ -46,10 +46,10 @@ struct SolvedPaint {
     SolverReport report;
     PaintMedium medium;
     /// f_multiple: without Fresnel factors under a smooth interface, complete under a rough one.
-    Remainder remainder;
+    MultipleScattering multiple_scattering;
     /// f_single, complete, if medium.roughness > 0; empty otherwise, where single_scattering() is
     /// exact. Zero at wavelengths at which the binder's index is 1: there is no interface.
-    Remainder rough_single;
+    MultipleScattering rough_single;
 
     /// Whether the interface is rough at this wavelength: which of the two the tensors mean.
     bool is_rough(int wavelength) const {
@@ -59,7 +59,8 @@ struct SolvedPaint {
     const std::vector<double>& wavelengths_nm() const { return medium.wavelengths_nm; }
 
     /// BRDF in 1/sr at all wavelengths for polar angles in [0, pi/2) and phi = phi_o - phi_i.
-    /// Exact single scattering under a smooth interface, interpolated remainder; never negative.
+    /// Exact single scattering under a smooth interface, interpolated multiple scattering; never
+    /// negative.
     /// @throws DomainError if an angle is out of range
     std::vector<double> brdf(double theta_i, double theta_o, double phi,
                              Part part = Part::total) const;

@@ -10,9 +10,7 @@ namespace nacre::solver {
 namespace {
 
 using test::flake_species;
-using test::kDegree;
 using test::kOneWavelength;
-using test::kPi;
 
 // paint::Clearcoat that absorbs, flakes and pigment over flakes of another kind.
 PaintMedium two_layers() {

@@ -10,7 +10,6 @@
 namespace nacre::solver {
 namespace {
 
-using test::kDegree;
 using test::kOneWavelength;
 
 // Largest difference to a converged solution over the plane of incidence and outside it, over the
@@ -20,7 +19,7 @@ double worst_error(const paint::Recipe& recipe) {
     SolverSettings fine;
     fine.exit_nodes = (paint.report.exit_nodes + paint.report.exit_nodes / 2 + 7) / 4 * 4;
     fine.inner_nodes = fine.exit_nodes;
-    fine.most_orders = SolverSettings::kMostOrders;
+    fine.most_orders = SolverSettings::kMaxOrders;
     fine.tolerance = 1e-6;
     const SolvedPaint converged = solve(recipe, kOneWavelength, fine);
     double worst = 0;
@@ -100,9 +99,7 @@ TEST(SolverAccuracy, PigmentsAndMixtures) {
 namespace {
 
 using test::flake_paint;
-using test::kDegree;
 using test::kOneWavelength;
-using test::kPi;
 using test::pigment_paint;
 
 double with_mirror(const SolvedPaint& paint, double theta) {

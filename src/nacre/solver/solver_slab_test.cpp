@@ -13,7 +13,6 @@ namespace {
 using test::albedo;
 using test::flake_paint;
 using test::kOneWavelength;
-using test::kPi;
 using test::pigment_paint;
 
 SolvedPaint over_ground(paint::Recipe recipe, double ground) {
@@ -40,7 +39,7 @@ double transmittance(const paint::Recipe& recipe, double mu0) {
     const SolvedPaint black = over_ground(recipe, 0), grey = over_ground(recipe, 0.5),
                       white = over_ground(recipe, 1);
     const Directions d =
-        make_directions(1.0, static_cast<int>(black.remainder.exit_angle.size()), 0);
+        make_directions(1.0, static_cast<int>(black.multiple_scattering.exit_angle.size()), 0);
     const auto added = [&](const SolvedPaint& paint) {
         std::vector<std::vector<double>> f;
         for (double theta : d.exit_angle) {

@@ -11,7 +11,6 @@ namespace nacre::solver {
 namespace {
 
 using test::flake_paint;
-using test::kDegree;
 using test::kOneWavelength;
 using test::pigment_paint;
 
@@ -61,8 +60,9 @@ TEST(Solver, PartsAddUpToTheWhole) {
 TEST(Solver, ReportsWhatItChose) {
     const SolvedPaint paint = solve(flake_paint(0.1, 0.6, 0, 1, 1.5), kOneWavelength);
     EXPECT_GE(paint.report.exit_nodes, 12);
-    EXPECT_EQ(paint.report.exit_nodes, static_cast<int>(paint.remainder.exit_angle.size()));
-    EXPECT_EQ(paint.report.orders, paint.remainder.orders());
+    EXPECT_EQ(paint.report.exit_nodes,
+              static_cast<int>(paint.multiple_scattering.exit_angle.size()));
+    EXPECT_EQ(paint.report.orders, paint.multiple_scattering.orders());
     EXPECT_GT(paint.report.orders, 8);
     EXPECT_LT(paint.report.azimuthal_tail, SolverSettings{}.tolerance);
     EXPECT_LT(paint.report.unresolved_scattering, 1e-2);

@@ -142,7 +142,7 @@ void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolutio
         return compress(solutions[0].exit_angle, first, paint.medium.wavelength_count(),
                         collect(groups, solutions, first, values), tolerance);
     };
-    paint.remainder = merge(&GroupSolution::values);
+    paint.multiple_scattering = merge(&GroupSolution::values);
     if (paint.medium.roughness > 0) paint.rough_single = merge(&GroupSolution::single_values);
 }
 

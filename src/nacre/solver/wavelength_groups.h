@@ -34,7 +34,7 @@ struct GroupSolution {
     double unresolved_scattering = 0, azimuthal_tail = 0;
 };
 
-/// Puts the groups together into paint.remainder, paint.rough_single and paint.report.
+/// Puts the groups together into paint.multiple scattering, paint.rough_single and paint.report.
 void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolution>& solutions,
                   double tolerance, SolvedPaint& paint);
 

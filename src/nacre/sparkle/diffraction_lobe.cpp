@@ -6,10 +6,10 @@
 namespace nacre::sparkle {
 namespace {
 
-// The blur is tabulated as  log(blur) / y^2  over slope^2/alpha^2 in [0, kMostSquare] and
-// y = width/alpha in [0, kMostWidth]: nearly linear in both, as blur = 1 + (x^2 - 1) y^2/4 + ...
+// The blur is tabulated as  log(blur) / y^2  over slope^2/alpha^2 in [0, kMaxSquare] and
+// y = width/alpha in [0, kMaxWidth]: nearly linear in both, as blur = 1 + (x^2 - 1) y^2/4 + ...
 constexpr int kSquareNodes = 65, kWidthNodes = 65;
-constexpr float kMostSquare = DiffractionLobe::kMostExponent, kMostWidth = 4;
+constexpr float kMaxSquare = DiffractionLobe::kMaxExponent, kMaxWidth = 4;
 
 // Int_0^1 3 (1 - t)^2 exp(-t y^2) I_0(2 x y sqrt(t)) dt: the integral over the circle of
 // K(s) P(p - s) / P(p), with t = s^2/w^2.
@@ -29,9 +29,9 @@ std::shared_ptr<const std::vector<float>> blur_table() {
     static const auto table = [] {
         auto values = std::make_shared<std::vector<float>>();
         for (int i = 0; i < kWidthNodes; ++i) {
-            const double y = kMostWidth * i / (kWidthNodes - 1.0);
+            const double y = kMaxWidth * i / (kWidthNodes - 1.0);
             for (int j = 0; j < kSquareNodes; ++j) {
-                const double square = kMostSquare * j / (kSquareNodes - 1.0);
+                const double square = kMaxSquare * j / (kSquareNodes - 1.0);
                 values->push_back(
                     static_cast<float>(i == 0 ? 0.25 * (square - 1)
                                               : std::log(blur_of(std::sqrt(square), y)) / (y * y)));
@@ -50,15 +50,15 @@ DiffractionLobe::DiffractionLobe(double alpha, double ior) {
     inverse_alpha2_ = static_cast<float>(1 / (alpha * alpha));
     norm_ = std::numbers::inv_pi_v<float> * inverse_alpha2_;
     inverse_alpha_ = static_cast<float>(1 / alpha);
-    most_ = static_cast<float>(kMostWidth * alpha);
+    most_ = static_cast<float>(kMaxWidth * alpha);
     // Half, as the half vector turns by half; |q| = 2 (w_i.h) |h - m|.
-    radius_um_ = static_cast<float>(0.5 * kAiryRadius * kWavelengthUm / ior);
+    radius_um_ = static_cast<float>(0.5 * kAiryRadius * kWavelength_um / ior);
     blur_table_ = blur_table();
 }
 
 float DiffractionLobe::blur(float slope2, float width) const {
-    constexpr float kSquareScale = (kSquareNodes - 1) / kMostSquare;
-    constexpr float kWidthScale = (kWidthNodes - 1) / kMostWidth;
+    constexpr float kSquareScale = (kSquareNodes - 1) / kMaxSquare;
+    constexpr float kWidthScale = (kWidthNodes - 1) / kMaxWidth;
     const float y = width * inverse_alpha_;
     const float a = std::min(y * kWidthScale, kWidthNodes - 1.001f);
     const float b = std::min(slope2 * inverse_alpha2_ * kSquareScale, kSquareNodes - 1.001f);

@@ -45,12 +45,12 @@ class DiffractionLobe {
     /// w_i . h = cosine: solid angle is what diffraction keeps, and sec^3 slopes make one.
     float widening(float sec2, float cosine) const {
         const float sec = std::sqrt(sec2);
-        return sec * std::sqrt(sec) / std::max(cosine, kLeastCosine);
+        return sec * std::sqrt(sec) / std::max(cosine, kMinCosine);
     }
     /// The radius then, at most most_radius().
     FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine) const {
         const FloatLanes sec = sqrt_lanes(sec2);
-        return min_lanes(radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kLeastCosine)),
+        return min_lanes(radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine)),
                          splat(most_));
     }
     /// Lobes end here: wider ones would mirror no differently, as P ends.
@@ -63,7 +63,7 @@ class DiffractionLobe {
     }
     /// The Gaussian distribution of slopes convolved with K, over its own density, at the slope
     /// whose square is slope2.
-    /// @param slope2  at most kMostExponent alpha^2
+    /// @param slope2  at most kMaxExponent alpha^2
     /// @param width   at most most_radius()
     float blur(float slope2, float width) const;
     static constexpr double kBlurError = 1e-3;  ///< relative
@@ -74,17 +74,17 @@ class DiffractionLobe {
 
     /// Beyond this square of the slope over alpha flakes are not told apart: one in a million lies
     /// there.
-    static constexpr float kMostExponent = 14;
-    bool reaches(float slope2) const { return exponent(slope2) < kMostExponent; }
+    static constexpr float kMaxExponent = 14;
+    bool reaches(float slope2) const { return exponent(slope2) < kMaxExponent; }
 
  private:
     /// The radius in |q|, in lambda' / d, of the K whose integral of K^2 is that of the Airy
     /// pattern: the latter's is pi/8 (d/lambda')^2 Int x (2 J_1(x)/x)^4 dx, and the integral is
     /// 0.91924 (by quadrature).
     static constexpr double kAiryRadius = 1.25984;
-    static constexpr double kWavelengthUm = 0.55;
+    static constexpr double kWavelength_um = 0.55;
     /// At grazing incidence, which a clearcoat rules out, the lobe stops growing.
-    static constexpr float kLeastCosine = 0.1f;
+    static constexpr float kMinCosine = 0.1f;
 
     float inverse_alpha_, inverse_alpha2_, norm_, most_, radius_um_;
     std::shared_ptr<const std::vector<float>> blur_table_;

@@ -42,7 +42,7 @@ FacetField::FacetField(double count, double alpha, double gamma_deg, std::uint64
       // Triangles about as large as the region of normals that a cone sees.
       normals_(std::make_shared<NormalTree>(alpha, gamma_rad(gamma_deg))) {
     leaf_level_ = 0;
-    for (double n = count_; n > kMostFacetsPerLeaf; n /= 4) ++leaf_level_;
+    for (double n = count_; n > kMaxFacetsPerLeaf; n /= 4) ++leaf_level_;
     table_level_ = std::min(kTableLevel, leaf_level_);
 
     table_.resize(((std::uint64_t{1} << (2 * (table_level_ + 1))) - 1) / 3);
@@ -67,7 +67,7 @@ bool FacetField::is_explicit(const Footprint& footprint) const {
     const Box& b = footprint.bounds();
     const double width = (b.u_hi - b.u_lo) * cells, height = (b.v_hi - b.v_lo) * cells;
     // A convex shape touches about as many cells as its area plus its half outline in cells.
-    return footprint.area() * cells * cells + width + height <= kMostLeaves;
+    return footprint.area() * cells * cells + width + height <= kMaxLeaves;
 }
 
 FacetTally FacetField::count(const Footprint& footprint, Vec3f wi, Vec3f wo) const {
@@ -86,39 +86,39 @@ FacetTally FacetField::count(const Footprint& footprint, Vec3f wi, Vec3f wo) con
 // The smallest triangles that the cone's normals lie in, in order, and the share of facets that
 // are in both.
 struct FacetField::Touched {
-    static constexpr int kMost = 512;
-    std::array<NormalTree::Code, kMost> code;
-    std::array<float, kMost> share;
+    static constexpr int kMax = 512;
+    std::array<NormalTree::Code, kMax> code;
+    std::array<float, kMax> fraction;
     int count = 0;
 
     void add(NormalTree::Code leaf, float mass) {
         // Nodes come ring by ring, so most are found near the end; there are a dozen or so.
         for (int i = 0; i < count; ++i) {
             if (code[i] == leaf) {
-                share[i] += mass;
+                fraction[i] += mass;
                 return;
             }
         }
         // The region is two or three triangles wide and at most 9 alpha / gamma long: never so
         // many.
-        if (count == kMost) {
-            share[count - 1] += mass;
+        if (count == kMax) {
+            fraction[count - 1] += mass;
             return;
         }
         code[count] = leaf;
-        share[count++] = mass;
+        fraction[count++] = mass;
     }
     void sort() {
         for (int i = 1; i < count; ++i) {
             const NormalTree::Code c = code[i];
-            const float s = share[i];
+            const float s = fraction[i];
             int j = i;
             for (; j > 0 && code[j - 1] > c; --j) {
                 code[j] = code[j - 1];
-                share[j] = share[j - 1];
+                fraction[j] = fraction[j - 1];
             }
             code[j] = c;
-            share[j] = s;
+            fraction[j] = s;
         }
     }
 };
@@ -141,9 +141,9 @@ void FacetField::count_cells(const Footprint& footprint, Vec3f wi, Vec3f wo,
     // The same normals mirror wo into the cone about wi; the rule must not tell which was which.
     if (std::tie(wi.z, wi.x, wi.y) < std::tie(wo.z, wo.x, wo.y)) std::swap(wi, wo);
     Touched touched;
-    rule_.visit(wi, wo, [&](FloatLanes x, FloatLanes y, FloatLanes z, FloatLanes share) {
+    rule_.visit(wi, wo, [&](FloatLanes x, FloatLanes y, FloatLanes z, FloatLanes fraction) {
         for (int i = 0; i < kLanes; ++i) {
-            if (share[i] > 0) touched.add(normals_->locate({x[i], y[i], z[i]}), share[i]);
+            if (fraction[i] > 0) touched.add(normals_->locate({x[i], y[i], z[i]}), fraction[i]);
         }
     });
     touched.sort();
@@ -189,7 +189,7 @@ std::uint64_t FacetField::count_node(const Touched& touched, int first, int last
         if (!(mass > 0)) return 0;
         // The cone rule is no exact measure of a triangle: it may find a little more than all of
         // one and less of its neighbours. Counting some twice then keeps the mean.
-        const double expected = overlap * touched.share[first] / mass;
+        const double expected = overlap * touched.fraction[first] / mass;
         const double times = std::floor(expected);
         return static_cast<std::uint64_t>(times) * facets +
                binomial(facets, expected - times, node_key);

@@ -80,7 +80,7 @@ class FacetField {
     FacetTally count(const Footprint& footprint, Vec3f wi, Vec3f wo) const;
 
     /// Whether a footprint is small enough to be counted facet by facet: it touches at most
-    /// kMostLeaves or so of the smallest cells, so holds up to some 700 to 2500 facets.
+    /// kMaxLeaves or so of the smallest cells, so holds up to some 700 to 2500 facets.
     bool is_explicit(const Footprint& footprint) const;
 
     /// Calls visit(const Facet&) for every facet in the footprint, whatever their number.
@@ -107,8 +107,8 @@ class FacetField {
     struct Touched;
 
     static constexpr int kTableLevel = 8;
-    static constexpr double kMostFacetsPerLeaf = 64;
-    static constexpr double kMostLeaves = 60;
+    static constexpr double kMaxFacetsPerLeaf = 64;
+    static constexpr double kMaxLeaves = 60;
 
     std::uint64_t key_of(const Cell& cell) const {
         return mix_bits(seed_key_ ^ (static_cast<std::uint64_t>(cell.level) << 58 |

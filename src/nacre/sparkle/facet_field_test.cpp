@@ -28,7 +28,7 @@ void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 namespace nacre::sparkle {
 namespace {
 
-constexpr double kAlpha = 0.07, kGammaDeg = 3;
+constexpr double kAlpha = 0.07, kGamma_deg = 3;
 
 Vec3f direction(double theta_deg, double phi_deg) {
     const double t = theta_deg * std::numbers::pi / 180, p = phi_deg * std::numbers::pi / 180;
@@ -64,13 +64,13 @@ const std::vector<Geometry>& geometries() {
     return all;
 }
 
-double share(const FacetField& field, const Geometry& g) {
+double fraction(const FacetField& field, const Geometry& g) {
     return field.cone_rule().means(g.wi, g.wo).projected * field.cone_rule().solid_angle();
 }
 
 TEST(FacetField, QueryCountsTheFacetsOneWouldFindByLookingAtAll) {
     constexpr double kFacets = 30000;
-    const FacetField field(kFacets, kAlpha, kGammaDeg, 5);
+    const FacetField field(kFacets, kAlpha, kGamma_deg, 5);
     std::vector<Facet> all;
     field.for_each_facet(square(0.5, 0.5, 1), [&](const Facet& f) { all.push_back(f); });
     ASSERT_EQ(all.size(), kFacets);
@@ -105,11 +105,11 @@ TEST(FacetField, MeanAndVarianceAreThoseOfIndependentFacets) {
           Case{1e9, 3000, 2000}, Case{1e12, 1e5, 2000}, Case{1e9, 1e6, 1000}}) {
         std::vector<FacetField> fields;
         for (int seed = 0; seed < kSeeds; ++seed) {
-            fields.emplace_back(c.facets, kAlpha, kGammaDeg, seed);
+            fields.emplace_back(c.facets, kAlpha, kGamma_deg, seed);
         }
         for (const Geometry& g : geometries()) {
             double sum = 0, squares = 0;
-            const double expected = c.expected * share(fields[0], g);
+            const double expected = c.expected * fraction(fields[0], g);
             for (int i = 0; i < c.footprints; ++i) {
                 Rng rng(17, i);
                 const Footprint footprint = somewhere(rng, c.expected / c.facets);
@@ -134,7 +134,7 @@ TEST(FacetField, MeanAndVarianceAreThoseOfIndependentFacets) {
 }
 
 TEST(FacetField, PartsOfAFootprintAddUpExactly) {
-    const FacetField field(1e9, kAlpha, kGammaDeg, 8);
+    const FacetField field(1e9, kAlpha, kGamma_deg, 8);
     Rng rng(4);
     const Geometry& g = geometries()[0];
     std::uint64_t counted = 0;
@@ -160,7 +160,7 @@ TEST(FacetField, PartsOfAFootprintAddUpExactly) {
 
 TEST(FacetField, TheSameFacetsAnswerInAnyOrderAndOnAnyThread) {
     constexpr int kQueries = 400;
-    const FacetField field(1e8, kAlpha, kGammaDeg, 9), again(1e8, kAlpha, kGammaDeg, 9);
+    const FacetField field(1e8, kAlpha, kGamma_deg, 9), again(1e8, kAlpha, kGamma_deg, 9);
     const auto query = [&](const FacetField& f, std::size_t i) {
         Rng rng(21, i);
         const Footprint footprint = somewhere(rng, std::pow(10, -9 + 6 * rng.uniform_double()));
@@ -182,7 +182,7 @@ TEST(FacetField, TheSameFacetsAnswerInAnyOrderAndOnAnyThread) {
 }
 
 TEST(FacetField, LightAndEyeSeeTheSameFacets) {
-    const FacetField field(1e8, kAlpha, kGammaDeg, 10);
+    const FacetField field(1e8, kAlpha, kGamma_deg, 10);
     Rng rng(5);
     long counted = 0;
     for (int i = 0; i < 300; ++i) {
@@ -196,7 +196,7 @@ TEST(FacetField, LightAndEyeSeeTheSameFacets) {
 }
 
 TEST(FacetField, ThicknessesAreEvenAndBelongToTheirFacets) {
-    const FacetField field(1e8, kAlpha, kGammaDeg, 11);
+    const FacetField field(1e8, kAlpha, kGamma_deg, 11);
     Rng rng(6);
     double sum = 0, squares = 0;
     int count = 0;
@@ -214,7 +214,7 @@ TEST(FacetField, ThicknessesAreEvenAndBelongToTheirFacets) {
 }
 
 TEST(FacetField, QueriesAllocateNothing) {
-    const FacetField field(1e9, kAlpha, kGammaDeg, 12);
+    const FacetField field(1e9, kAlpha, kGamma_deg, 12);
     Rng rng(7);
     std::uint64_t sum = 0;
     const std::vector<Geometry>& directions = geometries();  // made at first use
@@ -230,18 +230,18 @@ TEST(FacetField, QueriesAllocateNothing) {
 TEST(FacetField, ObjectsOfNoneOneAndAMillionMillionFacets) {
     const Geometry& g = geometries()[0];
     const Footprint all = square(0.5, 0.5, 1);
-    EXPECT_EQ(FacetField(0, kAlpha, kGammaDeg, 1).count(all, g.wi, g.wo).count, 0u);
+    EXPECT_EQ(FacetField(0, kAlpha, kGamma_deg, 1).count(all, g.wi, g.wo).count, 0u);
     int one = 0;
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
         const auto n = FacetField(1, kAlpha, 20, seed).count(all, g.wi, g.wo).count;
         ASSERT_LE(n, 1u);
         one += static_cast<int>(n);
     }
-    const double p = share(FacetField(1, kAlpha, 20, 0), g);
+    const double p = fraction(FacetField(1, kAlpha, 20, 0), g);
     EXPECT_NEAR(one, 4000 * p, 5 * std::sqrt(4000 * p * (1 - p)));
 
-    const FacetField many(1e12, kAlpha, kGammaDeg, 1);
-    const double expected = 1e12 * share(many, g);
+    const FacetField many(1e12, kAlpha, kGamma_deg, 1);
+    const double expected = 1e12 * fraction(many, g);
     EXPECT_NEAR(static_cast<double>(many.count(all, g.wi, g.wo).count), expected,
                 5 * std::sqrt(expected));
 }
@@ -260,9 +260,9 @@ TEST(FacetField, CountsOverItsWholeRangeOfConesAndRoughness) {
                     Rng rng(41, i);
                     sum += static_cast<double>(field.count(somewhere(rng, area), g.wi, wo).count);
                 }
-                const double share =
+                const double fraction =
                     field.cone_rule().means(g.wi, wo).projected * field.cone_rule().solid_angle();
-                const double expected = kFootprints * 1e10 * area * share;
+                const double expected = kFootprints * 1e10 * area * fraction;
                 EXPECT_NEAR(sum, expected, 5 * std::sqrt(expected) + 1e-3 * expected)
                     << "alpha " << alpha << ", gamma " << gamma_deg << ", area " << area;
             }
@@ -272,7 +272,7 @@ TEST(FacetField, CountsOverItsWholeRangeOfConesAndRoughness) {
 
 // Thin and long: touches any number of the smallest cells, so larger ones answer.
 TEST(FacetField, NeedlesAreBoundedAndUnbiased) {
-    const FacetField field(1e12, kAlpha, kGammaDeg, 13);
+    const FacetField field(1e12, kAlpha, kGamma_deg, 13);
     const Geometry& g = geometries()[0];
     double sum = 0, expected = 0;
     for (int i = 0; i < 400; ++i) {
@@ -282,7 +282,7 @@ TEST(FacetField, NeedlesAreBoundedAndUnbiased) {
         const Footprint needle(0.5, 0.5, {c, s}, {-1e-10f * s, 1e-10f * c});
         EXPECT_FALSE(field.is_explicit(needle));
         sum += static_cast<double>(field.count(needle, g.wi, g.wo).count);
-        expected += 1e12 * needle.area() * share(field, g);
+        expected += 1e12 * needle.area() * fraction(field, g);
     }
     EXPECT_NEAR(sum, expected, 5 * std::sqrt(expected));
 }

@@ -18,14 +18,14 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     double all = 0;
     for (int i = 0; i < kLevels; ++i) all += std::pow(kLevelRatio, -i);
     for (int i = 0; i < kLevels; ++i) {
-        const double share = std::pow(kLevelRatio, -i) / all;
-        const double cell = std::sqrt(kFlakesPerCell / (density * double{kMostStretch} * share));
+        const double fraction = std::pow(kLevelRatio, -i) / all;
+        const double cell = std::sqrt(kFlakesPerCell / (density * double{kMaxStretch} * fraction));
         levels_[i] = {cell, hash_of(seed, static_cast<std::uint64_t>(i))};
         per_mm_[i] = static_cast<float>(1 / cell);
-        share_[i] = static_cast<float>(share);
+        fraction_[i] = static_cast<float>(fraction);
     }
     double probability = std::exp(-kFlakesPerCell), sum = 0;
-    for (int n = 0; n < kMostFlakesPerCell; ++n) {
+    for (int n = 0; n < kMaxFlakesPerCell; ++n) {
         sum += probability;
         at_most_[n] = static_cast<float>(sum);
         probability *= kFlakesPerCell / (n + 1);
@@ -37,9 +37,9 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     inverse_cover_ = static_cast<float>(1 / (density * sizes_.mean_area_um2() * 1e-6));
     typical_radius_ = lobe_.radius(static_cast<float>(population.diameter_um)) / alpha_;
     // A point tells its flakes apart, unless they lie in heaps.
-    constexpr float kFewestCells = 6, kMostCells = 12;
+    constexpr float kFewestCells = 6, kMaxCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
-    full_cells_ = std::clamp(1.5f * across * across, kFewestCells, kMostCells);
+    full_cells_ = std::clamp(1.5f * across * across, kFewestCells, kMaxCells);
 }
 
 double FlakeField::exact_side_mm() const {
@@ -50,7 +50,7 @@ double FlakeField::exact_side_mm() const {
     return kSafety * std::max(0.0, side);
 }
 
-void FlakeField::look(const RestPatch& patch, FlakeView& view) const {
+void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view) const {
     const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
     const Weights weights = weigh(outline);
     view.count = 0;
@@ -86,15 +86,15 @@ FlakeField::Weights FlakeField::weigh(const PatchOutline& outline) const {
         max_lanes((kFaded - cells / full_cells_) / (kFaded - 1), FloatLanes{}), splat(1.0f));
     // Squared, as a level gives way to the next, of a sixteenth of its density, near the end.
     const FloatLanes w = t * t;
-    const float first = lane_sum(w * share_), second = lane_sum(w * w * share_);
+    const float first = lane_sum(w * fraction_), second = lane_sum(w * w * fraction_);
     if (second == 0) return weights;
     // The flakes told apart fluctuate stand_for^2 times as much as all flakes. With lobes wider by
     // as much they do not, but a lobe must stay narrower than the distribution of slopes: what is
     // left is made up for by background. A little is left always, for variance_correction().
-    constexpr float kWidest = 0.35f, kMostToldApart = 0.95f;
+    constexpr float kWidest = 0.35f, kMaxToldApart = 0.95f;
     const float stand_for = std::sqrt(second) / first;
     weights.widening =
-        std::clamp(kMostToldApart * stand_for, 1.0f, std::max(1.0f, kWidest / typical_radius_));
+        std::clamp(kMaxToldApart * stand_for, 1.0f, std::max(1.0f, kWidest / typical_radius_));
     weights.told_apart = std::min(weights.widening / stand_for, 1.0f);
     weights.by_level = w * (weights.told_apart / first);
     return weights;
@@ -137,20 +137,20 @@ inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
         static_cast<float>(static_cast<double>(cell.u) * level.cell_mm - plane.u.at_mm),
         static_cast<float>(static_cast<double>(cell.v) * level.cell_mm - plane.v.at_mm)};
     const float grain_mm = static_cast<float>(level.cell_mm * 0x1p-16);
-    // The number of flakes exceeds i if the draw exceeds the odds of at most i.
+    // The number of flakes exceeds i if the draw exceeds the probability of at most i.
     const float draw = to_unit_float(static_cast<std::uint32_t>(key >> 32));
     const auto& strip = plane.strip;
     const float across[2] = {strip[0].u * corner_mm.x + strip[0].v * corner_mm.y,
                              strip[1].u * corner_mm.x + strip[1].v * corner_mm.y};
     for (int first = 0;; first += kLanes) {
-        const FloatLanes odds = load_lanes(&at_most_[first]);
+        const FloatLanes probability = load_lanes(&at_most_[first]);
         const ShortBitLanes step = (static_cast<std::uint32_t>(first) + kNumber) * kShortGolden;
         const ShortBitLanes place = mix_short_lanes(static_cast<std::uint32_t>(key) + step);
         const ShortBitLanes kind = mix_short_lanes(static_cast<std::uint32_t>(key >> 32) + step);
         const FloatLanes u = lower_half(place), v = upper_half(place);
         const FloatLanes a = across[0] + (strip[0].u * grain_mm) * u + (strip[0].v * grain_mm) * v;
         const FloatLanes b = across[1] + (strip[1].u * grain_mm) * u + (strip[1].v * grain_mm) * v;
-        const LanePacker here((odds <= draw) & (lower_half(kind) < plane.kept) &
+        const LanePacker here((probability <= draw) & (lower_half(kind) < plane.kept) &
                               (a * a < strip[0].half_width2_mm2) &
                               (b * b < strip[1].half_width2_mm2));
         const int k = found.count;
@@ -160,8 +160,8 @@ inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
         store_lanes(&found.corner_v[k], splat(corner_mm.y));
         store_lanes(&found.grain[k], splat(grain_mm));
         store_lanes(&found.weight[k], splat(weights.by_level[cell.level]));
-        found.count = std::min(k + here.count(), FlakeView::kMost);
-        if (first + kLanes >= kMostFlakesPerCell || draw < at_most_[first + kLanes - 1]) return;
+        found.count = std::min(k + here.count(), FlakeView::kMax);
+        if (first + kLanes >= kMaxFlakesPerCell || draw < at_most_[first + kLanes - 1]) return;
     }
 }
 
@@ -188,7 +188,7 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
         touching.store(&touching_x[k], x);
         touching.store(&touching_y[k], y);
         touching.store(&touching_weight[k], load_lanes(&found.weight[first]));
-        view.count = std::min(k + touching.count(), FlakeView::kMost);
+        view.count = std::min(k + touching.count(), FlakeView::kMax);
     }
     FloatLanes weight_sum{};
     for (int k = begin; k < view.count; k += kLanes) {
@@ -201,8 +201,8 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
                              0.5e-3f * diameter_um);
         weight_sum += kNumber < static_cast<float>(view.count - k) ? weight : FloatLanes{};
         const SlopeLanes slopes =
-            gaussian_slopes(unit_share(mix_short_lanes(place + 0x9e3779b9u * kind)),
-                            unit_share(mix_short_lanes(kind ^ (place >> 7) ^ (place << 25))));
+            gaussian_slopes(unit_fraction(mix_short_lanes(place + 0x9e3779b9u * kind)),
+                            unit_fraction(mix_short_lanes(kind ^ (place >> 7) ^ (place << 25))));
         store_lanes(&view.weight[k], weight);
         store_lanes(&view.slope_x[k], alpha_ * (plane.turn.x * slopes.x - plane.turn.y * slopes.y));
         store_lanes(&view.slope_y[k], alpha_ * (plane.turn.y * slopes.x + plane.turn.x * slopes.y));

@@ -36,7 +36,7 @@ class FlakeField {
     FlakeField(const FlakePopulation& population, std::uint64_t seed);
 
     /// Replaces `view` by what the patch shows.
-    void look(const RestPatch& patch, FlakeView& view) const;
+    void look(const ObjectSpaceFootprint& patch, FlakeView& view) const;
 
     /// Side of the largest square, on a flat surface across an axis of the rest space, that tells
     /// every flake apart: FlakeView::widening is 1 and nothing is approximated. 0 if flakes lie in
@@ -79,18 +79,18 @@ class FlakeField {
     void show(const Found& found, const FlakePlane& plane, const PatchOutline& outline,
               float widening, FlakeView& view) const;
 
-    /// Flakes that a cell generates on average; kMostStretch times fewer where one side serves.
+    /// Flakes that a cell generates on average; kMaxStretch times fewer where one side serves.
     static constexpr double kFlakesPerCell = 4;
-    static constexpr int kMostFlakesPerCell = 24;
+    static constexpr int kMaxFlakesPerCell = 24;
 
     FlakePopulation population_;
     FlakeSizes sizes_;
     DiffractionLobe lobe_;
     std::array<Level, kLevels> levels_;
     // By level, beyond the last of no weight.
-    FloatLanes per_mm_{}, share_{};  // 1 / side of the cells; of all flakes
+    FloatLanes per_mm_{}, fraction_{};  // 1 / side of the cells; of all flakes
     /// The probability of at most so many flakes in a cell.
-    std::array<float, kMostFlakesPerCell> at_most_;
+    std::array<float, kMaxFlakesPerCell> at_most_;
     /// Levels touch this many cells where they begin to fade.
     float full_cells_;
     float alpha_, largest_radius_mm_, smallest_radius_mm_;

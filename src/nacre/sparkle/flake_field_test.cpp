@@ -18,10 +18,10 @@ namespace {
 constexpr FlakePopulation kSilver{
     .density_per_mm2 = 4000, .diameter_um = 20, .diameter_spread_um = 0, .alpha = 0.1, .ior = 1.5};
 
-RestPatch square(double x_mm, double y_mm, double side_mm, double turn = 0) {
+ObjectSpaceFootprint square(double x_mm, double y_mm, double side_mm, double turn = 0) {
     const float c = static_cast<float>(side_mm * std::cos(turn));
     const float s = static_cast<float>(side_mm * std::sin(turn));
-    RestPatch patch;
+    ObjectSpaceFootprint patch;
     patch.position_mm = {static_cast<float>(x_mm), static_cast<float>(y_mm), 3};
     patch.edge_mm[0] = {c, s, 0};
     patch.edge_mm[1] = {-s, c, 0};
@@ -33,12 +33,13 @@ double side_of(double flakes, const FlakePopulation& population) {
 }
 
 // The answer of a patch to one half vector, relative to the mean.
-double answer(const FlakeField& field, const RestPatch& patch, Vec2f slope, float cosine) {
+double answer(const FlakeField& field, const ObjectSpaceFootprint& patch, Vec2f slope,
+              float cosine) {
     static const auto view = std::make_unique<FlakeView>();
     field.look(patch, *view);
     double sum = 0;
-    const float background =
-        view->for_each_answer(field.lobe(), slope, cosine, [&](int, float share) { sum += share; });
+    const float background = view->for_each_answer(field.lobe(), slope, cosine,
+                                                   [&](int, float fraction) { sum += fraction; });
     return background + sum;
 }
 
@@ -305,7 +306,7 @@ TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
     const auto view = std::make_unique<FlakeView>();
     // By how much all weights change together where the patch grows by a hundredth: levels fade
     // over a factor of 2.3 in cells, rims of discs over the patch's own size.
-    constexpr double kStep = 1.01, kMostChange = 0.15;
+    constexpr double kStep = 1.01, kMaxChange = 0.15;
     std::map<std::uint64_t, double> before;
     double background = 1, most = 0;
     int levels_faded = 0;
@@ -325,7 +326,7 @@ TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
         before = now;
         background = view->background;
     }
-    EXPECT_LT(most, kMostChange);
+    EXPECT_LT(most, kMaxChange);
     EXPECT_GT(levels_faded, 100);
 }
 
@@ -333,14 +334,14 @@ TEST(FlakeField, IsTheSameInEveryFrame) {
     // The tangent of a patch may point anywhere: directions told in its frame meet the same flakes.
     const FlakeField field(kSilver, 1);
     const auto view = std::make_unique<FlakeView>(), turned = std::make_unique<FlakeView>();
-    RestPatch patch = square(7, 5, 0.02);
+    ObjectSpaceFootprint patch = square(7, 5, 0.02);
     patch.normal = normalize({0.3f, 0.2f, 0.9f});
     patch.tangent = normalize(cross({0, 1, 0}, patch.normal));
     const Vec3f bitangent = cross(patch.normal, patch.tangent);
     patch.edge_mm[0] = 0.02f * patch.tangent;
     patch.edge_mm[1] = 0.02f * bitangent;
     field.look(patch, *view);
-    RestPatch other = patch;
+    ObjectSpaceFootprint other = patch;
     const float c = std::cos(1.0f), s = std::sin(1.0f);
     other.tangent = c * patch.tangent + s * bitangent;
     field.look(other, *turned);
@@ -367,7 +368,7 @@ TEST(FlakeField, HasTheSameDensityOnEverySlope) {
         double sum = 0, squares = 0;
         constexpr int kPatches = 20000;
         for (int i = 0; i < kPatches; ++i) {
-            RestPatch patch;
+            ObjectSpaceFootprint patch;
             patch.normal = n;
             patch.tangent = frame.s;
             patch.position_mm =
@@ -444,7 +445,7 @@ TEST(FlakeField, SurvivesStrangePatches) {
     const auto view = std::make_unique<FlakeView>();
     for (float size : {0.0f, 1e-20f, 1e-6f, 1.0f, 1e6f, 1e20f}) {
         for (float thin : {0.0f, 1e-9f, 1.0f}) {
-            RestPatch patch = square(1e5, -1e5, 0);
+            ObjectSpaceFootprint patch = square(1e5, -1e5, 0);
             patch.edge_mm[0] = {size, 0, 0};
             patch.edge_mm[1] = {size * 0.5f, size * thin, 0};
             field.look(patch, *view);

@@ -14,8 +14,8 @@ namespace nacre::sparkle {
 
 /// One of the six sides of the rest space's axes, and the share of the flakes that it gives.
 struct Projection {
-    int side;     ///< 2 axis + (1 if the surface faces the negative side)
-    float share;  ///< of the flakes of the surface; the shares of a normal add up to 1
+    int side;        ///< 2 axis + (1 if the surface faces the negative side)
+    float fraction;  ///< of the flakes of the surface; the shares of a normal add up to 1
 };
 
 struct Projections {
@@ -27,7 +27,7 @@ struct Projections {
 inline constexpr float kProjectionBlend = 0.1f;
 /// The largest of (share / |component of the normal|): flakes per area of the plane over flakes per
 /// area of the surface. It is reached where one side alone serves and two others are about to.
-inline constexpr float kMostStretch = 1.5811388f;  // 1 / sqrt((1 + 2 kProjectionBlend) / 3)
+inline constexpr float kMaxStretch = 1.5811388f;  // 1 / sqrt((1 + 2 kProjectionBlend) / 3)
 
 /// The sides that the unit vector n faces. Where it turns from one to the next the shares change
 /// continuously, so that flakes come and go one by one and no border shows.
@@ -77,12 +77,13 @@ struct FlakePlane {
     };
     Strip strip[2];
 
-    FlakePlane(const RestPatch& patch, const PatchOutline& outline, const Projection& projection)
+    FlakePlane(const ObjectSpaceFootprint& patch, const PatchOutline& outline,
+               const Projection& projection)
         : side(projection.side) {
         const auto component = [](Vec3f w, int i) { return i == 0 ? w.x : i == 1 ? w.y : w.z; };
         const int axis = side / 2;
         const float across = component(patch.normal, axis), per_across = 1 / across;
-        kept = projection.share * std::abs(per_across) * (65536 / kMostStretch);
+        kept = projection.fraction * std::abs(per_across) * (65536 / kMaxStretch);
         const auto make = [&](int i) {
             const float slant = component(patch.normal, i), shear = slant * per_across;
             const Vec3f t = outline.tangent, b = outline.bitangent;

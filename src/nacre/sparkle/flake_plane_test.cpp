@@ -26,29 +26,29 @@ TEST(Projections, ShareOutAllFlakesWithoutMoreStretchThanStated) {
         for (int i = 0; i < p.count; ++i) {
             const float c = component(n, p.list[i].side / 2);
             EXPECT_EQ(p.list[i].side % 2, c < 0);
-            sum += p.list[i].share;
-            most = std::max(most, p.list[i].share / std::abs(c));
+            sum += p.list[i].fraction;
+            most = std::max(most, p.list[i].fraction / std::abs(c));
         }
         EXPECT_NEAR(sum, 1, 1e-6);
     }
-    EXPECT_LE(most, kMostStretch);
-    EXPECT_GT(most, 0.98f * kMostStretch);
+    EXPECT_LE(most, kMaxStretch);
+    EXPECT_GT(most, 0.98f * kMaxStretch);
 }
 
 TEST(Projections, ChangeContinuously) {
     Rng rng(2);
     for (int trial = 0; trial < 20000; ++trial) {
         const Vec3f n = direction(rng), m = normalize(n + 1e-4f * direction(rng));
-        float share[2][6] = {};
+        float fraction[2][6] = {};
         int which = 0;
         for (const Vec3f& v : {n, m}) {
             const Projections p = projections_of(v);
-            for (int i = 0; i < p.count; ++i) share[which][p.list[i].side] = p.list[i].share;
+            for (int i = 0; i < p.count; ++i) fraction[which][p.list[i].side] = p.list[i].fraction;
             ++which;
         }
         // Weights change by at most 4 |dn| over a sum of at least kProjectionBlend.
         for (int side = 0; side < 6; ++side) {
-            EXPECT_NEAR(share[0][side], share[1][side], 1e-4 * 12 / kProjectionBlend);
+            EXPECT_NEAR(fraction[0][side], fraction[1][side], 1e-4 * 12 / kProjectionBlend);
         }
     }
 }

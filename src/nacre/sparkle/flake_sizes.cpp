@@ -25,8 +25,8 @@ double normal_quantile(double p, double lo, double hi) {
 FlakeSizes::FlakeSizes(double mean_um, double spread_um) {
     require_in_range(mean_um, 1e-3, 1e6, "diameter_um of the flakes");
     require_in_range(spread_um, 0, mean_um, "diameter_spread_um of the flakes");
-    constexpr double kCut = 3, kSmallest = 0.25;
-    const double lo = spread_um > 0 ? std::max(-kCut, (kSmallest - 1) * mean_um / spread_um) : 0;
+    constexpr double kCut = 3, kMin = 0.25;
+    const double lo = spread_um > 0 ? std::max(-kCut, (kMin - 1) * mean_um / spread_um) : 0;
     const double below = normal_below(lo), inside = normal_below(kCut) - below;
     double squares = 0;
     for (int i = 0; i < kSizes; ++i) {

@@ -21,7 +21,7 @@ namespace nacre::sparkle {
 /// levels]
 struct FlakeView {
     /// The patch shows 30 flakes at most on average; a Poisson number of that mean is never larger.
-    static constexpr int kMost = 128;
+    static constexpr int kMax = 128;
 
     int count = 0;
     float background =
@@ -31,7 +31,7 @@ struct FlakeView {
     float typical_radius = 0;  ///< lobe_radius of a flake of the mean diameter, over alpha
     // By flake, and a vector more: up to a whole vector there are flakes of radius 0.
     template <class T>
-    using List = std::array<T, kMost + kLanes>;
+    using List = std::array<T, kMax + kLanes>;
     alignas(64) List<float> weight;
     alignas(64) List<float> slope_x, slope_y;     ///< of its normal, in the local frame
     alignas(64) List<float> lobe_radius;          ///< DiffractionLobe::radius() times widening

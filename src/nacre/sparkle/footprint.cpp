@@ -13,13 +13,13 @@ struct Point {
 
 // A convex polygon: a parallelogram cut by four lines has at most eight corners.
 struct Polygon {
-    static constexpr int kMostCorners = 8;
-    std::array<Point, kMostCorners> corners;
+    static constexpr int kMaxCorners = 8;
+    std::array<Point, kMaxCorners> corners;
     int count = 0;
 
     // Rounding can make a sliver look as if a line cut it more than twice; its area is nothing.
     void add(Point p) {
-        if (count < kMostCorners) corners[count++] = p;
+        if (count < kMaxCorners) corners[count++] = p;
     }
     double area() const {
         double twice = 0;

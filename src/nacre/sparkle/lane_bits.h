@@ -30,8 +30,8 @@ struct SlopeLanes {
 
 /// Two slopes of density exp(-x^2 - y^2) / pi, by Box and Muller's transform of two numbers even in
 /// (0, 1): r^2 = -ln share.                                           [walter-2007, eq. 28-29]
-inline SlopeLanes gaussian_slopes(FloatLanes share, FloatLanes turns) {
-    const FloatLanes r = sqrt_lanes(max_lanes(-log_lanes(share), FloatLanes{}));
+inline SlopeLanes gaussian_slopes(FloatLanes fraction, FloatLanes turns) {
+    const FloatLanes r = sqrt_lanes(max_lanes(-log_lanes(fraction), FloatLanes{}));
     const auto wave = cos_sin_turns(turns);
     return {r * wave.cosine, r * wave.sine};
 }
@@ -79,7 +79,7 @@ inline FloatLanes gather_lanes(const float* table, ShortBitLanes index) {
 }
 
 /// The upper 31 of each lane's bits as a number in (0, 1).
-inline FloatLanes unit_share(ShortBitLanes bits) {
+inline FloatLanes unit_fraction(ShortBitLanes bits) {
     return (__builtin_convertvector(std::bit_cast<LaneMask>(bits >> 1), FloatLanes) + 0.5f) *
            0x1p-31f;
 }

@@ -25,11 +25,11 @@ namespace detail {
 
 inline constexpr std::uint64_t kNextBits = 0x9e3779b97f4a7c15u;
 
-// Rounds a bell-shaped number of this mean and variance to one of its two neighbours, with the odds
-// that keep the mean; the rounding adds 1/6 to the variance, which the bell leaves out. The bell is
-// the law of 64 coins, interpolated linearly: a popcount plus the difference of two uniforms, of
-// variance 16 + 1/6. Its fourth moment is that of a binomial of 64, where that of large counts is
-// that of a Gaussian: 3 - 1/32 instead of 3. It ends at eight standard deviations.
+// Rounds a bell-shaped number of this mean and variance to one of its two neighbours, with the
+// probability that keep the mean; the rounding adds 1/6 to the variance, which the bell leaves out.
+// The bell is the law of 64 coins, interpolated linearly: a popcount plus the difference of two
+// uniforms, of variance 16 + 1/6. Its fourth moment is that of a binomial of 64, where that of
+// large counts is that of a Gaussian: 3 - 1/32 instead of 3. It ends at eight standard deviations.
 inline double rounded_bell(double mean, double variance, std::uint64_t key) {
     const std::uint64_t spread = mix_bits(key + kNextBits);
     const double coins = std::popcount(mix_bits(key)) - 32;

@@ -100,7 +100,8 @@ inline FloatLanes disc_overlap(FloatLanes x, FloatLanes y, FloatLanes radius,
 class PatchOutline {
  public:
     /// @param smallest_radius_mm, largest_radius_mm  of the discs
-    PatchOutline(const RestPatch& patch, float smallest_radius_mm, float largest_radius_mm)
+    PatchOutline(const ObjectSpaceFootprint& patch, float smallest_radius_mm,
+                 float largest_radius_mm)
         : tangent(patch.tangent),
           bitangent(cross(patch.normal, patch.tangent)),
           reach_mm(largest_radius_mm) {
@@ -168,8 +169,8 @@ class PatchOutline {
                 const FloatLanes along = e.x * x + e.y * y;
                 width += (along < 0.0f ? -along : along) / safe;
             }
-            const FloatLanes share = 0.5f + (radius_mm - distance) / width;
-            return min_lanes(max_lanes(share, FloatLanes{}), splat(1.0f));
+            const FloatLanes fraction = 0.5f + (radius_mm - distance) / width;
+            return min_lanes(max_lanes(fraction, FloatLanes{}), splat(1.0f));
         }
         return disc_overlap(x, y, radius_mm, shape_) * (1 / shape_.area);
     }

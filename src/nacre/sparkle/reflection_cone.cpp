@@ -23,11 +23,11 @@ ConeRule::ConeRule(double gamma_rad, double alpha) {
     // Nodes for Gaussians of width alpha over a region that reaches gamma/2 across the plane of
     // incidence near normal and several times as much at grazing incidence.
     const double width = gamma_rad / alpha;
-    require_in_range(width, 0, kMostConePerRoughness, "half-angle of the cone over alpha");
+    require_in_range(width, 0, kMaxConePerRoughness, "half-angle of the cone over alpha");
     const int rings = std::max(3, static_cast<int>(std::ceil(2 + 1.5 * width)));
-    constexpr int kMostGrazingRings = 48;
+    constexpr int kMaxGrazingRings = 48;
     groups_ = product_rule(rings, versine);
-    grazing_groups_ = product_rule(std::min(3 * rings, kMostGrazingRings), versine);
+    grazing_groups_ = product_rule(std::min(3 * rings, kMaxGrazingRings), versine);
 }
 
 std::vector<ConeRule::Group> ConeRule::product_rule(int rings, double versine) {

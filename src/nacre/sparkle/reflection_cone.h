@@ -40,7 +40,7 @@ struct ReflectionCone {
 
 /// A cone may be so many times as wide as the facets' roughness: ConeRule does not resolve facets
 /// that are smoother.
-inline constexpr double kMostConePerRoughness = 25;
+inline constexpr double kMaxConePerRoughness = 25;
 
 /// Error of ConeRule's means over their peaks, 1 / (pi alpha^2) and that over 4 w_i.h: for
 /// incidence up to 75 deg, and beyond, where the horizon may cut the cone.
@@ -54,7 +54,7 @@ class ConeRule {
  public:
     /// @param gamma_rad  half-angle of the cone, in [1e-5, pi/2]
     /// @param alpha      roughness of the facets the rule is for, in [1e-4, 2]: the rougher, the
-    ///                   fewer nodes; gamma_rad / alpha is at most kMostConePerRoughness
+    ///                   fewer nodes; gamma_rad / alpha is at most kMaxConePerRoughness
     /// @throws DomainError naming the argument, its value and its range
     ConeRule(double gamma_rad, double alpha);
 

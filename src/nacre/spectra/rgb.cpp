@@ -146,8 +146,8 @@ Eigen::VectorXd solve(const Programme& p) {
     Eigen::VectorXd z = Eigen::VectorXd::Ones(kBounds);   // multipliers of the bounds
     Eigen::VectorXd s = p.h - p.g * x;                    // distances from the bounds
     constexpr double kGap = 1e-12, kCentring = 0.1;
-    constexpr int kMostSteps = 100;
-    for (int step = 0; step < kMostSteps; ++step) {
+    constexpr int kMaxSteps = 100;
+    for (int step = 0; step < kMaxSteps; ++step) {
         const Eigen::VectorXd dual = p.q * x + p.a.transpose() * y + p.g.transpose() * z;
         const Eigen::VectorXd colour = p.a * x - p.b;
         const Eigen::VectorXd bound = p.g * x + s - p.h;

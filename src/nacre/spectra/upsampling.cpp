@@ -99,7 +99,7 @@ class LeastSlope {
                 start = at_;
                 reached = aim;
                 stride *= 2;
-            } else if ((stride /= 2) < kShortestStride) {
+            } else if ((stride /= 2) < kMinStride) {
                 throw Error(
                     fmt::format("no smooth reflectance was found for linear RGB "
                                 "({}, {}, {})",
@@ -111,8 +111,8 @@ class LeastSlope {
 
  private:
     static constexpr double kRidge = 1e-6;
-    static constexpr int kMostIterations = 30;
-    static constexpr double kShortestStride = 1e-4;
+    static constexpr int kMaxIterations = 30;
+    static constexpr double kMinStride = 1e-4;
 
     struct State {
         Samples z{}, rho{}, slope{}, gradient{};  // slope = d rho / dz
@@ -155,7 +155,7 @@ class LeastSlope {
     }
 
     bool newton() {
-        for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+        for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
             if (converged()) return true;
             if (!step()) return false;
         }

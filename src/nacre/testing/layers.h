@@ -122,9 +122,9 @@ inline double single_albedo(const SolvedPaint& paint, double theta_i) {
     return sum;
 }
 
-/// Order 0 of the remainder at the first wavelength, between theta_i and every exit node.
+/// Order 0 of the multiple scattering at the first wavelength, between theta_i and every exit node.
 inline std::vector<double> multiple_by_node(const SolvedPaint& paint, double theta_i) {
-    const Remainder& r = paint.remainder;
+    const MultipleScattering& r = paint.multiple_scattering;
     const std::size_t n = r.exit_angle.size();
     std::vector<double> weight(n), out(n, 0.0);
     ExitInterpolation(r.exit_angle).weights_at(theta_i, weight.data());
@@ -145,7 +145,7 @@ inline std::vector<double> multiple_by_node(const SolvedPaint& paint, double the
 inline double multiple_albedo(const SolvedPaint& paint, double theta_i) {
     const double ior = paint.medium.ior[0];
     const Directions d =
-        make_directions(ior, static_cast<int>(paint.remainder.exit_angle.size()), 4);
+        make_directions(ior, static_cast<int>(paint.multiple_scattering.exit_angle.size()), 4);
     const std::vector<double> f = multiple_by_node(paint, theta_i);
     const auto enter = [&](double theta) {
         return 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta));

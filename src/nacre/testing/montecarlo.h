@@ -153,8 +153,8 @@ inline Estimates estimate(const bsdf::BoundBsdf& surface, Vec3f wi, int count,
         Rng rng(seed, b);
         const std::size_t last = std::min<std::size_t>((b + 1) * kBlock, count);
         for (std::size_t i = b * kBlock; i < last; ++i) {
-            const float u_lobe = rng.uniform_float(), x = rng.uniform_float();
-            const auto sample = surface.sample(wi, u_lobe, {x, rng.uniform_float()});
+            const float u_select = rng.uniform_float(), x = rng.uniform_float();
+            const auto sample = surface.sample(wi, u_select, {x, rng.uniform_float()});
             if (!sample) continue;
             std::fill(values.begin(), values.end(), FloatLanes{});
             score(*sample, values);

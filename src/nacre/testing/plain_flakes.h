@@ -20,16 +20,16 @@ struct PlainFlakes {
 };
 
 inline paint::Recipe recipe_of(const PlainFlakes& plain) {
-    constexpr double kThicknessUm = 10;
+    constexpr double kThickness_um = 10;
     paint::FlakeSpecies flakes;
-    flakes.amount = paint::AreaDensity{plain.cover / kThicknessUm};
+    flakes.amount = paint::AreaDensity{plain.cover / kThickness_um};
     flakes.diameter_um = plain.diameter_um;
     flakes.orientation.beckmann_alpha = plain.alpha;
     flakes.body = paint::PrescribedFlake{plain.reflectance, plain.transmittance, 0.3};
     paint::Recipe recipe;
     recipe.binder = optics::Material(plain.ior);
     recipe.clearcoat = paint::Clearcoat{30, 0.0, 0};
-    recipe.layers = {paint::Layer{kThicknessUm, {flakes}, {}}};
+    recipe.layers = {paint::Layer{kThickness_um, {flakes}, {}}};
     recipe.substrate_reflectance = 0.02;
     return recipe;
 }

@@ -31,15 +31,15 @@ class BoundGlossy final : public bsdf::BoundBsdf {
         const float lobe = density(h) / (4 * cos_h * std::max(wi.z, wo.z));
         return (1 - mirror_) * (lobe * colour(cos_h) + splat(0.1f * kInvPi));
     }
-    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
         if (wi.z <= 0) return std::nullopt;
         const float p_mirror = mirror_probability();
-        if (u_lobe < p_mirror) {
+        if (u_select < p_mirror) {
             return bsdf::BsdfSample{
                 {-wi.x, -wi.y, wi.z}, splat(mirror_ / p_mirror), p_mirror, true};
         }
         Vec3f wo;
-        if ((u_lobe - p_mirror) / (1 - p_mirror) < kLobeShare) {
+        if ((u_select - p_mirror) / (1 - p_mirror) < kLobeFraction) {
             const float z = std::pow(u.x, 1 / (exponent_ + 2));
             const float r = std::sqrt(std::max(0.0f, 1 - z * z));
             const float angle = 2 * std::numbers::pi_v<float> * u.y;
@@ -56,14 +56,14 @@ class BoundGlossy final : public bsdf::BoundBsdf {
     float pdf(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return 0;
         const Vec3f h = normalize(wi + wo);
-        return (1 - mirror_probability()) * (kLobeShare * density(h) * h.z / (4 * dot(wi, h)) +
-                                             (1 - kLobeShare) * kInvPi * wo.z);
+        return (1 - mirror_probability()) * (kLobeFraction * density(h) * h.z / (4 * dot(wi, h)) +
+                                             (1 - kLobeFraction) * kInvPi * wo.z);
     }
     FloatLanes albedo(Vec3f wi) const override { return 0.8f * colour(wi.z); }
 
  private:
     static constexpr float kInvPi = std::numbers::inv_pi_v<float>;
-    static constexpr float kLobeShare = 0.7f;
+    static constexpr float kLobeFraction = 0.7f;
 
     float mirror_probability() const { return mirror_ > 0 ? 0.1f : 0; }
     /// Normalised such that Int D cos(theta_h) d omega = 1.
@@ -131,7 +131,9 @@ class Speckled final : public bsdf::Bsdf {
 
     explicit Speckled(Factor factor) : factor_(std::move(factor)) {}
 
-    bsdf::Layout layout() const override { return bsdf::Layout::rest_space; }
+    bsdf::SurfaceCoordinates surface_coordinates() const override {
+        return bsdf::SurfaceCoordinates::object_space;
+    }
     std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths& nm) const override {
         return std::make_unique<Bound>(*this, mean_.bind(nm));
     }
@@ -147,17 +149,17 @@ class Speckled final : public bsdf::Bsdf {
         FloatLanes eval(Vec3f wi, Vec3f wo) const override { return mean_->eval(wi, wo); }
         float pdf(Vec3f wi, Vec3f wo) const override { return mean_->pdf(wi, wo); }
         FloatLanes albedo(Vec3f wi) const override { return mean_->albedo(wi); }
-        std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
-            return mean_->sample(wi, u_lobe, u);
+        std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
+            return mean_->sample(wi, u_select, u);
         }
         bsdf::BsdfValue evaluate_on(const bsdf::Patch& patch, Vec3f wi, Vec3f wo) const override {
             bsdf::BsdfValue value = mean_->evaluate(wi, wo);
             value.f *= factor(patch, wi, wo);
             return value;
         }
-        std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float u_lobe,
-                                                  Vec2f u) const override {
-            auto drawn = mean_->sample(wi, u_lobe, u);
+        std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi,
+                                                  float u_select, Vec2f u) const override {
+            auto drawn = mean_->sample(wi, u_select, u);
             if (drawn && !drawn->mirror) drawn->weight *= factor(patch, wi, drawn->wo);
             return drawn;
         }
@@ -165,7 +167,7 @@ class Speckled final : public bsdf::Bsdf {
 
      private:
         float factor(const bsdf::Patch& patch, Vec3f wi, Vec3f wo) const {
-            const sparkle::RestPatch& rest = patch.rest;
+            const sparkle::ObjectSpaceFootprint& rest = patch.rest;
             auto& kept = *reinterpret_cast<Vec3f*>(patch.memory->data());
             if (!patch.memory->filled) kept = rest.position_mm;
             patch.memory->filled = true;

@@ -22,9 +22,9 @@ HalfDifference MerlTable::middle(int h, int d, int a) const {
 
 void validate(const MerlTable& table) {
     const auto side = [](const char* what, int cells) {
-        if (cells < kLeastMerlCells || cells > kMostMerlCells) {
+        if (cells < kMinMerlCells || cells > kMaxMerlCells) {
             throw DomainError(fmt::format("{} cells along {}: must be in [{}, {}]", cells, what,
-                                          kLeastMerlCells, kMostMerlCells));
+                                          kMinMerlCells, kMaxMerlCells));
         }
     };
     side("theta_half", table.half);
@@ -73,18 +73,19 @@ constexpr float kPiF = std::numbers::pi_v<float>;
 const std::array<FlakeLobe, 4> kLobes = {FlakeLobe(0.01f), FlakeLobe(0.04f), FlakeLobe(0.15f),
                                          FlakeLobe(0.5f)};
 constexpr std::size_t kStrategies = kLobes.size() + 1;
-using Odds = std::array<float, kStrategies>;
-constexpr int kRows = 33;  // incident angles at which odds and albedo are known, even over 90 deg
+using Probability = std::array<float, kStrategies>;
+constexpr int kRows =
+    33;  // incident angles at which probability and albedo are known, even over 90 deg
 
 struct Row {
-    Odds odds{};
+    Probability probability{};
     Rgb albedo{};
 };
 
 /// Cells on both sides of a place, and the share of the second.
 struct Neighbours {
     int cell[2];
-    float share;
+    float fraction;
 };
 Neighbours neighbours(double cells_from_edge, int count) {
     const double at = std::clamp(cells_from_edge - 0.5, 0.0, count - 1.0);
@@ -121,12 +122,12 @@ struct MeasuredMerl::Tables {
         d.back() = wo.z / kPiF;
         return d;
     }
-    const Odds& odds(Vec3f wi) const {
-        const auto [row, share] = locate(wi);
-        return rows[row + (share > 0.5f)].odds;
+    const Probability& probability(Vec3f wi) const {
+        const auto [row, fraction] = locate(wi);
+        return rows[row + (fraction > 0.5f)].probability;
     }
     float density(Vec3f wi, Vec3f wo) const {
-        const Odds& p = odds(wi);
+        const Probability& p = probability(wi);
         const std::array<float, kStrategies> d = densities(wi, wo);
         float sum = 0;
         for (std::size_t k = 0; k < kStrategies; ++k) sum += p[k] * d[k];
@@ -170,8 +171,8 @@ Rgb MeasuredMerl::Tables::rgb(Vec3f wi, Vec3f wo) const {
             values[(static_cast<std::size_t>(h.cell[i]) * difference + d.cell[j]) * azimuths +
                    a.cell[k]];
         if (cell[0] < 0) continue;
-        const float weight =
-            (i ? h.share : 1 - h.share) * (j ? d.share : 1 - d.share) * (k ? a.share : 1 - a.share);
+        const float weight = (i ? h.fraction : 1 - h.fraction) * (j ? d.fraction : 1 - d.fraction) *
+                             (k ? a.fraction : 1 - a.fraction);
         all += weight;
         for (int c = 0; c < 3; ++c) sum[c] += weight * cell[c];
     }
@@ -205,17 +206,18 @@ Row MeasuredMerl::Tables::fit_row(float theta_i) const {
     }
     Row row;
     for (int c = 0; c < 3; ++c) row.albedo[c] = static_cast<float>(albedo[c]);
-    std::array<double, kStrategies> share;
-    share.fill(1.0 / kStrategies);
-    share = fit_mixture(points, share);
+    std::array<double, kStrategies> fraction;
+    fraction.fill(1.0 / kStrategies);
+    fraction = fit_mixture(points, fraction);
     // A fiftieth, at least, goes everywhere and as much to the widest lobe: that bounds the
     // weights.
-    constexpr double kLeast = 0.02;
+    constexpr double kMin = 0.02;
     double all = 0;
     for (std::size_t k = kStrategies - 2; k < kStrategies; ++k)
-        share[k] = std::max(share[k], kLeast);
-    for (double s : share) all += s;
-    for (std::size_t k = 0; k < kStrategies; ++k) row.odds[k] = static_cast<float>(share[k] / all);
+        fraction[k] = std::max(fraction[k], kMin);
+    for (double s : fraction) all += s;
+    for (std::size_t k = 0; k < kStrategies; ++k)
+        row.probability[k] = static_cast<float>(fraction[k] / all);
     return row;
 }
 
@@ -237,9 +239,9 @@ class BoundMeasuredMerl final : public BoundBsdf {
         return wi.z > 0 && wo.z > 0 ? tables_->density(wi, wo) : 0;
     }
 
-    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
         if (wi.z <= 0) return std::nullopt;
-        const Vec3f wo = draw(wi, u_lobe, u);
+        const Vec3f wo = draw(wi, u_select, u);
         if (wo.z <= 0) return std::nullopt;
         BsdfSample s;
         s.wo = wo;
@@ -251,19 +253,20 @@ class BoundMeasuredMerl final : public BoundBsdf {
 
     FloatLanes albedo(Vec3f wi) const override {
         if (wi.z <= 0) return FloatLanes{};
-        const auto [row, share] = MeasuredMerl::Tables::locate(wi);
+        const auto [row, fraction] = MeasuredMerl::Tables::locate(wi);
         const Rgb &a = tables_->rows[row].albedo, &b = tables_->rows[row + 1].albedo;
         Rgb rgb;
-        for (int c = 0; c < 3; ++c) rgb[c] = a[c] + share * (b[c] - a[c]);
+        for (int c = 0; c < 3; ++c) rgb[c] = a[c] + fraction * (b[c] - a[c]);
         return spectrum_(rgb);
     }
 
  private:
-    Vec3f draw(Vec3f wi, float u_lobe, Vec2f u) const {
-        const Odds& odds = tables_->odds(wi);
+    Vec3f draw(Vec3f wi, float u_select, Vec2f u) const {
+        const Probability& probability = tables_->probability(wi);
         for (std::size_t k = 0; k < kLobes.size(); ++k) {
-            if (u_lobe < odds[k]) return kLobes[k].sample(wi, u_lobe / odds[k], u);
-            u_lobe -= odds[k];
+            if (u_select < probability[k])
+                return kLobes[k].sample(wi, u_select / probability[k], u);
+            u_select -= probability[k];
         }
         return cosine_hemisphere(u);
     }

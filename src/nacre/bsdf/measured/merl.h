@@ -42,7 +42,7 @@ struct MerlTable {
 };
 
 /// Most cells along a direction, and fewest.
-inline constexpr int kMostMerlCells = 1024, kLeastMerlCells = 2;
+inline constexpr int kMaxMerlCells = 1024, kMinMerlCells = 2;
 
 /// @throws DomainError naming what is wrong: a size out of range, values that do not fit the sizes
 /// or are not finite
@@ -67,8 +67,9 @@ DirectionPair directions_of(const HalfDifference& angles);
 /// Reciprocal by construction. Energy is as measured: the database has materials that reflect more
 /// than they receive near grazing.
 ///
-/// Samples come from a cosine lobe and lobes of four roughnesses, their odds fitted to the table
-/// for each incident angle; the density is exact, weights may vary where no mixture of those fits.
+/// Samples come from a cosine lobe and lobes of four roughnesses, their probability fitted to the
+/// table for each incident angle; the density is exact, weights may vary where no mixture of those
+/// fits.
 class MeasuredMerl final : public Bsdf {
  public:
     /// @throws DomainError as validate(table)

@@ -56,12 +56,12 @@ void validate_square(const char* field, const SquareTable& table, const Range& r
 
 void validate(const RglTable& table) {
     // Products of these, over the least cosine, are still finite in single precision.
-    constexpr float kLargest = 1e9f, kPi = std::numbers::pi_v<float>;
-    constexpr Range kDensity{0, kLargest}, kAny{-kLargest, kLargest};
+    constexpr float kMax = 1e9f, kPi = std::numbers::pi_v<float>;
+    constexpr Range kDensity{0, kMax}, kAny{-kMax, kMax};
     // Files hold 90 and 180 deg as rounded floats.
     constexpr Range kTheta{0, 0.5 * kPi * 1.00001, "rad"},
         kPhi{-kPi * 2.00001, kPi * 2.00001, "rad"};
-    constexpr float kMostOff = 0.2f;  // rad: a first azimuth half a step inside
+    constexpr float kMaxOff = 0.2f;  // rad: a first azimuth half a step inside
     require_increasing("phi_i", table.phi_i, kPhi);
     require_increasing("theta_i", table.theta_i, kTheta);
     if (!table.isotropic()) {
@@ -73,14 +73,14 @@ void validate(const RglTable& table) {
                             table.phi_i.back() - table.phi_i.front()));
         }
         // Incident directions are turned there; a table of others would be read at its edges.
-        if (std::abs(table.phi_i.front() + kPi) > kMostOff) {
+        if (std::abs(table.phi_i.front() + kPi) > kMaxOff) {
             throw DomainError(fmt::format(
                 "phi_i begins at {} rad: those of an anisotropic surface must begin at -pi",
                 table.phi_i.front()));
         }
     }
     validate_square("ndf", table.ndf, kDensity);
-    validate_square("sigma", table.sigma, Range{1e-9, kLargest});
+    validate_square("sigma", table.sigma, Range{1e-9, kMax});
     require_sides("vndf", table.vndf_rows, table.vndf_columns);
     require_size("vndf", table.vndf.size(),
                  table.slices() * cells(table.vndf_rows, table.vndf_columns));
@@ -90,9 +90,9 @@ void validate(const RglTable& table) {
     require_size("luminance", table.luminance.size(), table.slices() * square);
     require_values("luminance", table.luminance, kDensity);
     if (!table.is_rgb()) {
-        if (table.wavelengths.size() > kMostRglWavelengths) {
+        if (table.wavelengths.size() > kMaxRglWavelengths) {
             throw DomainError(fmt::format("wavelengths has {} values: must have at most {}",
-                                          table.wavelengths.size(), kMostRglWavelengths));
+                                          table.wavelengths.size(), kMaxRglWavelengths));
         }
         require_increasing("wavelengths", table.wavelengths, Range{1, 1e6, "nm"});
     }
@@ -121,10 +121,10 @@ float read_square(const SquareTable& table, Vec2f point) {
     const SquareCell cell = locate_in_square(point, table.rows, table.columns);
     const float* at =
         table.values.data() + static_cast<std::size_t>(cell.row) * table.columns + cell.column;
-    const float low = at[0] + cell.column_share * (at[1] - at[0]);
+    const float low = at[0] + cell.column_fraction * (at[1] - at[0]);
     at += table.columns;
-    const float high = at[0] + cell.column_share * (at[1] - at[0]);
-    return low + cell.row_share * (high - low);
+    const float high = at[0] + cell.column_fraction * (at[1] - at[0]);
+    return low + cell.row_fraction * (high - low);
 }
 
 RglMap::RglMap(const RglTable& table)
@@ -185,10 +185,10 @@ float RglMap::scale(const RglIncident& i, const RglPoint& point) const {
 // its solid angle. At the normal itself, where x and the sine vanish and the interpolated density
 // need not, the density has a pole that still can be integrated.
 float RglMap::solid_angle_density(const RglIncident& i, const RglPoint& point) const {
-    constexpr float kLeast = 1e-12f;
+    constexpr float kMin = 1e-12f;
     const float sine = std::sqrt(point.normal.x * point.normal.x + point.normal.y * point.normal.y);
     const float area = 2 * kPi * kPi * point.half.x * sine;
-    return point.density / std::max(area * 4 * dot(i.direction, point.normal), kLeast);
+    return point.density / std::max(area * 4 * dot(i.direction, point.normal), kMin);
 }
 
 struct MeasuredRgl::Tables {
@@ -214,8 +214,8 @@ struct MeasuredRgl::Tables {
                 const std::size_t at = mix.slice[k] * square +
                                        static_cast<std::size_t>(cell.row + up) * resolution +
                                        cell.column + right;
-                visit(mix.weight[k] * (up ? cell.row_share : 1 - cell.row_share) *
-                          (right ? cell.column_share : 1 - cell.column_share),
+                visit(mix.weight[k] * (up ? cell.row_fraction : 1 - cell.row_fraction) *
+                          (right ? cell.column_fraction : 1 - cell.column_fraction),
                       values.data() + at * channels);
             }
         }
@@ -229,7 +229,7 @@ namespace {
 
 constexpr int kAlbedoAngles = 33, kAlbedoAzimuths = 12, kAlbedoSamples = 24;
 /// Below, f is taken as at this cosine: the format stores f cos(theta_o).
-constexpr float kLeastCosine = 1e-6f;
+constexpr float kMinCosine = 1e-6f;
 
 std::vector<float> even(float first, float last, int count) {
     std::vector<float> nodes(count);
@@ -271,7 +271,7 @@ class BoundMeasuredRgl final : public BoundBsdf {
         return {value(i, point, wo.z), density(i, point)};
     }
 
-    std::optional<BsdfSample> sample(Vec3f wi, float /*u_lobe*/, Vec2f u) const override {
+    std::optional<BsdfSample> sample(Vec3f wi, float /*u_select*/, Vec2f u) const override {
         if (wi.z <= 0) return std::nullopt;
         const RglIncident i = tables_->map.incident(wi);
         const RglPoint point = tables_->map.at(i, tables_->luminance.sample(i.mix, u).at);
@@ -309,7 +309,7 @@ class BoundMeasuredRgl final : public BoundBsdf {
     }
 
     FloatLanes value(const RglIncident& i, const RglPoint& point, float cosine) const {
-        const float factor = tables_->map.scale(i, point) / std::max(cosine, kLeastCosine);
+        const float factor = tables_->map.scale(i, point) / std::max(cosine, kMinCosine);
         if (is_rgb()) {
             std::array<float, 3> rgb{};
             tables_->for_each_corner(i.mix, point.sample, [&](float weight, const float* at) {
@@ -330,7 +330,7 @@ class BoundMeasuredRgl final : public BoundBsdf {
 
     std::shared_ptr<const MeasuredRgl::Tables> tables_;
     RgbLanes spectrum_;
-    std::array<Between, kLanes> where_;
+    std::array<WavelengthPosition, kLanes> where_;
 };
 
 }  // namespace

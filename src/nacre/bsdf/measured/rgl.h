@@ -60,7 +60,7 @@ struct RglTable {
 };
 
 /// More than any spectrometer has; the albedo is found for each.
-inline constexpr std::size_t kMostRglWavelengths = 4096;
+inline constexpr std::size_t kMaxRglWavelengths = 4096;
 
 /// @throws DomainError naming the field, its value and what is allowed: sizes that do not fit
 /// together, values that are not finite or negative where they must not be (spectra may be: noise),

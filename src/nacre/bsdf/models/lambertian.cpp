@@ -18,7 +18,7 @@ class BoundLambertian final : public BoundBsdf {
     FloatLanes eval(Vec3f wi, Vec3f wo) const override {
         return wi.z > 0 && wo.z > 0 ? kInvPi * reflectance_ : FloatLanes{};
     }
-    std::optional<BsdfSample> sample(Vec3f wi, float /*u_lobe*/, Vec2f u) const override {
+    std::optional<BsdfSample> sample(Vec3f wi, float /*u_select*/, Vec2f u) const override {
         const Vec3f wo = cosine_hemisphere(u);
         if (wi.z <= 0 || wo.z <= 0) return std::nullopt;
         return BsdfSample{wo, reflectance_, kInvPi * wo.z, false};

@@ -109,11 +109,11 @@ double mean(const std::vector<double>& v) {
 
 // Share of the incident flux that the flakes of the paint return after one reflection, roughly:
 // as if the outgoing cosine were the incident one.
-double single_scattering_share(const solver::PaintMedium& medium, double theta) {
+double single_scattering_fraction(const solver::PaintMedium& medium, double theta) {
     const double ior = mean(medium.ior);
     const double mu = solver::inside_cosine(ior, theta);
     const double t = 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta));
-    double share = 0, depth = 0;
+    double fraction = 0, depth = 0;
     for (const auto& layer : medium.layers) {
         const DoubleLanes rate = 2.0 * solver::extinction(layer, mu, 0) / mu;
         const double here = layer.thickness_um * lane_mean(rate);
@@ -124,11 +124,11 @@ double single_scattering_share(const solver::PaintMedium& medium, double theta) 
                               lane_mean(flake.table.reflectance(cosine, 0));
             });
         }
-        share += t * t * scattering / mu * std::exp(-depth) * layer.thickness_um *
-                 (here > 1e-9 ? -std::expm1(-here) / here : 1.0);
+        fraction += t * t * scattering / mu * std::exp(-depth) * layer.thickness_um *
+                    (here > 1e-9 ? -std::expm1(-here) / here : 1.0);
         depth += here;
     }
-    return share;
+    return fraction;
 }
 
 }  // namespace
@@ -147,9 +147,9 @@ Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
     choose_lobes();
 }
 
-std::vector<const solver::Remainder*> Microflake::Tables::tensors() const {
-    if (rough) return {&paint->remainder, &paint->rough_single};
-    return {&paint->remainder};
+std::vector<const solver::MultipleScattering*> Microflake::Tables::tensors() const {
+    if (rough) return {&paint->multiple_scattering, &paint->rough_single};
+    return {&paint->multiple_scattering};
 }
 
 void Microflake::Tables::tabulate_extinction() {
@@ -195,7 +195,7 @@ void Microflake::Tables::choose_lobes() {
     const double ior = mean_ior;
     const Quadrature polar = gauss_legendre(12, 0.0, std::numbers::pi / 2);
     constexpr int kAzimuths = 12;
-    odds.resize(kDirectionIntervals + 1);
+    probability.resize(kDirectionIntervals + 1);
     constexpr int kStride = 8;  // the smooth part changes slowly with direction
     parallel_for(0, kDirectionIntervals / kStride + 1, [&](std::size_t step) {
         const int row = static_cast<int>(step) * kStride;
@@ -203,9 +203,10 @@ void Microflake::Tables::choose_lobes() {
         const double mirror = rough
                                   ? solver::rough_interface(ior, medium.roughness)->albedo(theta_i)
                                   : optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
-        // Energy of the remainder, and what it would be if its dark side were all there is.
-        const solver::RemainderSlice slice(paint->remainder, theta_i);
-        std::vector<double> coefficient(paint->remainder.rank());
+        // Energy of the multiple scattering, and what it would be if its dark side were all there
+        // is.
+        const solver::MultipleScatteringSlice slice(paint->multiple_scattering, theta_i);
+        std::vector<double> coefficient(paint->multiple_scattering.rank());
         double energy = 0, dark = 0;
         for (std::size_t t = 0; t < polar.nodes.size(); ++t) {
             const double theta_o = polar.nodes[t];
@@ -216,9 +217,10 @@ void Microflake::Tables::choose_lobes() {
                 const double phi = std::numbers::pi * (p + 0.5) / kAzimuths;
                 slice.coefficients(theta_o, phi, coefficient);
                 double f = 0;
-                for (int k = 0; k < paint->remainder.rank(); ++k) {
+                for (int k = 0; k < paint->multiple_scattering.rank(); ++k) {
                     for (int w = 0; w < wavelength_count(); ++w) {
-                        f += coefficient[k] * paint->remainder.basis[k * wavelength_count() + w];
+                        f += coefficient[k] *
+                             paint->multiple_scattering.basis[k * wavelength_count() + w];
                     }
                 }
                 const double flux = std::max(0.0, f / wavelength_count()) * fresnel *
@@ -228,7 +230,7 @@ void Microflake::Tables::choose_lobes() {
                 if (phi < std::numbers::pi / 2) dark += 2 * flux;
             }
         }
-        const double single = has_flakes ? single_scattering_share(medium, theta_i) : 0.0;
+        const double single = has_flakes ? single_scattering_fraction(medium, theta_i) : 0.0;
         const double total = mirror + single + energy + 1e-6;
         // A tenth of the multiple scattering at least, and a hundredth of all, goes everywhere:
         // that bounds the weights.
@@ -236,18 +238,18 @@ void Microflake::Tables::choose_lobes() {
         double wide = has_flakes ? std::max(energy / total + 0.01 - diffuse, 0.01) : 0.0;
         double flake = single / total + (has_flakes ? 0.01 : 0.0);
         const double sum_all = mirror / total + flake + wide + diffuse;
-        odds[row] = {static_cast<float>(mirror / total / sum_all),
-                     static_cast<float>(flake / sum_all), static_cast<float>(wide / sum_all),
-                     static_cast<float>(diffuse / sum_all)};
+        probability[row] = {static_cast<float>(mirror / total / sum_all),
+                            static_cast<float>(flake / sum_all), static_cast<float>(wide / sum_all),
+                            static_cast<float>(diffuse / sum_all)};
     });
     for (int row = 0; row < kDirectionIntervals; ++row) {
         const int from = row / kStride * kStride;
         const float f = static_cast<float>(row - from) / kStride;
-        const LobeOdds &a = odds[from], &b = odds[from + kStride];
+        const LobeProbabilities &a = probability[from], &b = probability[from + kStride];
         if (row == from) continue;
-        const auto mix = [&](float LobeOdds::*m) { return a.*m + f * (b.*m - a.*m); };
-        odds[row] = {mix(&LobeOdds::interface), mix(&LobeOdds::flakes), mix(&LobeOdds::wide),
-                     mix(&LobeOdds::diffuse)};
+        const auto mix = [&](float LobeProbabilities::*m) { return a.*m + f * (b.*m - a.*m); };
+        probability[row] = {mix(&LobeProbabilities::interface), mix(&LobeProbabilities::flakes),
+                            mix(&LobeProbabilities::wide), mix(&LobeProbabilities::diffuse)};
     }
 }
 
@@ -263,7 +265,7 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
     const int count = tables_->wavelength_count();
 
     std::vector<FloatLanes> basis;
-    for (const solver::Remainder* tensor : tables_->tensors()) {
+    for (const solver::MultipleScattering* tensor : tables_->tensors()) {
         for (int k = 0; k < tensor->rank(); ++k) {
             basis.push_back(
                 at_wavelengths(where_, [&](int w) { return tensor->basis[k * count + w]; }));
@@ -392,14 +394,17 @@ FloatLanes BoundMicroflake::rough_lobe(const Ray& i, const Ray& o) const {
     return f;
 }
 
-const LobeOdds& BoundMicroflake::odds_at(const Ray& i) const {
-    return tables_->odds[i.row + (i.fraction > 0.5f)];
+const LobeProbabilities& BoundMicroflake::probabilities_at(const Ray& i) const {
+    return tables_->probability[i.row + (i.fraction > 0.5f)];
 }
 
-float BoundMicroflake::density(const LobeOdds& odds, const Ray& i, const Ray& o) const {
-    const float inside = flake_lobe_.mixed_pdf(i.inside, o.inside, odds.flakes, odds.wide);
-    const float interface = rough_ ? odds.interface * rough_->lobe.pdf(i.outside, o.outside) : 0.0f;
-    return interface + o.outside.z * (odds.diffuse * std::numbers::inv_pi_v<float> +
+float BoundMicroflake::density(const LobeProbabilities& probability, const Ray& i,
+                               const Ray& o) const {
+    const float inside =
+        flake_lobe_.mixed_pdf(i.inside, o.inside, probability.flakes, probability.wide);
+    const float interface =
+        rough_ ? probability.interface * rough_->lobe.pdf(i.outside, o.outside) : 0.0f;
+    return interface + o.outside.z * (probability.diffuse * std::numbers::inv_pi_v<float> +
                                       inside * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z);
 }
 
@@ -411,13 +416,13 @@ FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
 float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return 0;
     const Ray i = make_ray(wi);
-    return density(odds_at(i), i, make_ray(wo));
+    return density(probabilities_at(i), i, make_ray(wo));
 }
 
 BsdfValue BoundMicroflake::evaluate(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     const Ray i = make_ray(wi), o = make_ray(wo);
-    return {value(i, o, MeanFlakes{}), density(odds_at(i), i, o)};
+    return {value(i, o, MeanFlakes{}), density(probabilities_at(i), i, o)};
 }
 
 BsdfSample BoundMicroflake::mirror_sample(Vec3f wi, float probability) const {
@@ -429,29 +434,32 @@ BsdfSample BoundMicroflake::mirror_sample(Vec3f wi, float probability) const {
     return s;
 }
 
-Vec3f BoundMicroflake::draw(const LobeOdds& odds, const Ray& i, float u_lobe, Vec2f u) const {
+Vec3f BoundMicroflake::draw(const LobeProbabilities& probability, const Ray& i, float u_select,
+                            Vec2f u) const {
     constexpr Vec3f kNothing{0, 0, 0};
-    if (u_lobe < odds.interface) return rough_->lobe.sample(i.outside, u_lobe / odds.interface, u);
-    u_lobe -= odds.interface;
-    if (u_lobe < odds.flakes + odds.wide) {
-        const bool narrow = u_lobe < odds.flakes;
-        const float u_sign = narrow ? u_lobe / odds.flakes : (u_lobe - odds.flakes) / odds.wide;
+    if (u_select < probability.interface)
+        return rough_->lobe.sample(i.outside, u_select / probability.interface, u);
+    u_select -= probability.interface;
+    if (u_select < probability.flakes + probability.wide) {
+        const bool narrow = u_select < probability.flakes;
+        const float u_sign = narrow ? u_select / probability.flakes
+                                    : (u_select - probability.flakes) / probability.wide;
         const Vec3f inside = (narrow ? flake_lobe_ : wide_lobe_).sample(i.inside, u_sign, u);
         return leave(inside).value_or(kNothing);
     }
     return cosine_hemisphere(u);
 }
 
-std::optional<BsdfSample> BoundMicroflake::sample(Vec3f wi, float u_lobe, Vec2f u) const {
+std::optional<BsdfSample> BoundMicroflake::sample(Vec3f wi, float u_select, Vec2f u) const {
     if (wi.z <= 0) return std::nullopt;
     const Ray i = make_ray(wi);
-    const LobeOdds& odds = odds_at(i);
-    if (draws_mirror(odds, u_lobe)) return mirror_sample(wi, odds.interface);
+    const LobeProbabilities& probability = probabilities_at(i);
+    if (draws_mirror(probability, u_select)) return mirror_sample(wi, probability.interface);
     BsdfSample s;
-    s.wo = draw(odds, i, u_lobe, u);
+    s.wo = draw(probability, i, u_select, u);
     if (s.wo.z <= 0) return std::nullopt;
     const Ray o = make_ray(s.wo);
-    s.pdf = density(odds, i, o);
+    s.pdf = density(probability, i, o);
     if (!(s.pdf > 0)) return std::nullopt;
     s.weight = value(i, o, MeanFlakes{}) * (s.wo.z / s.pdf);
     return s;

@@ -19,13 +19,14 @@
 namespace nacre::bsdf {
 
 /// The micro-flake model of Ergun et al. 2016 for rendering: interface + single scattering in
-/// closed form + the solver's remainder from a table.           [ergun-2016; docs/microflake.md]
+/// closed form + the solver's multiple scattering from a table.           [ergun-2016;
+/// docs/microflake.md]
 ///
 /// Agrees with SolvedPaint::brdf to kMicroflakeError of the peak of each incident direction, for a
 /// binder of index 1.3 or more, flake roughness 0.02 to 0.5 and incidence up to 89 deg. Without a
 /// coat (index near 1) lobes sharpen without bound towards grazing angles, where the table of the
-/// remainder does not follow: up to 5 % of the peak beyond 60 deg at roughness 0.1. The solved
-/// paint itself stays exact there. Wavelengths between those of the paint are interpolated
+/// multiple scattering does not follow: up to 5 % of the peak beyond 60 deg at roughness 0.1. The
+/// solved paint itself stays exact there. Wavelengths between those of the paint are interpolated
 /// linearly, those beyond its ends take the end's value.
 class Microflake final : public Bsdf {
  public:
@@ -49,8 +50,8 @@ inline constexpr double kMicroflakeRoughError = 5e-3;
 /// Functions of one direction are tabulated over x = tan(theta/2), even in x.
 inline constexpr int kDirectionIntervals = 128;
 
-/// Odds of the sampling strategies at one incident direction; they sum to 1.
-struct LobeOdds {
+/// Probability of the sampling strategies at one incident direction; they sum to 1.
+struct LobeProbabilities {
     float interface = 0, flakes = 0, wide = 0, diffuse = 0;
 };
 
@@ -66,13 +67,13 @@ struct Microflake::Tables {
     float flake_alpha = 0.1f, wide_alpha = 0.2f;  // the second always twice the first
     /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
     std::vector<std::vector<float>> extinction;
-    std::vector<LobeOdds> odds;  ///< by direction
+    std::vector<LobeProbabilities> probability;  ///< by direction
     /// [direction][wavelength]: directional-hemispherical reflectance; filled by
     /// tabulate_albedo(), which needs the model itself.
     std::vector<float> albedo;
 
     /// What the smooth table sums, in the order of its basis.
-    std::vector<const solver::Remainder*> tensors() const;
+    std::vector<const solver::MultipleScattering*> tensors() const;
     int wavelength_count() const { return paint->medium.wavelength_count(); }
 
  private:
@@ -145,7 +146,7 @@ class BoundMicroflake : public BoundBsdf {
                     const Wavelengths& wavelengths);
 
     FloatLanes eval(Vec3f wi, Vec3f wo) const override;
-    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override;
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     float pdf(Vec3f wi, Vec3f wo) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
@@ -158,15 +159,16 @@ class BoundMicroflake : public BoundBsdf {
     template <class Flakes>
     FloatLanes value(const Ray& i, const Ray& o, const Flakes& flakes) const;
 
-    const LobeOdds& odds_at(const Ray& i) const;
-    /// Per solid angle outside, of draw() with these odds.
-    float density(const LobeOdds& odds, const Ray& i, const Ray& o) const;
-    /// Whether u_lobe, in [0, sum of the odds), stands for the mirror of a smooth interface.
-    bool draws_mirror(const LobeOdds& odds, float u_lobe) const {
-        return u_lobe < odds.interface && !rough_;
+    const LobeProbabilities& probabilities_at(const Ray& i) const;
+    /// Per solid angle outside, of draw() with these probability.
+    float density(const LobeProbabilities& probability, const Ray& i, const Ray& o) const;
+    /// Whether u_select, in [0, sum of the probability), stands for the mirror of a smooth
+    /// interface.
+    bool draws_mirror(const LobeProbabilities& probability, float u_select) const {
+        return u_select < probability.interface && !rough_;
     }
-    /// By the lobe that u_lobe stands for, not the mirror; not upwards where nothing leaves.
-    Vec3f draw(const LobeOdds& odds, const Ray& i, float u_lobe, Vec2f u) const;
+    /// By the lobe that u_select stands for, not the mirror; not upwards where nothing leaves.
+    Vec3f draw(const LobeProbabilities& probability, const Ray& i, float u_select, Vec2f u) const;
     /// The mirror of a smooth interface, chosen with this probability.
     BsdfSample mirror_sample(Vec3f wi, float probability) const;
     /// The direction outside of one inside; empty where light cannot leave.
@@ -179,7 +181,7 @@ class BoundMicroflake : public BoundBsdf {
         return o.outside.z * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z;
     }
 
-    const std::array<Between, kLanes>& where() const { return where_; }
+    const std::array<WavelengthPosition, kLanes>& where() const { return where_; }
 
  private:
     void bind_smooth_interface();
@@ -192,7 +194,7 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes rough_lobe(const Ray& i, const Ray& o) const;
 
     std::shared_ptr<const Microflake::Tables> tables_;
-    std::array<Between, kLanes> where_;
+    std::array<WavelengthPosition, kLanes> where_;
     SmoothGrid grid_;
     std::vector<FloatLanes> smooth_;
     std::vector<BoundLayer> layers_;

@@ -205,7 +205,8 @@ TEST(Microflake, WeightsStayBoundedUpToGrazing) {
                 if (s) largest = std::max(largest, static_cast<double>(lane_max(s->weight)));
             }
             EXPECT_GT(largest, 0.3);
-            // The tenth of the remainder that is drawn evenly bounds the weight by about ten.
+            // The tenth of the multiple scattering that is drawn evenly bounds the weight by about
+            // ten.
             EXPECT_LT(largest, 10) << "alpha " << alpha << ", theta_i " << theta_i;
         }
     }

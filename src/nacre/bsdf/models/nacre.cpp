@@ -84,11 +84,11 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, std::uin
                 films.emplace(*platelet, recipe.binder, paint->wavelengths_nm(),
                               least_half_cosine(smooth->mean_ior));
             }
-            const float share = static_cast<float>(returned[species.size()] / all);
+            const float fraction = static_cast<float>(returned[species.size()] / all);
             species.push_back(
                 {sparkle::FlakeField(population_of(flake, recipe.layers[l], smooth->mean_ior),
                                      hash_of(seed, l, f)),
-                 std::move(films), share});
+                 std::move(films), fraction});
         }
     }
     if (settings.hot_spot) hot_spot.emplace(*paint);
@@ -183,7 +183,7 @@ double disc_overlap_integral(double x) {
     return 2 * std::numbers::inv_pi * (x * std::acos(x) - chord + chord * chord2 / 3 + 2.0 / 3);
 }
 
-HotSpot::HotSpot(const HotSpotTables& tables, const std::array<Between, kLanes>& where)
+HotSpot::HotSpot(const HotSpotTables& tables, const std::array<WavelengthPosition, kLanes>& where)
     : top_um_(tables.top_um_), thickness_um_(tables.thickness_um_) {
     for (const HotSpotTables::Species& from : tables.species_) {
         Species& to = species_.emplace_back();
@@ -260,7 +260,7 @@ namespace {
 // Of the light that a patch's flakes are expected to send back, at least this part is looked for
 // where the mean has it: what is scattered again follows the flakes too, and it bounds the weights
 // of directions that no single flake is sampled for.
-constexpr float kLeastMeanOdds = 0.1f;
+constexpr float kMinMeanProbability = 0.1f;
 
 // The half vector inside, as the flakes see it.
 struct HalfVector {
@@ -310,12 +310,12 @@ class BoundNacre::FlakesOfPatch {
         FloatLanes answers{};
         bool any = false;
         const float background =
-            view.for_each_answer(lobe, half_.slope, half_.cosine, [&](int k, float share) {
+            view.for_each_answer(lobe, half_.slope, half_.cosine, [&](int k, float fraction) {
                 any = true;
                 const sparkle::FlakeView::Body body = view.body(k);
                 FloatLanes exponent = -body.depth * depth;
                 if (pair_) exponent += pair_->gain(layer, body.depth);
-                FloatLanes answer = share * exp_lanes(exponent);
+                FloatLanes answer = fraction * exp_lanes(exponent);
                 const BoundFlakeFilms& films = surface_.films_[at];
                 if (films.vary()) answer *= films.ratio(half_.cosine, body.film);
                 answers += answer;
@@ -366,35 +366,37 @@ FloatLanes BoundNacre::value_on(const Look& look, const Ray& i, const Ray& o) co
     return value(i, o, FlakesOfPatch(*this, look, i, o));
 }
 
-BoundNacre::Odds BoundNacre::odds_on(const Look& look, const Ray& i) const {
-    const LobeOdds& mean = odds_at(i);
+BoundNacre::Probability BoundNacre::probability_on(const Look& look, const Ray& i) const {
+    const LobeProbabilities& mean = probabilities_at(i);
     float background = 0, told_apart = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
-        const float share = tables_->species[s].share;
-        background += share * look[s].background;
-        told_apart += share * look[s].weight_sum;
+        const float fraction = tables_->species[s].fraction;
+        background += fraction * look[s].background;
+        told_apart += fraction * look[s].weight_sum;
     }
-    Odds odds;
-    odds.lobes = mean;
-    odds.lobes.flakes *= std::max(background, kLeastMeanOdds);
-    odds.flakes = mean.flakes * told_apart;
-    const float scale = 1 / (odds.lobes.interface + odds.lobes.flakes + odds.lobes.wide +
-                             odds.lobes.diffuse + odds.flakes);
-    odds.lobes.interface *= scale;
-    odds.lobes.flakes *= scale;
-    odds.lobes.wide *= scale;
-    odds.lobes.diffuse *= scale;
-    odds.flakes *= scale;
-    odds.per_species = mean.flakes * scale;
-    return odds;
+    Probability probability;
+    probability.lobes = mean;
+    probability.lobes.flakes *= std::max(background, kMinMeanProbability);
+    probability.flakes = mean.flakes * told_apart;
+    const float scale =
+        1 / (probability.lobes.interface + probability.lobes.flakes + probability.lobes.wide +
+             probability.lobes.diffuse + probability.flakes);
+    probability.lobes.interface *= scale;
+    probability.lobes.flakes *= scale;
+    probability.lobes.wide *= scale;
+    probability.lobes.diffuse *= scale;
+    probability.flakes *= scale;
+    probability.per_species = mean.flakes * scale;
+    return probability;
 }
 
-std::optional<Vec3f> BoundNacre::draw_flake(const Look& look, const Odds& odds, const Ray& i,
-                                            float u_flake, Vec2f u) const {
+std::optional<Vec3f> BoundNacre::draw_flake(const Look& look, const Probability& probability,
+                                            const Ray& i, float u_flake, Vec2f u) const {
     float rest = u_flake;
     std::size_t last = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
-        const float part = odds.per_species * tables_->species[s].share * look[s].weight_sum;
+        const float part =
+            probability.per_species * tables_->species[s].fraction * look[s].weight_sum;
         if (part == 0) continue;
         last = s;
         if (rest < part) {
@@ -410,19 +412,19 @@ std::optional<Vec3f> BoundNacre::draw_flake(const Look& look, const Odds& odds, 
     return leave(2 * dot(i.inside, m) * m - i.inside);
 }
 
-float BoundNacre::flake_density(const Look& look, const Odds& odds, const Ray& i,
+float BoundNacre::flake_density(const Look& look, const Probability& probability, const Ray& i,
                                 const Ray& o) const {
-    if (odds.flakes == 0) return 0;
+    if (probability.flakes == 0) return 0;
     const HalfVector half(i, o);
     float sum = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         const sparkle::FlakeView& view = look[s];
         if (view.weight_sum == 0) continue;
         const NacreSpecies& species = tables_->species[s];
-        sum += species.share * view.weight_sum *
+        sum += species.fraction * view.weight_sum *
                view.slope_pdf(species.field.lobe(), i.inside, half.slope);
     }
-    return sum * odds.per_species * half.per_solid_angle * solid_angle_ratio(o);
+    return sum * probability.per_species * half.per_solid_angle * solid_angle_ratio(o);
 }
 
 BsdfValue BoundNacre::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
@@ -430,30 +432,32 @@ BsdfValue BoundNacre::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const 
     if (tables_->species.empty()) return evaluate(wi, wo);
     const Look look(*this, patch);
     const Ray i = make_ray(wi), o = make_ray(wo);
-    const Odds odds = odds_on(look, i);
-    return {value_on(look, i, o), density(odds.lobes, i, o) + flake_density(look, odds, i, o)};
+    const Probability probability = probability_on(look, i);
+    return {value_on(look, i, o),
+            density(probability.lobes, i, o) + flake_density(look, probability, i, o)};
 }
 
-std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, float u_lobe,
+std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, float u_select,
                                                 Vec2f u) const {
     if (wi.z <= 0) return std::nullopt;
-    if (tables_->species.empty()) return sample(wi, u_lobe, u);
+    if (tables_->species.empty()) return sample(wi, u_select, u);
     const Look look(*this, patch);
     const Ray i = make_ray(wi);
-    const Odds odds = odds_on(look, i);
+    const Probability probability = probability_on(look, i);
     BsdfSample s;
-    if (u_lobe < odds.flakes) {
-        const auto wo = draw_flake(look, odds, i, u_lobe, u);
+    if (u_select < probability.flakes) {
+        const auto wo = draw_flake(look, probability, i, u_select, u);
         if (!wo) return std::nullopt;
         s.wo = *wo;
     } else {
-        u_lobe -= odds.flakes;
-        if (draws_mirror(odds.lobes, u_lobe)) return mirror_sample(wi, odds.lobes.interface);
-        s.wo = draw(odds.lobes, i, u_lobe, u);
+        u_select -= probability.flakes;
+        if (draws_mirror(probability.lobes, u_select))
+            return mirror_sample(wi, probability.lobes.interface);
+        s.wo = draw(probability.lobes, i, u_select, u);
         if (s.wo.z <= 0) return std::nullopt;
     }
     const Ray o = make_ray(s.wo);
-    s.pdf = density(odds.lobes, i, o) + flake_density(look, odds, i, o);
+    s.pdf = density(probability.lobes, i, o) + flake_density(look, probability, i, o);
     if (!(s.pdf > 0)) return std::nullopt;
     s.weight = value_on(look, i, o) * (s.wo.z / s.pdf);
     return s;
@@ -467,11 +471,11 @@ FloatLanes BoundNacre::eval(Vec3f wi, Vec3f wo) const {
 BsdfValue BoundNacre::evaluate(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     const Ray i = make_ray(wi), o = make_ray(wo);
-    return {mean_value(i, o), density(odds_at(i), i, o)};
+    return {mean_value(i, o), density(probabilities_at(i), i, o)};
 }
 
-std::optional<BsdfSample> BoundNacre::sample(Vec3f wi, float u_lobe, Vec2f u) const {
-    auto s = BoundMicroflake::sample(wi, u_lobe, u);
+std::optional<BsdfSample> BoundNacre::sample(Vec3f wi, float u_select, Vec2f u) const {
+    auto s = BoundMicroflake::sample(wi, u_select, u);
     if (s && !s->mirror && hot_spot_) {
         s->weight = mean_value(make_ray(wi), make_ray(s->wo)) * (s->wo.z / s->pdf);
     }

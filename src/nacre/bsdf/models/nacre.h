@@ -40,7 +40,9 @@ class Nacre final : public Bsdf, public SingleFlakes {
     ~Nacre() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
-    Layout layout() const override { return Layout::rest_space; }
+    SurfaceCoordinates surface_coordinates() const override {
+        return SurfaceCoordinates::object_space;
+    }
     double exact_patch_mm() const override;
 
     struct Tables;
@@ -85,7 +87,7 @@ double disc_overlap_integral(double x);
 
 class HotSpot {
  public:
-    HotSpot(const HotSpotTables& tables, const std::array<Between, kLanes>& where);
+    HotSpot(const HotSpotTables& tables, const std::array<WavelengthPosition, kLanes>& where);
 
     /// A pair of directions.
     class Pair {
@@ -125,7 +127,7 @@ struct NacreSpecies {
     std::optional<FlakeFilms> films;  ///< empty: all alike
     /// Share of all singly scattered light that it sends back, seen from above, roughly: how often
     /// its flakes are sampled. The shares add up to 1.
-    float share;
+    float fraction;
 };
 
 struct Nacre::Tables {
@@ -146,11 +148,11 @@ class BoundNacre final : public BoundMicroflake {
 
     // The mean over all patches: that of BoundMicroflake, but for a hot spot.
     FloatLanes eval(Vec3f wi, Vec3f wo) const override;
-    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override;
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
 
     BsdfValue evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const override;
-    std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_lobe,
+    std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_select,
                                         Vec2f u) const override;
     std::size_t patch_memory_bytes() const override {
         return tables_->species.size() * sizeof(sparkle::FlakeView);
@@ -171,18 +173,19 @@ class BoundNacre final : public BoundMicroflake {
         const sparkle::FlakeView* views_;
     };
 
-    // Odds of the ways to sample a patch, in proportion to the light that they are expected to find
-    // on it; with those of single flakes they add up to 1.
-    struct Odds {
-        LobeOdds lobes;
+    // Probability of the ways to sample a patch, in proportion to the light that they are expected
+    // to find on it; with those of single flakes they add up to 1.
+    struct Probability {
+        LobeProbabilities lobes;
         float flakes;       // all told apart
         float per_species;  // times share times weight_sum: of those of one species
     };
-    Odds odds_on(const Look& look, const Ray& i) const;
-    std::optional<Vec3f> draw_flake(const Look& look, const Odds& odds, const Ray& i, float u_flake,
-                                    Vec2f u) const;
+    Probability probability_on(const Look& look, const Ray& i) const;
+    std::optional<Vec3f> draw_flake(const Look& look, const Probability& probability, const Ray& i,
+                                    float u_flake, Vec2f u) const;
     // Per solid angle outside, of draw_flake().
-    float flake_density(const Look& look, const Odds& odds, const Ray& i, const Ray& o) const;
+    float flake_density(const Look& look, const Probability& probability, const Ray& i,
+                        const Ray& o) const;
     FloatLanes value_on(const Look& look, const Ray& i, const Ray& o) const;
     FloatLanes mean_value(const Ray& i, const Ray& o) const;
 

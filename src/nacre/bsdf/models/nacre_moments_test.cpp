@@ -100,9 +100,9 @@ TEST(Nacre, WithoutAPatchIsTheMicroflakeModel) {
     Rng rng(2);
     for (int n = 0; n < 200; ++n) {
         const Vec3f wi = direction(89 * rng.uniform_double(), 360 * rng.uniform_double());
-        const float u_lobe = rng.uniform_float();
+        const float u_select = rng.uniform_float();
         const Vec2f u = {rng.uniform_float(), rng.uniform_float()};
-        const auto a = smooth->sample(wi, u_lobe, u), b = model.bound->sample(wi, u_lobe, u);
+        const auto a = smooth->sample(wi, u_select, u), b = model.bound->sample(wi, u_select, u);
         ASSERT_EQ(a.has_value(), b.has_value());
         const FloatLanes albedo_a = smooth->albedo(wi), albedo_b = model.bound->albedo(wi);
         for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(albedo_a[lane], albedo_b[lane]);

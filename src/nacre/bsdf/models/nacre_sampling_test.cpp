@@ -40,8 +40,8 @@ class OnPatch final : public BoundBsdf {
     float pdf(Vec3f wi, Vec3f wo) const override {
         return surface_.evaluate_on(patch_, wi, wo).pdf;
     }
-    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
-        return surface_.sample_on(patch_, wi, u_lobe, u);
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
+        return surface_.sample_on(patch_, wi, u_select, u);
     }
     FloatLanes albedo(Vec3f) const override { return FloatLanes{}; }
 

@@ -30,8 +30,8 @@ SpreadFilm::SpreadFilm(const optics::AiryFilm& film, double film_ior, optics::Th
     // for the overtones of a strong film.
     const double shortest = *std::min_element(wavelengths_nm.begin(), wavelengths_nm.end());
     const double phase = 2 * std::numbers::pi * film_ior * (range.hi_nm - range.lo_nm) / shortest;
-    constexpr double kMostNodes = 100000;
-    const int count = static_cast<int>(std::min(kMostNodes, std::ceil(4 + 2 * phase)));
+    constexpr double kMaxNodes = 100000;
+    const int count = static_cast<int>(std::min(kMaxNodes, std::ceil(4 + 2 * phase)));
     const Quadrature rule = gauss_legendre(count, range.lo_nm, range.hi_nm);
     for (int i = 0; i < count; ++i) {
         nodes_.push_back({static_cast<float>(rule.nodes[i]) * inverse_wavelengths_,
@@ -114,12 +114,12 @@ class BoundSpecialEffect final : public BoundBsdf {
         return {value(footprint, pair), density(pair)};
     }
 
-    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
-        return sample_with(wi, u_lobe, u, [&](const Pair& pair) { return mean_value(pair); });
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
+        return sample_with(wi, u_select, u, [&](const Pair& pair) { return mean_value(pair); });
     }
-    std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_lobe,
+    std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_select,
                                         Vec2f u) const override {
-        return sample_with(wi, u_lobe, u, [&](const Pair& pair) {
+        return sample_with(wi, u_select, u, [&](const Pair& pair) {
             return value({patch.u, patch.v, patch.edge_1, patch.edge_2}, pair);
         });
     }
@@ -169,9 +169,9 @@ class BoundSpecialEffect final : public BoundBsdf {
         const sparkle::FacetField& field = tables_->field;
         const sparkle::FacetTally facets = field.count(footprint, p.i.inside, p.o.inside);
         if (facets.count == 0) return FloatLanes{};
-        const double share = 1 / (field.facets() * footprint.area());
-        return film_.sum(p.cosine(), facets) * (static_cast<float>(share) * inverse_solid_angle_) *
-               geometry(p);
+        const double fraction = 1 / (field.facets() * footprint.area());
+        return film_.sum(p.cosine(), facets) *
+               (static_cast<float>(fraction) * inverse_solid_angle_) * geometry(p);
     }
 
     // A direction that visible facets mirror to, turned within the cone; empty where it does not
@@ -193,19 +193,19 @@ class BoundSpecialEffect final : public BoundBsdf {
                coat_.solid_angle_ratio(p.o);
     }
     float density(const Pair& p) const {
-        return (1 - albedo_.mirror_odds(coat_, p.i)) * facet_density(p);
+        return (1 - albedo_.mirror_probability(coat_, p.i)) * facet_density(p);
     }
 
     template <class Value>
-    std::optional<BsdfSample> sample_with(Vec3f wi, float u_lobe, Vec2f u, Value&& value) const {
+    std::optional<BsdfSample> sample_with(Vec3f wi, float u_select, Vec2f u, Value&& value) const {
         if (wi.z <= 0) return std::nullopt;
         const Ray i = coat_.refract(wi);
-        const float mirror = albedo_.mirror_odds(coat_, i);
-        if (u_lobe < mirror) return coat_.mirror_sample(i, mirror);
+        const float mirror = albedo_.mirror_probability(coat_, i);
+        if (u_select < mirror) return coat_.mirror_sample(i, mirror);
         // Two more numbers than the caller gives: a hash of the three.
         const std::uint64_t bits =
             hash_of(std::bit_cast<std::uint32_t>(u.x), std::bit_cast<std::uint32_t>(u.y),
-                    std::bit_cast<std::uint32_t>(u_lobe));
+                    std::bit_cast<std::uint32_t>(u_select));
         const Vec2f u_cone = {to_unit_float(static_cast<std::uint32_t>(bits >> 32)),
                               to_unit_float(static_cast<std::uint32_t>(bits))};
         const auto o = draw(i, u, u_cone);
@@ -241,7 +241,7 @@ SpecialEffect::Tables make_tables(const paint::Recipe& recipe, std::uint64_t see
             "microfacet.distribution = \"ggx\": must be \"beckmann\" for facets that are counted");
     }
     Range cone = sparkle::kFacetConeRange;
-    cone.hi = std::min(cone.hi, sparkle::kMostConePerRoughness * m.alpha * 180 / std::numbers::pi);
+    cone.hi = std::min(cone.hi, sparkle::kMaxConePerRoughness * m.alpha * 180 / std::numbers::pi);
     if (!cone.contains(m.facets->cone_deg)) {
         throw DomainError(
             fmt::format("microfacet.facets.cone_deg = {} is outside {} for alpha = {}",

@@ -75,7 +75,9 @@ class SpecialEffect final : public Bsdf {
     ~SpecialEffect() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
-    Layout layout() const override { return Layout::unit_square; }
+    SurfaceCoordinates surface_coordinates() const override {
+        return SurfaceCoordinates::unit_square;
+    }
 
     struct Tables;
 

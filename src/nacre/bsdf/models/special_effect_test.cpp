@@ -151,11 +151,12 @@ TEST(SpecialEffect, LosesButNeverGainsLight) {
             constexpr int kSamples = 20000;
             FloatLanes sum{}, on_patches{};
             for (int i = 0; i < kSamples; ++i) {
-                const float u_lobe = rng.uniform_float();
+                const float u_select = rng.uniform_float();
                 const Vec2f u = {rng.uniform_float(), rng.uniform_float()};
-                if (const auto s = bound->sample(wi, u_lobe, u)) sum += s->weight;
+                if (const auto s = bound->sample(wi, u_select, u)) sum += s->weight;
                 const Patch patch = somewhere(rng, 3e-6);
-                if (const auto s = bound->sample_on(patch, wi, u_lobe, u)) on_patches += s->weight;
+                if (const auto s = bound->sample_on(patch, wi, u_select, u))
+                    on_patches += s->weight;
             }
             const FloatLanes albedo = bound->albedo(wi);
             for (int k = 0; k < kLanes; ++k) {
@@ -179,9 +180,10 @@ double chi_square_z_score(const BoundBsdf& bound, const Vec3f wi, const Patch* p
     int drawn = 0;
     double mirrors = 0;
     for (int i = 0; i < kSamples; ++i) {
-        const float u_lobe = rng.uniform_float();
+        const float u_select = rng.uniform_float();
         const Vec2f u = {rng.uniform_float(), rng.uniform_float()};
-        const auto s = patch ? bound.sample_on(*patch, wi, u_lobe, u) : bound.sample(wi, u_lobe, u);
+        const auto s =
+            patch ? bound.sample_on(*patch, wi, u_select, u) : bound.sample(wi, u_select, u);
         if (!s) continue;
         mirrors += s->mirror;
         if (s->mirror) continue;

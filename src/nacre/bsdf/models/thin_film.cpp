@@ -129,11 +129,11 @@ class BoundThinFilm final : public BoundBsdf {
         return {value(pair), density(pair)};
     }
 
-    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
         if (wi.z <= 0) return std::nullopt;
         const Ray i = coat_.refract(wi);
-        const float mirror = albedo_.mirror_odds(coat_, i);
-        if (u_lobe < mirror) return coat_.mirror_sample(i, mirror);
+        const float mirror = albedo_.mirror_probability(coat_, i);
+        if (u_select < mirror) return coat_.mirror_sample(i, mirror);
         const auto o = draw(i, u);
         if (!o) return std::nullopt;
         const Pair pair(*this, i, *o);
@@ -191,7 +191,7 @@ class BoundThinFilm final : public BoundBsdf {
         return 0.25f * p.density / (p.i.inside.z * (1 + p.lambda_i)) * coat_.solid_angle_ratio(p.o);
     }
     float density(const Pair& p) const {
-        return (1 - albedo_.mirror_odds(coat_, p.i)) * facet_density(p);
+        return (1 - albedo_.mirror_probability(coat_, p.i)) * facet_density(p);
     }
 
     std::shared_ptr<const ThinFilm::Tables> tables_;

@@ -16,8 +16,8 @@
 namespace nacre::bsdf {
 
 void validate(const BrdfGrid& grid) {
-    require_in_range(grid.angles, 8, BrdfGrid::kMostAngles, "angles of a BRDF table");
-    require_in_range(grid.azimuths, 8, BrdfGrid::kMostAzimuths, "azimuths of a BRDF table");
+    require_in_range(grid.angles, 8, BrdfGrid::kMaxAngles, "angles of a BRDF table");
+    require_in_range(grid.azimuths, 8, BrdfGrid::kMaxAzimuths, "azimuths of a BRDF table");
     require_in_range(grid.ior, 1, 3, "ior of a BRDF table");
     require_in_range(grid.roughness, 0, 1, "roughness of a BRDF table");
     require_in_range(grid.lobe_alpha, 1e-4, 1, "lobe_alpha of a BRDF table");
@@ -51,7 +51,7 @@ double BrdfGrid::factor(double theta_i, double theta_o) const {
 using spectra::Vec3;
 
 BrdfTableRows::BrdfTableRows(const solver::SolvedPaint& paint, const BrdfGrid& grid)
-    : paint_(paint), grid_(grid), tensors_{&paint.remainder} {
+    : paint_(paint), grid_(grid), tensors_{&paint.multiple_scattering} {
     if (grid.roughness > 0) tensors_.push_back(&paint.rough_single);
     const std::vector<Vec3> weights = spectra::rec709_weights(paint.wavelengths_nm());
     for (const solver::WavelengthGroup& group : group_wavelengths(paint.medium)) {
@@ -74,7 +74,7 @@ BrdfTableRows::Group BrdfTableRows::make_group(const solver::WavelengthGroup& wa
             group.white[c] += weight;
         }
     }
-    for (const solver::Remainder* tensor : tensors_) {
+    for (const solver::MultipleScattering* tensor : tensors_) {
         auto& basis = group.basis.emplace_back(tensor->rank(), Vec3{});
         for (int k = 0; k < tensor->rank(); ++k) {
             for (int w : wavelengths.members) {
@@ -106,7 +106,7 @@ BrdfTableRows::Group BrdfTableRows::make_group(const solver::WavelengthGroup& wa
 BrdfTableRows::Workspace BrdfTableRows::make_workspace(int i) const {
     Workspace work{i, grid_.angle(i), {}, std::vector<double>(grid_.azimuths), {}, {}, {}};
     std::size_t orders = 0, terms = 0;
-    for (const solver::Remainder* tensor : tensors_) {
+    for (const solver::MultipleScattering* tensor : tensors_) {
         work.slices.emplace_back(*tensor, work.theta_i);
         orders = std::max(orders, tensor->first.size());
         terms = std::max(terms, tensor->first.size() * tensor->rank());
@@ -150,7 +150,7 @@ void BrdfTableRows::evaluate(Workspace& work, int o, float* out) const {
 // Sum over azimuthal orders by Clenshaw's recurrence.           [clenshaw-1955]
 void BrdfTableRows::add_tensors(Workspace& work, double theta_o) const {
     for (std::size_t t = 0; t < tensors_.size(); ++t) {
-        const solver::Remainder& tensor = *tensors_[t];
+        const solver::MultipleScattering& tensor = *tensors_[t];
         const int orders = tensor.orders(), rank = tensor.rank();
         work.slices[t].by_order(theta_o, work.term);
         std::vector<Vec3> basis(rank, Vec3{});

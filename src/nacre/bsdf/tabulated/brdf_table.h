@@ -53,13 +53,13 @@ struct BrdfCell {
 };
 
 struct BrdfGrid {
-    int angles = 256;         ///< n, 8 to kMostAngles
-    int azimuths = 128;       ///< m, 8 to kMostAzimuths
+    int angles = 256;         ///< n, 8 to kMaxAngles
+    int azimuths = 128;       ///< m, 8 to kMaxAzimuths
     double ior = 1.5;         ///< mean index of the binder over the paint's wavelengths, [1, 3]
     double roughness = 0;     ///< Beckmann alpha of the interface, [0, 1]; 0: smooth
     double lobe_alpha = 0.1;  ///< a, the roughness of the narrowest lobe, [1e-4, 1]
 
-    static constexpr int kMostAngles = 512, kMostAzimuths = 512;
+    static constexpr int kMaxAngles = 512, kMaxAzimuths = 512;
 
     /// Index of the side on which angles of half vectors are measured: inside the coat, but
     /// outside of a rough one, whose own lobe is the narrowest there.
@@ -82,7 +82,7 @@ void validate(const BrdfGrid& grid);
 
 /// Where both directions graze, cosines count as if their sum were at least this: there are no
 /// nodes beyond.
-inline constexpr float kLeastCosines = 1e-5f;
+inline constexpr float kMinCosines = 1e-5f;
 
 /// Where two directions in the upper hemisphere fall: s their sines outside, mu their cosines on
 /// the side of grid.side_ior().
@@ -104,7 +104,7 @@ inline BrdfCell locate(const BrdfGrid& grid, Vec3f wi, Vec3f wo, float s_i, floa
     const float v2 = square > 0 ? std::min((ux * ux + uy * uy) / square, 1.0f) : 0.0f;
     const float ior = static_cast<float>(grid.side_ior());
     const float alpha = static_cast<float>(grid.lobe_alpha);
-    const float scale = ior * alpha * std::max(mu_i + mu_o, kLeastCosines);
+    const float scale = ior * alpha * std::max(mu_i + mu_o, kMinCosines);
     const float ratio = 4 * product / (scale * scale);  // b/a^2
     // Near the normal nothing depends on azimuth, and the quotient of logarithms tends to v^2.
     const float u2 = ratio > 1e-4f ? std::log1p(ratio * v2) / std::log1p(ratio) : v2;
@@ -130,7 +130,7 @@ class BrdfTableRows {
     struct Workspace {
         int i;
         double theta_i;
-        std::vector<solver::RemainderSlice> slices;  // one per tensor
+        std::vector<solver::MultipleScatteringSlice> slices;  // one per tensor
         std::vector<double> azimuth, term;
         std::vector<spectra::Vec3> by_order, rgb;
     };
@@ -165,7 +165,7 @@ class BrdfTableRows {
 
     const solver::SolvedPaint& paint_;
     const BrdfGrid& grid_;
-    std::vector<const solver::Remainder*> tensors_;
+    std::vector<const solver::MultipleScattering*> tensors_;
     std::vector<Group> groups_;
 };
 

@@ -15,7 +15,6 @@
 namespace nacre::bsdf {
 namespace {
 
-
 optics::Platelet titania_on_mica() {
     optics::Platelet platelet;
     platelet.core = {optics::find_material("mica"), 500, {60}};

@@ -84,19 +84,19 @@ double truncation_error(const std::array<Spectrum, 3>& channels, int k) {
 }
 
 int choose_rank(const std::array<Spectrum, 3>& channels, double tolerance) {
-    for (int r = 1; r <= CompressionSettings::kLargestRank; ++r) {
+    for (int r = 1; r <= CompressionSettings::kMaxRank; ++r) {
         if (truncation_error(channels, terms_of_rank(r)) <= tolerance) return r;
     }
     throw Error(fmt::format(
         "a tolerance of {} is not met by r = {} ({} terms), which err by {:.2g}", tolerance,
-        CompressionSettings::kLargestRank, terms_of_rank(CompressionSettings::kLargestRank),
-        truncation_error(channels, terms_of_rank(CompressionSettings::kLargestRank))));
+        CompressionSettings::kMaxRank, terms_of_rank(CompressionSettings::kMaxRank),
+        truncation_error(channels, terms_of_rank(CompressionSettings::kMaxRank))));
 }
 
 }  // namespace
 
 CompressedBrdfTable compress(const RawBrdfTable& raw, const CompressionSettings& settings) {
-    require_in_range(settings.rank, 0, CompressionSettings::kLargestRank, "rank r");
+    require_in_range(settings.rank, 0, CompressionSettings::kMaxRank, "rank r");
     if (!(settings.tolerance > 0 && settings.tolerance < 1)) {
         throw DomainError(fmt::format("tolerance = {} is outside (0, 1)", settings.tolerance));
     }

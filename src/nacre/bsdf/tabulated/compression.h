@@ -25,14 +25,14 @@ struct CompressedBrdfTable {
     std::vector<float> left;   ///< [i][o][channel][k]
     std::vector<float> right;  ///< [azimuth][channel][k]
 
-    static constexpr int kMostTerms = 64;  ///< per channel
+    static constexpr int kMaxTerms = 64;  ///< per channel
 
     int terms() const { return rank[0] + rank[1] + rank[2]; }
     std::size_t bytes() const { return (left.size() + right.size()) * sizeof(float); }
 
     Rgb interpolate(const BrdfCell& cell) const {
         const int all = terms();
-        std::array<float, 3 * kMostTerms> factor;
+        std::array<float, 3 * kMaxTerms> factor;
         const float* at = right.data() + static_cast<std::size_t>(cell.azimuth) * all;
         for (int k = 0; k < all; ++k) {
             factor[k] = cell.azimuth_weight[0] * at[k] + cell.azimuth_weight[1] * at[all + k] +
@@ -59,7 +59,7 @@ struct CompressedBrdfTable {
 constexpr int terms_of_rank(int r) { return (r * r + r) / 2; }
 
 struct CompressionSettings {
-    /// r, 1 to kLargestRank, so that k = (r^2 + r)/2; 0: the smallest that meets `tolerance`.
+    /// r, 1 to kMaxRank, so that k = (r^2 + r)/2; 0: the smallest that meets `tolerance`.
     int rank = 0;
     /// The relative_error() that is good enough; (0, 1).
     double tolerance = 1e-3;
@@ -67,7 +67,7 @@ struct CompressionSettings {
     /// has no others is then left out.
     bool clip_to_gamut = false;
 
-    static constexpr int kLargestRank = 10;
+    static constexpr int kMaxRank = 10;
 };
 
 /// Errors count relative to the largest values that a row's two directions have (relative_error):

@@ -41,15 +41,15 @@ struct Tabulated::Tables {
     /// Lobes that samples come from, inside the coat; under a rough interface, its own outside.
     FlakeLobe flakes, wide;
     std::optional<FlakeLobe> interface;
-    std::vector<LobeOdds> odds;     ///< by direction row
-    std::vector<bsdf::Rgb> albedo;  ///< by direction row, the mirror left out
+    std::vector<LobeProbabilities> probability;  ///< by direction row
+    std::vector<bsdf::Rgb> albedo;               ///< by direction row, the mirror left out
 
     TableRay make_ray(Vec3f w) const;
     /// The BRDF in linear Rec. 709.
     bsdf::Rgb rgb(const TableRay& i, const TableRay& o) const;
-    const LobeOdds& odds_at(Vec3f wi) const;
+    const LobeProbabilities& probabilities_at(Vec3f wi) const;
     /// Density of sampling o given i, the mirror left out.
-    float density(const LobeOdds& odds, const TableRay& i, const TableRay& o) const;
+    float density(const LobeProbabilities& probability, const TableRay& i, const TableRay& o) const;
     /// Densities of the lobes apart: interface, flakes, wide, diffuse.
     std::array<float, 4> densities(const TableRay& i, const TableRay& o) const;
 
@@ -83,7 +83,7 @@ void check(const bsdf::RawBrdfTable& table) {
 void check(const bsdf::CompressedBrdfTable& table) {
     validate(table.grid);
     for (int k : table.rank) {
-        require_in_range(k, 0, bsdf::CompressedBrdfTable::kMostTerms,
+        require_in_range(k, 0, bsdf::CompressedBrdfTable::kMaxTerms,
                          "terms of a compressed BRDF table");
     }
     require_size(table.left.size(), table.grid.pairs() * table.terms(), "left factors");
@@ -126,7 +126,7 @@ Tabulated::Tables::Tables(Data table)
       inverse_ior(1 / ior),
       flakes(flake_roughness(grid)),
       wide(2 * flake_roughness(grid)),
-      odds(kDirectionIntervals + 1),
+      probability(kDirectionIntervals + 1),
       albedo(kDirectionIntervals + 1) {
     if (grid.roughness > 0) interface.emplace(static_cast<float>(grid.roughness));
     parallel_for(0, kDirectionIntervals / kStride + 1,
@@ -135,10 +135,10 @@ Tabulated::Tables::Tables(Data table)
         const int from = row / kStride * kStride;
         const float f = static_cast<float>(row - from) / kStride;
         if (row == from) continue;
-        const LobeOdds &a = odds[from], &b = odds[from + kStride];
-        const auto mix = [&](float LobeOdds::*m) { return a.*m + f * (b.*m - a.*m); };
-        odds[row] = {mix(&LobeOdds::interface), mix(&LobeOdds::flakes), mix(&LobeOdds::wide),
-                     mix(&LobeOdds::diffuse)};
+        const LobeProbabilities &a = probability[from], &b = probability[from + kStride];
+        const auto mix = [&](float LobeProbabilities::*m) { return a.*m + f * (b.*m - a.*m); };
+        probability[row] = {mix(&LobeProbabilities::interface), mix(&LobeProbabilities::flakes),
+                            mix(&LobeProbabilities::wide), mix(&LobeProbabilities::diffuse)};
         for (int c = 0; c < 3; ++c) {
             albedo[row][c] = albedo[from][c] + f * (albedo[from + kStride][c] - albedo[from][c]);
         }
@@ -160,15 +160,15 @@ bsdf::Rgb Tabulated::Tables::rgb(const TableRay& i, const TableRay& o) const {
     const bsdf::BrdfCell cell =
         bsdf::locate(grid, i.outside, o.outside, i.sine, o.sine, i.side_cosine, o.side_cosine);
     bsdf::Rgb g = std::visit([&](const auto& table) { return table->interpolate(cell); }, data);
-    const float cosines = std::max(i.side_cosine + o.side_cosine, bsdf::kLeastCosines);
+    const float cosines = std::max(i.side_cosine + o.side_cosine, bsdf::kMinCosines);
     const float factor = i.transmittance * o.transmittance / cosines;
     for (float& x : g) x *= factor;
     return g;
 }
 
-const LobeOdds& Tabulated::Tables::odds_at(Vec3f wi) const {
+const LobeProbabilities& Tabulated::Tables::probabilities_at(Vec3f wi) const {
     const DirectionRow at = direction_row(wi);
-    return odds[at.row + (at.fraction > 0.5f)];
+    return probability[at.row + (at.fraction > 0.5f)];
 }
 
 // Solid angle inside over solid angle outside.
@@ -183,13 +183,14 @@ std::array<float, 4> Tabulated::Tables::densities(const TableRay& i, const Table
             o.outside.z * std::numbers::inv_pi_v<float>};
 }
 
-float Tabulated::Tables::density(const LobeOdds& p, const TableRay& i, const TableRay& o) const {
+float Tabulated::Tables::density(const LobeProbabilities& p, const TableRay& i,
+                                 const TableRay& o) const {
     const float facets = interface ? p.interface * interface->pdf(i.outside, o.outside) : 0.0f;
     return facets + leave(o) * flakes.mixed_pdf(i.inside, o.inside, p.flakes, p.wide) +
            o.outside.z * (p.diffuse * std::numbers::inv_pi_v<float>);
 }
 
-// Albedo by quadrature, and the odds of the lobes from the same points.
+// Albedo by quadrature, and the probability of the lobes from the same points.
 void Tabulated::Tables::fit_row(int row) {
     constexpr int kPolar = 96, kAzimuths = 96;
     const double theta_i = direction_angle(row);
@@ -221,21 +222,21 @@ void Tabulated::Tables::fit_row(int row) {
     }
     for (int c = 0; c < 3; ++c) albedo[row][c] = static_cast<float>(sum[c]);
 
-    std::array<double, 4> share =
+    std::array<double, 4> fraction =
         fit_mixture(points, std::array<double, 4>{interface ? 0.25 : 0.0, 0.25, 0.25, 0.25});
     // The mirror by its energy; a fiftieth of the rest, at least, goes everywhere, and as much to
     // the wide lobe: that bounds the weights.
     const double mirror =
         interface ? 0.0 : optics::dielectric_reflectance(1.0, grid.ior, std::cos(theta_i));
     const double chance = mirror > 0 ? mirror / (mirror + energy + 1e-6) : 0.0;
-    constexpr double kLeast = 0.02;
-    share[2] = std::max(share[2], kLeast);
-    share[3] = std::max(share[3], kLeast);
+    constexpr double kMin = 0.02;
+    fraction[2] = std::max(fraction[2], kMin);
+    fraction[3] = std::max(fraction[3], kMin);
     double all = 0;
-    for (double x : share) all += x;
-    for (double& x : share) x *= (1 - chance) / all;
-    odds[row] = {static_cast<float>(chance + share[0]), static_cast<float>(share[1]),
-                 static_cast<float>(share[2]), static_cast<float>(share[3])};
+    for (double x : fraction) all += x;
+    for (double& x : fraction) x *= (1 - chance) / all;
+    probability[row] = {static_cast<float>(chance + fraction[0]), static_cast<float>(fraction[1]),
+                        static_cast<float>(fraction[2]), static_cast<float>(fraction[3])};
 }
 
 namespace {
@@ -253,34 +254,35 @@ class BoundTabulated final : public BoundBsdf {
 
     float pdf(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return 0;
-        return tables_->density(tables_->odds_at(wi), tables_->make_ray(wi), tables_->make_ray(wo));
+        return tables_->density(tables_->probabilities_at(wi), tables_->make_ray(wi),
+                                tables_->make_ray(wo));
     }
 
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return {};
         const TableRay i = tables_->make_ray(wi), o = tables_->make_ray(wo);
-        return {value(i, o), tables_->density(tables_->odds_at(wi), i, o)};
+        return {value(i, o), tables_->density(tables_->probabilities_at(wi), i, o)};
     }
 
-    std::optional<BsdfSample> sample(Vec3f wi, float u_lobe, Vec2f u) const override {
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
         if (wi.z <= 0) return std::nullopt;
-        const LobeOdds& odds = tables_->odds_at(wi);
-        if (u_lobe < odds.interface && !tables_->interface) {
+        const LobeProbabilities& probability = tables_->probabilities_at(wi);
+        if (u_select < probability.interface && !tables_->interface) {
             BsdfSample s;
             s.wo = {-wi.x, -wi.y, wi.z};
-            s.weight =
-                splat(optics::dielectric_reflectance(1.0f, tables_->ior, wi.z) / odds.interface);
-            s.pdf = odds.interface;
+            s.weight = splat(optics::dielectric_reflectance(1.0f, tables_->ior, wi.z) /
+                             probability.interface);
+            s.pdf = probability.interface;
             s.mirror = true;
             return s;
         }
         const TableRay i = tables_->make_ray(wi);
-        const std::optional<Vec3f> wo = draw(i, odds, u_lobe, u);
+        const std::optional<Vec3f> wo = draw(i, probability, u_select, u);
         if (!wo || wo->z <= 0) return std::nullopt;
         const TableRay o = tables_->make_ray(*wo);
         BsdfSample s;
         s.wo = *wo;
-        s.pdf = tables_->density(odds, i, o);
+        s.pdf = tables_->density(probability, i, o);
         if (!(s.pdf > 0)) return std::nullopt;
         s.weight = value(i, o) * (wo->z / s.pdf);
         return s;
@@ -302,15 +304,16 @@ class BoundTabulated final : public BoundBsdf {
         return spectrum_(tables_->rgb(i, o));
     }
 
-    std::optional<Vec3f> draw(const TableRay& i, const LobeOdds& odds, float u_lobe,
-                              Vec2f u) const {
-        if (u_lobe < odds.interface) {
-            return tables_->interface->sample(i.outside, u_lobe / odds.interface, u);
+    std::optional<Vec3f> draw(const TableRay& i, const LobeProbabilities& probability,
+                              float u_select, Vec2f u) const {
+        if (u_select < probability.interface) {
+            return tables_->interface->sample(i.outside, u_select / probability.interface, u);
         }
-        u_lobe -= odds.interface;
-        if (u_lobe >= odds.flakes + odds.wide) return cosine_hemisphere(u);
-        const bool narrow = u_lobe < odds.flakes;
-        const float u_sign = narrow ? u_lobe / odds.flakes : (u_lobe - odds.flakes) / odds.wide;
+        u_select -= probability.interface;
+        if (u_select >= probability.flakes + probability.wide) return cosine_hemisphere(u);
+        const bool narrow = u_select < probability.flakes;
+        const float u_sign = narrow ? u_select / probability.flakes
+                                    : (u_select - probability.flakes) / probability.wide;
         const Vec3f inside = (narrow ? tables_->flakes : tables_->wide).sample(i.inside, u_sign, u);
         if (inside.z <= 0) return std::nullopt;
         return refract_out(inside, tables_->ior);

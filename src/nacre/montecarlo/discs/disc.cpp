@@ -58,11 +58,11 @@ double expected_discs(const paint::Recipe& recipe, const Tile& tile) {
 std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
                              const std::vector<int>& film_counts, std::uint64_t seed) {
     const double expected = expected_discs(recipe, tile);
-    if (!(expected <= kMostDiscs)) {
+    if (!(expected <= kMaxDiscs)) {
         throw DomainError(fmt::format(
             "a piece of {} mm x {} mm of this paint holds {:.3g} flakes; explicit flakes are at "
             "most {:.3g}: take a smaller panel",
-            1e-3 * tile.width_um, 1e-3 * tile.height_um, expected, kMostDiscs));
+            1e-3 * tile.width_um, 1e-3 * tile.height_um, expected, kMaxDiscs));
     }
     std::vector<Disc> discs;
     discs.reserve(static_cast<std::size_t>(expected + 6 * std::sqrt(expected) + 16));

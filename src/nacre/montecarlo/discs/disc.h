@@ -65,7 +65,7 @@ struct Disc {
 };
 
 /// Some 150 bytes each, with what finds them.
-inline constexpr double kMostDiscs = 8e6;
+inline constexpr double kMaxDiscs = 8e6;
 
 /// Clearcoat and layers.
 double paint_thickness_um(const paint::Recipe& recipe);
@@ -83,7 +83,7 @@ double expected_discs(const paint::Recipe& recipe, const Tile& tile);
 /// centred in it, and sticks out at both ends; no light gets there.
 ///
 /// @param film_counts  FlakeFilms::count() by species
-/// @throws DomainError naming the number of discs if it exceeds kMostDiscs
+/// @throws DomainError naming the number of discs if it exceeds kMaxDiscs
 std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
                              const std::vector<int>& film_counts, std::uint64_t seed);
 

@@ -18,7 +18,7 @@ namespace {
 
 /// From one disc to the next light goes at least this far. Where two discs cross, rounding can put
 /// it in front of either for ever. One flake in 1e5 that is so near is missed.
-constexpr float kLeastFlightUm = 1e-4f;
+constexpr float kMinFlight_um = 1e-4f;
 
 }  // namespace
 
@@ -87,7 +87,7 @@ std::optional<DiscScene::Hit> DiscScene::intersect(Vec3f origin_um, Vec3f direct
     query.ray.dir_x = direction.x;
     query.ray.dir_y = direction.y;
     query.ray.dir_z = direction.z;
-    query.ray.tnear = leaving == kNone ? 0 : kLeastFlightUm;
+    query.ray.tnear = leaving == kNone ? 0 : kMinFlight_um;
     query.ray.time = 0;
     query.ray.mask = ~0u;
     query.ray.id = 0;

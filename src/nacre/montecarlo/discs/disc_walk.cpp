@@ -26,16 +26,16 @@ constexpr int kIntervals = 4096;
 /// x at equal steps of t, where the share is 1 - (1 - t)^2: fine where the pattern ends.
 struct Table {
     std::array<double, kIntervals + 1> x;
-    double share_of_last = encircled_power(kLast);
+    double fraction_of_last = encircled_power(kLast);
 
     Table() {
         for (int i = 0; i <= kIntervals; ++i) {
             const double rest = 1 - static_cast<double>(i) / kIntervals;
-            const double share = share_of_last * (1 - rest * rest);
+            const double fraction = fraction_of_last * (1 - rest * rest);
             double lo = 0, hi = kLast;
             for (int step = 0; step < 60; ++step) {
                 const double middle = 0.5 * (lo + hi);
-                (encircled_power(middle) < share ? lo : hi) = middle;
+                (encircled_power(middle) < fraction ? lo : hi) = middle;
             }
             x[i] = 0.5 * (lo + hi);
         }
@@ -49,16 +49,16 @@ double encircled_power(double x) {
     return 1 - j0 * j0 - j1 * j1;
 }
 
-double AiryDisc::radius_of_share(double share) {
+double AiryDisc::radius_of_fraction(double fraction) {
     static const Table table;
-    if (share >= table.share_of_last) {
+    if (fraction >= table.fraction_of_last) {
         // The tail 2 / (pi x), scaled to fit where it begins.
-        return kLast * (1 - table.share_of_last) / (1 - share);
+        return kLast * (1 - table.fraction_of_last) / (1 - fraction);
     }
     // Near the centre the share is x^2 / 4, and the table's first step would be too coarse.
     constexpr double kCentre = 3e-3;
-    if (share < kCentre) return 2 * std::sqrt(share) * (1 + 0.25 * share);
-    const double t = 1 - std::sqrt(1 - share / table.share_of_last);
+    if (fraction < kCentre) return 2 * std::sqrt(fraction) * (1 + 0.25 * fraction);
+    const double t = 1 - std::sqrt(1 - fraction / table.fraction_of_last);
     const double place = t * kIntervals;
     const int i = std::min(static_cast<int>(place), kIntervals - 1);
     return table.x[i] + (place - i) * (table.x[i + 1] - table.x[i]);
@@ -158,7 +158,7 @@ FlakeFilms::Optics FlakeFilms::at(int film, double cosine, const WavelengthPlace
 namespace {
 
 /// Light that travels more nearly along the layers, one ray in a million, is turned to this cosine:
-/// it crosses the tile ten million times at most (kLeastTileShare) before it gets out of a slab
+/// it crosses the tile ten million times at most (kMinTileFraction) before it gets out of a slab
 /// without flakes.
 constexpr double kGrazing = 1e-6;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -182,7 +182,7 @@ std::optional<montecarlo::Escape> DiscWalker::run(double x_um, double y_um,
     alive_ = !montecarlo::is_dark(weight);
     escape_.reset();
     for (std::uint64_t flights = 0; alive_; ++flights) {
-        if (flights == montecarlo::kMostFlights) montecarlo::throw_endless_walk();
+        if (flights == montecarlo::kMaxFlights) montecarlo::throw_endless_walk();
         fly();
     }
     return escape_;
@@ -263,8 +263,8 @@ Direction3 DiscWalker::spread(const Direction3& mirrored, const Direction3& norm
     // that many trials the mirror's own is as good.
     constexpr int kTrials = 64;
     for (int i = 0; i < kTrials; ++i) {
-        const auto [share, turn] = random_.pair();
-        const double q = scale * AiryDisc::radius_of_share(share);
+        const auto [fraction, turn] = random_.pair();
+        const double q = scale * AiryDisc::radius_of_fraction(fraction);
         const double phi = 2 * std::numbers::pi * turn;
         const Direction3 tangential =
             flat + q * (std::cos(phi) * across + std::sin(phi) * normal.cross(across));
@@ -355,7 +355,7 @@ Tile checked_tile(const DiscSettings& settings, const paint::Recipe& recipe) {
     };
     const Tile tile{side_um(settings.tile_width_mm, "tile_width_mm"),
                     side_um(settings.tile_height_mm, "tile_height_mm")};
-    const double least = kLeastTileShare * paint_thickness_um(recipe);
+    const double least = kMinTileFraction * paint_thickness_um(recipe);
     if (std::min(tile.width_um, tile.height_um) < least) {
         throw DomainError(fmt::format(
             "a tile of {} mm x {} mm is too narrow for a paint of {} um: each side must be at "
@@ -369,7 +369,7 @@ Tile checked_tile(const DiscSettings& settings, const paint::Recipe& recipe) {
 /// The rotation from the frame in which a renderer tells directions to that of the tile.
 class TileFrame {
  public:
-    explicit TileFrame(const sparkle::RestPatch& patch)
+    explicit TileFrame(const sparkle::ObjectSpaceFootprint& patch)
         : x_(patch.tangent),
           y_(cross(patch.normal, patch.tangent)),
           // Seen from behind, the panel is turned over about its x axis.
@@ -438,7 +438,7 @@ class BoundDiscWalk final : public montecarlo::BoundWalk {
             const double y = tile.height_um * random.uniform();
             return walker.run(x, y, entry.travel, entry.weight);
         }
-        const sparkle::RestPatch& patch = entry.patch->rest;
+        const sparkle::ObjectSpaceFootprint& patch = entry.patch->rest;
         const TileFrame frame(patch);
         auto escape =
             walker.run(kUmPerMm * patch.position_mm.x, kUmPerMm * frame.place_y(patch.position_mm),

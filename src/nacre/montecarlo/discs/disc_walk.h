@@ -29,10 +29,10 @@ class AiryDisc {
  public:
     /// The x within which a share of the power lies. share in [0, 1); error below kAiryDiscError of
     /// the lesser of the share and the rest.
-    static double radius_of_share(double share);
+    static double radius_of_fraction(double fraction);
 };
 
-/// Of radius_of_share(), against the encircled power.
+/// Of radius_of_fraction(), against the encircled power.
 inline constexpr double kAiryDiscError = 3e-3;
 
 /// Share of the power within x: 1 - J_0(x)^2 - J_1(x)^2.        [born-wolf-1999, section 8.5.2, eq.
@@ -42,7 +42,7 @@ double encircled_power(double x);
 // R and T of single flakes, each of its own film thicknesses.
 
 /// Where eight wavelengths lie between those of the tables: bsdf::locate_wavelengths().
-using WavelengthPlaces = std::array<bsdf::Between, kLanes>;
+using WavelengthPlaces = std::array<bsdf::WavelengthPosition, kLanes>;
 
 /// A set of flakes of one species. Their films are drawn from the recipe's laws, evenly: each film
 /// thickness takes one value from each of so many equally probable intervals, and thicknesses are
@@ -134,7 +134,7 @@ class DiscScene;
 struct DiscWalkTables;
 
 /// A tile's sides are at least this times the thickness of the paint.
-inline constexpr double kLeastTileShare = 0.1;
+inline constexpr double kMinTileFraction = 0.1;
 
 struct DiscSettings {
     /// The piece of paint that repeats itself over the panel, in kTileSide. As large as the panel:
@@ -151,10 +151,10 @@ struct DiscSettings {
 /// geometry instead of the equation of transfer. Flakes hide each other one by one, light finds its
 /// way out where it found its way in, and what is seen of a flake moves with its depth.
 ///
-/// Patches are read in rest space (Layout::rest_space): the panel's plane must be one of z = const,
-/// and x and y tell the place. Without a patch the place is random: the mean over the panel. Only
-/// sample() and sample_on() tell what the paint looks like, as with montecarlo::PlaneWalk: eval()
-/// and pdf() are zero, and a renderer sees no light source without extent.
+/// Patches are read in rest space (Layout::object_space): the panel's plane must be one of z =
+/// const, and x and y tell the place. Without a patch the place is random: the mean over the panel.
+/// Only sample() and sample_on() tell what the paint looks like, as with montecarlo::PlaneWalk:
+/// eval() and pdf() are zero, and a renderer sees no light source without extent.
 ///
 /// Supports all that a recipe may say. What a flake reflects and lets pass is that of its own films
 /// (flake_films.h); pigments scatter between the flakes; the interface may be rough.
@@ -169,7 +169,9 @@ class DiscWalk final : public bsdf::Bsdf {
 
     std::unique_ptr<const bsdf::BoundBsdf> bind(
         const bsdf::Wavelengths& wavelengths_nm) const override;
-    bsdf::Layout layout() const override { return bsdf::Layout::rest_space; }
+    bsdf::SurfaceCoordinates surface_coordinates() const override {
+        return bsdf::SurfaceCoordinates::object_space;
+    }
 
     const DiscScene& scene() const;
 

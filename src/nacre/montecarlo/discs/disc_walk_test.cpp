@@ -30,23 +30,24 @@ TEST(AiryDisc, EncircledPowerIsTheIntegralOfThePattern) {
 }
 
 TEST(AiryDisc, RadiusInvertsTheEncircledPower) {
-    for (double share = 0; share < 0.996; share += 0.00037) {
-        const double x = AiryDisc::radius_of_share(share);
+    for (double fraction = 0; fraction < 0.996; fraction += 0.00037) {
+        const double x = AiryDisc::radius_of_fraction(fraction);
         // Flat at dark rings, where x says little: in shares, then.
-        EXPECT_NEAR(encircled_power(x), share, kAiryDiscError * std::fmin(share, 1 - share) + 1e-12)
-            << share;
+        EXPECT_NEAR(encircled_power(x), fraction,
+                    kAiryDiscError * std::fmin(fraction, 1 - fraction) + 1e-12)
+            << fraction;
     }
 }
 
 TEST(AiryDisc, RadiusGrowsForEverAndStaysFinite) {
     double last = -1;
     for (double rest = 0.1; rest > 1e-17; rest *= 0.7) {
-        const double x = AiryDisc::radius_of_share(1 - rest);
+        const double x = AiryDisc::radius_of_fraction(1 - rest);
         EXPECT_GE(x, last);
         EXPECT_TRUE(std::isfinite(x) || 1 - rest == 1);
         last = x;
     }
-    EXPECT_EQ(AiryDisc::radius_of_share(0), 0);
+    EXPECT_EQ(AiryDisc::radius_of_fraction(0), 0);
 }
 
 }  // namespace
@@ -151,8 +152,8 @@ TEST(DiscWalk, LosesNoLightWhereNothingAbsorbs) {
         Rng rng(3, 4);
         for (const double theta : {0., 45., 85.}) {
             for (int i = 0; i < 3000; ++i) {
-                const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
-                const auto sample = surface->sample(test::from_degrees(theta, 20), u_lobe,
+                const float u_select = rng.uniform_float(), u = rng.uniform_float();
+                const auto sample = surface->sample(test::from_degrees(theta, 20), u_select,
                                                     {u, rng.uniform_float()});
                 ASSERT_TRUE(sample);
                 for (int lane = 0; lane < kLanes; ++lane)
@@ -223,8 +224,8 @@ TEST(DiscWalk, DiffractionSpreadsTheMirrorImageByTheAiryPattern) {
     int within = 0, all = 0;
     Rng rng(5);
     while (all < 4000) {
-        const float u_lobe = rng.uniform_float(), u = rng.uniform_float();
-        const auto sample = surface->sample({0, 0, 1}, u_lobe, {u, rng.uniform_float()});
+        const float u_select = rng.uniform_float(), u = rng.uniform_float();
+        const auto sample = surface->sample({0, 0, 1}, u_select, {u, rng.uniform_float()});
         if (!sample) continue;
         ++all;
         within += std::hypot(sample->wo.x, sample->wo.y) < ring;
@@ -325,7 +326,7 @@ TEST(DiscWalk, LargeFlakesAreBrighterThanTheTransferEquationSays) {
 
 TEST(DiscWalk, OnlySamplesTellWhatItLooksLike) {
     const DiscWalk model(test::opaque(1, 15, 20), {});
-    EXPECT_EQ(model.layout(), bsdf::Layout::rest_space);
+    EXPECT_EQ(model.surface_coordinates(), bsdf::SurfaceCoordinates::object_space);
     const auto surface = model.bind(kOnGrid);
     const Vec3f wi = test::from_degrees(30, 0), wo = test::from_degrees(30, 180);
     EXPECT_EQ(lane_max(surface->evaluate_on(patch_at(1, 1), wi, wo).f), 0);

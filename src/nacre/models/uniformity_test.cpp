@@ -51,7 +51,7 @@ struct Moments {
     }
 };
 
-TEST(NacreEverywhere, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
+TEST(NacreUniformity, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
     // Where one axis of rest space serves, where two share the flakes, and where three do.
     struct Region {
         const char* name;
@@ -125,7 +125,7 @@ double luminance(const render::RenderResult& r, std::size_t pixel) {
            0.0722 * r.rgb[3 * pixel + 2];
 }
 
-TEST(NacreEverywhere, FlakesTurnWithTheirShape) {
+TEST(NacreUniformity, FlakesTurnWithTheirShape) {
     // One sample a pixel and light from one direction: nothing is left to chance. Ball, lamp and
     // camera turned alike show the same flakes.
     const render::PaintTable paints{
@@ -167,7 +167,7 @@ TEST(NacreEverywhere, FlakesTurnWithTheirShape) {
 // Four standard errors over 16 seeds. Lights are told apart by how much of a flake's lobe they
 // fill: a studio all around, a window, and a lamp as small as the sun. Surfaces alone hardly find
 // that one.
-TEST(NacreEverywhere, EstimatorsOfDirectLightAgree) {
+TEST(NacreUniformity, EstimatorsOfDirectLightAgree) {
     struct Case {
         std::string name;
         render::SceneDescription scene;
@@ -208,7 +208,7 @@ TEST(NacreEverywhere, EstimatorsOfDirectLightAgree) {
 
 // The light of single flakes averages out over many paints of one kind, seen directly and in the
 // mirror of a clearcoated panel: three standard errors.
-TEST(NacreEverywhere, SparkleIsZeroOnAverageAlsoInAMirror) {
+TEST(NacreUniformity, SparkleIsZeroOnAverageAlsoInAMirror) {
     constexpr int kPaints = 16;
     const paint::Recipe recipe = testing::recipe_of({.diameter_um = 20});
     std::array<std::vector<double>, 2> means;
@@ -244,7 +244,7 @@ TEST(NacreEverywhere, SparkleIsZeroOnAverageAlsoInAMirror) {
     }
 }
 
-TEST(NacreEverywhere, SameBitsForAnyNumberOfThreads) {
+TEST(NacreUniformity, SameBitsForAnyNumberOfThreads) {
     render::SceneDescription scene = ball();
     scene.environment = render::StudioEnvironment{};
     const render::Scene compiled(
