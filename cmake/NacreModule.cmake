@@ -1,9 +1,12 @@
 # One library per folder, so that the linker holds the order of dependencies.
 #
-#   nacre_module(NAME [DEPENDS target...] [TEST_DEPENDS target...])
+#   nacre_module(NAME [COMPONENT core|render] [FOLDERS folder...] [DEPENDS target...]
+#                [TEST_DEPENDS target...])
 #
-# Every .cpp beside the call is part of the library nacre_NAME (alias nacre::NAME), except
-# x_test.cpp, which are gathered in the test program nacre_NAME_test.
+# Every .cpp beside the call, and in the FOLDERS below it, is part of the library nacre_NAME (alias
+# nacre::NAME), except x_test.cpp, which are gathered in the test program nacre_NAME_test. With a
+# COMPONENT the library is installed with that component of the package (cmake/Install.cmake);
+# without one it belongs to the programs of this project.
 
 add_library(nacre_options INTERFACE)
 add_library(nacre::options ALIAS nacre_options)
@@ -23,7 +26,7 @@ target_include_directories(nacre_options INTERFACE
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
 function(nacre_module name)
-  cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "COMPONENT" "FOLDERS;DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
   set(tests *_test.cpp)
   foreach(folder IN LISTS ARG_FOLDERS)
@@ -39,7 +42,9 @@ function(nacre_module name)
   add_library(nacre::${name} ALIAS nacre_${name})
   set_target_properties(nacre_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(nacre_${name} PUBLIC nacre::options ${ARG_DEPENDS})
-  set_property(GLOBAL APPEND PROPERTY NACRE_MODULES nacre_${name})
+  if(ARG_COMPONENT)
+    set_property(GLOBAL APPEND PROPERTY NACRE_MODULES_${ARG_COMPONENT} nacre_${name})
+  endif()
   if(NACRE_TESTS AND tests)
     add_executable(nacre_${name}_test ${tests})
     target_link_libraries(nacre_${name}_test PRIVATE nacre::${name} ${ARG_TEST_DEPENDS} GTest::gtest GTest::gtest_main GTest::gmock)

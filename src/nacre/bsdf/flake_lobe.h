@@ -91,7 +91,8 @@ struct FluxPoint {
 /// shares the flux at every point among the lobes by their densities there, and takes the sums for
 /// the new probability. It climbs to the mixture of least relative entropy.
 /// [dempster-laird-rubin-1977]
-/// @param share  where to start, positive where a lobe may be used; comes back where nothing flows
+/// @param fraction  where to start, positive where a lobe may be used; comes back where nothing
+/// flows
 template <std::size_t K>
 std::array<double, K> fit_mixture(const std::vector<FluxPoint<K>>& points,
                                   std::array<double, K> fraction, int rounds = 30) {

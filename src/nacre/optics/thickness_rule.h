@@ -18,7 +18,7 @@ ThicknessRange thickness_range(double mean_nm, const ThicknessSpread& spread);
 
 /// The thickness below which this share of the law lies, to 1e-12 of its range; the mean where
 /// nothing varies.
-/// @param share  in [0, 1]
+/// @param fraction  in [0, 1]
 double thickness_quantile(double mean_nm, const ThicknessSpread& spread, double fraction);
 
 /// Mean of f = sum weights[i] f(thickness_nm[i]).
