@@ -47,10 +47,16 @@ function(nacre_module name)
   endif()
   if(NACRE_TESTS AND tests)
     add_executable(nacre_${name}_test ${tests})
-    target_link_libraries(nacre_${name}_test PRIVATE nacre::${name} ${ARG_TEST_DEPENDS} GTest::gtest GTest::gtest_main GTest::gmock)
+    target_link_libraries(nacre_${name}_test PRIVATE nacre::${name} ${ARG_TEST_DEPENDS})
     target_compile_definitions(nacre_${name}_test PRIVATE NACRE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(nacre_${name}_test DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
+    nacre_discover_tests(nacre_${name}_test)
   endif()
+endfunction()
+
+#   nacre_discover_tests(TARGET)   tells CTest of the tests of a program, and gives it its main()
+function(nacre_discover_tests target)
+  target_link_libraries(${target} PRIVATE nacre::testing)
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
 endfunction()
 
 #   nacre_use_embree(NAME)   for the sources of a module that include core/embree.h
