@@ -1,0 +1,39 @@
+#include "nacre/fit/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "nacre/door/state.h"
+
+namespace nacre {
+
+std::vector<std::string> Paint::free_keys(const std::vector<std::string>& patterns) const {
+    std::vector<std::string> keys;
+    for (const std::string& pattern : patterns) {
+        for (const std::string& key : paint::matching_parameters(recipe(), pattern)) {
+            if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+        }
+    }
+    if (patterns.empty()) {
+        for (const paint::ParameterBounds& b : bounds()) keys.push_back(b.key);
+        if (keys.empty()) {
+            throw DomainError("no free numbers: name their keys, or bound them in a table [fit]");
+        }
+    }
+    return keys;
+}
+
+Match Paint::fit(const Measurement& standard, const std::vector<std::string>& keys,
+                 const FitSettings& settings, const Progress& progress) const {
+    if (recipe().layers.empty()) {
+        throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
+                                     state_->label()));
+    }
+    const fit::FreeNumbers numbers(recipe(), free_keys(keys), bounds());
+    fit::Fit found = fit::fit(standard, numbers, settings, progress);
+    Paint paint(std::make_shared<const State>(io::RecipeFile{found.recipe, bounds()}, file()));
+    return {std::move(found), std::move(paint)};
+}
+
+}  // namespace nacre

@@ -1,0 +1,261 @@
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/bsdf/measured/merl.h"
+#include "nacre/bsdf/measured/rgl.h"
+#include "nacre/core/file.h"
+#include "nacre/door/state.h"
+#include "nacre/io/measured_brdf_file.h"
+#include "nacre/io/measurement_file.h"
+#include "nacre/io/solved_paint_file.h"
+#include "nacre/solver/resolution.h"
+#include "nacre/solver/solver.h"
+
+namespace nacre {
+
+namespace {
+
+/// Two wavelengths closer than this are the same one, written in two ways.
+constexpr double kSameWavelength_nm = 1e-6;
+
+/// The beginning of a file tells whether it holds colours; others are large.
+constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
+
+/// The series may end somewhat above its tolerance before anybody needs to know: what follows its
+/// last orders is smaller than they are.
+constexpr double kTailOverTolerance = 10;
+
+const char* name_of(Kind kind) {
+    switch (kind) {
+        case Kind::recipe:
+            return "a recipe";
+        case Kind::solved_paint:
+            return "a solved paint";
+        case Kind::brdf_table:
+            return "a table of a BRDF";
+        case Kind::measured_brdf:
+            return "a measured BRDF";
+        case Kind::measured_colours:
+            return "measured colours";
+    }
+    return "";
+}
+
+MeasuredBrdf read_measured_brdf(std::string_view bytes, const std::string& name) {
+    if (io::looks_like_rgl(bytes)) {
+        bsdf::RglTable table = io::parse_rgl(bytes, name);
+        const bool isotropic = table.isotropic();
+        return {std::make_shared<const bsdf::MeasuredRgl>(std::move(table)), isotropic};
+    }
+    return {std::make_shared<const bsdf::MeasuredMerl>(io::parse_merl(bytes, name)), true};
+}
+
+/// By wavelength, each once, as a solver wants them.
+SolveSettings in_order(SolveSettings settings) {
+    std::vector<double>& nm = settings.wavelengths_nm;
+    if (nm.empty()) nm = solver::default_wavelengths_nm();
+    std::sort(nm.begin(), nm.end());
+    nm.erase(std::unique(nm.begin(), nm.end()), nm.end());
+    if (nm.size() > kMaxSolvedWavelengths) {
+        throw DomainError(fmt::format("{} wavelengths to solve; at most {} are allowed", nm.size(),
+                                      kMaxSolvedWavelengths));
+    }
+    return settings;
+}
+
+}  // namespace
+
+Kind kind_of(std::string_view bytes) {
+    if (io::looks_like_solved_paint(bytes)) return Kind::solved_paint;
+    if (io::looks_like_brdf_table(bytes)) return Kind::brdf_table;
+    if (io::looks_like_rgl(bytes) || io::looks_like_merl(bytes)) return Kind::measured_brdf;
+    if (io::looks_like_measurement(bytes.substr(0, kHeadBytes))) return Kind::measured_colours;
+    return Kind::recipe;
+}
+
+std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
+                                           const std::string& file) {
+    const solver::SolverSettings& settings = paint.settings;
+    const solver::SolverReport& report = paint.report;
+    std::vector<SolverWarning> warnings;
+    if (report.unresolved_scattering > solver::kAcceptedUnresolved) {
+        warnings.push_back(
+            {SolverWarning::What::scattering, settings.exit_nodes || settings.inner_nodes,
+             fmt::format("{}: {} + {} nodes miss {:.2g} % of the scattering in some direction "
+                         "(unresolved_scattering; up to {:g} % does no harm), so that its "
+                         "multiple scattering may be off by a fraction of that",
+                         file, report.exit_nodes, report.inner_nodes,
+                         100 * report.unresolved_scattering, 100 * solver::kAcceptedUnresolved)});
+    }
+    if (report.azimuthal_tail > kTailOverTolerance * settings.tolerance) {
+        warnings.push_back(
+            {SolverWarning::What::azimuthal_series, settings.most_orders != 0,
+             fmt::format("{}: the azimuthal series ends after {} orders at {:.2g} of its peak, "
+                         "not at {:g} (azimuthal_tail and tolerance), so that its multiple "
+                         "scattering may ring around the azimuth by a share like that",
+                         file, report.orders, report.azimuthal_tail, settings.tolerance)});
+    }
+    return warnings;
+}
+
+std::string Paint::State::label() const { return file.empty() ? "recipe" : file; }
+
+std::shared_ptr<Paint::State::Solution> Paint::State::solution(
+    const SolveSettings& settings) const {
+    const std::lock_guard lock(mutex);
+    for (const auto& known : solutions) {
+        if (known->settings == settings) return known;
+    }
+    solutions.push_back(std::make_shared<Solution>());
+    solutions.back()->settings = settings;
+    return solutions.back();
+}
+
+Paint::Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds) {
+    paint::validate(recipe, {});
+    for (const paint::ParameterBounds& b : bounds) paint::check_bounds(recipe, b);
+    state_ =
+        std::make_shared<const State>(io::RecipeFile{std::move(recipe), std::move(bounds)}, "");
+}
+
+Paint open_text(std::string bytes, const std::string& name, const std::filesystem::path& folder) {
+    switch (kind_of(bytes)) {
+        case Kind::recipe:
+            return Paint(std::make_shared<const Paint::State>(
+                io::parse_recipe_file(bytes, name, folder), name));
+        case Kind::solved_paint:
+            return Paint(std::make_shared<const Paint::State>(
+                std::make_shared<const solver::SolvedPaint>(io::parse_solved_paint(bytes, name)),
+                name));
+        case Kind::brdf_table:
+            return Paint(
+                std::make_shared<const Paint::State>(io::parse_brdf_table(bytes, name), name));
+        case Kind::measured_brdf:
+            return Paint(
+                std::make_shared<const Paint::State>(read_measured_brdf(bytes, name), name));
+        case Kind::measured_colours: {
+            Measurement measurement = io::parse_measurement(bytes, name);
+            return Paint(std::make_shared<const Paint::State>(
+                MeasuredColours{std::move(bytes), std::move(measurement)}, name));
+        }
+    }
+    throw Error("no such kind of file");
+}
+
+Paint open(const std::filesystem::path& path) {
+    constexpr std::size_t kMaxBytes =
+        std::max({io::kMaxSolvedPaintBytes, io::kMaxBrdfTableBytes, io::kMaxMeasuredBytes});
+    return open_text(read_file(path, kMaxBytes), path.string(), path.parent_path());
+}
+
+Kind Paint::kind() const { return static_cast<Kind>(state_->contents.index()); }
+
+const std::string& Paint::file() const { return state_->file; }
+
+std::string Paint::name() const {
+    if (has_recipe() && !recipe().name.empty()) return recipe().name;
+    return std::filesystem::path(state_->file).stem().string();
+}
+
+bool Paint::has_recipe() const { return kind() == Kind::recipe || kind() == Kind::solved_paint; }
+
+const paint::Recipe& Paint::recipe() const {
+    if (const auto* file = std::get_if<io::RecipeFile>(&state_->contents)) return file->recipe;
+    if (const auto* solved =
+            std::get_if<std::shared_ptr<const solver::SolvedPaint>>(&state_->contents)) {
+        return (*solved)->recipe;
+    }
+    throw InputError(
+        fmt::format("{}: holds {}; a recipe is needed here", state_->label(), name_of(kind())));
+}
+
+std::string Paint::recipe_sha256() const {
+    return has_recipe() ? io::recipe_hash(recipe()) : std::string();
+}
+
+const std::vector<paint::ParameterBounds>& Paint::bounds() const {
+    static const std::vector<paint::ParameterBounds> none;
+    const auto* file = std::get_if<io::RecipeFile>(&state_->contents);
+    return file ? file->bounds : none;
+}
+
+Paint Paint::with(std::string_view key, double value) const {
+    io::RecipeFile changed{recipe(), bounds()};
+    const std::vector<std::string> keys = paint::matching_parameters(changed.recipe, key);
+    if (keys.size() != 1) {
+        throw DomainError(fmt::format("{}: means {} numbers, such as {}; must mean one", key,
+                                      keys.size(), keys[0]));
+    }
+    paint::set_parameter(changed.recipe, keys[0], value);
+    paint::validate(changed.recipe, {});
+    return Paint(std::make_shared<const State>(std::move(changed), state_->file));
+}
+
+std::shared_ptr<const solver::SolvedPaint> Paint::solved(const SolveSettings& settings) const {
+    if (const auto* stored =
+            std::get_if<std::shared_ptr<const solver::SolvedPaint>>(&state_->contents)) {
+        for (double wavelength_nm : settings.wavelengths_nm) {
+            wavelength_position(**stored, wavelength_nm, state_->label());
+        }
+        return *stored;
+    }
+    const paint::Recipe& paint = recipe();
+    if (paint.layers.empty()) {
+        throw InputError(
+            fmt::format("{}: layer: is missing; solving a paint needs at least one [[layer]]",
+                        state_->label()));
+    }
+    const std::shared_ptr<State::Solution> solution = state_->solution(in_order(settings));
+    const std::lock_guard lock(solution->mutex);
+    if (!solution->paint) {
+        // Isolated: a thread that waits for parts of this solution must not begin other work of the
+        // caller's meanwhile, which might ask for it again and wait for itself.
+        tbb::this_task_arena::isolate([&] {
+            state_->naming_file([&] {
+                solution->paint = std::make_shared<const solver::SolvedPaint>(solver::solve(
+                    paint, solution->settings.wavelengths_nm, solution->settings.resolution));
+            });
+        });
+    }
+    return solution->paint;
+}
+
+std::vector<SolverWarning> Paint::warnings() const {
+    if (const auto* stored =
+            std::get_if<std::shared_ptr<const solver::SolvedPaint>>(&state_->contents)) {
+        return solver_warnings(**stored, state_->label());
+    }
+    std::vector<std::shared_ptr<State::Solution>> solutions;
+    {
+        const std::lock_guard lock(state_->mutex);
+        solutions = state_->solutions;
+    }
+    std::vector<SolverWarning> all;
+    for (const auto& solution : solutions) {
+        const std::lock_guard lock(solution->mutex);
+        if (!solution->paint) continue;  // it could not be solved
+        for (SolverWarning& w : solver_warnings(*solution->paint, state_->label())) {
+            all.push_back(std::move(w));
+        }
+    }
+    return all;
+}
+
+std::size_t wavelength_position(const solver::SolvedPaint& paint, double wavelength_nm,
+                                const std::string& file) {
+    const std::vector<double>& solved = paint.wavelengths_nm();
+    const auto found = std::find_if(solved.begin(), solved.end(), [&](double w) {
+        return std::abs(w - wavelength_nm) < kSameWavelength_nm;
+    });
+    if (found == solved.end()) {
+        throw InputError(fmt::format(
+            "{}: has been solved at {} wavelengths from {} to {} nm, {} nm is not among them", file,
+            solved.size(), solved.front(), solved.back(), wavelength_nm));
+    }
+    return static_cast<std::size_t>(found - solved.begin());
+}
+
+}  // namespace nacre

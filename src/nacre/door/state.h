@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/io/brdf_table_file.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/nacre.h"
+
+// What copies of a paint share. Internal to this folder.
+
+namespace nacre {
+
+/// A measured BRDF as it is shown.
+struct MeasuredBrdf {
+    std::shared_ptr<const bsdf::Bsdf> surface;
+    bool isotropic = true;
+};
+
+/// Measured colours, and their text: an aperture that it does not state may be chosen later.
+struct MeasuredColours {
+    std::string text;
+    measure::Measurement measurement;
+};
+
+/// Position of a wavelength among those of a solved paint.
+/// @throws InputError naming the file if it is not there
+std::size_t wavelength_position(const solver::SolvedPaint& paint, double wavelength_nm,
+                                const std::string& file);
+
+struct Paint::State {
+    /// In the order of Kind.
+    using Contents = std::variant<io::RecipeFile, std::shared_ptr<const solver::SolvedPaint>,
+                                  io::BrdfTable, MeasuredBrdf, MeasuredColours>;
+
+    State(Contents c, std::string f) : contents(std::move(c)), file(std::move(f)) {}
+
+    const Contents contents;
+    const std::string file;
+
+    /// How messages name the paint.
+    std::string label() const;
+    /// Rethrows what `work` throws about a setting or a recipe as an error of this file.
+    template <class Work>
+    auto naming_file(const Work& work) const {
+        try {
+            return work();
+        } catch (const DomainError& error) {
+            throw InputError(label() + ": " + error.what());
+        }
+    }
+
+    /// One set of settings, asked for by any number of threads and solved by the first.
+    struct Solution {
+        SolveSettings settings;
+        std::mutex mutex;  // held while it is being solved
+        std::shared_ptr<const solver::SolvedPaint> paint;
+    };
+    std::shared_ptr<Solution> solution(const SolveSettings& settings) const;
+
+    mutable std::mutex mutex;  // of the list, not of its entries
+    mutable std::vector<std::shared_ptr<Solution>> solutions;
+};
+
+}  // namespace nacre
