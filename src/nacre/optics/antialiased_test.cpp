@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/optics/thin_film.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::optics {
 namespace {
@@ -64,6 +68,118 @@ TEST(ObserverTransform, HasFallenBelowTheTailWhereTheTableEnds) {
         }
     }
     for (const auto s : observer_transform(ObserverTransform::table, 1e9)) EXPECT_EQ(s, 0.0);
+}
+
+// What the fit of [belcour-barla-2017] stands for, by sums over wave numbers: an observer under
+// equal energy with four Gaussian lobes in wave number. The numbers are those of the listing in the
+// paper's supplement, evalSensitivity(), whose "var" is half of a variance: it multiplies
+// exp(-var phase^2), and the Fourier transform of a Gaussian is exp(-variance phase^2 / 2).
+struct Lobe {
+    int channel;
+    double val, pos_per_m, var_per_m2;
+    double deviation_per_m() const { return std::sqrt(2 * var_per_m2); }
+    double area() const { return val * std::sqrt(2 * std::numbers::pi * var_per_m2); }
+};
+constexpr Lobe kSupplement[] = {{0, 5.4856e-13, 1.6810e+06, 4.3278e+09},
+                                {0, 9.7470e-14, 2.2399e+06, 4.5282e+09},
+                                {1, 4.4201e-13, 1.7953e+06, 9.3046e+09},
+                                {2, 5.2481e-13, 2.2084e+06, 6.6121e+09}};
+
+/// Colour of what reflects so much at a wave number, in 1/m; white is 1.
+template <class Reflectance>
+spectra::Vec3 seen_by_the_fit(Reflectance&& reflectance) {
+    // The trapezoidal rule over +-8.5 deviations, which of such bells makes no error but rounding.
+    constexpr int kSteps = 600;
+    constexpr double kReach = 8.5;
+    spectra::Vec3 xyz{}, white{};
+    for (const Lobe& lobe : kSupplement) {
+        double sum = 0, weights = 0;
+        for (int i = 0; i <= kSteps; ++i) {
+            const double x = kReach * (2.0 * i / kSteps - 1), weight = std::exp(-x * x / 2);
+            sum += weight * reflectance(lobe.pos_per_m + x * lobe.deviation_per_m());
+            weights += weight;
+        }
+        xyz[lobe.channel] += lobe.area() * sum / weights;
+        white[lobe.channel] += lobe.area();
+    }
+    // Equal energy becomes the white of Rec. 709, channel by channel.
+    const spectra::Vec3 d65 = spectra::linear_rec709_to_xyz({1, 1, 1});
+    for (int c = 0; c < 3; ++c) xyz[c] *= d65[c] / white[c];
+    return spectra::xyz_to_linear_rec709(xyz);
+}
+
+TEST(ObserverTransform, OfThePaperIsTheIntegralOfItsGaussians) {
+    for (const double nm : {0.0, 90.0, 400.0, 1234.5, 3000.0, 7000.0}) {
+        const auto found = observer_transform(ObserverTransform::paper, nm);
+        const auto phase = [&](double per_m) { return 2 * std::numbers::pi * nm * 1e-9 * per_m; };
+        const auto re = seen_by_the_fit([&](double per_m) { return std::cos(phase(per_m)); });
+        const auto im = seen_by_the_fit([&](double per_m) { return std::sin(phase(per_m)); });
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(found[c].real(), re[c], 1e-11) << nm;
+            EXPECT_NEAR(found[c].imag(), im[c], 1e-11) << nm;
+        }
+    }
+}
+
+TEST(ObserverTransform, OfThePaperIsNearlyThatOfTheObserverUnderEqualEnergy) {
+    // The numbers themselves, against the tables of the CIE. What is left is the fit's own error.
+    const spectra::Vec3 d65 = spectra::linear_rec709_to_xyz({1, 1, 1});
+    spectra::Vec3 area{};
+    for (const Lobe& lobe : kSupplement) area[lobe.channel] += lobe.area();
+    spectra::Vec3 observed{}, most{};
+    for (int nm = 360; nm <= 830; nm += 5) {
+        const auto xyz = spectra::colour_matching(spectra::Observer::cie1931_2deg, nm);
+        for (int c = 0; c < 3; ++c) observed[c] += 5e-9 * xyz[c];
+    }
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(area[c] / observed[c], 1, 1e-3);
+    for (double path_nm = 0; path_nm < 4000; path_nm += 20) {
+        std::array<std::complex<double>, 3> expected{};
+        for (int nm = 360; nm <= 830; nm += 5) {
+            const auto xyz = spectra::colour_matching(spectra::Observer::cie1931_2deg, nm);
+            for (int c = 0; c < 3; ++c) {
+                expected[c] += 5e-9 * xyz[c] / observed[c] *
+                               std::polar(1.0, 2 * std::numbers::pi * path_nm / nm);
+            }
+        }
+        const auto rgb = observer_transform(ObserverTransform::paper, path_nm);
+        const auto re =
+            spectra::linear_rec709_to_xyz({rgb[0].real(), rgb[1].real(), rgb[2].real()});
+        const auto im =
+            spectra::linear_rec709_to_xyz({rgb[0].imag(), rgb[1].imag(), rgb[2].imag()});
+        for (int c = 0; c < 3; ++c) {
+            const std::complex<double> found(re[c] / d65[c], im[c] / d65[c]);
+            most[c] = std::max(most[c], std::abs(found - expected[c]));
+        }
+    }
+    // Half or twice a variance would make it 0.2, a centre that is off by a hundredth 0.1.
+    for (int c = 0; c < 3; ++c) EXPECT_LT(most[c], 0.07) << c;
+}
+
+TEST(AntialiasedRgb, OfThePaperIsWhatItsObserverSeesOfTheTransferMatrix) {
+    struct Case {
+        double outside, film;
+        ComplexIndex base;
+    };
+    for (const Case& c : {Case{1, 1.8, {1.08, 0.51}}, Case{1, 1.33, {1.5, 0}},
+                          Case{1.5, 2.5, {1.58, 0}}, Case{1, 1.5, {0.2, 3.6}}}) {
+        const AiryFilm film(c.outside, c.film, c.base.real(), c.base.imag());
+        for (const double cosine : {1.0, 0.7, 0.2}) {
+            for (const double nm : {15.0, 158.333, 420.0, 1000.0}) {
+                const ThinFilm layer{c.film, nm};
+                const auto expected = seen_by_the_fit([&](double per_m) {
+                    return stack_reflectance(c.outside, {&layer, 1}, c.base, cosine, 1e9 / per_m,
+                                             Polarization::unpolarized)
+                        .reflectance;
+                });
+                const auto found = antialiased_rgb(film, cosine, nm, {ObserverTransform::paper});
+                // Sums stop where an order adds less than 1e-6, in each polarisation.
+                for (int i = 0; i < 3; ++i) {
+                    EXPECT_NEAR(found[i], expected[i], 3e-6)
+                        << c.film << ", " << cosine << ", " << nm;
+                }
+            }
+        }
+    }
 }
 
 TEST(AntialiasedRgb, OfAPerfectMirrorIsWhite) {
