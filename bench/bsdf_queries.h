@@ -49,7 +49,7 @@ inline std::vector<Query> make_queries(const BoundBsdf& bsdf) {
         q.u_select = rng.uniform_float();
         q.u = {rng.uniform_float(), rng.uniform_float()};
         const auto sample = bsdf.sample(q.wi, q.u_select, q.u);
-        if (!sample || sample->mirror) continue;
+        if (!sample || sample->kind != SampleKind::density) continue;
         q.wo = sample->wo;
         queries.push_back(q);
     }

@@ -18,13 +18,27 @@ namespace nacre::bsdf {
 
 using Wavelengths = std::array<double, kLanes>;  // nm
 
+/// What is known of how a sampled direction was drawn. It decides whether a renderer may weigh the
+/// sample against others, and whether ray differentials can be followed further.
+enum class SampleKind {
+    density,         ///< from a density per solid angle, which pdf() gives as well
+    specular,        ///< the specular reflection of a smooth interface: a delta distribution
+    unknown_density  ///< by a random walk, whose density nobody knows
+};
+
+/// One direction drawn by BoundBsdf::sample().
 struct BsdfSample {
     Vec3f wo;
-    FloatLanes weight;  ///< f |cos| / pdf; for the mirror, its reflectance over its probability
-    float pdf = 0;      ///< per solid angle; for the mirror, the probability of choosing it
-    bool mirror = false;
+    /// What the mean of L(wo) weight over all samples needs to be the reflected radiance of
+    /// incident light L: f |cos| / pdf for `density`, reflectance / pdf for `specular`, and for
+    /// `unknown_density` the part of the walk's light that leaves.
+    FloatLanes weight;
+    /// For `density` per solid angle in 1/sr, for `specular` the probability of choosing the
+    /// specular lobe, for `unknown_density` without meaning and 1.
+    float pdf = 0;
+    SampleKind kind = SampleKind::density;
     /// Where the light leaves, from where it came in, in the local frame, in mm: other than zero
-    /// only for surfaces that follow it through their volume (volume/).
+    /// only for surfaces that follow it through their volume (montecarlo/).
     Vec3f exit_mm{};
 };
 
@@ -81,12 +95,12 @@ class BoundBsdf {
  public:
     virtual ~BoundBsdf() = default;
 
-    /// BRDF without the mirror of a smooth interface. Reciprocal and never negative.
+    /// BRDF without the specular lobe of a smooth interface. Reciprocal and never negative.
     virtual FloatLanes eval(Vec3f wi, Vec3f wo) const = 0;
-    /// Draws wo given wi from a mixture that includes the mirror. u_select and u in [0, 1).
+    /// Draws wo given wi from a mixture that includes the specular lobe. u_select and u in [0, 1).
     /// Empty where no light can leave (wi below the horizon, or a sample below it).
     virtual std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const = 0;
-    /// Density per solid angle with which sample() draws wo other than by the mirror.
+    /// Density per solid angle with which sample() draws wo other than by the specular lobe.
     virtual float pdf(Vec3f wi, Vec3f wo) const = 0;
     /// Both at once, for light sampling with multiple importance: they share most of the work.
     virtual BsdfValue evaluate(Vec3f wi, Vec3f wo) const { return {eval(wi, wo), pdf(wi, wo)}; }
@@ -103,7 +117,7 @@ class BoundBsdf {
     /// The size of PatchMemory that serves evaluate_on() and sample_on().
     virtual std::size_t patch_memory_bytes() const { return 0; }
 
-    /// Directional-hemispherical reflectance, mirror included.
+    /// Directional-hemispherical reflectance, specular lobe included.
     virtual FloatLanes albedo(Vec3f wi) const = 0;
 };
 

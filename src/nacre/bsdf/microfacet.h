@@ -97,14 +97,14 @@ class MicrofacetCoat {
     float solid_angle_ratio(const Ray& o) const {
         return present_ ? o.outside.z * inverse_ior2_ / o.inside.z : 1.0f;
     }
-    /// Reflectance of the coat's mirror; 0 without a coat.
-    float mirror_reflectance(const Ray& i) const { return 1 - i.transmittance; }
-    /// The mirror's direction, when it is sampled with this probability.
-    BsdfSample mirror_sample(const Ray& i, float probability) const {
+    /// Reflectance of the coat's smooth surface; 0 without a coat.
+    float specular_reflectance(const Ray& i) const { return 1 - i.transmittance; }
+    /// Its specular reflection, sampled with this probability.
+    BsdfSample specular_sample(const Ray& i, float probability) const {
         return {.wo = {-i.outside.x, -i.outside.y, i.outside.z},
-                .weight = splat(mirror_reflectance(i) / probability),
+                .weight = splat(specular_reflectance(i) / probability),
                 .pdf = probability,
-                .mirror = true,
+                .kind = SampleKind::specular,
                 .exit_mm = {}};
     }
     bool present() const { return present_; }
@@ -117,12 +117,12 @@ class MicrofacetCoat {
 
 /// What microfacets, seen through their coat, reflect of light from a direction: the mean of the
 /// weights of their own samples, tabulated over the cosine of incidence, and how often to sample
-/// the coat's mirror beside them.
+/// the coat's specular reflection beside them.
 class MicrofacetAlbedo {
  public:
-    /// Fills the table. weight(wi, u) is the weight f cos / pdf, without the mirror, of the sample
-    /// that the numbers u in (0, 1)^4 give for the direction wi; they are points of a Hammersley
-    /// set.
+    /// Fills the table. weight(wi, u) is the weight f cos / pdf, without the specular lobe, of the
+    /// sample that the numbers u in (0, 1)^4 give for the direction wi; they are points of a
+    /// Hammersley set.
     template <class Weight>
     void tabulate(Weight&& weight) {
         constexpr unsigned kPoints = 256;
@@ -140,18 +140,18 @@ class MicrofacetAlbedo {
         }
     }
 
-    /// Linear between rows; without the mirror.
+    /// Linear between rows; without the specular lobe.
     FloatLanes at(float cosine) const { return interpolate(lanes_, cosine); }
 
-    /// Probability with which to sample the coat's mirror for a ray: in proportion to what mirror
-    /// and facets reflect; 0 without a coat.
-    float mirror_probability(const MicrofacetCoat& coat, const MicrofacetCoat::Ray& i) const {
+    /// Probability with which to sample the coat's specular reflection for a ray: in proportion to
+    /// what coat and facets reflect; 0 without a coat.
+    float specular_probability(const MicrofacetCoat& coat, const MicrofacetCoat::Ray& i) const {
         if (!coat.present()) return 0;
-        const float mirror = coat.mirror_reflectance(i);
-        if (!(mirror > 0)) return 0;
+        const float specular = coat.specular_reflectance(i);
+        if (!(specular > 0)) return 0;
         constexpr float kMin = 0.05f;  // either lobe, so that its weights stay bounded
         const float facets = interpolate(means_, i.outside.z);
-        return std::clamp(mirror / (mirror + facets), kMin, 1 - kMin);
+        return std::clamp(specular / (specular + facets), kMin, 1 - kMin);
     }
 
  private:

@@ -210,7 +210,7 @@ class Photographer {
             const auto sample =
                 bound_[0]->sample_on(patch, kView, wrapped(point[0] + shift[0]),
                                      {wrapped(point[1] + shift[1]), wrapped(point[2] + shift[2])});
-            if (!sample || sample->mirror) continue;
+            if (!sample || sample->kind != bsdf::SampleKind::density) continue;
             sum[0] += sample->weight;
             const float cosine_over_pdf = sample->wo.z / sample->pdf;
             for (int o = 1; o < kOctets; ++o) {

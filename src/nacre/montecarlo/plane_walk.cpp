@@ -31,16 +31,13 @@ Vec3f to_float(const Direction3& v) {
 
 FloatLanes to_float(const Lanes& x) { return __builtin_convertvector(x, FloatLanes); }
 
-bsdf::BsdfSample sample_of(const Direction3& wo, const Lanes& weight,
-                           const Direction3& exit_um = Direction3::Zero()) {
+bsdf::BsdfSample sample_of(const Escape& escape) {
     constexpr double kMmPerUm = 1e-3;
-    bsdf::BsdfSample sample;
-    sample.wo = to_float(wo);
-    sample.weight = to_float(weight);
-    sample.pdf = 1;
-    sample.mirror = true;
-    sample.exit_mm = to_float(Direction3(kMmPerUm * exit_um));
-    return sample;
+    return {.wo = to_float(escape.direction),
+            .weight = to_float(escape.weight),
+            .pdf = 1,
+            .kind = bsdf::SampleKind::unknown_density,
+            .exit_mm = to_float(Direction3(kMmPerUm * escape.position_um))};
 }
 
 }  // namespace
@@ -67,7 +64,7 @@ BoundWalk::Packet BoundWalk::draw_packet(const bsdf::Patch* patch, RandomStream&
     return packet;
 }
 
-Lanes BoundWalk::mirror_reflectance(double cosine) const {
+Lanes BoundWalk::specular_reflectance(double cosine) const {
     if (rough_) return Lanes{};
     if (!dispersive_) return splat(optics::dielectric_reflectance(1.0, index_[0], cosine));
     return make_lanes<Lanes>(
@@ -83,22 +80,25 @@ std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f 
     if (rough_) {
         const auto escape = meet_rough(towards_light, packet, random);
         if (!escape) return {};
-        return sample_of(escape->direction, escape->weight);
+        return sample_of(*escape);
     }
     // In proportion to what each way contributes in a white room, as a root mean square.
-    const Lanes mirror = mirror_reflectance(towards_light.z());
-    const double f = lane_mean(mirror);
+    const Lanes specular = specular_reflectance(towards_light.z());
+    const double f = lane_mean(specular);
     const double inside = (1 - f) * typical_weight_;
     const double probability = f / (f + inside);
     if (u_select < probability) {
-        return sample_of({-towards_light.x(), -towards_light.y(), towards_light.z()},
-                         mirror / probability);
+        return bsdf::BsdfSample{
+            .wo = to_float({-towards_light.x(), -towards_light.y(), towards_light.z()}),
+            .weight = to_float(Lanes(specular / probability)),
+            .pdf = static_cast<float>(probability),
+            .kind = bsdf::SampleKind::specular};
     }
-    const Lanes fraction = (1 - mirror) * ((f + inside) / inside);
+    const Lanes fraction = (1 - specular) * ((f + inside) / inside);
     const auto escape =
         enter_and_follow(towards_light, {packet.weight * fraction, packet.lane, patch}, random);
     if (!escape) return {};
-    return sample_of(escape->direction, escape->weight, escape->position_um);
+    return sample_of(*escape);
 }
 
 std::optional<Escape> BoundWalk::enter_and_follow(const Direction3& wi, const Packet& packet,
@@ -132,10 +132,10 @@ Lanes BoundWalk::mean_weight(double cosine, int walks, std::uint64_t number,
     return sum / static_cast<double>(walks);
 }
 
-void BoundWalk::weigh_mirror() {
+void BoundWalk::estimate_typical_weight() {
     constexpr int kWalks = 64;
     constexpr double kTypicalCosine = 0.8;
-    // A mirror drawn less often than this would make its weight large where walks are rarely
+    // A specular lobe drawn less often than this would make its weight large where walks are rarely
     // bright.
     constexpr double kMin = 0.1;
     double mean_square = 0;
@@ -157,8 +157,8 @@ FloatLanes BoundWalk::albedo(Vec3f wi) const {
     const double x = cosine * kAlbedoIntervals;
     const int i = std::min(static_cast<int>(x), kAlbedoIntervals - 1);
     const Lanes inner = inner_albedo_[i] + (x - i) * (inner_albedo_[i + 1] - inner_albedo_[i]);
-    const Lanes mirror = mirror_reflectance(cosine);
-    return to_float(Lanes(mirror + (1 - mirror) * inner));
+    const Lanes specular = specular_reflectance(cosine);
+    return to_float(Lanes(specular + (1 - specular) * inner));
 }
 
 namespace {
@@ -194,7 +194,7 @@ class BoundPlaneWalk final : public BoundWalk {
  public:
     BoundPlaneWalk(const WalkTables& tables, const bsdf::Wavelengths& wavelengths_nm)
         : BoundWalk(tables, wavelengths_nm) {
-        weigh_mirror();
+        estimate_typical_weight();
     }
 
  private:

@@ -57,7 +57,7 @@ class BoundWalk : public bsdf::BoundBsdf {
         return walk(&patch, wi, u_select, u);
     }
     /// Estimated by kAlbedoWalks walks from each of kAlbedoIntervals + 1 directions, at the first
-    /// call; the mirror of a smooth interface is exact.
+    /// call; the specular reflectance of a smooth interface is exact.
     FloatLanes albedo(Vec3f wi) const override;
 
     static constexpr int kAlbedoIntervals = 16, kAlbedoWalks = 512;
@@ -68,9 +68,9 @@ class BoundWalk : public bsdf::BoundBsdf {
     /// Follows light until it leaves; empty if it is absorbed.
     virtual std::optional<Escape> follow(const Entry& entry, RandomStream& random) const = 0;
 
-    /// Sends out a few walks, to know how often the mirror is worth a sample. To be called once,
-    /// when follow() is ready.
-    void weigh_mirror();
+    /// Sends out a few walks, to know how often the specular lobe is worth a sample. To be called
+    /// once, when follow() is ready.
+    void estimate_typical_weight();
 
     const montecarlo::Medium& medium() const { return medium_; }
     double index(int lane) const { return index_[lane]; }
@@ -85,7 +85,7 @@ class BoundWalk : public bsdf::BoundBsdf {
     std::optional<bsdf::BsdfSample> walk(const bsdf::Patch* patch, Vec3f wi, float u_select,
                                          Vec2f u) const;
     Packet draw_packet(const bsdf::Patch* patch, RandomStream& random) const;
-    Lanes mirror_reflectance(double cosine) const;
+    Lanes specular_reflectance(double cosine) const;
     std::optional<Escape> enter_and_follow(const Direction3& wi, const Packet& packet,
                                            RandomStream& random) const;
     std::optional<Escape> meet_rough(const Direction3& wi, const Packet& packet,
@@ -111,8 +111,8 @@ struct WalkTables;
 /// reference/, for one packet of light at eight wavelengths.   [guo-hasan-zhao-2018; wilkie-2014]
 ///
 /// Only sample() tells what the paint looks like: it sends light in from wi and follows it until it
-/// leaves, always with mirror = true and pdf = 1, as nobody knows the density of what it found.
-/// eval() and pdf() are zero. A renderer must not weigh it against light sampling, and sees no
+/// leaves, or reflects it at a smooth interface: samples are of unknown density or specular.
+/// eval() and pdf() are zero. A renderer must not weigh them against light sampling, and sees no
 /// light source without extent. The same (wi, u_select, u) gives the same walk.
 ///
 /// Supports all that a recipe may say: pigments, several layers, a rough clearcoat. Where the

@@ -22,7 +22,7 @@ class BoundShellWalk final : public BoundWalk {
         : BoundWalk(*tables, wavelengths_nm),
           settings_(settings),
           curvature_per_um_(1 / (kUmPerMm * settings.radius_mm)) {
-        weigh_mirror();
+        estimate_typical_weight();
     }
 
  private:

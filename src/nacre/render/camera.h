@@ -9,8 +9,8 @@ namespace nacre::render {
 /// from one pixel to the next across and down the picture. It tells how much of a surface one
 /// sample of the picture stands for.                                              [igehy-1999]
 ///
-/// It is followed through mirrors as if they were flat. After any other reflection neighbouring
-/// paths have nothing in common, and it is gone.
+/// It is followed through specular reflections as if the surface were flat. After any other
+/// reflection neighbouring paths have nothing in common, and it is gone.
 struct RayDifferential {
     Vec3f origin_mm[2], direction[2];
 
@@ -32,8 +32,8 @@ struct RayDifferential {
         return edges;
     }
 
-    /// After a mirror at a hit with these edges.
-    RayDifferential mirrored(const Edges& edges, Vec3f normal) const {
+    /// After specular reflection at a hit with these edges.
+    RayDifferential reflected(const Edges& edges, Vec3f normal) const {
         RayDifferential out;
         for (int i = 0; i < 2; ++i) {
             out.origin_mm[i] = edges.edge_mm[i];

@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "nacre/core/error.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/testing/montecarlo.h"
 #include "nacre/testing/render.h"
 
 // Surfaces that vary: which piece of them each sample of a picture is asked about.
@@ -25,17 +27,17 @@ class Recorder final : public bsdf::Bsdf {
         }
         std::optional<bsdf::BsdfSample> sample(Vec3f wi, float, Vec2f) const override {
             ++owner_.means;
-            return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z}, splat(1.0f), 1, owner_.mirror};
+            return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z}, splat(1.0f), 1, owner_.kind_};
         }
         std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float,
                                                   Vec2f) const override {
             const Vec3f* edges = patch.rest.edge_mm;
-            owner_.area += owner_.layout_ == bsdf::SurfaceCoordinates::unit_square
+            owner_.area += owner_.coordinates_ == bsdf::SurfaceCoordinates::unit_square
                                ? std::abs(double{patch.edge_1.x} * patch.edge_2.y -
                                           double{patch.edge_1.y} * patch.edge_2.x)
                                : length(cross(edges[0], edges[1]));
             ++owner_.patches;
-            return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z}, splat(1.0f), 1, owner_.mirror};
+            return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z}, splat(1.0f), 1, owner_.kind_};
         }
         float pdf(Vec3f, Vec3f) const override { return 1; }
         FloatLanes albedo(Vec3f) const override { return splat(1.0f); }
@@ -45,20 +47,20 @@ class Recorder final : public bsdf::Bsdf {
     };
 
  public:
-    explicit Recorder(bool mirror,
-                      bsdf::SurfaceCoordinates layout = bsdf::SurfaceCoordinates::unit_square)
-        : mirror(mirror), layout_(layout) {}
+    explicit Recorder(bsdf::SampleKind kind = bsdf::SampleKind::density,
+                      bsdf::SurfaceCoordinates coordinates = bsdf::SurfaceCoordinates::unit_square)
+        : kind_(kind), coordinates_(coordinates) {}
     std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths&) const override {
         return std::make_unique<Bound>(*this);
     }
-    bsdf::SurfaceCoordinates surface_coordinates() const override { return layout_; }
+    bsdf::SurfaceCoordinates surface_coordinates() const override { return coordinates_; }
 
-    bool mirror;
     mutable std::atomic<double> area = 0;
     mutable std::atomic<long> patches = 0, means = 0;
 
  private:
-    bsdf::SurfaceCoordinates layout_;
+    bsdf::SampleKind kind_;
+    bsdf::SurfaceCoordinates coordinates_;
 };
 
 SceneDescription seen_at_45_deg(Geometry geometry) {
@@ -75,7 +77,7 @@ constexpr RenderOptions kOptions{
 TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
     // The whole panel once: each sample stands for its part of its pixel. Random are only the
     // samples at the outline, some 1000 of 30 000.
-    const auto recorder = std::make_shared<Recorder>(false);
+    const auto recorder = std::make_shared<Recorder>();
     const Scene scene(seen_at_45_deg(FlatPanel{.width_mm = 200, .height_mm = 150}),
                       {{"paint", recorder}});
     RenderOptions options = kOptions;
@@ -100,7 +102,8 @@ TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
 TEST(Footprint, AtRestIsAsLargeAsTheScaledShape) {
     SceneDescription scene = seen_at_45_deg(FlatPanel{.width_mm = 100, .height_mm = 75});
     scene.shapes[0].transform = {.scale = 2, .rotation_deg = {0, 0, 25}};
-    const auto recorder = std::make_shared<Recorder>(false, bsdf::SurfaceCoordinates::object_space);
+    const auto recorder = std::make_shared<Recorder>(bsdf::SampleKind::density,
+                                                     bsdf::SurfaceCoordinates::object_space);
     render(Scene(scene, {{"paint", recorder}}), kOptions);
     EXPECT_NEAR(recorder->area / (200 * 150), 1, 0.01);
 }
@@ -110,24 +113,30 @@ TEST(Footprint, HalfASphereIsSeen) {
     SceneDescription description = seen_at_45_deg(Sphere{.radius_mm = 100});
     description.camera.position_mm = {0, -7000, 7000};
     description.camera.vertical_fov_deg = 1.4;
-    const auto recorder = std::make_shared<Recorder>(false);
+    const auto recorder = std::make_shared<Recorder>();
     render(Scene(description, {{"paint", recorder}}),
            {.width = 400, .height = 400, .samples_per_pixel = 16, .footprint_pixels = 0.25});
     EXPECT_NEAR(recorder->area, 0.5, 0.05);
 }
 
-TEST(Footprint, OfWhatAMirrorShowsIsAsFarAwayAsItsImage) {
-    // A panel seen in a mirror of twice its size: its image shows all of it, once.
+/// A panel of "paint" that the camera sees only by its reflection in a panel of "below", which is
+/// large enough that a mirror would show all of it.
+SceneDescription seen_by_reflection() {
     SceneDescription scene;
-    scene.materials = {{"mirror", PaintMaterial{}}, {"paint", PaintMaterial{}}};
-    scene.shapes.push_back({FlatPanel{.width_mm = 800, .height_mm = 800}, "mirror", {}});
+    scene.materials = {{"below", PaintMaterial{}}, {"paint", PaintMaterial{}}};
+    scene.shapes.push_back({FlatPanel{.width_mm = 800, .height_mm = 800}, "below", {}});
     scene.shapes.push_back({FlatPanel{.width_mm = 100, .height_mm = 100},
                             "paint",
                             {.rotation_deg = {180, 0, 0}, .translation_mm = {0, 0, 300}}});
     scene.camera = {
         .position_mm = {0, -900, 600}, .target_mm = {0, 0, -300}, .vertical_fov_deg = 12};
-    const auto mirror = std::make_shared<Recorder>(true), paint = std::make_shared<Recorder>(false);
-    render(Scene(scene, {{"mirror", mirror}, {"paint", paint}}), kOptions);
+    return scene;
+}
+
+TEST(Footprint, OfWhatAMirrorShowsIsAsFarAwayAsItsImage) {
+    const auto mirror = std::make_shared<Recorder>(bsdf::SampleKind::specular),
+               paint = std::make_shared<Recorder>();
+    render(Scene(seen_by_reflection(), {{"below", mirror}, {"paint", paint}}), kOptions);
     EXPECT_GT(paint->patches, 5000);
     EXPECT_EQ(paint->means, 0);
     EXPECT_NEAR(paint->area, 1, 0.02);
@@ -139,10 +148,32 @@ TEST(Footprint, AfterARoughReflectionTheMeanIsTaken) {
     scene.shapes.push_back({FlatPanel{.width_mm = 2000, .height_mm = 2000},
                             "paint",
                             {.rotation_deg = {180, 0, 0}, .translation_mm = {0, 600, 800}}});
-    const auto recorder = std::make_shared<Recorder>(false);
+    const auto recorder = std::make_shared<Recorder>();
     render(Scene(scene, {{"paint", recorder}}), kOptions);
     EXPECT_GT(recorder->patches, 10000);
     EXPECT_GT(recorder->means, 5000);
+}
+
+TEST(Footprint, AfterALightPathThroughAPaintTheMeanIsTaken) {
+    // The reference walks do not know the density of the directions in which light leaves; that
+    // does not make the paint a mirror. Without a step of the index at the surface, all light that
+    // returns comes from the white ground.
+    const auto diffuse = std::make_shared<montecarlo::PlaneWalk>(
+        montecarlo::test::paint(1.0, {montecarlo::test::pigment_layer(0.5, 0.1, 0)}, 0.9));
+    const auto paint = std::make_shared<Recorder>();
+    render(Scene(seen_by_reflection(), {{"below", diffuse}, {"paint", paint}}), kOptions);
+    EXPECT_EQ(paint->patches, 0);
+    EXPECT_GT(paint->means, 500);
+}
+
+TEST(Footprint, IsFollowedThroughTheGlossOfAPaintThatIsWalkedThrough) {
+    // A black paint under a smooth surface: all that it reflects is specular.
+    const auto glossy = std::make_shared<montecarlo::PlaneWalk>(
+        montecarlo::test::paint(1.5, {montecarlo::test::pigment_layer(0, 10, 0)}));
+    const auto paint = std::make_shared<Recorder>();
+    render(Scene(seen_by_reflection(), {{"below", glossy}, {"paint", paint}}), kOptions);
+    EXPECT_GT(paint->patches, 500);
+    EXPECT_EQ(paint->means, 0);
 }
 
 TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
@@ -151,7 +182,7 @@ TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
     std::ofstream(bare) << "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nf 1 2 3\n";
     std::ofstream(mapped) << "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nvt 0 0\nvt 0.5 0\nvt 0.5 0.5\n"
                              "f 1/1 2/2 3/3\n";
-    const auto recorder = std::make_shared<Recorder>(false);
+    const auto recorder = std::make_shared<Recorder>();
     try {
         const Scene scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", recorder}});
         FAIL() << "accepted";
@@ -162,7 +193,8 @@ TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
     render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}), kOptions);
     EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's share of the square
 
-    const auto at_rest = std::make_shared<Recorder>(false, bsdf::SurfaceCoordinates::object_space);
+    const auto at_rest = std::make_shared<Recorder>(bsdf::SampleKind::density,
+                                                    bsdf::SurfaceCoordinates::object_space);
     render(Scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", at_rest}}), kOptions);
     EXPECT_NEAR(at_rest->area / 5000, 1, 0.04);  // half of 100 mm x 100 mm, in 10 pixels' outline
 }

@@ -119,12 +119,13 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
         path.radiance += throughput.shown * shown;
         if (options.smooth) path.smooth += throughput.smooth * smooth;
     };
-    // Density with which the last surface sampled the ray. At the camera and after a mirror no
-    // light sample could have done the same, so what the ray meets counts in full.
+    // Density with which the last surface sampled the ray, if there is one. At the camera, after a
+    // specular reflection and after a random walk no light sample could have done the same, or
+    // nobody knows how likely: what the ray meets counts in full.
     float surface_pdf = 0;
-    bool alone = true;
+    bool weighable = false;
     const auto weight = [&](float light_pdf) {
-        if (alone) return 1.0f;
+        if (!weighable) return 1.0f;
         switch (options.direct_light) {
             case DirectLight::surface_sampling:
                 return 1.0f;
@@ -194,16 +195,17 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
         bool goes_on = survives(throughput.shown, roulette, u.roulette);
         if (options.smooth) {
             throughput.smooth *=
-                surface.smooth_too && !sample->mirror
+                surface.smooth_too && sample->kind == bsdf::SampleKind::density
                     ? (sample->wo.z / sample->pdf) * surface.bsdf.eval(wi, sample->wo)
                     : sample->weight;
             goes_on |= survives(throughput.smooth, roulette, u.roulette);
         }
         if (!goes_on) break;
         surface_pdf = sample->pdf;
-        alone = sample->mirror;
-        if (alone && differential && pass.has_varying_surfaces) {
-            differential = differential->mirrored(footprint(), hit->geometric_normal);
+        weighable = sample->kind == bsdf::SampleKind::density;
+        const bool specular = sample->kind == bsdf::SampleKind::specular;
+        if (specular && differential && pass.has_varying_surfaces) {
+            differential = differential->reflected(footprint(), hit->geometric_normal);
         } else {
             differential.reset();
         }

@@ -55,7 +55,7 @@ struct PathOptions {
 /// roulette by throughput from the fourth surface on, which keeps the mean.
 ///
 /// Surfaces that vary are looked at through the footprint of the pixel as long as the path has met
-/// mirrors only; further on, where neighbouring paths run apart, their mean is taken.
+/// specular reflections only; further on, where neighbouring paths run apart, their mean is taken.
 ///
 /// @param memory  of pass.patch_memory_bytes; what it held is lost
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,

@@ -145,8 +145,8 @@ TEST(Render, DirectionalLightFollowsTheCosineLaw) {
 }
 
 // The three estimators of direct light have one mean: each pair agrees within 4 combined standard
-// errors, on paint with a mirror, a lobe and a ground, under every kind of finite light. Under
-// the sky the surface alone would have to hit the sun; it is left out there.
+// errors, on paint with a specular and a wide lobe and a ground, under every kind of finite light.
+// Under the sky the surface alone would have to hit the sun; it is left out there.
 TEST(Render, EstimatorsOfDirectLightAgree) {
     struct Case {
         const char* name;
@@ -167,7 +167,7 @@ TEST(Render, EstimatorsOfDirectLightAgree) {
     cases.push_back({"sky", sky, false});
     for (const Case& c : cases) {
         SCOPED_TRACE(c.name);
-        // Without the mirror, through which the sun would be seen by chance as well.
+        // Without the specular lobe, by which the sun would be seen by chance as well.
         const Scene scene(c.scene, {{"paint", std::make_shared<Glossy>(40.0f, 0.0f)}});
         const RenderOptions options{.width = 12, .height = 12, .samples_per_pixel = 64};
         const auto all = testing::estimate_luminance(scene, options, DirectLight::combined, 24);
@@ -233,8 +233,7 @@ class Faulty final : public bsdf::Bsdf {
             return splat(std::numeric_limits<float>::quiet_NaN());
         }
         std::optional<bsdf::BsdfSample> sample(Vec3f, float, Vec2f) const override {
-            return bsdf::BsdfSample{
-                {0, 0, 1}, splat(std::numeric_limits<float>::infinity()), 1, false};
+            return bsdf::BsdfSample{{0, 0, 1}, splat(std::numeric_limits<float>::infinity()), 1};
         }
         float pdf(Vec3f, Vec3f) const override { return 1; }
         FloatLanes albedo(Vec3f) const override {

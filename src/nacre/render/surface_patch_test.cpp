@@ -145,7 +145,7 @@ TEST(RayDifferential, AFlatMirrorIsAWindow) {
     const float to_mirror = -30 / direction.z, onward = -50 / direction.z;
     const auto on_mirror = d.at(direction, to_mirror, {0, 0, 1});
     const Vec3f reflected{direction.x, direction.y, -direction.z};
-    const auto through = d.mirrored(on_mirror, {0, 0, 1}).at(reflected, onward, {0, 0, -1});
+    const auto through = d.reflected(on_mirror, {0, 0, 1}).at(reflected, onward, {0, 0, -1});
     const auto straight = d.at(direction, to_mirror + onward, {0, 0, 1});
     for (int i = 0; i < 2; ++i) {
         EXPECT_NEAR(length(through.edge_mm[i] - straight.edge_mm[i]), 0, 1e-5);

@@ -24,9 +24,10 @@ inline Vec3f direction(double theta_deg, double phi_deg) {
 }
 
 /// Chi-square of sampled directions against the density, over bins of cosine and azimuth, with one
-/// more bin for what is not a direction (the mirror, and samples that do not leave), as a standard
-/// normal variable: the cube root of chi-square over its mean is normal. [wilson-hilferty-1931]
-/// For lobes so wide that midpoints of a 16th of a bin integrate them: some 10 deg.
+/// more bin for what is not a direction (the specular lobe, and samples that do not leave), as a
+/// standard normal variable: the cube root of chi-square over its mean is normal.
+/// [wilson-hilferty-1931] For lobes so wide that midpoints of a 16th of a bin integrate them: some
+/// 10 deg.
 inline double chi_square_z_score(const BoundBsdf& bound, Vec3f wi, std::uint64_t seed,
                                  int samples) {
     constexpr int kCosines = 12, kAzimuths = 16, kSub = 16;
@@ -50,7 +51,7 @@ inline double chi_square_z_score(const BoundBsdf& bound, Vec3f wi, std::uint64_t
     for (int i = 0; i < samples; ++i) {
         const auto s =
             bound.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-        if (!s || s->mirror) {
+        if (!s || s->kind == SampleKind::specular) {
             ++found.back();
             continue;
         }

@@ -182,18 +182,13 @@ inline Estimates estimate(const bsdf::BoundBsdf& surface, Vec3f wi, int count,
     return result;
 }
 
-/// Share of the light from wi that leaves again, mirror included.
+/// The fraction of the light from wi that leaves again, specular reflection included.
 inline std::array<Estimate, kLanes> walked_albedo(const bsdf::BoundBsdf& surface, Vec3f wi,
                                                   int count, std::uint64_t seed = 1) {
     return estimate(surface, wi, count, 1, seed,
                     [](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
                         values[0] = s.weight;
                     })[0];
-}
-
-inline bool is_mirror_image(Vec3f wi, Vec3f wo) {
-    return std::abs(wi.x + wo.x) < 1e-6f && std::abs(wi.y + wo.y) < 1e-6f &&
-           std::abs(wi.z - wo.z) < 1e-6f;
 }
 
 }  // namespace nacre::montecarlo::test

@@ -12,34 +12,36 @@
 #include "nacre/render/render.h"
 #include "nacre/render/scene.h"
 
-// Only for tests: a coated paint in a few lines, with a mirror, a sharp lobe whose colour turns
-// with angle, and a diffuse ground. It has all that a renderer must cope with.
+// Only for tests: a coated paint in a few lines, with a specular lobe, a sharp lobe whose colour
+// turns with angle, and a diffuse ground. It has all that a renderer must cope with.
 
 namespace nacre::render::testing {
 
 class BoundGlossy final : public bsdf::BoundBsdf {
  public:
-    BoundGlossy(const bsdf::Wavelengths& wavelengths_nm, float exponent, float mirror)
+    BoundGlossy(const bsdf::Wavelengths& wavelengths_nm, float exponent, float specular)
         : nm_(make_lanes([&](int i) { return static_cast<float>(wavelengths_nm[i]); })),
           exponent_(exponent),
-          mirror_(mirror) {}
+          specular_(specular) {}
 
     FloatLanes eval(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
         const Vec3f h = normalize(wi + wo);
         const float cos_h = dot(wi, h);
         const float lobe = density(h) / (4 * cos_h * std::max(wi.z, wo.z));
-        return (1 - mirror_) * (lobe * colour(cos_h) + splat(0.1f * kInvPi));
+        return (1 - specular_) * (lobe * colour(cos_h) + splat(0.1f * kInvPi));
     }
     std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
         if (wi.z <= 0) return std::nullopt;
-        const float p_mirror = mirror_probability();
-        if (u_select < p_mirror) {
-            return bsdf::BsdfSample{
-                {-wi.x, -wi.y, wi.z}, splat(mirror_ / p_mirror), p_mirror, true};
+        const float p_specular = specular_probability();
+        if (u_select < p_specular) {
+            return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z},
+                                    splat(specular_ / p_specular),
+                                    p_specular,
+                                    bsdf::SampleKind::specular};
         }
         Vec3f wo;
-        if ((u_select - p_mirror) / (1 - p_mirror) < kLobeFraction) {
+        if ((u_select - p_specular) / (1 - p_specular) < kLobeFraction) {
             const float z = std::pow(u.x, 1 / (exponent_ + 2));
             const float r = std::sqrt(std::max(0.0f, 1 - z * z));
             const float angle = 2 * std::numbers::pi_v<float> * u.y;
@@ -51,13 +53,13 @@ class BoundGlossy final : public bsdf::BoundBsdf {
         if (wo.z <= 0) return std::nullopt;
         const float density = pdf(wi, wo);
         if (!(density > 0)) return std::nullopt;
-        return bsdf::BsdfSample{wo, (wo.z / density) * eval(wi, wo), density, false};
+        return bsdf::BsdfSample{wo, (wo.z / density) * eval(wi, wo), density};
     }
     float pdf(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return 0;
         const Vec3f h = normalize(wi + wo);
-        return (1 - mirror_probability()) * (kLobeFraction * density(h) * h.z / (4 * dot(wi, h)) +
-                                             (1 - kLobeFraction) * kInvPi * wo.z);
+        return (1 - specular_probability()) * (kLobeFraction * density(h) * h.z / (4 * dot(wi, h)) +
+                                               (1 - kLobeFraction) * kInvPi * wo.z);
     }
     FloatLanes albedo(Vec3f wi) const override { return 0.8f * colour(wi.z); }
 
@@ -65,7 +67,7 @@ class BoundGlossy final : public bsdf::BoundBsdf {
     static constexpr float kInvPi = std::numbers::inv_pi_v<float>;
     static constexpr float kLobeFraction = 0.7f;
 
-    float mirror_probability() const { return mirror_ > 0 ? 0.1f : 0; }
+    float specular_probability() const { return specular_ > 0 ? 0.1f : 0; }
     /// Normalised such that Int D cos(theta_h) d omega = 1.
     float density(Vec3f h) const {
         return (exponent_ + 2) * 0.5f * kInvPi * std::pow(std::max(h.z, 0.0f), exponent_);
@@ -79,19 +81,19 @@ class BoundGlossy final : public bsdf::BoundBsdf {
     }
 
     FloatLanes nm_;
-    float exponent_, mirror_;
+    float exponent_, specular_;
 };
 
 class Glossy final : public bsdf::Bsdf {
  public:
-    explicit Glossy(float exponent = 60, float mirror = 0.05f)
-        : exponent_(exponent), mirror_(mirror) {}
+    explicit Glossy(float exponent = 60, float specular = 0.05f)
+        : exponent_(exponent), specular_(specular) {}
     std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths& nm) const override {
-        return std::make_unique<BoundGlossy>(nm, exponent_, mirror_);
+        return std::make_unique<BoundGlossy>(nm, exponent_, specular_);
     }
 
  private:
-    float exponent_, mirror_;
+    float exponent_, specular_;
 };
 
 /// Mean of a quantity over renders with different seeds, and the standard error of that mean.
@@ -160,7 +162,8 @@ class Speckled final : public bsdf::Bsdf {
         std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi,
                                                   float u_select, Vec2f u) const override {
             auto drawn = mean_->sample(wi, u_select, u);
-            if (drawn && !drawn->mirror) drawn->weight *= factor(patch, wi, drawn->wo);
+            if (drawn && drawn->kind == bsdf::SampleKind::density)
+                drawn->weight *= factor(patch, wi, drawn->wo);
             return drawn;
         }
         std::size_t patch_memory_bytes() const override { return sizeof(Vec3f); }

@@ -21,7 +21,7 @@ class BoundLambertian final : public BoundBsdf {
     std::optional<BsdfSample> sample(Vec3f wi, float /*u_select*/, Vec2f u) const override {
         const Vec3f wo = cosine_hemisphere(u);
         if (wi.z <= 0 || wo.z <= 0) return std::nullopt;
-        return BsdfSample{wo, reflectance_, kInvPi * wo.z, false};
+        return BsdfSample{wo, reflectance_, kInvPi * wo.z};
     }
     float pdf(Vec3f wi, Vec3f wo) const override {
         return wi.z > 0 && wo.z > 0 ? kInvPi * wo.z : 0;

@@ -32,7 +32,7 @@ TEST(Lambertian, SampleWeightIsTheAlbedoAndItsPdfAgrees) {
         const Vec2f u{(i % 8 + 0.5f) / 8, (i / 8 + 0.5f) / 8};
         const auto s = bound->sample(kOblique, 0.5f, u);
         ASSERT_TRUE(s.has_value());
-        EXPECT_FALSE(s->mirror);
+        EXPECT_EQ(s->kind, SampleKind::density);
         EXPECT_NEAR(length(s->wo), 1, 1e-6);
         EXPECT_FLOAT_EQ(s->pdf, bound->pdf(kOblique, s->wo));
         EXPECT_FLOAT_EQ(s->weight[3], bound->albedo(kOblique)[3]);

@@ -200,9 +200,9 @@ void Microflake::Tables::choose_lobes() {
     parallel_for(0, kDirectionIntervals / kStride + 1, [&](std::size_t step) {
         const int row = static_cast<int>(step) * kStride;
         const double theta_i = direction_angle(row);
-        const double mirror = rough
-                                  ? solver::rough_interface(ior, medium.roughness)->albedo(theta_i)
-                                  : optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
+        const double interface =
+            rough ? solver::rough_interface(ior, medium.roughness)->albedo(theta_i)
+                  : optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
         // Energy of the multiple scattering, and what it would be if its dark side were all there
         // is.
         const solver::MultipleScatteringSlice slice(paint->multiple_scattering, theta_i);
@@ -211,8 +211,8 @@ void Microflake::Tables::choose_lobes() {
         for (std::size_t t = 0; t < polar.nodes.size(); ++t) {
             const double theta_o = polar.nodes[t];
             const double fresnel =
-                (1 - mirror) * (1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta_o))) /
-                (ior * ior);
+                (1 - interface) *
+                (1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta_o))) / (ior * ior);
             for (int p = 0; p < kAzimuths; ++p) {
                 const double phi = std::numbers::pi * (p + 0.5) / kAzimuths;
                 slice.coefficients(theta_o, phi, coefficient);
@@ -231,14 +231,14 @@ void Microflake::Tables::choose_lobes() {
             }
         }
         const double single = has_flakes ? single_scattering_fraction(medium, theta_i) : 0.0;
-        const double total = mirror + single + energy + 1e-6;
+        const double total = interface + single + energy + 1e-6;
         // A tenth of the multiple scattering at least, and a hundredth of all, goes everywhere:
         // that bounds the weights.
         double diffuse = std::max(std::min(dark, energy), 0.1 * energy) / total + 0.01;
         double wide = has_flakes ? std::max(energy / total + 0.01 - diffuse, 0.01) : 0.0;
         double flake = single / total + (has_flakes ? 0.01 : 0.0);
-        const double sum_all = mirror / total + flake + wide + diffuse;
-        probability[row] = {static_cast<float>(mirror / total / sum_all),
+        const double sum_all = interface / total + flake + wide + diffuse;
+        probability[row] = {static_cast<float>(interface / total / sum_all),
                             static_cast<float>(flake / sum_all), static_cast<float>(wide / sum_all),
                             static_cast<float>(diffuse / sum_all)};
     });
@@ -425,12 +425,12 @@ BsdfValue BoundMicroflake::evaluate(Vec3f wi, Vec3f wo) const {
     return {value(i, o, MeanFlakes{}), density(probabilities_at(i), i, o)};
 }
 
-BsdfSample BoundMicroflake::mirror_sample(Vec3f wi, float probability) const {
+BsdfSample BoundMicroflake::specular_sample(Vec3f wi, float probability) const {
     BsdfSample s;
     s.wo = {-wi.x, -wi.y, wi.z};
     s.weight = optics::dielectric_reflectance(splat(1.0f), ior_, splat(wi.z)) * (1 / probability);
     s.pdf = probability;
-    s.mirror = true;
+    s.kind = SampleKind::specular;
     return s;
 }
 
@@ -454,7 +454,7 @@ std::optional<BsdfSample> BoundMicroflake::sample(Vec3f wi, float u_select, Vec2
     if (wi.z <= 0) return std::nullopt;
     const Ray i = make_ray(wi);
     const LobeProbabilities& probability = probabilities_at(i);
-    if (draws_mirror(probability, u_select)) return mirror_sample(wi, probability.interface);
+    if (draws_specular(probability, u_select)) return specular_sample(wi, probability.interface);
     BsdfSample s;
     s.wo = draw(probability, i, u_select, u);
     if (s.wo.z <= 0) return std::nullopt;

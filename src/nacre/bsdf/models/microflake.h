@@ -60,7 +60,7 @@ struct Microflake::Tables {
 
     std::shared_ptr<const solver::SolvedPaint> paint;
     float mean_ior;  ///< of the binder over the paint's wavelengths
-    bool rough;      ///< the interface: its lobe takes the place of the mirror
+    bool rough;      ///< the interface: its lobe takes the place of the specular one
     SmoothTable smooth;
     /// Roughness of the sampled lobes inside the coat: flakes (area-weighted mean) and what they
     /// scatter again.
@@ -155,22 +155,23 @@ class BoundMicroflake : public BoundBsdf {
     // For models that keep the smooth part and the ways to sample it, and change the flakes.
 
     Ray make_ray(Vec3f w) const;
-    /// BRDF without the mirror.
+    /// BRDF without the specular lobe.
     template <class Flakes>
     FloatLanes value(const Ray& i, const Ray& o, const Flakes& flakes) const;
 
     const LobeProbabilities& probabilities_at(const Ray& i) const;
-    /// Per solid angle outside, of draw() with these probability.
+    /// Per solid angle outside, of draw() with these probabilities.
     float density(const LobeProbabilities& probability, const Ray& i, const Ray& o) const;
-    /// Whether u_select, in [0, sum of the probability), stands for the mirror of a smooth
+    /// Whether u_select, in [0, sum of the probabilities), stands for the specular lobe of a smooth
     /// interface.
-    bool draws_mirror(const LobeProbabilities& probability, float u_select) const {
+    bool draws_specular(const LobeProbabilities& probability, float u_select) const {
         return u_select < probability.interface && !rough_;
     }
-    /// By the lobe that u_select stands for, not the mirror; not upwards where nothing leaves.
+    /// By the lobe that u_select stands for, not the specular one; not upwards where nothing
+    /// leaves.
     Vec3f draw(const LobeProbabilities& probability, const Ray& i, float u_select, Vec2f u) const;
-    /// The mirror of a smooth interface, chosen with this probability.
-    BsdfSample mirror_sample(Vec3f wi, float probability) const;
+    /// The specular reflection of a smooth interface, chosen with this probability.
+    BsdfSample specular_sample(Vec3f wi, float probability) const;
     /// The direction outside of one inside; empty where light cannot leave.
     std::optional<Vec3f> leave(Vec3f inside) const {
         if (inside.z <= 0) return std::nullopt;

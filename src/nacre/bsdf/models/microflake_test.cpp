@@ -157,14 +157,14 @@ TEST(Microflake, IsBlackBelowTheHorizon) {
 TEST(Microflake, SampleReportsItsOwnDensityAndWeight) {
     const auto bound = everything_model().bsdf->bind(kOnGrid);
     Rng rng(3, 1);
-    int mirrors = 0, others = 0;
+    int specular = 0, others = 0;
     for (int i = 0; i < 4000; ++i) {
         const Vec3f wi = direction(89 * rng.uniform_double(), 40);
         const auto s =
             bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
         if (!s) continue;
-        if (s->mirror) {
-            ++mirrors;
+        if (s->kind == SampleKind::specular) {
+            ++specular;
             EXPECT_FLOAT_EQ(s->wo.z, wi.z);
             continue;
         }
@@ -173,7 +173,7 @@ TEST(Microflake, SampleReportsItsOwnDensityAndWeight) {
         const FloatLanes expected = bound->eval(wi, s->wo) * (s->wo.z / s->pdf);
         ASSERT_NEAR(s->weight[2], expected[2], 1e-4f * expected[2]);
     }
-    EXPECT_GT(mirrors, 100);
+    EXPECT_GT(specular, 100);
     EXPECT_GT(others, 2000);
 }
 

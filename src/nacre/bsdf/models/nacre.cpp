@@ -451,8 +451,8 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
         s.wo = *wo;
     } else {
         u_select -= probability.flakes;
-        if (draws_mirror(probability.lobes, u_select))
-            return mirror_sample(wi, probability.lobes.interface);
+        if (draws_specular(probability.lobes, u_select))
+            return specular_sample(wi, probability.lobes.interface);
         s.wo = draw(probability.lobes, i, u_select, u);
         if (s.wo.z <= 0) return std::nullopt;
     }
@@ -476,7 +476,7 @@ BsdfValue BoundNacre::evaluate(Vec3f wi, Vec3f wo) const {
 
 std::optional<BsdfSample> BoundNacre::sample(Vec3f wi, float u_select, Vec2f u) const {
     auto s = BoundMicroflake::sample(wi, u_select, u);
-    if (s && !s->mirror && hot_spot_) {
+    if (s && s->kind == SampleKind::density && hot_spot_) {
         s->weight = mean_value(make_ray(wi), make_ray(s->wo)) * (s->wo.z / s->pdf);
     }
     return s;

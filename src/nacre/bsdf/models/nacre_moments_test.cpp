@@ -106,7 +106,7 @@ TEST(Nacre, WithoutAPatchIsTheMicroflakeModel) {
         ASSERT_EQ(a.has_value(), b.has_value());
         const FloatLanes albedo_a = smooth->albedo(wi), albedo_b = model.bound->albedo(wi);
         for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(albedo_a[lane], albedo_b[lane]);
-        if (!a || a->mirror) continue;
+        if (!a || a->kind == SampleKind::specular) continue;
         EXPECT_EQ(a->pdf, b->pdf);
         EXPECT_EQ(smooth->pdf(wi, a->wo), model.bound->pdf(wi, a->wo));
         const FloatLanes f_a = smooth->eval(wi, a->wo), f_b = model.bound->eval(wi, a->wo);

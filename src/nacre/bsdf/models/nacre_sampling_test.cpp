@@ -58,22 +58,22 @@ double side_of(const SparklingModel& model, double flakes) {
 TEST(NacreSampling, ReportsTheDensityAndValueOfThePatch) {
     const SparklingModel& model = everything_sparkling();
     Rng rng(8);
-    int mirrors = 0, others = 0, brighter = 0;
+    int specular = 0, others = 0, brighter = 0;
     for (int n = 0; n < 4000; ++n) {
         const OnPatch on(*model.bound, square_somewhere(rng, side_of(model, 3)));
         const Vec3f wi = direction(85 * rng.uniform_double(), 360 * rng.uniform_double());
         const auto s =
             on.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
         if (!s) continue;
-        mirrors += s->mirror;
-        if (s->mirror) continue;
+        specular += s->kind == SampleKind::specular;
+        if (s->kind == SampleKind::specular) continue;
         ++others;
         ASSERT_NEAR(s->pdf, on.pdf(wi, s->wo), 1e-3f * s->pdf);
         const FloatLanes expected = on.eval(wi, s->wo) * (s->wo.z / s->pdf);
         ASSERT_NEAR(s->weight[2], expected[2], 1e-3f * expected[2]);
         brighter += on.eval(wi, s->wo)[2] > 3 * model.bound->eval(wi, s->wo)[2];
     }
-    EXPECT_GT(mirrors, 100);
+    EXPECT_GT(specular, 100);
     EXPECT_GT(others, 2000);
     EXPECT_GT(brighter, 300);  // it does find the flakes
 }
@@ -122,7 +122,7 @@ TEST(NacreSampling, MeanWeightIsTheIntegralOverThePatch) {
         for (int n = 0; n < kSamples; ++n) {
             const auto s =
                 on.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-            const double w = s && !s->mirror ? s->weight[4] : 0;
+            const double w = s && s->kind == SampleKind::density ? s->weight[4] : 0;
             sum += w;
             squares += w * w;
         }
@@ -198,7 +198,7 @@ TEST(NacrePatch, IsReciprocal) {
                 const Vec3f wi = direction(80 * rng.uniform_double(), 360 * rng.uniform_double());
                 const auto s =
                     on.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-                if (!s || s->mirror) continue;
+                if (!s || s->kind == SampleKind::specular) continue;
                 const FloatLanes there = on.eval(wi, s->wo), back = on.eval(s->wo, wi);
                 for (int k = 0; k < kLanes; ++k) {
                     // A few dozen roundings in single precision, some amplified by exponentials.

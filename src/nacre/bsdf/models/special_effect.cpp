@@ -126,8 +126,8 @@ class BoundSpecialEffect final : public BoundBsdf {
 
     FloatLanes albedo(Vec3f wi) const override {
         if (wi.z <= 0) return FloatLanes{};
-        const FloatLanes mirror = splat(coat_.mirror_reflectance(coat_.refract(wi)));
-        return min_lanes(mirror + albedo_.at(wi.z), splat(1.0f));
+        const FloatLanes specular = splat(coat_.specular_reflectance(coat_.refract(wi)));
+        return min_lanes(specular + albedo_.at(wi.z), splat(1.0f));
     }
 
  private:
@@ -193,15 +193,15 @@ class BoundSpecialEffect final : public BoundBsdf {
                coat_.solid_angle_ratio(p.o);
     }
     float density(const Pair& p) const {
-        return (1 - albedo_.mirror_probability(coat_, p.i)) * facet_density(p);
+        return (1 - albedo_.specular_probability(coat_, p.i)) * facet_density(p);
     }
 
     template <class Value>
     std::optional<BsdfSample> sample_with(Vec3f wi, float u_select, Vec2f u, Value&& value) const {
         if (wi.z <= 0) return std::nullopt;
         const Ray i = coat_.refract(wi);
-        const float mirror = albedo_.mirror_probability(coat_, i);
-        if (u_select < mirror) return coat_.mirror_sample(i, mirror);
+        const float p_specular = albedo_.specular_probability(coat_, i);
+        if (u_select < p_specular) return coat_.specular_sample(i, p_specular);
         // Two more numbers than the caller gives: a hash of the three.
         const std::uint64_t bits =
             hash_of(std::bit_cast<std::uint32_t>(u.x), std::bit_cast<std::uint32_t>(u.y),
@@ -213,11 +213,8 @@ class BoundSpecialEffect final : public BoundBsdf {
         const Pair pair(*this, i, *o);
         const float p = density(pair);
         if (!(p > 0)) return std::nullopt;
-        return BsdfSample{.wo = o->outside,
-                          .weight = value(pair) * (o->outside.z / p),
-                          .pdf = p,
-                          .mirror = false,
-                          .exit_mm = {}};
+        return BsdfSample{
+            .wo = o->outside, .weight = value(pair) * (o->outside.z / p), .pdf = p, .exit_mm = {}};
     }
 
     std::shared_ptr<const SpecialEffect::Tables> tables_;

@@ -105,7 +105,7 @@ TEST(SpecialEffect, IsReciprocal) {
             const Vec3f wi = direction(70 * rng.uniform_double(), 360 * rng.uniform_double());
             const auto sample =
                 bound->sample(wi, 0.99f, {rng.uniform_float(), rng.uniform_float()});
-            if (!sample || sample->mirror) continue;
+            if (!sample || sample->kind == SampleKind::specular) continue;
             const FloatLanes there = bound->evaluate_on(patch, wi, sample->wo).f;
             const FloatLanes back = bound->evaluate_on(patch, sample->wo, wi).f;
             const FloatLanes mean = bound->eval(wi, sample->wo);
@@ -178,15 +178,15 @@ double chi_square_z_score(const BoundBsdf& bound, const Vec3f wi, const Patch* p
     const double x0 = -wi.x, y0 = -wi.y, reach = 0.35, step = 2 * reach / kRows;
     Rng rng(11);
     int drawn = 0;
-    double mirrors = 0;
+    double specular = 0;
     for (int i = 0; i < kSamples; ++i) {
         const float u_select = rng.uniform_float();
         const Vec2f u = {rng.uniform_float(), rng.uniform_float()};
         const auto s =
             patch ? bound.sample_on(*patch, wi, u_select, u) : bound.sample(wi, u_select, u);
         if (!s) continue;
-        mirrors += s->mirror;
-        if (s->mirror) continue;
+        specular += s->kind == SampleKind::specular;
+        if (s->kind == SampleKind::specular) continue;
         ++drawn;
         EXPECT_NEAR(s->pdf, bound.pdf(wi, s->wo), 2e-3f * s->pdf);
         const int x = static_cast<int>(std::floor((s->wo.x - x0 + reach) / step));

@@ -20,7 +20,7 @@ enum class ThinFilmColour {
 /// heights.                                              [belcour-barla-2017; docs/thin-film.md]
 ///
 /// In air, or under a smooth clearcoat, where the facets lie in the binder and
-///   f = mirror + t_i t_o / n^2 A f_inner(refracted directions).
+///   f = specular + t_i t_o / n^2 A f_inner(refracted directions).
 /// Light that facets send to other facets, or back to them by the coat, is lost.
 ///
 /// In the modes `table` and `paper` the colour (linear Rec. 709 under D65) becomes a spectrum by

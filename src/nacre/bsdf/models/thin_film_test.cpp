@@ -254,14 +254,14 @@ TEST(ThinFilm, SampleReportsItsOwnDensityAndWeight) {
         for (const bool coat : {false, true}) {
             const paint::Recipe recipe = violet(law, 0.2);
             const auto bound = bind(coat ? coated(recipe) : recipe);
-            int mirrors = 0, others = 0;
+            int specular = 0, others = 0;
             for (int i = 0; i < 3000; ++i) {
                 const Vec3f wi = direction(89 * rng.uniform_double(), 40);
                 const auto s = bound->sample(wi, rng.uniform_float(),
                                              {rng.uniform_float(), rng.uniform_float()});
                 if (!s) continue;
-                if (s->mirror) {
-                    ++mirrors;
+                if (s->kind == SampleKind::specular) {
+                    ++specular;
                     EXPECT_FLOAT_EQ(s->wo.z, wi.z);
                     continue;
                 }
@@ -272,7 +272,7 @@ TEST(ThinFilm, SampleReportsItsOwnDensityAndWeight) {
                 const FloatLanes expected = bound->eval(wi, s->wo) * (s->wo.z / s->pdf);
                 ASSERT_NEAR(s->weight[2], expected[2], 1e-4f * expected[2]);
             }
-            EXPECT_EQ(mirrors > 100, coat);
+            EXPECT_EQ(specular > 100, coat);
             EXPECT_GT(others, 500);
         }
     }

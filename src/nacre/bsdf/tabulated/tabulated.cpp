@@ -42,13 +42,13 @@ struct Tabulated::Tables {
     FlakeLobe flakes, wide;
     std::optional<FlakeLobe> interface;
     std::vector<LobeProbabilities> probability;  ///< by direction row
-    std::vector<bsdf::Rgb> albedo;               ///< by direction row, the mirror left out
+    std::vector<bsdf::Rgb> albedo;               ///< by direction row, the specular lobe left out
 
     TableRay make_ray(Vec3f w) const;
     /// The BRDF in linear Rec. 709.
     bsdf::Rgb rgb(const TableRay& i, const TableRay& o) const;
     const LobeProbabilities& probabilities_at(Vec3f wi) const;
-    /// Density of sampling o given i, the mirror left out.
+    /// Density of sampling o given i, the specular lobe left out.
     float density(const LobeProbabilities& probability, const TableRay& i, const TableRay& o) const;
     /// Densities of the lobes apart: interface, flakes, wide, diffuse.
     std::array<float, 4> densities(const TableRay& i, const TableRay& o) const;
@@ -224,19 +224,20 @@ void Tabulated::Tables::fit_row(int row) {
 
     std::array<double, 4> fraction =
         fit_mixture(points, std::array<double, 4>{interface ? 0.25 : 0.0, 0.25, 0.25, 0.25});
-    // The mirror by its energy; a fiftieth of the rest, at least, goes everywhere, and as much to
-    // the wide lobe: that bounds the weights.
-    const double mirror =
+    // The specular lobe by its energy; a fiftieth of the rest, at least, goes everywhere, and as
+    // much to the wide lobe: that bounds the weights.
+    const double specular =
         interface ? 0.0 : optics::dielectric_reflectance(1.0, grid.ior, std::cos(theta_i));
-    const double chance = mirror > 0 ? mirror / (mirror + energy + 1e-6) : 0.0;
+    const double p_specular = specular > 0 ? specular / (specular + energy + 1e-6) : 0.0;
     constexpr double kMin = 0.02;
     fraction[2] = std::max(fraction[2], kMin);
     fraction[3] = std::max(fraction[3], kMin);
     double all = 0;
     for (double x : fraction) all += x;
-    for (double& x : fraction) x *= (1 - chance) / all;
-    probability[row] = {static_cast<float>(chance + fraction[0]), static_cast<float>(fraction[1]),
-                        static_cast<float>(fraction[2]), static_cast<float>(fraction[3])};
+    for (double& x : fraction) x *= (1 - p_specular) / all;
+    probability[row] = {static_cast<float>(p_specular + fraction[0]),
+                        static_cast<float>(fraction[1]), static_cast<float>(fraction[2]),
+                        static_cast<float>(fraction[3])};
 }
 
 namespace {
@@ -273,7 +274,7 @@ class BoundTabulated final : public BoundBsdf {
             s.weight = splat(optics::dielectric_reflectance(1.0f, tables_->ior, wi.z) /
                              probability.interface);
             s.pdf = probability.interface;
-            s.mirror = true;
+            s.kind = SampleKind::specular;
             return s;
         }
         const TableRay i = tables_->make_ray(wi);
@@ -294,9 +295,9 @@ class BoundTabulated final : public BoundBsdf {
         const bsdf::Rgb &a = tables_->albedo[at.row], &b = tables_->albedo[at.row + 1];
         bsdf::Rgb rgb;
         for (int c = 0; c < 3; ++c) rgb[c] = a[c] + at.fraction * (b[c] - a[c]);
-        const float mirror =
+        const float specular =
             tables_->interface ? 0.0f : optics::dielectric_reflectance(1.0f, tables_->ior, wi.z);
-        return spectrum_(rgb) + mirror;
+        return spectrum_(rgb) + specular;
     }
 
  private:

@@ -10,9 +10,9 @@ namespace nacre::bsdf {
 /// A paint rendered from a table of RGB values, raw or compressed, as Mir et al. 2022 do.
 ///                                                            [mir-2022; docs/tables.md]
 /// Evaluation interpolates the table (bsdf::BrdfCell), multiplies it by the analytic factor of
-/// the interface, and turns RGB into a spectrum by spectra::linear_rec709_basis. The mirror of a
-/// smooth interface is analytic, at the binder's mean index. Spectra that the basis makes negative
-/// (colours outside the gamut) are cut off at zero.
+/// the interface, and turns RGB into a spectrum by spectra::linear_rec709_basis. The specular lobe
+/// of a smooth interface is analytic, at the binder's mean index. Spectra that the basis makes
+/// negative (colours outside the gamut) are cut off at zero.
 ///
 /// With n = 256 and m = 128 the raw table agrees with the colour of SolvedPaint::brdf to
 /// kTabulatedError of the peak of each incident direction, for flake roughness 0.07 to 0.5,
@@ -21,8 +21,8 @@ namespace nacre::bsdf {
 /// and anything that has its spectrum; under another light, and after more than one reflection,
 /// they are those of the basis, which knows nothing of the paint's spectrum.
 ///
-/// Samples come from a mixture of mirror, flake lobe, a lobe twice as rough and a cosine lobe, its
-/// weights fitted to the table.
+/// Samples come from a mixture of specular lobe, flake lobe, a lobe twice as rough and a cosine
+/// lobe, its weights fitted to the table.
 class Tabulated final : public Bsdf {
  public:
     /// @throws DomainError if the table's grid or sizes are out of range or do not fit together

@@ -178,15 +178,15 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
 TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
     const auto bound = Tabulated(gold().compressed).bind(kWavelengths);
     Rng rng(3, 1);
-    int mirrors = 0, others = 0;
+    int specular = 0, others = 0;
     double largest = 0;
     for (int i = 0; i < 4000; ++i) {
         const Vec3f wi = direction(89 * rng.uniform_double(), 40);
         const auto s =
             bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
         if (!s) continue;
-        if (s->mirror) {
-            ++mirrors;
+        if (s->kind == SampleKind::specular) {
+            ++specular;
             EXPECT_FLOAT_EQ(s->wo.z, wi.z);
             continue;
         }
@@ -197,7 +197,7 @@ TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
         ASSERT_NEAR(s->weight[2], both.f[2] * s->wo.z / s->pdf, 1e-3f * s->weight[2]);
         largest = std::max<double>(largest, lane_max(s->weight));
     }
-    EXPECT_GT(mirrors, 100);
+    EXPECT_GT(specular, 100);
     EXPECT_GT(others, 2000);
     // A fiftieth of all samples goes everywhere, and the lobes fit: weights stay bounded.
     EXPECT_LT(largest, 8);

@@ -425,7 +425,7 @@ class BoundDiscWalk final : public montecarlo::BoundWalk {
               bsdf::locate_wavelengths(tables_->wavelengths_nm, wavelengths_nm),
               tables_->diffraction,
               1e-3 * std::accumulate(wavelengths_nm.begin(), wavelengths_nm.end(), 0.0) / kLanes} {
-        weigh_mirror();
+        estimate_typical_weight();
     }
 
  private:

@@ -239,7 +239,7 @@ Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, int walks, std::
     return montecarlo::test::estimate(
         *model.bind(kOnGrid), wi, walks, kRings * kSectors, seed,
         [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
-            if (montecarlo::test::is_mirror_image(wi, s.wo)) return;
+            if (s.kind == bsdf::SampleKind::specular) return;
             const int ring = std::min(static_cast<int>(s.wo.z * s.wo.z * kRings), kRings - 1);
             const double turn = std::abs(std::atan2(s.wo.y, s.wo.x)) / std::numbers::pi;
             const int sector = std::min(static_cast<int>(turn * kSectors), kSectors - 1);
