@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/fit/fit.h"
 #include "nacre/io/recipe_file.h"
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
     for (const Case& one : kCases) {
         if (argc > 2 && std::string(argv[2]) != one.paint) continue;
         const paint::Recipe start =
-            io::read_recipe(fmt::format(NACRE_SOURCE_DIR "/paints/{}.toml", one.paint));
+            io::read_recipe(shipped_file(fmt::format("paints/{}.toml", one.paint)));
         std::vector<std::string> keys;
         for (const std::string& name : one.free) {
             const auto found = paint::matching_parameters(start, name);

@@ -1,5 +1,7 @@
 #include "apps/study/query_cost.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>

@@ -1,5 +1,7 @@
 #include "nacre/bsdf/warp.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,7 @@
 #include "nacre/fit/fit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "nacre/fit/search.h"
 
 #include <ceres/ceres.h>
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>

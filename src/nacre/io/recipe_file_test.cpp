@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/io/table_reader.h"
 
 namespace nacre::io {
@@ -193,7 +194,8 @@ TEST(RecipeFile, BoundsOfAFitStandBesideTheRecipe) {
 // under its key.
 TEST(RecipeFile, EveryNumberOfEveryPaintSurvivesTheFile) {
     int numbers = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(NACRE_SOURCE_DIR "/paints")) {
+    const auto paints = shipped_file("paints/metallic-gray.toml").parent_path();
+    for (const auto& entry : std::filesystem::directory_iterator(paints)) {
         if (entry.path().extension() != ".toml") continue;
         const paint::Recipe recipe = read_recipe(entry.path());
         for (const paint::RecipeParameter& parameter : paint::recipe_parameters(recipe)) {

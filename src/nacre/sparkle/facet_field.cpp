@@ -1,5 +1,7 @@
 #include "nacre/sparkle/facet_field.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 #include <tuple>
 #include <utility>
