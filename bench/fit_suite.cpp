@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
             const std::clock_t before = std::clock();
             const fit::Fit found = fit::fit(standard, numbers);
             const double cpu = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-            double worst = 0;  // error as a share of the bounds
+            double worst = 0;  // error as a fraction of the bounds
             for (std::size_t i = 0; i < numbers.size(); ++i) {
                 worst = std::max(
                     worst, std::abs(numbers[i].to_unit(found.estimates[i].value) - hidden[i]));
