@@ -1,7 +1,5 @@
 #include "apps/report/parts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <optional>

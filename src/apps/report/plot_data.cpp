@@ -1,7 +1,5 @@
 #include "apps/report/plot_data.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>

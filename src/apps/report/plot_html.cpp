@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "apps/report/markup.h"
 #include "apps/report/parts.h"
 #include "apps/report/plot_data.h"

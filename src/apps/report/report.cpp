@@ -1,7 +1,5 @@
 #include "apps/report/report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "apps/report/markup.h"

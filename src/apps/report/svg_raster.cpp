@@ -1,7 +1,6 @@
 #include "apps/report/svg_raster.h"
 
 #include <cairo.h>
-#include <fmt/format.h>
 #include <librsvg/rsvg.h>
 
 #include <cmath>

@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "nacre/core/error.h"
-
 namespace nacre {
 namespace {
 

@@ -1,7 +1,5 @@
 #include "nacre/core/quadrature.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <memory>
 #include <mutex>

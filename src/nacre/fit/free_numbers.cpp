@@ -1,7 +1,5 @@
 #include "nacre/fit/free_numbers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -5,10 +5,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "nacre/core/error.h"
-#include "nacre/core/file.h"
 #include "nacre/io/table_reader.h"
+#include "nacre/paint/recipe_description.h"
+#include "nacre/testing/described.h"
+#include "nacre/testing/recipe.h"
 
 namespace nacre::io {
 namespace {
@@ -190,12 +193,72 @@ TEST(RecipeFile, BoundsOfAFitStandBesideTheRecipe) {
     EXPECT_EQ(again.bounds, file.bounds);
 }
 
+// Each key that a description names is written, and what is written is read: the value that was
+// changed comes back.
+TEST(RecipeFile, EveryDescribedKeyIsWrittenAndRead) {
+    paint::Recipe recipe = nacre::testing::full_recipe();
+    recipe.layers[0].flakes[0].orientation.beckmann_alpha = 0.125;
+    nacre::testing::EveryKey all;
+    paint::describe(all, recipe);
+    std::set<std::string> seen;
+    int changes = 0;
+    for (const nacre::testing::KeyOfObject& key : all.keys) {
+        seen.insert(nacre::testing::last_key(key.path));
+        if (key.is_settled) continue;
+        paint::Recipe changed = recipe;
+        nacre::testing::EveryKey change(key.path);
+        paint::describe(change, changed);
+        EXPECT_EQ(change.changes, 1) << key.path;
+        EXPECT_NE(changed, recipe) << key.path;
+        EXPECT_EQ(parse(write_recipe(changed)), changed) << key.path;
+        ++changes;
+    }
+    EXPECT_GE(changes, 40);
+    // The recipe above has a value for every key that there is.
+    paint::Substrate substrate{recipe.substrate_reflectance};
+    paint::FlakeSpecies& flakes = recipe.layers[0].flakes[0];
+    auto& film = std::get<optics::Platelet>(flakes.body).core;
+    for (const paint::Described& object :
+         {paint::Described(*recipe.clearcoat), paint::Described(recipe.layers[0]),
+          paint::Described(flakes), paint::Described(flakes.orientation), paint::Described(film),
+          paint::Described(recipe.layers[0].pigments[0]), paint::Described(substrate),
+          paint::Described(*recipe.microfacet), paint::Described(*recipe.microfacet->facets)}) {
+        const std::vector<std::string> keys = keys_of(object);
+        EXPECT_FALSE(keys.empty());
+        for (const std::string& key : keys) {
+            const bool holds_others = key == "flakes" || key == "pigment" || key == "orientation" ||
+                                      key == "core" || key == "coats" || key == "facets";
+            EXPECT_TRUE(holds_others || seen.contains(key)) << key;
+        }
+    }
+}
+
+TEST(RecipeFile, EveryNumberOutsideItsRangeIsRefused) {
+    const paint::Recipe recipe = nacre::testing::full_recipe();
+    nacre::testing::EveryKey all;
+    paint::Described::to_inspect(recipe).accept(all);
+    int refused = 0;
+    for (const nacre::testing::KeyOfObject& key : all.keys) {
+        if (!key.is_number) continue;
+        for (const double value : nacre::testing::values_outside(key.field.range)) {
+            paint::Recipe wrong = recipe;
+            nacre::testing::EveryKey change(key.path, value);
+            paint::describe(change, wrong);
+            EXPECT_THAT(error_of(write_recipe(wrong)),
+                        AllOf(HasSubstr("paint.toml:"),
+                              HasSubstr(fmt::format(": {} = {}: must be ", key.path, value)),
+                              HasSubstr(key.field.range.text())));
+            ++refused;
+        }
+    }
+    EXPECT_GE(refused, 2 * 33);
+}
+
 // The keys of paint/recipe_parameter.h are those of the file: a number that is set comes back
 // under its key.
 TEST(RecipeFile, EveryNumberOfEveryPaintSurvivesTheFile) {
     int numbers = 0;
-    const auto paints = shipped_file("paints/metallic-gray.toml").parent_path();
-    for (const auto& entry : std::filesystem::directory_iterator(paints)) {
+    for (const auto& entry : std::filesystem::directory_iterator(NACRE_SOURCE_DIR "/paints")) {
         if (entry.path().extension() != ".toml") continue;
         const paint::Recipe recipe = read_recipe(entry.path());
         for (const paint::RecipeParameter& parameter : paint::recipe_parameters(recipe)) {
@@ -366,7 +429,9 @@ const BadRecipe kBadRecipes[] = {
     {&kViolet, "\"mica\"", "{ n = [1.5, 1.6] }", "18:", "layer[0].flakes[0].core.material.n",
      "1 numbers"},
     {&kViolet, "\"mica\"", "{ n = [-1.5] }", "18:", "layer[0].flakes[0].core.material.n[0] = -1.5",
-     "(0, 100]"},
+     "(0, 1000]"},
+    {&kViolet, "\"mica\"", "1000.5", "18:", "layer[0].flakes[0].core.material = 1000.5",
+     "a number in (0, 1000]"},
     // bounds of a fit
     {&kBounded, "coats[0].thickness_nm\"", "coats[0].thicknes_nm\"",
      "29:", "fit.layer[0].flakes[0].coats[0].thicknes_nm", "coats[0].thickness_nm'?"},

@@ -1,7 +1,5 @@
 #include "nacre/io/solved_paint_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,13 +1,12 @@
 #include "nacre/io/table_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
+#include "nacre/paint/description.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/spectra/colour.h"
 
@@ -292,11 +291,9 @@ bool TableReader::is_table(std::string_view key) const { return has(key) && find
 bool TableReader::is_array(std::string_view key) const { return has(key) && find(key)->is_array(); }
 bool TableReader::is_text(std::string_view key) const { return has(key) && find(key)->is_string(); }
 
-namespace limits = paint::limits;
-
 std::vector<double> read_wavelengths(const TableReader& table, std::string_view key) {
     std::vector<double> wavelengths =
-        table.numbers(key, limits::kWavelength, 1, limits::kSpectrumSamples);
+        table.numbers(key, paint::limits::kWavelength, 1, paint::kMaxSpectrumSamples);
     for (std::size_t i = 1; i < wavelengths.size(); ++i) {
         if (!(wavelengths[i] > wavelengths[i - 1])) {
             table.fail(key, fmt::format("must increase, but {} nm follows {} nm", wavelengths[i],
@@ -311,7 +308,7 @@ spectra::Spectrum read_spectrum(const TableReader& table, std::string_view key,
     if (!table.is_table(key)) return table.number(key, range);
     const TableReader spectrum = table.table(key, {"wavelengths_nm", "values"});
     std::vector<double> wavelengths = read_wavelengths(spectrum, "wavelengths_nm");
-    std::vector<double> values = spectrum.numbers("values", range, 1, limits::kSpectrumSamples);
+    std::vector<double> values = spectrum.numbers("values", range, 1, paint::kMaxSpectrumSamples);
     if (values.size() != wavelengths.size()) {
         spectrum.fail("values", fmt::format("must have as many entries as wavelengths_nm, {}",
                                             wavelengths.size()));
@@ -325,8 +322,9 @@ spectra::Spectrum read_spectrum_or(const TableReader& table, std::string_view ke
 }
 
 spectra::Spectrum read_reflectance(const TableReader& table, std::string_view key) {
-    if (!table.is_array(key)) return read_spectrum(table, key, limits::kFraction);
-    const std::vector<double> rgb = table.numbers(key, limits::kFraction, 3, 3);
+    constexpr Range fraction{0, 1};
+    if (!table.is_array(key)) return read_spectrum(table, key, fraction);
+    const std::vector<double> rgb = table.numbers(key, fraction, 3, 3);
     return spectra::reflectance_from_rec709({rgb[0], rgb[1], rgb[2]});
 }
 

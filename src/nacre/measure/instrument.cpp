@@ -1,7 +1,5 @@
 #include "nacre/measure/instrument.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>

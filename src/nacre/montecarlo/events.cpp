@@ -1,7 +1,5 @@
 #include "nacre/montecarlo/events.h"
 
-#include <fmt/format.h>
-
 #include "nacre/core/error.h"
 
 namespace nacre::montecarlo {

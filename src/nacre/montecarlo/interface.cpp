@@ -1,13 +1,10 @@
 #include "nacre/montecarlo/interface.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
-#include "nacre/core/error.h"
 #include "nacre/optics/fresnel.h"
 
 namespace nacre::montecarlo {
@@ -75,12 +72,6 @@ std::unique_ptr<const AirInterface> make_smooth_interface(double index) {
 
 std::unique_ptr<const AirInterface> make_air_interface(const paint::Recipe& recipe, double index) {
     const double roughness = recipe.clearcoat ? recipe.clearcoat->roughness : 0;
-    if (roughness > 0 && roughness < kMinRoughness) {
-        throw DomainError(fmt::format(
-            "clearcoat.roughness = {} is too small for the reference to follow masked light: 0, or "
-            "at least {}",
-            roughness, kMinRoughness));
-    }
     // Equal indices are no interface, however rough.
     if (roughness > 0 && index > 1) return make_rough_interface(index, roughness);
     return make_smooth_interface(index);

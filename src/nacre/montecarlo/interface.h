@@ -62,14 +62,10 @@ std::unique_ptr<const AirInterface> make_smooth_interface(double index);
 
 /// Facets with Beckmann slopes, as solver/rough_interface.h defines them.
 /// @param index  of the binder, > 1
-/// @param alpha  at least kMinRoughness
+/// @param alpha  above 0; masked light is found by trial, which takes some 1/alpha^2 trials
 std::unique_ptr<const AirInterface> make_rough_interface(double index, double alpha);
 
-/// Masked light is found by trial, which takes some 1/alpha^2 trials.
-inline constexpr double kMinRoughness = 1e-3;
-
-/// The interface of a recipe whose binder has this index.
-/// @throws DomainError if its roughness is above 0 and below kMinRoughness
+/// The interface of a valid recipe whose binder has this index.
 std::unique_ptr<const AirInterface> make_air_interface(const paint::Recipe& recipe, double index);
 
 }  // namespace nacre::montecarlo

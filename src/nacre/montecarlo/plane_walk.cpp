@@ -208,10 +208,7 @@ class BoundPlaneWalk final : public BoundWalk {
 }  // namespace
 
 PlaneWalk::PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm)
-    : tables_(std::make_shared<const WalkTables>(recipe, wavelengths_nm)) {
-    // Says now, not at the first picture, what is wrong with a rough interface.
-    montecarlo::make_air_interface(recipe, tables_->grid.index(wavelengths_nm.front()));
-}
+    : tables_(std::make_shared<const WalkTables>(recipe, wavelengths_nm)) {}
 
 PlaneWalk::~PlaneWalk() = default;
 

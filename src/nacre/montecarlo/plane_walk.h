@@ -122,8 +122,7 @@ class PlaneWalk final : public bsdf::Bsdf {
  public:
     /// @param wavelengths_nm  where films are computed; between them, R, T and all else are linear
     ///                        in wavelength, beyond them constant
-    /// @throws DomainError if the recipe is not valid at these wavelengths, or if its clearcoat's
-    ///         roughness is above 0 and below montecarlo::kMinRoughness
+    /// @throws DomainError if the recipe is not valid at these wavelengths
     explicit PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm =
                                                         solver::default_wavelengths_nm());
     ~PlaneWalk() override;

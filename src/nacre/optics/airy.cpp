@@ -1,7 +1,5 @@
 #include "nacre/optics/airy.h"
 
-#include <fmt/format.h>
-
 #include <numbers>
 
 #include "nacre/core/error.h"

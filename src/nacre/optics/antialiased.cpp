@@ -1,7 +1,5 @@
 #include "nacre/optics/antialiased.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,5 @@
 #include "nacre/paint/flake_table.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 

@@ -1,14 +1,12 @@
 #include "nacre/paint/recipe_parameter.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <variant>
 
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
-#include "nacre/paint/recipe.h"
+#include "nacre/paint/recipe_description.h"
 
 namespace nacre::paint {
 
@@ -52,114 +50,51 @@ struct Slot {
     }
 };
 
-/// Walks through a recipe in the order of a recipe file.
-class SlotList {
+/// Gathers the numbers in the order of a recipe file.
+class SlotList final : public PathVisitor {
  public:
-    explicit SlotList(Recipe& recipe) {
-        if (is_number(recipe.binder))
-            slots_.push_back({"ior", limits::kBinderIndex, &recipe.binder});
-        if (recipe.clearcoat) add(*recipe.clearcoat);
-        for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
-            add(fmt::format("layer[{}].", i), recipe.layers[i]);
-        }
-        add("substrate.reflectance", recipe.substrate_reflectance, limits::kFraction);
-        if (recipe.microfacet) add(*recipe.microfacet);
+    void number(const Field& field, double& value) override {
+        if (field.zero && value == 0) return;  // there is no way from 0 into the range
+        slots.push_back({path_of(field), field.range, &value});
     }
 
-    std::vector<Slot> take() && { return std::move(slots_); }
-
- private:
-    /// Whether a recipe states the material as a plain number.
-    static bool is_number(const Material& material) {
-        return !material.is_dispersive() && material == Material(material.samples()[0].real());
-    }
-
-    void add(std::string key, double& number, const Range& range) {
-        slots_.push_back({std::move(key), range, &number});
-    }
-
-    void add(std::string key, Spectrum& spectrum, Range range) {
-        if (spectrum != Spectrum(spectrum.values()[0])) {
-            if (!(spectrum.max() > 0)) return;
+    void spectrum(const Field& field, Spectrum& value) override {
+        std::string key = path_of(field);
+        Range range = field.range;
+        if (value != Spectrum(value.values()[0])) {
+            if (!(value.max() > 0)) return;
             key += ".max";
             range.lo_open = true;  // at zero the shape of the spectrum would be lost
         }
-        slots_.push_back({std::move(key), range, &spectrum});
+        slots.push_back({std::move(key), range, &value});
     }
 
-    void add(Clearcoat& coat) {
-        add("clearcoat.thickness_um", coat.thickness_um, limits::kClearcoatThickness);
-        add("clearcoat.absorption_per_mm", coat.absorption_per_mm, limits::kPerMillimetre);
-        if (coat.roughness > 0) {
-            add("clearcoat.roughness", coat.roughness, limits::kRoughInterface);
+    /// Where only a real index can stand, one that is stated as a plain number is a number.
+    void material(const Field& field, Material& value) override {
+        if (!field.real || value.is_dispersive()) return;
+        if (value == Material(value.samples()[0].real())) {
+            slots.push_back({path_of(field), field.range, &value});
         }
     }
 
-    void add(const std::string& path, Layer& layer) {
-        add(path + "thickness_um", layer.thickness_um, limits::kLayerThickness);
-        for (std::size_t i = 0; i < layer.flakes.size(); ++i) {
-            add(fmt::format("{}flakes[{}].", path, i), layer.flakes[i]);
-        }
-        for (std::size_t i = 0; i < layer.pigments.size(); ++i) {
-            const std::string at = fmt::format("{}pigment[{}].", path, i);
-            Pigment& pigment = layer.pigments[i];
-            add(at + "scattering_per_mm", pigment.scattering_per_mm, limits::kPerMillimetre);
-            add(at + "absorption_per_mm", pigment.absorption_per_mm, limits::kPerMillimetre);
-            add(at + "anisotropy", pigment.anisotropy, limits::kAnisotropy);
-        }
-    }
-
-    void add(const std::string& path, FlakeSpecies& species) {
-        if (auto* fraction = std::get_if<VolumeFraction>(&species.amount)) {
-            add(path + "volume_fraction", fraction->value, limits::kVolumeFraction);
-        } else {
-            add(path + "area_density_per_um", std::get<AreaDensity>(species.amount).per_um,
-                limits::kAreaDensity);
-        }
-        add(path + "diameter_um", species.diameter_um, limits::kDiameter);
-        add(path + "diameter_spread_um", species.diameter_spread_um, limits::kDiameterSpread);
-        add(path + "orientation.alpha", species.orientation.beckmann_alpha, limits::kBeckmannAlpha);
-        std::visit([&](auto& body) { add(path, body); }, species.body);
-    }
-
-    void add(const std::string& path, optics::FilmPopulation& film) {
-        add(path + "thickness_nm", film.thickness_nm, limits::kFilmThickness);
-        add(path + "spread_nm", film.spread.standard_deviation_nm, limits::kFilmSpread);
-    }
-
-    void add(const std::string& path, optics::Platelet& platelet) {
-        add(path + "core.", platelet.core);
-        for (std::size_t i = 0; i < platelet.coats.size(); ++i) {
-            add(fmt::format("{}coats[{}].", path, i), platelet.coats[i]);
-        }
-    }
-
-    void add(const std::string& path, PrescribedFlake& flake) {
-        add(path + "reflectance", flake.reflectance, limits::kFraction);
-        add(path + "transmittance", flake.transmittance, limits::kFraction);
-        add(path + "thickness_um", flake.thickness_um, limits::kPlateletThickness);
-    }
-
-    void add(Microfacet& m) {
-        add("microfacet.alpha", m.alpha, limits::kMicrofacetAlpha);
-        add("microfacet.film_ior", m.film_ior, limits::kMicrofacetIndex);
-        add("microfacet.film_thickness_nm", m.film_thickness_nm, limits::kMicrofacetFilmThickness);
-        add("microfacet.base_ior", m.base_ior, limits::kMicrofacetIndex);
-        add("microfacet.base_extinction", m.base_extinction, limits::kMicrofacetExtinction);
-        if (!m.facets) return;
-        add("microfacet.facets.count", m.facets->count, limits::kFacetCount);
-        add("microfacet.facets.cone_deg", m.facets->cone_deg, limits::kConeHalfAngle);
-        add("microfacet.facets.thickness_spread_nm", m.facets->thickness_spread_nm,
-            limits::kFilmSpread);
-    }
-
-    std::vector<Slot> slots_;
+    std::vector<Slot> slots;
 };
 
-std::vector<Slot> slots_of(Recipe& recipe) { return SlotList(recipe).take(); }
+std::vector<Slot> slots_of(Recipe& recipe) {
+    SlotList list;
+    describe(list, recipe);
+    return std::move(list.slots);
+}
+
+/// The same to look at: what the slots point to must stay as it is.
+std::vector<Slot> slots_of(const Recipe& recipe) {
+    SlotList list;
+    Described::to_inspect(recipe).accept(list);
+    return std::move(list.slots);
+}
 
 template <class Entries>
-std::vector<std::string> keys_of(const Entries& entries) {
+std::vector<std::string> names_of(const Entries& entries) {
     std::vector<std::string> keys;
     for (const auto& entry : entries) keys.push_back(entry.key);
     return keys;
@@ -187,7 +122,7 @@ const Slot& find(const std::vector<Slot>& slots, std::string_view key) {
     for (const Slot& slot : slots) {
         if (slot.key == key) return slot;
     }
-    refuse_unknown(key, keys_of(slots));
+    refuse_unknown(key, names_of(slots));
 }
 
 /// Whether the pattern, in which `*` stands for any text, describes all of `text`. Goes back only
@@ -223,17 +158,15 @@ bool matches_end(std::string_view pattern, const std::string& key) {
 }  // namespace
 
 std::vector<RecipeParameter> recipe_parameters(const Recipe& recipe) {
-    Recipe copy = recipe;
     std::vector<RecipeParameter> parameters;
-    for (const Slot& slot : slots_of(copy)) {
+    for (const Slot& slot : slots_of(recipe)) {
         parameters.push_back({slot.key, slot.get(), slot.range});
     }
     return parameters;
 }
 
 RecipeParameter find_parameter(const Recipe& recipe, std::string_view key) {
-    Recipe copy = recipe;
-    const std::vector<Slot> slots = slots_of(copy);
+    const std::vector<Slot> slots = slots_of(recipe);
     const Slot& slot = find(slots, key);
     return {slot.key, slot.get(), slot.range};
 }
@@ -248,7 +181,7 @@ void set_parameter(Recipe& recipe, std::string_view key, double value) {
 }
 
 std::vector<std::string> matching_parameters(const Recipe& recipe, std::string_view pattern) {
-    const std::vector<std::string> keys = keys_of(recipe_parameters(recipe));
+    const std::vector<std::string> keys = names_of(recipe_parameters(recipe));
     std::vector<std::string> found;
     for (const std::string& key : keys) {
         if (key == pattern) return {key};

@@ -22,7 +22,7 @@ namespace nacre::paint {
 struct RecipeParameter {
     std::string key;
     double value = 0;
-    Range range;  ///< what the key may be, other keys apart (recipe_limits.h)
+    Range range;  ///< what the key may be, other keys apart
 };
 
 /// All numbers of a recipe in the order of docs/recipe.md.

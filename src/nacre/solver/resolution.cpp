@@ -1,7 +1,5 @@
 #include "nacre/solver/resolution.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

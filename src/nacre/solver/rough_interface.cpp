@@ -1,7 +1,5 @@
 #include "nacre/solver/rough_interface.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "nacre/spectra/observer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>

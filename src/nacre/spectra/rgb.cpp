@@ -1,7 +1,5 @@
 #include "nacre/spectra/rgb.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "nacre/spectra/spectrum.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,7 +1,5 @@
 #include "nacre/spectra/upsampling.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,5 @@
 #include "nacre/spectra/xyz.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "nacre/bsdf/measured/rgl.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,5 @@
 #include "nacre/bsdf/tabulated/compression.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

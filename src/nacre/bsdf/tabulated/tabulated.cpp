@@ -1,7 +1,5 @@
 #include "nacre/bsdf/tabulated/tabulated.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -461,8 +461,6 @@ DiscWalk::DiscWalk(const paint::Recipe& recipe, const DiscSettings& settings,
     paint::validate(recipe, wavelengths_nm);
     const Tile tile = checked_tile(settings, recipe);
     tables_ = std::make_shared<const DiscWalkTables>(recipe, tile, settings, wavelengths_nm);
-    // Says now, not at the first picture, what is wrong with a rough interface.
-    montecarlo::make_air_interface(recipe, tables_->medium.grid.index(wavelengths_nm.front()));
 }
 
 DiscWalk::~DiscWalk() = default;

@@ -1,0 +1,298 @@
+#include "nacre/io/described_toml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "nacre/core/error.h"
+#include "nacre/spectra/colour.h"
+
+namespace nacre::io {
+
+namespace {
+
+using optics::Material;
+using paint::Described;
+using paint::Field;
+using spectra::Spectrum;
+
+constexpr std::size_t kMaxMaterialNameLength = 200;
+constexpr std::size_t kMaxMaterialTextLength = 2000;  // of a source, or of a path
+
+/// A description came to have a kind of value that files have no form for.
+[[noreturn]] void refuse_kind(const Field& field) {
+    throw std::logic_error(fmt::format("no TOML for the value of {}", field.key));
+}
+
+// ---------------------------------------------------------------------------------- reading
+
+Material find_named_material(const TableReader& table, const Field& field) {
+    const std::string text = table.text(field.key, kMaxMaterialTextLength);
+    try {
+        return optics::find_material(text, table.document().base_directory());
+    } catch (const Error& error) {
+        table.fail(field.key, error.what());
+    }
+}
+
+/// { name = "...", wavelengths_nm = [...], n = [...], k = [...] }: a material by its samples, or
+/// without wavelengths_nm a constant.
+Material read_sampled_material(const TableReader& table) {
+    const std::string name = table.text_or("name", "", kMaxMaterialNameLength);
+    const std::string source = table.text_or("source", "", kMaxMaterialTextLength);
+    const bool constant = !table.has("wavelengths_nm");
+    const std::vector<double> wavelengths =
+        constant ? std::vector<double>{} : read_wavelengths(table, "wavelengths_nm");
+    const std::size_t samples = constant ? 1 : wavelengths.size();
+    const std::vector<double> n =
+        table.numbers("n", optics::kRefractiveIndexRange, samples, samples);
+    const std::vector<double> k =
+        table.has("k") ? table.numbers("k", optics::kExtinctionRange, samples, samples)
+                       : std::vector<double>(samples, 0.0);
+    std::vector<optics::ComplexIndex> index(samples);
+    for (std::size_t i = 0; i < samples; ++i) index[i] = {n[i], k[i]};
+    try {
+        if (constant) return Material(name, index[0], source);
+        return Material(name, wavelengths, index, source);
+    } catch (const DomainError& error) {
+        table.fail(error.what());
+    }
+}
+
+class Reader final : public paint::Visitor {
+ public:
+    explicit Reader(TableReader table) : table_(std::move(table)) {}
+
+    void number(const Field& field, double& value) override {
+        if (!wanted(field)) return;
+        if (!field.zero) {
+            value = table_.number(field.key, field.range);
+            return;
+        }
+        value = table_.number(field.key, {});
+        if (!allows(field, value)) table_.fail(field.key, "must be " + allowed_text(field));
+    }
+
+    void spectrum(const Field& field, Spectrum& value) override {
+        if (!wanted(field)) return;
+        value = field.colour ? read_reflectance(table_, field.key)
+                             : read_spectrum(table_, field.key, field.range);
+    }
+
+    void material(const Field& field, Material& value) override {
+        if (!wanted(field)) return;
+        if (table_.is_text(field.key)) {
+            value = find_named_material(table_, field);
+        } else if (table_.is_table(field.key)) {
+            value = read_sampled_material(
+                table_.table(field.key, {"name", "source", "wavelengths_nm", "n", "k"}));
+        } else if (table_.has(field.key)) {
+            value = Material(table_.number(field.key, field.range));
+        } else {
+            table_.fail(field.key, "is missing; it must be an index or a material's name");
+        }
+    }
+
+    void text(const Field& field, std::string& value) override {
+        value = table_.text_or(field.key, value, field.max_size);
+    }
+
+    void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
+        if (wanted(field)) index = table_.choice(field.key, words);
+    }
+
+    bool has(const Field& field, bool) override { return table_.has(field.key); }
+
+    void table(const Field& field, Described object) override {
+        if (wanted(field)) read_described(table_.table(field.key, keys_of(object)), object);
+    }
+
+    void list(const Field& field, paint::List& list) override {
+        for (const TableReader& entry : table_.tables(field.key, field.max_size, list.keys())) {
+            read_described(entry, list.add());
+        }
+    }
+
+    std::size_t alternative(const paint::Alternatives& alternatives,
+                            const std::vector<std::vector<std::string> (*)()>& keys,
+                            std::size_t) override {
+        std::optional<std::size_t> chosen;
+        for (std::size_t i = 0; i < alternatives.each.size(); ++i) {
+            const char* mark = alternatives.each[i].mark;
+            if (!table_.has(mark)) continue;
+            if (chosen) table_.fail(mark, alternatives.both);
+            chosen = i;
+        }
+        if (!chosen && !alternatives.neither.empty()) {
+            table_.fail(alternatives.each[0].mark, alternatives.neither);
+        }
+        const std::size_t one = chosen.value_or(0);
+        const std::vector<std::string> own = keys[one]();
+        for (const auto& keys_of_one : keys) {
+            for (const std::string& key : keys_of_one()) {
+                const bool foreign = std::find(own.begin(), own.end(), key) == own.end();
+                if (foreign && table_.has(key)) table_.fail(key, alternatives.each[one].foreign);
+            }
+        }
+        return one;
+    }
+
+    void other(const Field& field) override { refuse_kind(field); }
+
+ private:
+    /// Whether the key is there, or must be.
+    bool wanted(const Field& field) const {
+        return field.required || table_.has(field.key) ||
+               (field.required_with && table_.has(field.required_with));
+    }
+
+    TableReader table_;
+};
+
+// ---------------------------------------------------------------------------------- writing
+
+/// Shortest text that reads back to the same double; TOML spells it so too.
+std::string number_text(double x) { return fmt::format("{}", x); }
+
+std::string spectrum_text(const Spectrum& s) {
+    // A single sample at a wavelength is constant too, but another value: it is written in full.
+    if (s == Spectrum(s.values()[0])) return number_text(s.values()[0]);
+    return fmt::format("{{ wavelengths_nm = {}, values = {} }}", toml_list(s.wavelengths_nm()),
+                       toml_list(s.values()));
+}
+
+/// Whether a recipe that only names the material, in any folder, gets this one.
+bool is_shipped(const Material& material) {
+    if (material.name().empty()) return false;
+    try {
+        for (const std::string& name : optics::material_names()) {
+            if (name == material.name()) return optics::find_material(name) == material;
+        }
+    } catch (const Error&) {  // the shipped data cannot be found: write the samples out
+    }
+    return false;
+}
+
+std::string material_text(const Material& material) {
+    if (!material.is_dispersive() && material == Material(material.samples()[0].real())) {
+        return number_text(material.samples()[0].real());
+    }
+    if (is_shipped(material)) return toml_text(material.name());
+    std::vector<double> n, k;
+    for (const optics::ComplexIndex& index : material.samples()) {
+        n.push_back(index.real());
+        k.push_back(index.imag());
+    }
+    std::string out = fmt::format("{{ name = {}, source = {}, ", toml_text(material.name()),
+                                  toml_text(material.source()));
+    if (!material.wavelengths_nm().empty()) {
+        out += fmt::format("wavelengths_nm = {}, ", toml_list(material.wavelengths_nm()));
+    }
+    return out + fmt::format("n = {}, k = {} }}", toml_list(n), toml_list(k));
+}
+
+/// Writes keys either a line each, or as { key = value, ... }.
+class Writer final : public paint::Visitor {
+ public:
+    /// @param path  of the table that is written, as headers name it
+    explicit Writer(std::string path, bool in_line = false)
+        : path_(std::move(path)), in_line_(in_line) {}
+
+    void number(const Field& field, double& x) override { add(field, number_text(x)); }
+    void spectrum(const Field& field, Spectrum& s) override { add(field, spectrum_text(s)); }
+    void material(const Field& field, Material& m) override { add(field, material_text(m)); }
+    void text(const Field& field, std::string& text) override { add(field, toml_text(text)); }
+    void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
+        add(field, toml_text(words[index]));
+    }
+
+    void table(const Field& field, Described object) override {
+        if (in_line_ || field.in_line) {
+            add(field, in_line_text(object));
+        } else {
+            add_section(fmt::format("\n[{}]\n", path_of(field)), field, object);
+        }
+    }
+
+    void list(const Field& field, paint::List& list) override {
+        if (list.size() == 0) return;
+        if (!in_line_ && !field.in_line) {
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                add_section(fmt::format("\n[[{}]]\n", path_of(field)), field, list.at(i));
+            }
+            return;
+        }
+        std::string entries = "[\n";
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            entries += "    " + in_line_text(list.at(i)) + ",\n";
+        }
+        add(field, entries + "]");
+    }
+
+    void other(const Field& field) override { refuse_kind(field); }
+
+    std::string text() && { return std::move(text_); }
+
+ private:
+    std::string path_of(const Field& field) const {
+        return path_.empty() ? field.key : path_ + "." + field.key;
+    }
+
+    static std::string in_line_text(const Described& object) {
+        Writer writer("", true);
+        object.accept(writer);
+        return "{ " + writer.text_ + " }";
+    }
+
+    void add(const Field& field, const std::string& value) {
+        if (in_line_ && !text_.empty()) text_ += ", ";
+        text_ += fmt::format("{} = {}", field.key, value);
+        if (!in_line_) text_ += '\n';
+    }
+
+    void add_section(const std::string& header, const Field& field, const Described& object) {
+        Writer writer(path_of(field));
+        object.accept(writer);
+        text_ += header + writer.text_;
+    }
+
+    std::string path_;
+    bool in_line_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string toml_text(const std::string& text) {
+    std::string out = "\"";
+    for (char c : text) {
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            out += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
+        } else {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
+std::string toml_list(const std::vector<double>& values) {
+    std::string out = "[";
+    for (double value : values) out += (out.size() > 1 ? ", " : "") + number_text(value);
+    return out + "]";
+}
+
+void read_described(const TableReader& table, const Described& object) {
+    Reader reader(table);
+    object.accept(reader);
+}
+
+std::string write_described(const Described& object) {
+    Writer writer("");
+    object.accept(writer);
+    return std::move(writer).text();
+}
+
+}  // namespace nacre::io

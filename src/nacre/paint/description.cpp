@@ -1,0 +1,168 @@
+#include "nacre/paint/description.h"
+
+#include <fmt/format.h>
+
+namespace nacre::paint {
+
+// ------------------------------------------------------------------------------------- keys
+
+namespace {
+
+/// Looks at the keys of an object's own table alone, all alternatives among them.
+class KeyVisitor : public Visitor {
+ public:
+    bool has(const Field& field, bool) override {
+        other(field);
+        return false;
+    }
+    void beside(const Field& field) override { other(field); }
+    bool visits_all_alternatives() const override { return true; }
+
+ protected:
+    ~KeyVisitor() = default;
+};
+
+class KeyList final : public KeyVisitor {
+ public:
+    void other(const Field& field) override { keys.emplace_back(field.key); }
+
+    std::vector<std::string> keys;
+};
+
+}  // namespace
+
+std::vector<std::string> keys_of(const Described& object) {
+    KeyList list;
+    object.accept(list);
+    return list.keys;
+}
+
+void PathVisitor::descend(const std::string& key, const Described& object) {
+    const std::size_t length = path_.size();
+    path_ += key + ".";
+    object.accept(*this);
+    path_.resize(length);
+}
+
+void PathVisitor::table(const Field& field, Described object) { descend(field.key, object); }
+
+void PathVisitor::list(const Field& field, List& list) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        descend(fmt::format("{}[{}]", field.key, i), list.at(i));
+    }
+}
+
+// ----------------------------------------------------------------------------------- checks
+
+bool allows(const Field& field, double value) {
+    return (field.zero && value == 0) || field.range.contains(value);
+}
+
+std::string allowed_text(const Field& field) {
+    const std::string zero = field.zero ? fmt::format("0, {}, or ", field.zero) : "";
+    return zero + "a number in " + field.range.text();
+}
+
+void RangeCheck::number(const Field& field, double& value) {
+    if (allows(field, value)) return;
+    throw DomainError(fmt::format("{} = {}: must be {}", path_of(field), value,
+                                  field.zero ? allowed_text(field) : "in " + field.range.text()));
+}
+
+void RangeCheck::spectrum(const Field& field, spectra::Spectrum& value) {
+    double least = value.min(), largest = value.max();
+    number(field, least);
+    number(field, largest);
+    if (value.values().size() > kMaxSpectrumSamples) {
+        throw DomainError(fmt::format("{}: has {} samples; at most {} are allowed", path_of(field),
+                                      value.values().size(), kMaxSpectrumSamples));
+    }
+}
+
+void RangeCheck::list(const Field& field, List& list) {
+    if (list.size() > field.max_size) {
+        throw DomainError(fmt::format("{}: has {} entries; at most {} are allowed", path_of(field),
+                                      list.size(), field.max_size));
+    }
+    PathVisitor::list(field, list);
+}
+
+// ---------------------------------------------------------------------------- documentation
+
+namespace {
+
+/// Powers of ten from 10000 on as 1e4.
+std::string short_number(double x) {
+    const std::string text = fmt::format("{}", x);
+    const bool power =
+        text.size() > 4 && text[0] == '1' && text.find_first_not_of('0', 1) == std::string::npos;
+    return power ? fmt::format("1e{}", text.size() - 1) : text;
+}
+
+std::string short_text(const Range& range) {
+    return fmt::format("{}{}, {}{}", range.lo_open ? '(' : '[', short_number(range.lo),
+                       short_number(range.hi), range.hi_open ? ')' : ']');
+}
+
+std::string unit_text(const Range& range) { return *range.unit ? range.unit : "1"; }
+
+class MarkdownRows final : public KeyVisitor {
+ public:
+    void number(const Field& field, double& value) override {
+        row(field, "number", unit_text(field.range), range_text(field), short_number(value));
+    }
+    void spectrum(const Field& field, spectra::Spectrum& value) override {
+        row(field, field.colour ? "reflectance" : "spectrum", unit_text(field.range),
+            range_text(field), short_number(value.max()));
+    }
+    void material(const Field& field, optics::Material& value) override {
+        row(field, "material", unit_text(field.range),
+            range_text(field) + (field.real ? ", k = 0" : ""), value.name());
+    }
+    void text(const Field& field, std::string&) override {
+        row(field, "text", "", fmt::format("up to {} characters", field.max_size), "empty");
+    }
+    void choice(const Field& field, const Words& words, std::size_t& index) override {
+        std::string range;
+        for (const std::string& word : words) range += (range.empty() ? "" : ", ") + quoted(word);
+        row(field, "text", "", range, quoted(words[index]));
+    }
+    void list(const Field& field, List&) override {
+        row(field, "tables", "", fmt::format("up to {}", field.max_size), "none");
+    }
+    void other(const Field& field) override { row(field, "table", "", "", "none"); }
+
+    std::string rows =
+        "| key | type | unit | range | default | meaning |\n"
+        "| --- | --- | --- | --- | --- | --- |\n";
+
+ private:
+    static std::string quoted(const std::string& word) { return "`\"" + word + "\"`"; }
+
+    static std::string range_text(const Field& field) {
+        return (field.zero ? "0 or " : "") + short_text(field.range) +
+               (field.also ? fmt::format(", {}", field.also) : "");
+    }
+
+    void row(const Field& field, const char* type, const std::string& unit,
+             const std::string& range, std::string otherwise) {
+        if (field.required) otherwise.clear();
+        if (field.otherwise) otherwise = field.otherwise;
+        rows += fmt::format("| `{}` |", field.key);
+        for (const std::string& cell :
+             {std::string(type), unit, range, otherwise, std::string(field.meaning)}) {
+            rows += cell.empty() ? " |" : " " + cell + " |";
+        }
+        rows += '\n';
+    }
+};
+
+}  // namespace
+
+std::string markdown_table(const Described& object) {
+    MarkdownRows rows;
+    object.accept(rows);
+    return rows.rows;
+}
+
+}  // namespace nacre::paint

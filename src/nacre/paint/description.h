@@ -1,0 +1,232 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "nacre/core/error.h"
+#include "nacre/optics/material.h"
+#include "nacre/spectra/spectrum.h"
+
+// Says once what a file may say. For each struct T that a file states, a function
+//
+//   void describe(Visitor& visit, T& object);
+//
+// names its keys in order, each with unit, range, meaning and the place of its value. Whatever
+// needs to know the keys is a visitor: the reader and the writer of TOML (io/described_toml.h), the
+// check of ranges and the tables of the documentation (below), the numbers by key
+// (paint/recipe_parameter.h), the words of a data sheet. Descriptions: paint/recipe_description.h.
+
+namespace nacre::paint {
+
+/// One key: what holds for all values that it may have.
+struct Field {
+    const char* key = "";
+    Range range = {};          ///< of a number, of each value of a spectrum, of the index of a
+                               ///< material; its unit is the key's
+    const char* meaning = "";  ///< for the documentation, Markdown
+    bool required = false;     ///< if not, its default is what a new object has
+    const char* required_with = nullptr;  ///< required only beside this other key
+    const char* zero = nullptr;           ///< of a number: 0 is allowed too and means this
+    const char* also = nullptr;       ///< what else must hold, checked by the struct's validate()
+    const char* otherwise = nullptr;  ///< for the documentation: the default in words
+    const char* spread_of = nullptr;  ///< the number is the standard deviation of this other key
+    std::size_t max_size = 0;         ///< characters of a text, entries of a list
+    bool colour = false;              ///< a spectrum that may be stated as [r, g, b]
+    bool real = false;                ///< a material that does not absorb
+    bool in_line = false;             ///< tables: written as { key = value, ... }
+};
+
+/// More samples than any instrument gives.
+inline constexpr std::size_t kMaxSpectrumSamples = 10'000;
+
+class Visitor;
+
+/// An object with its description, its type forgotten.
+class Described {
+ public:
+    template <class T>
+    explicit Described(T& object)
+        : object_(&object),
+          describe_([](Visitor& visit, void* o) { describe(visit, *static_cast<T*>(o)); }) {}
+
+    /// For visitors that change nothing.
+    template <class T>
+    static Described to_inspect(const T& object) {
+        return Described(const_cast<T&>(object));
+    }
+
+    void accept(Visitor& visit) const { describe_(visit, object_); }
+
+ private:
+    void* object_;
+    void (*describe_)(Visitor&, void*);
+};
+
+/// A list of described objects.
+class List {
+ public:
+    virtual std::size_t size() const = 0;
+    virtual Described at(std::size_t i) = 0;
+    virtual Described add() = 0;
+    virtual std::vector<std::string> keys() const = 0;  ///< of an entry
+
+ protected:
+    ~List() = default;
+};
+
+/// Alternatives of which an object has one, each stated by keys of the same table. A file chooses
+/// by the key that marks an alternative; without any mark it means the first.
+struct Alternatives {
+    struct One {
+        const char* mark;
+        const char* foreign = "";  ///< why keys of the others are refused beside this one
+    };
+    std::vector<One> each;
+    const char* both;          ///< why two marks are refused
+    std::string neither = {};  ///< why none is refused, if it is
+};
+
+using Words = std::vector<std::string>;
+
+/// The keys of an object's own table, in order, those of all alternatives among them.
+std::vector<std::string> keys_of(const Described& object);
+
+template <class T>
+std::vector<std::string> keys_of_new() {
+    T object;
+    return keys_of(Described(object));
+}
+
+/// Does something with each key of an object. What it does not treat by its kind of value goes to
+/// other().
+class Visitor {
+ public:
+    // How a description states a key; the kind follows from the type of the value.
+    void operator()(const Field& field, double& value) { number(field, value); }
+    void operator()(const Field& field, spectra::Spectrum& value) { spectrum(field, value); }
+    void operator()(const Field& field, optics::Material& value) { material(field, value); }
+    void operator()(const Field& field, std::string& value) { text(field, value); }
+
+    /// One of several words, in the order of the enumeration.
+    template <class Enum>
+    void operator()(const Field& field, const Words& words, Enum& value) {
+        const auto before = static_cast<std::size_t>(value);
+        std::size_t index = before;
+        choice(field, words, index);
+        if (index != before) value = static_cast<Enum>(index);
+    }
+
+    template <class T>
+    void operator()(const Field& field, std::optional<T>& value) {
+        if (!has(field, value.has_value())) return;
+        if (!value) value.emplace();
+        table(field, Described(*value));
+    }
+
+    template <class T>
+    void operator()(const Field& field, std::vector<T>& values) {
+        VectorList<T> entries(values);
+        list(field, entries);
+    }
+
+    template <class... T>
+    void operator()(const Alternatives& alternatives, std::variant<T...>& value) {
+        if (visits_all_alternatives()) return (visit_new<T>(), ...);
+        const std::size_t index = alternative(alternatives, {keys_of_new<T>...}, value.index());
+        if (index != value.index()) emplace(value, index);
+        std::visit([&](auto& held) { describe(*this, held); }, value);
+    }
+
+    /// A table within that of the object; if it is not required, its keys keep their values.
+    virtual void table(const Field& field, Described) { other(field); }
+    /// A key of the file that is no part of the object: whoever reads the file reads it.
+    virtual void beside(const Field&) {}
+
+    virtual void number(const Field& field, double&) { other(field); }
+    virtual void spectrum(const Field& field, spectra::Spectrum&) { other(field); }
+    virtual void material(const Field& field, optics::Material&) { other(field); }
+    virtual void text(const Field& field, std::string&) { other(field); }
+    virtual void choice(const Field& field, const Words&, std::size_t&) { other(field); }
+    virtual void list(const Field& field, List&) { other(field); }
+    virtual void other(const Field&) {}
+
+    /// Whether an optional table is to be visited; it is made if the object lacks it.
+    virtual bool has(const Field&, bool present) { return present; }
+
+    /// Which alternative is to be visited; it is made if the object has another.
+    /// @param keys  those of each alternative
+    virtual std::size_t alternative(const Alternatives&,
+                                    const std::vector<std::vector<std::string> (*)()>& /*keys*/,
+                                    std::size_t present) {
+        return present;
+    }
+    /// For lists of keys: all alternatives are visited, in new objects.
+    virtual bool visits_all_alternatives() const { return false; }
+
+ protected:
+    ~Visitor() = default;
+
+ private:
+    template <class T>
+    class VectorList final : public List {
+     public:
+        explicit VectorList(std::vector<T>& values) : values_(values) {}
+        std::size_t size() const override { return values_.size(); }
+        Described at(std::size_t i) override { return Described(values_[i]); }
+        Described add() override { return Described(values_.emplace_back()); }
+        std::vector<std::string> keys() const override { return keys_of_new<T>(); }
+
+     private:
+        std::vector<T>& values_;
+    };
+
+    template <class T>
+    void visit_new() {
+        T object;
+        describe(*this, object);
+    }
+
+    template <class... T>
+    static void emplace(std::variant<T...>& value, std::size_t index) {
+        std::size_t i = 0;
+        ((i++ == index ? void(value.template emplace<T>()) : void()), ...);
+    }
+};
+
+/// Goes into tables and lists, and knows the path to where it is: "layer[0].flakes[1].".
+class PathVisitor : public Visitor {
+ public:
+    void table(const Field& field, Described object) override;
+    void list(const Field& field, List& list) override;
+
+ protected:
+    ~PathVisitor() = default;
+    std::string path_of(const Field& field) const { return path_ + field.key; }
+
+ private:
+    void descend(const std::string& key, const Described& object);
+
+    std::string path_;
+};
+
+/// Checks every number against its range, and sizes.
+/// @throws DomainError naming the key as a file spells it, its value and the allowed range
+class RangeCheck : public PathVisitor {
+ public:
+    void number(const Field& field, double& value) override;
+    void spectrum(const Field& field, spectra::Spectrum& value) override;
+    void list(const Field& field, List& list) override;
+};
+
+/// Whether the number is in the range of the field, or a 0 that it allows besides.
+bool allows(const Field& field, double value);
+/// As in "0, a smooth interface, or a number in [0.01, 1]".
+std::string allowed_text(const Field& field);
+
+/// The keys of an object as a Markdown table for the documentation.
+std::string markdown_table(const Described& object);
+
+}  // namespace nacre::paint

@@ -1,0 +1,255 @@
+#include "nacre/paint/recipe_description.h"
+
+#include "nacre/optics/airy.h"
+
+namespace nacre::paint {
+
+namespace {
+
+constexpr std::size_t kMaxNameLength = 200;
+constexpr std::size_t kMaxSpeciesPerLayer = 64;  // of flakes, and as many pigments
+
+constexpr Range kPerMillimetre{0, 1e9, "1/mm"};
+constexpr Range kFraction{0, 1};
+
+}  // namespace
+
+// Ranges are wide: they keep out slips of a decimal point and numbers on which arithmetic would
+// fail, not unusual paints.
+
+void describe(Visitor& visit, Recipe& recipe) {
+    visit({.key = "name", .meaning = "what people call it", .max_size = kMaxNameLength},
+          recipe.name);
+    visit({.key = "ior",
+           .range = limits::kBinderIndex,
+           .meaning = "refractive index of binder and clearcoat",
+           .required = true,
+           .real = true},
+          recipe.binder);
+    visit({.key = "clearcoat", .meaning = "a clear layer on top; without it the air meets layer 1"},
+          recipe.clearcoat);
+    visit({.key = "layer",
+           .meaning = "the layers, from the top down; at least one, or a `microfacet`",
+           .max_size = limits::kMaxLayers},
+          recipe.layers);
+    Substrate substrate{recipe.substrate_reflectance};
+    visit.table({.key = "substrate",
+                 .meaning = "what lies below, a Lambertian surface inside the binder",
+                 .otherwise = "black"},
+                Described(substrate));
+    visit({.key = "microfacet", .meaning = "another description, for the microfacet models"},
+          recipe.microfacet);
+    visit.beside({.key = "fit", .meaning = "bounds for [fitting](fit.md); no part of the paint"});
+}
+
+void describe(Visitor& visit, Clearcoat& coat) {
+    visit({.key = "thickness_um", .range = {0, 1e6, "um"}, .required = true}, coat.thickness_um);
+    visit({.key = "absorption_per_mm",
+           .range = kPerMillimetre,
+           .meaning = "absorption coefficient, for tinted clear coats"},
+          coat.absorption_per_mm);
+    // A lobe below the range is a mirror to every use there is; smooth interfaces are solved
+    // faster and to more digits, and the walks of montecarlo/ need 1 / alpha^2 trials for others.
+    visit({.key = "roughness",
+           .range = {0.01, 1},
+           .meaning = "Beckmann alpha of the air interface; 0 is smooth, a mirror",
+           .zero = "a smooth interface"},
+          coat.roughness);
+}
+
+void describe(Visitor& visit, Layer& layer) {
+    visit({.key = "thickness_um", .range = {0, 1e6, "um", true}, .required = true},
+          layer.thickness_um);
+    visit({.key = "flakes", .meaning = "species of flakes", .max_size = kMaxSpeciesPerLayer},
+          layer.flakes);
+    visit({.key = "pigment",
+           .meaning = "pigments that scatter in all directions",
+           .max_size = kMaxSpeciesPerLayer},
+          layer.pigments);
+}
+
+namespace {
+
+constexpr Field kVolumeFraction{
+    .key = "volume_fraction",
+    .range = {0, 1, "", true},
+    .meaning =
+        "fraction of the layer's volume that these flakes fill; all species of a layer "
+        "together at most 1",
+    .required = true};
+constexpr Field kAreaDensity{.key = "area_density_per_um",
+                             .range = {0, 1e6, "1/um", true},
+                             .meaning = "in place of `volume_fraction`: flake area per volume, c",
+                             .required = true};
+
+}  // namespace
+
+void describe(Visitor& visit, VolumeFraction& amount) { visit(kVolumeFraction, amount.value); }
+void describe(Visitor& visit, AreaDensity& amount) { visit(kAreaDensity, amount.per_um); }
+
+void describe(Visitor& visit, FlakeSpecies& species) {
+    visit({.key = "name", .max_size = kMaxNameLength}, species.name);
+    visit({.each = {{kVolumeFraction.key}, {kAreaDensity.key}},
+           .both = "how many flakes there are is said twice; give volume_fraction or "
+                   "area_density_per_um, not both",
+           .neither = "is missing; it must be " + allowed_text(kVolumeFraction) +
+                      ", or area_density_per_um in " + kAreaDensity.range.text()},
+          species.amount);
+    visit({.key = "diameter_um",
+           .range = {0, 1e4, "um", true},
+           .meaning = "of the disc; matters only where single flakes show"},
+          species.diameter_um);
+    visit({.key = "diameter_spread_um",
+           .range = {0, 1e4, "um"},
+           .meaning = "its standard deviation",
+           .spread_of = "diameter_um"},
+          species.diameter_spread_um);
+    visit.table(
+        {.key = "orientation", .meaning = "how the flakes lie", .required = true, .in_line = true},
+        Described(species.orientation));
+    visit({.each = {{"core", "goes with reflectance; a flake with a core gets it from its films"},
+                    {"reflectance", "go with a core; this flake has a reflectance"}},
+           .both = "a flake has either a reflectance or a core, not both"},
+          species.body);
+}
+
+void describe(Visitor& visit, Orientation& orientation) {
+    enum class Distribution { beckmann } distribution{};
+    visit({.key = "distribution",
+           .meaning = "law of the flakes' normals: Gaussian slopes",
+           .required = true},
+          {"beckmann"}, distribution);
+    visit({.key = "alpha",
+           .range = {0.005, 1},
+           .meaning = "sqrt(2) times the standard deviation of a slope component: 0.1 is 4 deg",
+           .required = true},
+          orientation.beckmann_alpha);
+}
+
+void describe(Visitor& visit, optics::Platelet& platelet) {
+    visit.table({.key = "core",
+                 .meaning = "the platelet, a film (below)",
+                 .required = true,
+                 .in_line = true},
+                Described(platelet.core));
+    visit({.key = "coats",
+           .meaning = "films from the core outwards, alike on both sides",
+           .max_size = 64,
+           .in_line = true},
+          platelet.coats);
+}
+
+void describe(Visitor& visit, optics::FilmPopulation& film) {
+    visit({.key = "material",
+           .range = optics::kRefractiveIndexRange,
+           .meaning = "see below",
+           .required = true},
+          film.material);
+    visit({.key = "thickness_nm",
+           .range = limits::kFilmThickness,
+           .meaning = "mean thickness",
+           .required = true},
+          film.thickness_nm);
+    visit({.key = "spread_nm",
+           .range = limits::kFilmSpread,
+           .meaning = "standard deviation from flake to flake",
+           .spread_of = "thickness_nm"},
+          film.spread.standard_deviation_nm);
+    visit({.key = "distribution",
+           .meaning = "law of the thickness; normal is cut off at three deviations and at zero, "
+                      "and renormalised; uniform has the same standard deviation"},
+          {"normal", "uniform"}, film.spread.law);
+}
+
+void describe(Visitor& visit, PrescribedFlake& flake) {
+    visit({.key = "reflectance",
+           .range = kFraction,
+           .meaning = "in place of `core` and `coats`: R, the same at all angles",
+           .required = true,
+           .colour = true},
+          flake.reflectance);
+    visit({.key = "transmittance",
+           .range = kFraction,
+           .meaning = "with `reflectance` only",
+           .also = "R + T <= 1",
+           .colour = true},
+          flake.transmittance);
+    visit({.key = "thickness_um",
+           .range = {0, 1e3, "um", true},
+           .meaning = "with `reflectance` only; required with `volume_fraction`",
+           .required_with = kVolumeFraction.key},
+          flake.thickness_um);
+}
+
+void describe(Visitor& visit, Pigment& pigment) {
+    visit(
+        {.key = "scattering_per_mm", .range = kPerMillimetre, .meaning = "scattering coefficient"},
+        pigment.scattering_per_mm);
+    visit(
+        {.key = "absorption_per_mm", .range = kPerMillimetre, .meaning = "absorption coefficient"},
+        pigment.absorption_per_mm);
+    visit({.key = "anisotropy",
+           .range = {-1, 1, "", true, true},
+           .meaning = "g, the mean cosine of the angle by which light is turned "
+                      "[henyey-greenstein-1941]"},
+          pigment.anisotropy);
+}
+
+void describe(Visitor& visit, Substrate& substrate) {
+    visit({.key = "reflectance",
+           .range = kFraction,
+           .meaning = "of the surface under the last layer",
+           .required = true,
+           .colour = true},
+          substrate.reflectance);
+}
+
+void describe(Visitor& visit, Microfacet& m) {
+    // Below the range of alpha a direction in single precision cannot tell slopes apart.
+    visit({.key = "alpha",
+           .range = limits::kMicrofacetAlpha,
+           .meaning = "roughness",
+           .required = true},
+          m.alpha);
+    visit({.key = "distribution", .meaning = "law of the facets' normals"}, {"beckmann", "ggx"},
+          m.distribution);
+    visit({.key = "film_ior",
+           .range = optics::kAiryIndexRange,
+           .meaning = "index of the film, eta_2",
+           .required = true},
+          m.film_ior);
+    visit({.key = "film_thickness_nm",
+           .range = {0, 1e5, "nm"},
+           .meaning = "thickness d; the paper's P_inc is 2 eta_2 d",
+           .required = true},
+          m.film_thickness_nm);
+    visit({.key = "base_ior",
+           .range = optics::kAiryIndexRange,
+           .meaning = "n of the base, eta_3",
+           .required = true},
+          m.base_ior);
+    visit({.key = "base_extinction",
+           .range = optics::kAiryExtinctionRange,
+           .meaning = "k of the base, kappa_3: k itself, not k / n"},
+          m.base_extinction);
+    visit({.key = "facets", .meaning = "for `special-effect` only"}, m.facets);
+}
+
+void describe(Visitor& visit, MicrofacetFacets& facets) {
+    visit({.key = "count",
+           .range = {1, 1e15},
+           .meaning = "K, over the whole object",
+           .required = true},
+          facets.count);
+    visit({.key = "cone_deg",
+           .range = {0.05, 30, "deg"},
+           .meaning = "gamma, half-angle of the query cone",
+           .required = true},
+          facets.cone_deg);
+    visit({.key = "thickness_spread_nm",
+           .range = limits::kFilmSpread,
+           .meaning = "standard deviation of d"},
+          facets.thickness_spread_nm);
+}
+
+}  // namespace nacre::paint

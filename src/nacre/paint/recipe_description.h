@@ -1,0 +1,33 @@
+#pragma once
+
+#include "nacre/optics/thin_film.h"
+#include "nacre/paint/description.h"
+#include "nacre/paint/recipe.h"
+
+// Every key of a recipe, once: what paint/description.h says of descriptions. To add a key, add a
+// member to its struct (paint/recipe.h) and a line to its description; the reader, the writer, the
+// checks, the numbers by key and the data sheet follow, and a test says how docs/recipe.md must.
+
+namespace nacre::paint {
+
+void describe(Visitor& visit, Recipe& recipe);
+void describe(Visitor& visit, Clearcoat& coat);
+void describe(Visitor& visit, Layer& layer);
+void describe(Visitor& visit, FlakeSpecies& species);
+void describe(Visitor& visit, VolumeFraction& amount);
+void describe(Visitor& visit, AreaDensity& amount);
+void describe(Visitor& visit, Orientation& orientation);
+void describe(Visitor& visit, optics::Platelet& platelet);
+void describe(Visitor& visit, optics::FilmPopulation& film);
+void describe(Visitor& visit, PrescribedFlake& flake);
+void describe(Visitor& visit, Pigment& pigment);
+void describe(Visitor& visit, Microfacet& microfacet);
+void describe(Visitor& visit, MicrofacetFacets& facets);
+
+/// The table [substrate] of a recipe.
+struct Substrate {
+    spectra::Spectrum& reflectance;
+};
+void describe(Visitor& visit, Substrate& substrate);
+
+}  // namespace nacre::paint

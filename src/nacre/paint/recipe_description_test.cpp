@@ -1,0 +1,76 @@
+#include "nacre/paint/recipe_description.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nacre/testing/described.h"
+#include "nacre/testing/recipe.h"
+
+namespace nacre::paint {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string refusal(const Recipe& recipe) {
+    try {
+        validate(recipe, {});
+    } catch (const DomainError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(RecipeDescription, EveryNumberOutsideItsRangeIsRefused) {
+    const Recipe recipe = nacre::testing::full_recipe();
+    EXPECT_EQ(refusal(recipe), "accepted");
+    nacre::testing::EveryKey all;
+    Described::to_inspect(recipe).accept(all);
+    int refused = 0;
+    for (const nacre::testing::KeyOfObject& key : all.keys) {
+        if (!key.is_number) continue;
+        for (const double value : nacre::testing::values_outside(key.field.range)) {
+            Recipe wrong = recipe;
+            nacre::testing::EveryKey change(key.path, value);
+            describe(change, wrong);
+            EXPECT_EQ(change.changes, 1) << key.path;
+            EXPECT_THAT(refusal(wrong), AllOf(HasSubstr(fmt::format("{} = {}: ", key.path, value)),
+                                              HasSubstr(key.field.range.text())));
+            ++refused;
+        }
+    }
+    EXPECT_GE(refused, 2 * 33);
+}
+
+TEST(RecipeDescription, TheDocumentationHasItsTables) {
+    Recipe recipe;
+    Substrate substrate{recipe.substrate_reflectance};
+    Clearcoat clearcoat;
+    Layer layer;
+    FlakeSpecies flakes;
+    Orientation orientation;
+    optics::FilmPopulation film;
+    Pigment pigment;
+    Microfacet microfacet;
+    MicrofacetFacets facets;
+    const std::pair<const char*, Described> tables[] = {{"paint", Described(recipe)},
+                                                        {"clearcoat", Described(clearcoat)},
+                                                        {"layer", Described(layer)},
+                                                        {"flakes", Described(flakes)},
+                                                        {"orientation", Described(orientation)},
+                                                        {"film", Described(film)},
+                                                        {"pigment", Described(pigment)},
+                                                        {"substrate", Described(substrate)},
+                                                        {"microfacet", Described(microfacet)},
+                                                        {"facets", Described(facets)}};
+    for (const auto& [name, object] : tables) {
+        const std::string expected = markdown_table(object);
+        EXPECT_EQ(
+            nacre::testing::documented_table(NACRE_SOURCE_DIR "/docs/recipe.md", name, expected),
+            expected)
+            << "run this test with NACRE_WRITE_DOCS=1";
+    }
+}
+
+}  // namespace
+}  // namespace nacre::paint
