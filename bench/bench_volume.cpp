@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 
+#include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/montecarlo/plane_walk.h"
@@ -21,7 +22,7 @@ namespace {
 constexpr bsdf::Wavelengths kWavelengths{418, 456, 493, 531, 568, 606, 643, 681};
 
 paint::Recipe paint(const std::string& name) {
-    return io::read_recipe(std::string(NACRE_SOURCE_DIR "/paints/") + name + ".toml");
+    return io::read_recipe(shipped_file("paints/" + name + ".toml"));
 }
 
 using Surface = std::unique_ptr<const bsdf::BoundBsdf>;

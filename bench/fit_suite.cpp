@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/fit/fit.h"
 #include "nacre/io/recipe_file.h"
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
     for (const Case& one : kCases) {
         if (argc > 2 && std::string(argv[2]) != one.paint) continue;
         const paint::Recipe start =
-            io::read_recipe(fmt::format(NACRE_SOURCE_DIR "/paints/{}.toml", one.paint));
+            io::read_recipe(shipped_file(fmt::format("paints/{}.toml", one.paint)));
         std::vector<std::string> keys;
         for (const std::string& name : one.free) {
             const auto found = paint::matching_parameters(start, name);
@@ -94,7 +95,7 @@ int main(int argc, char** argv) {
             const std::clock_t before = std::clock();
             const fit::Fit found = fit::fit(standard, numbers);
             const double cpu = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-            double worst = 0;  // error as a share of the bounds
+            double worst = 0;  // error as a fraction of the bounds
             for (std::size_t i = 0; i < numbers.size(); ++i) {
                 worst = std::max(
                     worst, std::abs(numbers[i].to_unit(found.estimates[i].value) - hidden[i]));

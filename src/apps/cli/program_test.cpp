@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "apps/cli/program_test_support.h"
+#include "nacre/core/file.h"
 
 // The program as a user meets it: what goes where, and with which exit status.
 
@@ -345,7 +346,7 @@ TEST_F(Program, StudyWritesOnePageAndGoesOnWhereItStopped) {
 }
 
 TEST_F(Program, ExplicitFlakesLieUnderFlatPanelsOnly) {
-    const std::string scene = NACRE_SOURCE_DIR "/scenes/flakes.toml";
+    const std::string scene = shipped_file("scenes/flakes.toml").string();
     const std::string discs = " --paint gray.toml --model nacre --flakes explicit --quiet --spp 4 ";
     const Outcome panel = nacre("render " + scene + discs + "--size 16x16 -o a.exr");
     EXPECT_EQ(panel.status, 0) << panel.err;

@@ -1,12 +1,8 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 // Only for tests: the program, run in a folder of its own.
@@ -18,58 +14,24 @@ struct Outcome {
     std::string out, err;
 };
 
-inline std::string contents(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
+std::string contents(const std::filesystem::path& path);
 
 class Program : public ::testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = std::filesystem::path(::testing::TempDir()) /
-                  (std::string("nacre_program_test_") +
-                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-        std::filesystem::create_directories(folder_);
-        std::ofstream(folder_ / "gray.toml") << R"(ior = 1.5
-[[layer]]
-thickness_um = 15
-[[layer.flakes]]
-area_density_per_um = 0.1
-orientation = { distribution = "beckmann", alpha = 0.2 }
-reflectance = 0.6
-)";
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
+    /// Makes the folder, with a paint in it: gray.toml.
+    void SetUp() override;
+    void TearDown() override;
 
     /// Runs `nacre ARGUMENTS` in the test's folder.
-    Outcome nacre(const std::string& arguments) const {
-        const std::string command =
-            "cd '" + folder_.string() + "' && '" NACRE_PROGRAM "' " + arguments + " > .out 2> .err";
-        const int code = std::system(command.c_str());
-        EXPECT_TRUE(WIFEXITED(code)) << arguments << " was ended by a signal";
-        return {WEXITSTATUS(code), contents(folder_ / ".out"), contents(folder_ / ".err")};
-    }
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-    }
-    bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+    Outcome nacre(const std::string& arguments) const;
+    void write(const std::string& name, const std::string& text) const;
+    bool exists(const std::string& name) const;
 
     std::filesystem::path folder_;
 };
 
 /// Cell of a CSV text, row 0 being the header.
-inline std::string cell(const std::string& csv, int row, int column) {
-    std::istringstream lines(csv);
-    std::string line, value;
-    for (int i = 0; i <= row; ++i) std::getline(lines, line);
-    std::istringstream cells(line);
-    for (int i = 0; i <= column; ++i) std::getline(cells, value, ',');
-    return value;
-}
-
-inline double number(const std::string& csv, int row, int column) {
-    return std::atof(cell(csv, row, column).c_str());
-}
+std::string cell(const std::string& csv, int row, int column);
+double number(const std::string& csv, int row, int column);
 
 }  // namespace nacre::cli::testing

@@ -177,7 +177,7 @@ ExitStatus run(SparkleOptions options) {
         pictures = measure::take_pictures(*paint.surface, options.camera, bar.callback());
     }
     const double seen_s = watch.seconds();
-    if (!pictures.flakes_told_apart) {
+    if (!pictures.flakes_resolved) {
         say(options,
             "nacre: flakes lie in heaps too dense to be told apart; graininess is too large");
     }

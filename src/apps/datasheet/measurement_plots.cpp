@@ -260,8 +260,8 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
     if (!plot.y.logarithmic) plot.y.lo = 0;
     label_curves(plot, first, angles);
     if (first_nm < last_nm) {
-        // Room for the angles at the ends of the curves: for each byte of text, as a share of the
-        // axis in a picture of half a page.
+        // Room for the angles at the ends of the curves: for each byte of text, as a fraction of
+        // the axis in a picture of half a page.
         std::size_t longest = 0;
         for (const report::Series& series : plot.series) {
             if (series.point_labels.empty()) continue;

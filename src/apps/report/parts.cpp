@@ -1,5 +1,7 @@
 #include "apps/report/parts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>

@@ -1,5 +1,7 @@
 #include "apps/report/plot_data.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>

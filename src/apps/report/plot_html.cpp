@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "apps/report/markup.h"
 #include "apps/report/parts.h"
 #include "apps/report/plot_data.h"

@@ -1,5 +1,7 @@
 #include "apps/report/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "apps/report/markup.h"

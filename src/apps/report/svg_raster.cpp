@@ -1,6 +1,7 @@
 #include "apps/report/svg_raster.h"
 
 #include <cairo.h>
+#include <fmt/format.h>
 #include <librsvg/rsvg.h>
 
 #include <cmath>

@@ -40,8 +40,8 @@ Measured mean_luminance(const Pixels& a, const Pixels& b);
 /// @throws DomainError unless both have the same size, at least 4 x 4
 Measured contrast(const Pixels& a, const Pixels& b);
 
-/// Share of the pixels by luminance over the mean luminance, in equal steps of its logarithm; the
-/// first and the last hold what lies beyond.
+/// Fraction of the pixels by luminance over the mean luminance, in equal steps of its logarithm;
+/// the first and the last hold what lies beyond.
 struct Histogram {
     std::vector<double> centre;  ///< of the steps, as a ratio
     std::vector<double> fraction;

@@ -1,5 +1,7 @@
 #include "apps/study/query_cost.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -62,7 +64,7 @@ QuerySubject::QuerySubject(const bsdf::Bsdf& surface, int queries)
         q.u_select = rng.uniform_float();
         q.u = {rng.uniform_float(), rng.uniform_float()};
         const auto sample = bound_->sample(q.wi, q.u_select, q.u);
-        // The mirror is no query: its value is not asked for.
+        // The specular lobe is no query: its value is not asked for.
         if (!sample || sample->kind != bsdf::SampleKind::density) continue;
         q.wo = sample->wo;
         queries_.push_back(q);

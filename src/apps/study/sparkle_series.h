@@ -20,7 +20,7 @@ enum class FlakeParameter {
 };
 
 /// The recipe with that value. Flakes are 18 um as in the paint, but 30 um where their volume is
-/// varied, on a dark primer: then spots are told apart at most volumes, and their background is the
+/// varied, on a dark primer: then spots are resolved at most volumes, and their background is the
 /// flakes' own.
 paint::Recipe silver_with(FlakeParameter parameter, double value);
 

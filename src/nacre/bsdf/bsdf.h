@@ -70,23 +70,23 @@ class PatchMemory {
 };
 
 /// The piece of a surface that one sample of a picture looks at, in the terms that the surface
-/// needs (Layout). Surfaces that show single flakes depend on it.
+/// needs (SurfaceCoordinates). Surfaces that show single flakes depend on it.
 struct Patch {
     /// A parallelogram about (u, v) in the unit square over which the shape is laid out
     /// (render/compiled_scene.h), spanned by two edges. Without edges it is a point.
     double u = 0, v = 0;
     Vec2f edge_1, edge_2;
-    /// The same in the millimetres of the shape at rest.
+    /// The same in the millimetres of object space.
     sparkle::ObjectSpaceFootprint rest{};
     /// Null: what is found out is forgotten after each call.
     PatchMemory* memory = nullptr;
 };
 
-/// How a surface that varies tells its places apart.
+/// The coordinates by which a surface varies.
 enum class SurfaceCoordinates {
-    none,         ///< it is alike everywhere
-    unit_square,  ///< by shares of the unit square over which the shape is laid out
-    object_space  ///< by millimetres of the shape at rest
+    none,         ///< it does not vary
+    unit_square,  ///< by fractions of the unit square over which the shape is laid out
+    object_space  ///< by millimetres of the shape before it is turned and moved
 };
 
 /// A surface at eight wavelengths: all that depends on wavelength alone has been worked out, so
@@ -136,7 +136,7 @@ class Bsdf {
 class SingleFlakes {
  public:
     virtual ~SingleFlakes() = default;
-    /// Side of the largest square patch of a flat panel on which every flake is told apart, so that
+    /// Side of the largest square patch of a flat panel on which every flake is resolved, so that
     /// nothing is approximated. 0 if flakes lie too densely for any patch; infinite without flakes.
     virtual double exact_patch_mm() const = 0;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRow = FlakeFilms::kCosineIntervals + 1;
 
-/// Which of `count` (a power of two) equal shares of its law each flake of the set takes for the
+/// Which of `count` (a power of two) equal fractions of its law each flake of the set takes for the
 /// film number `film` among those that vary.
 std::vector<int> strata(int film, int count) {
     std::vector<int> order(count);

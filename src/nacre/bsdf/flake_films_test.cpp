@@ -109,7 +109,7 @@ TEST(FlakeFilms, SpreadAndCorrelationAreThoseOfTheLaw) {
     }
 }
 
-TEST(FlakeFilms, EachFilmTakesEachShareOfItsLawOnce) {
+TEST(FlakeFilms, EachFilmTakesEachQuantileOfItsLawOnce) {
     optics::Platelet platelet = pearl({60}, {5});
     platelet.coats.push_back({optics::find_material("SiO2"), 90, {8}});
     platelet.coats.push_back({optics::find_material("TiO2_anatase"), 70, {}});

@@ -1,5 +1,7 @@
 #include "nacre/bsdf/microfacet.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

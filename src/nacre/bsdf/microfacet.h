@@ -26,12 +26,12 @@ class MicrofacetDistribution {
     float density(Vec3f h) const;
 
     /// Smith's Lambda(w): hidden area over visible area, in its exact form for either law. The
-    /// share seen of the facets that face w is 1 / (1 + Lambda).                [heitz-2014,
-    /// section 5]
+    /// share seen of the facets that face w is 1 / (1 + Lambda).
+    ///                                                                      [heitz-2014, section 5]
     /// @param w  unit, w.z > 0
     float lambda(Vec3f w) const;
 
-    /// Share of facets visible from both sides, heights being correlated.  [heitz-2014]
+    /// Fraction of facets visible from both sides, heights being correlated.  [heitz-2014]
     static float masking_shadowing(float lambda_i, float lambda_o) {
         return 1 / (1 + lambda_i + lambda_o);
     }

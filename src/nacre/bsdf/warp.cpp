@@ -1,5 +1,7 @@
 #include "nacre/bsdf/warp.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,7 @@ namespace nacre::bsdf {
 
 namespace {
 
-/// Position between increasing nodes: the lower one and the share of the way to the next.
+/// Position between increasing nodes: the lower one and the fraction of the way to the next.
 struct WavelengthPosition {
     int lower;
     float fraction;

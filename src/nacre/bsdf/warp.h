@@ -13,8 +13,8 @@
 
 namespace nacre::bsdf {
 
-/// From [0, 1)^2 to the unit disk, with constant density 1 / pi.       [shirley-1997-map, section
-/// 3]
+/// From [0, 1)^2 to the unit disk, with constant density 1 / pi.
+///                                                                    [shirley-1997-map, section 3]
 inline Vec2f concentric_disk(Vec2f u) {
     const float a = 2 * u.x - 1;
     const float b = 2 * u.y - 1;
@@ -56,8 +56,8 @@ class SliceGrid {
     std::vector<float> first_, second_;
 };
 
-/// Where a point of the unit square lies among the nodes of a table: the lower node and the share
-/// of the way to the next. Points outside are moved to the edge.
+/// Where a point of the unit square lies among the nodes of a table: the lower node and the
+/// fraction of the way to the next. Points outside are moved to the edge.
 struct SquareCell {
     int row, column;
     float row_fraction, column_fraction;

@@ -3,7 +3,7 @@
 // Embree 3 (Debian 12) or 4 (Ubuntu 24.04): the include path and the arguments of a ray query are
 // all that differs for us. For the folders that trace rays (nacre_use_embree() in CMake).
 
-#include <fmt/format.h>
+#include <string>
 
 #include "nacre/core/error.h"
 
@@ -21,8 +21,8 @@ namespace nacre::embree {
 inline void check(RTCDevice device, const char* doing) {
     const RTCError error = rtcGetDeviceError(device);
     if (error != RTC_ERROR_NONE) {
-        throw Error(
-            fmt::format("Embree failed while {} (error {})", doing, static_cast<int>(error)));
+        throw Error(std::string("Embree failed while ") + doing + " (error " +
+                    std::to_string(static_cast<int>(error)) + ")");
     }
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -30,12 +28,13 @@ class InputError : public Error {
     using Error::Error;
 };
 
+/// Throws the DomainError of require_in_range().
+[[noreturn]] void throw_out_of_range(double value, double lo, double hi, const char* what);
+
 /// Throws DomainError unless lo <= value <= hi; NaN is refused too.
 /// `what` names the quantity and its unit, as in "cos_i" or "wavelength in nm".
 inline void require_in_range(double value, double lo, double hi, const char* what) {
-    if (!(value >= lo && value <= hi)) {
-        throw DomainError(fmt::format("{} = {} is outside [{}, {}]", what, value, lo, hi));
-    }
+    if (!(value >= lo && value <= hi)) throw_out_of_range(value, lo, hi, what);
 }
 
 /// The numbers a quantity may take: an interval with open or closed ends, and its unit for
@@ -51,10 +50,7 @@ struct Range {
         return (lo_open ? x > lo : x >= lo) && (hi_open ? x < hi : x <= hi);
     }
     /// As in "(0, 1000] um".
-    std::string text() const {
-        return fmt::format("{}{}, {}{}{}{}", lo_open ? '(' : '[', lo, hi, hi_open ? ')' : ']',
-                           *unit ? " " : "", unit);
-    }
+    std::string text() const;
 };
 
 }  // namespace nacre

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "nacre/core/error.h"
+
 namespace nacre {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "nacre/core/quadrature.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
 #include <mutex>

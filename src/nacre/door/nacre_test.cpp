@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-fs::path source(const std::string& name) { return fs::path(NACRE_SOURCE_DIR) / name; }
-
 /// Flakes so wide that they are solved in an instant.
 std::string pearl_toml() { return io::write_recipe(fit::testing::pearl()); }
 const SolveSettings kThree{{450, 550, 650}};
@@ -47,7 +45,7 @@ const std::vector<Sample>& samples() {
             {"measurement/pearl.json", Kind::measured_colours}};
         for (const auto& [name, kind] : files) {
             samples.push_back({fs::path(name).filename().string(), kind,
-                               read_file(source("fuzz/corpus/" + name))});
+                               read_file(shipped_file("fuzz/corpus/" + name))});
         }
         return samples;
     }();
@@ -92,7 +90,7 @@ TEST_F(Files, EveryKindIsToldByItsContents) {
         EXPECT_EQ(paint.recipe_sha256().empty(), !paint.has_recipe()) << name;
         EXPECT_EQ(open_text(bytes, "no name tells").kind(), kind) << name;
     }
-    EXPECT_EQ(open(source("paints/tio2-mica-80.toml")).name(), "TiO2 on mica, 80 nm (gold)");
+    EXPECT_EQ(open(shipped_file("paints/tio2-mica-80.toml")).name(), "TiO2 on mica, 80 nm (gold)");
 }
 
 TEST_F(Files, GarbageIsRefusedByName) {
@@ -101,9 +99,9 @@ TEST_F(Files, GarbageIsRefusedByName) {
         {"noise.bin", std::string("\x01\x02\xff\x00zz", 6)},
         {"text.txt", "To be or not to be"},
         {"cut.h5", samples()[1].bytes.substr(0, 5000)},
-        {"cut_table.h5", read_file(source("fuzz/corpus/brdf_table/raw.h5")).substr(0, 5000)},
-        {"cut.bsdf", read_file(source("fuzz/corpus/rgl/isotropic_rgb.bsdf")).substr(0, 100)},
-        {"cut.binary", read_file(source("fuzz/corpus/merl/cut.binary"))},
+        {"cut_table.h5", read_file(shipped_file("fuzz/corpus/brdf_table/raw.h5")).substr(0, 5000)},
+        {"cut.bsdf", read_file(shipped_file("fuzz/corpus/rgl/isotropic_rgb.bsdf")).substr(0, 100)},
+        {"cut.binary", read_file(shipped_file("fuzz/corpus/merl/cut.binary"))},
         {"no_angle.csv", "geometry,L,a,b\nsomewhere,1,2,3\n"},
         {"half.json", "{\"readings\": ["}};
     for (const auto& [name, bytes] : garbage) {
@@ -124,7 +122,7 @@ TEST_F(Files, ErrorsNameFileKeyValueAndRange) {
     EXPECT_THAT(message_of<DomainError>([&] { paint.with("beckmann", 1); }), HasSubstr("beckmann"));
     EXPECT_THAT(message_of<DomainError>([&] { paint.with("orientation.alpha", 7); }),
                 AllOf(HasSubstr("orientation.alpha"), HasSubstr("7"), HasSubstr("[0.005, 1]")));
-    const Paint gold = open(source("paints/tio2-mica-80.toml"));
+    const Paint gold = open(shipped_file("paints/tio2-mica-80.toml"));
     EXPECT_THAT(message_of<InputError>([&] { gold.solved({{5}}); }),
                 AllOf(HasSubstr(gold.file()), HasSubstr("TiO2_anatase"), HasSubstr("5 nm")));
     const Paint solved = open_text(samples()[1].bytes, "solved.h5");

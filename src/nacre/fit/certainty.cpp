@@ -1,5 +1,7 @@
 #include "nacre/fit/certainty.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -15,7 +17,7 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 /// Change of the residual (root mean square of Delta E) across the whole cube that is no more than
 /// the solver's own error: such a direction is taken as flat.
 constexpr double kFlat_delta_e = 1e-3;
-/// Share of a flat direction that makes a coordinate unknown.
+/// Fraction of a flat direction that makes a coordinate unknown.
 constexpr double kPartInFlat = 0.05;
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "nacre/fit/fit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,11 +13,11 @@ namespace nacre::fit {
 
 namespace {
 
-/// A number this near to its bound, as a share of the way between both, is at it.
+/// A number this near to its bound, as a fraction of the way between both, is at it.
 constexpr double kAtBound = 1e-3;
-/// Numbers whose share of a weak direction is below this are not named in it.
+/// Numbers whose fraction of a weak direction is below this are not named in it.
 constexpr double kPartOfTradeoff = 0.15;
-/// A way is not worth naming if the bounds end it within this share of their distance.
+/// A way is not worth naming if the bounds end it within this fraction of their distance.
 constexpr double kMinRoom = 0.02;
 
 void check(const FitOptions& options) {

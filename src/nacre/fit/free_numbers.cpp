@@ -1,5 +1,7 @@
 #include "nacre/fit/free_numbers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

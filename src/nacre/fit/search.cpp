@@ -1,6 +1,7 @@
 #include "nacre/fit/search.h"
 
 #include <ceres/ceres.h>
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -159,7 +160,7 @@ constexpr double kOffTheFloor = 0.05;
 constexpr double kWorthDelta_e = 0.5, kWorthWithoutSpectra_delta_e = 1.5;
 constexpr std::size_t kMaxCarriedThrough = 3;
 
-// Shares of the work, for the bar.
+// Fractions of the work, for the bar.
 constexpr double kGlanceFraction = 0.15, kRaceFraction = 0.25, kCoarseFraction = 0.3,
                  kFineFraction = 0.25;
 

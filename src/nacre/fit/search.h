@@ -45,7 +45,7 @@ struct SearchEffort {
 /// colours repeat with the order, so that there are several minima, and the nearest one need not be
 /// the right one.
 ///
-/// @param progress  told shares of the whole; what it answers is heeded: the model is stopped
+/// @param progress  told fractions of the whole; what it answers is heeded: the model is stopped
 /// @throws Error if there is no paint at the start, or progress asked to stop
 std::vector<Descent> search(ColourModel& model, const std::vector<double>& start, int starts,
                             std::uint64_t seed, const Progress& progress, SearchEffort& effort);

@@ -1,5 +1,7 @@
 #include "nacre/io/hdf5_file.h"
 
+#include <fmt/format.h>
+
 #include "nacre/core/error.h"
 #include "nacre/core/sha256.h"
 #include "nacre/core/version.h"

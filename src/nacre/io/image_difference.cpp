@@ -31,7 +31,7 @@ std::vector<float> finite_rgb(const Image& image, const std::string& name) {
     return rgb;
 }
 
-/// The value below which the given share of the values lies.
+/// The value below which the given fraction of the values lies.
 double quantile(std::vector<float> values, double fraction) {
     const auto at = values.begin() +
                     static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));

@@ -50,8 +50,8 @@ void append_number(std::string& bytes, T value) {
 }
 
 // The container of the RGL material database, which Mitsuba calls a tensor file: named arrays of
-// any rank. All numbers are little-endian.                    [dupuy-jakob-2018;
-// jakob-2022-mitsuba]
+// any rank. All numbers are little-endian.
+//                                                            [dupuy-jakob-2018; jakob-2022-mitsuba]
 //
 //   "tensor_file" and a zero    12 bytes
 //   version                     two bytes, 1 and 0
@@ -100,8 +100,8 @@ std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::st
 std::string tensor_file_bytes(const std::vector<TensorField>& fields);
 
 // Files of the RGL material database, .bsdf: a tensor file (tensor_file.h) with the fields of
-// bsdf::RglTable.                                             [dupuy-jakob-2018;
-// jakob-2022-mitsuba]
+// bsdf::RglTable.
+//                                                            [dupuy-jakob-2018; jakob-2022-mitsuba]
 //
 //   description   uint8    [bytes], text
 //   phi_i         float32  [a], rad

@@ -1,5 +1,6 @@
 #include "nacre/io/measured_brdf_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/io/table_reader.h"
 #include "nacre/paint/recipe_description.h"
 #include "nacre/testing/described.h"
@@ -258,7 +259,8 @@ TEST(RecipeFile, EveryNumberOutsideItsRangeIsRefused) {
 // under its key.
 TEST(RecipeFile, EveryNumberOfEveryPaintSurvivesTheFile) {
     int numbers = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(NACRE_SOURCE_DIR "/paints")) {
+    const auto paints = shipped_file("paints/metallic-gray.toml").parent_path();
+    for (const auto& entry : std::filesystem::directory_iterator(paints)) {
         if (entry.path().extension() != ".toml") continue;
         const paint::Recipe recipe = read_recipe(entry.path());
         for (const paint::RecipeParameter& parameter : paint::recipe_parameters(recipe)) {

@@ -1,5 +1,7 @@
 #include "nacre/io/solved_paint_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/core/sha256.h"
 #include "nacre/io/hdf5_file.h"
 #include "nacre/io/recipe_file.h"
@@ -245,8 +246,7 @@ TEST(SolvedPaintFile, TensorsThatDoNotFitTheInterfaceAreRefused) {
 }
 
 TEST(SolvedPaintFile, StaysBelow300KilobytesFor31Wavelengths) {
-    paint::Recipe recipe =
-        read_recipe(std::filesystem::path(NACRE_SOURCE_DIR) / "paints" / "tio2-mica-80.toml");
+    paint::Recipe recipe = read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     // From an ordinary pearl to the narrowest lobes: 76 orders between 44 nodes.
     for (const double alpha : {0.1, 0.02}) {
         recipe.layers[0].flakes[0].orientation.beckmann_alpha = alpha;

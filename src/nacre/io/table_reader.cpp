@@ -1,5 +1,7 @@
 #include "nacre/io/table_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>

@@ -1,5 +1,7 @@
 #include "nacre/measure/instrument.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -63,7 +63,8 @@ inline constexpr double kApertureTolerance = 1e-4;
 /// cones it is what the instrument compares with a perfect diffuser in its place: the mean of
 /// pi f over lamp and detector, weighted with cos theta_i cos theta_o over both solid angles
 /// [nicodemus-1977, biconical reflectance factor]; rays below the horizon carry nothing.
-/// The mirror of a smooth interface is not part of it, as instruments keep away from the gloss.
+/// The specular lobe of a smooth interface is not part of it, as instruments keep away from the
+/// gloss.
 ///
 /// @param wavelengths_nm  those of `brdf`, at least two, in equal steps
 /// @param progress  asked after each geometry

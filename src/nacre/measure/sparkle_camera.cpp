@@ -64,7 +64,7 @@ struct ColourWeights {
 
 struct LampDirection {
     Vec3f towards;
-    float weight;  // pi times its share of the light on the panel
+    float weight;  // pi times its fraction of the light on the panel
 };
 
 // Evenly over the disc, along the spiral of a sunflower.                            [vogel-1979]
@@ -94,8 +94,8 @@ std::vector<LampDirection> lamp_directions(double angle_deg, double half_angle_d
 
 float wrapped(double u) { return std::min(static_cast<float>(u - std::floor(u)), 0x1.fffffep-1f); }
 
-// Pixels are looked at patch by patch, each so small that it tells its flakes apart. Of patches
-// this much larger than such, the flakes told apart stand for 1.002 each, which nothing here
+// Pixels are looked at patch by patch, each so small that it resolves its flakes. Of patches
+// this much larger than such, the flakes resolved stand for 1.002 each, which nothing here
 // notices.
 constexpr double kNearlyExact = 1.35;
 constexpr int kMaxPatches = 16;  // a side of a pixel
@@ -268,7 +268,7 @@ PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& came
     }
     const Photographer photographer(surface, camera);
     PanelPictures pictures;
-    pictures.flakes_told_apart = photographer.exact();
+    pictures.flakes_resolved = photographer.exact();
     pictures.by_lamp.assign(camera.lamps_deg.size(), photographer.blank());
     if (camera.diffuse_samples > 0) pictures.diffuse.assign(2, photographer.blank());
     if (!surface.varies_over_surface()) {

@@ -22,8 +22,8 @@ struct SparkleCamera {
     /// 65536], or 0: no such picture.
     int diffuse_samples = 16;
     std::uint64_t seed = 0;  ///< of those directions; which flakes there are is the surface's own
-    /// Side of the panel that is an object's unit square (bsdf::Layout::unit_square), at least the
-    /// field.
+    /// Side of the panel that is an object's unit square (bsdf::SurfaceCoordinates::unit_square),
+    /// at least the field.
     double unit_square_mm = 100;
 };
 
@@ -39,10 +39,11 @@ struct PanelPictures {
     std::vector<PanelPicture> diffuse;
     /// False if flakes lie in such heaps that the model lets some stand for others even on the
     /// smallest patches: graininess is then too large.
-    bool flakes_told_apart = true;
+    bool flakes_resolved = true;
 };
 
-/// Takes the pictures of a panel. The mirror image of the light in a smooth interface stays out.
+/// Takes the pictures of a panel. The specular reflection of the light in a smooth interface stays
+/// out.
 ///
 /// Pixels are made of patches that are small enough for the model to tell every flake apart
 /// (bsdf::SingleFlakes). A pixel under a lamp is pi times the BRDF of its patch, averaged over the

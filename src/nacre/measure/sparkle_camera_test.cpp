@@ -96,13 +96,13 @@ TEST(SparkleCamera, SeesOnAverageWhatTheSmoothPaintShows) {
     const bsdf::Microflake smooth(panel.paint);
     const PanelPictures mean = take_pictures(smooth, camera);
     const PanelPictures seen = take_pictures(panel.sparkling(), camera);
-    EXPECT_TRUE(seen.flakes_told_apart);
+    EXPECT_TRUE(seen.flakes_resolved);
     for (std::size_t i = 0; i < camera.lamps_deg.size(); ++i) {
         const double error = standard_error_of_mean(seen.by_lamp[i]);
         EXPECT_LT(error, 0.25 * mean.by_lamp[i].luminance(0));
         EXPECT_NEAR(mean_luminance(seen.by_lamp[i]), mean.by_lamp[i].luminance(0), 4 * error);
     }
-    // In diffuse light, what leaves but for the mirror of the interface.
+    // In diffuse light, what leaves but for the specular reflection of the interface.
     const auto bound = smooth.bind({400, 440, 480, 520, 560, 600, 640, 680});
     const double mirror = std::pow((1.5 - 1) / (1.5 + 1), 2);
     const double expected = bound->albedo({0, 0, 1})[4] - mirror;

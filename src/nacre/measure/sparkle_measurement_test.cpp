@@ -95,7 +95,7 @@ double excess_of(double visibility, double pixel_mm = kPixel_mm, const Viewing& 
 
 TEST(Sparkle, AnEvenPanelHasNone) {
     for (double y : {0.0, 0.04, 0.7312345, 12.0}) {
-        const Sparkle s = sparkle(even_picture(160, kPixel_mm, y));
+        const Sparkle s = sparkle(uniform_picture(160, kPixel_mm, y));
         EXPECT_EQ(s.density_per_cm2.value, 0);
         EXPECT_EQ(s.area_fraction.value, 0);
         EXPECT_EQ(s.sparkle_per_cm2.value, 0);
@@ -109,7 +109,7 @@ TEST(Sparkle, AnEvenPanelHasNone) {
 // Spots are far apart: 1 mm is 13 times the eye's blur.
 TEST(Sparkle, SpotsOfKnownContrastAreCountedExactly) {
     const double painted[] = {0.5, 0.97, 1.03, 3, 10, 20};
-    PanelPicture picture = even_picture(480, kPixel_mm, kGround);
+    PanelPicture picture = uniform_picture(480, kPixel_mm, kGround);
     double seen = 0, decades = 0;
     int n = 0;
     for (int y = 60; y < 420; y += 40) {
@@ -134,7 +134,7 @@ TEST(Sparkle, SpotsOfKnownContrastAreCountedExactly) {
 TEST(Sparkle, ASpotIsAsVisibleInSmallPixelsAsInLargeOnes) {
     for (double pixel_mm : {0.01, 0.025, 0.05}) {
         const int side = static_cast<int>(std::lround(2.5 / pixel_mm));
-        PanelPicture picture = even_picture(side, pixel_mm, kGround);
+        PanelPicture picture = uniform_picture(side, pixel_mm, kGround);
         set_y(picture, side / 2, side / 2, kGround + excess_of(5, pixel_mm));
         const Sparkle s = sparkle(picture, kViewing);
         ASSERT_TRUE(s.intensity) << pixel_mm;
@@ -143,7 +143,7 @@ TEST(Sparkle, ASpotIsAsVisibleInSmallPixelsAsInLargeOnes) {
 }
 
 TEST(Sparkle, VisibilityFallsWithTheSquareOfTheDistance) {
-    PanelPicture picture = even_picture(240, kPixel_mm, kGround);
+    PanelPicture picture = uniform_picture(240, kPixel_mm, kGround);
     set_y(picture, 120, 120, kGround + excess_of(16));
     const double near = sparkle(picture, {500, 1000}).intensity->value;
     const double far = sparkle(picture, {1000, 1000}).intensity->value;
@@ -151,10 +151,10 @@ TEST(Sparkle, VisibilityFallsWithTheSquareOfTheDistance) {
 }
 
 TEST(Sparkle, TwoSpotsAreToldApartBeyondTwiceTheBlur) {
-    const double blur = retinal_picture(even_picture(120, kPixel_mm, kGround), kViewing).blur_mm;
+    const double blur = retinal_picture(uniform_picture(120, kPixel_mm, kGround), kViewing).blur_mm;
     const int twice = static_cast<int>(std::lround(2 * blur / kPixel_mm));
     for (int distance : {twice - 2, twice + 2}) {
-        PanelPicture picture = even_picture(161, kPixel_mm, kGround);
+        PanelPicture picture = uniform_picture(161, kPixel_mm, kGround);
         set_y(picture, 80, 80, kGround + excess_of(10));
         set_y(picture, 80 + distance, 80, kGround + excess_of(10));
         const RetinalPicture seen = retinal_picture(picture, kViewing);
@@ -169,7 +169,7 @@ TEST(Sparkle, StandardErrorIsTheScatterOfRepeatedPanels) {
     double sum = 0, squares = 0, claimed = 0;
     for (int panel = 0; panel < kPanels; ++panel) {
         Rng rng(1, panel);
-        PanelPicture picture = even_picture(kSide, kPixel_mm, kGround);
+        PanelPicture picture = uniform_picture(kSide, kPixel_mm, kGround);
         for (int y = 0; y < kSide; ++y) {
             for (int x = 0; x < kSide; ++x) {
                 if (rng.uniform_double() > 60.0 / (kSide * kSide)) continue;
@@ -195,9 +195,9 @@ TEST(Sparkle, WhatCannotBeReadIsRefused) {
         }
         return std::string();
     };
-    EXPECT_THAT(complaint(even_picture(400, 0.2, 1), kViewing), HasSubstr("smaller pixels"));
-    EXPECT_THAT(complaint(even_picture(32, kPixel_mm, 1), kViewing), HasSubstr("larger field"));
-    EXPECT_THAT(complaint(even_picture(400, kPixel_mm, 1), {1, 1000}), HasSubstr("distance"));
+    EXPECT_THAT(complaint(uniform_picture(400, 0.2, 1), kViewing), HasSubstr("smaller pixels"));
+    EXPECT_THAT(complaint(uniform_picture(32, kPixel_mm, 1), kViewing), HasSubstr("larger field"));
+    EXPECT_THAT(complaint(uniform_picture(400, kPixel_mm, 1), {1, 1000}), HasSubstr("distance"));
 }
 
 TEST(Jackknife, OfAMeanIsItsStandardError) {
@@ -220,7 +220,7 @@ namespace {
 constexpr double kMean = 0.5;
 
 PanelPicture noise(int side, double contrast, std::uint64_t seed) {
-    PanelPicture picture = even_picture(side, kPixel_mm, kMean);
+    PanelPicture picture = uniform_picture(side, kPixel_mm, kMean);
     Rng rng(seed);
     for (std::size_t p = 0; p < picture.pixel_count(); ++p) {
         picture.xyz[3 * p + 1] = static_cast<float>(kMean * (1 + contrast * normal(rng)));
@@ -230,7 +230,7 @@ PanelPicture noise(int side, double contrast, std::uint64_t seed) {
 
 TEST(Graininess, AnEvenPanelHasNone) {
     for (double y : {0.0, 0.04, 0.7312345, 12.0}) {
-        const PanelPicture even = even_picture(60, kPixel_mm, y);
+        const PanelPicture even = uniform_picture(60, kPixel_mm, y);
         const Graininess g = graininess(even, even);
         EXPECT_EQ(g.graininess.value, 0);
         EXPECT_EQ(g.pixel_contrast.value, 0);
@@ -247,7 +247,7 @@ TEST(Graininess, OfAGratingThatIsJustNoticedIsOne) {
             const double modulation =
                 1 / contrast_sensitivity(frequency, luminance_cd_m2(viewing, kMean),
                                          kPanelSide_mm / per_degree);
-            PanelPicture picture = even_picture(kSide, kPixel_mm, kMean);
+            PanelPicture picture = uniform_picture(kSide, kPixel_mm, kMean);
             for (int y = 0; y < kSide; ++y) {
                 for (int x = 0; x < kSide; ++x) {
                     const double phase = 2 * kPi * cycles * (across ? x : y) / kSide;
@@ -315,7 +315,7 @@ TEST(Graininess, StandardErrorIsTheScatterOfRepeatedPanels) {
 // A prime side would take the transform minutes; 360 is the largest handy length below 367.
 TEST(Graininess, LeavesOutRowsAndColumnsBeyondAHandyLength) {
     const PanelPicture whole = noise(367, 0.05, 5);
-    PanelPicture part = even_picture(360, kPixel_mm, kMean);
+    PanelPicture part = uniform_picture(360, kPixel_mm, kMean);
     for (int y = 0; y < 360; ++y) {
         for (int x = 0; x < 360; ++x) {
             set_y(part, x, y, whole.luminance(static_cast<std::size_t>(y) * 367 + x));
@@ -328,8 +328,8 @@ TEST(Graininess, LeavesOutRowsAndColumnsBeyondAHandyLength) {
 }
 
 TEST(Graininess, PicturesThatDifferInSizeAreRefused) {
-    EXPECT_THROW(graininess(even_picture(20, 0.1, 1), even_picture(21, 0.1, 1)), DomainError);
-    EXPECT_THROW(graininess(even_picture(8, 0.1, 1), even_picture(8, 0.1, 1)), DomainError);
+    EXPECT_THROW(graininess(uniform_picture(20, 0.1, 1), uniform_picture(21, 0.1, 1)), DomainError);
+    EXPECT_THROW(graininess(uniform_picture(8, 0.1, 1), uniform_picture(8, 0.1, 1)), DomainError);
 }
 
 }  // namespace

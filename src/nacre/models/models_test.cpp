@@ -8,6 +8,7 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/models/spectral_brdf.h"
@@ -19,8 +20,7 @@ namespace nacre::models {
 namespace {
 
 std::shared_ptr<const bsdf::Bsdf> pearl(Model model) {
-    static const paint::Recipe recipe =
-        io::read_recipe(NACRE_SOURCE_DIR "/paints/tio2-mica-80.toml");
+    static const paint::Recipe recipe = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     static const auto solved = std::make_shared<const solver::SolvedPaint>(
         solver::solve(recipe, solver::default_wavelengths_nm(), {}));
     return make_surface(model, {recipe, solved, {}}, {});
@@ -126,7 +126,7 @@ TEST(Models, ReferencesGiveNoValuesAndTheOthersDo) {
 }
 
 TEST(Models, RecipeWithoutWhatTheModelReadsIsRefused) {
-    paint::Recipe no_facets = io::read_recipe(NACRE_SOURCE_DIR "/paints/metallic-gray.toml");
+    paint::Recipe no_facets = io::read_recipe(shipped_file("paints/metallic-gray.toml"));
     int refused = 0;
     for (const ModelInfo& model : all_models()) {
         if (model.ingredients != Ingredients::microfacet) continue;
@@ -134,7 +134,7 @@ TEST(Models, RecipeWithoutWhatTheModelReadsIsRefused) {
         ++refused;
     }
     EXPECT_EQ(refused, 2);
-    paint::Recipe no_layers = io::read_recipe(NACRE_SOURCE_DIR "/studies/mir-2022/facets-570.toml");
+    paint::Recipe no_layers = io::read_recipe(shipped_file("studies/mir-2022/facets-570.toml"));
     for (const ModelInfo& model : all_models()) {
         if (model.ingredients != Ingredients::layers) continue;
         EXPECT_THROW(make_surface(model.model, {no_layers, {}, {}}, {}), DomainError) << model.name;

@@ -16,8 +16,8 @@ class SpectralBrdf {
     SpectralBrdf(const bsdf::Bsdf& surface, std::vector<double> wavelengths_nm);
 
     const std::vector<double>& wavelengths_nm() const { return wavelengths_nm_; }
-    /// The BRDF in 1/sr at each wavelength, without the mirror of a smooth interface; angles in
-    /// rad, phi = phi_o - phi_i, pi being the mirror side. Of one patch where one is given, else
+    /// The BRDF in 1/sr at each wavelength, without the specular lobe of a smooth interface; angles
+    /// in rad, phi = phi_o - phi_i, pi being the mirror side. Of one patch where one is given, else
     /// the mean over the surface.
     std::vector<double> operator()(double theta_i, double theta_o, double phi,
                                    const std::optional<bsdf::Patch>& patch = {}) const;

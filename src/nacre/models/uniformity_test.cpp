@@ -51,8 +51,8 @@ struct Moments {
     }
 };
 
-TEST(NacreUniformity, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
-    // Where one axis of rest space serves, where two share the flakes, and where three do.
+TEST(NacreOnShapes, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
+    // Where one axis of object space serves, where two share the flakes, and where three do.
     struct Region {
         const char* name;
         bool (*holds)(const std::array<float, 3>& squares);  // of the normal's parts, ascending
@@ -125,7 +125,7 @@ double luminance(const render::RenderResult& r, std::size_t pixel) {
            0.0722 * r.rgb[3 * pixel + 2];
 }
 
-TEST(NacreUniformity, FlakesTurnWithTheirShape) {
+TEST(NacreOnShapes, FlakesTurnWithTheirShape) {
     // One sample a pixel and light from one direction: nothing is left to chance. Ball, lamp and
     // camera turned alike show the same flakes.
     const render::PaintTable paints{
@@ -164,10 +164,10 @@ TEST(NacreUniformity, FlakesTurnWithTheirShape) {
     EXPECT_LT(difference, 0.01 * contrast);    // and the same ones: but for rounding
 }
 
-// Four standard errors over 16 seeds. Lights are told apart by how much of a flake's lobe they
+// Four standard errors over 16 seeds. Lights are resolved by how much of a flake's lobe they
 // fill: a studio all around, a window, and a lamp as small as the sun. Surfaces alone hardly find
 // that one.
-TEST(NacreUniformity, EstimatorsOfDirectLightAgree) {
+TEST(NacreOnShapes, EstimatorsOfDirectLightAgree) {
     struct Case {
         std::string name;
         render::SceneDescription scene;
@@ -208,7 +208,7 @@ TEST(NacreUniformity, EstimatorsOfDirectLightAgree) {
 
 // The light of single flakes averages out over many paints of one kind, seen directly and in the
 // mirror of a clearcoated panel: three standard errors.
-TEST(NacreUniformity, SparkleIsZeroOnAverageAlsoInAMirror) {
+TEST(NacreOnShapes, SparkleIsZeroOnAverageAlsoInAMirror) {
     constexpr int kPaints = 16;
     const paint::Recipe recipe = testing::recipe_of({.diameter_um = 20});
     std::array<std::vector<double>, 2> means;
@@ -244,7 +244,7 @@ TEST(NacreUniformity, SparkleIsZeroOnAverageAlsoInAMirror) {
     }
 }
 
-TEST(NacreUniformity, SameBitsForAnyNumberOfThreads) {
+TEST(NacreOnShapes, SameBitsForAnyNumberOfThreads) {
     render::SceneDescription scene = ball();
     scene.environment = render::StudioEnvironment{};
     const render::Scene compiled(

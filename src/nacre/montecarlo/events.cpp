@@ -1,5 +1,7 @@
 #include "nacre/montecarlo/events.h"
 
+#include <fmt/format.h>
+
 #include "nacre/core/error.h"
 
 namespace nacre::montecarlo {

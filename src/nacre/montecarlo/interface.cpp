@@ -1,5 +1,7 @@
 #include "nacre/montecarlo/interface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,7 @@
 #include "nacre/optics/airy.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "nacre/core/error.h"

@@ -63,8 +63,8 @@ class AiryAngle {
 
 /// The same as a sum over orders of interference: Belcour & Barla's form.
 ///   R = c0 + 2 sum_{m >= 1} strength ratio^m cos(m (2 pi OPD / lambda + phase)),
-///   OPD = 2 eta_2 d cos(theta_2)                                       [belcour-barla-2017, sec.
-///   4]
+///   OPD = 2 eta_2 d cos(theta_2)
+///                                                                   [belcour-barla-2017, sec.   4]
 /// c0 = R12 + R*, strength = R* - T121, ratio = sqrt(R12 R23), R* = T121^2 R23 / (1 - R12 R23),
 /// T121 = t12 t21 = 1 - R12, phase = arg r21 + arg r23. Belcour & Barla's C_m = strength ratio^m.
 struct AiryTerms {

@@ -1,5 +1,7 @@
 #include "nacre/optics/antialiased.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

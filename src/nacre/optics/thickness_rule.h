@@ -16,7 +16,7 @@ struct ThicknessRange {
 };
 ThicknessRange thickness_range(double mean_nm, const ThicknessSpread& spread);
 
-/// The thickness below which this share of the law lies, to 1e-12 of its range; the mean where
+/// The thickness below which this fraction of the law lies, to 1e-12 of its range; the mean where
 /// nothing varies.
 /// @param fraction  in [0, 1]
 double thickness_quantile(double mean_nm, const ThicknessSpread& spread, double fraction);

@@ -68,8 +68,8 @@ TEST(ThicknessRule, NodesStayInsideAndWeightsArePositive) {
     }
 }
 
-TEST(ThicknessQuantile, SplitsTheLawIntoTheSharesItSays) {
-    // Quantiles at the middles of many equal shares have the moments of the law.
+TEST(ThicknessQuantile, SplitsTheLawIntoTheFractionsItSays) {
+    // Quantiles at the middles of many equal fractions have the moments of the law.
     for (const double mean_nm : {400.0, 60.0}) {  // the second is cut at zero
         for (const Law law : {Law::normal, Law::uniform}) {
             const ThicknessSpread spread{50, law};

@@ -104,7 +104,7 @@ TEST(BeckmannFlakes, ProjectedAreaMatchesTheTable) {
 }
 
 TEST(BeckmannFlakes, ProjectedAreaIsTheCosineWhereNoFlakeStandsEdgeOn) {
-    // s(mu) = mu s(1) up to the share exp(-(mu/s alpha)^2) of normals beyond the edge.
+    // s(mu) = mu s(1) up to the fraction exp(-(mu/s alpha)^2) of normals beyond the edge.
     for (double mu : {0.6, 0.8, 0.99}) {
         EXPECT_NEAR(projected_area(mu, 0.1), mu * facing_area(0.1), 1e-12);
     }

@@ -1,5 +1,7 @@
 #include "nacre/paint/flake_table.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 

@@ -1,5 +1,7 @@
 #include "nacre/paint/recipe.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 

@@ -1,5 +1,7 @@
 #include "nacre/paint/recipe_parameter.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <variant>

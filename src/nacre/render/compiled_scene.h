@@ -57,7 +57,7 @@ struct CompiledScene {
     /// In the unit square over which the shape is laid out: meshes linearly on the triangle that
     /// was hit; spheres by the equal-area map of octahedral_square.h with its pole towards -y,
     /// where edges that cross a fold of that map are taken from the side that does not.
-    /// In rest space: surface_patch.h.
+    /// In object space: surface_patch.h.
     bsdf::Patch patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const;
 
     Camera camera;

@@ -36,8 +36,8 @@ TEST(Emission, D65IsWhiteFromTheFirstSample) {
 
 TEST(Emission, IlluminantAIsOrangeAsCieSays) {
     const auto rgb = picture_of(ConstantEnvironment{.radiance = {spectra::Illuminant::A}}).rgb;
-    // xy of illuminant A: 0.44758, 0.40745 at Y = 1.                        [cie-15-2018, table
-    // T.3]
+    // xy of illuminant A: 0.44758, 0.40745 at Y = 1.
+    //                                                                      [cie-15-2018, table T.3]
     const auto expected = spectra::xyz_to_linear_rec709({0.44758 / 0.40745, 1, 0.14497 / 0.40745});
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgb[c], expected[c], 5e-3);
 }

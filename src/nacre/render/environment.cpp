@@ -310,7 +310,7 @@ class SkyRadiance final : public EnvironmentRadiance {
     DaylightCoefficients ground_{};
 };
 
-/// Share of sunlight that reaches the ground.
+/// Fraction of sunlight that reaches the ground.
 double sun_transmittance(double wavelength_nm, double sun_elevation_deg, double turbidity) {
     const double um = wavelength_nm / 1000;
     // Relative optical mass; elevation in degrees.
@@ -346,7 +346,8 @@ DistantDisk compile_sun(const SkyEnvironment& sky, Vec3f direction, EmissionBasi
             sky.scale * film_luminance(spectrum)};
 }
 
-/// Radiance of the ground: what it reflects of the sky, with the sun's share in the sky's colour.
+/// Radiance of the ground: what it reflects of the sky, with the sun's fraction in the sky's
+/// colour.
 DaylightCoefficients ground_radiance(const SkyRadiance& sky, const DistantDisk& sun) {
     constexpr int kSteps = 32;  // in azimuth and in cos^2: each cell has the same projected angle
     std::array<double, 3> sum{};

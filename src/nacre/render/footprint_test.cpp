@@ -16,7 +16,8 @@
 namespace nacre::render {
 namespace {
 
-/// Adds up the areas of the patches that it is sampled on, in shares of the unit square or in mm^2.
+/// Adds up the areas of the patches that it is sampled on, in fractions of the unit square or in
+/// mm^2.
 class Recorder final : public bsdf::Bsdf {
     class Bound final : public bsdf::BoundBsdf {
      public:
@@ -191,7 +192,7 @@ TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
         EXPECT_THAT(error.what(), ::testing::HasSubstr("texture coordinates"));
     }
     render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}), kOptions);
-    EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's share of the square
+    EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's fraction of the square
 
     const auto at_rest = std::make_shared<Recorder>(bsdf::SampleKind::density,
                                                     bsdf::SurfaceCoordinates::object_space);

@@ -26,8 +26,8 @@ struct VertexNumbers {
           roulette(u[6]) {}
 };
 
-/// Light, or the share of it that a surface sends on: as it is, and with the mean over its places
-/// in place of every surface that varies. The second counts only where it was asked for.
+/// Light, or the fraction of it that a surface sends on: as it is, and with the mean over its
+/// places in place of every surface that varies. The second counts only where it was asked for.
 struct Carried {
     FloatLanes shown{}, smooth{};
 };

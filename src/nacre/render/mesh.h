@@ -51,9 +51,11 @@ class AffineMap {
     Vec3f direction(Vec3f d) const { return rotate(d); }
     float scale() const { return scale_; }
 
-    /// From the world back to rest space.
-    Vec3f point_at_rest_mm(Vec3f p) const { return direction_at_rest(p - translation_); }
-    Vec3f direction_at_rest(Vec3f d) const {
+    /// From the world back to object space.
+    Vec3f point_in_object_space_mm(Vec3f p) const {
+        return direction_in_object_space(p - translation_);
+    }
+    Vec3f direction_in_object_space(Vec3f d) const {
         return d.x * row_[0] + d.y * row_[1] + d.z * row_[2];  // transposed: rows times d
     }
 

@@ -10,8 +10,8 @@ namespace nacre::render {
 namespace {
 
 // The (0,2) property, base 2: of the first 2^m points each elementary interval of area 2^-m, of
-// whatever shape 2^-a x 2^-(m-a), holds exactly one.              [niederreiter-1992,
-// definition 4.1]
+// whatever shape 2^-a x 2^-(m-a), holds exactly one.
+//                                                               [niederreiter-1992, definition 4.1]
 TEST(PathSampler, EveryPairIsAZeroTwoSequence) {
     constexpr int kLog = 8;
     int checked = 0;

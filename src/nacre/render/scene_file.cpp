@@ -1,5 +1,7 @@
 #include "nacre/render/scene_file.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "nacre/core/error.h"

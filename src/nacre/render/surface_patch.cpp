@@ -83,19 +83,19 @@ bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycen
     return patch;
 }
 
-sparkle::ObjectSpaceFootprint rest_patch(const AffineMap& map, Vec3f position_mm,
-                                         Vec3f geometric_normal, Vec3f shading_normal,
-                                         Vec3f edge_1_mm, Vec3f edge_2_mm) {
+sparkle::ObjectSpaceFootprint object_space_footprint(const AffineMap& map, Vec3f position_mm,
+                                                     Vec3f geometric_normal, Vec3f shading_normal,
+                                                     Vec3f edge_1_mm, Vec3f edge_2_mm) {
     // The rotation that takes one normal to the other, applied to what is perpendicular to the
     // first.
     const Vec3f sum = geometric_normal + shading_normal;
     const float scale = 1 / (1 + dot(geometric_normal, shading_normal));
     const auto turned = [&](Vec3f edge) {
-        return map.direction_at_rest(edge - scale * dot(edge, shading_normal) * sum);
+        return map.direction_in_object_space(edge - scale * dot(edge, shading_normal) * sum);
     };
-    return {map.point_at_rest_mm(position_mm),
-            map.direction_at_rest(shading_normal),
-            map.direction_at_rest(Frame::around(shading_normal).s),
+    return {map.point_in_object_space_mm(position_mm),
+            map.direction_in_object_space(shading_normal),
+            map.direction_in_object_space(Frame::around(shading_normal).s),
             {turned(edge_1_mm), turned(edge_2_mm)}};
 }
 

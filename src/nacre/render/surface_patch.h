@@ -17,7 +17,7 @@ namespace nacre::render {
 std::array<double, 2> octahedral_square(Vec3f n);
 
 // Where a point of a shape lies in the unit square over which the shape is laid out or in the
-// shape's rest space, and what becomes of a small parallelogram about it.
+// shape's object space, and what becomes of a small parallelogram about it.
 
 /// On a sphere of radius 1, by octahedral_square() with its pole towards -y, where cameras stand.
 ///
@@ -43,8 +43,8 @@ bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycen
 /// @param position_mm       in the world, like all that follows
 /// @param geometric_normal, shading_normal  unit vectors, not opposite
 /// @param edge_1_mm, edge_2_mm  perpendicular to the geometric normal
-sparkle::ObjectSpaceFootprint rest_patch(const AffineMap& map, Vec3f position_mm,
-                                         Vec3f geometric_normal, Vec3f shading_normal,
-                                         Vec3f edge_1_mm, Vec3f edge_2_mm);
+sparkle::ObjectSpaceFootprint object_space_footprint(const AffineMap& map, Vec3f position_mm,
+                                                     Vec3f geometric_normal, Vec3f shading_normal,
+                                                     Vec3f edge_1_mm, Vec3f edge_2_mm);
 
 }  // namespace nacre::render

@@ -70,7 +70,7 @@ double area(const bsdf::Patch& p) {
     return std::abs(double{p.edge_1.x} * p.edge_2.y - double{p.edge_1.y} * p.edge_2.x);
 }
 
-TEST(SurfacePatch, KeepsTheShareOfASpheresArea) {
+TEST(SurfacePatch, KeepsTheFractionOfASpheresArea) {
     // Also on the folds of the map and at the pole behind: 4 pi of area to 1 of the square, to
     // first order in the edges.
     constexpr float kEdge = 1e-3f;
@@ -113,8 +113,8 @@ TEST(SurfacePatch, AtRestKeepsItsAreaAndLiesAcrossTheShadingNormal) {
         const Vec3f shading =
             normalize(geometric + std::tan(tilt) * facet.to_world({0.6f, 0.8f, 0}));
         const Vec3f at_rest{0.5f, 2, -1};
-        const sparkle::ObjectSpaceFootprint p =
-            rest_patch(map, map.point((1 / 3.0f) * at_rest), geometric, shading, edge_1, edge_2);
+        const sparkle::ObjectSpaceFootprint p = object_space_footprint(
+            map, map.point((1 / 3.0f) * at_rest), geometric, shading, edge_1, edge_2);
         EXPECT_LT(length(p.position_mm - at_rest), 4e-6f);  // lengths at rest are true lengths
         EXPECT_NEAR(length(cross(p.edge_mm[0], p.edge_mm[1])), 0.06, 1e-6);
         for (Vec3f v : {p.edge_mm[0], p.edge_mm[1], p.tangent})

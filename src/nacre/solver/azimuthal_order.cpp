@@ -84,7 +84,7 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d, const Acti
 
 namespace {
 
-// The impedance of the Lambertian substrate: order 0 returns the share r of the downward flux
+// The impedance of the Lambertian substrate: order 0 returns the fraction r of the downward flux
 // evenly, R = r e e^T with e_i = sqrt(weight x cosine) normalised; 1 + R inverts in closed form.
 void set_substrate(DoubleLanes* y, const PaintBlock& block, const Directions& d, int order, int m) {
     std::fill(y, y + m * m, DoubleLanes{});

@@ -19,7 +19,7 @@ double integral(const Directions& d, F&& f) {
     return sum;
 }
 
-// Share of diffuse light that a surface of index n reflects from outside, in closed form.
+// Fraction of diffuse light that a surface of index n reflects from outside, in closed form.
 //                                                                  [walsh-1926]
 double diffuse_reflectance(double n) {
     const double n2 = n * n, n4 = n2 * n2;

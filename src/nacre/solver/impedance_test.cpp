@@ -18,7 +18,7 @@ using test::Matrices;
 constexpr double kStartError = 1.5e-5;
 
 // A random medium in the form of impedance.h: K+- are symmetric, not negative; extinction is what
-// they scatter along the field `flux` plus a share `lost`.
+// they scatter along the field `flux` plus a fraction `lost`.
 struct Medium {
     Matrices e, f;
     MatrixXd flux;  // by lane: the field that a medium without absorption keeps

@@ -1,5 +1,7 @@
 #include "nacre/solver/resolution.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

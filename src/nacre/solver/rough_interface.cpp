@@ -1,5 +1,7 @@
 #include "nacre/solver/rough_interface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -52,7 +52,7 @@ class RoughInterface {
     double masked(double theta) const;                       ///< m from outside, in [0, 1]
     double diffuse_scale() const { return diffuse_scale_; }  ///< 1 / Int m over both sides, 1/sr
 
-    /// Share of light from outside that the interface throws back without letting it in.
+    /// Fraction of light from outside that the interface throws back without letting it in.
     double albedo(double theta_i) const;
 
  private:

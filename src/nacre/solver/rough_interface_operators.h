@@ -37,7 +37,7 @@ struct FacetDetail {
 };
 
 /// Calls visit(FacetExit) for nodes that integrate over all that leaves the surface when light
-/// comes from the polar angle theta on the side of index n_here. Shares sum to 1 - m(theta).
+/// comes from the polar angle theta on the side of index n_here. Fractions sum to 1 - m(theta).
 ///
 /// Nodes are polar in the slope plane. Rings are cut where facets turn out of sight, reflect or
 /// refract beyond the horizon, or begin to reflect totally: between cuts the integrand is smooth

@@ -25,8 +25,8 @@ struct SolverSettings {
 /// What the solver found out about itself.
 struct SolverReport {
     int exit_nodes = 0, inner_nodes = 0, orders = 0;
-    /// Largest share by which the quadrature misses the scattering cross section of an exit node;
-    /// it is given back to extinction, so that no energy is lost.
+    /// Largest fraction by which the quadrature misses the scattering cross section of an exit
+    /// node; it is given back to extinction, so that no energy is lost.
     double unresolved_scattering = 0;
     /// Size of the last azimuthal orders over the peak: the truncation error of the series.
     double azimuthal_tail = 0;
@@ -37,8 +37,8 @@ struct SolverReport {
 enum class Part { total, single, multiple };
 
 /// A paint whose light transport has been solved: a value, complete in itself, that evaluates its
-/// BRDF at the wavelengths it was solved for. The mirror of a smooth interface is left out; the
-/// lobe of a rough one (rough_interface.h) is part of the total, but neither of single nor of
+/// BRDF at the wavelengths it was solved for. The specular lobe of a smooth interface is left out;
+/// the lobe of a rough one (rough_interface.h) is part of the total, but neither of single nor of
 /// multiple.
 struct SolvedPaint {
     paint::Recipe recipe;

@@ -1,5 +1,6 @@
 #include "nacre/solver/solver.h"
 
+#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 

@@ -99,7 +99,8 @@ TEST(SolverSlab, PigmentsMatchAnotherAddingDoublingProgram) {
 }
 
 TEST(SolverSlab, HalfSpaceUnderAnInterface) {
-    // THEORY.md section 7: albedo 0.9, isotropic, n = 1.5, normal incidence, mirror included.
+    // THEORY.md section 7: albedo 0.9, isotropic, n = 1.5, normal incidence, specular reflection
+    // included.
     const SolvedPaint paint = solve(pigment_paint(0.9, 1e4, 0, 1.5), kOneWavelength);
     EXPECT_NEAR(albedo(paint, 0) + 0.04, 0.25992, 1e-5);
 }
@@ -115,7 +116,7 @@ TEST(SolverSlab, IndexMatchedFlakesMatchTheTables) {
 }
 
 TEST(SolverSlab, CoatedFlakesMatchTheTables) {
-    // THEORY.md section 7, external cosines, the interface's mirror included.
+    // THEORY.md section 7, external cosines, the interface's specular reflection included.
     const auto total = [](const SolvedPaint& paint, double mu0) {
         return albedo(paint, std::acos(mu0)) + optics::dielectric_reflectance(1.0, 1.5, mu0);
     };

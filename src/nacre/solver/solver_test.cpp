@@ -74,7 +74,7 @@ TEST(Solver, TooFewNodesShowInTheReport) {
     const paint::Recipe recipe = flake_paint(0.05, 0.6, 0, 1, 1.5);
     const double fine = solve(recipe, kOneWavelength).report.unresolved_scattering;
     const SolvedPaint paint = solve(recipe, kOneWavelength, coarse);
-    // Lobes of 0.05 between nodes 0.3 apart: no share of the cross section is found reliably.
+    // Lobes of 0.05 between nodes 0.3 apart: no fraction of the cross section is found reliably.
     EXPECT_GT(paint.report.unresolved_scattering, 0.1);
     EXPECT_LT(fine, 0.02);
     EXPECT_EQ(paint.report.exit_nodes, 4);

@@ -16,7 +16,7 @@ namespace nacre::sparkle {
 /// A disc of diameter d mirrors w_i into directions w_o with the Airy pattern of
 /// x = pi d |q| / lambda', where q is the part of w_i + w_o parallel to the disc and lambda' the
 /// wavelength in the binder [born-wolf-1999, section 8.5.2]. As w_i + w_o = 2 (w_i.h) h, that is a
-/// lobe of the half vector h about the normal m, alike in all directions, of an angle
+/// lobe of the half vector h about the normal m, isotropic, of an angle
 /// proportional to 1 / (d w_i.h): it depends on h alone and is reciprocal. Here the pattern is
 /// replaced by
 ///
@@ -27,7 +27,8 @@ namespace nacre::sparkle {
 /// 550 nm at all wavelengths.
 ///
 /// So that the mean over flakes whose slopes are Gaussian is exactly the distribution of slopes P,
-/// and not P blurred by K, shares are K / (P convolved with K) instead of K / P.
+/// and not P blurred by K, the flakes of slope p_m count as K / (P convolved with K) instead of K /
+/// P.
 class DiffractionLobe {
  public:
     /// @param alpha  Beckmann roughness of the flakes
@@ -41,7 +42,7 @@ class DiffractionLobe {
         return radius_um_ / diameter_um;
     }
 
-    /// What makes the radius() of a flake that for a half vector with sec2 = 1 + slope^2 and
+    /// Factor from radius() to the radius for a half vector with sec2 = 1 + slope^2 and
     /// w_i . h = cosine: solid angle is what diffraction keeps, and sec^3 slopes make one.
     float widening(float sec2, float cosine) const {
         const float sec = std::sqrt(sec2);
@@ -72,7 +73,7 @@ class DiffractionLobe {
 
     float exponent(float slope2) const { return slope2 * inverse_alpha2_; }
 
-    /// Beyond this square of the slope over alpha flakes are not told apart: one in a million lies
+    /// Beyond this square of the slope over alpha flakes are not resolved: one in a million lies
     /// there.
     static constexpr float kMaxExponent = 14;
     bool reaches(float slope2) const { return exponent(slope2) < kMaxExponent; }

@@ -84,7 +84,7 @@ TEST(FlakeSizes, AreThoseOfACutNormalDistribution) {
         squares += d * d / FlakeSizes::kSizes;
     }
     // A normal distribution cut off at 3 deviations has 0.98658 times the deviation (variance
-    // 1 - 6 phi(3)/(1 - 2 Phi(-3)) = 0.97333); of each share only the middle counts.
+    // 1 - 6 phi(3)/(1 - 2 Phi(-3)) = 0.97333); of each fraction only the middle counts.
     EXPECT_NEAR(sum, 20, 1e-3);
     EXPECT_NEAR(std::sqrt(squares - sum * sum), 4 * 0.98658, 0.02);
     EXPECT_NEAR(spread.mean_area_um2(), kPi / 4 * squares, 1e-3);

@@ -1,5 +1,7 @@
 #include "nacre/sparkle/facet_field.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -83,7 +85,7 @@ FacetTally FacetField::count(const Footprint& footprint, Vec3f wi, Vec3f wo) con
 
 // Large footprints: cell by cell, triangle by triangle.
 
-// The smallest triangles that the cone's normals lie in, in order, and the share of facets that
+// The smallest triangles that the cone's normals lie in, in order, and the fraction of facets that
 // are in both.
 struct FacetField::Touched {
     static constexpr int kMax = 512;

@@ -73,7 +73,7 @@ class FacetField {
 
     /// How many facets lie in the footprint and mirror wi into the cone of half-angle gamma about
     /// wo; unit vectors upwards. The law of the answer is that of count() independent facets, for
-    /// every footprint: its mean is count() area share, where share is the cone rule's.
+    /// every footprint: its mean is count() area fraction, where fraction is the cone rule's.
     ///
     /// Facet by facet where is_explicit(footprint). Other footprints agree with each other and with
     /// those in how many facets the larger cells hold, and not on which of these they are.

@@ -181,7 +181,7 @@ TEST(FacetField, TheSameFacetsAnswerInAnyOrderAndOnAnyThread) {
     EXPECT_GT(sum, 1000);
 }
 
-TEST(FacetField, LightAndEyeSeeTheSameFacets) {
+TEST(FacetField, IsReciprocal) {
     const FacetField field(1e8, kAlpha, kGamma_deg, 10);
     Rng rng(5);
     long counted = 0;
@@ -271,7 +271,7 @@ TEST(FacetField, CountsOverItsWholeRangeOfConesAndRoughness) {
 }
 
 // Thin and long: touches any number of the smallest cells, so larger ones answer.
-TEST(FacetField, NeedlesAreBoundedAndUnbiased) {
+TEST(FacetField, ElongatedFootprintsAreBoundedAndUnbiased) {
     const FacetField field(1e12, kAlpha, kGamma_deg, 13);
     const Geometry& g = geometries()[0];
     double sum = 0, expected = 0;

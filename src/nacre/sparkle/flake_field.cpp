@@ -36,14 +36,14 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     smallest_radius_mm_ = static_cast<float>(0.5e-3 * sizes_.smallest_um());
     inverse_cover_ = static_cast<float>(1 / (density * sizes_.mean_area_um2() * 1e-6));
     typical_radius_ = lobe_.radius(static_cast<float>(population.diameter_um)) / alpha_;
-    // A point tells its flakes apart, unless they lie in heaps.
+    // A point resolves its flakes, unless too many lie over each other.
     constexpr float kFewestCells = 6, kMaxCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
     full_cells_ = std::clamp(1.5f * across * across, kFewestCells, kMaxCells);
 }
 
 double FlakeField::exact_side_mm() const {
-    // As weigh() counts cells, a little less to be beyond the rounding.
+    // As level_weights() counts cells, a little less to be beyond the rounding.
     constexpr double kSafety = 0.999;
     const double side =
         levels_[0].cell_mm * (std::sqrt(double{full_cells_}) - 1) - 2 * double{largest_radius_mm_};
@@ -52,13 +52,13 @@ double FlakeField::exact_side_mm() const {
 
 void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view) const {
     const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
-    const Weights weights = weigh(outline);
+    const Weights weights = level_weights(outline);
     view.count = 0;
     view.weight_sum = 0;
-    view.background = 1 - weights.told_apart;
+    view.background = 1 - weights.resolved;
     view.widening = weights.widening;
     view.typical_radius = typical_radius_;
-    if (weights.told_apart == 0) return;
+    if (weights.resolved == 0) return;
     const Projections projections = projections_of(patch.normal);
     for (int i = 0; i < projections.count; ++i) {
         const FlakePlane plane(patch, outline, projections.list[i]);
@@ -66,12 +66,12 @@ void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view) const 
         find(plane, weights, found);
         show(found, plane, outline, weights.widening, view);
     }
-    // Up to a whole vector: flakes that answer to nothing.
+    // Up to a whole vector: flakes of radius 0, which reflect nothing.
     store_lanes(&view.lobe_radius[view.count], FloatLanes{});
 }
 
-// A level is told apart as long as it touches few cells.
-FlakeField::Weights FlakeField::weigh(const PatchOutline& outline) const {
+// A level is resolved as long as it touches few cells.
+FlakeField::Weights FlakeField::level_weights(const PatchOutline& outline) const {
     /// Where a level has faded out, in terms of full_cells_.
     constexpr float kFaded = 2.3f;
     const FloatLanes cells = (1.0f + (outline.size_mm[0] + 2 * outline.reach_mm) * per_mm_) *
@@ -79,7 +79,7 @@ FlakeField::Weights FlakeField::weigh(const PatchOutline& outline) const {
     Weights weights;
     if (cells[0] <= full_cells_) {  // every level: the most common case
         weights.by_level = splat(1.0f);
-        weights.told_apart = 1;
+        weights.resolved = 1;
         return weights;
     }
     const FloatLanes t = min_lanes(
@@ -88,15 +88,15 @@ FlakeField::Weights FlakeField::weigh(const PatchOutline& outline) const {
     const FloatLanes w = t * t;
     const float first = lane_sum(w * fraction_), second = lane_sum(w * w * fraction_);
     if (second == 0) return weights;
-    // The flakes told apart fluctuate stand_for^2 times as much as all flakes. With lobes wider by
+    // The flakes resolved fluctuate stand_for^2 times as much as all flakes. With lobes wider by
     // as much they do not, but a lobe must stay narrower than the distribution of slopes: what is
     // left is made up for by background. A little is left always, for variance_correction().
-    constexpr float kWidest = 0.35f, kMaxToldApart = 0.95f;
+    constexpr float kWidest = 0.35f, kMaxResolved = 0.95f;
     const float stand_for = std::sqrt(second) / first;
     weights.widening =
-        std::clamp(kMaxToldApart * stand_for, 1.0f, std::max(1.0f, kWidest / typical_radius_));
-    weights.told_apart = std::min(weights.widening / stand_for, 1.0f);
-    weights.by_level = w * (weights.told_apart / first);
+        std::clamp(kMaxResolved * stand_for, 1.0f, std::max(1.0f, kWidest / typical_radius_));
+    weights.resolved = std::min(weights.widening / stand_for, 1.0f);
+    weights.by_level = w * (weights.resolved / first);
     return weights;
 }
 
@@ -123,8 +123,8 @@ void FlakeField::find(const FlakePlane& plane, const Weights& weights, Found& fo
     }
 }
 
-// A flake is 64 bits: twice 16 are its place in the cell, 16 its rank, by which the sides of the
-// rest space share out the flakes, and the last 8 its size.
+// A flake is 64 bits: twice 16 are its place in the cell, 16 its rank, by which the flakes are
+// divided among the six sides of object space, and the last 8 its size.
 inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
                                      const Weights& weights, Found& found) const {
     constexpr ShortBitLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};

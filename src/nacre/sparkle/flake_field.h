@@ -23,11 +23,11 @@ struct FlakePopulation {
 /// The flakes of one population on a shape: any number, none of them stored, and always the same.
 ///
 /// A Poisson process over place, slope, size, depth and film. Each flake is a hash of the cell in
-/// which it lies. Cells tile three planes, those of the axes of the shape's rest space, and a
+/// which it lies. Cells tile three planes, those of the axes of the shape's object space, and a
 /// patch looks through the surface at the plane that it faces; where it faces two or three about
-/// equally, each gives a share of the flakes, so that there is neither seam nor stretch anywhere on
-/// any shape (projection.h). Flakes are shared out among levels of density falling by 16: a patch
-/// tells the flakes apart of those levels that have few on it, and lets them stand for the rest
+/// equally, each gives a fraction of the flakes, so that there is neither seam nor stretch anywhere
+/// on any shape (flake_plane.h). Flakes are divided among levels of density falling by 16: a patch
+/// resolves the flakes of those levels that have few on it, and lets them stand for the rest
 /// (FlakeView). Cost is bounded for any patch and any density, and memory does not depend on
 /// either.                                                            [docs/nacre-model.md]
 class FlakeField {
@@ -38,9 +38,9 @@ class FlakeField {
     /// Replaces `view` by what the patch shows.
     void look(const ObjectSpaceFootprint& patch, FlakeView& view) const;
 
-    /// Side of the largest square, on a flat surface across an axis of the rest space, that tells
-    /// every flake apart: FlakeView::widening is 1 and nothing is approximated. 0 if flakes lie in
-    /// such heaps that not even a point does.
+    /// Side of the largest square, on a flat surface across an axis of the object space, that
+    /// resolves every flake: FlakeView::widening is 1 and nothing is approximated. 0 if so many
+    /// flakes lie over each other that not even a point does.
     double exact_side_mm() const;
 
     const FlakePopulation& population() const { return population_; }
@@ -55,11 +55,11 @@ class FlakeField {
         double cell_mm;  // side of its cells
         std::uint64_t key;
     };
-    // What the levels weigh on a patch.
+    // Weights of the levels on a patch.
     struct Weights {
         FloatLanes by_level{};
-        float told_apart = 0;  // sum of weight times share
-        float widening = 1;    // FlakeView::widening
+        float resolved = 0;  // sum of weight times fraction
+        float widening = 1;  // FlakeView::widening
     };
     struct Cell {
         std::int64_t u, v;
@@ -72,7 +72,7 @@ class FlakeField {
         int count = 0;
     };
 
-    Weights weigh(const PatchOutline& outline) const;
+    Weights level_weights(const PatchOutline& outline) const;
     void find(const FlakePlane& plane, const Weights& weights, Found& found) const;
     void find_in_cell(const Cell& cell, const FlakePlane& plane, const Weights& weights,
                       Found& found) const;

@@ -281,7 +281,7 @@ TEST(FlakeField, FootprintsAddUp) {
     EXPECT_GT(different, 30);
 }
 
-TEST(FlakeField, TellsEveryFlakeApartUpToItsExactSide) {
+TEST(FlakeField, ResolvesEveryFlakeUpToItsExactSide) {
     const auto view = std::make_unique<FlakeView>();
     for (double density : {10.0, 4000.0, 9000.0}) {
         FlakePopulation population = kSilver;
@@ -382,7 +382,7 @@ TEST(FlakeField, HasTheSameDensityOnEverySlope) {
         }
         const double variance = squares - sum * sum;
         EXPECT_NEAR(sum, 1, 4 * std::sqrt(variance / kPatches)) << n.x << ' ' << n.y;
-        // Poisson: place_factor / (density area^2) with patches whose flakes are all told apart.
+        // Poisson: place_factor / (density area^2) with patches whose flakes are all resolved.
         const double area = kPi * 1e-4;
         EXPECT_NEAR(variance, place_factor(0.015, 0.02) / (4000 * area * area), 0.02 * variance)
             << n.x << ' ' << n.y;
@@ -440,7 +440,7 @@ TEST(FlakeField, RefusesWhatIsOutOfRange) {
     EXPECT_THROW(FlakeField(population, 0), DomainError);
 }
 
-TEST(FlakeField, SurvivesStrangePatches) {
+TEST(FlakeField, StaysFiniteOnDegeneratePatches) {
     const FlakeField field(kSilver, 1);
     const auto view = std::make_unique<FlakeView>();
     for (float size : {0.0f, 1e-20f, 1e-6f, 1.0f, 1e6f, 1e20f}) {

@@ -12,10 +12,10 @@
 
 namespace nacre::sparkle {
 
-/// One of the six sides of the rest space's axes, and the share of the flakes that it gives.
+/// One of the six sides of the object space's axes, and the fraction of the flakes that it gives.
 struct Projection {
     int side;        ///< 2 axis + (1 if the surface faces the negative side)
-    float fraction;  ///< of the flakes of the surface; the shares of a normal add up to 1
+    float fraction;  ///< of the flakes of the surface; the fractions of a normal add up to 1
 };
 
 struct Projections {
@@ -23,13 +23,13 @@ struct Projections {
     int count = 0;
 };
 
-/// Squares of the components of a normal that differ by less share the flakes.
+/// Squares of the components of a normal that differ by less divide the flakes between them.
 inline constexpr float kProjectionBlend = 0.1f;
-/// The largest of (share / |component of the normal|): flakes per area of the plane over flakes per
-/// area of the surface. It is reached where one side alone serves and two others are about to.
+/// The largest of (fraction / |component of the normal|): flakes per area of the plane over flakes
+/// per area of the surface. It is reached where one side alone serves and two others are about to.
 inline constexpr float kMaxStretch = 1.5811388f;  // 1 / sqrt((1 + 2 kProjectionBlend) / 3)
 
-/// The sides that the unit vector n faces. Where it turns from one to the next the shares change
+/// The sides that the unit vector n faces. Where it turns from one to the next the fractions change
 /// continuously, so that flakes come and go one by one and no border shows.
 inline Projections projections_of(Vec3f n) {
     const std::array<float, 3> component = {n.x, n.y, n.z};

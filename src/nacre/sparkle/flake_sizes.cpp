@@ -11,7 +11,7 @@ namespace {
 
 double normal_below(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
 
-// The x between lo and hi below which the share `p` of a standard normal variable lies.
+// The x between lo and hi below which the fraction `p` of a standard normal variable lies.
 double normal_quantile(double p, double lo, double hi) {
     for (int step = 0; step < 60; ++step) {
         const double middle = 0.5 * (lo + hi);

@@ -6,7 +6,7 @@
 namespace nacre::sparkle {
 
 /// Diameters of the flakes of a population: a normal distribution, cut off at three deviations and
-/// at a quarter of its mean and renormalised, by the middles of kSizes equal shares.
+/// at a quarter of its mean and renormalised, by the middles of kSizes equal fractions.
 class FlakeSizes {
  public:
     static constexpr int kSizes = 256;

@@ -11,14 +11,15 @@
 
 namespace nacre::sparkle {
 
-/// The flakes of one population that a patch shows: found once, asked for every pair of directions.
+/// The flakes of one population that a patch shows: found once, evaluated for every pair of
+/// directions.
 ///
 /// Relative to the mean over all patches, a patch shows `background` and flake by flake `weight`:
 /// all of them add up to 1 in expectation. If the patch holds so many flakes that each of those
-/// told apart stands for several, their lobes are wider by `widening`, so that as many answer as of
+/// resolved stands for several, their lobes are wider by `widening`, so that as many reflect as of
 /// all flakes, each as bright as one of them: the fluctuation has the variance and nearly the law
-/// of that of all flakes.                                              [docs/nacre-model.md,
-/// levels]
+/// of that of all flakes.
+///                                                                    [docs/nacre-model.md, levels]
 struct FlakeView {
     /// The patch shows 30 flakes at most on average; a Poisson number of that mean is never larger.
     static constexpr int kMax = 128;
@@ -48,9 +49,9 @@ struct FlakeView {
         return {to_unit_float(static_cast<std::uint32_t>(b)), static_cast<std::uint32_t>(b >> 32)};
     }
 
-    /// Calls visit(flake, share) for the flakes that mirror one direction into another, h being
+    /// Calls visit(flake, fraction) for the flakes that mirror one direction into another, h being
     /// halfway between (inside the coat), and returns the background for this h: over all patches
-    /// it and the shares add up to 1 on average, for every h.
+    /// it and the fractions add up to 1 on average, for every h.
     ///
     /// @param slope     (h_x / h_z, h_y / h_z)
     /// @param cosine    w_i . h
@@ -59,10 +60,10 @@ struct FlakeView {
     float for_each_answer(const DiffractionLobe& law, Vec2f slope, float cosine,
                           Visit&& visit) const;
 
-    /// What answers is weighed by this, so that its variance is that of all flakes. The integral of
-    /// K^2 P / (P * K)^2 goes with w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...): wider lobes
-    /// lose more of it than the square of their width where P bends upwards, and less in its
-    /// middle.
+    /// Flakes that reflect are weighted by this, so that its variance is that of all flakes. The
+    /// integral of K^2 P / (P * K)^2 goes with w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...):
+    /// wider lobes lose more of it than the square of their width where P bends upwards, and less
+    /// in its middle.
     float variance_correction(float exponent, float scale) const {
         if (widening == 1) return 1;
         const float radius = typical_radius * scale;

@@ -6,8 +6,8 @@
 
 namespace nacre::sparkle {
 
-/// The piece of a surface that one look at it takes in, in the millimetres of the shape at rest:
-/// before it is turned and moved, so that what lies on the shape turns and moves with it. A
+/// The piece of a surface that one sample stands for, in the millimetres of object space: of the
+/// shape before it is turned and moved, so that what lies on the shape turns and moves with it. A
 /// parallelogram about a point, tangent to the surface there.
 struct ObjectSpaceFootprint {
     Vec3f position_mm;
@@ -35,7 +35,7 @@ class Footprint {
     /// and for numbers that are not finite: such a footprint holds nothing.
     Footprint(double u, double v, Vec2f edge_1, Vec2f edge_2);
 
-    /// Share of the unit square inside the footprint, after cutting.
+    /// Fraction of the unit square inside the footprint, after cutting.
     double area() const { return area_; }
     /// Bounding box, after cutting.
     const Box& bounds() const { return bounds_; }

@@ -29,7 +29,7 @@ struct SlopeLanes {
 };
 
 /// Two slopes of density exp(-x^2 - y^2) / pi, by Box and Muller's transform of two numbers even in
-/// (0, 1): r^2 = -ln share.                                           [walter-2007, eq. 28-29]
+/// (0, 1): r^2 = -ln u.                                           [walter-2007, eq. 28-29]
 inline SlopeLanes gaussian_slopes(FloatLanes fraction, FloatLanes turns) {
     const FloatLanes r = sqrt_lanes(max_lanes(-log_lanes(fraction), FloatLanes{}));
     const auto wave = cos_sin_turns(turns);

@@ -90,7 +90,9 @@ void NormalTree::build(std::uint32_t node, int level, Vec3f a, Vec3f b, Vec3f c,
     build(4 * node + 3, level + 1, ca, bc, c, alpha);
     build(4 * node + 4, level + 1, ab, bc, ca, alpha);
     const double* parts = &masses_[4 * node + 1];
-    const auto odds = [](double part, double rest) { return part > 0 ? part / (part + rest) : 0; };
+    const auto conditional = [](double part, double rest) {
+        return part > 0 ? part / (part + rest) : 0;
+    };
     Node& n = nodes_[node];
     n.corner_planes[0] = cross(ab, ca);
     n.corner_planes[1] = cross(bc, ab);
@@ -103,7 +105,7 @@ void NormalTree::build(std::uint32_t node, int level, Vec3f a, Vec3f b, Vec3f c,
     for (int i = 0; i < 3; ++i) {
         const double part = parts[kOrder[i]];
         rest = std::max(0.0, rest - part);
-        n.odds[i] = odds(part, rest);
+        n.probability[i] = conditional(part, rest);
     }
     masses_[node] = parts[0] + parts[1] + parts[2] + parts[3];
 }
@@ -150,7 +152,7 @@ NormalTree::Parts NormalTree::split(std::uint32_t node, std::uint64_t n, std::ui
     Parts parts{};
     for (int i = 0; i < 3 && wanted != 0; ++i) {
         const int part = kOrder[i];
-        parts.count[part] = binomial(n, at.odds[i], key + i);
+        parts.count[part] = binomial(n, at.probability[i], key + i);
         n -= parts.count[part];
         wanted &= ~(1u << part);
     }

@@ -26,23 +26,24 @@ namespace detail {
 inline constexpr std::uint64_t kNextBits = 0x9e3779b97f4a7c15u;
 
 // Rounds a bell-shaped number of this mean and variance to one of its two neighbours, with the
-// probability that keep the mean; the rounding adds 1/6 to the variance, which the bell leaves out.
-// The bell is the law of 64 coins, interpolated linearly: a popcount plus the difference of two
-// uniforms, of variance 16 + 1/6. Its fourth moment is that of a binomial of 64, where that of
-// large counts is that of a Gaussian: 3 - 1/32 instead of 3. It ends at eight standard deviations.
+// probabilities that keep the mean; the rounding adds 1/6 to the variance, which the bell leaves
+// out. The bell is the binomial law of 64 fair trials, interpolated linearly: a popcount plus the
+// difference of two uniforms, of variance 16 + 1/6. Its fourth moment is that of a binomial of 64,
+// where that of large counts is that of a Gaussian: 3 - 1/32 instead of 3. It ends at eight
+// standard deviations.
 inline double rounded_bell(double mean, double variance, std::uint64_t key) {
     const std::uint64_t spread = mix_bits(key + kNextBits);
-    const double coins = std::popcount(mix_bits(key)) - 32;
+    const double heads = std::popcount(mix_bits(key)) - 32;
     const double smooth =
         (static_cast<double>(spread >> 32) - static_cast<double>(spread & 0xffffffffu)) * 0x1p-32;
-    const double bell = (coins + smooth) * std::sqrt((variance - 1.0 / 6) / (16 + 1.0 / 6));
+    const double bell = (heads + smooth) * std::sqrt((variance - 1.0 / 6) / (16 + 1.0 / 6));
     return std::floor(mean + bell + to_unit_double(mix_bits(key + 2 * kNextBits)));
 }
 
 }  // namespace detail
 
-/// How many of n coins, n < 2^53, show heads. Exact law up to kExactHalfBinomial coins (their bits
-/// are counted); beyond, a bell with the exact mean n/2 and variance n/4.
+/// How many of n fair trials, n < 2^53, succeed. Exact law up to kExactHalfBinomial trials (their
+/// bits are counted); beyond, a bell with the exact mean n/2 and variance n/4.
 inline std::uint64_t half_binomial(std::uint64_t n, std::uint64_t key) {
     if (n > kExactHalfBinomial) {
         const double x = static_cast<double>(n);
@@ -84,7 +85,7 @@ inline std::uint64_t binomial(std::uint64_t n, double p, std::uint64_t key) {
 // A tree of spherical triangles over the normals of facets.
 
 /// The upper hemisphere as four octants, each halved along its edges into four triangles, over and
-/// over. A triangle's mass is the share of facets whose normals it holds: the integral of
+/// over. A triangle's mass is the fraction of facets whose normals it holds: the integral of
 /// D(m) (m.n), Beckmann's distribution per projected area, which is 1 over the hemisphere.
 /// [jakob-2014, section 4.2]
 ///
@@ -105,7 +106,7 @@ class NormalTree {
     using Code = std::uint32_t;
     /// The smallest triangle that holds m, a unit vector upwards.
     Code locate(Vec3f m) const;
-    /// Share of the facets in a smallest triangle.
+    /// Fraction of the facets in a smallest triangle.
     double mass(Code leaf) const;
 
     /// A number of facets for each of the four parts of a node.
@@ -122,7 +123,8 @@ class NormalTree {
  private:
     struct Node {
         Vec3f corner_planes[3];  // positive side: the part at that corner
-        double odds[3];          // of kOrder's first three parts, among those that are left
+        // Of each of the first three parts of kOrder, given that it is none of those before it.
+        double probability[3];
     };
     // Parts in the order in which they take their facets: the corner nearest the pole and the
     // middle first, as they are asked for most.

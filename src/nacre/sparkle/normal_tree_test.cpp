@@ -76,8 +76,8 @@ TEST(Binomial, FewTrialsFollowTheExactLaw) {
     double choose = 1;
     for (int k = 0; k <= kTrials; ++k) {
         const auto expect = [&](int found, double p) {
-            const double odds = choose * std::pow(p, k) * std::pow(1 - p, kTrials - k);
-            EXPECT_NEAR(found, kDraws * odds, 5 * std::sqrt(kDraws * odds)) << k;
+            const double probability = choose * std::pow(p, k) * std::pow(1 - p, kTrials - k);
+            EXPECT_NEAR(found, kDraws * probability, 5 * std::sqrt(kDraws * probability)) << k;
         };
         expect(coins[k], 0.5);
         expect(trials[k], kChance);

@@ -159,7 +159,7 @@ class PatchOutline {
         return (a * a < a_most * a_most) & (b * b < b_most * b_most);
     }
 
-    /// The share of the patch that a disc about (x, y) covers.
+    /// The fraction of the patch that a disc about (x, y) covers.
     FloatLanes coverage(FloatLanes x, FloatLanes y, FloatLanes radius_mm) const {
         if (is_point_) {
             const FloatLanes distance = sqrt_lanes(x * x + y * y);

@@ -67,7 +67,7 @@ class ConeRule {
     struct Means {
         float density;  ///< mean over the cone of the Beckmann density D(m)
         float
-            projected;  ///< mean of D(m) (m.n) / (4 wi.m): times solid_angle(), the share of facets
+            projected;  ///< mean of D(m) (m.n) / (4 wi.m): times solid_angle(), the fraction of facets
     };
     /// Of the normals m that mirror wi into the directions of the cone about wo, for Beckmann
     /// facets of this roughness.                                          [walter-2007, eq. 14, 25]
@@ -75,8 +75,8 @@ class ConeRule {
         return visit(wi, wo, [](FloatLanes, FloatLanes, FloatLanes, FloatLanes) {});
     }
 
-    /// The same, showing visit(x, y, z, share) the normals of each eight nodes and the share of
-    /// facets that each node stands for.
+    /// The same, showing visit(x, y, z, fraction) the normals of each eight nodes and the fraction
+    /// of facets that each node stands for.
     template <class Visit>
     Means visit(Vec3f wi, Vec3f wo, Visit&& visit) const;
 

@@ -1,5 +1,7 @@
 #include "nacre/spectra/lab.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

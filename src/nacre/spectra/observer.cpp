@@ -1,5 +1,7 @@
 #include "nacre/spectra/observer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 
 namespace nacre::spectra {
 namespace {
@@ -19,7 +20,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 std::vector<std::vector<double>> read_table(const std::string& name) {
-    std::ifstream file(NACRE_SOURCE_DIR "/data/" + name);
+    std::ifstream file(data_file(name));
     std::vector<std::vector<double>> rows;
     std::string line, cell;
     std::getline(file, line);  // header

@@ -1,5 +1,7 @@
 #include "nacre/spectra/rgb.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>

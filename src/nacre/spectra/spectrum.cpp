@@ -1,5 +1,7 @@
 #include "nacre/spectra/spectrum.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,7 @@
 #include "nacre/spectra/upsampling.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,7 @@
 #include "nacre/spectra/xyz.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <vector>
 

@@ -71,8 +71,8 @@ inline FlakeSpecies flake_species(double alpha, const spectra::Spectrum& reflect
     return flake;
 }
 
-/// Flakes that reflect and pass the given shares at all angles; c = 0.1 per um, so that a layer of
-/// 10 beta um has the dimensionless depth beta.
+/// Flakes that reflect and pass the given fractions at all angles; c = 0.1 per um, so that a layer
+/// of 10 beta um has the dimensionless depth beta.
 inline Recipe flake_paint(double alpha, const spectra::Spectrum& reflectance,
                           const spectra::Spectrum& transmittance, double depth, double ior) {
     Recipe recipe;
@@ -157,7 +157,7 @@ inline double multiple_albedo(const SolvedPaint& paint, double theta_i) {
     return enter(theta_i) * sum;
 }
 
-/// All light that leaves, without the mirror of the interface.
+/// All light that leaves, without the specular lobe of the interface.
 inline double albedo(const SolvedPaint& paint, double theta_i) {
     return single_albedo(paint, theta_i) + multiple_albedo(paint, theta_i);
 }

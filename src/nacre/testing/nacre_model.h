@@ -43,7 +43,7 @@ inline paint::Recipe paint_of(std::vector<paint::FlakeSpecies> flakes) {
 }
 
 // Two layers, two species, a pigment, an absorbing clearcoat and a bright ground: every term.
-inline paint::Recipe everything_with_flakes() {
+inline paint::Recipe recipe_with_every_feature() {
     paint::Recipe recipe = paint_of({metal_flake(20, 0.6)});
     recipe.layers[0].flakes[0].diameter_spread_um = 6;
     paint::FlakeSpecies pearl = pearl_flake(12);
@@ -75,13 +75,13 @@ struct SparklingModel {
     }
 };
 
-inline const SparklingModel& everything_sparkling() {
-    static const SparklingModel model(everything_with_flakes());
+inline const SparklingModel& model_with_every_feature() {
+    static const SparklingModel model(recipe_with_every_feature());
     return model;
 }
 
 /// A turned square of this side on a plane that faces one of the axes, anywhere within 2 m.
-inline Patch square_somewhere(Rng& rng, double side_mm) {
+inline Patch random_square_patch(Rng& rng, double side_mm) {
     const auto anywhere = [&] { return 2000 * rng.uniform_float() - 1000; };
     const int axis = static_cast<int>(3 * rng.uniform_float());
     const float sign = rng.uniform_float() < 0.5f ? -1.0f : 1.0f;

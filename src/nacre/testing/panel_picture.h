@@ -10,7 +10,7 @@
 
 namespace nacre::measure {
 
-inline PanelPicture even_picture(int side, double pixel_mm, double y) {
+inline PanelPicture uniform_picture(int side, double pixel_mm, double y) {
     PanelPicture picture{side, side, pixel_mm, {}};
     picture.xyz.assign(3 * picture.pixel_count(), static_cast<float>(y));
     return picture;

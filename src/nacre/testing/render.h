@@ -128,7 +128,7 @@ inline Estimate estimate_luminance(const Scene& scene, RenderOptions options,
 /// patch, and counts where it finds another patch there.
 class Speckled final : public bsdf::Bsdf {
  public:
-    /// Of the place at rest and the half vector, both in rest space.
+    /// Of the place at rest and the half vector, both in object space.
     using Factor = std::function<float(Vec3f position_mm, Vec3f half)>;
 
     explicit Speckled(Factor factor) : factor_(std::move(factor)) {}

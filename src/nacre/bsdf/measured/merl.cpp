@@ -1,5 +1,7 @@
 #include "nacre/bsdf/measured/merl.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -82,7 +84,7 @@ struct Row {
     Rgb albedo{};
 };
 
-/// Cells on both sides of a place, and the share of the second.
+/// Cells on both sides of a place, and the fraction of the second.
 struct Neighbours {
     int cell[2];
     float fraction;
@@ -109,7 +111,7 @@ struct MeasuredMerl::Tables {
     std::array<Row, kRows> rows;
 
     Rgb rgb(Vec3f wi, Vec3f wo) const;
-    /// Row of an incident direction, and the share of the way to the next.
+    /// Row of an incident direction, and the fraction of the way to the next.
     static std::pair<int, float> locate(Vec3f wi) {
         const float at =
             std::atan2(std::sqrt(wi.x * wi.x + wi.y * wi.y), wi.z) * ((kRows - 1) / (0.5f * kPiF));

@@ -1,5 +1,7 @@
 #include "nacre/bsdf/measured/rgl.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

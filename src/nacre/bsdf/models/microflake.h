@@ -19,8 +19,8 @@
 namespace nacre::bsdf {
 
 /// The micro-flake model of Ergun et al. 2016 for rendering: interface + single scattering in
-/// closed form + the solver's multiple scattering from a table.           [ergun-2016;
-/// docs/microflake.md]
+/// closed form + the solver's multiple scattering from a table.
+///                                                                 [ergun-2016; docs/microflake.md]
 ///
 /// Agrees with SolvedPaint::brdf to kMicroflakeError of the peak of each incident direction, for a
 /// binder of index 1.3 or more, flake roughness 0.02 to 0.5 and incidence up to 89 deg. Without a

@@ -368,16 +368,16 @@ FloatLanes BoundNacre::value_on(const Look& look, const Ray& i, const Ray& o) co
 
 BoundNacre::Probability BoundNacre::probability_on(const Look& look, const Ray& i) const {
     const LobeProbabilities& mean = probabilities_at(i);
-    float background = 0, told_apart = 0;
+    float background = 0, resolved = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         const float fraction = tables_->species[s].fraction;
         background += fraction * look[s].background;
-        told_apart += fraction * look[s].weight_sum;
+        resolved += fraction * look[s].weight_sum;
     }
     Probability probability;
     probability.lobes = mean;
     probability.lobes.flakes *= std::max(background, kMinMeanProbability);
-    probability.flakes = mean.flakes * told_apart;
+    probability.flakes = mean.flakes * resolved;
     const float scale =
         1 / (probability.lobes.interface + probability.lobes.flakes + probability.lobes.wide +
              probability.lobes.diffuse + probability.flakes);

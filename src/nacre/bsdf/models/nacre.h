@@ -93,7 +93,7 @@ class HotSpot {
     class Pair {
      public:
         Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o);
-        /// ln of the attenuation over exp(-kappa z), at the share u of the layer's thickness.
+        /// ln of the attenuation over exp(-kappa z), at the fraction u of the layer's thickness.
         FloatLanes gain(std::size_t layer, float u) const;
         /// The mean of the attenuation over that of exp(-kappa z), for a layer whose optical depth
         /// along both directions is `depth`.
@@ -125,8 +125,8 @@ class HotSpot {
 struct NacreSpecies {
     sparkle::FlakeField field;
     std::optional<FlakeFilms> films;  ///< empty: all alike
-    /// Share of all singly scattered light that it sends back, seen from above, roughly: how often
-    /// its flakes are sampled. The shares add up to 1.
+    /// Fraction of all singly scattered light that it sends back, seen from above, roughly: how
+    /// often its flakes are sampled. The fractions add up to 1.
     float fraction;
 };
 
@@ -177,7 +177,7 @@ class BoundNacre final : public BoundMicroflake {
     // to find on it; with those of single flakes they add up to 1.
     struct Probability {
         LobeProbabilities lobes;
-        float flakes;       // all told apart
+        float flakes;       // all resolved
         float per_species;  // times share times weight_sum: of those of one species
     };
     Probability probability_on(const Look& look, const Ray& i) const;

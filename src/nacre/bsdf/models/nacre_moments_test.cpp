@@ -21,7 +21,7 @@ namespace {
 constexpr int kTurns = 8;
 
 TEST(Nacre, MeanOverPatchesIsTheMicroflakeModel) {
-    const SparklingModel& model = everything_sparkling();
+    const SparklingModel& model = model_with_every_feature();
     const auto smooth = Microflake(model.paint).bind(kOnGrid);
     PatchMemory memory(model.bound->patch_memory_bytes());
     struct Pair {
@@ -35,7 +35,7 @@ TEST(Nacre, MeanOverPatchesIsTheMicroflakeModel) {
         std::vector<DoubleLanes> sum(pairs.size()), squares(pairs.size());
         Rng rng(21, static_cast<std::uint64_t>(flakes));
         for (int n = 0; n < count; ++n) {
-            Patch patch = square_somewhere(rng, side);
+            Patch patch = random_square_patch(rng, side);
             memory.forget();
             patch.memory = &memory;
             for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -78,7 +78,7 @@ TEST(Nacre, MeanOverPatchesHoldsForABinderThatDisperses) {
     Rng rng(22);
     PatchMemory memory(model.bound->patch_memory_bytes());
     for (int n = 0; n < kPatches; ++n) {
-        Patch patch = square_somewhere(rng, 0.1);
+        Patch patch = random_square_patch(rng, 0.1);
         memory.forget();
         patch.memory = &memory;
         const DoubleLanes f =
@@ -95,7 +95,7 @@ TEST(Nacre, MeanOverPatchesHoldsForABinderThatDisperses) {
 }
 
 TEST(Nacre, WithoutAPatchIsTheMicroflakeModel) {
-    const SparklingModel& model = everything_sparkling();
+    const SparklingModel& model = model_with_every_feature();
     const auto smooth = Microflake(model.paint).bind(kOnGrid);
     Rng rng(2);
     for (int n = 0; n < 200; ++n) {
@@ -212,7 +212,7 @@ DoubleLanes variance(const Factor& x, const SparklingModel& model, double side_m
     Rng rng(seed, 5);
     PatchMemory memory(model.bound->patch_memory_bytes());
     for (int n = 0; n < patches; ++n) {
-        Patch patch = square_somewhere(rng, side_mm);
+        Patch patch = random_square_patch(rng, side_mm);
         memory.forget();
         patch.memory = &memory;
         for (int t = 0; t < kTurns; ++t) {
@@ -305,7 +305,7 @@ TEST(Nacre, SpeciesAdd) {
         std::vector<double> all;
         Rng rng(3);
         for (int n = 0; n < 50; ++n) {
-            const Patch patch = square_somewhere(rng, 0.02);
+            const Patch patch = random_square_patch(rng, 0.02);
             const Vec3f wi = direction(35, 0), wo = direction(32, 178);
             all.push_back(model.bound->evaluate_on(patch, wi, wo).f[3] -
                           model.bound->eval(wi, wo)[3]);

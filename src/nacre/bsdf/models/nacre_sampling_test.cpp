@@ -56,11 +56,11 @@ double side_of(const SparklingModel& model, double flakes) {
 }
 
 TEST(NacreSampling, ReportsTheDensityAndValueOfThePatch) {
-    const SparklingModel& model = everything_sparkling();
+    const SparklingModel& model = model_with_every_feature();
     Rng rng(8);
     int specular = 0, others = 0, brighter = 0;
     for (int n = 0; n < 4000; ++n) {
-        const OnPatch on(*model.bound, square_somewhere(rng, side_of(model, 3)));
+        const OnPatch on(*model.bound, random_square_patch(rng, side_of(model, 3)));
         const Vec3f wi = direction(85 * rng.uniform_double(), 360 * rng.uniform_double());
         const auto s =
             on.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
@@ -85,7 +85,7 @@ TEST(NacreSampling, FollowsTheDensityThatEvaluationReports) {
     int tests = 0;
     for (const double flakes : {0.0, 1.0, 6.0, 1e3}) {
         for (const double theta : {10.0, 55.0}) {
-            const OnPatch on(*model.bound, square_somewhere(rng, side_of(model, flakes)));
+            const OnPatch on(*model.bound, random_square_patch(rng, side_of(model, flakes)));
             // As for the smooth model: 3.5 deviations are one false alarm in 500.
             EXPECT_LT(chi_square_z_score(on, direction(theta, 30), 31 + tests, 100000), 3.5)
                 << flakes << " flakes, " << theta << " deg";
@@ -101,7 +101,7 @@ TEST(NacreSampling, MeanWeightIsTheIntegralOverThePatch) {
     const Vec3f wi = direction(30, 0);
     int differ = 0;
     for (const double flakes : {0.0, 2.0, 30.0, 1e5}) {
-        const OnPatch on(*model.bound, square_somewhere(rng, side_of(model, flakes)));
+        const OnPatch on(*model.bound, random_square_patch(rng, side_of(model, flakes)));
         // Directions projected along the normal: the cosine is part of the measure. The lobes are
         // 0.1 wide, ten points.
         constexpr int kSide = 200;
@@ -137,12 +137,12 @@ TEST(NacreSampling, MeanWeightIsTheIntegralOverThePatch) {
 }
 
 TEST(NacreSampling, WeightsStayBounded) {
-    const SparklingModel& model = everything_sparkling();
+    const SparklingModel& model = model_with_every_feature();
     Rng rng(17);
     for (const double flakes : {0.05, 1.0, 30.0}) {
         for (const double theta : {0.5, 45.0, 85.0}) {
             for (int n = 0; n < 100; ++n) {
-                const OnPatch on(*model.bound, square_somewhere(rng, side_of(model, flakes)));
+                const OnPatch on(*model.bound, random_square_patch(rng, side_of(model, flakes)));
                 double sum = 0, largest = 0;
                 for (int k = 0; k < 300; ++k) {
                     const auto s = on.sample(direction(theta, 10), rng.uniform_float(),
@@ -167,7 +167,7 @@ TEST(NacreSampling, LosesNoLightWhereNothingAbsorbs) {
         double sum = 0, squares = 0;
         constexpr int kSamples = 200000;
         for (int n = 0; n < kSamples; ++n) {
-            Patch patch = square_somewhere(rng, side_of(model, flakes));
+            Patch patch = random_square_patch(rng, side_of(model, flakes));
             memory.forget();
             patch.memory = &memory;
             const auto s = model.bound->sample_on(patch, direction(30, 0), rng.uniform_float(),
@@ -184,17 +184,17 @@ TEST(NacreSampling, LosesNoLightWhereNothingAbsorbs) {
 }
 
 TEST(NacrePatch, IsReciprocal) {
-    paint::Recipe dispersive = everything_with_flakes();
+    paint::Recipe dispersive = recipe_with_every_feature();
     dispersive.binder = optics::Material("crown", {400, 700}, {{1.56, 0}, {1.48, 0}});
     const auto solved = std::make_shared<const solver::SolvedPaint>(
         solver::solve(dispersive, solver::default_wavelengths_nm()));
-    for (const auto& paint : {everything_sparkling().paint, solved}) {
+    for (const auto& paint : {model_with_every_feature().paint, solved}) {
         for (const bool hot_spot : {false, true}) {
             const auto bound = Nacre(paint, 4, {.hot_spot = hot_spot}).bind(kOnGrid);
             Rng rng(5);
             for (int n = 0; n < 1000; ++n) {
                 const OnPatch on(
-                    *bound, square_somewhere(rng, std::pow(10, -3 + 3 * rng.uniform_double())));
+                    *bound, random_square_patch(rng, std::pow(10, -3 + 3 * rng.uniform_double())));
                 const Vec3f wi = direction(80 * rng.uniform_double(), 360 * rng.uniform_double());
                 const auto s =
                     on.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
@@ -209,14 +209,14 @@ TEST(NacrePatch, IsReciprocal) {
     }
 }
 
-// Side by side along each edge, halves average to the whole while every flake is told apart.
+// Side by side along each edge, halves average to the whole while every flake is resolved.
 TEST(NacrePatch, PartsAverageToTheWhole) {
-    const SparklingModel& model = everything_sparkling();
+    const SparklingModel& model = model_with_every_feature();
     Rng rng(6);
     const Vec3f wi = direction(30, 0), wo = direction(33, 182);
     double change = 0;
     for (int n = 0; n < 200; ++n) {
-        Patch whole = square_somewhere(rng, 0.012);
+        Patch whole = random_square_patch(rng, 0.012);
         // Where single precision tells places to a thousandth of the side.
         whole.rest.position_mm = 0.05f * whole.rest.position_mm;
         for (const int edge : {0, 1}) {
@@ -238,10 +238,10 @@ TEST(NacrePatch, PartsAverageToTheWhole) {
 }
 
 TEST(NacrePatch, AnswersTheSameWithAndWithoutMemoryInAnyOrder) {
-    const SparklingModel& model = everything_sparkling();
+    const SparklingModel& model = model_with_every_feature();
     Rng rng(7);
     for (int n = 0; n < 100; ++n) {
-        const Patch bare = square_somewhere(rng, side_of(model, n % 2 ? 5 : 5000));
+        const Patch bare = random_square_patch(rng, side_of(model, n % 2 ? 5 : 5000));
         PatchMemory memory(model.bound->patch_memory_bytes());
         Patch remembering = bare;
         remembering.memory = &memory;
@@ -267,13 +267,13 @@ TEST(NacrePatch, AnswersTheSameWithAndWithoutMemoryInAnyOrder) {
 }
 
 TEST(NacrePatch, QueriesWithMemoryAllocateNothing) {
-    const SparklingModel& model = everything_sparkling();
+    const SparklingModel& model = model_with_every_feature();
     Rng rng(7);
     PatchMemory memory(model.bound->patch_memory_bytes());
     const long before = allocations;
     float sum = 0;
     for (int n = 0; n < 100; ++n) {
-        Patch patch = square_somewhere(rng, 0.05);
+        Patch patch = random_square_patch(rng, 0.05);
         memory.forget();
         patch.memory = &memory;
         const Vec3f wi = direction(30, 0);
@@ -295,7 +295,7 @@ TEST(NacrePatch, SeedsAndLayersHaveFlakesOfTheirOwn) {
     Rng rng(7);
     int differ = 0;
     for (int n = 0; n < 50; ++n) {
-        const Patch patch = square_somewhere(rng, 0.03);
+        const Patch patch = random_square_patch(rng, 0.03);
         const float f = one.bound->evaluate_on(patch, wi, wo).f[0];
         EXPECT_EQ(f, again.bound->evaluate_on(patch, wi, wo).f[0]);
         differ += f != other.bound->evaluate_on(patch, wi, wo).f[0];
@@ -303,8 +303,8 @@ TEST(NacrePatch, SeedsAndLayersHaveFlakesOfTheirOwn) {
     EXPECT_GT(differ, 5);
 }
 
-TEST(NacrePatch, AnyPatchAndDirectionIsHarmless) {
-    const SparklingModel& model = everything_sparkling();
+TEST(NacrePatch, StaysFiniteForAnyPatchAndDirection) {
+    const SparklingModel& model = model_with_every_feature();
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const float numbers[] = {0, 1e-30f, 1e-3f, 3, 1e6f, 1e30f, inf, nan};

@@ -53,7 +53,7 @@ TEST(Nacre, TakesTheSmallestAndTheLargestFlakes) {
             double sum = 0;
             constexpr int kPatches = 4000;
             for (int n = 0; n < kPatches; ++n) {
-                Patch patch = square_somewhere(rng, 5);
+                Patch patch = random_square_patch(rng, 5);
                 patch.memory = &memory;
                 memory.forget();
                 const auto s = model.bound->sample_on(patch, direction(20, 0), rng.uniform_float(),
@@ -108,7 +108,7 @@ TEST(HotSpot, LargeFlakesAreSeenWhereTheyAreLit) {
 }
 
 TEST(HotSpot, MeanOverPatchesIsItsOwnMean) {
-    const SparklingModel model(everything_with_flakes(), 2, {.hot_spot = true});
+    const SparklingModel model(recipe_with_every_feature(), 2, {.hot_spot = true});
     const Vec3f wi = direction(30, 20), wo = direction(31, 199);
     PatchMemory memory(model.bound->patch_memory_bytes());
     for (const double side : {0.01, 0.5}) {
@@ -116,7 +116,7 @@ TEST(HotSpot, MeanOverPatchesIsItsOwnMean) {
         constexpr int kPatches = 60000;
         Rng rng(21);
         for (int n = 0; n < kPatches; ++n) {
-            Patch patch = square_somewhere(rng, side);
+            Patch patch = random_square_patch(rng, side);
             memory.forget();
             patch.memory = &memory;
             const double f = model.bound->evaluate_on(patch, wi, wo).f[4];
@@ -127,7 +127,7 @@ TEST(HotSpot, MeanOverPatchesIsItsOwnMean) {
         EXPECT_NEAR(mean, model.bound->eval(wi, wo)[4],
                     3 * std::sqrt((squares / kPatches - mean * mean) / kPatches));
     }
-    const SparklingModel& plain = everything_sparkling();
+    const SparklingModel& plain = model_with_every_feature();
     EXPECT_GT(model.bound->eval(wi, wo)[4], 1.1 * plain.bound->eval(wi, wo)[4]);
     EXPECT_GT(model.bound->albedo(wi)[4], 1.02 * plain.bound->albedo(wi)[4]);
     const auto [mean, error] = mean_weight(*model.bound, wi, 4, 40000, 9);

@@ -1,5 +1,7 @@
 #include "nacre/bsdf/models/special_effect.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -1,5 +1,7 @@
 #include "nacre/bsdf/tabulated/compression.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "nacre/bsdf/tabulated/tabulated.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -53,8 +53,9 @@ class DiscScene {
     std::unique_ptr<RTCSceneTy, void (*)(RTCSceneTy*)> scene_;
 };
 
-/// How much of a flake is lit and seen: v, the share of its area from which straight ways lead both
-/// to the light and to the eye past all other flakes, and its moments over the flakes of a tile.
+/// How much of a flake is lit and seen: v, the fraction of its area from which straight ways lead
+/// both to the light and to the eye past all other flakes, and its moments over the flakes of a
+/// tile.
 struct Visibility {
     double lit = 0;             ///< mean share that is lit
     double lit_and_seen = 0;    ///< E[v]

@@ -35,8 +35,8 @@ class AiryDisc {
 /// Of radius_of_fraction(), against the encircled power.
 inline constexpr double kAiryDiscError = 3e-3;
 
-/// Share of the power within x: 1 - J_0(x)^2 - J_1(x)^2.        [born-wolf-1999, section 8.5.2, eq.
-/// 18]
+/// Share of the power within x: 1 - J_0(x)^2 - J_1(x)^2.
+///                                                          [born-wolf-1999, section 8.5.2, eq. 18]
 double encircled_power(double x);
 
 // R and T of single flakes, each of its own film thicknesses.
