@@ -35,10 +35,6 @@ TEST(Escape, LetsNoScriptEndItsElement) {
     EXPECT_EQ(escape_json("{\"a\":\"</script><!--\"}"), "{\"a\":\"\\u003c/script>\\u003c!--\"}");
 }
 
-}  // namespace
-
-namespace {
-
 TEST(Base64, GivesTheTestVectorsOfTheStandard) {
     // [rfc-4648-2006, section 10]
     EXPECT_EQ(base64(""), "");
@@ -54,10 +50,6 @@ TEST(Base64, TakesEveryByte) {
     // python3 -c "import base64; print(base64.b64encode(bytes([0, 127, 128, 255, 251, 239])))"
     EXPECT_EQ(base64(std::string_view("\x00\x7f\x80\xff\xfb\xef", 6)), "AH+A//vv");
 }
-
-}  // namespace
-
-namespace {
 
 TEST(Markup, KnowsCodeEmphasisAndLinks) {
     EXPECT_EQ(markup_to_html("run `nacre *x* <y>` *at once*, see [Table *1*](#table-1)."),

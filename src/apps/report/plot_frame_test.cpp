@@ -86,10 +86,6 @@ TEST(Ticks, RoundedEndsAreTicks) {
     EXPECT_EQ(kept.hi, 9.7);
 }
 
-}  // namespace
-
-namespace {
-
 using testing::ElementsAre;
 
 // Sides: 0 right, 2 below, 4 left, 6 above.

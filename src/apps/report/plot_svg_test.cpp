@@ -85,7 +85,7 @@ TEST(PlotSvg, DrawsPointsAtTheirPlaces) {
     const Plot plot{.x = {.lo = 0, .hi = 10},
                     .y = {.lo = 0, .hi = 4},
                     .series = {{.x = {0, 5, 10}, .y = {0, 4, 1}, .colour = "#123456"}}};
-    // The margins of plot_style.h leave 62 ... 462 across and 32 ... 232 down.
+    // The margins of plot_svg.h leave 62 ... 462 across and 32 ... 232 down.
     const std::string svg = plot_svg(plot, {.width_px = 490, .height_px = 280});
     EXPECT_EQ(path_points(svg, "#123456"),
               (std::vector<std::string>{"62 232", "262 32", "462 182"}));

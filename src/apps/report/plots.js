@@ -5,8 +5,8 @@
 //   series  [{name, colour, symbol, line, dots, dashed, points}], a point being
 //           {x, y, low, high, error, colour, label, side}; x and y are null where there is nothing
 //           to show, low is missing where a bar leaves a logarithmic axis; the label stands to
-//           side x 45 deg, clockwise from the right (label_sides.h)
-//   style   colours and lengths, those of plot_style.h
+//           side x 45 deg, clockwise from the right (plot_frame.h)
+//   style   colours and lengths, those of plot_svg.h
 "use strict";
 (() => {
   const superscript = (n) => String(n).replace(/[-0-9]/g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);

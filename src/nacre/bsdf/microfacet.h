@@ -26,7 +26,7 @@ class MicrofacetDistribution {
     float density(Vec3f h) const;
 
     /// Smith's Lambda(w): hidden area over visible area, in its exact form for either law. The
-    /// share seen of the facets that face w is 1 / (1 + Lambda).
+    /// fraction seen of the facets that face w is 1 / (1 + Lambda).
     ///                                                                      [heitz-2014, section 5]
     /// @param w  unit, w.z > 0
     float lambda(Vec3f w) const;

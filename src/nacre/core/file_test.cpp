@@ -124,10 +124,6 @@ TEST_F(AtomicFileTest, ReadingRefusesWhatItCannotHold) {
     EXPECT_THROW(read_file(folder_ / "ten", 9), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 

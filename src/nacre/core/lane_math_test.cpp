@@ -73,10 +73,6 @@ TEST(LaneMath, LogarithmKeepsItsBound) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 TEST(ComplexLanes, ExponentialMatchesLongDouble) {
     for (int i = 0; i < 20000; ++i) {
         const double x = -700.0 * i / 20000 - 1e-3 * i;
@@ -116,10 +112,6 @@ TEST(ComplexLanes, ArithmeticIsThatOfStdComplex) {
     }
     EXPECT_NEAR(norm(x)[0], std::norm(a), 1e-15);
 }
-
-}  // namespace
-
-namespace {
 
 // Largest error over [-5, 5] turns, of arguments as they are after rounding to the lanes' type.
 template <class V>

@@ -5,15 +5,14 @@
 #include <string>
 
 // The library is silent: long work reports through a callback and asks it whether to go on. The
-// command line turns the callback into a bar with an estimate (core/progress.h).
+// command line turns the callback into a bar with an estimate of the time left, and Ctrl-C into a
+// request to stop at the next safe point, where the work writes what it has.
 
 namespace nacre {
 
 /// Called now and then, from one thread at a time, with the fraction done in [0, 1].
 /// Returning false asks the work to stop at the next safe point.
 using Progress = std::function<bool(double fraction)>;
-
-// Ctrl-C asks long work to stop at the next safe point, where it writes what it has.
 
 /// While it lives, the first SIGINT or SIGTERM only sets a flag; the second ends the program at
 /// once, by that signal. The destructor puts back what was there before and clears the flag.
@@ -43,7 +42,7 @@ class ProgressBar {
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     /// For the library; must not outlive the bar. Asks the work to stop once
-    /// interrupt_requested() (core/progress.h).
+    /// interrupt_requested().
     Progress callback();
 
  private:

@@ -46,10 +46,6 @@ TEST(InterruptDeathTest, TheSecondSignalEndsTheProgram) {
         testing::KilledBySignal(SIGINT), "");
 }
 
-}  // namespace
-
-namespace {
-
 TEST(DurationText, GrowsFromSecondsToHours) {
     EXPECT_EQ(duration_text(0), "0.0 s");
     EXPECT_EQ(duration_text(3.21), "3.2 s");

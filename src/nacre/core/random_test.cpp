@@ -97,10 +97,6 @@ TEST(Rng, NumbersAreUniformWithinAndAcrossStreams) {
     EXPECT_LT(chi2_across, 126);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(RadicalInverse, MirrorsDigitsAtThePoint) {
     EXPECT_EQ(radical_inverse(0, 2), 0);
     EXPECT_EQ(radical_inverse(1, 2), 0.5);
@@ -120,10 +116,6 @@ TEST(RadicalInverse, FillsTheIntervalEvenly) {
         taken[cell] = true;
     }
 }
-
-}  // namespace
-
-namespace {
 
 // In base 2 any 64 consecutive points fall one each into 64 equal pieces, in base 3 any 81: what a
 // shift leaves is that no piece has more than two and gaps are at most two pieces wide.

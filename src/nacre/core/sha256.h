@@ -16,7 +16,8 @@ class Sha256 {
     void update(const void* bytes, std::size_t count);
     void update(std::string_view bytes) { update(bytes.data(), bytes.size()); }
 
-    /// The digest of everything given so far, as 64 small hexadecimal digits; more may follow.
+    /// The digest of everything given so far, as 64 hexadecimal digits in lower case; more may
+    /// follow.
     std::string hex() const;
 
  private:
@@ -28,7 +29,7 @@ class Sha256 {
     std::uint64_t total_ = 0;  // bytes seen
 };
 
-/// SHA-256 of some bytes as 64 small hexadecimal digits, as `sha256sum` prints it.
+/// SHA-256 of some bytes as 64 hexadecimal digits in lower case, as `sha256sum` prints it.
 std::string sha256_hex(std::string_view bytes);
 
 }  // namespace nacre

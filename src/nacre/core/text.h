@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-// Numbers in material files and on the command line, independent of the locale.
+// Text that people write: numbers and lists, independent of the locale, and names that are nearly
+// right.
 
 namespace nacre {
 
@@ -68,14 +69,12 @@ inline std::string excerpt(std::string_view text) {
     return text.size() > longest ? result + "..." : result;
 }
 
-// "did you mean": the nearest of a list of known names, for error messages.
-
 /// Fewest insertions, deletions, substitutions and swaps of neighbours that turn a into b, no
-/// letter being changed twice: the optimal string alignment distance. Bytes are compared, capital
-/// letters count as their small ones.                                            [damerau-1964]
+/// letter being changed twice: the optimal string alignment distance. Bytes are compared, upper
+/// and lower case count as equal.                                                [damerau-1964]
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to `name` if it is near enough to be a slip of the hand (at most a third
+/// The candidate nearest to `name` if it is near enough to be a typing error (at most a third
 /// of the letters differ, and at least one edit is allowed); the first of several equally near.
 std::optional<std::string> closest_match(std::string_view name,
                                          std::span<const std::string> candidates);

@@ -201,11 +201,7 @@ TEST(Fit, StopsWhenAsked) {
     EXPECT_EQ(asked, 5);
 }
 
-}  // namespace
-
 // Whether errors are as large as reported: many standards with noise of a known size.
-
-namespace {
 
 /// L*a*b* moved so that each component of the CIEDE2000 difference is normal with this deviation.
 spectra::Vec3 disturbed(const spectra::Vec3& lab, double sigma, Rng& rng) {

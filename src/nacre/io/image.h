@@ -63,7 +63,7 @@ std::vector<float> interleaved_rgb(const Image& image, const std::string& name);
 /// @throws Error if the file cannot be written
 void write_exr(const std::filesystem::path& path, const Image& image);
 
-/// How linear light becomes eight bits (tone_map.h).
+/// How linear light becomes eight bits.
 struct ToneMap {
     double exposure_stops = 0;  ///< light is first multiplied by 2 to this power
 };

@@ -99,7 +99,7 @@ std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::st
 /// @throws DomainError if a field's bytes do not fit its shape, or there are too many
 std::string tensor_file_bytes(const std::vector<TensorField>& fields);
 
-// Files of the RGL material database, .bsdf: a tensor file (tensor_file.h) with the fields of
+// Files of the RGL material database, .bsdf: a tensor file with the fields of
 // bsdf::RglTable.
 //                                                            [dupuy-jakob-2018; jakob-2022-mitsuba]
 //

@@ -332,10 +332,6 @@ TEST(RglFile, SizesThatNoFileCanHoldAreRefusedBeforeAnythingIsMade) {
     expect_refused(broken, "has version 2.0 of the format: must be 1.0");
 }
 
-}  // namespace
-
-namespace {
-
 bsdf::MerlTable random_table(int half, int difference, int azimuths) {
     bsdf::MerlTable table{half, difference, azimuths, {}};
     Rng rng(5, 1);
@@ -446,11 +442,7 @@ TEST(MerlFile, ErrorsNameTheValueAndWhatIsAllowed) {
     expect_merl_refused(broken, "value 7 is nan: must be a number in [-1e30, 1e30]");
 }
 
-}  // namespace
-
 // Paints that have been through a file of a measured BRDF.
-
-namespace {
 
 struct Paint {
     std::vector<double> wavelengths_nm = {450, 550, 650};

@@ -159,10 +159,6 @@ TEST(AcquireMerl, RefusesSettingsAndValuesOutOfRange) {
     EXPECT_THROW(acquire_merl(white, kThree, {4, 4, 4}, [](double) { return false; }), Error);
 }
 
-}  // namespace
-
-namespace {
-
 using bsdf::direction;
 using testing::ggx;
 using testing::kLanesAt;
@@ -190,7 +186,7 @@ TEST(AcquireRgl, AWhiteDiffuserComesBack) {
 }
 
 TEST(AcquireRgl, TheFacetsOfAMicrofacetSurfaceAreFound) {
-    // A fiftieth is made even (acquire_rgl.h). Retroreflection of Smith's model is D masked twice,
+    // A fiftieth is uniform (acquire.h). Retroreflection of Smith's model is D masked twice,
     // not once, so that the facets found are those up to 40 deg only.
     const double alpha = 0.2;
     const bsdf::RglTable table = acquire_rgl("test", ggx(alpha, {1, 1, 1}), kThree, {});

@@ -140,10 +140,6 @@ TEST(MeasurementValue, FindsGeometriesInThePlaneOnly) {
     EXPECT_EQ(m.find(15, 15.1), nullptr);
 }
 
-}  // namespace
-
-namespace {
-
 Measurement read_as(std::initializer_list<std::pair<double, spectra::Vec3>> labs) {
     Measurement m;
     for (const auto& [aspecular, lab] : labs) {

@@ -76,10 +76,6 @@ TEST(Viewing, OutsideItsRangeIsRefused) {
     EXPECT_THROW(check({.distance_mm = std::nan("")}), DomainError);
 }
 
-}  // namespace
-
-namespace {
-
 using ::testing::HasSubstr;
 
 constexpr Viewing kViewing{500, 1000};
@@ -213,10 +209,6 @@ TEST(Jackknife, OfAMeanIsItsStandardError) {
     EXPECT_NEAR(e.standard_error, std::sqrt(30.0 / 4 / 5), 1e-12);
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double kMean = 0.5;
 
 PanelPicture noise(int side, double contrast, std::uint64_t seed) {
@@ -264,8 +256,8 @@ TEST(Graininess, OfAGratingThatIsJustNoticedIsOne) {
 
 // White noise of contrast c has the same power at all frequencies up to that of the pixels:
 //   G = c sqrt(2 pixel^2 Int S^2 d^2u) = 50.7022 c,
-// the integral by scipy.integrate.quad over colour-science 0.4.7's Barten function (as in
-// eye_test.cpp) for pixels of 0.025 mm at 500 mm, 1000 lx on Y = 0.5.
+// the integral by scipy.integrate.quad over colour-science 0.4.7's Barten function (as
+// above) for pixels of 0.025 mm at 500 mm, 1000 lx on Y = 0.5.
 TEST(Graininess, OfWhiteNoiseIsItsContrastTimesAKnownNumber) {
     constexpr double kContrast = 0.05, kPerContrast = 50.702217859893487;
     double mean = 0, error = 0;

@@ -10,17 +10,16 @@
 #include "nacre/core/lanes.h"
 #include "nacre/optics/thickness_rule.h"
 
-// What AiryFilm (optics/airy.h) takes, for those who only check input.
-
-namespace nacre::optics {
-
-inline constexpr Range kAiryIndexRange{.lo = 0.01, .hi = 10};
-inline constexpr Range kAiryExtinctionRange{.lo = 0, .hi = 100};
-
 // One smooth film between two half spaces: the exact reflectance, fast enough to be asked for per
 // facet, its Fourier series in the film's phase, and its averages over a spread of thickness.
 // Indices do not depend on wavelength, so that a wavelength enters through the phase alone.
 // Stacks of films, and dispersion: thin_film.h. Signs and the meaning of k: docs/conventions.md.
+
+namespace nacre::optics {
+
+/// Indices and extinctions that AiryFilm takes.
+inline constexpr Range kAiryIndexRange{.lo = 0.01, .hi = 10};
+inline constexpr Range kAiryExtinctionRange{.lo = 0, .hi = 100};
 
 /// Error of AiryFilm::reflectance against stack_reflectance, in double lanes and in float lanes,
 /// for films of up to 10 wavelengths' optical thickness, without extreme contrasts (indices 0.5 to
@@ -64,7 +63,7 @@ class AiryAngle {
 /// The same as a sum over orders of interference: Belcour & Barla's form.
 ///   R = c0 + 2 sum_{m >= 1} strength ratio^m cos(m (2 pi OPD / lambda + phase)),
 ///   OPD = 2 eta_2 d cos(theta_2)
-///                                                                   [belcour-barla-2017, sec.   4]
+///                                                                     [belcour-barla-2017, sec. 4]
 /// c0 = R12 + R*, strength = R* - T121, ratio = sqrt(R12 R23), R* = T121^2 R23 / (1 - R12 R23),
 /// T121 = t12 t21 = 1 - R12, phase = arg r21 + arg r23. Belcour & Barla's C_m = strength ratio^m.
 struct AiryTerms {

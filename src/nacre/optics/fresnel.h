@@ -7,8 +7,8 @@
 #include "nacre/core/lanes.h"
 #include "nacre/optics/material.h"
 
-// Reflection and refraction of amplitudes at one flat interface, for media that may absorb. The
-// real-valued short cut for two transparent media is optics/fresnel.h.
+// Reflection and refraction at one flat interface: complex amplitudes for media that may absorb,
+// and below them the real-valued reflectance between two transparent media, for inner loops.
 // Signs, time factor and the meaning of k: docs/conventions.md.
 
 namespace nacre::optics {
@@ -41,8 +41,7 @@ FresnelAmplitudes fresnel(ComplexIndex n_i, ComplexIndex n_t, double cos_i);
 std::complex<double> normal_wavevector(ComplexIndex n_i, ComplexIndex n_t, double cos_i);
 
 // The interface between two transparent media, fast: one function for double, float, FloatLanes
-// and DoubleLanes. No argument is checked here; the callers are inner loops. Media that absorb, and
-// phases: optics/fresnel.h.
+// and DoubleLanes. No argument is checked here; the callers are inner loops.
 
 namespace detail {
 template <class T>

@@ -118,10 +118,6 @@ TEST(Fresnel, RefusesGainAndCosinesOutOfRange) {
     EXPECT_THAT(message(1.0, 1.5, std::nan("")), HasSubstr("cos_i = nan"));
 }
 
-}  // namespace
-
-namespace {
-
 TEST(DielectricInterface, ReflectanceIsThatOfTheComplexAmplitudes) {
     int total = 0;
     for (double n_i : {1.0, 1.5}) {

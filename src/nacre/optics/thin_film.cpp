@@ -14,7 +14,7 @@
 // phase thickness the fields at its top follow from those at its bottom by
 //     | cos d        -i sin d / y |
 //     | -i y sin d    cos d       |
-//                                                               [born-wolf-1999, 1.6 eq.     33-34]
+//                                                                   [born-wolf-1999, 1.6 eq. 33-34]
 // Two changes make it hold for any film. Multiplied by e^(i d), |e^(i d)| <= 1, the elements stay
 // bounded however thick and absorbing the film is; the factor returns in T only, where it may
 // vanish. And sin d / y is written with sin d / d, which has a limit where q = 0, at the critical

@@ -208,10 +208,6 @@ TEST(Stack, RefusesArgumentsOutOfRange) {
     EXPECT_THROW(stack_reflectance({1.5, .1}, {}, 1, 1, 550, Polarization::s), DomainError);
 }
 
-}  // namespace
-
-namespace {
-
 struct Colour {
     double lightness, chroma, hue_deg;
 };

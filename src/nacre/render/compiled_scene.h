@@ -52,10 +52,10 @@ struct CompiledScene {
     /// has gone through a volume (BsdfSample::exit_mm): off the surface, as Hit::origin().
     Vec3f origin(const Hit& hit, Vec3f exit_mm) const;
     /// The parallelogram with the given edges, tangent to the surface at the hit, in the terms that
-    /// its material asks for (Bsdf::layout).
+    /// its material asks for (Bsdf::surface_coordinates).
     ///
     /// In the unit square over which the shape is laid out: meshes linearly on the triangle that
-    /// was hit; spheres by the equal-area map of octahedral_square.h with its pole towards -y,
+    /// was hit; spheres by the equal-area map octahedral_square() with its pole towards -y,
     /// where edges that cross a fold of that map are taken from the side that does not.
     /// In object space: surface_patch.h.
     bsdf::Patch patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const;

@@ -39,10 +39,10 @@ Mesh make_mesh(const GroundPlane& plane);
 ///         triangles, or with coordinates that are not finite
 Mesh make_mesh(const MeshFile& file);
 
-/// Scale, rotation and translation as in scene_description.h.
+/// Scale, rotation and translation as in scene.h.
 ///
-/// Rest space is that of the shape as it is made, in its true size: scaled, and not yet turned and
-/// moved.
+/// Object space is that of the shape as it is made, in its true size: scaled, and not yet rotated
+/// and translated.
 class AffineMap {
  public:
     explicit AffineMap(const Transform& transform);

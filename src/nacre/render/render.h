@@ -36,7 +36,7 @@ struct RenderOptions {
 double default_footprint_pixels(int samples_per_pixel);
 
 /// A picture, row-major from the top left. Radiance is linear; luminance 1 is the radiance of an
-/// emitter of scale 1 (scene_description.h).
+/// emitter of scale 1 (scene.h).
 struct RenderResult {
     int width = 0, height = 0;
     std::vector<float> rgb;     ///< 3 per pixel: linear Rec. 709, may be out of gamut

@@ -62,10 +62,6 @@ TEST(OctahedralSquare, PolesAndAxesLieWhereTheyShould) {
     EXPECT_EQ(octahedral_square({0, 0, -1}), (std::array{1.0, 1.0}));
 }
 
-}  // namespace
-
-namespace {
-
 double area(const bsdf::Patch& p) {
     return std::abs(double{p.edge_1.x} * p.edge_2.y - double{p.edge_1.y} * p.edge_2.x);
 }

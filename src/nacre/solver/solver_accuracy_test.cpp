@@ -93,11 +93,7 @@ TEST(SolverAccuracy, PigmentsAndMixtures) {
     EXPECT_LT(worst_error(test::pigment_paint(1, 1e4, 0.8, 1.5)), 1e-3);
 }
 
-}  // namespace
-
 // Laws that the solution obeys whatever the paint: energy, reciprocity, sign.
-
-namespace {
 
 using test::flake_paint;
 using test::kOneWavelength;

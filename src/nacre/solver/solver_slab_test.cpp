@@ -63,7 +63,7 @@ struct Slab {
 };
 
 TEST(SolverSlab, PigmentsMatchTheTables) {
-    // THEORY.md section 7 [van-de-hulst-1980; prahl-1993], five to six digits.
+    // The design notes [van-de-hulst-1980; prahl-1993], five to six digits.
     constexpr Slab kTable[] = {
         {.9, 2, .75, 1, .097395, .660958},  {.99, 1, 0, .5, .486518, .491628},
         {.99, 4, .5, .5, .619959, .306051}, {1, 1, 0, 1, .341329, .658671},
@@ -99,14 +99,14 @@ TEST(SolverSlab, PigmentsMatchAnotherAddingDoublingProgram) {
 }
 
 TEST(SolverSlab, HalfSpaceUnderAnInterface) {
-    // THEORY.md section 7: albedo 0.9, isotropic, n = 1.5, normal incidence, specular reflection
+    // The design notes: albedo 0.9, isotropic, n = 1.5, normal incidence, specular reflection
     // included.
     const SolvedPaint paint = solve(pigment_paint(0.9, 1e4, 0, 1.5), kOneWavelength);
     EXPECT_NEAR(albedo(paint, 0) + 0.04, 0.25992, 1e-5);
 }
 
 TEST(SolverSlab, IndexMatchedFlakesMatchTheTables) {
-    // THEORY.md section 7, two independent methods; R = 0.3 + 0.7 (1 - c)^5 has T = 1 - R.
+    // The design notes, two independent methods; R = 0.3 + 0.7 (1 - c)^5 has T = 1 - R.
     const SolvedPaint mirror = solve(flake_paint(0.1, 1, 0, 2, 1.0), kOneWavelength);
     EXPECT_NEAR(albedo(mirror, std::acos(0.8)), 0.66557, 1e-5);
 
@@ -116,7 +116,7 @@ TEST(SolverSlab, IndexMatchedFlakesMatchTheTables) {
 }
 
 TEST(SolverSlab, CoatedFlakesMatchTheTables) {
-    // THEORY.md section 7, external cosines, the interface's specular reflection included.
+    // The design notes, external cosines, the interface's specular reflection included.
     const auto total = [](const SolvedPaint& paint, double mu0) {
         return albedo(paint, std::acos(mu0)) + optics::dielectric_reflectance(1.0, 1.5, mu0);
     };

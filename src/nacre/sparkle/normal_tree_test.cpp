@@ -102,10 +102,6 @@ TEST(Binomial, TheSameKeyGivesTheSameNumber) {
     EXPECT_GT(changes, 80);  // neighbouring keys share nothing
 }
 
-}  // namespace
-
-namespace {
-
 TEST(NormalTree, MassesAreThoseOfSampledNormals) {
     constexpr double kFacets = 200000;
     for (const double alpha : {0.02, 0.07, 0.5}) {

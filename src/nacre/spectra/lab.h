@@ -22,8 +22,8 @@ double delta_e_2000(const Vec3& lab1, const Vec3& lab2);
 /// differences along a* and b*, each as wide as CIEDE2000 sees it. It points from the first colour
 /// to the second, and bends smoothly through greys, where hue and chroma, the formula's own
 /// coordinates, have a corner. Where hues are opposite it jumps, as the formula does.
-///
-///[sharma-2005, eq. 22, with its cross term R_T brought to squares and the pair of chroma and    hue turned by the angle from (dC', dH') to (da', db'), which changes no length]
+/// [sharma-2005, eq. 22], with its cross term R_T brought to squares and the pair of chroma and hue
+/// turned by the angle from (dC', dH') to (da', db'), which changes no length.
 Vec3 delta_e_2000_vector(const Vec3& lab1, const Vec3& lab2);
 
 }  // namespace nacre::spectra

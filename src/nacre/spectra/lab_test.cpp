@@ -67,10 +67,6 @@ TEST(Lab, RefusesAWhiteThatIsNone) {
     EXPECT_THROW(lab_to_xyz({1, 1, 1}, {std::nan(""), 1, 1}), DomainError);
 }
 
-}  // namespace
-
-namespace {
-
 // The 34 pairs of [sharma-2005, table 1], rounded there to four decimals. They visit every branch:
 // hues on both sides of the wrap, greys, and the discontinuity of the mean hue.
 TEST(DeltaE2000, MatchesThePublishedPairs) {

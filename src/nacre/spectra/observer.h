@@ -3,29 +3,10 @@
 #include <array>
 #include <string>
 
-// The tables of data/cie_*.csv as they were when this was compiled. Internal to this folder.
+// CIE standard colorimetric observers and illuminants, tabulated at 5 nm in
+// data/cie_observers.csv and data/cie_illuminants.csv.                        [cie-15-2018]
 
 namespace nacre::spectra {
-
-/// Columns tabulated at first_nm, first_nm + kCieStep_nm, ...
-inline constexpr double kCieStep_nm = 5;
-
-struct ObserverRow {
-    double wavelength_nm;
-    double xyz[6];  // 2 degrees, then 10 degrees
-};
-inline constexpr int kObserverRows = 95;
-extern const std::array<ObserverRow, kObserverRows> kObserverTable;
-
-struct IlluminantRow {
-    double wavelength_nm;
-    double power[5];  // A, D50, D65, FL2, FL11; 0 where the CIE gives none
-};
-inline constexpr int kIlluminantRows = 85;
-extern const std::array<IlluminantRow, kIlluminantRows> kIlluminantTable;
-
-// The eye and the light: CIE standard colorimetric observers and illuminants, tabulated at 5 nm in
-// data/cie_observers.csv and data/cie_illuminants.csv.                        [cie-15-2018]
 
 using Vec3 = std::array<double, 3>;  // X Y Z, or L* a* b*, or R G B
 
@@ -48,5 +29,24 @@ Illuminant parse_illuminant(const std::string& text);  ///< "D65" ... @throws In
 /// What parse_illuminant() and parse_observer() take: "D65", "10".
 std::string name(Illuminant illuminant);
 std::string name(Observer observer);
+
+// The tables of data/cie_*.csv as they were when this was compiled. Internal to this folder.
+
+/// Columns tabulated at first_nm, first_nm + kCieStep_nm, ...
+inline constexpr double kCieStep_nm = 5;
+
+struct ObserverRow {
+    double wavelength_nm;
+    double xyz[6];  // 2 degrees, then 10 degrees
+};
+inline constexpr int kObserverRows = 95;
+extern const std::array<ObserverRow, kObserverRows> kObserverTable;
+
+struct IlluminantRow {
+    double wavelength_nm;
+    double power[5];  // A, D50, D65, FL2, FL11; 0 where the CIE gives none
+};
+inline constexpr int kIlluminantRows = 85;
+extern const std::array<IlluminantRow, kIlluminantRows> kIlluminantTable;
 
 }  // namespace nacre::spectra

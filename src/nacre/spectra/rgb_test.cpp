@@ -75,10 +75,6 @@ TEST(Srgb, EncodingIsOddIncreasingAndUndoneByDecoding) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 // Linear Rec. 709 relative to the white of the same sums, independent of rec709_weights().
 Vec3 rgb_of(const Spectrum& reflectance) {
     const Vec3 white = white_point(Illuminant::D65, Observer::cie1931_2deg);

@@ -10,9 +10,9 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/warp.h"
 
-// A measured BRDF in the adaptive parameterization of the RGL material database, as plain arrays
-// with the names of the file format (io/measured_brdf_file.h reads and writes it; measured_rgl.h
-// renders it; docs/measured.md explains it). [dupuy-jakob-2018]
+// A measured BRDF in the adaptive parameterization of the RGL material database: plain arrays with
+// the names of the file format (read and written by io/measured_brdf_file.h), and the surface that
+// evaluates and samples them. docs/measured.md explains it.                     [dupuy-jakob-2018]
 
 namespace nacre::bsdf {
 
