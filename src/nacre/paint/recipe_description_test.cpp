@@ -65,9 +65,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
                                                         {"facets", Described(facets)}};
     for (const auto& [name, object] : tables) {
         const std::string expected = markdown_table(object);
-        EXPECT_EQ(
-            nacre::testing::documented_table(NACRE_SOURCE_DIR "/docs/recipe.md", name, expected),
-            expected)
+        EXPECT_EQ(nacre::testing::documented_table("recipe.md", name, expected), expected)
             << "run this test with NACRE_WRITE_DOCS=1";
     }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -81,12 +82,13 @@ inline std::string last_key(const std::string& path) { return path.substr(path.r
 
 /// The table that follows <!-- keys: NAME --> in a file of the documentation. If the environment
 /// variable NACRE_WRITE_DOCS is set, `expected` is written there instead.
-inline std::string documented_table(const std::string& path, const std::string& name,
+inline std::string documented_table(const std::string& file, const std::string& name,
                                     const std::string& expected) {
+    const std::filesystem::path path = data_directory().parent_path() / "docs" / file;
     std::string text = read_file(path);
     const std::string mark = fmt::format("<!-- keys: {} -->\n", name);
     const std::size_t at = text.find(mark);
-    if (at == std::string::npos) return fmt::format("{} has no line {}", path, mark);
+    if (at == std::string::npos) return fmt::format("{} has no line {}", path.string(), mark);
     const std::size_t begin = at + mark.size();
     std::size_t end = begin;
     while (end < text.size() && text[end] == '|') end = text.find('\n', end) + 1;
