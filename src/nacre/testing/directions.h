@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cmath>
+
+#include "nacre/core/angles.h"
+#include "nacre/core/vec.h"
+
+// Only for tests: directions written short.
+
+namespace nacre::test {
+
+/// @param theta_deg  from the normal, z
+/// @param phi_deg    about it, from x
+inline Vec3f direction(double theta_deg, double phi_deg = 0) {
+    const double s = std::sin(theta_deg * kDegree);
+    return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
+            static_cast<float>(s * std::sin(phi_deg * kDegree)),
+            static_cast<float>(std::cos(theta_deg * kDegree))};
+}
+
+}  // namespace nacre::test
