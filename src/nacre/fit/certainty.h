@@ -21,7 +21,7 @@ struct CertaintyOptions {
     double equal_delta_e = 0.3;
 };
 
-/// A way through the unit cube along which the colour hardly changes.
+/// A direction in the unit cube along which the colour hardly changes.
 struct WeakDirection {
     std::vector<double> step;  ///< of the unit cube: what changes the colour by equal_delta_e
 };

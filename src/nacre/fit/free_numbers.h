@@ -6,12 +6,12 @@
 
 #include "nacre/paint/recipe_parameter.h"
 
-// What a fit may turn: numbers of a recipe between bounds, as coordinates of the unit cube.
+// What a fit may vary: numbers of a recipe between bounds, as coordinates of the unit cube.
 
 namespace nacre::fit {
 
 /// Bounds for a number whose recipe states none: what a colourist might have got wrong, cut to what
-/// the key may be. Reflectances and transmittances, if alike at all wavelengths: all of [0, 1].
+/// the key may be. Reflectances and transmittances, if constant over wavelength: all of [0, 1].
 /// Anisotropy: what the solver resolves. A spread of thickness: from 0 to three times itself or 15
 /// % of the thickness, whatever is more. The binder's index: 10 % either way. Everything else: a
 /// third to three times itself.

@@ -138,30 +138,30 @@ Descent descend(const ColourModel& model, std::vector<double> x, Detail detail,
 namespace {
 
 /// A few steps show which way a point goes.
-constexpr DescentLimits kGlanceLimits{3, 1e-2, 1e-3, 0.1};
+constexpr DescentLimits kShortLimits{3, 1e-2, 1e-3, 0.1};
 constexpr DescentLimits kCoarseLimits{20, 1e-3, 1e-4, 1e-2};
 constexpr DescentLimits kFineLimits{50, 1e-4, 1e-5, 2e-3};
 
 /// Points that make a few steps for each one that goes on.
-constexpr int kRacersPerStart = 3;
+constexpr int kShortDescentsPerStart = 3;
 
 /// Points looked at for each descent: as many as help, a line being filled by fewer than a cube.
 constexpr std::size_t points_per_start(std::size_t numbers) {
     return std::min<std::size_t>(16, 4 + 4 * numbers);
 }
-/// Points nearer than this in every coordinate lie in the same valley: one descent will do.
-constexpr double kSameValley = 0.05;
+/// Points nearer than this in every coordinate belong to the same minimum: one descent will do.
+constexpr double kMinStartDistance = 0.05;
 /// Ends of descents nearer than this are the same minimum.
 constexpr double kSameMinimum = 0.02;
 /// A spread of zero is a place where its derivative vanishes: no descent starts there.
-constexpr double kOffTheFloor = 0.05;
+constexpr double kMinStart = 0.05;
 /// Ends of coarse descents are carried through if their difference is so near to the best one's.
 /// Without spectra coarse colours are off by up to 1.
-constexpr double kWorthDelta_e = 0.5, kWorthWithoutSpectra_delta_e = 1.5;
-constexpr std::size_t kMaxCarriedThrough = 3;
+constexpr double kFineStartDelta_e = 0.5, kFineStartWithoutSpectra_delta_e = 1.5;
+constexpr std::size_t kMaxFineStarts = 3;
 
 // Fractions of the work, for the bar.
-constexpr double kGlanceFraction = 0.15, kRaceFraction = 0.25, kCoarseFraction = 0.3,
+constexpr double kScreeningFraction = 0.15, kShortFraction = 0.25, kCoarseFraction = 0.3,
                  kFineFraction = 0.25;
 
 /// Adds up what threads have done and tells the caller, one at a time.
@@ -204,15 +204,15 @@ struct Candidate {
     double rms_delta_e = std::numeric_limits<double>::infinity();
 };
 
-std::vector<Candidate> glance(const ColourModel& model, std::vector<std::vector<double>> points,
+std::vector<Candidate> screen(const ColourModel& model, std::vector<std::vector<double>> points,
                               Meter& meter) {
     std::vector<Candidate> candidates(points.size());
-    meter.begin(kGlanceFraction, static_cast<double>(points.size()));
+    meter.begin(kScreeningFraction, static_cast<double>(points.size()));
     parallel_for_ranges(0, points.size(), 1, [&](std::size_t i, std::size_t) {
         candidates[i].x = points[i];
         // Waiting for a solve, a thread must not begin another point.
         tbb::this_task_arena::isolate([&] {
-            if (const auto seen = model.evaluate(points[i], Detail::glance)) {
+            if (const auto seen = model.evaluate(points[i], Detail::screening)) {
                 candidates[i].rms_delta_e = model.target().rms_delta_e(seen->residuals);
             }
         });
@@ -232,7 +232,7 @@ std::vector<std::vector<double>> choose_starts(std::vector<Candidate> candidates
     for (const Candidate& candidate : candidates) {
         if (chosen.size() >= most || !std::isfinite(candidate.rms_delta_e)) break;
         if (std::all_of(chosen.begin(), chosen.end(), [&](const auto& other) {
-                return distance(candidate.x, other) >= kSameValley;
+                return distance(candidate.x, other) >= kMinStartDistance;
             })) {
             chosen.push_back(candidate.x);
         }
@@ -284,36 +284,38 @@ std::vector<Descent> search(ColourModel& model, const std::vector<double>& start
     }
     for (std::size_t i = 0; i < start.size(); ++i) {
         if (model.numbers()[i].bounds.lo > 0) continue;
-        for (auto& point : points) point[i] = std::max(point[i], kOffTheFloor);
+        for (auto& point : points) point[i] = std::max(point[i], kMinStart);
     }
     effort.points = static_cast<int>(points.size());
-    const auto racers = choose_starts(glance(model, std::move(points), meter),
-                                      static_cast<std::size_t>(starts) * kRacersPerStart);
-    std::vector<std::vector<double>> beginnings = {racers[0]};
-    if (racers.size() > 1) {
-        for (const Descent& end : distinct(descend_from(model, racers, Detail::glance,
-                                                        kGlanceLimits, kRaceFraction, meter))) {
-            if (beginnings.size() < static_cast<std::size_t>(starts)) beginnings.push_back(end.x);
+    const auto short_starts =
+        choose_starts(screen(model, std::move(points), meter),
+                      static_cast<std::size_t>(starts) * kShortDescentsPerStart);
+    std::vector<std::vector<double>> coarse_starts = {short_starts[0]};
+    if (short_starts.size() > 1) {
+        for (const Descent& end : distinct(descend_from(model, short_starts, Detail::screening,
+                                                        kShortLimits, kShortFraction, meter))) {
+            if (coarse_starts.size() < static_cast<std::size_t>(starts))
+                coarse_starts.push_back(end.x);
         }
     }
 
-    effort.descents = static_cast<int>(beginnings.size());
+    effort.descents = static_cast<int>(coarse_starts.size());
     const std::vector<Descent> coarse = distinct(
-        descend_from(model, beginnings, Detail::coarse, kCoarseLimits, kCoarseFraction, meter));
+        descend_from(model, coarse_starts, Detail::coarse, kCoarseLimits, kCoarseFraction, meter));
     if (coarse.empty()) throw Error(model.first_failure());
 
-    std::vector<std::vector<double>> worthy;
+    std::vector<std::vector<double>> fine_starts;
     const double limit =
         coarse[0].rms_delta_e +
-        (model.target().has_spectra() ? kWorthDelta_e : kWorthWithoutSpectra_delta_e);
+        (model.target().has_spectra() ? kFineStartDelta_e : kFineStartWithoutSpectra_delta_e);
     for (const Descent& end : coarse) {
-        if (worthy.size() < kMaxCarriedThrough && end.rms_delta_e <= limit) {
-            worthy.push_back(end.x);
+        if (fine_starts.size() < kMaxFineStarts && end.rms_delta_e <= limit) {
+            fine_starts.push_back(end.x);
         }
     }
-    effort.finished = static_cast<int>(worthy.size());
+    effort.finished = static_cast<int>(fine_starts.size());
     std::vector<Descent> fine =
-        distinct(descend_from(model, worthy, Detail::fine, kFineLimits, kFineFraction, meter));
+        distinct(descend_from(model, fine_starts, Detail::fine, kFineLimits, kFineFraction, meter));
     if (fine.empty()) throw Error(model.first_failure());
     return fine;
 }

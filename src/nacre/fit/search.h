@@ -15,7 +15,7 @@ struct DescentLimits {
     int most_steps = 30;
     double function_tolerance = 1e-6;   ///< change of the sum of squares over itself
     double parameter_tolerance = 1e-6;  ///< length of a step over that of the point
-    double enough_delta_e = 1e-3;       ///< root mean square below which colours are alike
+    double enough_delta_e = 1e-3;       ///< root mean square below which colours count as equal
 };
 
 /// Where a descent ended.
@@ -39,13 +39,13 @@ struct SearchEffort {
     int points = 0, descents = 0, finished = 0;
 };
 
-/// Minima over the unit cube, the best first, no two alike: a Halton sequence of points is glanced
-/// at; the best of them make a few steps each; from where the best of those are, and from `start`
-/// in any case, coarse descents; from where the best of those ended, fine ones. Interference
-/// colours repeat with the order, so that there are several minima, and the nearest one need not be
-/// the right one.
+/// Minima over the unit cube, the best first, no two equal, by multi-start: the points of a Halton
+/// sequence are screened; short descents start from the best of them, coarse ones from where the
+/// best of those ended and in any case from `start`, and fine ones from where the best of the
+/// coarse ones ended. Interference colours repeat with the order, so that there are several minima,
+/// and the nearest one need not be the right one.
 ///
-/// @param progress  told fractions of the whole; what it answers is heeded: the model is stopped
+/// @param progress  told the fraction done; where it returns false the model is stopped
 /// @throws Error if there is no paint at the start, or progress asked to stop
 std::vector<Descent> search(ColourModel& model, const std::vector<double>& start, int starts,
                             std::uint64_t seed, const Progress& progress, SearchEffort& effort);

@@ -14,7 +14,7 @@ namespace nacre::fit {
 
 namespace {
 
-constexpr double kStep_nm[] = {40, 20};  // at a glance, coarse
+constexpr double kStep_nm[] = {40, 20};  // screening, coarse
 // Colours given as L*a*b* alone cannot be summed over as few wavelengths as those of the paint: at
 // 40 nm that would shift them by several Delta E, at 20 nm by 1 at most.
 constexpr double kStepWithoutSpectra_nm = 20;
@@ -96,7 +96,7 @@ Target::Target(const measure::Measurement& standard, const TargetOptions& option
 
     const std::vector<double> all =
         has_spectra_ ? standard.wavelengths_nm : solver::default_wavelengths_nm();
-    for (Detail detail : {Detail::glance, Detail::coarse, Detail::fine}) {
+    for (Detail detail : {Detail::screening, Detail::coarse, Detail::fine}) {
         const auto d = static_cast<std::size_t>(detail);
         const bool fine = detail == Detail::fine;
         const std::size_t stride =

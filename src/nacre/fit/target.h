@@ -27,10 +27,10 @@ struct TargetOptions {
     std::map<std::string, double> weights;
 };
 
-/// How closely to look, which is how well a paint must be solved: a glance to compare points far
-/// apart (every 40 nm), coarse to find the way (every 20 nm), both through an ideal aperture; fine
-/// for the answer, at the standard's wavelengths and through its aperture.
-enum class Detail { glance, coarse, fine };
+/// How accurately a paint is solved: for screening points far apart (every 40 nm), coarse for
+/// descents (every 20 nm), both with point apertures; fine for the answer, at the standard's
+/// wavelengths and through its aperture.
+enum class Detail { screening, coarse, fine };
 
 class Target {
  public:

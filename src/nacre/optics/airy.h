@@ -10,7 +10,7 @@
 #include "nacre/core/lanes.h"
 #include "nacre/optics/thickness_rule.h"
 
-// One smooth film between two half spaces: the exact reflectance, fast enough to be asked for per
+// One smooth film between two half spaces: the exact reflectance, fast enough for every
 // facet, its Fourier series in the film's phase, and its averages over a spread of thickness.
 // Indices do not depend on wavelength, so that a wavelength enters through the phase alone.
 // Stacks of films, and dispersion: thin_film.h. Signs and the meaning of k: docs/conventions.md.

@@ -9,7 +9,7 @@
 #include "nacre/spectra/colour.h"
 #include "nacre/spectra/spectrum.h"
 
-// The wavelengths at which the film looks, and what they mean to the eye.
+// The wavelengths of a pass, and their weights in CIE XYZ.
 
 namespace nacre::render {
 

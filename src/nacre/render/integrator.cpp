@@ -28,7 +28,7 @@ struct VertexNumbers {
 
 /// Light, or the fraction of it that a surface sends on: as it is, and with the mean over its
 /// places in place of every surface that varies. The second counts only where it was asked for.
-struct Carried {
+struct WithMean {
     FloatLanes shown{}, smooth{};
 };
 
@@ -49,9 +49,9 @@ struct LocalSurface {
     }
 };
 
-Carried direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
-                     const Frame& frame, Vec3f wi, const LocalSurface& surface,
-                     const VertexNumbers& u, DirectLight strategy) {
+WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
+                      const Frame& frame, Vec3f wi, const LocalSurface& surface,
+                      const VertexNumbers& u, DirectLight strategy) {
     const auto light =
         scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data());
     if (!light || dot(light->direction, hit.geometric_normal) <= 0) return {};
@@ -114,7 +114,7 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
     PathLight path;
     Ray ray{camera_ray.origin_mm, camera_ray.direction};
     std::optional<RayDifferential> differential = camera_ray.differential;
-    Carried throughput{splat(1.0f), splat(1.0f)};
+    WithMean throughput{splat(1.0f), splat(1.0f)};
     const auto gather = [&](const FloatLanes& shown, const FloatLanes& smooth) {
         path.radiance += throughput.shown * shown;
         if (options.smooth) path.smooth += throughput.smooth * smooth;
@@ -179,7 +179,7 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
 
         const VertexNumbers u(sampler.draw(static_cast<std::uint32_t>(depth) + 1));
         if (options.direct_light != DirectLight::surface_sampling && !scene.lights->empty()) {
-            const Carried light =
+            const WithMean light =
                 direct_light(scene, pass, *hit, frame, wi, surface, u, options.direct_light);
             gather(light.shown, light.smooth);
         }

@@ -29,10 +29,10 @@ struct RenderOptions {
 ///
 /// The samples of a pixel lie under its filter, a tent two pixels wide, which weighs as much as
 /// (Int t)^2 / Int t^2 = 1.5^2 pixels of even weight: such patches cover it once. With patches that
-/// share out one pixel only, many flakes would be missed, and the noise of a metallic panel in the
-/// sun be 62 instead of 41 % of its light (32 samples); the contrast of the picture is the same,
-/// as the filter is far wider than a patch. The more samples, the smaller the patches: the picture
-/// converges to that of points.
+/// divide one pixel only between them, many flakes would be missed, and the noise of a metallic
+/// panel in the sun be 62 instead of 41 % of its light (32 samples); the contrast of the picture is
+/// the same, as the filter is far wider than a patch. The more samples, the smaller the patches:
+/// the picture converges to that of points.
 double default_footprint_pixels(int samples_per_pixel);
 
 /// A picture, row-major from the top left. Radiance is linear; luminance 1 is the radiance of an
@@ -42,7 +42,7 @@ struct RenderResult {
     std::vector<float> rgb;     ///< 3 per pixel: linear Rec. 709, may be out of gamut
     std::vector<float> albedo;  ///< 3 per pixel: albedo of the first surface under D65; 0: none
     std::vector<float> normal;  ///< 3 per pixel: mean shading normal of the first surface
-    std::vector<float> alpha;   ///< 1 per pixel: share of the samples that met a surface
+    std::vector<float> alpha;   ///< 1 per pixel: fraction of the samples that met a surface
     /// 3 per pixel, linear Rec. 709; empty unless asked for. The part of rgb that single flakes
     /// make: what they send less what all of them would on average, so that it is negative where
     /// they are few or turned away, and 0 on average. rgb - sparkle is the smooth rest, which a

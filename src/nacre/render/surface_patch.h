@@ -33,7 +33,7 @@ bsdf::Patch sphere_patch(Vec3f n, Vec3f edge_1, Vec3f edge_2);
 bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycentric,
                            Vec3f edge_1_mm, Vec3f edge_2_mm);
 
-/// The piece of a surface that the shape had at rest.
+/// A piece of a surface in object space, from the world.
 ///
 /// What a surface shows is told in the frame of its shading normal, which on a mesh is not that of
 /// the facet on which the parallelogram lies. The parallelogram is turned from one to the other

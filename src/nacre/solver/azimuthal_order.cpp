@@ -52,7 +52,8 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d, const Acti
     for (int i = 0; i < n; ++i) {
         out.coat.push_back(make_lanes<DoubleLanes>(
             [&](int lane) { return std::exp(-clearcoat[lane] / d.mu[i]); }));
-        out.mirror.push_back(splat(optics::dielectric_reflectance(d.ior, 1.0, d.mu[i])));
+        out.interface_reflectance.push_back(
+            splat(optics::dielectric_reflectance(d.ior, 1.0, d.mu[i])));
     }
     LaneBuffer depth(lit, DoubleLanes{});  // above the layer, one way
     for (const LayerMedium& layer : medium.layers) {
@@ -170,7 +171,8 @@ void solve_order(const PaintBlock& block, const Directions& d, const ActiveNodes
     set_paint_impedance(block, d, order, first, work);
     DoubleLanes *y = work.y.data(), *u = work.u.data();
     reflect_under_coat(block, y, first, m, work.impedance);
-    reflect_under_interface(y, block.mirror.data() + first, u, m, exits, work.impedance);
+    reflect_under_interface(y, block.interface_reflectance.data() + first, u, m, exits,
+                            work.impedance);
 
     // Take out what met one flake only, in the same discretisation.
     for (int i = 0; i < exits; ++i) {

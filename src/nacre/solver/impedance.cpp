@@ -76,10 +76,10 @@ void impedance_to_reflection(DoubleLanes* y, int n, ImpedanceWorkspace& work) {
     for (int i = 0; i < n; ++i) y[i * n + i] -= splat(1.0);
 }
 
-void reflect_under_interface(DoubleLanes* r, const DoubleLanes* mirror, DoubleLanes* u, int n,
-                             int rows, ImpedanceWorkspace& work) {
+void reflect_under_interface(DoubleLanes* r, const DoubleLanes* interface_reflectance,
+                             DoubleLanes* u, int n, int rows, ImpedanceWorkspace& work) {
     DoubleLanes *factor = work.a.data(), *solved = work.b.data(), *root = work.c.data();
-    for (int i = 0; i < n; ++i) root[i] = sqrt_lanes(mirror[i]);
+    for (int i = 0; i < n; ++i) root[i] = sqrt_lanes(interface_reflectance[i]);
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) factor[i * n + j] = -root[i] * r[i * n + j] * root[j];
         factor[i * n + i] += splat(1.0);

@@ -57,9 +57,9 @@ void stack_on(DoubleLanes* zs, DoubleLanes* za, DoubleLanes* y, int n, Impedance
 void impedance_to_reflection(DoubleLanes* y, int n, ImpedanceWorkspace& work);
 
 /// U = R + R F^1/2 (1 - F^1/2 R F^1/2)^-1 F^1/2 R, the light that leaves the paint upwards inside
-/// the coat when the interface reflects the fraction mirror[i] of node i back down; the first
-/// `rows` rows and columns only, into u (rows x rows). R is overwritten.
-void reflect_under_interface(DoubleLanes* r, const DoubleLanes* mirror, DoubleLanes* u, int n,
-                             int rows, ImpedanceWorkspace& work);
+/// the coat when the interface reflects the fraction interface_reflectance[i] of node i back down;
+/// the first `rows` rows and columns only, into u (rows x rows). R is overwritten.
+void reflect_under_interface(DoubleLanes* r, const DoubleLanes* interface_reflectance,
+                             DoubleLanes* u, int n, int rows, ImpedanceWorkspace& work);
 
 }  // namespace nacre::solver

@@ -216,18 +216,18 @@ TEST(Impedance, ReflectsUnderAnInterface) {
     const Medium m = random_medium(n, 0.05, 29);
     Slab s = slab(m, 3.0);
     ImpedanceWorkspace work(n);
-    LaneBuffer r = s.zs, u(rows * rows), mirror;
+    LaneBuffer r = s.zs, u(rows * rows), interface_reflectance;
     impedance_to_reflection(r.data(), n, work);
     for (int i = 0; i < n; ++i) {
-        mirror.push_back(make_lanes<DoubleLanes>(
+        interface_reflectance.push_back(make_lanes<DoubleLanes>(
             [&](int lane) { return i < rows ? 0.04 + 0.1 * i + 0.01 * lane : 1.0; }));
     }
     const Matrices before = test::from_lanes(r, n, n);
-    reflect_under_interface(r.data(), mirror.data(), u.data(), n, rows, work);
+    reflect_under_interface(r.data(), interface_reflectance.data(), u.data(), n, rows, work);
     const Matrices found = test::from_lanes(u, rows, rows);
     for (int lane = 0; lane < kLanes; ++lane) {
         VectorXd f(n);
-        for (int i = 0; i < n; ++i) f(i) = mirror[i][lane];
+        for (int i = 0; i < n; ++i) f(i) = interface_reflectance[i][lane];
         const MatrixXd one = MatrixXd::Identity(n, n);
         const MatrixXd expected =
             (one - before[lane] * f.asDiagonal().toDenseMatrix()).inverse() * before[lane];

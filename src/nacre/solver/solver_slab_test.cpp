@@ -107,8 +107,8 @@ TEST(SolverSlab, HalfSpaceUnderAnInterface) {
 
 TEST(SolverSlab, IndexMatchedFlakesMatchTheTables) {
     // The design notes, two independent methods; R = 0.3 + 0.7 (1 - c)^5 has T = 1 - R.
-    const SolvedPaint mirror = solve(flake_paint(0.1, 1, 0, 2, 1.0), kOneWavelength);
-    EXPECT_NEAR(albedo(mirror, std::acos(0.8)), 0.66557, 1e-5);
+    const SolvedPaint opaque = solve(flake_paint(0.1, 1, 0, 2, 1.0), kOneWavelength);
+    EXPECT_NEAR(albedo(opaque, std::acos(0.8)), 0.66557, 1e-5);
 
     const paint::Recipe grey = flake_paint(0.1, 0.6, 0, 2, 1.0);
     EXPECT_NEAR(albedo(solve(grey, kOneWavelength), std::acos(0.8)), 0.32101, 1e-5);
