@@ -47,15 +47,15 @@ struct BsdfValue {
     float pdf = 0;   ///< as pdf() gives it
 };
 
-/// What a surface has found out about a patch, so that it need not be found again for the next pair
-/// of directions. Owned by whoever asks, one a thread.
+/// A cache of what a surface has computed for a patch, so that it need not be computed again for
+/// the next pair of directions. Owned by whoever asks, one a thread.
 class PatchMemory {
  public:
     /// @param bytes  BoundBsdf::patch_memory_bytes() of the surfaces that it will serve
     explicit PatchMemory(std::size_t bytes = 0)
         : blocks_((bytes + sizeof(Block) - 1) / sizeof(Block)) {}
 
-    /// To be called before another patch or another surface is looked at.
+    /// To be called before another patch or another surface is evaluated.
     void forget() { filled = false; }
 
     std::byte* data() { return blocks_.empty() ? nullptr : blocks_[0].bytes; }
@@ -78,7 +78,7 @@ struct Patch {
     Vec2f edge_1, edge_2;
     /// The same in the millimetres of object space.
     sparkle::ObjectSpaceFootprint rest{};
-    /// Null: what is found out is forgotten after each call.
+    /// Null: nothing is kept after a call.
     PatchMemory* memory = nullptr;
 };
 
@@ -104,7 +104,7 @@ class BoundBsdf {
     virtual float pdf(Vec3f wi, Vec3f wo) const = 0;
     /// Both at once, for light sampling with multiple importance: they share most of the work.
     virtual BsdfValue evaluate(Vec3f wi, Vec3f wo) const { return {eval(wi, wo), pdf(wi, wo)}; }
-    /// The same on one patch of the surface. A surface that is alike everywhere has only the above;
+    /// The same on one patch of the surface. A surface that does not vary has only the above;
     /// one that shows single flakes has their mean above, and here those of the patch.
     virtual BsdfValue evaluate_on(const Patch&, Vec3f wi, Vec3f wo) const {
         return evaluate(wi, wo);

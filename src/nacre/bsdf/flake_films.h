@@ -48,7 +48,7 @@ class FlakeFilms {
     static constexpr double kOneFilmError = 0.01, kManyFilmsError = 0.06;
     static constexpr int kCosineIntervals = 64;
 
-    /// Whether any film varies: otherwise all flakes are alike and there is nothing to tabulate.
+    /// Whether any film varies: otherwise all flakes are equal and there is nothing to tabulate.
     static bool vary(const optics::Platelet& platelet);
 
     /// @param least_cosine  of w_i . h that will be asked for, in [0, 1)

@@ -21,7 +21,7 @@ namespace nacre::fit {
 
 /// Under which lights, and at which angles how much, colours are to agree.
 struct TargetOptions {
-    /// Colours under all of them count alike. Empty: the standard's own.
+    /// Colours under all of them count equally. Empty: the standard's own.
     std::vector<spectra::Illuminant> illuminants;
     /// By the geometry's name, >= 0; those not named weigh 1.
     std::map<std::string, double> weights;
@@ -50,13 +50,13 @@ class Target {
     measure::Measurement read(const solver::SolvedPaint& paint, Detail detail) const;
     /// For each illuminant and geometry the three components of the CIEDE2000 difference
     /// (spectra::delta_e_2000_vector), times the square root of the geometry's weight over the mean
-    /// weight (of those that weigh anything) and of one over the number of illuminants: the sum of
+    /// weight (of those above 0) and of one over the number of illuminants: the sum of
     /// squares over the number of geometries is the weighted mean square of Delta E 2000.
     std::vector<double> residuals(const solver::SolvedPaint& paint, Detail detail) const;
     /// Root of the weighted mean square of Delta E 2000.
     double rms_delta_e(const std::vector<double>& residuals) const;
 
-    /// Those that weigh anything.
+    /// How many have a weight above 0.
     std::size_t geometry_count() const { return geometry_count_; }
 
  private:

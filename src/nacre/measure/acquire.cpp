@@ -74,7 +74,8 @@ double ring_area(double a, double b) {
     return 2 * (along * edge + across * std::sin(edge));
 }
 
-/// Facets that are alike at every azimuth, by polar angle at the nodes of an ndf table.
+/// Facets whose distribution does not depend on azimuth, by polar angle at the nodes of an ndf
+/// table.
 struct Facets {
     std::vector<double> density, area;  ///< D and sigma; the area of all from above is 1
 };

@@ -47,10 +47,10 @@ struct MerlSettings {
     int azimuths = bsdf::MerlTable::kAzimuths;
 };
 
-/// Measures a reciprocal isotropic surface that is alike on both sides of the plane of incidence,
+/// Measures a reciprocal isotropic surface that is symmetric about the plane of incidence,
 /// as every one of Nacre's is, in the middle of every cell; cells with a direction below the
 /// horizon are marked as not measured, with -1. RGB is that of spectra::rec709_weights(), with
-/// components outside the gamut cut off at zero, as a negative value would mean another thing.
+/// components outside the gamut cut off at zero, as negative values mark cells.
 ///                                                                        [matusik-2003]
 /// @param wavelengths_nm  those of `brdf`, increasing
 /// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
@@ -69,12 +69,12 @@ struct RglSettings {
     bool rgb = false;          ///< linear Rec. 709 instead of a spectrum
 };
 
-/// Measures an isotropic surface that is alike on both sides of the plane of incidence, as every
+/// Measures an isotropic surface that is symmetric about the plane of incidence, as every
 /// one of Nacre's is.
 ///
 /// The distribution of facets D follows from retroreflection, f(m, m) cos(theta_m) =
 /// D(m) / (4 sigma(m)) to a factor, with sigma the projected area of D: an eigenvector, found by
-/// power iteration [dupuy-jakob-2018, section 5.1]. A fiftieth of it is made even, so that no
+/// power iteration [dupuy-jakob-2018, section 5.1]. A fiftieth of it is made uniform, so that no
 /// direction is left without facets. It steers where the table is fine; the values make up for
 /// whatever it lacks, and at its nodes the table is exact to single precision.
 ///

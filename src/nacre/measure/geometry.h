@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-// Where the lamp stands and where the eye looks from: the geometries of multi-angle
-// spectrophotometers. The lamp's azimuth is 0; phi = 180 deg is the mirror side.
+// Directions of lamp and detector: the geometries of multi-angle spectrophotometers. The lamp's
+// azimuth is 0; phi = 180 deg is the mirror side.
 
 namespace nacre::measure {
 

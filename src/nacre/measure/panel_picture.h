@@ -21,7 +21,7 @@ struct PanelPicture {
     double luminance(std::size_t pixel) const { return xyz[3 * pixel + 1]; }
 };
 
-/// Y averaged over the pixels; exactly Y if all are alike.
+/// Y averaged over the pixels; exactly Y if all are equal.
 double mean_luminance(const PanelPicture& picture);
 
 /// Standard deviation of the pixels' Y over its mean, from two pictures of the same panel with

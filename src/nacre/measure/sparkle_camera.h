@@ -16,7 +16,7 @@ struct SparkleCamera {
     double field_mm = 12;
     /// Lamps, from the normal, in one plane; [0, 85] each. May be empty.
     std::vector<double> lamps_deg = {15, 45, 75};
-    /// Lamps are evenly bright discs of this radius, [0, 3]. 0 is a point. The sun has 0.27.
+    /// Lamps are discs of uniform radiance of this radius, [0, 3]. 0 is a point. The sun has 0.27.
     double lamp_half_angle_deg = 0.25;
     /// Directions a pixel, two a patch at least, for the picture in diffuse light; even, [2,
     /// 65536], or 0: no such picture.
@@ -34,10 +34,10 @@ int pixels_across(const SparkleCamera& camera);
 
 struct PanelPictures {
     std::vector<PanelPicture> by_lamp;  ///< in the camera's order
-    /// Under a hemisphere of even radiance: the same flakes twice, looked at along independent
+    /// Under a hemisphere of uniform radiance: the same flakes twice, sampled along independent
     /// directions, so that what both show is not noise. Empty without diffuse_samples.
     std::vector<PanelPicture> diffuse;
-    /// False if flakes lie in such heaps that the model lets some stand for others even on the
+    /// False if flakes lie so densely that the model lets some stand for others even on the
     /// smallest patches: graininess is then too large.
     bool flakes_resolved = true;
 };
@@ -45,13 +45,13 @@ struct PanelPictures {
 /// Takes the pictures of a panel. The specular reflection of the light in a smooth interface stays
 /// out.
 ///
-/// Pixels are made of patches that are small enough for the model to tell every flake apart
+/// Pixels are made of patches that are small enough for the model to resolve every flake
 /// (bsdf::SingleFlakes). A pixel under a lamp is pi times the BRDF of its patch, averaged over the
 /// lamp's disc with the cosine of incidence, at 16 wavelengths from 400 to 700 nm by 20; under
 /// diffuse light, the integral of BRDF times cosine by sampling the patch along stratified
 /// directions, shifted at random from pixel to pixel [cranley-patterson-1976]. Illuminant D65.
 ///
-/// The same bits for any number of threads. A surface that is alike everywhere is looked at once.
+/// The same bits for any number of threads. Of a surface that does not vary one pixel is computed.
 /// @throws DomainError as check(), or if the field is larger than the unit square of a surface that
 ///         is laid out over it
 /// @throws Error if `progress` asks to stop

@@ -9,10 +9,10 @@
 #include "nacre/spectra/observer.h"
 
 // The colour of a thin film in closed form: its reflectance is a sum of cosines in the wave number,
-// so its integral against the eye's sensitivities is a sum of values of their Fourier transform.
-// Colours are linear Rec. 709 under D65 for the 2 degree observer, relative to the white of that
-// light: a perfect mirror is (1, 1, 1). Nothing is clamped: interference colours may lie outside
-// the gamut and have negative components.
+// so its integral against the observer's sensitivities is a sum of values of their Fourier
+// transform. Colours are linear Rec. 709 under D65 for the 2 degree observer, relative to the white
+// of that light: a perfect mirror is (1, 1, 1). Nothing is clamped: interference colours may lie
+// outside the gamut and have negative components.
 
 namespace nacre::optics {
 
@@ -28,7 +28,7 @@ enum class ObserverTransform {
 /// energy; here X, Y and Z are scaled so that its white becomes that of D65. `table` interpolates
 /// the transform of the sums at 1 nm over 360-780 nm, to kTransformError; beyond a path of
 /// kTransformReach_nm it is 0. There it has fallen below kTransformTail; what is left is an echo of
-/// the 5 nm between the samples of the CIE's tables more than a property of the eye.
+/// the 5 nm between the samples of the CIE's tables more than a property of the observer.
 /// @param optical_path_nm  OPD >= 0
 std::array<std::complex<double>, 3> observer_transform(ObserverTransform transform,
                                                        double optical_path_nm);

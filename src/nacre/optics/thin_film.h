@@ -47,7 +47,7 @@ ReflectanceTransmittance stack_reflectance(ComplexIndex ambient, std::span<const
 /// The law of a film's thickness over a population of flakes.
 struct ThicknessSpread {
     enum class Law { normal, uniform };
-    double standard_deviation_nm = 0;  ///< 0: all flakes alike
+    double standard_deviation_nm = 0;  ///< 0: all flakes equal
     Law law = Law::normal;             ///< normal: cut at three deviations and at zero
 
     friend bool operator==(const ThicknessSpread&, const ThicknessSpread&) = default;
@@ -61,7 +61,7 @@ struct FilmPopulation {
     friend bool operator==(const FilmPopulation&, const FilmPopulation&) = default;
 };
 
-/// A platelet of core and coats: coats from the core outwards, alike on both sides; each film
+/// A platelet of core and coats: coats from the core outwards, the same on both sides; each film
 /// varies on its own, both sides of a coat together.
 struct Platelet {
     FilmPopulation core;

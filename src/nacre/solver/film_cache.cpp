@@ -18,7 +18,7 @@ std::shared_ptr<const paint::FlakeTable> FilmCache::table(
             return found->table;
         }
     }
-    // Unlocked meanwhile: two threads may compute the same table, which is alike.
+    // Unlocked meanwhile: two threads may compute the same table, with the same bits.
     auto table = std::make_shared<const paint::FlakeTable>(
         paint::FlakeTable::of_platelet(platelet, binder, wavelengths_nm, most_cosines_));
     const std::lock_guard lock(mutex_);

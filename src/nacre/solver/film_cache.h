@@ -11,8 +11,8 @@
 
 namespace nacre::solver {
 
-/// Remembers the films of flakes, a fifth to five sixths of the work of a solve, for those who
-/// solve a recipe again and again with other amounts, layers or orientations. May be used from
+/// Remembers the films of flakes, a fifth to five sixths of the work of a solve, for callers
+/// that solve a recipe many times with other amounts, layers or orientations. May be used from
 /// several threads at once; forgets what was not used for longest.
 class FilmCache {
  public:

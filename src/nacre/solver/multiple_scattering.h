@@ -32,8 +32,8 @@ struct MultipleScattering {
 
     /// Whether an order has anything under theta_e. It is zero at every node before first[order],
     /// hence also nearer to the normal than the last of them: between such nodes, and beyond the
-    /// first one of all, the polynomial through all nodes would ring instead, alike in hundreds of
-    /// orders. At that last node it vanishes, so nothing jumps.
+    /// first one of all, the polynomial through all nodes would ring instead, in phase in hundreds
+    /// of orders. At that last node it vanishes, so nothing jumps.
     bool takes_part(int order, double theta_e) const {
         return first[order] == 0 || theta_e > exit_angle[first[order] - 1];
     }
