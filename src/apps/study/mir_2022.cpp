@@ -231,11 +231,11 @@ constexpr Film kFilms[] = {
     {"2.5 (titania) on 1.58 (mica), in resin", 1.5, 2.5, 1.58, 0},
     {"1.45 (silica) on 1.0 + 6.7i (aluminium), in resin", 1.5, 1.45, 1.0, 6.7}};
 
-struct Way {
+struct Variant {
     const char* name;
     optics::Antialiasing how;
 };
-const Way kWays[] = {
+const Variant kVariants[] = {
     {"table, every order", {optics::ObserverTransform::table, optics::kEveryOrder}},
     {"table, 3 orders", {optics::ObserverTransform::table, 3}},
     {"paper (Gaussians), 3 orders", {optics::ObserverTransform::paper, 3}},
@@ -253,12 +253,12 @@ void add_plot(MirContext& context, const Film& film) {
                       .caption = "At 30° on the film.",
                       .x = {.label = "film thickness, nm"},
                       .y = {.label = "CIEDE2000", .logarithmic = true, .lo = 1e-4}};
-    for (const Way& way : kWays) {
-        report::Series series{.name = way.name};
+    for (const Variant& variant : kVariants) {
+        report::Series series{.name = variant.name};
         for (double thickness : steps(10, 1000, 10)) {
             series.x.push_back(thickness);
             series.y.push_back(optics::compare_antialiasing(airy, std::cos(std::numbers::pi / 6),
-                                                            thickness, way.how)
+                                                            thickness, variant.how)
                                    .delta_e);
         }
         plot.series.push_back(series);
@@ -285,16 +285,16 @@ void add_antialiasing(MirContext& context) {
     }
     for (const Film& film : kFilms) {
         const optics::AiryFilm airy(film.outside, film.film, film.base, film.extinction);
-        for (const Way& way : kWays) {
+        for (const Variant& variant : kVariants) {
             const optics::AntialiasingError e =
-                optics::antialiasing_error(airy, cosines, thicknesses, way.how);
-            table.rows.push_back({{&way == kWays ? film.name : ""},
-                                  {way.name},
+                optics::antialiasing_error(airy, cosines, thicknesses, variant.how);
+            table.rows.push_back({{&variant == kVariants ? film.name : ""},
+                                  {variant.name},
                                   report::number_cell(number(e.mean_delta_e)),
                                   report::number_cell(number(e.max_delta_e)),
                                   report::number_cell(number(e.mean_rgb, 2)),
                                   report::number_cell(number(e.max_rgb, 2))});
-            context.results["antialiasing"][film.name][way.name] = {
+            context.results["antialiasing"][film.name][variant.name] = {
                 {"mean_delta_e", e.mean_delta_e},
                 {"max_delta_e", e.max_delta_e},
                 {"mean_rgb", e.mean_rgb},

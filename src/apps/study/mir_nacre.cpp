@@ -332,7 +332,7 @@ constexpr Case kCases[] = {{"ball-1e8-32", "sphere", "ball, soft boxes", kBallMm
 // facets, and the pictures sparkle alike.
 constexpr double kLikeTheCone_um = 6.6;
 
-constexpr models::Model kModels[] = {models::Model::special_effect, models::Model::nacre};
+constexpr models::Model kSparklingModels[] = {models::Model::special_effect, models::Model::nacre};
 
 PictureJob job_of(const MirContext& context, const Case& c, models::Model model) {
     const bool flakes = model == models::Model::nacre;
@@ -372,8 +372,8 @@ std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
     std::array<Outcome, 2> out;
     std::array<std::vector<double>, 2> samples, seconds_per_sample;
     const auto picture = [&](int m, int count, std::uint64_t seed) {
-        const std::string name{models::info(kModels[m]).name};
-        PictureJob job = job_of(context, c, kModels[m]);
+        const std::string name{models::info(kSparklingModels[m]).name};
+        PictureJob job = job_of(context, c, kSparklingModels[m]);
         job.key = fmt::format("nacre-error-{}-{}-{}-{}", c.key, name, count, seed);
         job.title = fmt::format("error of {} ({}): {} samples", name, c.key, count);
         job.render.samples_per_pixel = count;
@@ -399,7 +399,7 @@ std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
     }
     for (int m : {0, 1}) {
         const double each = median(seconds_per_sample[m]);
-        const int size = job_of(context, c, kModels[m]).render.width;
+        const int size = job_of(context, c, kSparklingModels[m]).render.width;
         out[m].us_per_sample = 1e6 * each / size / size;
         for (double count : samples[m]) out[m].relative.seconds.push_back(count * each);
         out[m].absolute.seconds = out[m].relative.seconds;
@@ -451,7 +451,7 @@ void add_equal_time_errors(MirContext& context) {
                           .y = {.label = "error", .logarithmic = true}};
         nlohmann::json& results = context.results["nacre"]["equal_time"][c.key];
         for (int m : {0, 1}) {
-            const std::string name{models::info(kModels[m]).name};
+            const std::string name{models::info(kSparklingModels[m]).name};
             plot.series.push_back({.name = name + ", relative",
                                    .x = out[m].relative.seconds,
                                    .y = out[m].relative.error,

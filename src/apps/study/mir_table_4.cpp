@@ -23,8 +23,8 @@ struct Pearl {
 };
 constexpr Pearl kPearls[] = {{"tio2-80", "80 nm of TiO₂", "paints/tio2-mica-80.toml"},
                              {"tio2-110", "110 nm of TiO₂", "paints/tio2-mica-110.toml"}};
-constexpr models::Model kModels[] = {models::Model::microflake, models::Model::thin_film,
-                                     models::Model::special_effect, models::Model::nacre};
+constexpr models::Model kColourModels[] = {models::Model::microflake, models::Model::thin_film,
+                                           models::Model::special_effect, models::Model::nacre};
 
 void add_pictures(MirContext& context) {
     report::Table table{.caption = "The models on two pearls",
@@ -32,12 +32,12 @@ void add_pictures(MirContext& context) {
                                     "peak memory", "published time"}};
     std::vector<report::Picture> pictures;
     for (const Pearl& pearl : kPearls) {
-        for (models::Model model : kModels) {
+        for (models::Model model : kColourModels) {
             const std::string name{models::info(model).name};
             const Picture picture = context.gallery.make(
                 context.job(fmt::format("table-4-{}-{}", pearl.key, name),
                             fmt::format("{}: {}", pearl.name, name), pearl.file, model));
-            table.rows.push_back({{model == kModels[0] ? pearl.name : ""},
+            table.rows.push_back({{model == kColourModels[0] ? pearl.name : ""},
                                   {"`" + name + "`"},
                                   report::number_cell(duration(picture.prepare_s)),
                                   report::number_cell(duration(picture.render_s)),

@@ -12,11 +12,11 @@ namespace nacre::bsdf {
 namespace {
 
 /// Position between increasing nodes: the lower one and the fraction of the way to the next.
-struct WavelengthPosition {
+struct NodePosition {
     int lower;
     float fraction;
 };
-WavelengthPosition locate(const std::vector<float>& nodes, float x) {
+NodePosition locate(const std::vector<float>& nodes, float x) {
     if (!(x > nodes.front())) return {0, 0.0f};
     if (x >= nodes.back()) return {static_cast<int>(nodes.size()) - 1, 0.0f};
     const int lower =
@@ -53,7 +53,7 @@ SliceGrid::SliceGrid(std::vector<float> first, std::vector<float> second)
 }
 
 SliceMix SliceGrid::locate(float first, float second) const {
-    const WavelengthPosition a = bsdf::locate(first_, first), b = bsdf::locate(second_, second);
+    const NodePosition a = bsdf::locate(first_, first), b = bsdf::locate(second_, second);
     SliceMix mix;
     const int width = static_cast<int>(second_.size());
     const auto add = [&](int i, int j, float weight) {

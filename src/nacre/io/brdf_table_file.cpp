@@ -16,7 +16,8 @@ using bsdf::BrdfTableSettings;
 using bsdf::CompressedBrdfTable;
 using bsdf::RawBrdfTable;
 
-constexpr SealedFormat kFormat = {"nacre BRDF table", kBrdfTableFormatVersion, "BRDF table"};
+constexpr SealedFormat kBrdfTableFormat = {"nacre BRDF table", kBrdfTableFormatVersion,
+                                           "BRDF table"};
 
 // ---------------------------------------------------------------------------------- writing
 
@@ -99,10 +100,10 @@ BrdfTable read_contents(hid_t file) {
 
 }  // namespace
 
-bool looks_like_brdf_table(std::string_view bytes) { return is_sealed_as(kFormat, bytes); }
+bool looks_like_brdf_table(std::string_view bytes) { return is_sealed_as(kBrdfTableFormat, bytes); }
 
 std::string brdf_table_bytes(const RawBrdfTable& table) {
-    return sealed_bytes(kFormat, [&](hid_t file) {
+    return sealed_bytes(kBrdfTableFormat, [&](hid_t file) {
         write_head(file, table.paint, table.grid, "raw");
         const hsize_t n = table.grid.angles, m = table.grid.azimuths;
         write_array(file, "values", {n, n, m, 3}, table.values.data(), "1/sr",
@@ -111,7 +112,7 @@ std::string brdf_table_bytes(const RawBrdfTable& table) {
 }
 
 std::string brdf_table_bytes(const CompressedBrdfTable& table) {
-    return sealed_bytes(kFormat, [&](hid_t file) {
+    return sealed_bytes(kBrdfTableFormat, [&](hid_t file) {
         write_head(file, table.paint, table.grid, "svd");
         const hsize_t n = table.grid.angles, m = table.grid.azimuths, terms = table.terms();
         write_array(file, "rank", {3}, table.rank.data(), "1",
@@ -133,7 +134,7 @@ void write_brdf_table(const std::filesystem::path& path, const CompressedBrdfTab
 
 BrdfTable parse_brdf_table(std::string_view bytes, const std::string& name) {
     BrdfTable table;
-    read_sealed(kFormat, bytes, name, [&](hid_t file) { table = read_contents(file); });
+    read_sealed(kBrdfTableFormat, bytes, name, [&](hid_t file) { table = read_contents(file); });
     return table;
 }
 

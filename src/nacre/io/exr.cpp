@@ -32,7 +32,7 @@ void check_exr_headers(std::string_view bytes, const std::string& name, std::siz
 
 namespace {
 
-constexpr std::string_view kMagic = "\x76\x2f\x31\x01";
+constexpr std::string_view kExrMagic = "\x76\x2f\x31\x01";
 
 /// OpenEXR reads from bytes in memory: the file has been read, and bounded, before.
 class MemoryStream : public Imf::IStream {
@@ -96,7 +96,7 @@ Image read_pixels(Imf::InputFile& file, const std::string& name, std::size_t mos
 
 }  // namespace
 
-bool looks_like_exr(std::string_view bytes) { return bytes.starts_with(kMagic); }
+bool looks_like_exr(std::string_view bytes) { return bytes.starts_with(kExrMagic); }
 
 Image parse_exr(std::string_view bytes, const std::string& name, std::size_t most_values) {
     try {

@@ -15,7 +15,7 @@ namespace nacre::io {
 
 namespace {
 
-constexpr std::string_view kMagic("tensor_file\0", 12);
+constexpr std::string_view kTensorFileMagic("tensor_file\0", 12);
 constexpr std::uint8_t kMajor = 1, kMinor = 0;
 constexpr std::size_t kAlignment = 8;
 
@@ -45,7 +45,7 @@ class Parser {
 
     std::vector<TensorField> fields() {
         if (!looks_like_tensor_file(bytes_)) refuse("", "is not a tensor file (.bsdf)");
-        reader_.take_bytes(kMagic.size());
+        reader_.take_bytes(kTensorFileMagic.size());
         const auto major = number<std::uint8_t>(""), minor = number<std::uint8_t>("");
         if (major != kMajor || minor != kMinor) {
             refuse("", fmt::format("has version {}.{} of the format: must be {}.{}", major, minor,
@@ -129,7 +129,7 @@ class Parser {
 std::size_t bytes_of(TensorType type) { return info(type).bytes; }
 std::string_view name_of(TensorType type) { return info(type).name; }
 
-bool looks_like_tensor_file(std::string_view bytes) { return bytes.starts_with(kMagic); }
+bool looks_like_tensor_file(std::string_view bytes) { return bytes.starts_with(kTensorFileMagic); }
 
 std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::string& name) {
     return Parser(bytes, name).fields();
@@ -137,7 +137,7 @@ std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::st
 
 std::string tensor_file_bytes(const std::vector<TensorField>& fields) {
     require_in_range(static_cast<double>(fields.size()), 0, kMaxTensorFields, "number of fields");
-    std::size_t position = kMagic.size() + 2 + sizeof(std::uint32_t);
+    std::size_t position = kTensorFileMagic.size() + 2 + sizeof(std::uint32_t);
     for (const TensorField& field : fields) {
         std::uint64_t size = bytes_of(field.type);
         for (const std::uint64_t n : field.shape) size *= n;
@@ -149,7 +149,7 @@ std::string tensor_file_bytes(const std::vector<TensorField>& fields) {
         }
         position += 2 + field.name.size() + 2 + 1 + 8 + 8 * field.shape.size();
     }
-    std::string head(kMagic), body;
+    std::string head(kTensorFileMagic), body;
     append_number(head, kMajor);
     append_number(head, kMinor);
     append_number(head, static_cast<std::uint32_t>(fields.size()));

@@ -159,7 +159,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "nacre-measurement";
+constexpr const char* kMeasurementFormat = "nacre-measurement";
 
 /// An object and where it stands, for messages.
 class Member {
@@ -290,8 +290,8 @@ measure::Measurement parse_measurement_json(std::string_view text, const std::st
         throw InputError(fmt::format("{}: {}", filename, error.what()));
     }
     const Member file(document, filename, "");
-    if (file.text_or("format", "") != kFormat) {
-        file.fail("format", fmt::format("must be \"{}\"", kFormat));
+    if (file.text_or("format", "") != kMeasurementFormat) {
+        file.fail("format", fmt::format("must be \"{}\"", kMeasurementFormat));
     }
     const json& version = file.require("format_version");
     if (!version.is_number_integer() || version != kMeasurementFormatVersion) {
@@ -332,7 +332,7 @@ json measurement_json(const measure::Measurement& measurement) {
         readings.push_back(std::move(entry));
     }
     json document = {
-        {"format", kFormat},
+        {"format", kMeasurementFormat},
         {"format_version", kMeasurementFormatVersion},
         {"nacre_version", version()},
         {"sample", measurement.name},

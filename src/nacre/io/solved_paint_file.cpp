@@ -16,7 +16,8 @@ namespace nacre::io {
 
 namespace {
 
-constexpr SealedFormat kFormat = {"nacre solved paint", kSolvedPaintFormatVersion, "solved paint"};
+constexpr SealedFormat kSolvedPaintFormat = {"nacre solved paint", kSolvedPaintFormatVersion,
+                                             "solved paint"};
 constexpr std::size_t kMaxWavelengths = 10'000;
 constexpr std::size_t kMaxCoefficients = std::size_t{1} << 26;
 constexpr std::size_t kMaxAzimuthalOrders = 65'536;
@@ -171,10 +172,12 @@ solver::SolvedPaint read_contents(hid_t file, const std::string& name) {
 
 }  // namespace
 
-bool looks_like_solved_paint(std::string_view bytes) { return is_sealed_as(kFormat, bytes); }
+bool looks_like_solved_paint(std::string_view bytes) {
+    return is_sealed_as(kSolvedPaintFormat, bytes);
+}
 
 std::string solved_paint_bytes(const solver::SolvedPaint& paint) {
-    return sealed_bytes(kFormat, [&](hid_t file) {
+    return sealed_bytes(kSolvedPaintFormat, [&](hid_t file) {
         write_attribute(file, "recipe_sha256", recipe_hash(paint.recipe));
         write_text(file, "recipe", kept_recipe(paint.recipe), "the paint's recipe, TOML");
         write_array(file, "wavelengths_nm", {paint.wavelengths_nm().size()},
@@ -192,7 +195,8 @@ void write_solved_paint(const std::filesystem::path& path, const solver::SolvedP
 
 solver::SolvedPaint parse_solved_paint(std::string_view bytes, const std::string& name) {
     solver::SolvedPaint paint;
-    read_sealed(kFormat, bytes, name, [&](hid_t file) { paint = read_contents(file, name); });
+    read_sealed(kSolvedPaintFormat, bytes, name,
+                [&](hid_t file) { paint = read_contents(file, name); });
     return paint;
 }
 

@@ -225,7 +225,7 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
 
 namespace {
 
-constexpr int kIncidences = 6, kSamples = 1024;
+constexpr int kIncidences = 6, kSamplesPerIncidence = 1024;
 
 /// Positions of eight of the wavelengths, spread evenly.
 std::array<std::size_t, kLanes> choose(std::size_t count) {
@@ -257,7 +257,7 @@ TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
                           static_cast<float>(std::cos(theta_i))};
         Rng rng(hash_of(k));
         FloatLanes flux{}, wrong{}, peak{}, largest{};
-        for (int n = 0; n < kSamples; ++n) {
+        for (int n = 0; n < kSamplesPerIncidence; ++n) {
             const auto s =
                 bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
             if (!s || s->wo.z < 1e-4f) continue;

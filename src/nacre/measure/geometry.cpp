@@ -45,7 +45,7 @@ double angle_deg(const Direction& a, const Direction& b) {
 }
 
 /// An angle in [0, 360).
-double wrapped(double degrees) {
+double wrapped_deg(double degrees) {
     const double rest = std::fmod(degrees, 360);
     // A tiny negative angle would round to 360.
     return rest < 0 ? std::fmod(rest + 360, 360) : rest;
@@ -95,14 +95,14 @@ Geometry off_plane(double theta_i_deg, double aspecular_deg, double azimuth_deg)
     }
     return {fmt::format("{}as{}az{}", theta_i_deg, aspecular_deg, azimuth_deg), theta_i_deg,
             aspecular_deg, std::atan2(std::hypot(x, aside), z) / kDegree,
-            wrapped(std::atan2(aside, x) / kDegree)};
+            wrapped_deg(std::atan2(aside, x) / kDegree)};
 }
 
 Geometry towards(double theta_i_deg, double theta_o_deg, double phi_deg) {
     require(theta_i_deg, kPolar, "lamp in deg");
     require(theta_o_deg, kPolar, "theta of the view in deg");
     require(phi_deg, {-360, 360, "deg"}, "phi of the view");
-    const double phi = wrapped(phi_deg);
+    const double phi = wrapped_deg(phi_deg);
     if (phi == 180 || theta_o_deg == 0) return in_plane(theta_i_deg, theta_i_deg - theta_o_deg);
     if (phi == 0) return in_plane(theta_i_deg, theta_i_deg + theta_o_deg);
     return {fmt::format("{}to{},{}", theta_i_deg, theta_o_deg, phi), theta_i_deg,

@@ -11,13 +11,13 @@ namespace nacre::measure {
 namespace {
 
 // Deviations from the mean, relative to it.
-struct Sums {
+struct DeviationSums {
     double pixels = 0, a = 0, b = 0, ab = 0;
 
-    friend Sums operator+(const Sums& x, const Sums& y) {
+    friend DeviationSums operator+(const DeviationSums& x, const DeviationSums& y) {
         return {x.pixels + y.pixels, x.a + y.a, x.b + y.b, x.ab + y.ab};
     }
-    friend Sums operator-(const Sums& x, const Sums& y) {
+    friend DeviationSums operator-(const DeviationSums& x, const DeviationSums& y) {
         return {x.pixels - y.pixels, x.a - y.a, x.b - y.b, x.ab - y.ab};
     }
 };
@@ -43,16 +43,16 @@ Estimate pixel_contrast(const PanelPicture& a, const PanelPicture& b) {
     }
     const double mean_a = mean_luminance(a), mean_b = mean_luminance(b);
     if (!(mean_a > 0 && mean_b > 0)) return {};
-    std::array<Sums, kPicturePieces> pieces{};
+    std::array<DeviationSums, kPicturePieces> pieces{};
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             const std::size_t p = static_cast<std::size_t>(y) * a.width + x;
             const double da = a.luminance(p) / mean_a - 1, db = b.luminance(p) / mean_b - 1;
-            Sums& sums = pieces[piece_of(x, y, a.width, a.height)];
-            sums = sums + Sums{1, da, db, da * db};
+            DeviationSums& sums = pieces[piece_of(x, y, a.width, a.height)];
+            sums = sums + DeviationSums{1, da, db, da * db};
         }
     }
-    return jackknife(pieces, [](const Sums& s) {
+    return jackknife(pieces, [](const DeviationSums& s) {
         // Deviations are from the mean of all pixels: where pieces are left out, theirs differs.
         const double a = s.a / s.pixels, b = s.b / s.pixels;
         return std::sqrt(std::max(0.0, (s.ab / s.pixels - a * b) / ((1 + a) * (1 + b))));

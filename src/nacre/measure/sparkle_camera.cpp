@@ -26,7 +26,7 @@ constexpr double kLampSpacing_deg = 0.1;
 constexpr int kRowsAtOnce = 16;
 
 // Wavelengths are shared out in turn, so that either eight span the visible range.
-constexpr int kOctets = 2, kSamples = kOctets * kLanes;
+constexpr int kOctets = 2, kWavelengths = kOctets * kLanes;
 constexpr double kFirst_nm = 400, kStep_nm = 20;
 constexpr double wavelength_nm(int octet, int lane) {
     return kFirst_nm + kStep_nm * (kOctets * lane + octet);
@@ -39,9 +39,9 @@ struct ColourWeights {
     std::array<Spectrum, 3> of;
 
     ColourWeights() {
-        std::array<double, kSamples> wavelengths, one;
-        for (int i = 0; i < kSamples; ++i) wavelengths[i] = kFirst_nm + kStep_nm * i;
-        for (int i = 0; i < kSamples; ++i) {
+        std::array<double, kWavelengths> wavelengths, one;
+        for (int i = 0; i < kWavelengths; ++i) wavelengths[i] = kFirst_nm + kStep_nm * i;
+        for (int i = 0; i < kWavelengths; ++i) {
             one.fill(0);
             one[i] = 1;
             const auto xyz = spectra::reflectance_to_xyz(wavelengths, one, spectra::Illuminant::D65,
@@ -92,7 +92,9 @@ std::vector<LampDirection> lamp_directions(double angle_deg, double half_angle_d
     return directions;
 }
 
-float wrapped(double u) { return std::min(static_cast<float>(u - std::floor(u)), 0x1.fffffep-1f); }
+float fraction_of(double u) {
+    return std::min(static_cast<float>(u - std::floor(u)), 0x1.fffffep-1f);
+}
 
 // Pixels are looked at patch by patch, each so small that it resolves its flakes. Of patches
 // this much larger than such, the flakes resolved stand for 1.002 each, which nothing here
@@ -207,9 +209,9 @@ class Photographer {
     void add_diffuse(const bsdf::Patch& patch, Rng& rng, Spectrum& sum) const {
         const double shift[3] = {rng.uniform_double(), rng.uniform_double(), rng.uniform_double()};
         for (const auto& point : points_) {
-            const auto sample =
-                bound_[0]->sample_on(patch, kView, wrapped(point[0] + shift[0]),
-                                     {wrapped(point[1] + shift[1]), wrapped(point[2] + shift[2])});
+            const auto sample = bound_[0]->sample_on(
+                patch, kView, fraction_of(point[0] + shift[0]),
+                {fraction_of(point[1] + shift[1]), fraction_of(point[2] + shift[2])});
             if (!sample || sample->kind != bsdf::SampleKind::density) continue;
             sum[0] += sample->weight;
             const float cosine_over_pdf = sample->wo.z / sample->pdf;

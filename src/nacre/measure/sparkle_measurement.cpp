@@ -73,7 +73,7 @@ namespace {
 
 // Beyond so many standard deviations the eye's Gaussian is cut off; it holds all but 6e-5 of it.
 constexpr double kReach = 4;
-constexpr int kMinPixels = 16;
+constexpr int kMinPixelsAcross = 16;
 
 // One side of a kernel that adds up to 1 with the other.
 std::vector<double> half_gaussian(double sigma_pixels) {
@@ -106,13 +106,13 @@ bool is_peak(const RetinalPicture& picture, int x, int y) {
            at[0] >= at[1] && at[0] >= at[w - 1] && at[0] >= at[w] && at[0] >= at[w + 1];
 }
 
-struct Sums {
+struct SpotSums {
     double pixels = 0, above = 0, spots = 0, decades = 0;
 
-    friend Sums operator+(const Sums& a, const Sums& b) {
+    friend SpotSums operator+(const SpotSums& a, const SpotSums& b) {
         return {a.pixels + b.pixels, a.above + b.above, a.spots + b.spots, a.decades + b.decades};
     }
-    friend Sums operator-(const Sums& a, const Sums& b) {
+    friend SpotSums operator-(const SpotSums& a, const SpotSums& b) {
         return {a.pixels - b.pixels, a.above - b.above, a.spots - b.spots, a.decades - b.decades};
     }
 };
@@ -137,13 +137,13 @@ RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewi
     const int margin = static_cast<int>(kernel.size()) - 1;
     seen.width = picture.width - 2 * margin;
     seen.height = picture.height - 2 * margin;
-    if (seen.width < kMinPixels || seen.height < kMinPixels) {
+    if (seen.width < kMinPixelsAcross || seen.height < kMinPixelsAcross) {
         throw DomainError(
             fmt::format("of a picture of {} x {} pixels the eye's blur of {:.3g} pixels leaves {} "
                         "x {}: must be "
                         "at least {} a side; needs a larger field or a smaller distance",
                         picture.width, picture.height, seen.blur_mm / picture.pixel_mm,
-                        std::max(0, seen.width), std::max(0, seen.height), kMinPixels));
+                        std::max(0, seen.width), std::max(0, seen.height), kMinPixelsAcross));
     }
     // About the first pixel, as in mean_luminance(): an even picture stays even to the last bit.
     const double first = picture.luminance(0);
@@ -202,11 +202,11 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
     result.background = background(seen, viewing);
     result.blur_mm = seen.blur_mm;
     result.area_mm2 = (seen.width - 2) * (seen.height - 2) * seen.pixel_mm * seen.pixel_mm;
-    std::array<Sums, kPicturePieces> pieces{};
+    std::array<SpotSums, kPicturePieces> pieces{};
     // Where a maximum can be told from a slope: not along the edge.
     for (int y = 1; y + 1 < seen.height; ++y) {
         for (int x = 1; x + 1 < seen.width; ++x) {
-            Sums& sums = pieces[piece_of(x, y, seen.width, seen.height)];
+            SpotSums& sums = pieces[piece_of(x, y, seen.width, seen.height)];
             const double excess =
                 seen.y[static_cast<std::size_t>(y) * seen.width + x] - result.background.y;
             sums.pixels += 1;
@@ -215,23 +215,23 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
     }
     const std::vector<Spot> spots = visible_spots(seen, result.background);
     for (const Spot& spot : spots) {
-        Sums& sums = pieces[piece_of(spot.x, spot.y, seen.width, seen.height)];
+        SpotSums& sums = pieces[piece_of(spot.x, spot.y, seen.width, seen.height)];
         sums.spots += 1;
         sums.decades += std::log10(spot.visibility);
     }
     const double pixels_per_cm2 = 100 / (seen.pixel_mm * seen.pixel_mm);
     result.density_per_cm2 =
-        jackknife(pieces, [&](const Sums& s) { return s.spots / s.pixels * pixels_per_cm2; });
+        jackknife(pieces, [&](const SpotSums& s) { return s.spots / s.pixels * pixels_per_cm2; });
     result.sparkle_per_cm2 =
-        jackknife(pieces, [&](const Sums& s) { return s.decades / s.pixels * pixels_per_cm2; });
-    result.area_fraction = jackknife(pieces, [](const Sums& s) { return s.above / s.pixels; });
+        jackknife(pieces, [&](const SpotSums& s) { return s.decades / s.pixels * pixels_per_cm2; });
+    result.area_fraction = jackknife(pieces, [](const SpotSums& s) { return s.above / s.pixels; });
     if (spots.empty()) {
         // As if there had been one: that none was met does not say that there are none.
         result.density_per_cm2.standard_error = 100 / result.area_mm2;
     } else {
         // The error of the logarithm, carried over: that of few spots stays sound.
         const Estimate decades =
-            jackknife(pieces, [](const Sums& s) { return s.decades / s.spots; });
+            jackknife(pieces, [](const SpotSums& s) { return s.decades / s.spots; });
         const double mean = std::pow(10, decades.value);
         result.intensity = Estimate{mean, std::numbers::ln10 * mean * decades.standard_error};
         if (result.background.y > 0) {

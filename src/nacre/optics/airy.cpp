@@ -11,7 +11,6 @@ namespace nacre::optics {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kTwoPi = 2 * std::numbers::pi;
 
 double checked(double value, const Range& range, const char* what) {
     if (range.contains(value)) return value;
@@ -98,7 +97,8 @@ std::optional<AiryTerms> AiryFilm::terms(double cosine) const {
 
 AiryMoments AiryFilm::moments(double cosine, ThicknessRange range, double wavelength_nm) const {
     if (const auto series = terms(cosine)) {
-        const double per_nm = kTwoPi * series->optical_path_per_thickness / wavelength_nm;
+        const double per_nm =
+            2 * std::numbers::pi * series->optical_path_per_thickness / wavelength_nm;
         const double centre = per_nm * (range.lo_nm + range.hi_nm) / 2;
         const double half = per_nm * (range.hi_nm - range.lo_nm) / 2;
         const Wave s(series->s, centre, half), p(series->p, centre, half);
@@ -117,7 +117,8 @@ AiryMoments AiryFilm::moments(double cosine, ThicknessRange range, double wavele
     const auto angle = at<double>(cosine);
     const double width = range.hi_nm - range.lo_nm;
     const double q2 = std::sqrt(std::abs(eps_21_ + std::pow(outside_ior_ * cosine, 2)));
-    const double near = std::min(width, 40 * wavelength_nm / (2 * kTwoPi * std::max(q2, 1e-6)));
+    const double near =
+        std::min(width, 40 * wavelength_nm / (4 * std::numbers::pi * std::max(q2, 1e-6)));
     constexpr int kNodes = 48;
     static_assert(kNodes % kLanes == 0);
     const Quadrature& rule = unit_gauss_legendre(kNodes);

@@ -14,8 +14,6 @@
 namespace nacre::render {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
 std::vector<std::shared_ptr<const bsdf::Bsdf>> compile_materials(
     const SceneDescription& description, const PaintTable& paints) {
     std::vector<std::shared_ptr<const bsdf::Bsdf>> compiled;
@@ -158,7 +156,7 @@ void CompiledScene::add_mesh(Surface surface) {
 
 std::optional<Hit> CompiledScene::intersect(const Ray& ray, bool coherent) const {
     RTCRayHit query;
-    query.ray = make_ray(ray, kInfinity);
+    query.ray = make_ray(ray, std::numeric_limits<float>::infinity());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree::intersect(scene_.get(), query, coherent);

@@ -7,24 +7,24 @@
 namespace nacre::sparkle {
 namespace {
 
-struct Point {
+struct Corner {
     double u, v;
 };
 
 // A convex polygon: a parallelogram cut by four lines has at most eight corners.
 struct Polygon {
     static constexpr int kMaxCorners = 8;
-    std::array<Point, kMaxCorners> corners;
+    std::array<Corner, kMaxCorners> corners;
     int count = 0;
 
     // Rounding can make a sliver look as if a line cut it more than twice; its area is nothing.
-    void add(Point p) {
+    void add(Corner p) {
         if (count < kMaxCorners) corners[count++] = p;
     }
     double area() const {
         double twice = 0;
         for (int i = 2; i < count; ++i) {
-            const Point a = corners[0], b = corners[i - 1], c = corners[i];
+            const Corner a = corners[0], b = corners[i - 1], c = corners[i];
             twice += (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
         }
         return 0.5 * std::abs(twice);
@@ -36,7 +36,7 @@ template <class Depth>
 Polygon cut(const Polygon& polygon, Depth&& depth) {
     Polygon out;
     for (int i = 0; i < polygon.count; ++i) {
-        const Point a = polygon.corners[i], b = polygon.corners[(i + 1) % polygon.count];
+        const Corner a = polygon.corners[i], b = polygon.corners[(i + 1) % polygon.count];
         const double in_a = depth(a), in_b = depth(b);
         if (in_a >= 0) out.add(a);
         if ((in_a >= 0) != (in_b >= 0)) {
@@ -48,10 +48,10 @@ Polygon cut(const Polygon& polygon, Depth&& depth) {
 }
 
 Polygon cut_to(const Box& box, Polygon polygon) {
-    polygon = cut(polygon, [&](Point p) { return p.u - box.u_lo; });
-    polygon = cut(polygon, [&](Point p) { return box.u_hi - p.u; });
-    polygon = cut(polygon, [&](Point p) { return p.v - box.v_lo; });
-    return cut(polygon, [&](Point p) { return box.v_hi - p.v; });
+    polygon = cut(polygon, [&](Corner p) { return p.u - box.u_lo; });
+    polygon = cut(polygon, [&](Corner p) { return box.u_hi - p.u; });
+    polygon = cut(polygon, [&](Corner p) { return p.v - box.v_lo; });
+    return cut(polygon, [&](Corner p) { return box.v_hi - p.v; });
 }
 
 Polygon corners_of(double u, double v, Vec2f a, Vec2f b) {
