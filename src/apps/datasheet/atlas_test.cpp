@@ -125,8 +125,8 @@ TEST(RecipeAtlas, HasTheHuesOfTheFlakeAtlas) {
     const Atlas flake = flake_atlas(titania_on_mica(), thickness, geometries, coarse);
     EXPECT_EQ(paint.column, kCoat);
     for (std::size_t i = 0; i < thickness.size(); ++i) {
-        const double apart = std::multiple_scattering(
-            measure::hue_deg(paint.lab[i]) - measure::hue_deg(flake.lab[i]), 360);
+        const double apart =
+            std::remainder(measure::hue_deg(paint.lab[i]) - measure::hue_deg(flake.lab[i]), 360);
         // Light that met several flakes has been through them, in the complementary colour, and the
         // flakes' own transmittance dims those below: some degrees.
         EXPECT_LT(std::abs(apart), 15) << thickness[i];

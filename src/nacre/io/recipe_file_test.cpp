@@ -1,5 +1,6 @@
 #include "nacre/io/recipe_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
