@@ -17,7 +17,7 @@ namespace {
 struct DiffOptions : CommonOptions {
     std::string a, b;
     double heat_full_scale = 10;
-    std::optional<double> least_psnr, most_relative, most_delta_e_mean, most_delta_e_95th;
+    std::optional<double> min_psnr, max_relative, max_delta_e_mean, max_delta_e_95th;
 };
 
 /// The difference picture: signed numbers in an EXR, a heat map of Delta E in a PNG.
@@ -40,12 +40,12 @@ bool is_within_bounds(const DiffOptions& options, const io::ImageDifference& d) 
         fmt::print(stderr, "nacre: {} = {:.6g} is more than {}\n", name, value, *most);
         return false;
     };
-    bool ok = within(d.relative_error, options.most_relative, "relative error");
-    ok &= within(d.delta_e_mean, options.most_delta_e_mean, "mean Delta E 2000");
-    ok &= within(d.delta_e_95th, options.most_delta_e_95th, "95th percentile of Delta E 2000");
-    if (options.least_psnr && d.psnr_db < *options.least_psnr) {
+    bool ok = within(d.relative_error, options.max_relative, "relative error");
+    ok &= within(d.delta_e_mean, options.max_delta_e_mean, "mean Delta E 2000");
+    ok &= within(d.delta_e_95th, options.max_delta_e_95th, "95th percentile of Delta E 2000");
+    if (options.min_psnr && d.psnr_db < *options.min_psnr) {
         fmt::print(stderr, "nacre: PSNR = {:.6g} dB is less than {}\n", d.psnr_db,
-                   *options.least_psnr);
+                   *options.min_psnr);
         ok = false;
     }
     return ok;
@@ -89,11 +89,11 @@ Command add_diff(CLI::App& program) {
                      "Delta E that is white in the heat map")
         ->check(CLI::Range(1e-6, 1e6))
         ->capture_default_str();
-    diff->add_option("--min-psnr", options->least_psnr, "Fail below this PSNR, dB");
-    diff->add_option("--max-relative", options->most_relative, "Fail above this relative error");
-    diff->add_option("--max-delta-e-mean", options->most_delta_e_mean,
+    diff->add_option("--min-psnr", options->min_psnr, "Fail below this PSNR, dB");
+    diff->add_option("--max-relative", options->max_relative, "Fail above this relative error");
+    diff->add_option("--max-delta-e-mean", options->max_delta_e_mean,
                      "Fail above this mean Delta E 2000");
-    diff->add_option("--max-delta-e-95", options->most_delta_e_95th,
+    diff->add_option("--max-delta-e-95", options->max_delta_e_95th,
                      "Fail above this 95th percentile of Delta E 2000");
     add_report(*diff, *options);
     diff->footer(

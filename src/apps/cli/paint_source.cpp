@@ -69,7 +69,7 @@ void warn_if_unresolved(const solver::SolvedPaint& paint, const std::filesystem:
                         "of its peak, not at {:g} (azimuthal_tail and tolerance), so that its "
                         "multiple scattering may ring around the azimuth by a share like that; {}",
                         path.string(), report.orders, report.azimuthal_tail, settings.tolerance,
-                        advice(settings.most_orders != 0, "--orders")));
+                        advice(settings.max_orders != 0, "--orders")));
     }
 }
 

@@ -90,7 +90,7 @@ Command add_solve(CLI::App& program) {
         ->check(CLI::Range(0, solver::SolverSettings::kMaxNodes))
         ->capture_default_str();
     solve
-        ->add_option("--orders", options->settings.most_orders,
+        ->add_option("--orders", options->settings.max_orders,
                      "Azimuthal Fourier orders at most; 0: from the recipe")
         ->check(CLI::Range(0, solver::SolverSettings::kMaxOrders))
         ->capture_default_str();

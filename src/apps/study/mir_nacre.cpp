@@ -357,18 +357,18 @@ PictureJob job_of(const MirContext& context, const Case& c, models::Model model)
 }
 
 /// Of the last point of a curve.
-int most_samples(const MirContext& context) { return context.settings.quick ? 16 : 64; }
+int max_samples(const MirContext& context) { return context.settings.quick ? 16 : 64; }
 
 /// What came out for one model.
 struct Outcome {
     ErrorCurve relative, absolute;
     double us_per_sample = 0;
-    std::string most_png, converged_png;  ///< the picture of most samples, and the converged one
+    std::string max_png, converged_png;  ///< the picture of most samples, and the converged one
 };
 
 /// Both models in turn, by growing sample counts.
 std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
-    const int most = most_samples(context), converged_at = 16 * most;
+    const int most = max_samples(context), converged_at = 16 * most;
     std::array<Outcome, 2> out;
     std::array<std::vector<double>, 2> samples, seconds_per_sample;
     const auto picture = [&](int m, int count, std::uint64_t seed) {
@@ -394,7 +394,7 @@ std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
             out[m].relative.error.push_back(relative_square_error(made.image, converged[m].image));
             out[m].absolute.error.push_back(
                 square_error_over_square_mean(made.image, converged[m].image));
-            out[m].most_png = made.png;
+            out[m].max_png = made.png;
         }
     }
     for (int m : {0, 1}) {
@@ -466,8 +466,8 @@ void add_equal_time_errors(MirContext& context) {
                              {"square_error_over_square_mean", out[m].absolute.error},
                              {"us_per_sample", out[m].us_per_sample}};
             if (&c == kCases) {
-                pictures.push_back({fmt::format("`{}`, {} samples", name, most_samples(context)),
-                                    out[m].most_png});
+                pictures.push_back(
+                    {fmt::format("`{}`, {} samples", name, max_samples(context)), out[m].max_png});
                 pictures.push_back({fmt::format("`{}`, converged", name), out[m].converged_png});
             }
         }

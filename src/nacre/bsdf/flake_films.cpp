@@ -69,14 +69,14 @@ bool FlakeFilms::vary(const optics::Platelet& platelet) {
 }
 
 FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
-                       std::span<const double> wavelengths_nm, double least_cosine)
-    : stride_(wavelengths_nm.size() + 1), least_cosine_(least_cosine) {
-    require_in_range(least_cosine, 0, 1 - 1e-6, "least cosine of the incidence on a flake");
+                       std::span<const double> wavelengths_nm, double min_cosine)
+    : stride_(wavelengths_nm.size() + 1), min_cosine_(min_cosine) {
+    require_in_range(min_cosine, 0, 1 - 1e-6, "least cosine of the incidence on a flake");
     const std::vector<optics::Platelet> set = representative_platelets(platelet);
     sets_ = set.size();
     std::vector<double> cosines(kRow);
     for (int c = 0; c < kRow; ++c) {
-        cosines[c] = std::min(1.0, std::lerp(least_cosine, 1.0, c / (kRow - 1.0)));
+        cosines[c] = std::min(1.0, std::lerp(min_cosine, 1.0, c / (kRow - 1.0)));
     }
     const std::size_t values = kRow * stride_;
     ratio_.resize(sets_ * values);
@@ -102,8 +102,8 @@ FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material&
 BoundFlakeFilms FlakeFilms::bind(const std::array<WavelengthPosition, kLanes>& where) const {
     BoundFlakeFilms out;
     out.sets_ = sets_;
-    out.least_cosine_ = static_cast<float>(least_cosine_);
-    out.per_cosine_ = static_cast<float>(kCosineIntervals / (1 - least_cosine_));
+    out.min_cosine_ = static_cast<float>(min_cosine_);
+    out.per_cosine_ = static_cast<float>(kCosineIntervals / (1 - min_cosine_));
     out.ratio_.resize(sets_ * kRow);
     const FloatLanes fraction = make_lanes([&](int i) { return where[i].fraction; });
     for (std::size_t i = 0; i < out.ratio_.size(); ++i) {

@@ -28,7 +28,7 @@ class BoundFlakeFilms {
  private:
     friend class FlakeFilms;
     std::uint64_t sets_ = 0;
-    float least_cosine_ = 0, per_cosine_ = 0;
+    float min_cosine_ = 0, per_cosine_ = 0;
     std::vector<FloatLanes> ratio_;  // [set][cosine]
 };
 
@@ -51,17 +51,17 @@ class FlakeFilms {
     /// Whether any film varies: otherwise all flakes are equal and there is nothing to tabulate.
     static bool vary(const optics::Platelet& platelet);
 
-    /// @param least_cosine  of w_i . h that will be asked for, in [0, 1)
+    /// @param min_cosine  of w_i . h that will be asked for, in [0, 1)
     /// @throws DomainError as optics::platelet_table()
     FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
-               std::span<const double> wavelengths_nm, double least_cosine);
+               std::span<const double> wavelengths_nm, double min_cosine);
 
     BoundFlakeFilms bind(const std::array<WavelengthPosition, kLanes>& where) const;
 
  private:
     std::size_t sets_;
     std::size_t stride_;  // of a row by wavelength, whose last value stands there twice
-    double least_cosine_;
+    double min_cosine_;
     std::vector<float> ratio_;  // [set][cosine][wavelength]
 };
 
@@ -71,7 +71,7 @@ std::vector<optics::Platelet> representative_platelets(const optics::Platelet& p
 inline FloatLanes BoundFlakeFilms::ratio(float cosine, std::uint32_t film) const {
     constexpr int kRow = FlakeFilms::kCosineIntervals + 1;
     const std::uint64_t set = (film * sets_) >> 32;
-    const float x = std::clamp((cosine - least_cosine_) * per_cosine_, 0.0f,
+    const float x = std::clamp((cosine - min_cosine_) * per_cosine_, 0.0f,
                                static_cast<float>(FlakeFilms::kCosineIntervals));
     const int at = std::min(static_cast<int>(x), FlakeFilms::kCosineIntervals - 1);
     const FloatLanes* p = ratio_.data() + set * kRow + at;

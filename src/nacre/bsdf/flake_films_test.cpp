@@ -25,8 +25,8 @@ optics::Platelet pearl(optics::ThicknessSpread core, optics::ThicknessSpread coa
     return platelet;
 }
 
-BoundFlakeFilms films_of(const optics::Platelet& platelet, double least_cosine = 0.7) {
-    return FlakeFilms(platelet, optics::Material(1.5), kGrid, least_cosine)
+BoundFlakeFilms films_of(const optics::Platelet& platelet, double min_cosine = 0.7) {
+    return FlakeFilms(platelet, optics::Material(1.5), kGrid, min_cosine)
         .bind(locate_wavelengths(kGrid, kEight));
 }
 

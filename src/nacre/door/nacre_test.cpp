@@ -229,7 +229,7 @@ TEST(Solving, WarnsOfWhatItCouldNotResolve) {
     const Paint paint(sharp);
     EXPECT_TRUE(paint.warnings().empty());
     SolveSettings coarse = kThree;
-    coarse.resolution = {.exit_nodes = 12, .inner_nodes = 8, .most_orders = 3};
+    coarse.resolution = {.exit_nodes = 12, .inner_nodes = 8, .max_orders = 3};
     paint.solved(coarse);
     const std::vector<SolverWarning> warnings = paint.warnings();
     ASSERT_EQ(warnings.size(), 2u);

@@ -92,7 +92,7 @@ std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
     }
     if (report.azimuthal_tail > kTailOverTolerance * settings.tolerance) {
         warnings.push_back(
-            {SolverWarning::What::azimuthal_series, settings.most_orders != 0,
+            {SolverWarning::What::azimuthal_series, settings.max_orders != 0,
              fmt::format("{}: the azimuthal series ends after {} orders at {:.2g} of its peak, "
                          "not at {:g} (azimuthal_tail and tolerance), so that its multiple "
                          "scattering may ring around the azimuth by a share like that",

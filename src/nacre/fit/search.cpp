@@ -75,7 +75,7 @@ class AfterStep : public ceres::IterationCallback {
     const std::function<void()>& tell_;
 };
 
-std::string reason(const ceres::Solver::Summary& summary, int most_steps) {
+std::string reason(const ceres::Solver::Summary& summary, int max_steps) {
     // Ceres explains itself with numbers and file names; what it means is one of these.
     const auto says = [&](const char* words) {
         return summary.message.find(words) != std::string::npos;
@@ -86,7 +86,7 @@ std::string reason(const ceres::Solver::Summary& summary, int most_steps) {
             if (says("Parameter")) return "steps have become too small to matter";
             return "further steps no longer lessen the difference";
         case ceres::NO_CONVERGENCE:
-            return fmt::format("not converged after {} steps", most_steps);
+            return fmt::format("not converged after {} steps", max_steps);
         case ceres::USER_SUCCESS:
             return "the colours are alike to within the solver's own error";
         case ceres::USER_FAILURE:
@@ -116,7 +116,7 @@ Descent descend(const ColourModel& model, std::vector<double> x, Detail detail,
     options.linear_solver_type = ceres::DENSE_QR;
     options.num_threads = 1;  // threads are inside the function
     options.logging_type = ceres::SILENT;
-    options.max_num_iterations = limits.most_steps;
+    options.max_num_iterations = limits.max_steps;
     options.function_tolerance = limits.function_tolerance;
     options.parameter_tolerance = limits.parameter_tolerance;
     options.gradient_tolerance = 1e-8;
@@ -129,7 +129,7 @@ Descent descend(const ColourModel& model, std::vector<double> x, Detail detail,
     descent.steps = static_cast<int>(summary.iterations.size());
     descent.converged = summary.termination_type == ceres::CONVERGENCE ||
                         summary.termination_type == ceres::USER_SUCCESS;
-    descent.ended = reason(summary, limits.most_steps);
+    descent.ended = reason(summary, limits.max_steps);
     descent.rms_delta_e = summary.iterations.empty() ? std::numeric_limits<double>::infinity()
                                                      : rms_delta_e(model, summary.final_cost);
     return descent;
@@ -244,7 +244,7 @@ std::vector<Descent> descend_from(const ColourModel& model,
                                   const std::vector<std::vector<double>>& starts, Detail detail,
                                   const DescentLimits& limits, double fraction, Meter& meter) {
     std::vector<Descent> ends(starts.size());
-    const double units = limits.most_steps + 1;
+    const double units = limits.max_steps + 1;
     meter.begin(fraction, units * static_cast<double>(starts.size()));
     parallel_for_ranges(0, starts.size(), 1, [&](std::size_t i, std::size_t) {
         tbb::this_task_arena::isolate(

@@ -12,7 +12,7 @@ namespace nacre::fit {
 
 /// When a descent ends.
 struct DescentLimits {
-    int most_steps = 30;
+    int max_steps = 30;
     double function_tolerance = 1e-6;   ///< change of the sum of squares over itself
     double parameter_tolerance = 1e-6;  ///< length of a step over that of the point
     double enough_delta_e = 1e-3;       ///< root mean square below which colours count as equal

@@ -198,7 +198,7 @@ std::optional<ColourModel::Evaluation> ColourModel::evaluate(
                           &films_[static_cast<int>(detail)]);
         chosen.exit_nodes = paint.report.exit_nodes;
         chosen.inner_nodes = paint.report.inner_nodes;
-        chosen.most_orders = paint.report.orders;
+        chosen.max_orders = paint.report.orders;
         return Evaluation{target_.residuals(paint, detail), chosen};
     } catch (const Error& error) {
         const std::lock_guard lock(mutex_);

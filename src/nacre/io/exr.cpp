@@ -27,8 +27,8 @@ namespace nacre::io {
 /// whatever sizes it finds there: a file of a kilobyte could ask for gigabytes.
 ///
 /// @throws InputError naming `name` if an attribute is larger than the file, or if the picture, one
-///         of its tiles or a block of its scan lines has more than `most_values` values
-void check_exr_headers(std::string_view bytes, const std::string& name, std::size_t most_values);
+///         of its tiles or a block of its scan lines has more than `max_values` values
+void check_exr_headers(std::string_view bytes, const std::string& name, std::size_t max_values);
 
 namespace {
 
@@ -64,7 +64,7 @@ Imf::Slice slice_of(std::vector<float>& pixels, const Imath::Box2i& window, std:
                             sizeof(float) * width);
 }
 
-Image read_pixels(Imf::InputFile& file, const std::string& name, std::size_t most_values) {
+Image read_pixels(Imf::InputFile& file, const std::string& name, std::size_t max_values) {
     const Imf::Header& header = file.header();
     const Imath::Box2i window = header.dataWindow();
     std::vector<std::string> channels;
@@ -78,7 +78,7 @@ Image read_pixels(Imf::InputFile& file, const std::string& name, std::size_t mos
     // In 64 bits: a damaged window may span all of int.
     const long width = static_cast<long>(window.max.x) - window.min.x + 1;
     const long height = static_cast<long>(window.max.y) - window.min.y + 1;
-    Image image = blank_image(name, width, height, channels, most_values);
+    Image image = blank_image(name, width, height, channels, max_values);
     Imf::FrameBuffer frame;
     for (Channel& channel : image.channels) {
         frame.insert(channel.name,
@@ -98,12 +98,12 @@ Image read_pixels(Imf::InputFile& file, const std::string& name, std::size_t mos
 
 bool looks_like_exr(std::string_view bytes) { return bytes.starts_with(kExrMagic); }
 
-Image parse_exr(std::string_view bytes, const std::string& name, std::size_t most_values) {
+Image parse_exr(std::string_view bytes, const std::string& name, std::size_t max_values) {
     try {
-        check_exr_headers(bytes, name, most_values);
+        check_exr_headers(bytes, name, max_values);
         MemoryStream stream(bytes, name);
         Imf::InputFile file(stream, 0);
-        return read_pixels(file, name, most_values);
+        return read_pixels(file, name, max_values);
     } catch (const Error&) {
         throw;
     } catch (const std::exception& error) {  // OpenEXR's own are of this type too
@@ -192,8 +192,8 @@ constexpr std::size_t kSmallBuffer = std::size_t{1} << 22;
 
 class HeaderScan {
  public:
-    HeaderScan(std::string_view bytes, const std::string& name, std::size_t most_values)
-        : rest_(bytes), name_(name), most_values_(most_values) {}
+    HeaderScan(std::string_view bytes, const std::string& name, std::size_t max_values)
+        : rest_(bytes), name_(name), max_values_(max_values) {}
 
     void run() {
         take(4);
@@ -251,8 +251,8 @@ class HeaderScan {
                 block_lines = 256;
             }
         }
-        check_image_size(name_, width, height, channels, most_values_);
-        const std::size_t most = std::max(most_values_, kSmallBuffer);
+        check_image_size(name_, width, height, channels, max_values_);
+        const std::size_t most = std::max(max_values_, kSmallBuffer);
         if (tile_values > most / channels) fail("its tiles are too large");
         if (static_cast<std::size_t>(width) * block_lines > most / channels) {
             fail("its blocks of scan lines are too large");
@@ -301,13 +301,13 @@ class HeaderScan {
 
     std::string_view rest_;
     std::string name_;
-    std::size_t most_values_;
+    std::size_t max_values_;
 };
 
 }  // namespace
 
-void check_exr_headers(std::string_view bytes, const std::string& name, std::size_t most_values) {
-    HeaderScan(bytes, name, most_values).run();
+void check_exr_headers(std::string_view bytes, const std::string& name, std::size_t max_values) {
+    HeaderScan(bytes, name, max_values).run();
 }
 
 }  // namespace nacre::io

@@ -25,7 +25,7 @@ const Channel* Image::find(std::string_view name) const {
 }
 
 void check_image_size(const std::string& name, long width, long height, std::size_t channels,
-                      std::size_t most_values) {
+                      std::size_t max_values) {
     if (width < 1 || height < 1 || width > kMaxPixelsPerSide || height > kMaxPixelsPerSide) {
         throw InputError(fmt::format("{}: size = {} x {}: each side must be in [1, {}] pixels",
                                      name, width, height, kMaxPixelsPerSide));
@@ -35,15 +35,15 @@ void check_image_size(const std::string& name, long width, long height, std::siz
             fmt::format("{}: has {} channels; must be in [1, {}]", name, channels, kMaxChannels));
     }
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (pixels * channels > most_values) {
+    if (pixels * channels > max_values) {
         throw InputError(fmt::format("{}: {} x {} pixels of {} channels: more than {} values", name,
-                                     width, height, channels, most_values));
+                                     width, height, channels, max_values));
     }
 }
 
 Image blank_image(const std::string& name, long width, long height,
-                  const std::vector<std::string>& channels, std::size_t most_values) {
-    check_image_size(name, width, height, channels.size(), most_values);
+                  const std::vector<std::string>& channels, std::size_t max_values) {
+    check_image_size(name, width, height, channels.size(), max_values);
     Image image{static_cast<int>(width), static_cast<int>(height), {}, {}};
     for (const std::string& channel : channels) {
         image.channels.push_back({channel, std::vector<float>(image.pixel_count())});
@@ -55,16 +55,16 @@ bool looks_like_image(std::string_view bytes) {
     return looks_like_exr(bytes) || looks_like_png(bytes) || looks_like_radiance_hdr(bytes);
 }
 
-Image parse_image(std::string_view bytes, const std::string& name, std::size_t most_values) {
-    if (looks_like_exr(bytes)) return parse_exr(bytes, name, most_values);
-    if (looks_like_png(bytes)) return parse_png(bytes, name, most_values);
-    if (looks_like_radiance_hdr(bytes)) return parse_radiance_hdr(bytes, name, most_values);
+Image parse_image(std::string_view bytes, const std::string& name, std::size_t max_values) {
+    if (looks_like_exr(bytes)) return parse_exr(bytes, name, max_values);
+    if (looks_like_png(bytes)) return parse_png(bytes, name, max_values);
+    if (looks_like_radiance_hdr(bytes)) return parse_radiance_hdr(bytes, name, max_values);
     throw InputError(
         fmt::format("{}: is not a picture; OpenEXR, Radiance HDR and PNG can be read", name));
 }
 
-Image read_image(const std::filesystem::path& path, std::size_t most_values) {
-    return parse_image(read_file(path, kMaxImageFileBytes), path.string(), most_values);
+Image read_image(const std::filesystem::path& path, std::size_t max_values) {
+    return parse_image(read_file(path, kMaxImageFileBytes), path.string(), max_values);
 }
 
 std::vector<float> interleaved_rgb(const Image& image, const std::string& name) {
@@ -229,7 +229,7 @@ const std::array<float, 256>& decoded_bytes() {
 
 bool looks_like_png(std::string_view bytes) { return bytes.starts_with(kSignature); }
 
-Image parse_png(std::string_view bytes, const std::string& name, std::size_t most_values) {
+Image parse_png(std::string_view bytes, const std::string& name, std::size_t max_values) {
     const std::vector<Chunk> all_chunks = chunks(bytes, name);
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
@@ -238,7 +238,7 @@ Image parse_png(std::string_view bytes, const std::string& name, std::size_t mos
         throw InputError(fmt::format("{}: damaged PNG: {}", name, png.message));
     };
     if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) fail();
-    Image image = blank_image(name, png.width, png.height, {"R", "G", "B"}, most_values);
+    Image image = blank_image(name, png.width, png.height, {"R", "G", "B"}, max_values);
     image.metadata = texts(all_chunks);
     const std::size_t values = 3 * image.pixel_count();
     const auto store = [&](const auto& pixels, auto&& decode) {
@@ -285,9 +285,9 @@ class HdrReader {
  public:
     HdrReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
-    Image read(std::size_t most_values) {
+    Image read(std::size_t max_values) {
         read_header();
-        Image image = blank_image(name_, width_, height_, {"R", "G", "B"}, most_values);
+        Image image = blank_image(name_, width_, height_, {"R", "G", "B"}, max_values);
         line_.resize(4 * static_cast<std::size_t>(width_));
         for (long y = 0; y < height_; ++y) {
             read_scan_line();
@@ -411,8 +411,8 @@ bool looks_like_radiance_hdr(std::string_view bytes) {
     return bytes.starts_with("#?RADIANCE\n") || bytes.starts_with("#?RGBE\n");
 }
 
-Image parse_radiance_hdr(std::string_view bytes, const std::string& name, std::size_t most_values) {
-    return HdrReader(bytes, name).read(most_values);
+Image parse_radiance_hdr(std::string_view bytes, const std::string& name, std::size_t max_values) {
+    return HdrReader(bytes, name).read(max_values);
 }
 
 }  // namespace nacre::io

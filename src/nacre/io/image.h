@@ -44,11 +44,11 @@ inline constexpr std::size_t kMaxImageFileBytes = std::size_t{1} << 30;
 /// (8 and 16 bit, decoded from sRGB; transparency is laid over black), whichever the contents are.
 ///
 /// @throws InputError if the file is none of these, is cut short or damaged, or unfolds to more
-///         than `most_values` values
-Image read_image(const std::filesystem::path& path, std::size_t most_values = kMaxImageValues);
+///         than `max_values` values
+Image read_image(const std::filesystem::path& path, std::size_t max_values = kMaxImageValues);
 /// The same from the bytes of a file; `name` is for messages.
 Image parse_image(std::string_view bytes, const std::string& name,
-                  std::size_t most_values = kMaxImageValues);
+                  std::size_t max_values = kMaxImageValues);
 
 /// Whether the bytes start like a picture that parse_image() reads.
 bool looks_like_image(std::string_view bytes);
@@ -86,19 +86,19 @@ bool looks_like_exr(std::string_view bytes);
 bool looks_like_png(std::string_view bytes);
 bool looks_like_radiance_hdr(std::string_view bytes);
 
-Image parse_exr(std::string_view bytes, const std::string& name, std::size_t most_values);
-Image parse_png(std::string_view bytes, const std::string& name, std::size_t most_values);
-Image parse_radiance_hdr(std::string_view bytes, const std::string& name, std::size_t most_values);
+Image parse_exr(std::string_view bytes, const std::string& name, std::size_t max_values);
+Image parse_png(std::string_view bytes, const std::string& name, std::size_t max_values);
+Image parse_radiance_hdr(std::string_view bytes, const std::string& name, std::size_t max_values);
 
 /// @throws InputError naming `name` if a picture of that size is absurd or has more than
-///         `most_values` values
+///         `max_values` values
 void check_image_size(const std::string& name, long width, long height, std::size_t channels,
-                      std::size_t most_values);
+                      std::size_t max_values);
 
 /// An image with the given channels, all zero.
 /// @throws InputError as check_image_size()
 Image blank_image(const std::string& name, long width, long height,
-                  const std::vector<std::string>& channels, std::size_t most_values);
+                  const std::vector<std::string>& channels, std::size_t max_values);
 
 /// Where the shoulder of the tone curve starts: below, light is shown as it is.
 inline constexpr double kShoulderStart = 0.8;

@@ -37,7 +37,7 @@ void write_settings(hid_t file, const solver::SolverSettings& settings) {
         make_group(file, "settings", "how finely to solve; 0: chosen from the recipe");
     write_attribute(group, "exit_nodes", settings.exit_nodes);
     write_attribute(group, "inner_nodes", settings.inner_nodes);
-    write_attribute(group, "most_orders", settings.most_orders);
+    write_attribute(group, "most_orders", settings.max_orders);
     write_attribute(group, "tolerance", settings.tolerance);
 }
 

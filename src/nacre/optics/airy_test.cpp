@@ -35,7 +35,7 @@ constexpr Indices kCases[] = {{1, 1.8, 1.08, 0.51}, {1, 1.33, 1.5, 0},  {1.5, 2.
 constexpr double kCosines[] = {1, 0.99, 0.8, 0.5, 0.2, 0.05, 0.001};
 
 template <class V>
-double worst_error(double most_wavelengths) {
+double worst_error(double max_wavelengths) {
     using Real = LaneScalar<V>;
     Rng rng(1, 1);
     double worst = 0;
@@ -44,7 +44,7 @@ double worst_error(double most_wavelengths) {
         for (int n = 0; n < 400; ++n) {
             const Real cosine = n < 7 ? static_cast<Real>(kCosines[n])
                                       : static_cast<Real>(1 - 0.999 * rng.uniform_double());
-            const double nm = 550 * most_wavelengths / c.film * rng.uniform_double();
+            const double nm = 550 * max_wavelengths / c.film * rng.uniform_double();
             const V wavelengths = make_lanes<V>([](int i) { return 400 + 40 * i; });
             const V found = film.reflectance(cosine, static_cast<Real>(nm), 1 / wavelengths);
             for (int i = 0; i < kLanes; ++i) {

@@ -240,7 +240,7 @@ TEST(InterferenceColour, ThinTitaniaOnMicaIsSilver) {
 
 TEST(InterferenceColour, ThickerTitaniaRunsThroughTheHuesOfTheFirstOrder) {
     struct Case {
-        double coat_nm, least_hue_deg, greatest_hue_deg;
+        double coat_nm, min_hue_deg, greatest_hue_deg;
         const char* name;
     };
     constexpr Case cases[] = {
@@ -249,7 +249,7 @@ TEST(InterferenceColour, ThickerTitaniaRunsThroughTheHuesOfTheFirstOrder) {
         {130, 230, 270, "blue"},    {150, 140, 190, "green"},  {160, 100, 140, "yellow-green"}};
     for (const auto& c : cases) {
         const auto colour = colour_of_mica_with(c.coat_nm);
-        EXPECT_GT(colour.hue_deg, c.least_hue_deg) << c.name << " at " << c.coat_nm << " nm";
+        EXPECT_GT(colour.hue_deg, c.min_hue_deg) << c.name << " at " << c.coat_nm << " nm";
         EXPECT_LT(colour.hue_deg, c.greatest_hue_deg) << c.name << " at " << c.coat_nm << " nm";
         EXPECT_GT(colour.chroma, 20) << c.name;
     }

@@ -130,11 +130,11 @@ FlakeTable FlakeTable::from_chebyshev(int cosine_count, int wavelength_count,
 }
 
 FlakeTable FlakeTable::of_platelet(const optics::Platelet& platelet, const optics::Material& binder,
-                                   std::span<const double> wavelengths_nm, int most_cosines) {
+                                   std::span<const double> wavelengths_nm, int max_cosines) {
     const int wavelengths = static_cast<int>(wavelengths_nm.size());
     int count = kFirstCosines;
     auto table = optics::platelet_table(platelet, binder, chebyshev_cosines(count), wavelengths_nm);
-    while (2 * count - 1 <= most_cosines &&
+    while (2 * count - 1 <= max_cosines &&
            (unresolved(count, wavelengths, table.reflectance) > kResolved ||
             unresolved(count, wavelengths, table.transmittance) > kResolved)) {
         count = 2 * count - 1;

@@ -94,7 +94,7 @@ std::optional<std::string> ply_fault(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     std::string line;
     bool binary = false, ended = false;
-    double count = 0, element_bytes = 0, least_bytes = 0;  // doubles: counts may overflow integers
+    double count = 0, element_bytes = 0, min_bytes = 0;  // doubles: counts may overflow integers
     for (int number = 1; number <= kMaxHeaderLength && !ended && std::getline(in, line); ++number) {
         if (!line.empty() && line.back() == '\r') line.pop_back();
         std::istringstream words(line);
@@ -105,7 +105,7 @@ std::optional<std::string> ply_fault(const std::filesystem::path& path) {
             words >> a;
             binary = a != "ascii";
         } else if (key == "element") {
-            least_bytes += count * element_bytes;
+            min_bytes += count * element_bytes;
             element_bytes = 0;
             if (!(words >> a >> count) || count < 0) {
                 return fmt::format("line {}: '{}' is not 'element NAME COUNT'", number, line);
@@ -121,16 +121,16 @@ std::optional<std::string> ply_fault(const std::filesystem::path& path) {
         ended = key == "end_header";
     }
     if (!ended) return "has no end_header";
-    least_bytes += count * element_bytes;
+    min_bytes += count * element_bytes;
     const auto body = static_cast<double>(in.tellg());
     std::error_code status;
     const auto size = static_cast<double>(std::filesystem::file_size(path, status));
     // The last number of a text file may do without its space.
-    if (least_bytes > size - body + 1) {
+    if (min_bytes > size - body + 1) {
         return fmt::format(
             "is cut short: its header asks for at least {:.0f} bytes of data, there "
             "are {:.0f}",
-            least_bytes, size - body);
+            min_bytes, size - body);
     }
     return std::nullopt;
 }

@@ -20,10 +20,10 @@ std::shared_ptr<const paint::FlakeTable> FilmCache::table(
     }
     // Unlocked meanwhile: two threads may compute the same table, with the same bits.
     auto table = std::make_shared<const paint::FlakeTable>(
-        paint::FlakeTable::of_platelet(platelet, binder, wavelengths_nm, most_cosines_));
+        paint::FlakeTable::of_platelet(platelet, binder, wavelengths_nm, max_cosines_));
     const std::lock_guard lock(mutex_);
     entries_.push_front({platelet, binder, wavelengths_nm, table});
-    if (entries_.size() > most_tables_) entries_.pop_back();
+    if (entries_.size() > max_tables_) entries_.pop_back();
     ++computed_;
     return table;
 }

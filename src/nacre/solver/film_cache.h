@@ -16,10 +16,10 @@ namespace nacre::solver {
 /// several threads at once; forgets what was not used for longest.
 class FilmCache {
  public:
-    /// @param most_cosines  see paint::FlakeTable::of_platelet()
-    explicit FilmCache(std::size_t most_tables = 64,
-                       int most_cosines = paint::FlakeTable::kMaxCosines)
-        : most_tables_(most_tables), most_cosines_(most_cosines) {}
+    /// @param max_cosines  see paint::FlakeTable::of_platelet()
+    explicit FilmCache(std::size_t max_tables = 64,
+                       int max_cosines = paint::FlakeTable::kMaxCosines)
+        : max_tables_(max_tables), max_cosines_(max_cosines) {}
 
     /// paint::FlakeTable::of_platelet(), computed or remembered: the same bits.
     std::shared_ptr<const paint::FlakeTable> table(const optics::Platelet& platelet,
@@ -36,8 +36,8 @@ class FilmCache {
         std::shared_ptr<const paint::FlakeTable> table;
     };
 
-    std::size_t most_tables_;
-    int most_cosines_;
+    std::size_t max_tables_;
+    int max_cosines_;
     mutable std::mutex mutex_;
     std::list<Entry> entries_;  // the last used one first
     std::size_t computed_ = 0;

@@ -64,7 +64,7 @@ bool refine(Resolution& resolution, const SolverSettings& settings, double unres
     }
     if (azimuthal_tail > settings.tolerance) {
         raise(resolution.orders, 2 * resolution.orders, SolverSettings::kMaxOrders,
-              settings.most_orders != 0);
+              settings.max_orders != 0);
     }
     return refined;
 }
@@ -72,7 +72,7 @@ bool refine(Resolution& resolution, const SolverSettings& settings, double unres
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
     check_nodes(settings.exit_nodes, SolverSettings::kMaxNodes, "exit_nodes");
     check_nodes(settings.inner_nodes, SolverSettings::kMaxNodes, "inner_nodes");
-    require_in_range(settings.most_orders, 0, SolverSettings::kMaxOrders, "most_orders");
+    require_in_range(settings.max_orders, 0, SolverSettings::kMaxOrders, "most_orders");
     require_in_range(settings.tolerance, 1e-12, 0.1, "tolerance");
 
     double alpha = 1.0;
@@ -108,7 +108,7 @@ Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& se
         choose_rough(alpha, medium.roughness, n_smallest, settings, r);
     if (settings.exit_nodes) r.exit_nodes = settings.exit_nodes;
     if (settings.inner_nodes) r.inner_nodes = settings.inner_nodes;
-    if (settings.most_orders) r.orders = settings.most_orders;
+    if (settings.max_orders) r.orders = settings.max_orders;
     return r;
 }
 

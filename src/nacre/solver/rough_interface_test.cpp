@@ -200,7 +200,7 @@ TEST(RoughSolver, NodesChosenFromTheRecipeSuffice) {
         SolverSettings finer;
         finer.exit_nodes = paint.report.exit_nodes + 16;
         finer.inner_nodes = paint.report.exit_nodes;
-        finer.most_orders = paint.report.orders + 16;
+        finer.max_orders = paint.report.orders + 16;
         finer.tolerance = 1e-6;
         const SolvedPaint fine = solve(recipe, kOneWavelength, finer);
         for (const double theta_i : {0.1, 0.8, 1.4, 89 * kDegree}) {

@@ -14,7 +14,7 @@ namespace nacre::solver {
 struct SolverSettings {
     int exit_nodes = 0;       ///< directions that leave the coat, a multiple of 4 up to kMaxNodes
     int inner_nodes = 0;      ///< directions beyond the critical angle, a multiple of 4
-    int most_orders = 0;      ///< azimuthal Fourier orders at most
+    int max_orders = 0;       ///< azimuthal Fourier orders at most
     double tolerance = 1e-4;  ///< of the peak: where the Fourier series may end
 
     static constexpr int kMaxNodes = 128;

@@ -20,7 +20,7 @@ double worst_error(const paint::Recipe& recipe) {
     SolverSettings fine;
     fine.exit_nodes = (paint.report.exit_nodes + paint.report.exit_nodes / 2 + 7) / 4 * 4;
     fine.inner_nodes = fine.exit_nodes;
-    fine.most_orders = SolverSettings::kMaxOrders;
+    fine.max_orders = SolverSettings::kMaxOrders;
     fine.tolerance = 1e-6;
     const SolvedPaint converged = solve(recipe, kOneWavelength, fine);
     double worst = 0;

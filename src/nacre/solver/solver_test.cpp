@@ -82,7 +82,7 @@ TEST(Solver, TooFewNodesShowInTheReport) {
 
 TEST(Solver, TooFewOrdersShowInTheReport) {
     SolverSettings coarse;
-    coarse.most_orders = 8;
+    coarse.max_orders = 8;
     const SolvedPaint paint = solve(flake_paint(0.1, 0.6, 0, 1, 1.5), kOneWavelength, coarse);
     EXPECT_GT(paint.report.azimuthal_tail, coarse.tolerance);
     EXPECT_LE(paint.report.orders, 8);
@@ -106,7 +106,7 @@ TEST(Solver, RefusesSettingsAndAnglesOutOfRange) {
               std::string::npos);
     EXPECT_NE(message([](SolverSettings& s) { s.inner_nodes = 1024; }).find("[0, 128]"),
               std::string::npos);
-    EXPECT_NE(message([](SolverSettings& s) { s.most_orders = -1; }).find("most_orders"),
+    EXPECT_NE(message([](SolverSettings& s) { s.max_orders = -1; }).find("most_orders"),
               std::string::npos);
     EXPECT_NE(message([](SolverSettings& s) { s.tolerance = 0; }).find("tolerance"),
               std::string::npos);

@@ -70,7 +70,7 @@ TEST(WavelengthGroups, ADispersivePaintEqualsItsWavelengthsSolvedAlone) {
     SolverSettings settings;  // the same for all, since the choice looks at the smallest index
     settings.exit_nodes = 16;
     settings.inner_nodes = 12;
-    settings.most_orders = 40;
+    settings.max_orders = 40;
     const std::vector<double> wavelengths = {420, 550, 680};
     const SolvedPaint all = solve(recipe, wavelengths, settings);
     for (int w = 0; w < 3; ++w) {

@@ -48,14 +48,14 @@ class DiffractionLobe {
         const float sec = std::sqrt(sec2);
         return sec * std::sqrt(sec) / std::max(cosine, kMinCosine);
     }
-    /// The radius then, at most most_radius().
+    /// The radius then, at most max_radius().
     FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine) const {
         const FloatLanes sec = sqrt_lanes(sec2);
         return min_lanes(radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine)),
                          splat(most_));
     }
     /// Lobes end here: wider ones would mirror no differently, as P ends.
-    float most_radius() const { return most_; }
+    float max_radius() const { return most_; }
 
     /// K(p) per unit square of slopes, distance2 = |p - p_m|^2 < width^2.
     static float density(float distance2, float width) {
@@ -65,7 +65,7 @@ class DiffractionLobe {
     /// The Gaussian distribution of slopes convolved with K, over its own density, at the slope
     /// whose square is slope2.
     /// @param slope2  at most kMaxExponent alpha^2
-    /// @param width   at most most_radius()
+    /// @param width   at most max_radius()
     float blur(float slope2, float width) const;
     static constexpr double kBlurError = 1e-3;  ///< relative
     /// P, per unit square of slopes.

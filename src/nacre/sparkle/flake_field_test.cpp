@@ -93,8 +93,8 @@ double campbell(const FlakePopulation& population, const FlakeField& field, doub
     const double slope2 = double{slope.x} * slope.x + double{slope.y} * slope.y;
     const DiffractionLobe& lobe = field.lobe();
     const float width =
-        std::min(lobe.most_radius(), lobe.radius(static_cast<float>(population.diameter_um)) *
-                                         lobe.widening(static_cast<float>(1 + slope2), cosine));
+        std::min(lobe.max_radius(), lobe.radius(static_cast<float>(population.diameter_um)) *
+                                        lobe.widening(static_cast<float>(1 + slope2), cosine));
     // The second slope has a lobe of nearly the same width: turns are small.
     const Vec2f other = {slope.x + turn.x, slope.y + turn.y};
     const Quadrature rule = gauss_legendre(32, 0.0, 1.0);

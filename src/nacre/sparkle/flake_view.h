@@ -100,7 +100,7 @@ float FlakeView::for_each_answer(const DiffractionLobe& law, Vec2f slope, float 
         const FloatLanes dy = load_lanes(&slope_y[first]) - slope.y;
         const FloatLanes distance2 = dx * dx + dy * dy;
         const FloatLanes width =
-            min_lanes(load_lanes(&lobe_radius[first]) * scale, splat(law.most_radius()));
+            min_lanes(load_lanes(&lobe_radius[first]) * scale, splat(law.max_radius()));
         for_each_set_lane(distance2 < width * width, [&](int lane) {
             if (inverse_density == 0) inverse_density = correction / law.slope_density(slope2);
             const float w = width[lane];

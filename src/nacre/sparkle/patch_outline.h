@@ -113,12 +113,12 @@ class PatchOutline {
         constexpr float kPoint = 0.05f;
         is_point_ = size_mm[0] + size_mm[1] < kPoint * smallest_radius_mm;
         // A needle gets some width, so that it has an area.
-        const float least_width = 1e-3f * smallest_radius_mm;
+        const float min_width = 1e-3f * smallest_radius_mm;
         const int longer = size_mm[1] > size_mm[0];
-        if (!is_point_ && std::abs(area()) < least_width * size_mm[longer]) {
-            const float thin = least_width / size_mm[longer];
+        if (!is_point_ && std::abs(area()) < min_width * size_mm[longer]) {
+            const float thin = min_width / size_mm[longer];
             edge_[1 - longer] = {-edge_[longer].y * thin, edge_[longer].x * thin};
-            size_mm[1 - longer] = least_width;
+            size_mm[1 - longer] = min_width;
         }
         if (area() < 0) {
             std::swap(edge_[0], edge_[1]);
@@ -154,9 +154,9 @@ class PatchOutline {
     auto touches(FloatLanes x, FloatLanes y, FloatLanes radius_mm) const {
         const FloatLanes a = x * strip[0].normal.x + y * strip[0].normal.y;
         const FloatLanes b = x * strip[1].normal.x + y * strip[1].normal.y;
-        const FloatLanes a_most = strip[0].half_width_mm + radius_mm - reach_mm;
-        const FloatLanes b_most = strip[1].half_width_mm + radius_mm - reach_mm;
-        return (a * a < a_most * a_most) & (b * b < b_most * b_most);
+        const FloatLanes a_max = strip[0].half_width_mm + radius_mm - reach_mm;
+        const FloatLanes b_max = strip[1].half_width_mm + radius_mm - reach_mm;
+        return (a * a < a_max * a_max) & (b * b < b_max * b_max);
     }
 
     /// The fraction of the patch that a disc about (x, y) covers.

@@ -36,7 +36,7 @@ sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
 }
 
 // cos(w_i.h) of any two directions that the interface lets through, each within the critical angle.
-double least_half_cosine(double ior) { return std::sqrt(std::max(0.0, 1 - 1 / (ior * ior))); }
+double min_half_cosine(double ior) { return std::sqrt(std::max(0.0, 1 - 1 / (ior * ior))); }
 
 // Light sent back at perpendicular incidence, in the mean over the wavelengths, by each species.
 std::vector<double> returned_light(const Microflake::Tables& tables) {
@@ -82,7 +82,7 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, std::uin
             if (const auto* platelet = std::get_if<optics::Platelet>(&flake.body);
                 platelet && FlakeFilms::vary(*platelet)) {
                 films.emplace(*platelet, recipe.binder, paint->wavelengths_nm(),
-                              least_half_cosine(smooth->mean_ior));
+                              min_half_cosine(smooth->mean_ior));
             }
             const float fraction = static_cast<float>(returned[species.size()] / all);
             species.push_back(
