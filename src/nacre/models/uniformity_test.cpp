@@ -9,6 +9,7 @@
 #include "nacre/core/angles.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
+#include "nacre/testing/directions.h"
 #include "nacre/testing/plain_flakes.h"
 #include "nacre/testing/render.h"
 
@@ -17,12 +18,7 @@
 namespace nacre::models {
 namespace {
 
-Vec3f direction(double theta_deg, double phi_deg) {
-    const double theta = theta_deg * kPi / 180, phi = phi_deg * kPi / 180;
-    return {static_cast<float>(std::sin(theta) * std::cos(phi)),
-            static_cast<float>(std::sin(theta) * std::sin(phi)),
-            static_cast<float>(std::cos(theta))};
-}
+using test::direction;
 
 /// A square of a sphere of 500 mm about where its normal is n, turned by an angle in its plane: so
 /// large that squares at random places of a region hardly overlap, and are independent.

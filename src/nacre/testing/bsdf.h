@@ -9,19 +9,14 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/random.h"
+#include "nacre/testing/directions.h"
 
 // What the tests of surfaces share.
 
 namespace nacre::bsdf {
 
-inline Vec3f direction(double theta_deg, double phi_deg) {
-    const double s = std::sin(theta_deg * kDegree);
-    return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
-            static_cast<float>(s * std::sin(phi_deg * kDegree)),
-            static_cast<float>(std::cos(theta_deg * kDegree))};
-}
+using test::direction;
 
 /// Chi-square of sampled directions against the density, over bins of cosine and azimuth, with one
 /// more bin for what is not a direction (the specular lobe, and samples that do not leave), as a
