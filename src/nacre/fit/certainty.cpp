@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/core/dense.h"
 #include "nacre/core/error.h"
 
 namespace nacre::fit {
 
 namespace {
-
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Change of the residual (root mean square of Delta E) across the whole cube that is no more than
 /// the solver's own error: such a direction is taken as flat.
@@ -30,7 +28,7 @@ Certainty certainty(std::span<const double> residuals, std::span<const double> j
         throw DomainError(fmt::format("{} derivatives of {} residuals by {} numbers do not fit",
                                       jacobian.size(), residuals.size(), numbers));
     }
-    const Eigen::Map<const Matrix> j(jacobian.data(), rows, columns);
+    const Eigen::Map<const RowMajorMatrix> j(jacobian.data(), rows, columns);
     const Eigen::Map<const Eigen::VectorXd> r(residuals.data(), rows);
 
     Certainty out;
@@ -42,13 +40,13 @@ Certainty certainty(std::span<const double> residuals, std::span<const double> j
     }
 
     // Eigenvalues in rising order: the weakest direction first.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(j.transpose() * j);
+    const SymmetricEigen eigen = symmetric_eigen(gram_matrix(j));
     const double flat = kFlat_delta_e * std::sqrt(static_cast<double>(options.geometries));
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(columns, columns);
     std::vector<bool> lies_flat(numbers, false);
     for (Eigen::Index k = 0; k < columns; ++k) {
-        const Eigen::VectorXd axis = eigen.eigenvectors().col(k);
-        const double true_gain = std::sqrt(std::max(0.0, eigen.eigenvalues()[k]));
+        const Eigen::VectorXd axis = eigen.vectors.col(k);
+        const double true_gain = std::sqrt(std::max(0.0, eigen.values[k]));
         const double gain = std::max(true_gain, flat);
         for (Eigen::Index a = 0; a < columns; ++a) {
             // However little noise there is, what lies flat stays unknown.

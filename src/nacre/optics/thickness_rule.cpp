@@ -1,9 +1,9 @@
 #include "nacre/optics/thickness_rule.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/dense.h"
 #include "nacre/core/quadrature.h"
 
 namespace nacre::optics {
@@ -86,12 +86,11 @@ ThicknessRule thickness_rule(double mean_nm, const ThicknessSpread& spread, int 
         previous = current;
         current = next / beside[k];
     }
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(diagonal, beside.head(n - 1));
+    const SymmetricEigen eigen = tridiagonal_eigen(diagonal, beside.head(n - 1));
     ThicknessRule rule;
     for (int i = 0; i < n; ++i) {
-        const double first = solver.eigenvectors()(0, i);
-        rule.thickness_nm.push_back((lo + hi) / 2 + (hi - lo) / 2 * solver.eigenvalues()[i]);
+        const double first = eigen.vectors(0, i);
+        rule.thickness_nm.push_back((lo + hi) / 2 + (hi - lo) / 2 * eigen.values[i]);
         rule.weights.push_back(first * first);
     }
     return rule;

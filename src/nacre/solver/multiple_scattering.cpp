@@ -1,9 +1,10 @@
 #include "nacre/solver/multiple_scattering.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "nacre/core/dense.h"
 
 namespace nacre::solver {
 
@@ -55,19 +56,18 @@ float round_to(double value, double step) {
 MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
                             int wavelength_count, std::span<const double> values,
                             double tolerance) {
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     MultipleScattering out;
     out.exit_angle = std::move(exit_angle);
     out.first = std::move(first);
     out.wavelength_count = wavelength_count;
     const auto pairs = static_cast<Eigen::Index>(values.size()) / std::max(wavelength_count, 1);
     if (pairs == 0) return out;
-    const Eigen::Map<const Matrix> all(values.data(), pairs, wavelength_count);
+    const Eigen::Map<const RowMajorMatrix> all(values.data(), pairs, wavelength_count);
     const std::vector<double> scale = pair_scales(out, all.cwiseAbs().rowwise().maxCoeff());
 
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(all.transpose() * all);
+    const SymmetricEigen eigen = symmetric_eigen(gram_matrix(all));
     int rank = 0;
-    Matrix residual = all;
+    RowMajorMatrix residual = all;
     const auto resolved = [&] {
         // Half of the tolerance is for the rank, half for rounding.
         for (Eigen::Index p = 0; p < pairs; ++p) {
@@ -77,13 +77,13 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     };
     // Largest eigenvalues come last.
     while (rank < wavelength_count && !resolved()) {
-        const Eigen::VectorXd direction = eigen.eigenvectors().col(wavelength_count - 1 - rank);
+        const Eigen::VectorXd direction = eigen.vectors.col(wavelength_count - 1 - rank);
         const Eigen::VectorXd projected = all * direction;
         residual -= projected * direction.transpose();
         ++rank;
     }
-    const Matrix basis = eigen.eigenvectors().rightCols(rank).rowwise().reverse().transpose();
-    const Matrix coefficient = (all * basis.transpose()).transpose();
+    const RowMajorMatrix basis = eigen.vectors.rightCols(rank).rowwise().reverse().transpose();
+    const RowMajorMatrix coefficient = (all * basis.transpose()).transpose();
     // The errors of the terms add up in squares, and no element of an orthonormal basis exceeds 1;
     // at worst they add up as they are, hence the root.
     // Order 0 carries the energy and costs little: it is kept to more digits.

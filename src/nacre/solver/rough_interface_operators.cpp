@@ -2,19 +2,18 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/dense.h"
 #include "nacre/core/quadrature.h"
 
 namespace nacre::solver {
 
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Matrix = RowMajorMatrix;
 using Vector = Eigen::VectorXd;
 
 constexpr double kHorizon = std::numbers::pi / 2;
@@ -155,7 +154,7 @@ class Projection {
                 }
             }
         }
-        normaliser_ = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram).operatorInverseSqrt();
+        normaliser_ = inverse_square_root(gram);
     }
 
     Matrix project(bool outside, int l, std::vector<double> Station::*values) const {
@@ -172,7 +171,7 @@ class Projection {
         for (int i = 0; i < rows; ++i) {
             for (int j = 0; j < n; ++j) out(i, j) /= std::sqrt(etendue_[i] * etendue_[j]);
         }
-        return normaliser_.topLeftCorner(rows, rows) * out * normaliser_;
+        return product(product(normaliser_.topLeftCorner(rows, rows), out), normaliser_);
     }
 
     const Directions& d_;
@@ -219,11 +218,11 @@ RoughInterfaceOperators::RoughInterfaceOperators(const Directions& d, const Acti
         const Matrix r = reflection.bottomRightCorner(out.n, out.n);
         const Matrix t = transmission.bottomRightCorner(out.exits, out.n);
         const Matrix identity = Matrix::Identity(out.n, out.n);
-        const Matrix q = Eigen::LLT<Matrix>(identity + r).solve(identity);
-        const Matrix through = t * q;
+        const Matrix q = inverse_of_positive_definite(identity + r);
+        const Matrix through = product(t, q);
         out.impedance = elements(q + q.transpose() - identity);
         out.through = elements(through.transpose());
-        out.direct = elements(through * t.transpose());
+        out.direct = elements(product_with_transposed(through, t));
         out.enter = elements(t.transpose());
     });
 }

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "nacre/core/dense.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 
@@ -14,10 +14,8 @@ namespace nacre::bsdf {
 
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 // Rows (i, 0 ... angles - 1) of one channel, values below `least` raised to it.
-Matrix slab(const RawBrdfTable& raw, int channel, std::size_t i, double least) {
+RowMajorMatrix slab(const RawBrdfTable& raw, int channel, std::size_t i, double least) {
     const int n = raw.grid.angles, m = raw.grid.azimuths;
     const float* at = raw.values.data() + 3 * i * n * m + channel;
     using Strided = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, 1>, 0,
@@ -64,14 +62,12 @@ Spectrum decompose(const RawBrdfTable& raw, const std::vector<double>& peak, int
     const int m = raw.grid.azimuths;
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(m, m);
     for (int i = 0; i < raw.grid.angles; ++i) {
-        Matrix rows = slab(raw, channel, i, least);
+        RowMajorMatrix rows = slab(raw, channel, i, least);
         for (int o = 0; o < raw.grid.angles; ++o) rows.row(o) *= std::sqrt(weight(peak, i, o));
         gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-    Spectrum out{eigen.eigenvectors().rowwise().reverse(),
-                 eigen.eigenvalues().reverse().cwiseMax(0.0)};
-    return out;
+    const SymmetricEigen eigen = symmetric_eigen(gram);
+    return {eigen.vectors.rowwise().reverse(), eigen.values.reverse().cwiseMax(0.0)};
 }
 
 // Relative error over all channels if each keeps k terms.
@@ -135,7 +131,7 @@ CompressedBrdfTable compress(const RawBrdfTable& raw, const CompressionSettings&
             }
         }
         parallel_for(0, k > 0 ? n : 0, [&](std::size_t i) {
-            const Matrix projected = slab(raw, c, i, least) * basis;
+            const RowMajorMatrix projected = slab(raw, c, i, least) * basis;
             for (int o = 0; o < n; ++o) {
                 float* row = out.left.data() + (i * n + o) * all + first;
                 for (int t = 0; t < k; ++t) row[t] = static_cast<float>(projected(o, t));

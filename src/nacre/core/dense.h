@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+// Decompositions and products of dense matrices: the only user of the parts of Eigen that take the
+// compiler seconds, so that they are compiled once.
+
+namespace nacre {
+
+/// As arrays in C++ are stored, one row after the other.
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct SymmetricEigen {
+    Eigen::VectorXd values;   ///< rising
+    Eigen::MatrixXd vectors;  ///< orthonormal, as columns
+};
+
+/// Of a symmetric matrix, of which the lower triangle is read.
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& a);
+
+/// Of the symmetric tridiagonal matrix with `beside` (one shorter) above and below its diagonal.
+SymmetricEigen tridiagonal_eigen(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
+
+/// A^-1 and A^-1/2 of a symmetric positive definite matrix.
+RowMajorMatrix inverse_of_positive_definite(const RowMajorMatrix& a);
+RowMajorMatrix inverse_square_root(const Eigen::MatrixXd& a);
+
+/// A B, A B^T and A^T A.
+using RowMajorView = Eigen::Ref<const RowMajorMatrix>;
+RowMajorMatrix product(const RowMajorView& a, const RowMajorView& b);
+RowMajorMatrix product_with_transposed(const RowMajorView& a, const RowMajorView& b);
+Eigen::MatrixXd gram_matrix(const RowMajorView& a);
+
+}  // namespace nacre
