@@ -41,9 +41,8 @@ class SmoothInterface final : public AirInterface {
 
     // Radiance over index squared is kept but for what Fresnel reflects: a cone outside is n^2
     // times wider, projected, than its image inside.
-    Weighted connect(const Direction3& towards_detector, RandomStream&) const override {
-        return {refract_inwards(towards_detector),
-                transmittance(towards_detector.z()) / (index_ * index_)};
+    Weighted connect(const Direction3& towards_eye, RandomStream&) const override {
+        return {refract_inwards(towards_eye), transmittance(towards_eye.z()) / (index_ * index_)};
     }
 
     bool scatters() const override { return false; }
@@ -126,24 +125,22 @@ class RoughAirInterface final : public AirInterface {
         return {ray.away, ray.inside};
     }
 
-    // The kernel between basic radiances is symmetric: the light that a detector sees comes from
-    // the directions to which light from the detector would go. 1/n^2 turns radiance inside into basic.
-    Weighted connect(const Direction3& towards_detector, RandomStream& random) const override {
-        const Ray ray = scatter({towards_detector, false}, random);
+    // The kernel between basic radiances is symmetric: the light that an eye sees comes from the
+    // directions to which light from the eye would go. 1/n^2 turns radiance inside into basic.
+    Weighted connect(const Direction3& towards_eye, RandomStream& random) const override {
+        const Ray ray = scatter({towards_eye, false}, random);
         if (!ray.inside) return {Direction3::UnitZ(), 0};
         return {-ray.away, 1 / (index_ * index_)};
     }
 
     bool scatters() const override { return true; }
 
-    double reflect_outside(const Direction3& towards_light, const Direction3& towards_detector,
+    double reflect_outside(const Direction3& towards_light, const Direction3& towards_eye,
                            RandomStream& random) const override {
-        double sum = facet_brdf(towards_light, towards_detector);
-        // m(light) m(detector) / Int m: the masked fractions at random; the number of directions,
-        // uniform in etendue, that it takes to find one whose light is masked has the mean  total /
-        // Int m.
-        if (is_masked({towards_light, false}, random) &&
-            is_masked({towards_detector, false}, random)) {
+        double sum = facet_brdf(towards_light, towards_eye);
+        // m(light) m(eye) / Int m: the masked shares by lot; the number of directions, uniform in
+        // etendue, that it takes to find one whose light is masked has the mean  total / Int m.
+        if (is_masked({towards_light, false}, random) && is_masked({towards_eye, false}, random)) {
             std::uint64_t trials = 1;
             while (!is_masked(uniform_in_etendue(random), random)) ++trials;
             sum += static_cast<double>(trials) / (std::numbers::pi * (1 + index_ * index_));

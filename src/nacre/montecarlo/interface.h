@@ -6,8 +6,8 @@
 #include "nacre/montecarlo/medium.h"
 
 // The boundary between air and the paint, as a random walk uses it: light is sent in from outside,
-// meets the boundary from inside, and is connected from inside to a detector outside. One object
-// per binder index; all functions may be called from several threads.
+// meets the boundary from inside, and is connected from inside to an eye outside. One object per
+// binder index; all functions may be called from several threads.
 
 namespace nacre::montecarlo {
 
@@ -28,37 +28,35 @@ class AirInterface {
     virtual ~AirInterface() = default;
 
     /// Sends light in. @param towards_light  unit vector outside, z > 0
-    /// @return travel inside (z < 0) and the fraction of the incident flux that travels so
+    /// @return travel inside (z < 0) and the share of the incident flux that travels so
     virtual Weighted enter(const Direction3& towards_light, RandomStream& random) const = 0;
 
     /// Light that arrives from inside. @param travel  z > 0
-    /// @return travel after reflection (z < 0) and the fraction of the flux that is reflected; the
+    /// @return travel after reflection (z < 0) and the share of the flux that is reflected; the
     ///         rest leaves the paint
     virtual Weighted reflect_inside(const Direction3& travel, RandomStream& random) const = 0;
 
-    /// The same two at random: all of the light goes one way, reflected or through.
+    /// The same two by lot: all of the light goes one way, reflected or through.
     /// @param towards_light  unit vector outside, z > 0
     virtual Passage meet_from_outside(const Direction3& towards_light,
                                       RandomStream& random) const = 0;
     /// @param travel  inside, z > 0
     virtual Passage meet_from_inside(const Direction3& travel, RandomStream& random) const = 0;
 
-    /// Connects the inside with a detector. @param towards_detector  unit vector outside, z > 0
+    /// Connects the inside with an eye. @param towards_eye  unit vector outside, z > 0
     /// @return a direction of travel inside (z > 0) and a weight such that the radiance that leaves
-    ///         towards the detector is the mean of  weight * (radiance inside along travel)
-    virtual Weighted connect(const Direction3& towards_detector, RandomStream& random) const = 0;
+    ///         towards the eye is the mean of  weight * (radiance inside along travel)
+    virtual Weighted connect(const Direction3& towards_eye, RandomStream& random) const = 0;
 
     /// Whether connect() draws at random, so that each walk wants a connection of its own.
     virtual bool scatters() const = 0;
 
-    /// Unbiased estimate of the BRDF of the interface by itself, in 1/sr, specular reflection left
-    /// out.
-    virtual double reflect_outside(const Direction3& towards_light,
-                                   const Direction3& towards_detector,
+    /// Unbiased estimate of the BRDF of the interface by itself, in 1/sr, a mirror left out.
+    virtual double reflect_outside(const Direction3& towards_light, const Direction3& towards_eye,
                                    RandomStream& random) const = 0;
 };
 
-/// A flat interface: reflection and refraction by Snell and Fresnel.
+/// A flat interface: mirror and refraction by Snell and Fresnel.
 /// @param index  of the binder, >= 1
 std::unique_ptr<const AirInterface> make_smooth_interface(double index);
 

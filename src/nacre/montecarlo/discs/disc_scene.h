@@ -65,8 +65,8 @@ struct Visibility {
 
 /// Estimated from two random points on each flake, whose v's have E[v^2] as their mean product.
 ///
-/// @param towards_light, towards_detector  unit vectors inside the paint, z > 0
-Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f towards_detector,
+/// @param towards_light, towards_eye  unit vectors inside the paint, z > 0
+Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f towards_eye,
                             std::uint64_t seed);
 
 }  // namespace nacre::montecarlo
