@@ -24,7 +24,7 @@ EXPECTED = {
 
 
 def run(ctest, folder, *arguments):
-    path = pathlib.Path(folder) / "tests.xml"
+    path = pathlib.Path(folder).resolve() / "tests.xml"
     path.unlink(missing_ok=True)
     status = subprocess.run([ctest, "--test-dir", folder, "--output-junit", path,
                              "--test-output-size-passed", "100000", *arguments],
