@@ -74,8 +74,8 @@ Atlas flake_atlas(const AtlasFlake& flake, const std::vector<double>& thickness_
                   const measure::Conditions& conditions = {}, const Progress& progress = {});
 
 /// What the whole paint shows, with all its layers and scattering: the recipe solved anew for each
-/// value of one of its numbers, read by an instrument with point apertures, without the mirror of
-/// its surface.
+/// value of one of its numbers, read by an instrument with point apertures, without the specular
+/// reflection of its surface.
 ///
 /// @param key       as paint::find_parameter(): "layer[0].flakes[0].coats[0].thickness_nm"
 /// @param progress  asked after each value

@@ -47,7 +47,7 @@ double eye_blur_deg(double pupil_mm);
 /// @param field_deg        side of the square over which the grating extends
 double contrast_sensitivity(double cycles_per_deg, double luminance_cd_m2, double field_deg);
 
-/// Agreement of contrast_sensitivity() with an independent implementation (eye_test.cpp).
+/// Agreement of contrast_sensitivity() with an independent implementation (colour-science).
 inline constexpr double kContrastSensitivityError = 1e-9;
 
 /// Illuminance at the eye, in lx, that a steady point of light must add to be noticed on an even

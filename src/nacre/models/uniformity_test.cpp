@@ -13,7 +13,8 @@
 #include "nacre/testing/plain_flakes.h"
 #include "nacre/testing/render.h"
 
-// The model nacre on whole shapes: alike wherever it lies, whichever way it turns, under any light.
+// The model nacre on whole shapes: the same statistics at any place and orientation, under any
+// light.
 
 namespace nacre::models {
 namespace {

@@ -77,8 +77,8 @@ inline double chi_square_z_score(const BoundBsdf& bound, Vec3f wi, std::uint64_t
     return (std::cbrt(statistic / freedom) - (1 - spread)) / std::sqrt(spread);
 }
 
-/// Mean of the weights of sample() at one wavelength, misses counting as 0: the albedo, mirror
-/// included; and the standard error of that mean.
+/// Mean of the weights of sample() at one wavelength, misses counting as 0: the albedo,
+/// specular reflection included; and the standard error of that mean.
 struct MeanWeight {
     double mean, error;
 };

@@ -139,7 +139,7 @@ float read_square(const SquareTable& table, Vec2f point);
 /// tables come from the same measurement, weights are near the albedo.
 ///
 /// Measured data, and their interpolation, conserve neither energy nor reciprocity: wi plays the
-/// part of the lamp in the measurement, whichever way the light goes. There is no mirror.
+/// part of the lamp in the measurement, whichever way the light goes. There is no specular lobe.
 class MeasuredRgl final : public Bsdf {
  public:
     /// @throws DomainError as validate(table)

@@ -90,9 +90,9 @@ void tabulate_albedo(
 /// Angle outside the coat of a row of the direction tables, just short of the horizon at the last.
 double direction_angle(int row);
 
-// The micro-flake model at eight wavelengths. bound_microflake.cpp gathers what depends on
-// wavelength; bound_microflake_eval.cpp is what a renderer calls; bound_microflake_inl.h is what
-// models share whose flakes are not those of the mean.
+// The micro-flake model at eight wavelengths: what depends on wavelength is gathered once, what a
+// renderer calls depends on direction alone, and the templates below serve models whose flakes are
+// not those of the mean as well.
 
 struct BoundFlake {
     float half_density, inverse_alpha2, norm;  // c/2; 1/alpha^2; 1/(2 pi alpha^2)
@@ -301,7 +301,7 @@ FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flak
     return (once + smooth) * interface * (i.outside.z * o.outside.z);
 }
 
-// Made once, in bound_microflake_eval.cpp.
+// Instantiated once, in microflake.cpp.
 extern template FloatLanes BoundMicroflake::value(const Ray&, const Ray&, const MeanFlakes&) const;
 extern template FloatLanes BoundMicroflake::single(Vec3f, Vec3f, const Ray&, const Ray&,
                                                    const MeanFlakes&) const;

@@ -215,7 +215,7 @@ double chi_square_z_score(const BoundBsdf& bound, const Vec3f wi, const Patch* p
         ++cells;
     }
     EXPECT_GT(cells, 30);
-    EXPECT_GT(drawn, kSamples / 40);  // under a coat at 80 deg most are the mirror
+    EXPECT_GT(drawn, kSamples / 40);  // under a coat at 80 deg most are specular
     return (chi2 - cells) / std::sqrt(2 * cells);
 }
 

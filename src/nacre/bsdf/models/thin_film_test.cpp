@@ -201,7 +201,8 @@ TEST(ThinFilm, LosesNoMoreLightThanSmithsMaskingSays) {
 }
 
 TEST(ThinFilm, SmoothFacetsUnderACoatKeepTheEnergyOfOneBounce) {
-    // t_i t_o (nothing absorbed, one reflection) and the mirror: less than 1 by what would bounce.
+    // t_i t_o (nothing absorbed, one reflection) and the coat's own: less than 1 by what would
+    // bounce.
     paint::Recipe recipe = mirror(FacetDistribution::beckmann, 0.002);
     recipe.clearcoat = paint::Clearcoat{40, 0.0, 0};
     const auto bound = bind(recipe);
@@ -345,7 +346,7 @@ TEST(ThinFilm, ColourModesShowTheColourOfTheAntialiasedReflectance) {
         optics::Antialiasing how;
         if (colour == ThinFilmColour::paper) how.transform = optics::ObserverTransform::paper;
         const auto expected = optics::antialiased_rgb(film, std::cos(30 * kDegree), 158.333, how);
-        // The mirror's 99.98 %, and 1024 steps of the cosine.
+        // The facets' 99.98 %, and 1024 steps of the cosine.
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], expected[c], 5e-4);
     }
 }
