@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     try {
-        nacre::io::parse_scene(text, "fuzz.toml", "/nonexistent");
+        nacre::render::parse_scene(text, "fuzz.toml", "/nonexistent");
     } catch (const nacre::InputError&) {
     }
     return 0;

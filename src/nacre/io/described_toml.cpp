@@ -59,6 +59,24 @@ Material read_sampled_material(const TableReader& table) {
     }
 }
 
+/// Settles which alternatives a table states by a word.
+class KindReader final : public paint::Visitor {
+ public:
+    explicit KindReader(const TableReader& table) : table_(table) {}
+
+    void kind(const Field& field, const paint::Words& words, std::size_t& index) override {
+        index = table_.choice(field.key, words);
+        found = true;
+    }
+    bool has(const Field&, bool) override { return false; }
+    bool visits_held() const override { return false; }
+
+    bool found = false;
+
+ private:
+    const TableReader& table_;
+};
+
 class Reader final : public paint::Visitor {
  public:
     explicit Reader(TableReader table) : table_(std::move(table)) {}
@@ -94,7 +112,23 @@ class Reader final : public paint::Visitor {
     }
 
     void text(const Field& field, std::string& value) override {
-        value = table_.text_or(field.key, value, field.max_size);
+        value = field.required ? table_.text(field.key, field.max_size)
+                               : table_.text_or(field.key, value, field.max_size);
+    }
+
+    void flag(const Field& field, bool& value) override {
+        value = table_.flag_or(field.key, value);
+    }
+
+    void vector(const Field& field, Vec3f& value) override {
+        if (!wanted(field)) return;
+        const std::vector<double> v = table_.numbers(field.key, field.range, 3, 3);
+        value = {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+    }
+
+    void path(const Field& field, std::filesystem::path& value) override {
+        if (!wanted(field)) return;
+        value = table_.document().base_directory() / table_.text(field.key, field.max_size);
     }
 
     void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
@@ -104,12 +138,26 @@ class Reader final : public paint::Visitor {
     bool has(const Field& field, bool) override { return table_.has(field.key); }
 
     void table(const Field& field, Described object) override {
-        if (wanted(field)) read_described(table_.table(field.key, keys_of(object)), object);
+        if (wanted(field)) read_described(table_.table(field.key, keys_to_open(object)), object);
     }
 
     void list(const Field& field, paint::List& list) override {
         for (const TableReader& entry : table_.tables(field.key, field.max_size, list.keys())) {
             read_described(entry, list.add());
+        }
+    }
+
+    void named(const Field& field, paint::NamedList& list) override {
+        const auto table = table_.table_if_present(field.key, {});
+        if (!table) return;
+        const std::vector<std::string> names = table->keys();
+        if (names.size() > field.max_size) {
+            table_.fail(field.key, fmt::format("has {} entries; at most {} are allowed",
+                                               names.size(), field.max_size));
+        }
+        for (const std::string& name : names) {
+            const Described object = list.add(name);
+            read_described(table->table(name, keys_to_open(object)), object);
         }
     }
 
@@ -205,12 +253,19 @@ class Writer final : public paint::Visitor {
     void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
         add(field, toml_text(words[index]));
     }
+    void flag(const Field& field, bool& value) override { add(field, value ? "true" : "false"); }
+    void vector(const Field& field, Vec3f& v) override {
+        add(field, fmt::format("[{}, {}, {}]", v.x, v.y, v.z));
+    }
+    void path(const Field& field, std::filesystem::path& path) override {
+        if (!path.empty()) add(field, toml_text(path.string()));
+    }
 
     void table(const Field& field, Described object) override {
         if (in_line_ || field.in_line) {
             add(field, in_line_text(object));
         } else {
-            add_section(fmt::format("\n[{}]\n", path_of(field)), field, object);
+            add_section("\n[{}]\n", path_of(field.key), object);
         }
     }
 
@@ -218,7 +273,7 @@ class Writer final : public paint::Visitor {
         if (list.size() == 0) return;
         if (!in_line_ && !field.in_line) {
             for (std::size_t i = 0; i < list.size(); ++i) {
-                add_section(fmt::format("\n[[{}]]\n", path_of(field)), field, list.at(i));
+                add_section("\n[[{}]]\n", path_of(field.key), list.at(i));
             }
             return;
         }
@@ -229,14 +284,18 @@ class Writer final : public paint::Visitor {
         add(field, entries + "]");
     }
 
+    void named(const Field& field, paint::NamedList& list) override {
+        list.for_each([&](const std::string& name, Described object) {
+            add_section("\n[{}]\n", path_of(field.key) + "." + toml_text(name), object);
+        });
+    }
+
     void other(const Field& field) override { refuse_kind(field); }
 
-    std::string text() && { return std::move(text_); }
+    std::string text() const { return text_ + sections_; }
 
  private:
-    std::string path_of(const Field& field) const {
-        return path_.empty() ? field.key : path_ + "." + field.key;
-    }
+    std::string path_of(const char* key) const { return path_.empty() ? key : path_ + "." + key; }
 
     static std::string in_line_text(const Described& object) {
         Writer writer("", true);
@@ -250,15 +309,17 @@ class Writer final : public paint::Visitor {
         if (!in_line_) text_ += '\n';
     }
 
-    void add_section(const std::string& header, const Field& field, const Described& object) {
-        Writer writer(path_of(field));
+    /// Tables stand below all keys of the table that they are in.
+    void add_section(fmt::format_string<const std::string&> header, const std::string& path,
+                     const Described& object) {
+        Writer writer(path);
         object.accept(writer);
-        text_ += header + writer.text_;
+        sections_ += fmt::format(header, path) + writer.text();
     }
 
     std::string path_;
     bool in_line_;
-    std::string text_;
+    std::string text_, sections_;
 };
 
 }  // namespace
@@ -285,14 +346,16 @@ std::string toml_list(const std::vector<double>& values) {
 }
 
 void read_described(const TableReader& table, const Described& object) {
-    Reader reader(table);
+    KindReader kind(table);
+    object.accept(kind);
+    Reader reader(kind.found ? table.narrowed(keys_of(object)) : table);
     object.accept(reader);
 }
 
 std::string write_described(const Described& object) {
     Writer writer("");
     object.accept(writer);
-    return std::move(writer).text();
+    return writer.text();
 }
 
 }  // namespace nacre::io

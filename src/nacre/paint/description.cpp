@@ -25,8 +25,13 @@ class KeyVisitor : public Visitor {
 class KeyList final : public KeyVisitor {
  public:
     void other(const Field& field) override { keys.emplace_back(field.key); }
+    void kind(const Field& field, const Words&, std::size_t&) override {
+        other(field);
+        has_kind = true;
+    }
 
     std::vector<std::string> keys;
+    bool has_kind = false;
 };
 
 }  // namespace
@@ -35,6 +40,12 @@ std::vector<std::string> keys_of(const Described& object) {
     KeyList list;
     object.accept(list);
     return list.keys;
+}
+
+std::vector<std::string> keys_to_open(const Described& object) {
+    KeyList list;
+    object.accept(list);
+    return list.has_kind ? std::vector<std::string>() : list.keys;
 }
 
 void PathVisitor::descend(const std::string& key, const Described& object) {
@@ -50,6 +61,12 @@ void PathVisitor::list(const Field& field, List& list) {
     for (std::size_t i = 0; i < list.size(); ++i) {
         descend(fmt::format("{}[{}]", field.key, i), list.at(i));
     }
+}
+
+void PathVisitor::named(const Field& field, NamedList& list) {
+    list.for_each([&](const std::string& name, Described object) {
+        descend(fmt::format("{}.{}", field.key, name), object);
+    });
 }
 
 // ----------------------------------------------------------------------------------- checks
@@ -79,6 +96,10 @@ void RangeCheck::spectrum(const Field& field, spectra::Spectrum& value) {
     }
 }
 
+void RangeCheck::vector(const Field& field, Vec3f& value) {
+    for (double component : {value.x, value.y, value.z}) number(field, component);
+}
+
 void RangeCheck::list(const Field& field, List& list) {
     if (list.size() > field.max_size) {
         throw DomainError(fmt::format("{}: has {} entries; at most {} are allowed", path_of(field),
@@ -93,6 +114,7 @@ namespace {
 
 /// Powers of ten from 10000 on as 1e4.
 std::string short_number(double x) {
+    if (x < 0) return "-" + short_number(-x);
     const std::string text = fmt::format("{}", x);
     const bool power =
         text.size() > 4 && text[0] == '1' && text.find_first_not_of('0', 1) == std::string::npos;
@@ -127,6 +149,20 @@ class MarkdownRows final : public KeyVisitor {
         for (const std::string& word : words) range += (range.empty() ? "" : ", ") + quoted(word);
         row(field, "text", "", range, quoted(words[index]));
     }
+    void flag(const Field& field, bool& value) override {
+        row(field, "flag", "", "true, false", value ? "true" : "false");
+    }
+    void vector(const Field& field, Vec3f& value) override {
+        row(field, "3 numbers", unit_text(field.range), range_text(field),
+            fmt::format("[{}, {}, {}]", value.x, value.y, value.z));
+    }
+    void path(const Field& field, std::filesystem::path&) override {
+        row(field, "path", "", fmt::format("up to {} characters", field.max_size), "none");
+    }
+    void named(const Field& field, NamedList&) override {
+        row(field, "tables with names", "", fmt::format("up to {}", field.max_size), "none");
+    }
+    bool visits_held() const override { return false; }
     void list(const Field& field, List&) override {
         row(field, "tables", "", fmt::format("up to {}", field.max_size), "none");
     }

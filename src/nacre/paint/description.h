@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/core/vec.h"
 #include "nacre/optics/material.h"
 #include "nacre/spectra/spectrum.h"
 
@@ -71,10 +75,20 @@ class List {
     virtual std::size_t size() const = 0;
     virtual Described at(std::size_t i) = 0;
     virtual Described add() = 0;
-    virtual std::vector<std::string> keys() const = 0;  ///< of an entry
+    virtual std::vector<std::string> keys() const = 0;  ///< keys_to_open() of an entry
 
  protected:
     ~List() = default;
+};
+
+/// Described objects with names of the user's own.
+class NamedList {
+ public:
+    virtual void for_each(const std::function<void(const std::string& name, Described)>& act) = 0;
+    virtual Described add(const std::string& name) = 0;
+
+ protected:
+    ~NamedList() = default;
 };
 
 /// Alternatives of which an object has one, each stated by keys of the same table. A file chooses
@@ -94,6 +108,9 @@ using Words = std::vector<std::string>;
 /// The keys of an object's own table, in order, those of all alternatives among them.
 std::vector<std::string> keys_of(const Described& object);
 
+/// The same, or none if they are not known before its kind is read: see Visitor::kind().
+std::vector<std::string> keys_to_open(const Described& object);
+
 template <class T>
 std::vector<std::string> keys_of_new() {
     T object;
@@ -109,6 +126,9 @@ class Visitor {
     void operator()(const Field& field, spectra::Spectrum& value) { spectrum(field, value); }
     void operator()(const Field& field, optics::Material& value) { material(field, value); }
     void operator()(const Field& field, std::string& value) { text(field, value); }
+    void operator()(const Field& field, bool& value) { flag(field, value); }
+    void operator()(const Field& field, Vec3f& value) { vector(field, value); }
+    void operator()(const Field& field, std::filesystem::path& value) { path(field, value); }
 
     /// One of several words, in the order of the enumeration.
     template <class Enum>
@@ -132,6 +152,24 @@ class Visitor {
         list(field, entries);
     }
 
+    template <class T>
+    void operator()(const Field& field, std::map<std::string, T>& values) {
+        NamedMap<T> entries(values);
+        named(field, entries);
+    }
+
+    /// Which alternative a table states, by a word. Its own keys are described by held().
+    template <class... T>
+    void operator()(const Field& field, const Words& words, std::variant<T...>& value) {
+        std::size_t index = value.index();
+        kind(field, words, index);
+        if (index != value.index()) emplace(value, index);
+    }
+    template <class... T>
+    void held(std::variant<T...>& value) {
+        if (visits_held()) std::visit([&](auto& one) { describe(*this, one); }, value);
+    }
+
     template <class... T>
     void operator()(const Alternatives& alternatives, std::variant<T...>& value) {
         if (visits_all_alternatives()) return (visit_new<T>(), ...);
@@ -149,8 +187,15 @@ class Visitor {
     virtual void spectrum(const Field& field, spectra::Spectrum&) { other(field); }
     virtual void material(const Field& field, optics::Material&) { other(field); }
     virtual void text(const Field& field, std::string&) { other(field); }
+    virtual void flag(const Field& field, bool&) { other(field); }
+    virtual void vector(const Field& field, Vec3f&) { other(field); }
+    virtual void path(const Field& field, std::filesystem::path&) { other(field); }
     virtual void choice(const Field& field, const Words&, std::size_t&) { other(field); }
+    virtual void kind(const Field& field, const Words& words, std::size_t& index) {
+        choice(field, words, index);
+    }
     virtual void list(const Field& field, List&) { other(field); }
+    virtual void named(const Field& field, NamedList&) { other(field); }
     virtual void other(const Field&) {}
 
     /// Whether an optional table is to be visited; it is made if the object lacks it.
@@ -165,6 +210,8 @@ class Visitor {
     }
     /// For lists of keys: all alternatives are visited, in new objects.
     virtual bool visits_all_alternatives() const { return false; }
+    /// Whether the keys of the alternative that a word chose are visited.
+    virtual bool visits_held() const { return true; }
 
  protected:
     ~Visitor() = default;
@@ -177,10 +224,26 @@ class Visitor {
         std::size_t size() const override { return values_.size(); }
         Described at(std::size_t i) override { return Described(values_[i]); }
         Described add() override { return Described(values_.emplace_back()); }
-        std::vector<std::string> keys() const override { return keys_of_new<T>(); }
+        std::vector<std::string> keys() const override {
+            T object;
+            return keys_to_open(Described(object));
+        }
 
      private:
         std::vector<T>& values_;
+    };
+
+    template <class T>
+    class NamedMap final : public NamedList {
+     public:
+        explicit NamedMap(std::map<std::string, T>& values) : values_(values) {}
+        void for_each(const std::function<void(const std::string& name, Described)>& act) override {
+            for (auto& [name, value] : values_) act(name, Described(value));
+        }
+        Described add(const std::string& name) override { return Described(values_[name]); }
+
+     private:
+        std::map<std::string, T>& values_;
     };
 
     template <class T>
@@ -201,6 +264,7 @@ class PathVisitor : public Visitor {
  public:
     void table(const Field& field, Described object) override;
     void list(const Field& field, List& list) override;
+    void named(const Field& field, NamedList& list) override;
 
  protected:
     ~PathVisitor() = default;
@@ -218,6 +282,7 @@ class RangeCheck : public PathVisitor {
  public:
     void number(const Field& field, double& value) override;
     void spectrum(const Field& field, spectra::Spectrum& value) override;
+    void vector(const Field& field, Vec3f& value) override;
     void list(const Field& field, List& list) override;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -45,6 +46,21 @@ class EveryKey final : public paint::PathVisitor {
     void text(const paint::Field& field, std::string& value) override {
         if (found(field)) value += "x";
     }
+    void flag(const paint::Field& field, bool& value) override {
+        if (found(field)) value = !value;
+    }
+    void vector(const paint::Field& field, Vec3f& value) override {
+        if (!found(field, true)) return;
+        value.x = static_cast<float>(value_.value_or(another(field, value.x)));
+    }
+    void path(const paint::Field& field, std::filesystem::path& value) override {
+        if (found(field)) value += "x";
+    }
+    /// Another kind has other keys: it stays.
+    void kind(const paint::Field& field, const paint::Words&, std::size_t&) override {
+        found(field);
+        keys.back().is_settled = true;
+    }
     void choice(const paint::Field& field, const paint::Words& words, std::size_t& i) override {
         const bool here = found(field);
         keys.back().is_settled = words.size() == 1;
@@ -74,7 +90,9 @@ class EveryKey final : public paint::PathVisitor {
 
 /// Values just outside a range, or at its open ends.
 inline std::vector<double> values_outside(const Range& range) {
-    return {range.lo_open ? range.lo : range.lo - 0.5, range.hi_open ? range.hi : range.hi + 0.5};
+    const auto step = [](double end) { return std::max(0.5, 1e-6 * std::abs(end)); };  // a float's
+    return {range.lo_open ? range.lo : range.lo - step(range.lo),
+            range.hi_open ? range.hi : range.hi + step(range.hi)};
 }
 
 /// The key without the tables around it, and without the place in a list.
