@@ -77,7 +77,7 @@ TEST(SmoothInterface, EqualIndicesAreNoInterface) {
     }
 }
 
-TEST(SmoothInterface, MeetingsByLotHaveTheWeightsAndDirectionsOfTheOthers) {
+TEST(SmoothInterface, SampledEventsHaveTheMeansOfTheWeightedOnes) {
     const auto interface = make_smooth_interface(1.5);
     RandomStream random(1, 2, 3);
     constexpr int kMeetings = 40'000;

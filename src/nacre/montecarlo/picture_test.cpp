@@ -211,7 +211,7 @@ void expect_sound_samples(const bsdf::Bsdf& model, Rng& rng, int& left) {
     }
 }
 
-TEST(StrangePaint, WalksAreFiniteAtTheLimitsOfRecipes) {
+TEST(ExtremeRecipes, WalksAreFiniteAtTheLimitsOfRecipes) {
     Rng rng(11, 12);
     int left = 0;
     for (int i = 0; i < 60; ++i) {

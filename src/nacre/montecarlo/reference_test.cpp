@@ -221,7 +221,7 @@ using test::kWorstZ;
 using test::worked_paint;
 using test::z_score;
 
-TEST(Reference, ManyEyesAreServedInTheirOrder) {
+TEST(Reference, ManyOutgoingDirectionsKeepTheirOrder) {
     // More than one walk serves: two directions in turns, so that a slip shows.
     std::vector<Direction> outgoing;
     for (int i = 0; i < 700; ++i) {

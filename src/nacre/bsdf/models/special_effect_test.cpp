@@ -273,7 +273,7 @@ TEST(SpecialEffect, APatchWithoutAreaGivesTheMean) {
     for (int i = 0; i < kLanes; ++i) EXPECT_EQ(point[i], mean[i]);
 }
 
-TEST(SpecialEffect, AnyPatchAndDirectionIsHarmless) {
+TEST(SpecialEffect, StaysFiniteForAnyPatchAndDirection) {
     const auto bound = SpecialEffect(pigment(1e9, true), 1).bind(kVisible);
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
