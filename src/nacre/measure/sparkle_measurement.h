@@ -92,7 +92,7 @@ std::vector<Spot> visible_spots(const RetinalPicture& picture, const Background&
 
 struct Sparkle {
     double mean_y = 0;        ///< luminance factor of the panel
-    Estimate pixel_contrast;  ///< what the camera saw, without the eye: measure::pixel_contrast()
+    Estimate pixel_contrast;  ///< what the camera saw, without the eye: pixel_contrast()
     Background background;
     double blur_mm = 0;        ///< as in RetinalPicture
     double area_mm2 = 0;       ///< of the panel in which spots are looked for
@@ -114,7 +114,7 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing = {});
 struct Graininess {
     double mean_y = 0;        ///< luminance factor of the panel
     Estimate graininess;      ///< in thresholds: 1 is a sinusoidal grating that is just noticed
-    Estimate pixel_contrast;  ///< the same without the eye: measure::pixel_contrast()
+    Estimate pixel_contrast;  ///< the same without the eye: pixel_contrast()
 };
 
 /// The contrast of a picture, frequency by frequency, weighted with the eye's contrast sensitivity

@@ -28,15 +28,15 @@ Direction3 sample_henyey_greenstein(const Direction3& in, double g, RandomStream
 
 const Pigment* draw_pigment(const Slab& slab, Lanes& weight, RandomStream& random) {
     const double total = lane_sum(weight) * slab.pigment_rate_per_um;
-    double lot = random.uniform() * total;
+    double choice = random.uniform() * total;
     for (const Pigment& pigment : slab.pigments) {
         const Lanes scattered = weight * pigment.scattering_per_um;
         const double sum = lane_sum(scattered);
-        if (sum > 0 && lot < sum) {
+        if (sum > 0 && choice < sum) {
             weight = scattered * (total / (sum * slab.pigment_rate_per_um));
             return &pigment;
         }
-        lot -= sum;
+        choice -= sum;
     }
     const Lanes missed = weight * (slab.pigment_rate_per_um - slab.pigment_scattering_per_um);
     const double sum = lane_sum(missed);

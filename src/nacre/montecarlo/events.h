@@ -81,7 +81,7 @@ inline constexpr double kHorizontal = 1e-12;
 /// after some square of its optical depth: 3000 is within reach.
 inline constexpr std::uint64_t kMaxFlights = 20'000'000;
 
-/// A walk whose mean weight is below this goes on by lot.
+/// A walk whose mean weight is below this goes on at random.
 inline constexpr double kRouletteThreshold = 0.1;
 
 /// Gives up a walk that is still in the paint after kMaxFlights.
@@ -116,7 +116,7 @@ inline Direction3 sample_lambert(RandomStream& random) {
 
 enum class FlakeEvent { reflected, passed, absorbed };
 
-/// Light meets a flake of this R and T: it is reflected or goes straight on, by lot; what the flake
+/// Light meets a flake of this R and T: it is reflected or goes straight on, at random; what the flake
 /// absorbs lightens it. The weight is of no use after `absorbed`.
 inline FlakeEvent draw_flake_event(const Lanes& reflectance, const Lanes& transmittance,
                                    Lanes& weight, RandomStream& random) {
@@ -144,7 +144,7 @@ inline Direction3 mirrored(const Direction3& travel, double projection, const Di
     return (travel - 2 * projection * normal).normalized();
 }
 
-/// Light meets a candidate of slab.pigment_rate_per_um: the pigment that scatters it, by lot, or
+/// Light meets a candidate of slab.pigment_rate_per_um: the pigment that scatters it, at random, or
 /// none if the candidate was none.
 const Pigment* draw_pigment(const Slab& slab, Lanes& weight, RandomStream& random);
 

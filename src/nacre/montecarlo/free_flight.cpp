@@ -44,7 +44,7 @@ struct Panel {
 };
 
 template <class Visit>
-void for_each_panel(const montecarlo::Slab& slab, const RadialRay& ray, double length, int panels,
+void for_each_panel(const Slab& slab, const RadialRay& ray, double length, int panels,
                     Visit&& visit) {
     const double width = length / panels;
     double start = candidate_rate(slab, ray.cosine);
@@ -59,29 +59,29 @@ void for_each_panel(const montecarlo::Slab& slab, const RadialRay& ray, double l
 
 }  // namespace
 
-double candidate_rate(const montecarlo::Slab& slab, double cosine) {
+double candidate_rate(const Slab& slab, double cosine) {
     double rate = slab.pigment_rate_per_um;
-    for (const montecarlo::Flakes& species : slab.flakes)
+    for (const Flakes& species : slab.flakes)
         rate += species.area_density_per_um * candidate_area(cosine, species.alpha);
     return rate;
 }
 
-std::optional<Candidate> fly_delta(const montecarlo::Slab& slab, const RadialRay& ray,
-                                   double length_um, montecarlo::RandomStream& random) {
+std::optional<Candidate> fly_delta(const Slab& slab, const RadialRay& ray, double length_um,
+                                   RandomStream& random) {
     const double end = ray.cosine_at(length_um);
     const double majorant = candidate_rate(slab, std::max(std::abs(ray.cosine), std::abs(end)));
     if (!(majorant > 0)) return {};
     for (double distance = 0;;) {
         distance += random.exponential() / majorant;
         if (distance >= length_um) return {};
-        const double lot = random.uniform() * majorant;
-        if (lot < candidate_rate(slab, ray.cosine_at(distance))) return Candidate{distance, lot};
+        const double choice = random.uniform() * majorant;
+        if (choice < candidate_rate(slab, ray.cosine_at(distance)))
+            return Candidate{distance, choice};
     }
 }
 
-std::optional<Candidate> fly_simpson(const montecarlo::Slab& slab, const RadialRay& ray,
-                                     double length_um, int panels,
-                                     montecarlo::RandomStream& random) {
+std::optional<Candidate> fly_simpson(const Slab& slab, const RadialRay& ray, double length_um,
+                                     int panels, RandomStream& random) {
     double target = random.exponential();
     std::optional<Candidate> found;
     for_each_panel(slab, ray, length_um, panels, [&](const Panel& panel, double from) {
@@ -98,8 +98,7 @@ std::optional<Candidate> fly_simpson(const montecarlo::Slab& slab, const RadialR
     return found;
 }
 
-double simpson_depth(const montecarlo::Slab& slab, const RadialRay& ray, double length_um,
-                     int panels) {
+double simpson_depth(const Slab& slab, const RadialRay& ray, double length_um, int panels) {
     double sum = 0;
     for_each_panel(slab, ray, length_um, panels, [&](const Panel& panel, double) {
         sum += panel.depth();

@@ -77,7 +77,7 @@ struct CandidateSlopes {
 /// Density proportional to |mu - s p| exp(-(p^2 + q^2) / alpha^2): q is Gaussian, and p is drawn
 /// from (|mu| + s |p|) exp(-p^2 / alpha^2) and kept with the ratio of the two.
 inline CandidateSlopes sample_candidate(double mu, double sine, double alpha,
-                                        montecarlo::RandomStream& random) {
+                                        RandomStream& random) {
     const double cosine = std::abs(mu);
     const double flat = std::sqrt(std::numbers::pi) * cosine, tilted = alpha * sine;
     for (;;) {
@@ -96,29 +96,27 @@ inline CandidateSlopes sample_candidate(double mu, double sine, double alpha,
 
 /// Candidates per um of path under this cosine with the radial direction: flakes by
 /// candidate_area(), pigments by their largest scattering coefficient.
-double candidate_rate(const montecarlo::Slab& slab, double cosine);
+double candidate_rate(const Slab& slab, double cosine);
 
 struct Candidate {
     double distance_um;
-    double lot;  ///< uniform in [0, candidate_rate) at its place: which of them it is
+    double choice;  ///< uniform in [0, candidate_rate) at its place: which of them it is
 };
 
 /// Unbiased: tentative candidates follow each other at the largest rate on the piece, which is that
 /// at one of its ends, and count with the ratio of the local rate to it.
 ///                                                                 [woodcock-1965; novak-2018]
 /// @return empty if the light gets to the end of the piece, `length_um` away
-std::optional<Candidate> fly_delta(const montecarlo::Slab& slab, const RadialRay& ray,
-                                   double length_um, montecarlo::RandomStream& random);
+std::optional<Candidate> fly_delta(const Slab& slab, const RadialRay& ray, double length_um,
+                                   RandomStream& random);
 
 /// By the optical depth of candidates, integrated by a composite Simpson rule of `panels` panels,
 /// and inverted: within a panel the rate is the parabola that the rule integrates. The error falls
 /// with the fourth power of the panels' width; where the rate is constant, there is none.
-std::optional<Candidate> fly_simpson(const montecarlo::Slab& slab, const RadialRay& ray,
-                                     double length_um, int panels,
-                                     montecarlo::RandomStream& random);
+std::optional<Candidate> fly_simpson(const Slab& slab, const RadialRay& ray, double length_um,
+                                     int panels, RandomStream& random);
 
 /// Optical depth of the candidates on the piece, by the same rule.
-double simpson_depth(const montecarlo::Slab& slab, const RadialRay& ray, double length_um,
-                     int panels);
+double simpson_depth(const Slab& slab, const RadialRay& ray, double length_um, int panels);
 
 }  // namespace nacre::montecarlo

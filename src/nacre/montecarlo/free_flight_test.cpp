@@ -119,7 +119,7 @@ TEST(FlakeCandidates, AreaGrowsWithTheCosine) {
 
 TEST(FlakeCandidates, ThoseThatAreRealHaveTheProjectedAreaOfTheFlakes) {
     // E[m_z] over candidates, times their area, against the quadrature over flake normals.
-    montecarlo::RandomStream random(1, 2, 3);
+    RandomStream random(1, 2, 3);
     constexpr int kDraws = 100'000;
     for (const double alpha : {0.1, 0.6}) {
         for (const double mu : {0.02, 0.3, 0.8, -0.8, 1.0}) {
@@ -143,7 +143,7 @@ TEST(FlakeCandidates, ThoseThatAreRealHaveTheProjectedAreaOfTheFlakes) {
 TEST(FlakeCandidates, SlopesFollowWhatIsSeen) {
     // Histogram of the slope along the ray against the integral of its density: chi-square of 20
     // bins, 19 degrees of freedom, exceeds 43.8 once in 1000.
-    montecarlo::RandomStream random(4, 5, 6);
+    RandomStream random(4, 5, 6);
     constexpr int kDraws = 200'000, kBins = 20;
     const double alpha = 0.3;
     for (const double mu : {-0.9, 0.1, 0.5}) {
@@ -184,15 +184,12 @@ TEST(FlakeCandidates, SlopesFollowWhatIsSeen) {
 
 namespace {
 
-using montecarlo::RandomStream;
-using montecarlo::Slab;
-
 /// Flakes and a pigment; what a piece of ray meets varies by a factor of 20.
 Slab mixed_slab() {
     paint::Layer layer = test::flake_layer(1, 0.05, 0.6, 0.2);
     layer.pigments.push_back({2.0, 1.0, 0.3});
     const std::array wavelengths{550.};
-    return montecarlo::Medium(test::paint(1.5, {layer}), wavelengths).slabs[0];
+    return Medium(test::paint(1.5, {layer}), wavelengths).slabs[0];
 }
 
 /// Down to the tangent point and up again, in 10 um on a radius of 200 um.
@@ -244,7 +241,7 @@ TEST(FreeFlight, BothTrackingsFollowTheOpticalDepth) {
                                        : fly_simpson(slab, kChord, kChordLength, kPanels, random);
             if (candidate) {
                 distances.push_back(candidate->distance_um);
-                EXPECT_LE(candidate->lot,
+                EXPECT_LE(candidate->choice,
                           candidate_rate(slab, kChord.cosine_at(candidate->distance_um)));
             } else {
                 ++passed;

@@ -138,7 +138,7 @@ class RoughAirInterface final : public AirInterface {
     double reflect_outside(const Direction3& towards_light, const Direction3& towards_eye,
                            RandomStream& random) const override {
         double sum = facet_brdf(towards_light, towards_eye);
-        // m(light) m(eye) / Int m: the masked shares by lot; the number of directions, uniform in
+        // m(light) m(eye) / Int m: the masked shares at random; the number of directions, uniform in
         // etendue, that it takes to find one whose light is masked has the mean  total / Int m.
         if (is_masked({towards_light, false}, random) && is_masked({towards_eye, false}, random)) {
             std::uint64_t trials = 1;

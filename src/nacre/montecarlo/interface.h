@@ -36,7 +36,7 @@ class AirInterface {
     ///         rest leaves the paint
     virtual Weighted reflect_inside(const Direction3& travel, RandomStream& random) const = 0;
 
-    /// The same two by lot: all of the light goes one way, reflected or through.
+    /// The same two at random: all of the light goes one way, reflected or through.
     /// @param towards_light  unit vector outside, z > 0
     virtual Passage meet_from_outside(const Direction3& towards_light,
                                       RandomStream& random) const = 0;

@@ -16,7 +16,6 @@
 namespace nacre::montecarlo {
 namespace {
 
-using montecarlo::Estimate;
 using test::kOnGrid;
 
 constexpr int kSide = 24, kSamplesPerPixel = 2048;
@@ -174,9 +173,9 @@ paint::Recipe strange_paint(Rng& rng) {
         layer.thickness_um = thickness_um;
         if (rng.uniform_double() < 0.7) {
             const double reflectance = 0.95 * rng.uniform_double();
-            layer.flakes.push_back(montecarlo::test::flakes(
-                std::min(depth / thickness_um, 1e6), by_magnitude(rng, 0.005, 1), reflectance,
-                (0.95 - reflectance) * rng.uniform_double()));
+            layer.flakes.push_back(test::flakes(std::min(depth / thickness_um, 1e6),
+                                                by_magnitude(rng, 0.005, 1), reflectance,
+                                                (0.95 - reflectance) * rng.uniform_double()));
         }
         if (rng.uniform_double() < 0.5) {
             const double per_mm = std::min(1e3 * depth / thickness_um, 1e9);

@@ -47,10 +47,9 @@ BoundWalk::BoundWalk(const WalkTables& tables, const bsdf::Wavelengths& waveleng
     for (int lane = 0; lane < kLanes; ++lane) {
         index_[lane] = tables.grid.index(wavelengths_nm[lane]);
         const bool like_last = lane > 0 && index_[lane] == index_[lane - 1];
-        interfaces_[lane] =
-            like_last
-                ? interfaces_[lane - 1]
-                : std::shared_ptr(montecarlo::make_air_interface(tables.recipe, index_[lane]));
+        interfaces_[lane] = like_last
+                                ? interfaces_[lane - 1]
+                                : std::shared_ptr(make_air_interface(tables.recipe, index_[lane]));
         rough_ = rough_ || interfaces_[lane]->scatters();
         dispersive_ = dispersive_ || index_[lane] != index_[0];
     }
@@ -163,16 +162,14 @@ FloatLanes BoundWalk::albedo(Vec3f wi) const {
 
 namespace {
 
-using montecarlo::WalkState;
-
 /// Lets light out by lot.
 class WayOut {
  public:
-    WayOut(const montecarlo::AirInterface& interface, RandomStream& random)
+    WayOut(const AirInterface& interface, RandomStream& random)
         : interface_(interface), random_(random) {}
 
     bool follows(const WalkState&) const { return true; }
-    void flies(const WalkState&, const montecarlo::Slab&, double, double) const {}
+    void flies(const WalkState&, const Slab&, double, double) const {}
     void lands(const Lanes&) const {}
     bool lifts(const Lanes&) const { return true; }
     void surfaces(WalkState& state) {
@@ -186,7 +183,7 @@ class WayOut {
     std::optional<Escape> escape;
 
  private:
-    const montecarlo::AirInterface& interface_;
+    const AirInterface& interface_;
     RandomStream& random_;
 };
 
@@ -200,7 +197,7 @@ class BoundPlaneWalk final : public BoundWalk {
  private:
     std::optional<Escape> follow(const Entry& entry, RandomStream& random) const override {
         WayOut way_out(interface(entry.lane), random);
-        montecarlo::DepthWalk(medium(), random, way_out).run(entry.travel, entry.weight);
+        DepthWalk(medium(), random, way_out).run(entry.travel, entry.weight);
         return way_out.escape;
     }
 };

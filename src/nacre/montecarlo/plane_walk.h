@@ -18,17 +18,13 @@ namespace nacre::montecarlo {
 /// What walks through one paint share, before any wavelength is chosen.
 struct WalkTables {
     paint::Recipe recipe;
-    montecarlo::MediumGrid grid;
+    MediumGrid grid;
 
     WalkTables(const paint::Recipe& r, const std::vector<double>& wavelengths_nm)
         : recipe(r), grid(r, wavelengths_nm) {}
 };
 
 // What the two walks have in common: how light comes in, by which lot, and what a renderer is told.
-
-using montecarlo::Direction3;
-using montecarlo::Lanes;
-using montecarlo::RandomStream;
 
 /// Light that has just come in at the origin of the local frame.
 struct Entry {
@@ -72,9 +68,9 @@ class BoundWalk : public bsdf::BoundBsdf {
     /// once, when follow() is ready.
     void estimate_typical_weight();
 
-    const montecarlo::Medium& medium() const { return medium_; }
+    const Medium& medium() const { return medium_; }
     double index(int lane) const { return index_[lane]; }
-    const montecarlo::AirInterface& interface(int lane) const { return *interfaces_[lane]; }
+    const AirInterface& interface(int lane) const { return *interfaces_[lane]; }
 
  private:
     struct Packet {
@@ -92,9 +88,9 @@ class BoundWalk : public bsdf::BoundBsdf {
                                      RandomStream& random) const;
     Lanes mean_weight(double cosine, int walks, std::uint64_t number, double* mean_square) const;
 
-    montecarlo::Medium medium_;
+    Medium medium_;
     std::array<double, kLanes> index_;
-    std::array<std::shared_ptr<const montecarlo::AirInterface>, kLanes> interfaces_;
+    std::array<std::shared_ptr<const AirInterface>, kLanes> interfaces_;
     bool rough_ = false, dispersive_ = false;
     /// Root mean square of the weight with which light leaves that came in with weight 1.
     double typical_weight_ = 1;

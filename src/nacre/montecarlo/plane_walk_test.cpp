@@ -20,8 +20,8 @@ constexpr int kWalks = 200'000;
 void expect_reference_albedo(const paint::Recipe& recipe, double theta_deg) {
     const auto surface = PlaneWalk(recipe).bind(kOnGrid);
     const auto found = walked_albedo(*surface, from_degrees(theta_deg, 30), kWalks);
-    const auto expected = montecarlo::reference_albedo(
-        recipe, std::vector<montecarlo::Direction>{{theta_deg, 0}}, kOnGrid, {.samples = kWalks});
+    const auto expected = reference_albedo(recipe, std::vector<Direction>{{theta_deg, 0}}, kOnGrid,
+                                           {.samples = kWalks});
     for (int lane = 0; lane < kLanes; ++lane) {
         EXPECT_GT(found[lane].standard_error, 0);
         EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
@@ -78,7 +78,7 @@ TEST(PlaneWalk, PowerIntoASolidAngleIsTheIntegralOfTheReferencesBrdf) {
     for (std::size_t b = 0; b < bins.size(); ++b) {
         const Quadrature theta = gauss_legendre(kNodes, bins[b].theta_from, bins[b].theta_to);
         const Quadrature phi = gauss_legendre(kNodes, bins[b].phi_from, bins[b].phi_to);
-        std::vector<montecarlo::Direction> eyes;
+        std::vector<Direction> eyes;
         std::vector<double> weights;
         for (int i = 0; i < kNodes; ++i) {
             for (int j = 0; j < kNodes; ++j) {
@@ -88,12 +88,11 @@ TEST(PlaneWalk, PowerIntoASolidAngleIsTheIntegralOfTheReferencesBrdf) {
                                   std::sin(t) * std::cos(t));
             }
         }
-        const auto brdf =
-            montecarlo::reference_brdf(recipe, std::vector<montecarlo::Direction>{{theta_i, 0}},
-                                       eyes, kOnGrid, {.samples = 20'000});
+        const auto brdf = reference_brdf(recipe, std::vector<Direction>{{theta_i, 0}}, eyes,
+                                         kOnGrid, {.samples = 20'000});
         for (int lane = 0; lane < kLanes; ++lane) {
             // Eyes share walks: their errors add up at worst.
-            montecarlo::Estimate expected;
+            Estimate expected;
             for (std::size_t j = 0; j < eyes.size(); ++j) {
                 expected.mean += weights[j] * brdf[j * kLanes + lane].mean;
                 expected.standard_error += weights[j] * brdf[j * kLanes + lane].standard_error;

@@ -436,7 +436,7 @@ TEST(Clearcoat, AbsorbsByBeerAndLambert) {
 
 TEST(PigmentSlab, DeepAbsorptionOverWhiteGroundFollowsBeerAndLambert) {
     // Nothing scatters but the ground: exp(-depth) down, and the mean of exp(-depth / mu) over
-    // Lambert's law up. Most walks end by lot on their way, and those must bring nothing.
+    // Lambert's law up. Most walks end by Russian roulette on their way, and those must bring nothing.
     constexpr double kDepth = 1.5;
     const auto recipe = test::paint(1, {test::pigment_layer(0, kDepth, 0)}, 1);
     const Albedo albedo = albedo_of(recipe, 1, 140'000);

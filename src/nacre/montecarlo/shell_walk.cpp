@@ -75,19 +75,13 @@ std::unique_ptr<const bsdf::BoundBsdf> ShellWalk::bind(
     return std::make_unique<BoundShellWalk>(tables_, settings_, wavelengths_nm);
 }
 
-using montecarlo::Flakes;
-using montecarlo::Slab;
-
 std::optional<Escape> ShellWalker::run(const Direction3& travel, const Lanes& weight) {
+    start(travel, weight);
     position_ = Direction3::Zero();
-    travel_ = travel;
-    weight_ = weight;
-    slab_ = 0;
-    slab_top_um_ = depth_um_ = 0;
-    alive_ = true;
+    slab_top_um_ = 0;
     escape_.reset();
-    for (std::uint64_t flights = 0; alive_; ++flights) {
-        if (flights == montecarlo::kMaxFlights) montecarlo::throw_endless_walk();
+    for (std::uint64_t flights = 0; state_.alive; ++flights) {
+        if (flights == kMaxFlights) throw_endless_walk();
         fly();
     }
     return escape_;
@@ -100,32 +94,29 @@ Direction3 ShellWalker::normal() const {
 
 /// To the next candidate or to the edge of the slab, whichever comes first.
 void ShellWalker::fly() {
-    const Slab& slab = medium_.slabs[slab_];
-    const double depth_below_surface = slab_top_um_ + depth_um_;
+    const Slab& slab = this->slab();
+    const double depth_below_surface = slab_top_um_ + state_.depth_um;
     const RadialRay ray{outer_curvature_ / (1 - outer_curvature_ * depth_below_surface),
-                        travel_.dot(normal())};
-    const double outwards = ray.distance_outwards(depth_um_);
-    const double inwards = ray.distance_inwards(slab.thickness_um - depth_um_);
+                        state_.travel.dot(normal())};
+    const double outwards = ray.distance_outwards(state_.depth_um);
+    const double inwards = ray.distance_inwards(slab.thickness_um - state_.depth_um);
     const bool down = inwards < outwards;
     const double to_edge = std::min(outwards, inwards);
     // In a flat slab only: it would stay there for ever.
-    if (outer_curvature_ == 0 && std::abs(ray.cosine) <= montecarlo::kHorizontal) {
-        alive_ = false;
+    if (outer_curvature_ == 0 && std::abs(ray.cosine) <= kHorizontal) {
+        state_.alive = false;
         return;
     }
     const auto candidate = settings_.tracking == Tracking::delta
                                ? fly_delta(slab, ray, to_edge, random_)
                                : fly_simpson(slab, ray, to_edge, settings_.simpson_panels, random_);
     const double length = candidate ? candidate->distance_um : to_edge;
-    position_ += length * travel_;
-    if (!montecarlo::is_dark(slab.absorption_per_um)) {
-        weight_ *= montecarlo::attenuation(length * slab.absorption_per_um, medium_.lane_count);
-        roulette();
-        if (!alive_) return;
-    }
+    position_ += length * state_.travel;
+    absorb(slab, length);
+    if (!state_.alive) return;
     if (candidate) {
-        depth_um_ = std::clamp(depth_um_ - ray.rise(length), 0.0, slab.thickness_um);
-        collide(slab, candidate->lot);
+        state_.depth_um = std::clamp(state_.depth_um - ray.rise(length), 0.0, slab.thickness_um);
+        collide(slab, candidate->choice);
     } else if (down) {
         descend();
     } else {
@@ -133,22 +124,19 @@ void ShellWalker::fly() {
     }
 }
 
-void ShellWalker::collide(const Slab& slab, double lot) {
-    const double cosine = travel_.dot(normal());
+void ShellWalker::collide(const Slab& slab, double choice) {
+    const double cosine = state_.travel.dot(normal());
     for (const Flakes& species : slab.flakes) {
-        lot -= species.area_density_per_um * candidate_area(cosine, species.alpha);
-        if (lot < 0) return meet_flake(species);
+        choice -= species.area_density_per_um * candidate_area(cosine, species.alpha);
+        if (choice < 0) return meet_candidate(species);
     }
-    // Rounding may leave a lot at the very end of the flakes where there are no pigments.
-    if (slab.pigments.empty()) return;
-    if (const montecarlo::Pigment* pigment = montecarlo::draw_pigment(slab, weight_, random_))
-        travel_ = montecarlo::sample_henyey_greenstein(travel_, pigment->anisotropy, random_);
+    meet_pigment(slab);
 }
 
-void ShellWalker::meet_flake(const Flakes& species) {
+void ShellWalker::meet_candidate(const Flakes& species) {
     const Direction3 up = normal();
-    const double cosine_up = travel_.dot(up);
-    const Direction3 across_up = travel_ - cosine_up * up;
+    const double cosine_up = state_.travel.dot(up);
+    const Direction3 across_up = state_.travel - cosine_up * up;
     const double sine = across_up.norm();
     const CandidateSlopes slopes = sample_candidate(cosine_up, sine, species.alpha, random_);
     const double upright =
@@ -160,62 +148,48 @@ void ShellWalker::meet_flake(const Flakes& species) {
         sine > kVertical ? Direction3(across_up / sine) : Direction3(up.unitOrthogonal());
     const Direction3 flake =
         upright * (up - slopes.along * along - slopes.across * up.cross(along));
-    const double projection = travel_.dot(flake);
-    switch (montecarlo::draw_flake_event(species.optics, std::abs(projection), weight_, random_)) {
-        case montecarlo::FlakeEvent::reflected:
-            travel_ = montecarlo::mirrored(travel_, projection, flake);
-            break;
-        case montecarlo::FlakeEvent::passed:
-            break;
-        case montecarlo::FlakeEvent::absorbed:
-            alive_ = false;
-            return;
-    }
+    const double projection = state_.travel.dot(flake);
+    const double cosine = std::abs(projection);
+    if (meet_flake(species.optics.reflectance(cosine), species.optics.transmittance(cosine),
+                   projection, flake) == FlakeEvent::absorbed)
+        return;
     roulette();
 }
 
 void ShellWalker::descend() {
-    slab_top_um_ += medium_.slabs[slab_].thickness_um;
-    if (slab_ + 1 < medium_.slabs.size()) {
-        ++slab_;
-        depth_um_ = 0;
+    if (state_.slab + 1 < medium_.slabs.size()) {
+        slab_top_um_ += slab().thickness_um;
+        ++state_.slab;
+        state_.depth_um = 0;
         return;
     }
-    slab_top_um_ -= medium_.slabs[slab_].thickness_um;
-    depth_um_ = medium_.slabs[slab_].thickness_um;
-    weight_ *= medium_.substrate_reflectance;
-    if (montecarlo::is_dark(weight_)) {
-        alive_ = false;
-        return;
-    }
-    const Direction3 up = normal(), local = montecarlo::sample_lambert(random_);
+    state_.depth_um = slab().thickness_um;
+    if (!leave_substrate()) return;
+    const Direction3 up = normal(), local = sample_lambert(random_);
     const Direction3 across = up.unitOrthogonal();
-    travel_ = (local.x() * across + local.y() * up.cross(across) + local.z() * up).normalized();
+    state_.travel =
+        (local.x() * across + local.y() * up.cross(across) + local.z() * up).normalized();
     roulette();
 }
 
 void ShellWalker::ascend() {
-    if (slab_ > 0) {
-        --slab_;
-        depth_um_ = medium_.slabs[slab_].thickness_um;
-        slab_top_um_ -= depth_um_;
+    if (state_.slab > 0) {
+        --state_.slab;
+        state_.depth_um = slab().thickness_um;
+        slab_top_um_ -= state_.depth_um;
         return;
     }
-    depth_um_ = 0;
+    state_.depth_um = 0;
     const Direction3 up = normal();
-    const double cosine = std::max(0.0, travel_.dot(up));
+    const double cosine = std::max(0.0, state_.travel.dot(up));
     if (random_.uniform() < optics::dielectric_reflectance(index_, 1.0, cosine)) {
-        travel_ = montecarlo::mirrored(travel_, cosine, up);
+        state_.travel = mirrored(state_.travel, cosine, up);
         return;
     }
-    const Direction3 tangential = index_ * (travel_ - cosine * up);
+    const Direction3 tangential = index_ * (state_.travel - cosine * up);
     const double cosine_outside = std::sqrt(std::max(0.0, 1 - tangential.squaredNorm()));
-    escape_ = Escape{(tangential + cosine_outside * up).normalized(), position_, weight_};
-    alive_ = false;
-}
-
-void ShellWalker::roulette() {
-    alive_ = alive_ && montecarlo::survives_roulette(weight_, medium_.lane_count, random_);
+    escape_ = Escape{(tangential + cosine_outside * up).normalized(), position_, state_.weight};
+    state_.alive = false;
 }
 
 }  // namespace nacre::montecarlo

@@ -9,14 +9,13 @@
 #include "nacre/core/error.h"
 #include "nacre/montecarlo/free_flight.h"
 #include "nacre/montecarlo/plane_walk.h"
+#include "nacre/montecarlo/walker.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/solver/solver.h"
 
 // The volumetric path tracer of the comparison of 2022. docs/volume.md
 
 namespace nacre::montecarlo {
-
-struct WalkTables;
 
 /// How the next flake along a ray is found in a medium whose extinction varies along it.
 enum class Tracking {
@@ -65,40 +64,33 @@ class ShellWalk final : public bsdf::Bsdf {
 
 /// One walk through a shell of paint, in the frame of its entry: the origin lies on the outer
 /// sphere, whose centre is at -z / curvature.
-class ShellWalker {
+class ShellWalker : private Walker {
  public:
     /// @param curvature_per_um  of the outer sphere; 0 is a flat slab
-    ShellWalker(const montecarlo::Medium& medium, double index, double curvature_per_um,
+    ShellWalker(const Medium& medium, double index, double curvature_per_um,
                 const ShellSettings& settings, RandomStream& random)
-        : medium_(medium),
+        : Walker(medium, random),
           index_(index),
           outer_curvature_(curvature_per_um),
-          settings_(settings),
-          random_(random) {}
+          settings_(settings) {}
 
     /// @param travel  inside the paint, z < 0
     std::optional<Escape> run(const Direction3& travel, const Lanes& weight);
 
  private:
     void fly();
-    void collide(const montecarlo::Slab& slab, double lot);
-    void meet_flake(const montecarlo::Flakes& species);
+    void collide(const Slab& slab, double choice);
+    void meet_candidate(const Flakes& species);
     void descend();
     void ascend();
-    void roulette();
     Direction3 normal() const;
 
-    const montecarlo::Medium& medium_;
     double index_, outer_curvature_;
     const ShellSettings& settings_;
-    RandomStream& random_;
 
-    Direction3 position_, travel_;
-    std::size_t slab_ = 0;
+    // state_.depth_um is kept for itself, to all digits, beside the place.
+    Direction3 position_ = Direction3::Zero();
     double slab_top_um_ = 0;  ///< depth of the slab's top below the outer sphere
-    double depth_um_ = 0;     ///< below the top of the slab: kept for itself, to all digits
-    Lanes weight_{};
-    bool alive_ = true;
     std::optional<Escape> escape_;
 };
 

@@ -33,9 +33,8 @@ void expect_reference_albedo(const ShellSettings& settings, double theta_deg) {
     const paint::Recipe recipe = test::pearl();
     const auto surface = ShellWalk(recipe, settings).bind(kOnGrid);
     const auto found = walked_albedo(*surface, from_degrees(theta_deg, 30), kWalks / 2);
-    const auto expected =
-        montecarlo::reference_albedo(recipe, std::vector<montecarlo::Direction>{{theta_deg, 0}},
-                                     kOnGrid, {.samples = kWalks / 2});
+    const auto expected = reference_albedo(recipe, std::vector<Direction>{{theta_deg, 0}}, kOnGrid,
+                                           {.samples = kWalks / 2});
     for (int lane = 0; lane < kLanes; ++lane) {
         EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
             << settings.radius_mm << " mm, " << theta_deg << " deg, " << kOnGrid[lane]

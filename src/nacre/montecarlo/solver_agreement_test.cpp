@@ -92,7 +92,7 @@ const std::vector<Direction> kIncident{{10, 0}, {45, 0}, {75, 0}};
 const std::vector<Direction> kOutgoing{{0, 0},    {15, 180}, {30, 180}, {45, 180}, {60, 180},
                                        {75, 180}, {85, 180}, {45, 90},  {30, 0},   {70, 130}};
 // For rough interfaces: the specular directions, near the horizon, and out of the plane. Not fewer
-// walks instead: that two facets mask is drawn by lot and rare, and where no walk met it the
+// walks instead: that two facets mask is drawn at random and rare, and where no walk met it the
 // standard error knows nothing of it.
 const std::vector<Direction> kRoughOutgoing{{10, 180}, {45, 180}, {75, 180}, {70, 130}};
 

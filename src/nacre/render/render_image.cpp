@@ -27,8 +27,7 @@ void add_triple(io::Image& image, const std::string& prefix, const char* letters
 
 }  // namespace
 
-io::Image image_of(const render::RenderResult& result,
-                   std::map<std::string, std::string> metadata) {
+io::Image image_of(const RenderResult& result, std::map<std::string, std::string> metadata) {
     io::Image image{result.width, result.height, {}, std::move(metadata)};
     add_triple(image, "", "RGB", result.rgb);
     add_triple(image, "albedo.", "RGB", result.albedo);

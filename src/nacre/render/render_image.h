@@ -12,6 +12,6 @@ namespace nacre::render {
 /// sparkle.R ... if it was asked for; and, where there is a spectral film, S0.550nm and so on for
 /// each bin, laid out so that tools for spectral OpenEXR read them [fichet-2021]. The metadata are
 /// those given plus samples, seconds and whether the picture is complete.
-io::Image image_of(const render::RenderResult& result, std::map<std::string, std::string> metadata);
+io::Image image_of(const RenderResult& result, std::map<std::string, std::string> metadata);
 
 }  // namespace nacre::render

@@ -15,11 +15,11 @@ namespace nacre::render {
 ///
 /// @throws InputError naming file, line, column, key, value and what is allowed for the first
 ///         thing that is wrong
-render::SceneDescription read_scene(const std::filesystem::path& path);
+SceneDescription read_scene(const std::filesystem::path& path);
 
 /// The same from a text. `filename` is for messages.
-render::SceneDescription parse_scene(std::string_view text, const std::string& filename,
-                                     const std::filesystem::path& base_directory);
+SceneDescription parse_scene(std::string_view text, const std::string& filename,
+                             const std::filesystem::path& base_directory);
 
 /// Whether a TOML text has a table that only scenes have.
 /// @throws InputError if it is not TOML

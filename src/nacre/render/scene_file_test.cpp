@@ -67,7 +67,7 @@ azimuth_deg = 30
 width_deg = 20
 )";
 
-render::SceneDescription parse(const std::string& text) {
+SceneDescription parse(const std::string& text) {
     return parse_scene(text, "scene.toml", "folder");
 }
 
@@ -87,29 +87,29 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(SceneFile, ReadsCameraMaterialsShapesLightsAndEnvironment) {
-    const render::SceneDescription scene = parse(kScene);
+    const SceneDescription scene = parse(kScene);
     EXPECT_EQ(scene.name, "Test");
     EXPECT_EQ(scene.camera.position_mm, (Vec3f{0, -500, 100}));
     EXPECT_EQ(scene.camera.aperture_radius_mm, 2);
-    EXPECT_EQ(scene.camera.up, render::Camera().up);  // what is not said keeps its default
+    EXPECT_EQ(scene.camera.up, Camera().up);  // what is not said keeps its default
     ASSERT_EQ(scene.materials.size(), 3u);
-    EXPECT_TRUE(std::get<render::PaintMaterial>(scene.materials.at("paint")).recipe.empty());
-    EXPECT_EQ(std::get<render::PaintMaterial>(scene.materials.at("pearl")).recipe,
+    EXPECT_TRUE(std::get<PaintMaterial>(scene.materials.at("paint")).recipe.empty());
+    EXPECT_EQ(std::get<PaintMaterial>(scene.materials.at("pearl")).recipe,
               std::filesystem::path("folder/pearl.toml"));
-    EXPECT_EQ(std::get<render::DiffuseMaterial>(scene.materials.at("gray")).reflectance(550), 0.4);
+    EXPECT_EQ(std::get<DiffuseMaterial>(scene.materials.at("gray")).reflectance(550), 0.4);
     ASSERT_EQ(scene.shapes.size(), 3u);
-    EXPECT_EQ(std::get<render::Sphere>(scene.shapes[0].geometry).radius_mm, 40);
+    EXPECT_EQ(std::get<Sphere>(scene.shapes[0].geometry).radius_mm, 40);
     EXPECT_EQ(scene.shapes[0].transform.translation_mm, (Vec3f{0, 0, 40}));
-    const auto& mesh = std::get<render::MeshFile>(scene.shapes[1].geometry);
+    const auto& mesh = std::get<MeshFile>(scene.shapes[1].geometry);
     EXPECT_EQ(mesh.path, std::filesystem::path("folder/car.glb"));
     EXPECT_EQ(mesh.mm_per_unit, 1000);
     EXPECT_TRUE(mesh.y_up);
-    EXPECT_TRUE(std::holds_alternative<render::Backdrop>(scene.shapes[2].geometry));
+    EXPECT_TRUE(std::holds_alternative<Backdrop>(scene.shapes[2].geometry));
     ASSERT_EQ(scene.lights.size(), 2u);
-    const auto& box = std::get<render::RectangleLight>(scene.lights[0]);
+    const auto& box = std::get<RectangleLight>(scene.lights[0]);
     EXPECT_EQ(box.radiance.illuminant, spectra::Illuminant::A);
     EXPECT_EQ(box.radiance.scale, 3);
-    const auto& studio = std::get<render::StudioEnvironment>(*scene.environment);
+    const auto& studio = std::get<StudioEnvironment>(*scene.environment);
     EXPECT_EQ(studio.radiance.scale, 0.5);
     ASSERT_EQ(studio.boxes.size(), 1u);
     EXPECT_EQ(studio.boxes[0].azimuth_deg, 30);
@@ -118,17 +118,17 @@ TEST(SceneFile, ReadsCameraMaterialsShapesLightsAndEnvironment) {
 TEST(SceneFile, ReadsEveryKindOfShapeAndEnvironment) {
     int kinds = 0;
     for (const char* type : {"sphere", "flat-panel", "curved-panel", "speed-shape", "ground"}) {
-        const render::SceneDescription scene =
+        const SceneDescription scene =
             parse(replaced(kScene, "type = \"backdrop\"", std::string("type = \"") + type + "\""));
-        EXPECT_NE(scene.shapes[2].geometry.index(), render::Geometry(render::Backdrop()).index());
+        EXPECT_NE(scene.shapes[2].geometry.index(), Geometry(Backdrop()).index());
         ++kinds;
     }
     EXPECT_EQ(kinds, 5);
     const std::string plain = kScene.substr(0, kScene.find("[environment]"));
     EXPECT_FALSE(parse(plain).environment);  // the lights are enough
-    EXPECT_TRUE(std::holds_alternative<render::ConstantEnvironment>(
+    EXPECT_TRUE(std::holds_alternative<ConstantEnvironment>(
         *parse(plain + "[environment]\ntype = \"constant\"\nilluminant = \"E\"\n").environment));
-    EXPECT_TRUE(std::holds_alternative<render::SkyEnvironment>(
+    EXPECT_TRUE(std::holds_alternative<SkyEnvironment>(
         *parse(plain + "[environment]\ntype = \"sky\"\nturbidity = 4\n").environment));
 }
 
@@ -139,9 +139,9 @@ TEST(SceneFile, ReadsAnEnvironmentPictureAlongWithTheScene) {
     io::write_exr(folder / "sky.exr", {2, 1, {{"R", {1, 2}}, {"G", {3, 4}}, {"B", {5, 6}}}, {}});
     const std::string text = kScene.substr(0, kScene.find("[environment]")) +
                              "[environment]\ntype = \"image\"\npath = \"sky.exr\"\n";
-    const render::SceneDescription scene = parse_scene(text, "scene.toml", folder);
+    const SceneDescription scene = parse_scene(text, "scene.toml", folder);
     std::filesystem::remove_all(folder);
-    const auto& image = std::get<render::ImageEnvironment>(*scene.environment);
+    const auto& image = std::get<ImageEnvironment>(*scene.environment);
     EXPECT_EQ(image.width, 2);
     EXPECT_EQ(image.rgb, (std::vector<float>{1, 3, 5, 2, 4, 6}));
     EXPECT_THAT(error_of(text), AllOf(HasSubstr("environment.path = 'sky.exr'"), HasSubstr("sky")));

@@ -54,7 +54,7 @@ const std::array<Spectrum, 3>& linear_rec709_basis();
 inline constexpr double kRec709BasisError = 1e-12;
 
 /// "#rrggbb" of a colour encoded as sRGB, components in [0, 1]; what lies outside is clipped, NaN
-/// to 0. From linear Rec. 709, encode first: spectra::srgb_encode.
+/// to 0. From linear Rec. 709, encode first: srgb_encode.
 std::string css_colour(const std::array<double, 3>& srgb);
 
 }  // namespace nacre::spectra

@@ -32,23 +32,23 @@ struct TableRay {
 };
 
 struct Tabulated::Tables {
-    using Data = std::variant<std::shared_ptr<const bsdf::RawBrdfTable>,
-                              std::shared_ptr<const bsdf::CompressedBrdfTable>>;
+    using Data = std::variant<std::shared_ptr<const RawBrdfTable>,
+                              std::shared_ptr<const CompressedBrdfTable>>;
 
     explicit Tables(Data table);
 
     Data data;
-    bsdf::BrdfGrid grid;
+    BrdfGrid grid;
     float ior, inverse_ior;
     /// Lobes that samples come from, inside the coat; under a rough interface, its own outside.
     FlakeLobe flakes, wide;
     std::optional<FlakeLobe> interface;
     std::vector<LobeProbabilities> probability;  ///< by direction row
-    std::vector<bsdf::Rgb> albedo;               ///< by direction row, the specular lobe left out
+    std::vector<Rgb> albedo;                     ///< by direction row, the specular lobe left out
 
     TableRay make_ray(Vec3f w) const;
     /// The BRDF in linear Rec. 709.
-    bsdf::Rgb rgb(const TableRay& i, const TableRay& o) const;
+    Rgb rgb(const TableRay& i, const TableRay& o) const;
     const LobeProbabilities& probabilities_at(Vec3f wi) const;
     /// Density of sampling o given i, the specular lobe left out.
     float density(const LobeProbabilities& probability, const TableRay& i, const TableRay& o) const;
@@ -77,23 +77,22 @@ void require_size(std::size_t found, std::size_t wanted, const char* what) {
     }
 }
 
-void check(const bsdf::RawBrdfTable& table) {
+void check(const RawBrdfTable& table) {
     validate(table.grid);
     require_size(table.values.size(), 3 * table.grid.values(), "values");
 }
 
-void check(const bsdf::CompressedBrdfTable& table) {
+void check(const CompressedBrdfTable& table) {
     validate(table.grid);
     for (int k : table.rank) {
-        require_in_range(k, 0, bsdf::CompressedBrdfTable::kMaxTerms,
-                         "terms of a compressed BRDF table");
+        require_in_range(k, 0, CompressedBrdfTable::kMaxTerms, "terms of a compressed BRDF table");
     }
     require_size(table.left.size(), table.grid.pairs() * table.terms(), "left factors");
     require_size(table.right.size(), static_cast<std::size_t>(table.grid.azimuths) * table.terms(),
                  "right factors");
 }
 
-bsdf::BrdfGrid checked_grid(const Tabulated::Tables::Data& data) {
+BrdfGrid checked_grid(const Tabulated::Tables::Data& data) {
     return std::visit(
         [](const auto& table) {
             check(*table);
@@ -104,11 +103,11 @@ bsdf::BrdfGrid checked_grid(const Tabulated::Tables::Data& data) {
 
 // Roughness of the flakes' lobe inside the coat. Under a rough interface facets of slope m refract
 // as half a flake of that slope reflects, roughly; the grid knows the narrowest lobe only.
-float flake_roughness(const bsdf::BrdfGrid& grid) {
+float flake_roughness(const BrdfGrid& grid) {
     return static_cast<float>(std::min(1.0, std::hypot(grid.lobe_alpha, 0.5 * grid.roughness)));
 }
 
-double brightness(const bsdf::Rgb& rgb) {
+double brightness(const Rgb& rgb) {
     return std::max(0.0, (static_cast<double>(rgb[0]) + rgb[1] + rgb[2]) / 3);
 }
 
@@ -158,11 +157,11 @@ TableRay Tabulated::Tables::make_ray(Vec3f w) const {
     return ray;
 }
 
-bsdf::Rgb Tabulated::Tables::rgb(const TableRay& i, const TableRay& o) const {
-    const bsdf::BrdfCell cell =
-        bsdf::locate(grid, i.outside, o.outside, i.sine, o.sine, i.side_cosine, o.side_cosine);
-    bsdf::Rgb g = std::visit([&](const auto& table) { return table->interpolate(cell); }, data);
-    const float cosines = std::max(i.side_cosine + o.side_cosine, bsdf::kMinCosines);
+Rgb Tabulated::Tables::rgb(const TableRay& i, const TableRay& o) const {
+    const BrdfCell cell =
+        locate(grid, i.outside, o.outside, i.sine, o.sine, i.side_cosine, o.side_cosine);
+    Rgb g = std::visit([&](const auto& table) { return table->interpolate(cell); }, data);
+    const float cosines = std::max(i.side_cosine + o.side_cosine, kMinCosines);
     const float factor = i.transmittance * o.transmittance / cosines;
     for (float& x : g) x *= factor;
     return g;
@@ -213,7 +212,7 @@ void Tabulated::Tables::fit_row(int row) {
             const TableRay o =
                 make_ray({static_cast<float>(sine * std::cos(phi)),
                           static_cast<float>(sine * std::sin(phi)), static_cast<float>(cosine)});
-            const bsdf::Rgb f = rgb(i, o);
+            const Rgb f = rgb(i, o);
             const double weight = unit_polar.weights[t] * std::numbers::pi / 2 * sine * cosine *
                                   unit_azimuth.weights[a] * 4 * std::numbers::pi * x;
             for (int c = 0; c < 3; ++c) sum[c] += weight * f[c];
@@ -294,8 +293,8 @@ class BoundTabulated final : public BoundBsdf {
     FloatLanes albedo(Vec3f wi) const override {
         if (wi.z <= 0) return FloatLanes{};
         const DirectionRow at = direction_row(wi);
-        const bsdf::Rgb &a = tables_->albedo[at.row], &b = tables_->albedo[at.row + 1];
-        bsdf::Rgb rgb;
+        const Rgb &a = tables_->albedo[at.row], &b = tables_->albedo[at.row + 1];
+        Rgb rgb;
         for (int c = 0; c < 3; ++c) rgb[c] = a[c] + at.fraction * (b[c] - a[c]);
         const float specular =
             tables_->interface ? 0.0f : optics::dielectric_reflectance(1.0f, tables_->ior, wi.z);
@@ -328,10 +327,10 @@ class BoundTabulated final : public BoundBsdf {
 
 }  // namespace
 
-Tabulated::Tabulated(std::shared_ptr<const bsdf::RawBrdfTable> table)
+Tabulated::Tabulated(std::shared_ptr<const RawBrdfTable> table)
     : tables_(std::make_shared<const Tables>(Tables::Data(std::move(table)))) {}
 
-Tabulated::Tabulated(std::shared_ptr<const bsdf::CompressedBrdfTable> table)
+Tabulated::Tabulated(std::shared_ptr<const CompressedBrdfTable> table)
     : tables_(std::make_shared<const Tables>(Tables::Data(std::move(table)))) {}
 
 Tabulated::~Tabulated() = default;

@@ -9,7 +9,7 @@ namespace nacre::bsdf {
 
 /// A paint rendered from a table of RGB values, raw or compressed, as Mir et al. 2022 do.
 ///                                                            [mir-2022; docs/tables.md]
-/// Evaluation interpolates the table (bsdf::BrdfCell), multiplies it by the analytic factor of
+/// Evaluation interpolates the table (BrdfCell), multiplies it by the analytic factor of
 /// the interface, and turns RGB into a spectrum by spectra::linear_rec709_basis. The specular lobe
 /// of a smooth interface is analytic, at the binder's mean index. Spectra that the basis makes
 /// negative (colours outside the gamut) are cut off at zero.
@@ -26,8 +26,8 @@ namespace nacre::bsdf {
 class Tabulated final : public Bsdf {
  public:
     /// @throws DomainError if the table's grid or sizes are out of range or do not fit together
-    explicit Tabulated(std::shared_ptr<const bsdf::RawBrdfTable> table);
-    explicit Tabulated(std::shared_ptr<const bsdf::CompressedBrdfTable> table);
+    explicit Tabulated(std::shared_ptr<const RawBrdfTable> table);
+    explicit Tabulated(std::shared_ptr<const CompressedBrdfTable> table);
     ~Tabulated() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;

@@ -30,14 +30,13 @@ const spectra::Spectrum kGold({400.0, 500.0, 700.0}, {0.3, 0.5, 0.9});
 
 struct Model {
     solver::SolvedPaint paint;
-    std::shared_ptr<const bsdf::RawBrdfTable> raw;
-    std::shared_ptr<const bsdf::CompressedBrdfTable> compressed;
+    std::shared_ptr<const RawBrdfTable> raw;
+    std::shared_ptr<const CompressedBrdfTable> compressed;
 
-    explicit Model(const paint::Recipe& recipe, const bsdf::BrdfTableSettings& settings = {})
+    explicit Model(const paint::Recipe& recipe, const BrdfTableSettings& settings = {})
         : paint(solver::solve(recipe, {400, 450, 500, 550, 600, 650, 700})),
-          raw(std::make_shared<const bsdf::RawBrdfTable>(bsdf::make_raw_table(paint, settings))),
-          compressed(
-              std::make_shared<const bsdf::CompressedBrdfTable>(bsdf::compress(*raw, {3, 0.5}))) {}
+          raw(std::make_shared<const RawBrdfTable>(make_raw_table(paint, settings))),
+          compressed(std::make_shared<const CompressedBrdfTable>(compress(*raw, {3, 0.5}))) {}
 };
 
 const Model& gold() {
@@ -236,7 +235,7 @@ TEST(Tabulated, AlbedoIsTheMeanWeightAndThatOfTheSolvedPaint) {
 }
 
 TEST(Tabulated, RefusesTablesThatDoNotFit) {
-    bsdf::RawBrdfTable raw;
+    RawBrdfTable raw;
     raw.grid.angles = raw.grid.azimuths = 8;
     raw.values.resize(3 * raw.grid.values() - 1);
     const auto make = [](const auto& table) {
@@ -248,7 +247,7 @@ TEST(Tabulated, RefusesTablesThatDoNotFit) {
     raw.grid.ior = 0.9;
     EXPECT_THROW(make(raw), DomainError);
 
-    bsdf::CompressedBrdfTable compressed;
+    CompressedBrdfTable compressed;
     compressed.grid.angles = compressed.grid.azimuths = 8;
     EXPECT_NO_THROW(make(compressed));  // black
     compressed.rank[1] = 2;

@@ -74,7 +74,7 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
         const double mean =
             discs_per_um2(species, layer.thickness_um) * tile.width_um * tile.height_um;
         const std::uint64_t count = poisson(mean, count_rng);
-        montecarlo::RandomStream random(seed, 1, index);
+        RandomStream random(seed, 1, index);
         for (std::uint64_t i = 0; i < count; ++i) {
             Disc disc;
             const double x = tile.width_um * random.uniform();

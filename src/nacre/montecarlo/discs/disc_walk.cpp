@@ -169,20 +169,17 @@ Vec3f to_float(const Direction3& v) {
 
 }  // namespace
 
-std::optional<montecarlo::Escape> DiscWalker::run(double x_um, double y_um,
-                                                  const Direction3& travel, const Lanes& weight) {
+std::optional<Escape> DiscWalker::run(double x_um, double y_um, const Direction3& travel,
+                                      const Lanes& weight) {
     position_ = {x_um, y_um, 0};
     paint_.discs.tile().wrap(position_.x(), position_.y());
     moved_ = Direction3::Zero();
-    travel_ = travel;
+    start(travel, weight);
     leaving_ = DiscScene::kNone;
-    slab_ = 0;
     slab_top_ = 0;
-    weight_ = weight;
-    alive_ = !montecarlo::is_dark(weight);
     escape_.reset();
-    for (std::uint64_t flights = 0; alive_; ++flights) {
-        if (flights == montecarlo::kMaxFlights) montecarlo::throw_endless_walk();
+    for (std::uint64_t flights = 0; state_.alive; ++flights) {
+        if (flights == kMaxFlights) throw_endless_walk();
         fly();
     }
     return escape_;
@@ -191,40 +188,38 @@ std::optional<montecarlo::Escape> DiscWalker::run(double x_um, double y_um,
 /// To the next disc or pigment particle, or to the edge of the slab or of the tile, whichever comes
 /// first.
 void DiscWalker::fly() {
-    if (std::abs(travel_.z()) < kGrazing) {
-        travel_.z() = std::copysign(kGrazing, travel_.z());
-        travel_.normalize();
+    if (std::abs(state_.travel.z()) < kGrazing) {
+        state_.travel.z() = std::copysign(kGrazing, state_.travel.z());
+        state_.travel.normalize();
     }
-    const montecarlo::Slab& slab = paint_.medium.slabs[slab_];
-    const bool down = travel_.z() < 0;
+    const Slab& slab = this->slab();
+    const bool down = state_.travel.z() < 0;
     const double bottom = slab_top_ - slab.thickness_um;
     const double to_slab =
-        std::max(0.0, ((down ? bottom : slab_top_) - position_.z()) / travel_.z());
+        std::max(0.0, ((down ? bottom : slab_top_) - position_.z()) / state_.travel.z());
     const Tile& tile = paint_.discs.tile();
-    const double to_edge = tile.to_edge(position_.x(), position_.y(), travel_.x(), travel_.y());
+    const double to_edge =
+        tile.to_edge(position_.x(), position_.y(), state_.travel.x(), state_.travel.y());
     const double to_pigment =
         slab.pigment_rate_per_um > 0 ? random_.exponential() / slab.pigment_rate_per_um : kInfinity;
     double distance = std::min({to_slab, to_edge, to_pigment});
-    const auto hit = paint_.discs.intersect(to_float(position_), to_float(travel_),
+    const auto hit = paint_.discs.intersect(to_float(position_), to_float(state_.travel),
                                             static_cast<float>(distance), leaving_);
     if (hit) distance = hit->distance_um;
-    position_ += distance * travel_;
-    moved_ += distance * travel_;
-    if (!montecarlo::is_dark(slab.absorption_per_um)) {
-        weight_ *=
-            montecarlo::attenuation(distance * slab.absorption_per_um, paint_.medium.lane_count);
-        roulette();
-        if (!alive_) return;
-    }
+    position_ += distance * state_.travel;
+    moved_ += distance * state_.travel;
+    absorb(slab, distance);
+    if (!state_.alive) return;
     if (hit) {
         position_.z() = std::clamp(position_.z(), bottom, slab_top_);
         meet_disc(hit->disc);
     } else if (to_slab <= std::min(to_edge, to_pigment)) {
         down ? descend() : ascend();
     } else if (to_edge <= to_pigment) {
-        tile.step_over(position_.x(), position_.y(), travel_.x(), travel_.y());
+        tile.step_over(position_.x(), position_.y(), state_.travel.x(), state_.travel.y());
         leaving_ = DiscScene::kNone;
     } else {
+        leaving_ = DiscScene::kNone;
         meet_pigment(slab);
     }
 }
@@ -233,21 +228,14 @@ void DiscWalker::meet_disc(std::uint32_t number) {
     const Disc& disc = paint_.discs[number];
     leaving_ = number;
     const Direction3 normal = Direction3(disc.normal.x, disc.normal.y, disc.normal.z).normalized();
-    const double projection = travel_.dot(normal);
+    const double projection = state_.travel.dot(normal);
     const auto optics =
         paint_.films[disc.species].at(disc.film, std::abs(projection), paint_.places);
-    switch (
-        montecarlo::draw_flake_event(optics.reflectance, optics.transmittance, weight_, random_)) {
-        case montecarlo::FlakeEvent::reflected:
-            travel_ = montecarlo::mirrored(travel_, projection, normal);
-            if (paint_.diffraction) travel_ = spread(travel_, normal, 2.0 * disc.radius_um);
-            break;
-        case montecarlo::FlakeEvent::passed:
-            break;
-        case montecarlo::FlakeEvent::absorbed:
-            alive_ = false;
-            return;
-    }
+    const FlakeEvent event =
+        meet_flake(optics.reflectance, optics.transmittance, projection, normal);
+    if (event == FlakeEvent::absorbed) return;
+    if (event == FlakeEvent::reflected && paint_.diffraction)
+        state_.travel = spread(state_.travel, normal, 2.0 * disc.radius_um);
     roulette();
 }
 
@@ -275,48 +263,33 @@ Direction3 DiscWalker::spread(const Direction3& mirrored, const Direction3& norm
     return mirrored;
 }
 
-void DiscWalker::meet_pigment(const montecarlo::Slab& slab) {
-    leaving_ = DiscScene::kNone;
-    if (const auto* pigment = montecarlo::draw_pigment(slab, weight_, random_))
-        travel_ = montecarlo::sample_henyey_greenstein(travel_, pigment->anisotropy, random_);
-}
-
 void DiscWalker::descend() {
-    const auto& slabs = paint_.medium.slabs;
-    position_.z() = slab_top_ - slabs[slab_].thickness_um;
-    if (slab_ + 1 < slabs.size()) {
+    position_.z() = slab_top_ - slab().thickness_um;
+    if (state_.slab + 1 < medium_.slabs.size()) {
         slab_top_ = position_.z();
-        ++slab_;
+        ++state_.slab;
         return;
     }
-    weight_ *= paint_.medium.substrate_reflectance;
-    if (montecarlo::is_dark(weight_)) {
-        alive_ = false;
-        return;
-    }
+    if (!leave_substrate()) return;
     leaving_ = DiscScene::kNone;
-    travel_ = montecarlo::sample_lambert(random_);
+    state_.travel = sample_lambert(random_);
     roulette();
 }
 
 void DiscWalker::ascend() {
     position_.z() = slab_top_;
-    if (slab_ > 0) {
-        --slab_;
-        slab_top_ += paint_.medium.slabs[slab_].thickness_um;
+    if (state_.slab > 0) {
+        --state_.slab;
+        slab_top_ += slab().thickness_um;
         return;
     }
     leaving_ = DiscScene::kNone;
-    const auto passage = interface_.meet_from_inside(travel_, random_);
-    travel_ = passage.travel;
+    const auto passage = interface_.meet_from_inside(state_.travel, random_);
+    state_.travel = passage.travel;
     if (passage.inside) return;
-    alive_ = false;
+    state_.alive = false;
     moved_.z() = 0;
-    escape_ = montecarlo::Escape{travel_, moved_, weight_};
-}
-
-void DiscWalker::roulette() {
-    alive_ = alive_ && montecarlo::survives_roulette(weight_, paint_.medium.lane_count, random_);
+    escape_ = Escape{state_.travel, moved_, state_.weight};
 }
 
 namespace {
@@ -395,7 +368,7 @@ class TileFrame {
 }  // namespace
 
 struct DiscWalkTables {
-    montecarlo::WalkTables medium;
+    WalkTables medium;
     std::vector<double> wavelengths_nm;
     std::vector<FlakeFilms> films;
     DiscScene scene;
@@ -412,7 +385,7 @@ struct DiscWalkTables {
 
 namespace {
 
-class BoundDiscWalk final : public montecarlo::BoundWalk {
+class BoundDiscWalk final : public BoundWalk {
  public:
     BoundDiscWalk(std::shared_ptr<const DiscWalkTables> tables,
                   const bsdf::Wavelengths& wavelengths_nm)
@@ -429,8 +402,7 @@ class BoundDiscWalk final : public montecarlo::BoundWalk {
     }
 
  private:
-    std::optional<montecarlo::Escape> follow(const montecarlo::Entry& entry,
-                                             RandomStream& random) const override {
+    std::optional<Escape> follow(const Entry& entry, RandomStream& random) const override {
         DiscWalker walker(paint_, interface(entry.lane), index(entry.lane), random);
         if (!entry.patch) {
             const Tile& tile = tables_->scene.tile();

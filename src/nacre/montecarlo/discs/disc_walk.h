@@ -12,6 +12,7 @@
 #include "nacre/montecarlo/discs/disc.h"
 #include "nacre/montecarlo/discs/disc_scene.h"
 #include "nacre/montecarlo/plane_walk.h"
+#include "nacre/montecarlo/walker.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/solver/solver.h"
 
@@ -77,15 +78,11 @@ class FlakeFilms {
     std::vector<float> reflectance_, transmittance_;  // [film][cosine][wavelength]
 };
 
-using montecarlo::Direction3;
-using montecarlo::Lanes;
-using montecarlo::RandomStream;
-
 /// What all walks at eight wavelengths share.
 struct DiscPaint {
     const DiscScene& discs;
     const std::vector<FlakeFilms>& films;  ///< by species
-    const montecarlo::Medium& medium;      ///< all but the flakes
+    const Medium& medium;                  ///< all but the flakes
     WavelengthPlaces places;
     bool diffraction = true;
     double wavelength_um = 0.55;  ///< mean of the eight, in vacuum
@@ -93,38 +90,32 @@ struct DiscPaint {
 
 /// One walk through a paint of discs, in the frame of the tile: x and y within it, z = 0 at the
 /// interface and z > 0 outwards.
-class DiscWalker {
+class DiscWalker : private Walker {
  public:
-    DiscWalker(const DiscPaint& paint, const montecarlo::AirInterface& interface, double index,
+    DiscWalker(const DiscPaint& paint, const AirInterface& interface, double index,
                RandomStream& random)
-        : paint_(paint), interface_(interface), index_(index), random_(random) {}
+        : Walker(paint.medium, random), paint_(paint), interface_(interface), index_(index) {}
 
     /// @param x_um, y_um  where light comes in, anywhere: taken modulo the tile
     /// @param travel      inside the paint, z < 0
-    std::optional<montecarlo::Escape> run(double x_um, double y_um, const Direction3& travel,
-                                          const Lanes& weight);
+    std::optional<Escape> run(double x_um, double y_um, const Direction3& travel,
+                              const Lanes& weight);
 
  private:
     void fly();
     void meet_disc(std::uint32_t disc);
     Direction3 spread(const Direction3& mirrored, const Direction3& normal, double diameter_um);
-    void meet_pigment(const montecarlo::Slab& slab);
     void descend();
     void ascend();
-    void roulette();
 
     const DiscPaint& paint_;
-    const montecarlo::AirInterface& interface_;
+    const AirInterface& interface_;
     double index_;
-    RandomStream& random_;
 
-    Direction3 position_, moved_, travel_;
+    Direction3 position_ = Direction3::Zero(), moved_ = Direction3::Zero();
     std::uint32_t leaving_ = DiscScene::kNone;
-    std::size_t slab_ = 0;
     double slab_top_ = 0;  ///< z of the top of the slab
-    Lanes weight_{};
-    bool alive_ = true;
-    std::optional<montecarlo::Escape> escape_;
+    std::optional<Escape> escape_;
 };
 
 // The explicit ground truth of sparkle: paint with every flake in its place.
@@ -153,14 +144,14 @@ struct DiscSettings {
 ///
 /// Patches are read in rest space (Layout::object_space): the panel's plane must be one of z =
 /// const, and x and y tell the place. Without a patch the place is random: the mean over the panel.
-/// Only sample() and sample_on() tell what the paint looks like, as with montecarlo::PlaneWalk:
+/// Only sample() and sample_on() tell what the paint looks like, as with PlaneWalk:
 /// eval() and pdf() are zero, and a renderer sees no light source without extent.
 ///
 /// Supports all that a recipe may say. What a flake reflects and lets pass is that of its own films
 /// (flake_films.h); pigments scatter between the flakes; the interface may be rough.
 class DiscWalk final : public bsdf::Bsdf {
  public:
-    /// @param wavelengths_nm  as for montecarlo::PlaneWalk
+    /// @param wavelengths_nm  as for PlaneWalk
     /// @throws DomainError if the recipe is not valid at these wavelengths, naming a setting out of
     ///         range, or as draw_discs()
     DiscWalk(const paint::Recipe& recipe, const DiscSettings& settings,

@@ -125,7 +125,7 @@ TEST(FlakeFilms, OneWavelengthServesAll) {
 
 namespace {
 
-using montecarlo::test::Estimates;
+using test::Estimates;
 using test::kOnGrid;
 
 bsdf::Patch patch_at(float x_mm, float y_mm, Vec3f tangent = {1, 0, 0}) {
@@ -270,7 +270,7 @@ TEST(DiscWalk, DiffractionSpreadsTheMirrorImageByTheAiryPattern) {
 /// The light of one direction, then of all.
 constexpr int kRings = 3, kSectors = 3, kDirections = kRings * kSectors;
 Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, int walks, std::uint64_t seed) {
-    return montecarlo::test::estimate(
+    return test::estimate(
         *model.bind(kOnGrid), wi, walks, kDirections + 1, seed,
         [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
             if (s.kind == bsdf::SampleKind::specular) return;
@@ -326,7 +326,7 @@ TEST(DiscWalk, SmallFlakesSendLightWhereTheTransferEquationDoes) {
 }
 
 TEST(DiscWalk, PigmentsAloneScatterAsInTheReference) {
-    paint::Recipe recipe = test::paint(1.5, {montecarlo::test::pigment_layer(0.8, 1.0, 0.4)}, 0.3);
+    paint::Recipe recipe = test::paint(1.5, {test::pigment_layer(0.8, 1.0, 0.4)}, 0.3);
     const Vec3f wi = test::from_degrees(30, 0);
     const auto expected = test::walked_albedo(*PlaneWalk(recipe).bind(kOnGrid), wi, 200'000);
     const auto found = test::walked_albedo(*DiscWalk(recipe, {1, 1}).bind(kOnGrid), wi, 200'000, 2);
@@ -336,7 +336,7 @@ TEST(DiscWalk, PigmentsAloneScatterAsInTheReference) {
 }
 
 TEST(DiscWalk, PearlsOfManyFilmsHaveTheMeanOfTheReference) {
-    const paint::Recipe recipe = fine(montecarlo::test::pearl());
+    const paint::Recipe recipe = fine(test::pearl());
     const Vec3f wi = test::from_degrees(45, 0);
     const auto expected = test::walked_albedo(*PlaneWalk(recipe).bind(kOnGrid), wi, 150'000);
     const auto found = test::walked_albedo(
@@ -353,8 +353,7 @@ TEST(DiscWalk, LargeFlakesAreBrighterThanTheTransferEquationSays) {
     // The hot spot again, through the whole walk.
     const Vec3f wi = test::from_degrees(20, 0);
     const paint::Recipe recipe = test::opaque(2, 15, 20);
-    const auto equation =
-        test::walked_albedo(*montecarlo::PlaneWalk(recipe).bind(kOnGrid), wi, 50'000);
+    const auto equation = test::walked_albedo(*PlaneWalk(recipe).bind(kOnGrid), wi, 50'000);
     const auto discs = test::walked_albedo(*DiscWalk(recipe, {4, 4}).bind(kOnGrid), wi, 50'000);
     EXPECT_GT(discs[0].mean, 1.1 * equation[0].mean);
 }

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "nacre/montecarlo/events.h"
+#include "nacre/montecarlo/medium.h"
+
+namespace nacre::montecarlo {
+
+/// Light on its way through the paint.
+struct WalkState {
+    Direction3 travel = Direction3::Zero();
+    std::size_t slab = 0;
+    double depth_um = 0;  ///< below the top of the slab; not kept by walks that know the place
+    Lanes weight{};
+    bool untouched = true;  ///< no flake, pigment, substrate or inner reflection so far
+    bool alive = true;
+};
+
+/// What every walk does alike, whatever it follows: depth alone (depth_walk.h), places in a shell
+/// (shell_walk.h) or places among discs (discs/disc_walk.h).
+class Walker {
+ protected:
+    Walker(const Medium& medium, RandomStream& random) : medium_(medium), random_(random) {}
+
+    void start(const Direction3& travel, const Lanes& weight) {
+        state_ = {};
+        state_.travel = travel;
+        state_.weight = weight;
+        state_.alive = !is_dark(weight);
+    }
+
+    /// The binder's absorption over a piece of path.
+    void absorb(const Slab& slab, double length_um) {
+        if (is_dark(slab.absorption_per_um)) return;
+        state_.weight *= attenuation(length_um * slab.absorption_per_um, medium_.lane_count);
+        roulette();
+    }
+
+    /// Light meets a flake with this unit normal, of which `projection` is travel.normal.
+    FlakeEvent meet_flake(const Lanes& reflectance, const Lanes& transmittance, double projection,
+                          const Direction3& normal) {
+        const FlakeEvent event =
+            draw_flake_event(reflectance, transmittance, state_.weight, random_);
+        if (event == FlakeEvent::reflected) {
+            state_.travel = mirrored(state_.travel, projection, normal);
+            state_.untouched = false;
+        }
+        if (event == FlakeEvent::absorbed) state_.alive = false;
+        return event;
+    }
+
+    /// A candidate of slab.pigment_rate_per_um. There are none where rounding leaves a random
+    /// number at the very end of the flakes of a slab without pigments.
+    void meet_pigment(const Slab& slab) {
+        if (slab.pigments.empty()) return;
+        if (const Pigment* pigment = draw_pigment(slab, state_.weight, random_)) {
+            state_.travel = sample_henyey_greenstein(state_.travel, pigment->anisotropy, random_);
+            state_.untouched = false;
+        }
+    }
+
+    /// What the substrate keeps. @return whether any light is left
+    bool leave_substrate() {
+        state_.weight *= medium_.substrate_reflectance;
+        state_.untouched = false;
+        state_.alive = !is_dark(state_.weight);
+        return state_.alive;
+    }
+
+    void roulette() {
+        state_.alive =
+            state_.alive && survives_roulette(state_.weight, medium_.lane_count, random_);
+    }
+
+    const Slab& slab() const { return medium_.slabs[state_.slab]; }
+
+    const Medium& medium_;
+    RandomStream& random_;
+    WalkState state_;
+};
+
+}  // namespace nacre::montecarlo
