@@ -16,11 +16,18 @@ target_compile_features(nacre_options INTERFACE cxx_std_20)
 target_compile_options(nacre_options INTERFACE
   $<BUILD_INTERFACE:-Wall -Wextra -Wpedantic -ffp-contract=fast -fno-math-errno
                     -fno-trapping-math>)
+# GCC 12 sees std::string's operator+(const char*, string) copy over itself (GCC bug 105651).
+target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>>)
 # Vectors of lanes are passed in registers whose width depends on the processor, so that a program
 # that uses the installed libraries must be compiled for the same one: -march is exported. GCC 12
 # takes its own AVX-512 headers for uninitialised variables (GCC bug 105593).
 target_compile_options(nacre_options INTERFACE
   -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<BOOL:${NACRE_NATIVE}>:-march=native>)
+if(NACRE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC warns of anonymous namespaces in files that others include, which here are no headers.
+  target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:-Wno-subobject-linkage>)
+endif()
 target_include_directories(nacre_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
@@ -55,6 +62,11 @@ endfunction()
 #   nacre_discover_tests(TARGET)   tells CTest of the tests of a program, and gives it its main()
 function(nacre_discover_tests target)
   target_link_libraries(${target} PRIVATE nacre::testing)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  # A precompiled header holds absolute paths, with which ccache would find nothing in other clones.
+  if(NACRE_UNITY AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    target_precompile_headers(${target} REUSE_FROM nacre_testing)
+  endif()
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
 endfunction()
 

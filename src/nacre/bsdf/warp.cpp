@@ -16,7 +16,7 @@ struct NodePosition {
     int lower;
     float fraction;
 };
-NodePosition locate(const std::vector<float>& nodes, float x) {
+NodePosition locate_between(const std::vector<float>& nodes, float x) {
     if (!(x > nodes.front())) return {0, 0.0f};
     if (x >= nodes.back()) return {static_cast<int>(nodes.size()) - 1, 0.0f};
     const int lower =
@@ -53,7 +53,7 @@ SliceGrid::SliceGrid(std::vector<float> first, std::vector<float> second)
 }
 
 SliceMix SliceGrid::locate(float first, float second) const {
-    const NodePosition a = bsdf::locate(first_, first), b = bsdf::locate(second_, second);
+    const NodePosition a = locate_between(first_, first), b = locate_between(second_, second);
     SliceMix mix;
     const int width = static_cast<int>(second_.size());
     const auto add = [&](int i, int j, float weight) {

@@ -93,9 +93,9 @@ std::vector<Vec3> rec709_weights(const std::vector<double>& wavelengths_nm) {
 
 namespace {
 
-constexpr double kFirst_nm = 360, kStep_nm = 10;
-constexpr int kSamples = 43;  // to 780 nm, where the table of D65 ends
-constexpr int kUnknowns = 2 * kSamples, kColours = 6, kBounds = 3 * kSamples;
+constexpr double kBasisFirst_nm = 360, kBasisStep_nm = 10;
+constexpr int kBasisSamples = 43;  // to 780 nm, where the table of D65 ends
+constexpr int kUnknowns = 2 * kBasisSamples, kColours = 6, kBounds = 3 * kBasisSamples;
 
 // minimise x' Q x / 2  subject to  A x = b,  G x <= h.  The unknowns are the red and the green
 // spectrum; the blue one is 1 - red - green, and has its colour because white has.
@@ -106,8 +106,8 @@ struct Programme {
     Eigen::VectorXd b = Eigen::VectorXd::Zero(kColours), h = Eigen::VectorXd::Zero(kBounds);
 
     explicit Programme(const std::vector<double>& wavelengths_nm) {
-        Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(kSamples - 1, kSamples);
-        for (int i = 0; i + 1 < kSamples; ++i) {
+        Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(kBasisSamples - 1, kBasisSamples);
+        for (int i = 0; i + 1 < kBasisSamples; ++i) {
             slope(i, i) = -1;
             slope(i, i + 1) = 1;
         }
@@ -116,18 +116,20 @@ struct Programme {
         q << 2 * roughness, roughness, roughness, 2 * roughness;
 
         const std::vector<Vec3> weights = rec709_weights(wavelengths_nm);
-        const auto identity = Eigen::MatrixXd::Identity(kSamples, kSamples);
+        const auto identity = Eigen::MatrixXd::Identity(kBasisSamples, kBasisSamples);
         for (int spectrum = 0; spectrum < 2; ++spectrum) {
             for (int c = 0; c < 3; ++c) {
-                for (int i = 0; i < kSamples; ++i) {
-                    a(3 * spectrum + c, spectrum * kSamples + i) = weights[i][c];
+                for (int i = 0; i < kBasisSamples; ++i) {
+                    a(3 * spectrum + c, spectrum * kBasisSamples + i) = weights[i][c];
                 }
             }
             b[3 * spectrum + spectrum] = 1;
-            g.block(spectrum * kSamples, spectrum * kSamples, kSamples, kSamples) = -identity;
-            g.block(2 * kSamples, spectrum * kSamples, kSamples, kSamples) = identity;
+            g.block(spectrum * kBasisSamples, spectrum * kBasisSamples, kBasisSamples,
+                    kBasisSamples) = -identity;
+            g.block(2 * kBasisSamples, spectrum * kBasisSamples, kBasisSamples, kBasisSamples) =
+                identity;
         }
-        h.tail(kSamples).setOnes();
+        h.tail(kBasisSamples).setOnes();
     }
 };
 
@@ -183,14 +185,15 @@ Eigen::VectorXd solve(const Programme& p) {
 
 std::array<Spectrum, 3> make_basis() {
     std::vector<double> wavelengths_nm;
-    for (int i = 0; i < kSamples; ++i) wavelengths_nm.push_back(kFirst_nm + i * kStep_nm);
+    for (int i = 0; i < kBasisSamples; ++i)
+        wavelengths_nm.push_back(kBasisFirst_nm + i * kBasisStep_nm);
     const Eigen::VectorXd x = solve(Programme(wavelengths_nm));
     std::array<std::vector<double>, 3> value;
-    for (int i = 0; i < kSamples; ++i) {
+    for (int i = 0; i < kBasisSamples; ++i) {
         // Interior points are above the bounds, by 1e-13 and less: rounding may not show there.
         value[0].push_back(std::max(0.0, x[i]));
-        value[1].push_back(std::max(0.0, x[kSamples + i]));
-        value[2].push_back(std::max(0.0, 1 - x[i] - x[kSamples + i]));
+        value[1].push_back(std::max(0.0, x[kBasisSamples + i]));
+        value[2].push_back(std::max(0.0, 1 - x[i] - x[kBasisSamples + i]));
     }
     return {Spectrum(wavelengths_nm, value[0]), Spectrum(wavelengths_nm, value[1]),
             Spectrum(wavelengths_nm, value[2])};
