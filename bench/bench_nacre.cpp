@@ -20,7 +20,7 @@ namespace {
 struct Setup {
     std::shared_ptr<const solver::SolvedPaint> paint = std::make_shared<const solver::SolvedPaint>(
         solver::solve(bench_pearl(), solver::default_wavelengths_nm()));
-    Nacre nacre{paint, 1};
+    Nacre nacre{paint, {.specimen = 1}};
     std::unique_ptr<const BoundBsdf> bound = nacre.bind(kBenchWavelengths);
     std::vector<Query> queries = make_queries(*bound);
 
@@ -168,7 +168,7 @@ void BM_NacreBind(benchmark::State& state) {
 BENCHMARK(BM_NacreBind)->Unit(benchmark::kMicrosecond);
 
 void BM_NacreConstruction(benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(Nacre(Setup::get().paint, 1));
+    for (auto _ : state) benchmark::DoNotOptimize(Nacre(Setup::get().paint, {.specimen = 1}));
 }
 BENCHMARK(BM_NacreConstruction)->Unit(benchmark::kMillisecond);
 

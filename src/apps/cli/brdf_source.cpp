@@ -1,6 +1,7 @@
 #include "apps/cli/brdf_source.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -61,7 +62,7 @@ std::optional<bsdf::Patch> parse_patch(const BrdfRequest& options,
 BrdfSource model_source(const std::filesystem::path& path, const BrdfRequest& request,
                         const std::optional<std::vector<double>>& wanted,
                         const CommonOptions& options) {
-    PaintSurface paint = load_surface(path, request.model, request.surface, options);
+    PaintSurface paint = load_surface(path, request.model, options);
     const std::optional<bsdf::Patch> patch =
         parse_patch(request, paint.surface->surface_coordinates());
     std::vector<double> wavelengths = wanted.value_or(solver::default_wavelengths_nm());
@@ -74,8 +75,9 @@ BrdfSource model_source(const std::filesystem::path& path, const BrdfRequest& re
 }
 
 /// What can be said about --at and --footprint before the paint is made.
-void check_patch(const BrdfRequest& options, const models::ModelInfo& model) {
+void check_patch(const BrdfRequest& options) {
     if (options.at.empty() && options.footprint.empty()) return;
+    const bsdf::ModelInfo& model = options.model.info();
     if (!model.can.sparkle) {
         throw UsageError(
             fmt::format("--at and --footprint: {} is alike all over the surface", model.name));
@@ -90,29 +92,29 @@ void check_patch(const BrdfRequest& options, const models::ModelInfo& model) {
 
 }  // namespace
 
+void require_values(const bsdf::ModelInfo& model) {
+    if (!model.can.reference_only) return;
+    // The reference walks through layers, in which no flake has a place.
+    throw UsageError(fmt::format("{}: follows light and has no values to give; see nacre {}",
+                                 choice_of(model), model.can.sparkle ? "render" : "reference"));
+}
+
+bool answers_by_solution(const bsdf::Model& model) {
+    return model.info().can.parts && !model.makes_table();
+}
+
 BrdfRequest parse_brdf_request(const ModelOptions& model_options, std::uint64_t seed,
                                const std::string& part, const std::string& at,
                                const std::string& footprint) {
-    const models::ModelInfo& model = parse_model(model_options);
-    BrdfRequest request{model.model,
-                        model_options.model_given,
-                        parse_surface_options(model_options, seed),
-                        parse_part<solver::Part>(part),
-                        at,
-                        footprint};
-    check_patch(request, model);
-    if (model.can.reference_only) {
-        throw UsageError(
-            fmt::format("--model = {}: follows light and has no values to give; see "
-                        "nacre reference",
-                        model.name));
-    }
-    if (request.surface.flakes == models::Flakes::explicit_discs) {
-        throw UsageError(
-            "--flakes = explicit: follows light and has no values to give; see nacre render");
-    }
-    if (request.part != solver::Part::total && model.model != models::Model::microflake) {
-        throw UsageError(fmt::format("--part = {}: only --model microflake knows parts", part));
+    BrdfRequest request{parse_model_settings(model_options, seed), model_options.model_given,
+                        parse_part<solver::Part>(part), at, footprint};
+    const bsdf::ModelInfo& model = request.model.info();
+    check_patch(request);
+    require_values(model);
+    if (request.part != solver::Part::total && !model.can.parts) {
+        throw UsageError(fmt::format(
+            "--part = {}: only --model {} knows parts", part,
+            fmt::join(models_that([](const bsdf::ModelInfo& m) { return m.can.parts; }), ", ")));
     }
     return request;
 }
@@ -121,21 +123,23 @@ BrdfSource load_brdf(const std::filesystem::path& path, const BrdfRequest& reque
                      const std::optional<std::vector<double>>& wavelengths_nm,
                      const CommonOptions& options) {
     if (is_measured_brdf_file(path)) {
-        refuse_model_of_measured(request.model_given, std::string(models::info(request.model).name),
+        refuse_model_of_measured(request.model_given, std::string(request.model.info().name),
                                  path.string());
         if (request.part != solver::Part::total) {
             throw UsageError(
                 fmt::format("--part: {} holds a measured BRDF, which has no parts", path.string()));
         }
         BrdfRequest as_measured = request;
-        as_measured.model = models::Model::microflake;  // whatever the default of the command
+        // Whatever the default of the command.
+        if (request.model.info().name != models::default_model().info().name) {
+            as_measured.model = models::default_model();
+        }
         BrdfSource source = model_source(path, as_measured, wavelengths_nm, options);
         source.measured = true;
         return source;
     }
-    const bool is_solved = request.model == models::Model::microflake &&
-                           request.surface.table == models::Table::split && !is_brdf_table(path);
-    if (is_solved) return solved_source(path, request, wavelengths_nm, options);
+    if (answers_by_solution(request.model) && !is_brdf_table(path))
+        return solved_source(path, request, wavelengths_nm, options);
     if (request.part != solver::Part::total) {
         throw UsageError(
             fmt::format("--part: {} holds a table, which does not know parts", path.string()));

@@ -18,9 +18,8 @@ namespace nacre::cli {
 
 /// How the values are wanted.
 struct BrdfRequest {
-    models::Model model = models::Model::microflake;
+    bsdf::Model model = models::default_model();
     bool model_given = false;  ///< asked for, rather than the default
-    models::SurfaceOptions surface;
     solver::Part part = solver::Part::total;
     /// Middle "X,Y" and side of the patch whose single flakes are to show; empty: the mean.
     std::string at, footprint;
@@ -33,6 +32,13 @@ struct BrdfRequest {
 BrdfRequest parse_brdf_request(const ModelOptions& model, std::uint64_t seed,
                                const std::string& part = "total", const std::string& at = {},
                                const std::string& footprint = {});
+
+/// @throws UsageError if the model gives no values, only pictures
+void require_values(const bsdf::ModelInfo& model);
+
+/// Whether the model's values are those of the solved paint itself, by parts and in double
+/// precision.
+bool answers_by_solution(const bsdf::Model& model);
 
 struct BrdfSource {
     std::optional<paint::Recipe> recipe;  ///< none: not known, as from a table

@@ -59,16 +59,14 @@ void refuse_anisotropic(const std::string& paint) {
 BrdfSource load_fast(const ExportOptions& options, const BrdfRequest& request,
                      const std::optional<std::vector<double>>& wavelengths) {
     refuse_anisotropic(options.paint);
-    const bool solved = request.model == models::Model::microflake &&
-                        request.surface.table == models::Table::split &&
+    const bool solved = answers_by_solution(request.model) &&
                         !is_measured_brdf_file(options.paint) && !is_brdf_table(options.paint);
     if (!solved) return load_brdf(options.paint, request, wavelengths, options);
     const auto paint = std::make_shared<const solver::SolvedPaint>(
         load_paint(options.paint, wavelengths, options));
     BrdfSource source{paint->recipe, wavelengths.value_or(paint->wavelengths_nm()), {}};
     const auto brdf = std::make_shared<const models::SpectralBrdf>(
-        *models::make_surface(request.model, {paint->recipe, paint, {}}, request.surface),
-        source.wavelengths_nm);
+        *request.model.make({paint->recipe, paint, {}}), source.wavelengths_nm);
     source.brdf = [brdf](double theta_i, double theta_o, double phi) {
         return (*brdf)(theta_i, theta_o, phi);
     };

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -24,8 +25,12 @@ struct MeasureOptions : CommonOptions {
     std::string sample, versus, weights, format = "csv", plots;
     ModelOptions model;
     InstrumentOptions instrument;
-    std::optional<std::uint64_t> samples;  // of the model walk
+    std::optional<std::uint64_t> samples;  // of models that are sampled
 };
+
+std::vector<std::string> sampled_models() {
+    return models_that([](const bsdf::ModelInfo& model) { return model.can.estimated_values; });
+}
 
 /// What a person wants to read at once.
 void say_summary(const MeasureOptions& options, const MeasuredSample& sample) {
@@ -91,8 +96,10 @@ ExitStatus run(const MeasureOptions& options) {
     parse_weights(options.weights);
     InstrumentRequest instrument = parse_instrument(options.instrument);
     if (options.samples) {
-        if (parse_model(options.model).model != models::Model::walk) {
-            throw UsageError("--samples belongs to --model walk; other models are not sampled");
+        if (!parse_model(options.model).can.estimated_values) {
+            throw UsageError(
+                fmt::format("--samples belongs to --model {}; other models are not sampled",
+                            fmt::join(sampled_models(), ", ")));
         }
         instrument.walks = *options.samples;
     }
@@ -133,8 +140,9 @@ Command add_measure(CLI::App& program) {
     add_model_options(*command, options->model);
     command
         ->add_option("--samples", options->samples,
-                     "With --model walk: walks per lamp; standard errors are in columns SE<nm> "
-                     "[262144]")
+                     fmt::format("With --model {}: walks per lamp; standard errors are in columns "
+                                 "SE<nm> [262144]",
+                                 fmt::join(sampled_models(), ", ")))
         ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000}));
     command->add_option("--versus", options->versus,
                         "Standard to compare with: a recipe or a measured file");

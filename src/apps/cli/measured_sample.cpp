@@ -98,11 +98,11 @@ bool is_measured_file(const std::filesystem::path& path) {
 
 MeasuredSample measure_sample(const std::filesystem::path& path, const ModelOptions& model,
                               const InstrumentRequest& request, const CommonOptions& options) {
-    const bool walks = parse_model(model).model == models::Model::walk;
+    const bool walks = parse_model(model).can.estimated_values;
     if (is_measured_file(path)) return read_sample(path, request);
     if (walks) {
-        parse_surface_options(model, options.seed);  // refuses the options of other models
-        return measure_by_walk(path, request, options);
+        parse_model_settings(model, options.seed);  // refuses the options of other models
+        return measure_by_walk(path, request, model.model, options);
     }
     const BrdfSource source =
         load_brdf(path, parse_brdf_request(model, options.seed), request.wavelengths_nm, options);

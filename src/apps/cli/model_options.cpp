@@ -4,123 +4,184 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
-#include <vector>
+#include <algorithm>
+#include <utility>
 
 #include "apps/cli/options.h"
+#include "nacre/core/error.h"
 #include "nacre/core/text.h"
+#include "nacre/models/traced/traced_models.h"
 
 namespace nacre::cli {
 namespace {
 
-using models::Model;
+using bsdf::Model;
+using bsdf::ModelInfo;
+using bsdf::ModelOption;
 
-std::vector<std::string> model_names() {
-    std::vector<std::string> names;
-    for (const models::ModelInfo& model : models::all_models()) names.emplace_back(model.name);
-    return names;
+/// An option and the model that has it.
+struct Owned {
+    const ModelInfo* model;
+    const ModelOption* option;
+};
+
+/// Options in the order of the models, those of models that show single flakes last.
+std::vector<Owned> all_options() {
+    std::vector<Owned> options;
+    for (const bool sparkle : {false, true}) {
+        for (const ModelInfo* model : models::all_models()) {
+            if (model->can.sparkle != sparkle) continue;
+            for (const ModelOption& option : model->options) options.push_back({model, &option});
+        }
+    }
+    return options;
 }
 
-template <class T>
-T choose(const char* option, const std::string& text, const std::map<std::string, T>& choices) {
-    const auto found = choices.find(text);
-    if (found != choices.end()) return found->second;
-    std::vector<std::string> names;
-    for (const auto& [name, value] : choices) names.push_back(name);
-    throw UsageError(
-        fmt::format("{} = {}: must be one of {}", option, text, fmt::join(names, ", ")));
+std::string default_text(const Owned& owned) {
+    return option_text(owned.model->standard(), *owned.option);
+}
+
+std::string text_of(const ModelOption& option, const ModelOptions::Value& value) {
+    if (!option.names.empty()) return value.name;
+    if (option.range) return fmt::format("{}", value.number);
+    return value.on ? "on" : "off";
+}
+
+void add_option(CLI::App& command, ModelOptions& options, const Owned& owned) {
+    const ModelOption& option = *owned.option;
+    const std::string flag(option.flag), help(option.help);
+    ModelOptions::Value& value = options.values[flag];
+    if (!option.names.empty()) {
+        value.name = default_text(owned);
+        command.add_option(flag, value.name, help)->capture_default_str();
+    } else if (option.range) {
+        value.number = option.get(owned.model->standard());
+        command.add_option(flag, value.number, help)
+            ->check(CLI::Range(option.range->first, option.range->second))
+            ->capture_default_str();
+    } else {
+        command.add_flag(flag, value.on, help);
+    }
+}
+
+/// By its entry's option; empty while the command does not offer it.
+std::string alternative_value(const ModelOptions& options, const bsdf::Alternative& alternative) {
+    const auto found = options.values.find(std::string(alternative.flag));
+    return found == options.values.end() ? std::string(alternative.usual) : found->second.name;
+}
+
+void require_owner(std::string_view flag, const ModelInfo& owner, const ModelInfo& model) {
+    if (&owner != &model) {
+        throw UsageError(
+            fmt::format("{} belongs to --model {}, not to {}", flag, owner.name, model.name));
+    }
+}
+
+/// The alternative to a model, where its option says so.
+Model with_alternative(Model model, const ModelOptions& options) {
+    for (const ModelInfo* traced : models::traced_models()) {
+        const bsdf::Alternative& alternative = *traced->alternative;
+        if (alternative.to != &model.info()) continue;
+        const std::string value = alternative_value(options, alternative);
+        if (value == alternative.value) return alternative.from(model);
+        if (value != alternative.usual) {
+            const auto [first, last] = std::minmax(alternative.usual, alternative.value);
+            throw UsageError(fmt::format("{} = {}: must be one of {}, {}", alternative.flag, value,
+                                         first, last));
+        }
+    }
+    return model;
 }
 
 }  // namespace
 
-void add_table_option(CLI::App& command, ModelOptions& options) {
-    command
-        .add_option(
-            "--table", options.table,
-            "microflake: how the solved BRDF is kept: split (spectral, exact), or raw or svd (RGB "
-            "tables as in the comparison of 2022)")
-        ->capture_default_str();
+std::string ModelOptions::value(const std::string& flag) const {
+    for (const Owned& owned : all_options()) {
+        if (owned.option->flag != flag) continue;
+        const auto given = values.find(flag);
+        return given == values.end() ? default_text(owned) : text_of(*owned.option, given->second);
+    }
+    throw DomainError(fmt::format("{}: is no option of a model", flag));
+}
+
+void add_solution_options(CLI::App& command, ModelOptions& options) {
+    for (const Owned& owned : all_options()) {
+        if (owned.option->of_solution) add_option(command, options, owned);
+    }
 }
 
 void add_model_options(CLI::App& command, ModelOptions& options) {
     command
-        .add_option("--model", options.model,
-                    fmt::format("Model of the paint: {}", fmt::join(model_names(), ", ")))
+        .add_option(
+            "--model", options.model,
+            fmt::format("Model of the paint: {}",
+                        fmt::join(models_that([](const ModelInfo&) { return true; }), ", ")))
         ->each([&options](const std::string&) { options.model_given = true; })
         ->capture_default_str();
-    add_table_option(command, options);
-    command
-        .add_option("--colour", options.colour,
-                    "thin-film: spectral (exact), or RGB by spectral antialiasing: table (Fourier "
-                    "transform of the observer) or paper (Gaussian fit)")
-        ->capture_default_str();
-    command
-        .add_option("--tracking", options.tracking,
-                    "volume: delta (unbiased) or simpson (the paper's integration along the ray)")
-        ->capture_default_str();
-    command
-        .add_option("--simpson-panels", options.simpson_panels,
-                    "volume with --tracking simpson: panels per piece of ray")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
-    command.add_flag(
-        "--hot-spot", options.hot_spot,
-        "nacre: light that came in between large flakes finds the same gaps on its way "
-        "out; the mean is then brighter than the solver's");
-    command
-        .add_option(
-            "--flakes", options.flakes,
-            "nacre: hashed (statistics, on any shape), or explicit (the ground truth: every "
-            "flake a disc, under flat panels)")
-        ->capture_default_str();
+    for (const Owned& owned : all_options()) add_option(command, options, owned);
+    for (const ModelInfo* model : models::traced_models()) {
+        const std::string flag(model->alternative->flag);
+        std::string& value = options.values[flag].name;
+        value = model->alternative->usual;
+        command.add_option(flag, value, std::string(model->alternative->help))
+            ->capture_default_str();
+    }
 }
 
-const models::ModelInfo& parse_model(const ModelOptions& options) {
-    if (const models::ModelInfo* found = models::find_model(options.model)) return *found;
-    const std::vector<std::string> names = model_names();
+const ModelInfo& parse_model(const ModelOptions& options) {
+    if (const ModelInfo* found = models::find_model(options.model)) return *found;
+    const auto names = models_that([](const ModelInfo&) { return true; });
     throw UsageError(fmt::format("--model = {}: is no model{}; there are: {}", options.model,
                                  did_you_mean(options.model, names), fmt::join(names, ", ")));
 }
 
-models::SurfaceOptions parse_surface_options(const ModelOptions& options, std::uint64_t seed) {
-    const models::ModelInfo& model = parse_model(options);
-    const ModelOptions standard;
-    const auto belongs_to = [&](const char* option, Model owner, bool chosen) {
-        if (chosen && model.model != owner) {
-            throw UsageError(fmt::format("{} belongs to --model {}, not to {}", option,
-                                         models::info(owner).name, model.name));
-        }
-    };
-    belongs_to("--table", Model::microflake, options.table != standard.table);
-    belongs_to("--colour", Model::thin_film, options.colour != standard.colour);
-    belongs_to("--tracking", Model::volume, options.tracking != standard.tracking);
-    belongs_to("--simpson-panels", Model::volume,
-               options.simpson_panels != standard.simpson_panels);
-    belongs_to("--hot-spot", Model::nacre, options.hot_spot);
-    belongs_to("--flakes", Model::nacre, options.flakes != standard.flakes);
-
-    models::SurfaceOptions surface;
-    surface.table = choose<models::Table>("--table", options.table,
-                                          {{"split", models::Table::split},
-                                           {"raw", models::Table::raw},
-                                           {"svd", models::Table::svd}});
-    surface.colour = choose<bsdf::ThinFilmColour>("--colour", options.colour,
-                                                  {{"spectral", bsdf::ThinFilmColour::spectral},
-                                                   {"table", bsdf::ThinFilmColour::table},
-                                                   {"paper", bsdf::ThinFilmColour::paper}});
-    surface.tracking = choose<montecarlo::Tracking>(
-        "--tracking", options.tracking,
-        {{"delta", montecarlo::Tracking::delta}, {"simpson", montecarlo::Tracking::simpson}});
-    surface.simpson_panels = options.simpson_panels;
-    surface.hot_spot = options.hot_spot;
-    surface.flakes = choose<models::Flakes>(
-        "--flakes", options.flakes,
-        {{"hashed", models::Flakes::hashed}, {"explicit", models::Flakes::explicit_discs}});
-    if (surface.hot_spot && surface.flakes == models::Flakes::explicit_discs) {
-        throw UsageError("--hot-spot is for hashed flakes: explicit ones have it by themselves");
+Model parse_model_settings(const ModelOptions& options, std::uint64_t seed) {
+    const ModelInfo& info = parse_model(options);
+    std::vector<std::pair<const ModelOption*, std::string>> chosen;
+    for (const Owned& owned : all_options()) {
+        const std::string value = options.value(std::string(owned.option->flag));
+        if (value == default_text(owned)) continue;
+        require_owner(owned.option->flag, *owned.model, info);
+        chosen.emplace_back(owned.option, value);
     }
-    surface.seed = seed;
-    return surface;
+    for (const ModelInfo* traced : models::traced_models()) {
+        const bsdf::Alternative& alternative = *traced->alternative;
+        if (alternative_value(options, alternative) == alternative.usual) continue;
+        require_owner(alternative.flag, *alternative.to, info);
+    }
+    try {
+        Model model = info.standard();
+        for (const auto& [option, value] : chosen) set_option(model, *option, value);
+        model.set_specimen(seed);
+        return with_alternative(std::move(model), options);
+    } catch (const DomainError& error) {
+        throw UsageError(error.what());
+    }
+}
+
+std::string choice_of(const ModelInfo& model) {
+    return model.alternative
+               ? fmt::format("{} = {}", model.alternative->flag, model.alternative->value)
+               : fmt::format("--model = {}", model.name);
+}
+
+std::vector<std::string> models_that(bool (*condition)(const ModelInfo&)) {
+    std::vector<std::string> names;
+    for (const ModelInfo* model : models::all_models()) {
+        if (condition(*model)) names.emplace_back(model->name);
+    }
+    return names;
+}
+
+std::vector<std::string> sparkling_models() {
+    std::vector<std::string> names = models_that(
+        [](const ModelInfo& model) { return model.can.sparkle && model.can.multiple_scattering; });
+    for (const std::string& name : models_that([](const ModelInfo& model) {
+             return model.can.sparkle && !model.can.multiple_scattering;
+         })) {
+        names.push_back(name);
+    }
+    return names;
 }
 
 }  // namespace nacre::cli

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "nacre/models/models.h"
 
@@ -8,30 +11,44 @@ namespace CLI {
 class App;
 }
 
-// --model and the choices that belong to a model.
+// --model, and the options of all models, as their entries describe them (nacre/bsdf/model.h).
 
 namespace nacre::cli {
 
 struct ModelOptions {
-    std::string model = "microflake";
+    std::string model{models::default_model().info().name};
     bool model_given = false;  ///< --model was on the command line
-    std::string table = "split";
-    std::string colour = "spectral";
-    std::string tracking = "delta";
-    int simpson_panels = models::SurfaceOptions{}.simpson_panels;
-    bool hot_spot = false;
-    std::string flakes = "hashed";
+
+    /// The value of an option, as set_option() takes it; its default unless it was given.
+    std::string value(const std::string& flag) const;
+
+    /// What the command line writes to.
+    struct Value {
+        std::string name;
+        int number = 0;
+        bool on = false;
+    };
+    std::map<std::string, Value> values = {};  ///< by flag; none before options were added
 };
 
 void add_model_options(CLI::App& command, ModelOptions& options);
-/// Only --table, for `solve`.
-void add_table_option(CLI::App& command, ModelOptions& options);
+/// Only those that say how a solution is kept, for `solve`.
+void add_solution_options(CLI::App& command, ModelOptions& options);
 
 /// @throws UsageError naming the model and those that exist
-const models::ModelInfo& parse_model(const ModelOptions& options);
+const bsdf::ModelInfo& parse_model(const ModelOptions& options);
 
-/// @param seed  which facets there are
+/// The model with all that was chosen about it.
+/// @param seed  which specimen it shows
 /// @throws UsageError if a choice was made that the model does not know
-models::SurfaceOptions parse_surface_options(const ModelOptions& options, std::uint64_t seed);
+bsdf::Model parse_model_settings(const ModelOptions& options, std::uint64_t seed);
+
+/// What the command line said to choose this model, as in "--model = volume".
+std::string choice_of(const bsdf::ModelInfo& model);
+
+/// The names of all models that satisfy a condition.
+std::vector<std::string> models_that(bool (*condition)(const bsdf::ModelInfo&));
+/// Those that show single flakes, the one that shows most first.
+std::vector<std::string> sparkling_models();
 
 }  // namespace nacre::cli

@@ -1,12 +1,15 @@
 #include "apps/cli/paint_source.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "apps/cli/measured_source.h"
+#include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
+#include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/progress.h"
@@ -146,10 +149,11 @@ bool is_brdf_table(const std::filesystem::path& path) {
 
 std::string PaintSurface::recipe_sha256() const { return recipe ? io::recipe_hash(*recipe) : ""; }
 
-PaintSurface load_surface(const std::filesystem::path& path, models::Model model,
-                          const models::SurfaceOptions& surface, const CommonOptions& options) {
-    if (const std::string bytes = read_paint_file(path); is_measured_brdf(bytes)) {
-        if (model != models::Model::microflake || surface.table != models::Table::split) {
+PaintSurface load_surface(const std::filesystem::path& path, const bsdf::Model& model,
+                          const CommonOptions& options) {
+    const std::string bytes = read_paint_file(path);
+    if (is_measured_brdf(bytes)) {
+        if (model != models::default_model()) {
             throw InputError(
                 fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it "
                             "takes neither --model nor --table",
@@ -157,35 +161,34 @@ PaintSurface load_surface(const std::filesystem::path& path, models::Model model
         }
         return {make_measured_brdf(bytes, path.string()), std::nullopt};
     }
-    const bool solves = model == models::Model::microflake ||
-                        (model == models::Model::nacre && surface.flakes == models::Flakes::hashed);
-    models::Paint paint;
-    if (!solves) {
-        paint.recipe = load_recipe(path);
-    } else if (const std::string bytes = read_paint_file(path); io::looks_like_brdf_table(bytes)) {
-        if (model != models::Model::microflake) {
-            throw InputError(
-                fmt::format("{}: holds a table of a BRDF, from which only the model {} renders",
-                            path.string(), models::info(models::Model::microflake).name));
+    const bsdf::Solution solution = model.info().solution;
+    bsdf::ModelInput input;
+    if (solution == bsdf::Solution::none) {
+        input.recipe = load_recipe(path);
+    } else if (io::looks_like_brdf_table(bytes)) {
+        if (solution != bsdf::Solution::table) {
+            throw InputError(fmt::format(
+                "{}: holds a table of a BRDF, from which only the model {} renders", path.string(),
+                fmt::join(models_that([](const bsdf::ModelInfo& m) {
+                              return m.solution == bsdf::Solution::table;
+                          }),
+                          ", ")));
         }
-        io::BrdfTable table = io::parse_brdf_table(bytes, path.string());
-        const auto kind = std::holds_alternative<bsdf::RawBrdfTable>(table) ? models::Table::raw
-                                                                            : models::Table::svd;
-        if (surface.table != models::Table::split && surface.table != kind) {
-            throw UsageError(fmt::format("--table = {}: {} holds a table of the kind {}",
-                                         models::name(surface.table), path.string(),
-                                         models::name(kind)));
+        input.table = bsdf::share_table(io::parse_brdf_table(bytes, path.string()));
+        try {
+            model.require_kind(*input.table, path.string());
+        } catch (const DomainError& error) {
+            throw UsageError(error.what());
         }
-        paint.table = models::fraction(std::move(table));
     } else {
-        paint.solved =
+        input.solved =
             std::make_shared<const solver::SolvedPaint>(load_paint(path, std::nullopt, options));
-        paint.recipe = paint.solved->recipe;
+        input.recipe = input.solved->recipe;
     }
     try {
-        ProgressBar bar("prepare", options.quiet || surface.table == models::Table::split);
-        auto made = models::make_surface(model, paint, surface, bar.callback());
-        return {std::move(made), paint.table ? std::nullopt : std::optional(paint.recipe)};
+        ProgressBar bar("prepare", options.quiet || !model.makes_table());
+        auto made = model.make(input, bar.callback());
+        return {std::move(made), input.table ? std::nullopt : std::optional(input.recipe)};
     } catch (const DomainError& error) {
         throw InputError(fmt::format("{}: {}", path.string(), error.what()));
     }

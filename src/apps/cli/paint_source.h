@@ -42,12 +42,12 @@ struct PaintSurface {
     std::string recipe_sha256() const;  ///< empty without a recipe
 };
 
-/// Reads a recipe, a solved paint or (microflake) a table of a BRDF, and makes a surface of it; or
-/// a measured BRDF, in which no model has a part: `model` must then be the default, microflake.
+/// Reads a recipe, a solved paint or a table of a BRDF, and makes a surface of it; or a measured
+/// BRDF, in which no model has a part: `model` must then be models::default_model().
 /// @throws InputError naming the file, also where the recipe lacks what the model reads
 /// @throws as load_paint()
-PaintSurface load_surface(const std::filesystem::path& path, models::Model model,
-                          const models::SurfaceOptions& surface, const CommonOptions& options);
+PaintSurface load_surface(const std::filesystem::path& path, const bsdf::Model& model,
+                          const CommonOptions& options);
 
 /// Whether the file starts like a table of a BRDF (nacre solve --table raw or svd).
 bool is_brdf_table(const std::filesystem::path& path);

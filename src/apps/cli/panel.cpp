@@ -26,7 +26,7 @@ struct PanelOptions : CommonOptions {
     std::string recipe, versus;
     std::string quality = "normal";
     std::string scene = "curved-panel";
-    ModelOptions model{.model = "nacre"};
+    ModelOptions model{.model = sparkling_models().front()};
     InstrumentOptions instrument;
 };
 
@@ -72,9 +72,9 @@ std::vector<report::Picture> pictures(const PanelOptions& options, const PaintSu
     if (compares) {
         const PaintSurface standard =
             is_measured_brdf_file(options.versus)
-                ? load_surface(options.versus, models::Model::microflake, {}, options)
-                : load_surface(options.versus, parse_model(options.model).model,
-                               parse_surface_options(options.model, options.seed), options);
+                ? load_surface(options.versus, models::default_model(), options)
+                : load_surface(options.versus, parse_model_settings(options.model, options.seed),
+                               options);
         all.push_back(picture(options, standard, "Standard", small));
     }
     return all;
@@ -105,23 +105,21 @@ void check_choices(const PanelOptions& options) {
 }
 
 ExitStatus run(const PanelOptions& options) {
-    const models::ModelInfo& model = parse_model(options.model);
-    parse_brdf_request(options.model, options.seed);
+    const bsdf::Model model = parse_brdf_request(options.model, options.seed).model;
     const InstrumentRequest instrument = parse_instrument(options.instrument);
     check_choices(options);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
 
-    const PaintSurface paint = load_surface(
-        options.recipe, model.model, parse_surface_options(options.model, options.seed), options);
+    const PaintSurface paint = load_surface(options.recipe, model, options);
     if (!paint.recipe) {
         throw InputError(
             fmt::format("{}: does not say what the paint is made of; a panel report needs a recipe",
                         options.recipe));
     }
     datasheet::PanelReport page;
-    page.model = model.model;
+    page.model = &model.info();
     page.recipe = *paint.recipe;
     page.recipe_sha256 = paint.recipe_sha256();
     if (options.versus.empty()) {
@@ -138,7 +136,7 @@ ExitStatus run(const PanelOptions& options) {
     }
     page.title = page.sample.name;
     const Quality quality = quality_of(options);
-    if (model.can.sparkle) page.sparkle = sparkle(options, paint, quality);
+    if (model.info().can.sparkle) page.sparkle = sparkle(options, paint, quality);
     page.pictures = pictures(options, paint, quality);
     emit(options, datasheet::panel_report_html(page));
 

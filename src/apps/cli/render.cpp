@@ -1,15 +1,15 @@
 #include "nacre/render/render.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <deque>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <tuple>
 
 #include "apps/cli/measured_source.h"
 #include "apps/cli/model_options.h"
@@ -62,101 +62,67 @@ render::SceneDescription load_scene(const std::string& name) {
     return render::builtin_scene(name);
 }
 
-/// The radius of the spheres that a paint lies on; infinite on flat panels. The model volume needs
-/// to know the shape that its paint follows.
-double radius_of_shape(const render::SceneDescription& scene, const std::string& material) {
-    std::optional<double> radius;
+/// What a paint lies on, for models that must know it.
+std::vector<bsdf::PaintedShape> painted_shapes(const render::SceneDescription& scene,
+                                               const std::string& material) {
+    using Kind = bsdf::PaintedShape::Kind;
+    std::vector<bsdf::PaintedShape> shapes;
     for (const render::Shape& shape : scene.shapes) {
         if (shape.material != material) continue;
-        double r = std::numeric_limits<double>::infinity();
-        if (const auto* sphere = std::get_if<render::Sphere>(&shape.geometry)) {
-            r = sphere->radius_mm * shape.transform.scale;
-        } else if (!std::holds_alternative<render::FlatPanel>(shape.geometry)) {
-            throw UsageError(
-                fmt::format("--model = volume: the material {} is on a shape that is neither a "
-                            "sphere nor a flat panel; --model walk goes on any shape",
-                            material));
-        }
-        if (radius && *radius != r) {
-            throw UsageError(fmt::format(
-                "--model = volume: the material {} is on shapes of different radii", material));
-        }
-        radius = r;
-    }
-    return radius.value_or(std::numeric_limits<double>::infinity());
-}
-
-/// The flat panels that a paint lies on, as width and height. Explicit flakes need to know where
-/// they lie.
-std::pair<double, double> size_of_panel_mm(const render::SceneDescription& scene,
-                                           const std::string& material) {
-    std::optional<std::pair<double, double>> size;
-    for (const render::Shape& shape : scene.shapes) {
-        if (shape.material != material) continue;
-        const auto* panel = std::get_if<render::FlatPanel>(&shape.geometry);
-        if (!panel) {
-            throw UsageError(
-                fmt::format("--flakes = explicit: the material {} is on a shape that is no flat "
-                            "panel; --flakes "
-                            "hashed goes on any shape",
-                            material));
-        }
         const double scale = shape.transform.scale;
-        const std::pair s{scale * panel->width_mm, scale * panel->height_mm};
-        if (size && *size != s) {
-            throw UsageError(fmt::format(
-                "--flakes = explicit: the material {} is on panels of different sizes", material));
+        if (const auto* sphere = std::get_if<render::Sphere>(&shape.geometry)) {
+            shapes.push_back({.kind = Kind::sphere, .radius_mm = sphere->radius_mm * scale});
+        } else if (const auto* panel = std::get_if<render::FlatPanel>(&shape.geometry)) {
+            shapes.push_back({.kind = Kind::panel,
+                              .width_mm = scale * panel->width_mm,
+                              .height_mm = scale * panel->height_mm});
+        } else {
+            shapes.push_back({});
         }
-        size = s;
     }
-    // On nothing that is seen: any size will do.
-    return size.value_or(std::pair{1.0, 1.0});
+    return shapes;
 }
 
 /// Makes each paint once for all materials that it is on.
 class PaintMaker {
  public:
     explicit PaintMaker(const RenderCommandOptions& options)
-        : options_(options),
-          model_(parse_model(options.model).model),
-          surface_(parse_surface_options(options.model, options.seed)) {}
+        : options_(options), model_(parse_model_settings(options.model, options.seed)) {}
 
     const PaintSurface& make(const render::SceneDescription& scene, const std::string& material,
                              const fs::path& path) {
-        if (is_measured_brdf_file(path)) {
-            auto found = made_.find(Key{path, 0, 0, 0});
-            if (found == made_.end()) {
-                found = made_
-                            .emplace(Key{path, 0, 0, 0},
-                                     load_surface(path, models::Model::microflake, {}, options_))
-                            .first;
-            }
-            return found->second;
-        }
+        if (is_measured_brdf_file(path)) return made(path, models::default_model());
         model_used_ = true;
-        if (model_ == models::Model::volume) surface_.radius_mm = radius_of_shape(scene, material);
-        if (surface_.flakes == models::Flakes::explicit_discs) {
-            std::tie(surface_.panel_width_mm, surface_.panel_height_mm) =
-                size_of_panel_mm(scene, material);
+        bsdf::Model model = model_;
+        try {
+            model.lie_on(material, painted_shapes(scene, material));
+        } catch (const DomainError& error) {
+            throw UsageError(fmt::format("{}: {}", choice_of(model.info()), error.what()));
         }
-        const Key key{path, surface_.radius_mm, surface_.panel_width_mm, surface_.panel_height_mm};
-        auto found = made_.find(key);
-        if (found == made_.end()) {
-            found = made_.emplace(key, load_surface(path, model_, surface_, options_)).first;
-        }
-        return found->second;
+        return made(path, model);
     }
 
     /// Whether a recipe was among them.
     bool model_used() const { return model_used_; }
 
  private:
+    const PaintSurface& made(const fs::path& path, const bsdf::Model& model) {
+        for (const Made& known : made_) {
+            if (known.path == path && known.model == model) return known.paint;
+        }
+        made_.push_back({path, model, load_surface(path, model, options_)});
+        return made_.back().paint;
+    }
+
     const RenderCommandOptions& options_;
-    models::Model model_;
+    bsdf::Model model_;
     bool model_used_ = false;
-    models::SurfaceOptions surface_;
-    using Key = std::tuple<fs::path, double, double, double>;  // recipe, radius, size of the panel
-    std::map<Key, PaintSurface> made_;
+    struct Made {
+        fs::path path;
+        bsdf::Model model;
+        PaintSurface paint;
+    };
+    std::deque<Made> made_;  // keeps what was handed out in its place
 };
 
 /// Every paint of the scene, the slot without a recipe being filled by --paint.
@@ -209,11 +175,11 @@ Paints make_paints(const render::SceneDescription& scene, const RenderCommandOpt
     if (!paints.model_used && !paints.table.empty()) {
         refuse_model_of_measured(options.model.model_given, options.model.model,
                                  "every material of the scene " + options.scene);
-        if (options.model.table != ModelOptions{}.table) {
+        if (parse_model_settings(options.model, options.seed).makes_table()) {
             throw UsageError(
                 fmt::format("--table = {}: every material of the scene {} holds a measured BRDF; "
                             "tables are made of recipes",
-                            options.model.table, options.scene));
+                            options.model.value("--table"), options.scene));
         }
     }
     return paints;
@@ -236,7 +202,7 @@ std::map<std::string, std::string> metadata(const RenderCommandOptions& options,
 }
 
 ExitStatus run(RenderCommandOptions options) {
-    parse_surface_options(options.model, options.seed);  // before any work
+    parse_model_settings(options.model, options.seed);  // before any work
     parse_size(options.size, options.render);
     options.render.seed = options.seed;
     const fs::path exr = options.output;
@@ -313,8 +279,9 @@ Command add_render(CLI::App& program) {
     add_model_options(*command, options->model);
     command
         ->add_option("--footprint", options->render.footprint_pixels,
-                     "nacre, special-effect: side of the patch that a sample stands for, pixels; "
-                     "0: the samples of a pixel share out what it shows")
+                     fmt::format("{}: side of the patch that a sample stands for, pixels; 0: the "
+                                 "samples of a pixel share out what it shows",
+                                 fmt::join(sparkling_models(), ", ")))
         ->check(CLI::Range(0.0, 1000.0))
         ->capture_default_str();
     command->add_flag("--sparkle", options->render.sparkle,

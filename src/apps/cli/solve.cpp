@@ -22,19 +22,20 @@ struct SolveOptions : CommonOptions {
     std::string recipe;
     std::string wavelengths = "400:700:10";
     solver::SolverSettings settings;
-    ModelOptions model;  // only --table
+    ModelOptions model;  // only --table: of the default model
 };
 
-/// --table raw or svd: the solved paint as one RGB table.
-std::string table_bytes(const SolveOptions& options, const solver::SolvedPaint& paint) {
+/// The solved paint, or (--table raw or svd) the RGB table that is made of it.
+std::string solution_bytes(const SolveOptions& options, const bsdf::Model& model,
+                           const solver::SolvedPaint& paint) {
+    if (!model.makes_table()) return io::solved_paint_bytes(paint);
     ProgressBar bar("tabulate", options.quiet);
-    const models::BrdfTable table =
-        models::make_table(paint, parse_surface_options(options.model, 0), bar.callback());
-    return std::visit([](const auto& t) { return io::brdf_table_bytes(*t); }, table);
+    return std::visit([](const auto& t) { return io::brdf_table_bytes(*t); },
+                      *model.make_table(paint, bar.callback()));
 }
 
 ExitStatus run(const SolveOptions& options) {
-    const bool split = parse_surface_options(options.model, 0).table == models::Table::split;
+    const bsdf::Model model = parse_model_settings(options.model, 0);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
@@ -43,7 +44,7 @@ ExitStatus run(const SolveOptions& options) {
                    parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength),
                    options, options.settings);
     const double solve_s = watch.seconds();
-    const std::string bytes = split ? io::solved_paint_bytes(paint) : table_bytes(options, paint);
+    const std::string bytes = solution_bytes(options, model, paint);
     emit(options, bytes);
     const solver::SolverReport& report = paint.report;
     say(options,
@@ -54,7 +55,7 @@ ExitStatus run(const SolveOptions& options) {
                  {{"recipe", options.recipe},
                   {"recipe_sha256", io::recipe_hash(paint.recipe)},
                   {"output", options.output},
-                  {"table", options.model.table},
+                  {"table", options.model.value("--table")},
                   {"bytes", bytes.size()},
                   {"wavelengths_nm", paint.wavelengths_nm()},
                   {"exit_nodes", report.exit_nodes},
@@ -99,7 +100,7 @@ Command add_solve(CLI::App& program) {
                      "Share of the peak below which the Fourier series may end")
         ->check(CLI::Range(1e-9, 0.1))
         ->capture_default_str();
-    add_table_option(*solve, options->model);
+    add_solution_options(*solve, options->model);
     add_threads(*solve, *options);
     add_quiet(*solve, *options);
     add_report(*solve, *options);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/brdf_source.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_source.h"
@@ -34,15 +36,17 @@ struct SparkleOptions : CommonOptions {
 };
 
 /// What a model must be able to do here.
-models::Model parse_sparkling_model(const SparkleOptions& options) {
-    const models::ModelInfo& model = parse_model(options.model);
+bsdf::Model parse_sparkling_model(const SparkleOptions& options) {
+    const bsdf::ModelInfo& model = parse_model(options.model);
     if (!model.can.sparkle) {
         throw UsageError(
             fmt::format("--model = {}: shows no single flakes, so that there is no sparkle to be "
-                        "measured; must be nacre or special-effect",
-                        model.name));
+                        "measured; must be {}",
+                        model.name, fmt::join(sparkling_models(), " or ")));
     }
-    return model.model;
+    bsdf::Model chosen = parse_model_settings(options.model, options.seed);
+    require_values(chosen.info());
+    return chosen;
 }
 
 /// "45s", "22.5s".
@@ -152,12 +156,7 @@ measure::PanelPicture mean_of(const std::vector<measure::PanelPicture>& halves) 
 }
 
 ExitStatus run(SparkleOptions options) {
-    const models::Model model = parse_sparkling_model(options);
-    const models::SurfaceOptions surface = parse_surface_options(options.model, options.seed);
-    if (surface.flakes == models::Flakes::explicit_discs) {
-        throw UsageError(
-            "--flakes = explicit: follows light and has no values to give; see nacre render");
-    }
+    const bsdf::Model model = parse_sparkling_model(options);
     options.camera.seed = options.seed;
     options.camera.lamps_deg = parse_numbers("--lamp", options.lamps, {0, 85, "deg"});
     if (options.camera.lamps_deg.size() > 16) {
@@ -169,7 +168,7 @@ ExitStatus run(SparkleOptions options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const PaintSurface paint = load_surface(options.recipe, model, surface, options);
+    const PaintSurface paint = load_surface(options.recipe, model, options);
     const double solved_s = watch.seconds();
     measure::PanelPictures pictures;
     {
@@ -219,7 +218,7 @@ ExitStatus run(SparkleOptions options) {
 
 Command add_sparkle(CLI::App& program) {
     auto options = std::make_shared<SparkleOptions>();
-    options->model.model = "nacre";
+    options->model.model = sparkling_models().front();
     CLI::App* sparkle = program.add_subcommand(
         "sparkle", "Measure sparkle and graininess of a paint with a virtual camera");
     sparkle->add_option("RECIPE", options->recipe, "Recipe (TOML) or solved paint")->required();

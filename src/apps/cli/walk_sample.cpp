@@ -10,7 +10,6 @@
 #include "nacre/core/error.h"
 #include "nacre/core/progress.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/models/models.h"
 #include "nacre/montecarlo/reference.h"
 #include "nacre/solver/solver.h"
 
@@ -28,10 +27,10 @@ std::map<double, std::vector<std::size_t>> by_lamp(const std::vector<measure::Ge
 }  // namespace
 
 MeasuredSample measure_by_walk(const std::filesystem::path& path, const InstrumentRequest& request,
-                               const CommonOptions& options) {
+                               const std::string& model, const CommonOptions& options) {
     const measure::Conditions conditions = request.conditions();
     if (!(conditions.aperture == measure::Aperture{})) {
-        throw UsageError("--aperture: --model walk reads with points only");
+        throw UsageError(fmt::format("--aperture: --model {} reads with points only", model));
     }
     const paint::Recipe recipe = load_recipe(path);
     const std::vector<double> nm =
@@ -41,7 +40,7 @@ MeasuredSample measure_by_walk(const std::filesystem::path& path, const Instrume
     MeasuredSample sample;
     sample.path = path.string();
     sample.recipe_sha256 = io::recipe_hash(recipe);
-    sample.model = models::info(models::Model::walk).name;
+    sample.model = model;
     sample.measurement = {recipe.name.empty() ? path.stem().string() : recipe.name, conditions, nm,
                           std::vector<measure::Reading>(geometries.size())};
     sample.standard_error.resize(geometries.size());

@@ -12,6 +12,6 @@ namespace nacre::cli {
 /// @throws UsageError if an aperture is asked for
 /// @throws InputError, DomainError, Error as load_recipe() and montecarlo::reference_brdf()
 MeasuredSample measure_by_walk(const std::filesystem::path& path, const InstrumentRequest& request,
-                               const CommonOptions& options);
+                               const std::string& model, const CommonOptions& options);
 
 }  // namespace nacre::cli

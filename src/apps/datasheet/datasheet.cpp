@@ -227,7 +227,7 @@ std::string plots_html(const PanelReport& report) {
 // ---------------------------------------------------------------------------- composition
 
 std::string composition_html(const PanelReport& report) {
-    const bool of_layers = models::info(report.model).ingredients == models::Ingredients::layers;
+    const bool of_layers = report.model->ingredients == bsdf::Ingredients::layers;
     std::string html;
     if (of_layers) {
         std::string words;
@@ -257,7 +257,7 @@ std::string legend_of_two(const PanelReport& report) {
 }
 
 std::string method_html(const PanelReport& report) {
-    const models::ModelInfo& model = models::info(report.model);
+    const bsdf::ModelInfo& model = *report.model;
     const std::string lamp = report.sample.readings.empty()
                                  ? ""
                                  : fmt::format("; {} geometries", report.sample.readings.size());
@@ -309,7 +309,7 @@ std::string panel_report_html(const PanelReport& report) {
     body += heading("Composition") + composition_html(report);
     body += heading("What these numbers are") + method_html(report);
     body += fmt::format(
-        "<footer>nacre {} · model {}{}</footer>\n", version(), models::info(report.model).name,
+        "<footer>nacre {} · model {}{}</footer>\n", version(), report.model->name,
         report.recipe_sha256.empty() ? "" : " · recipe SHA-256 " + report.recipe_sha256);
     return report::page_html(report.title, "Virtual panel report", {}, body, false, panel_css());
 }

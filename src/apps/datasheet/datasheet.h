@@ -9,11 +9,11 @@
 
 #include "apps/report/report.h"
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/core/progress.h"
 #include "nacre/measure/difference.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/measure/sparkle_measurement.h"
-#include "nacre/models/models.h"
 #include "nacre/paint/recipe.h"
 
 namespace nacre::datasheet {
@@ -45,8 +45,8 @@ struct PanelStandard {
 };
 
 struct PanelReport {
-    std::string title = {};  ///< plain text: the paint's name
-    models::Model model = models::Model::microflake;
+    std::string title = {};                  ///< plain text: the paint's name
+    const bsdf::ModelInfo* model = nullptr;  ///< never null
     measure::Measurement sample = {};
     std::optional<PanelStandard> standard = {};
     /// The first stands large, the others small beside it.

@@ -7,11 +7,12 @@
 #include <numbers>
 
 #include "apps/study/mir_2022.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/core/version.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/models/models.h"
 #include "nacre/montecarlo/discs/disc.h"
 #include "nacre/montecarlo/discs/disc_scene.h"
 #include "nacre/montecarlo/discs/disc_walk.h"
@@ -174,7 +175,7 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
         // With one seed the same arrangement would appear at every size, larger or smaller.
         const auto seed = hash_of(seed_, std::llround(1e6 * side_mm));
         return std::make_shared<const montecarlo::DiscWalk>(
-            recipe_, montecarlo::DiscSettings{side_mm, side_mm, seed, way == Way::discs});
+            recipe_, montecarlo::ExplicitFlakesModel{side_mm, side_mm, seed, way == Way::discs});
     }
     if (!solved_) {
         solved_ = std::make_shared<const solver::SolvedPaint>(
@@ -182,12 +183,12 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
     }
     auto& made = way == Way::hashed ? hashed_ : way == Way::hot_spot ? hot_spot_ : smooth_;
     if (!made) {
-        models::SurfaceOptions options;
-        options.seed = seed_;
-        options.hot_spot = way == Way::hot_spot;
-        const models::Paint paint{.recipe = recipe_, .solved = solved_, .table = {}};
-        made = models::make_surface(
-            way == Way::smooth ? models::Model::microflake : models::Model::nacre, paint, options);
+        if (way == Way::smooth) {
+            made = std::make_shared<const bsdf::Microflake>(solved_);
+        } else {
+            made = std::make_shared<const bsdf::Nacre>(
+                solved_, bsdf::NacreModel{.specimen = seed_, .hot_spot = way == Way::hot_spot});
+        }
     }
     return made;
 }

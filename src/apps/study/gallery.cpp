@@ -10,6 +10,11 @@
 #include <optional>
 #include <string>
 
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
+#include "nacre/bsdf/models/special_effect.h"
+#include "nacre/bsdf/models/thin_film.h"
+#include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/sha256.h"
@@ -18,6 +23,7 @@
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/montecarlo/discs/disc.h"
+#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/render/render_image.h"
 #include "nacre/solver/solver.h"
@@ -46,23 +52,33 @@ using nlohmann::json;
 
 constexpr std::uintmax_t kMaxRecordBytes = 1 << 20;
 
+/// The settings of one model, or its defaults where the job has another.
+template <class M>
+M settings_of(const PictureJob& job) {
+    const M* settings = job.model.get<M>();
+    return settings ? *settings : M{};
+}
+
 json description(const PictureJob& job) {
     const render::RenderOptions& r = job.render;
+    const auto microflake = settings_of<bsdf::MicroflakeModel>(job);
+    const auto volume = settings_of<montecarlo::VolumeModel>(job);
     return {{"version", version()},
             {"scene", job.scene},
             {"scene_scale", job.scene_scale},
-            {"model", models::info(job.model).name},
+            {"model", job.model.info().name},
             {"recipe_sha256", io::recipe_hash(recipe_of(job))},
-            {"table", models::name(job.surface.table)},
-            {"table_angles", job.surface.table_size.angles},
-            {"table_azimuths", job.surface.table_size.azimuths},
-            {"compression_rank", job.surface.compression.rank},
-            {"compression_clip", job.surface.compression.clip_to_gamut},
-            {"compression_tolerance", job.surface.compression.tolerance},
-            {"colour", static_cast<int>(job.surface.colour)},
-            {"tracking", static_cast<int>(job.surface.tracking)},
-            {"simpson_panels", job.surface.simpson_panels},
-            {"surface_seed", job.surface.seed},
+            {"table", option_text(microflake, bsdf::MicroflakeModel::info.options.front())},
+            {"table_angles", microflake.table_size.angles},
+            {"table_azimuths", microflake.table_size.azimuths},
+            {"compression_rank", microflake.compression.rank},
+            {"compression_clip", microflake.compression.clip_to_gamut},
+            {"compression_tolerance", microflake.compression.tolerance},
+            {"colour", static_cast<int>(settings_of<bsdf::ThinFilmModel>(job).colour)},
+            {"tracking", static_cast<int>(volume.tracking)},
+            {"simpson_panels", volume.simpson_panels},
+            {"surface_seed", settings_of<bsdf::SpecialEffectModel>(job).specimen +
+                                 settings_of<bsdf::NacreModel>(job).specimen},
             {"width", r.width},
             {"height", r.height},
             {"samples_per_pixel", r.samples_per_pixel},
@@ -83,30 +99,29 @@ struct Prepared {
 };
 
 Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& progress) {
-    models::Paint paint{.recipe = recipe_of(job)};
+    bsdf::ModelInput paint{.recipe = recipe_of(job)};
     Prepared out;
-    if (job.model == models::Model::microflake || job.model == models::Model::nacre) {
-        auto solved = std::make_shared<const solver::SolvedPaint>(
-            solver::solve(paint.recipe, solver::default_wavelengths_nm(), {}));
+    if (job.model.info().solution != bsdf::Solution::none) {
+        const solver::SolvedPaint solved =
+            solver::solve(paint.recipe, solver::default_wavelengths_nm(), {});
         fs::create_directories(tables);
         const fs::path file = tables / (job.key + ".h5");
-        if (job.surface.table == models::Table::split) {
-            io::write_solved_paint(file, *solved);
-            paint.solved = std::make_shared<const solver::SolvedPaint>(io::read_solved_paint(file));
-        } else {
-            const models::BrdfTable table = models::make_table(*solved, job.surface, progress);
+        if (const auto table = job.model.make_table(solved, progress)) {
             std::visit(
                 [&](const auto& t) {
                     io::write_brdf_table(file, *t);
                     out.data_bytes = t->bytes();
                 },
-                table);
-            paint.table = models::fraction(io::read_brdf_table(file));
+                *table);
+            paint.table = bsdf::share_table(io::read_brdf_table(file));
+        } else {
+            io::write_solved_paint(file, solved);
+            paint.solved = std::make_shared<const solver::SolvedPaint>(io::read_solved_paint(file));
         }
         out.file_bytes = fs::file_size(file);
-        if (job.surface.table == models::Table::split) out.data_bytes = out.file_bytes;
+        if (!paint.table) out.data_bytes = out.file_bytes;
     }
-    out.surface = models::make_surface(job.model, paint, job.surface, progress);
+    out.surface = job.model.make(paint, progress);
     return out;
 }
 

@@ -42,8 +42,7 @@ struct PictureJob {
     std::string key;    ///< file name, unique in the study
     std::string title;  ///< for people
     std::filesystem::path paint;
-    models::Model model = models::Model::microflake;
-    models::SurfaceOptions surface;
+    bsdf::Model model = models::default_model();
     render::RenderOptions render;
     std::string scene = "sphere";  ///< a built-in scene
     double scene_scale = 1;        ///< all its lengths times this: more flakes or facets fit on it

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/file.h"
 #include "nacre/paint/recipe.h"
 
@@ -15,7 +16,7 @@ namespace {
 PictureJob flakes_job() {
     PictureJob job;
     job.paint = shipped_file("studies/mir-2022/flakes-570.toml");
-    job.model = models::Model::nacre;
+    job.model = bsdf::NacreModel{};
     return job;
 }
 
@@ -53,8 +54,8 @@ TEST(Gallery, WhateverChangesThePictureChangesItsFingerprint) {
     add([](PictureJob& job) { job.flake_scale = 2; });
     add([](PictureJob& job) { job.scene_scale = 2; });
     add([](PictureJob& job) { job.scene = "panel-sun"; });
-    add([](PictureJob& job) { job.model = models::Model::microflake; });
-    add([](PictureJob& job) { job.surface.seed = 2; });
+    add([](PictureJob& job) { job.model = bsdf::MicroflakeModel{}; });
+    add([](PictureJob& job) { job.model = bsdf::NacreModel{.specimen = 2}; });
     add([](PictureJob& job) { job.render.footprint_pixels = 0.5; });
     EXPECT_EQ(prints.size(), 7u);
 }

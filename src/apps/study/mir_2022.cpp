@@ -10,11 +10,14 @@
 #include <thread>
 
 #include "apps/study/picture_agreement.h"
+#include "nacre/bsdf/models/microflake.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/progress.h"
 #include "nacre/core/random.h"
 #include "nacre/core/version.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/optics/antialiased.h"
 
 namespace nacre::study {
@@ -82,13 +85,14 @@ std::set<MirPart> all_mir_parts() {
 }
 
 PictureJob MirContext::job(std::string key, std::string title, const std::string& paint,
-                           models::Model model) const {
+                           bsdf::Model model) const {
     PictureJob job;
     job.key = std::move(key);
     job.title = std::move(title);
     job.paint = shipped_file(paint);
-    job.model = model;
-    if (settings.quick) job.surface.table_size = {.angles = 32, .azimuths = 32};
+    job.model = std::move(model);
+    auto* microflake = job.model.get<bsdf::MicroflakeModel>();
+    if (settings.quick && microflake) microflake->table_size = {.angles = 32, .azimuths = 32};
     job.render.width = job.render.height = settings.size;
     job.render.samples_per_pixel = settings.samples;
     job.render.seed = settings.seed;
@@ -147,15 +151,13 @@ namespace {
 
 constexpr int kBatches = 16;
 
-std::vector<io::Image> batches(const MirContext& context, const char* paint, models::Model model,
-                               montecarlo::Tracking tracking, const std::string& name) {
+std::vector<io::Image> batches(const MirContext& context, const char* paint,
+                               const bsdf::Model& model, const std::string& name) {
     std::vector<io::Image> pictures;
     for (int batch = 0; batch < kBatches; ++batch) {
         PictureJob job = context.job(
             fmt::format("agreement-{}-{}", name, batch),
             fmt::format("agreement: {}, batch {} of {}", name, batch + 1, kBatches), paint, model);
-        job.surface.radius_mm = 50;
-        job.surface.tracking = tracking;
         job.render.width = job.render.height = std::max(16, context.settings.size / 8);
         // Numbers of their own for each method: shared ones would make errors alike.
         job.render.seed = context.settings.seed + hash_of(std::hash<std::string>{}(name), batch);
@@ -176,14 +178,14 @@ void add_agreement(MirContext& context) {
                     "over its standard error.",
                     kBatches));
     const char* paint = "paints/metallic-gray.toml";
-    const auto solved = batches(context, paint, models::Model::microflake,
-                                montecarlo::Tracking::delta, "microflake");
-    const auto walk =
-        batches(context, paint, models::Model::walk, montecarlo::Tracking::delta, "walk");
+    using montecarlo::Tracking, montecarlo::VolumeModel;
+    const auto solved = batches(context, paint, bsdf::MicroflakeModel{}, "microflake");
+    const auto walk = batches(context, paint, montecarlo::WalkModel{}, "walk");
     const auto shell =
-        batches(context, paint, models::Model::volume, montecarlo::Tracking::delta, "volume-delta");
-    const auto simpson = batches(context, paint, models::Model::volume,
-                                 montecarlo::Tracking::simpson, "volume-simpson");
+        batches(context, paint, VolumeModel{.radius_mm = kBallRadius_mm}, "volume-delta");
+    const auto simpson = batches(
+        context, paint, VolumeModel{.radius_mm = kBallRadius_mm, .tracking = Tracking::simpson},
+        "volume-simpson");
     struct Pair {
         const char* name;
         const std::vector<io::Image>&a, &b;

@@ -54,7 +54,7 @@ struct MirContext {
 
     /// A picture at the study's size and samples.
     PictureJob job(std::string key, std::string title, const std::string& paint,
-                   models::Model model) const;
+                   bsdf::Model model) const;
 };
 
 void add_table_1(MirContext& context);

@@ -10,6 +10,9 @@
 #include "apps/study/equal_time.h"
 #include "apps/study/mir_2022.h"
 #include "apps/study/query_cost.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
+#include "nacre/bsdf/models/special_effect.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/montecarlo/discs/disc.h"
@@ -43,15 +46,15 @@ void add_table_3(MirContext& context) {
     const auto cell = [](bool can) {
         return report::Cell{.text = can ? "yes" : "no", .strong = can};
     };
-    for (const models::ModelInfo& model : models::all_models()) {
-        const models::Capabilities& can = model.can;
-        table.rows.push_back({{"`" + std::string(model.name) + "`"},
-                              {std::string(model.source)},
-                              {std::string(model.summary)},
+    for (const bsdf::ModelInfo* model : models::all_models()) {
+        const bsdf::Capabilities& can = model->can;
+        table.rows.push_back({{"`" + std::string(model->name) + "`"},
+                              {std::string(model->source)},
+                              {std::string(model->summary)},
                               cell(can.goniochromism),
                               cell(can.sparkle),
                               cell(can.multiple_scattering)});
-        context.results["table_3"][std::string(model.name)] = {
+        context.results["table_3"][std::string(model->name)] = {
             {"goniochromism", can.goniochromism},
             {"sparkle", can.sparkle},
             {"multiple_scattering", can.multiple_scattering},
@@ -72,7 +75,7 @@ constexpr const char* kPaint = "studies/mir-2022/flakes-570.toml";
 /// One way to paint the ball, and what its pictures have cost, round by round.
 struct Contender {
     std::string key, name;
-    models::Model model;
+    bsdf::Model model;
     double count;  ///< flakes on the ball; 0: their mean
     std::vector<double> seconds = {}, processor_s = {}, ratio = {};
     double peak_mib = 0;
@@ -101,12 +104,12 @@ PictureJob job_of(const MirContext& context, const Contender& contender, int rou
 void add_cost_by_number(MirContext& context) {
     report::Report& report = context.report;
     const int rounds = context.settings.quick ? 2 : 8;
-    std::vector<Contender> all = {{"microflake", "microflake", models::Model::microflake, 0}};
+    std::vector<Contender> all = {{"microflake", "microflake", bsdf::MicroflakeModel{}, 0}};
     for (int power :
          context.settings.quick ? std::vector{7, 12} : std::vector{7, 8, 9, 10, 11, 12}) {
         const double count = std::pow(10.0, power);
         all.push_back({fmt::format("1e{}", power),
-                       fmt::format("nacre, {} flakes", power_of_ten(count)), models::Model::nacre,
+                       fmt::format("nacre, {} flakes", power_of_ten(count)), bsdf::NacreModel{},
                        count});
     }
     for (int round = 0; round < rounds; ++round) {
@@ -142,7 +145,7 @@ void add_cost_by_number(MirContext& context) {
         }
         table.rows.push_back(
             {report::number_cell(flakes ? power_of_ten(contender.count) : "their mean"),
-             {fmt::format("`{}`", models::info(contender.model).name)},
+             {fmt::format("`{}`", contender.model.info().name)},
              report::number_cell(duration(seconds)),
              report::number_cell(fmt::format("{:.2f}", ratio)),
              report::number_cell(flakes ? fmt::format("{:.2f} to {:.2f}", *lo, *hi) : "—"),
@@ -186,20 +189,16 @@ struct Surfaces {
 };
 
 Surfaces make_surfaces(std::uint64_t seed) {
-    models::SurfaceOptions options;
-    options.seed = seed;
-    models::Paint facets{.recipe =
-                             io::read_recipe(shipped_file("studies/mir-2022/facets-570.toml"))};
-    facets.recipe.microfacet->facets->count = kFacets;
-    models::Paint flakes{.recipe =
-                             io::read_recipe(shipped_file("studies/mir-2022/flakes-570.toml"))};
-    flakes.solved = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(flakes.recipe, solver::default_wavelengths_nm(), {}));
+    paint::Recipe facets = io::read_recipe(shipped_file("studies/mir-2022/facets-570.toml"));
+    facets.microfacet->facets->count = kFacets;
+    const paint::Recipe flakes = io::read_recipe(shipped_file("studies/mir-2022/flakes-570.toml"));
+    const auto solved = std::make_shared<const solver::SolvedPaint>(
+        solver::solve(flakes, solver::default_wavelengths_nm(), {}));
     constexpr double kUmPerMm = 1e3;
-    return {models::make_surface(models::Model::special_effect, facets, options),
-            models::make_surface(models::Model::nacre, flakes, options),
-            models::make_surface(models::Model::microflake, flakes, options),
-            montecarlo::expected_discs(flakes.recipe, {kUmPerMm, kUmPerMm})};
+    return {std::make_shared<const bsdf::SpecialEffect>(facets, seed),
+            std::make_shared<const bsdf::Nacre>(solved, bsdf::NacreModel{.specimen = seed}),
+            std::make_shared<const bsdf::Microflake>(solved),
+            montecarlo::expected_discs(flakes, {kUmPerMm, kUmPerMm})};
 }
 
 void measure(std::vector<Curve>& curves, const std::vector<double>& footprints,
@@ -332,10 +331,13 @@ constexpr Case kCases[] = {{"ball-1e8-32", "sphere", "ball, soft boxes", kBallMm
 // facets, and the pictures sparkle alike.
 constexpr double kLikeTheCone_um = 6.6;
 
-constexpr models::Model kSparklingModels[] = {models::Model::special_effect, models::Model::nacre};
+/// The two that are compared, by their number below.
+bsdf::Model model_number(int m) {
+    return m == 0 ? bsdf::Model(bsdf::SpecialEffectModel{}) : bsdf::NacreModel{};
+}
 
-PictureJob job_of(const MirContext& context, const Case& c, models::Model model) {
-    const bool flakes = model == models::Model::nacre;
+PictureJob job_of(const MirContext& context, const Case& c, const bsdf::Model& model) {
+    const bool flakes = model.get<bsdf::NacreModel>();
     PictureJob job = context.job(
         {}, {}, flakes ? "studies/mir-2022/flakes-570.toml" : "studies/mir-2022/facets-570.toml",
         model);
@@ -372,8 +374,8 @@ std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
     std::array<Outcome, 2> out;
     std::array<std::vector<double>, 2> samples, seconds_per_sample;
     const auto picture = [&](int m, int count, std::uint64_t seed) {
-        const std::string name{models::info(kSparklingModels[m]).name};
-        PictureJob job = job_of(context, c, kSparklingModels[m]);
+        const std::string name{model_number(m).info().name};
+        PictureJob job = job_of(context, c, model_number(m));
         job.key = fmt::format("nacre-error-{}-{}-{}-{}", c.key, name, count, seed);
         job.title = fmt::format("error of {} ({}): {} samples", name, c.key, count);
         job.render.samples_per_pixel = count;
@@ -399,7 +401,7 @@ std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
     }
     for (int m : {0, 1}) {
         const double each = median(seconds_per_sample[m]);
-        const int size = job_of(context, c, kSparklingModels[m]).render.width;
+        const int size = job_of(context, c, model_number(m)).render.width;
         out[m].us_per_sample = 1e6 * each / size / size;
         for (double count : samples[m]) out[m].relative.seconds.push_back(count * each);
         out[m].absolute.seconds = out[m].relative.seconds;
@@ -451,7 +453,7 @@ void add_equal_time_errors(MirContext& context) {
                           .y = {.label = "error", .logarithmic = true}};
         nlohmann::json& results = context.results["nacre"]["equal_time"][c.key];
         for (int m : {0, 1}) {
-            const std::string name{models::info(kSparklingModels[m]).name};
+            const std::string name{model_number(m).info().name};
             plot.series.push_back({.name = name + ", relative",
                                    .x = out[m].relative.seconds,
                                    .y = out[m].relative.error,

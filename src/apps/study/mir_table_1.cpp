@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "apps/study/mir_2022.h"
+#include "nacre/bsdf/models/microflake.h"
 #include "nacre/core/file.h"
 #include "nacre/io/image_difference.h"
+#include "nacre/montecarlo/shell_walk.h"
 
 // Table 1 and Figure 2: what tabulating and compressing the solved BRDF costs.
 
@@ -33,8 +35,7 @@ struct Reference {
 Reference make_reference(const MirContext& context, const PaperPaint& paint) {
     PictureJob job = context.job(fmt::format("table-1-{}-reference-a", paint.key),
                                  fmt::format("{}: reference, first half", paint.name), paint.file,
-                                 models::Model::volume);
-    job.surface.radius_mm = 50;  // of the ball in the built-in scene
+                                 montecarlo::VolumeModel{.radius_mm = kBallRadius_mm});
     job.render.samples_per_pixel /= 2;
     const Picture a = context.gallery.make(job);
     job.key.back() = 'b';
@@ -89,33 +90,35 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
     results["reference"] = {{"render_s", reference.mean.render_s},
                             {"noise_psnr_db", psnr_db(reference.noise_mse)}};
 
+    using Table = bsdf::MicroflakeModel::Table;
     struct Kind {
-        models::Table table;
+        Table table;
         const char* id;
         const char* name;
         std::string published;
         bool clip_to_gamut = false;
     };
-    std::vector<Kind> kinds = {{models::Table::raw, "raw", "raw table", "96 MiB"},
-                               {models::Table::svd, "svd", "compressed (SVD)",
+    std::vector<Kind> kinds = {{Table::raw, "raw", "raw table", "96 MiB"},
+                               {Table::svd, "svd", "compressed (SVD)",
                                 fmt::format("{}; 0.02 to 0.03 dB lost", paint.svd_size)}};
     if (paint.has_two_channels) {
-        kinds.push_back({models::Table::svd, "svd-two-channels", "compressed, green left out",
-                         "5.0 MiB", true});
+        kinds.push_back(
+            {Table::svd, "svd-two-channels", "compressed, green left out", "5.0 MiB", true});
     }
-    kinds.push_back({models::Table::split, "split", "split (ours)", "—"});
+    kinds.push_back({Table::split, "split", "split (ours)", "—"});
     double raw_psnr = 0;
     for (const Kind& kind : kinds) {
         const std::string id = kind.id;
-        PictureJob job = context.job(fmt::format("table-1-{}-{}", paint.key, id),
-                                     fmt::format("{}: {}", paint.name, kind.name), paint.file,
-                                     models::Model::microflake);
-        job.surface.table = kind.table;
-        job.surface.compression = {.rank = paint.rank, .clip_to_gamut = kind.clip_to_gamut};
+        const PictureJob job = context.job(
+            fmt::format("table-1-{}-{}", paint.key, id),
+            fmt::format("{}: {}", paint.name, kind.name), paint.file,
+            bsdf::MicroflakeModel{
+                .table = kind.table,
+                .compression = {.rank = paint.rank, .clip_to_gamut = kind.clip_to_gamut}});
         const Picture picture = context.gallery.make(job);
         const io::ImageDifference difference =
             io::image_difference(picture.image, reference.mean.image, job.title, "the reference");
-        if (kind.table == models::Table::raw) raw_psnr = difference.psnr_db;
+        if (kind.table == Table::raw) raw_psnr = difference.psnr_db;
         const double loss = raw_psnr - difference.psnr_db;
         table.rows.push_back(
             {{},
@@ -127,8 +130,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
              report::number_cell(number(picture.peak_mib) + " MiB"),
              report::number_cell(number(difference.psnr_db, 5)),
              report::number_cell(number(difference.delta_e_mean)),
-             report::number_cell(kind.table == models::Table::svd ? fmt::format("{:.4f}", loss)
-                                                                  : "—"),
+             report::number_cell(kind.table == Table::svd ? fmt::format("{:.4f}", loss) : "—"),
              {kind.published}});
         if (!kind.clip_to_gamut) {  // it looks like the other compressed one
             pictures.push_back({fmt::format("{}: {}", paint.name, kind.name), picture.png});

@@ -4,11 +4,16 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/study/mir_2022.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
+#include "nacre/bsdf/models/special_effect.h"
+#include "nacre/bsdf/models/thin_film.h"
 #include "nacre/core/file.h"
 #include "nacre/io/image_difference.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/models/spectral_brdf.h"
+#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/solver/solver.h"
 
 // Table 4 and Figure 4: the models on two pearls, and their colour against angle.
@@ -23,27 +28,31 @@ struct Pearl {
 };
 constexpr Pearl kPearls[] = {{"tio2-80", "80 nm of TiO₂", "paints/tio2-mica-80.toml"},
                              {"tio2-110", "110 nm of TiO₂", "paints/tio2-mica-110.toml"}};
-constexpr models::Model kColourModels[] = {models::Model::microflake, models::Model::thin_film,
-                                           models::Model::special_effect, models::Model::nacre};
+
+std::vector<bsdf::Model> all_four() {
+    return {bsdf::MicroflakeModel{}, bsdf::ThinFilmModel{}, bsdf::SpecialEffectModel{},
+            bsdf::NacreModel{}};
+}
 
 void add_pictures(MirContext& context) {
     report::Table table{.caption = "The models on two pearls",
                         .columns = {"paint", "model", "preparation", "time", "Msamples/s",
                                     "peak memory", "published time"}};
     std::vector<report::Picture> pictures;
+    const std::vector<bsdf::Model> models = all_four();
     for (const Pearl& pearl : kPearls) {
-        for (models::Model model : kColourModels) {
-            const std::string name{models::info(model).name};
+        for (const bsdf::Model& model : models) {
+            const std::string name{model.info().name};
             const Picture picture = context.gallery.make(
                 context.job(fmt::format("table-4-{}-{}", pearl.key, name),
                             fmt::format("{}: {}", pearl.name, name), pearl.file, model));
-            table.rows.push_back({{model == kColourModels[0] ? pearl.name : ""},
+            table.rows.push_back({{model == models.front() ? pearl.name : ""},
                                   {"`" + name + "`"},
                                   report::number_cell(duration(picture.prepare_s)),
                                   report::number_cell(duration(picture.render_s)),
                                   report::number_cell(number(picture.msamples_per_s)),
                                   report::number_cell(number(picture.peak_mib) + " MiB"),
-                                  {model == models::Model::nacre ? "not in the paper" : "—"}});
+                                  {model.get<bsdf::NacreModel>() ? "not in the paper" : "—"}});
             pictures.push_back({fmt::format("{}, `{}`", pearl.name, name), picture.png});
             context.results["table_4"][pearl.key][name] = {
                 {"prepare_s", picture.prepare_s},
@@ -59,14 +68,14 @@ void add_pictures(MirContext& context) {
 
 /// The colour of a paint by one model, from the mirror direction to far behind the normal.
 void add_colour(MirContext& context, const std::string& name, const std::string& file,
-                models::Model model, report::Plot& travel, report::Plot& lightness) {
-    models::Paint paint{.recipe = io::read_recipe(shipped_file(file))};
+                const bsdf::Model& model, report::Plot& travel, report::Plot& lightness) {
+    bsdf::ModelInput paint{.recipe = io::read_recipe(shipped_file(file))};
     const std::vector<double> wavelengths = solver::default_wavelengths_nm();
-    if (model == models::Model::microflake) {
+    if (model.info().solution != bsdf::Solution::none) {
         paint.solved = std::make_shared<const solver::SolvedPaint>(
             solver::solve(paint.recipe, wavelengths, {}));
     }
-    const auto surface = models::make_surface(model, paint, {});
+    const auto surface = model.make(paint);
     const models::SpectralBrdf brdf(*surface, wavelengths);
     std::vector<measure::Geometry> geometries;
     for (int a = 0; a <= 110; a += 5) geometries.push_back(measure::in_plane(45, a));
@@ -100,20 +109,20 @@ void add_colours(MirContext& context) {
         "light).");
     struct Group {
         const char* title;
-        std::vector<std::tuple<std::string, std::string, models::Model>> series;
+        std::vector<std::tuple<std::string, std::string, bsdf::Model>> series;
     };
     std::vector<Group> groups = {
         {"Metallic gray and cadmium red",
-         {{"metallic gray", "paints/metallic-gray.toml", models::Model::microflake},
-          {"cadmium red", "paints/cadmium-red.toml", models::Model::microflake}}},
+         {{"metallic gray", "paints/metallic-gray.toml", bsdf::MicroflakeModel{}},
+          {"cadmium red", "paints/cadmium-red.toml", bsdf::MicroflakeModel{}}}},
         {"Facets of Table 2",
-         {{"570 nm", "studies/mir-2022/facets-570.toml", models::Model::thin_film},
-          {"665 nm", "studies/mir-2022/facets-665.toml", models::Model::thin_film}}}};
+         {{"570 nm", "studies/mir-2022/facets-570.toml", bsdf::ThinFilmModel{}},
+          {"665 nm", "studies/mir-2022/facets-665.toml", bsdf::ThinFilmModel{}}}}};
     for (const Pearl& pearl : kPearls) {
         groups.push_back(
             {pearl.name,
-             {{fmt::format("{}, microflake", pearl.name), pearl.file, models::Model::microflake},
-              {fmt::format("{}, thin-film", pearl.name), pearl.file, models::Model::thin_film}}});
+             {{fmt::format("{}, microflake", pearl.name), pearl.file, bsdf::MicroflakeModel{}},
+              {fmt::format("{}, thin-film", pearl.name), pearl.file, bsdf::ThinFilmModel{}}}});
     }
     for (const Group& group : groups) {
         report::Plot travel{.title = std::string(group.title) + ": colour travel",
@@ -150,12 +159,11 @@ void add_convergence(MirContext& context) {
         .x = {.label = "samples per pixel", .logarithmic = true},
         .y = {.label = "error", .logarithmic = true}};
     const int most = context.settings.quick ? 8 : 256;
-    for (models::Model model :
-         {models::Model::microflake, models::Model::thin_film, models::Model::special_effect,
-          models::Model::nacre, models::Model::volume}) {
-        const std::string name{models::info(model).name};
+    std::vector<bsdf::Model> models = all_four();
+    models.push_back(montecarlo::VolumeModel{.radius_mm = kBallRadius_mm});
+    for (const bsdf::Model& model : models) {
+        const std::string name{model.info().name};
         PictureJob job = context.job({}, {}, kPearls[0].file, model);
-        job.surface.radius_mm = 50;
         job.render.width = job.render.height = std::max(16, context.settings.size / 4);
         job.render.footprint_pixels = 0.25;
         const auto picture = [&](int samples, std::uint64_t seed) {

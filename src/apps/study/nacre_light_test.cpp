@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/models/models.h"
 #include "nacre/render/render.h"
 #include "nacre/render/scene.h"
 #include "nacre/solver/solver.h"
@@ -17,12 +17,9 @@ namespace {
 using render::DirectLight;
 
 std::shared_ptr<const bsdf::Bsdf> sparkling() {
-    models::Paint paint{io::read_recipe(shipped_file("paints/metallic-silver.toml")), nullptr, {}};
-    paint.solved = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(paint.recipe, {450, 500, 550, 600, 650}));
-    models::SurfaceOptions options;
-    options.seed = 3;
-    return models::make_surface(models::Model::nacre, paint, options);
+    const auto solved = std::make_shared<const solver::SolvedPaint>(solver::solve(
+        io::read_recipe(shipped_file("paints/metallic-silver.toml")), {450, 500, 550, 600, 650}));
+    return std::make_shared<const bsdf::Nacre>(solved, bsdf::NacreModel{.specimen = 3});
 }
 
 // A panel so close that each patch holds a flake or two.

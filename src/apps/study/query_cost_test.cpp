@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "nacre/bsdf/models/lambertian.h"
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/bsdf/models/special_effect.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/models/models.h"
 #include "nacre/solver/solver.h"
 
 namespace nacre::study {
@@ -35,13 +35,14 @@ TEST(QueryCost, PatchesHaveTheirAreaInBothLayoutsAndLieInside) {
 // models of single reflectors give the answer of their own mean.
 TEST(QueryCost, SurfacesOfSingleReflectorsAnswerTheirMean) {
     constexpr int kQueries = 4096;
-    models::Paint paint;
+    bsdf::ModelInput paint;
     paint.recipe = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     paint.recipe.microfacet->facets->count = 1e9;
     paint.solved = std::make_shared<const solver::SolvedPaint>(
         solver::solve(paint.recipe, solver::default_wavelengths_nm(), {}));
-    for (models::Model model : {models::Model::special_effect, models::Model::nacre}) {
-        const QuerySubject subject(*models::make_surface(model, paint, {}), kQueries);
+    for (const bsdf::Model& model :
+         {bsdf::Model(bsdf::SpecialEffectModel{}), bsdf::Model(bsdf::NacreModel{})}) {
+        const QuerySubject subject(*model.make(paint), kQueries);
         const auto patches = square_patches(10, 1e-5, kQueries);  // some 1e4 of each
         const double mean = subject.ask({}, Ask::value).mean_answer;
         ASSERT_GT(mean, 0);
@@ -49,7 +50,7 @@ TEST(QueryCost, SurfacesOfSingleReflectorsAnswerTheirMean) {
             const QueryCost cost = subject.ask(patches, ask);
             // 1e4 reflectors, of which those within a lobe of one or two degrees answer, deviate
             // by some 10 % in a patch, and by 0.2 % in the mean over patches.
-            EXPECT_NEAR(cost.mean_answer / mean, 1, 0.02) << models::info(model).name;
+            EXPECT_NEAR(cost.mean_answer / mean, 1, 0.02) << model.info().name;
             EXPECT_GT(cost.nanoseconds, 0);
         }
         EXPECT_GT(subject.ask(patches, Ask::value_again).nanoseconds, 0);

@@ -25,7 +25,9 @@ struct Panel {
     explicit Panel(const paint::Recipe& recipe)
         : paint(std::make_shared<const solver::SolvedPaint>(
               solver::solve(recipe, {400, 475, 550, 625, 700}))) {}
-    bsdf::Nacre sparkling(std::uint64_t seed = 1) const { return bsdf::Nacre(paint, seed); }
+    bsdf::Nacre sparkling(std::uint64_t specimen = 1) const {
+        return bsdf::Nacre(paint, {.specimen = specimen});
+    }
 };
 
 // Gray mirrors, so that colour does not matter.

@@ -19,11 +19,15 @@
 namespace nacre::models {
 namespace {
 
-std::shared_ptr<const bsdf::Bsdf> pearl(Model model) {
-    static const paint::Recipe recipe = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
+using bsdf::Ingredients;
+using bsdf::ModelInfo;
+
+std::shared_ptr<const bsdf::Bsdf> pearl(const ModelInfo* model) {
+    static const paint::Recipe recipe =
+        io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     static const auto solved = std::make_shared<const solver::SolvedPaint>(
         solver::solve(recipe, solver::default_wavelengths_nm(), {}));
-    return make_surface(model, {recipe, solved, {}}, {});
+    return model->standard().make({recipe, solved, {}});
 }
 
 bsdf::Wavelengths visible() { return {420, 460, 500, 540, 580, 620, 660, 690}; }
@@ -60,29 +64,29 @@ Reflected reflected(const bsdf::BoundBsdf& surface, double theta_deg) {
 
 TEST(Models, NamesAreFoundAndUnknownOnesAreNot) {
     ASSERT_FALSE(all_models().empty());
-    for (const ModelInfo& model : all_models()) {
-        EXPECT_EQ(find_model(model.name), &model);
-        EXPECT_EQ(&info(model.model), &model);
+    for (const ModelInfo* model : all_models()) {
+        EXPECT_EQ(find_model(model->name), model);
+        EXPECT_EQ(&model->standard().info(), model);
     }
     EXPECT_EQ(find_model("no-such-model"), nullptr);
 }
 
 TEST(Models, GoniochromismIsAsListed) {
-    for (const ModelInfo& model : all_models()) {
-        const auto surface = pearl(model.model)->bind(visible());
+    for (const ModelInfo* model : all_models()) {
+        const auto surface = pearl(model)->bind(visible());
         const FloatLanes steep = reflected(*surface, 5).mean, flat = reflected(*surface, 75).mean;
         // Change of the spectrum's shape: correlation of the two, both scaled to mean 1.
         double change = 0;
         for (int i = 0; i < kLanes; ++i) {
             change += std::abs(steep[i] / lane_mean(steep) - flat[i] / lane_mean(flat)) / kLanes;
         }
-        EXPECT_EQ(change > 0.1, model.can.goniochromism) << model.name << ": " << change;
+        EXPECT_EQ(change > 0.1, model->can.goniochromism) << model->name << ": " << change;
     }
 }
 
 TEST(Models, SparkleIsAsListed) {
-    for (const ModelInfo& model : all_models()) {
-        const auto surface = pearl(model.model);
+    for (const ModelInfo* model : all_models()) {
+        const auto surface = pearl(model);
         const auto bound = surface->bind(visible());
         const Vec3f wi = direction(20), wo = direction(-20);
         bool differs = false;
@@ -100,44 +104,44 @@ TEST(Models, SparkleIsAsListed) {
             const bsdf::Patch a = patch(0.3), b = patch(0.7);
             differs |= bound->evaluate_on(a, wi, wo).f[3] != bound->evaluate_on(b, wi, wo).f[3];
         }
-        EXPECT_EQ(differs, model.can.sparkle) << model.name;
-        EXPECT_EQ(surface->varies_over_surface(), model.can.sparkle) << model.name;
+        EXPECT_EQ(differs, model->can.sparkle) << model->name;
+        EXPECT_EQ(surface->varies_over_surface(), model->can.sparkle) << model->name;
     }
 }
 
 TEST(Models, MultipleScatteringIsAsListed) {
     // Flakes of alpha 0.1 send light at most some 20 deg off the mirror direction at once, that is
     // 30 deg outside the coat; what leaves farther has met several.
-    for (const ModelInfo& model : all_models()) {
-        const auto surface = pearl(model.model)->bind(visible());
+    for (const ModelInfo* model : all_models()) {
+        const auto surface = pearl(model)->bind(visible());
         const double far = reflected(*surface, 30).far_fraction;
-        EXPECT_EQ(far > 1e-3, model.can.multiple_scattering) << model.name << ": " << far;
+        EXPECT_EQ(far > 1e-3, model->can.multiple_scattering) << model->name << ": " << far;
     }
 }
 
 TEST(Models, ReferencesGiveNoValuesAndTheOthersDo) {
-    for (const ModelInfo& model : all_models()) {
-        const SpectralBrdf brdf(*pearl(model.model), {500, 550, 600});
+    for (const ModelInfo* model : all_models()) {
+        const SpectralBrdf brdf(*pearl(model), {500, 550, 600});
         const std::vector<double> f = brdf(20 * kDegree, 20 * kDegree, 180 * kDegree);
         ASSERT_EQ(f.size(), 3u);
-        EXPECT_EQ(std::accumulate(f.begin(), f.end(), 0.0) == 0, model.can.reference_only)
-            << model.name;
+        EXPECT_EQ(std::accumulate(f.begin(), f.end(), 0.0) == 0, model->can.reference_only)
+            << model->name;
     }
 }
 
 TEST(Models, RecipeWithoutWhatTheModelReadsIsRefused) {
     paint::Recipe no_facets = io::read_recipe(shipped_file("paints/metallic-gray.toml"));
     int refused = 0;
-    for (const ModelInfo& model : all_models()) {
-        if (model.ingredients != Ingredients::microfacet) continue;
-        EXPECT_THROW(make_surface(model.model, {no_facets, {}, {}}, {}), DomainError) << model.name;
+    for (const ModelInfo* model : all_models()) {
+        if (model->ingredients == Ingredients::layers) continue;
+        EXPECT_THROW(model->standard().make({.recipe = no_facets}), DomainError) << model->name;
         ++refused;
     }
     EXPECT_EQ(refused, 2);
     paint::Recipe no_layers = io::read_recipe(shipped_file("studies/mir-2022/facets-570.toml"));
-    for (const ModelInfo& model : all_models()) {
-        if (model.ingredients != Ingredients::layers) continue;
-        EXPECT_THROW(make_surface(model.model, {no_layers, {}, {}}, {}), DomainError) << model.name;
+    for (const ModelInfo* model : all_models()) {
+        if (model->ingredients != Ingredients::layers) continue;
+        EXPECT_THROW(model->standard().make({.recipe = no_layers}), DomainError) << model->name;
     }
 }
 

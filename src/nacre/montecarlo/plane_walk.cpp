@@ -214,4 +214,21 @@ std::unique_ptr<const bsdf::BoundBsdf> PlaneWalk::bind(
     return std::make_unique<BoundPlaneWalk>(*tables_, wavelengths_nm);
 }
 
+constinit const bsdf::ModelInfo WalkModel::info = {
+    .name = "walk",
+    .summary = "random walks of light through the layers, one path at a time",
+    .source = "position-free reference",
+    .ingredients = bsdf::Ingredients::layers,
+    .solution = bsdf::Solution::none,
+    .can = {.goniochromism = true,
+            .multiple_scattering = true,
+            .reference_only = true,
+            .estimated_values = true},
+    .standard = bsdf::standard_model<WalkModel>};
+
+std::shared_ptr<const bsdf::Bsdf> WalkModel::make(const bsdf::ModelInput& input,
+                                                  const Progress&) const {
+    return std::make_shared<const PlaneWalk>(input.recipe);
+}
+
 }  // namespace nacre::montecarlo

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/montecarlo/events.h"
 #include "nacre/montecarlo/interface.h"
 #include "nacre/montecarlo/medium.h"
@@ -14,6 +15,15 @@
 #include "nacre/solver/solver.h"
 
 namespace nacre::montecarlo {
+
+/// Chooses the model PlaneWalk.
+struct WalkModel {
+    static const bsdf::ModelInfo info;
+    std::shared_ptr<const bsdf::Bsdf> make(const bsdf::ModelInput& input,
+                                           const Progress& progress) const;
+
+    friend bool operator==(const WalkModel&, const WalkModel&) = default;
+};
 
 /// What walks through one paint share, before any wavelength is chosen.
 struct WalkTables {

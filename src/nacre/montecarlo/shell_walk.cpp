@@ -17,7 +17,7 @@ constexpr double kUmPerMm = 1e3;
 
 class BoundShellWalk final : public BoundWalk {
  public:
-    BoundShellWalk(std::shared_ptr<const WalkTables> tables, const ShellSettings& settings,
+    BoundShellWalk(std::shared_ptr<const WalkTables> tables, const VolumeModel& settings,
                    const bsdf::Wavelengths& wavelengths_nm)
         : BoundWalk(*tables, wavelengths_nm),
           settings_(settings),
@@ -31,11 +31,11 @@ class BoundShellWalk final : public BoundWalk {
             .run(entry.travel, entry.weight);
     }
 
-    ShellSettings settings_;
+    VolumeModel settings_;
     double curvature_per_um_;
 };
 
-void check(const paint::Recipe& recipe, const ShellSettings& settings) {
+void check(const paint::Recipe& recipe, const VolumeModel& settings) {
     if (!kShellRadius.contains(settings.radius_mm)) {
         throw DomainError(
             fmt::format("radius_mm = {} is outside {}", settings.radius_mm, kShellRadius.text()));
@@ -62,7 +62,7 @@ void check(const paint::Recipe& recipe, const ShellSettings& settings) {
 
 }  // namespace
 
-ShellWalk::ShellWalk(const paint::Recipe& recipe, const ShellSettings& settings,
+ShellWalk::ShellWalk(const paint::Recipe& recipe, const VolumeModel& settings,
                      const std::vector<double>& wavelengths_nm)
     : tables_(std::make_shared<const WalkTables>(recipe, wavelengths_nm)), settings_(settings) {
     check(recipe, settings);
@@ -190,6 +190,55 @@ void ShellWalker::ascend() {
     const double cosine_outside = std::sqrt(std::max(0.0, 1 - tangential.squaredNorm()));
     escape_ = Escape{(tangential + cosine_outside * up).normalized(), position_, state_.weight};
     state_.alive = false;
+}
+
+namespace {
+
+constexpr std::string_view kTrackingNames[] = {"delta", "simpson"};
+constexpr bsdf::ModelOption kOptions[] = {
+    bsdf::OptionFor<&VolumeModel::tracking>::choice(
+        "--tracking", "volume: delta (unbiased) or simpson (the paper's integration along the ray)",
+        kTrackingNames),
+    bsdf::OptionFor<&VolumeModel::simpson_panels>::number(
+        "--simpson-panels", "volume with --tracking simpson: panels per piece of ray",
+        static_cast<int>(kSimpsonPanels.lo), static_cast<int>(kSimpsonPanels.hi))};
+
+}  // namespace
+
+constinit const bsdf::ModelInfo VolumeModel::info = {
+    .name = "volume",
+    .summary = "random walks through the paint as a volume that follows the surface",
+    .source = "volumetric reference of Mir et al. 2022",
+    .ingredients = bsdf::Ingredients::layers,
+    .solution = bsdf::Solution::none,
+    .can = {.goniochromism = true, .multiple_scattering = true, .reference_only = true},
+    .standard = bsdf::standard_model<VolumeModel>,
+    .options = kOptions};
+
+std::shared_ptr<const bsdf::Bsdf> VolumeModel::make(const bsdf::ModelInput& input,
+                                                    const Progress&) const {
+    return std::make_shared<const ShellWalk>(input.recipe, *this);
+}
+
+void VolumeModel::lie_on(const std::string& material, std::span<const bsdf::PaintedShape> shapes) {
+    using Kind = bsdf::PaintedShape::Kind;
+    constexpr double kFlat = std::numeric_limits<double>::infinity();
+    std::optional<double> common;
+    for (const bsdf::PaintedShape& shape : shapes) {
+        if (shape.kind == Kind::other) {
+            throw DomainError(
+                fmt::format("the material {} is on a shape that is neither a sphere nor a flat "
+                            "panel; --model walk goes on any shape",
+                            material));
+        }
+        const double radius = shape.kind == Kind::sphere ? shape.radius_mm : kFlat;
+        if (common && *common != radius) {
+            throw DomainError(
+                fmt::format("the material {} is on shapes of different radii", material));
+        }
+        common = radius;
+    }
+    radius_mm = common.value_or(kFlat);
 }
 
 }  // namespace nacre::montecarlo

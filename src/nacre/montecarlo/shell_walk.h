@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/core/error.h"
 #include "nacre/montecarlo/free_flight.h"
 #include "nacre/montecarlo/plane_walk.h"
@@ -23,12 +24,20 @@ enum class Tracking {
     simpson  ///< the optical depth by a composite Simpson rule, inverted              [mir-2022]
 };
 
-struct ShellSettings {
+/// Chooses the model ShellWalk.
+struct VolumeModel {
     /// Outer radius of the painted sphere; infinity is a flat slab of infinite extent.
     double radius_mm = std::numeric_limits<double>::infinity();
     Tracking tracking = Tracking::delta;
     /// Panels of the Simpson rule per piece of ray within one layer, two intervals each.
     int simpson_panels = 8;
+
+    static const bsdf::ModelInfo info;
+    std::shared_ptr<const bsdf::Bsdf> make(const bsdf::ModelInput& input,
+                                           const Progress& progress) const;
+    void lie_on(const std::string& material, std::span<const bsdf::PaintedShape> shapes);
+
+    friend bool operator==(const VolumeModel&, const VolumeModel&) = default;
 };
 
 inline constexpr Range kShellRadius{0, std::numeric_limits<double>::infinity(), "mm", true};
@@ -50,7 +59,7 @@ class ShellWalk final : public bsdf::Bsdf {
     /// @throws DomainError if the recipe is not valid at these wavelengths, has a rough clearcoat
     /// or
     ///         is thicker than the sphere, or if a setting is out of range
-    ShellWalk(const paint::Recipe& recipe, const ShellSettings& settings,
+    ShellWalk(const paint::Recipe& recipe, const VolumeModel& settings,
               const std::vector<double>& wavelengths_nm = solver::default_wavelengths_nm());
     ~ShellWalk() override;
 
@@ -59,7 +68,7 @@ class ShellWalk final : public bsdf::Bsdf {
 
  private:
     std::shared_ptr<const WalkTables> tables_;
-    ShellSettings settings_;
+    VolumeModel settings_;
 };
 
 /// One walk through a shell of paint, in the frame of its entry: the origin lies on the outer
@@ -68,7 +77,7 @@ class ShellWalker : private Walker {
  public:
     /// @param curvature_per_um  of the outer sphere; 0 is a flat slab
     ShellWalker(const Medium& medium, double index, double curvature_per_um,
-                const ShellSettings& settings, RandomStream& random)
+                const VolumeModel& settings, RandomStream& random)
         : Walker(medium, random),
           index_(index),
           outer_curvature_(curvature_per_um),
@@ -86,7 +95,7 @@ class ShellWalker : private Walker {
     Direction3 normal() const;
 
     double index_, outer_curvature_;
-    const ShellSettings& settings_;
+    const VolumeModel& settings_;
 
     // state_.depth_um is kept for itself, to all digits, beside the place.
     Direction3 position_ = Direction3::Zero();

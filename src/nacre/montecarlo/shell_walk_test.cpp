@@ -29,7 +29,7 @@ paint::Recipe lossless(double thickness_um) {
     return test::paint(1.5, {layer}, 1);
 }
 
-void expect_reference_albedo(const ShellSettings& settings, double theta_deg) {
+void expect_reference_albedo(const VolumeModel& settings, double theta_deg) {
     const paint::Recipe recipe = test::pearl();
     const auto surface = ShellWalk(recipe, settings).bind(kOnGrid);
     const auto found = walked_albedo(*surface, from_degrees(theta_deg, 30), kWalks / 2);
@@ -69,9 +69,9 @@ TEST(ShellWalk, ThinShellSendsLightWhereThePositionFreeWalkDoes) {
     const Vec3f wi = from_degrees(50, 0);
     const auto expected = power_by_direction(PlaneWalk(recipe), wi, 1);
     std::uint64_t seed = 2;
-    for (const ShellSettings& settings :
-         {ShellSettings{}, ShellSettings{.radius_mm = 50},
-          ShellSettings{.radius_mm = 50, .tracking = Tracking::simpson}}) {
+    for (const VolumeModel& settings :
+         {VolumeModel{}, VolumeModel{.radius_mm = 50},
+          VolumeModel{.radius_mm = 50, .tracking = Tracking::simpson}}) {
         const auto found = power_by_direction(ShellWalk(recipe, settings), wi, seed++);
         for (std::size_t bin = 0; bin < expected.size(); ++bin) {
             for (int lane = 0; lane < kLanes; ++lane) {
@@ -223,7 +223,7 @@ TEST(ShellWalk, SameNumbersGiveTheSameWalk) {
 }
 
 TEST(ShellWalk, RefusesWhatItCannotFollowAndSaysWhy) {
-    const auto message = [](const paint::Recipe& recipe, const ShellSettings& settings) {
+    const auto message = [](const paint::Recipe& recipe, const VolumeModel& settings) {
         try {
             ShellWalk model(recipe, settings);
         } catch (const DomainError& error) {

@@ -59,11 +59,11 @@ struct SparklingModel {
     Nacre nacre;
     std::unique_ptr<const BoundBsdf> bound;
 
-    explicit SparklingModel(const paint::Recipe& recipe, std::uint64_t seed = 1,
-                            const NacreSettings& settings = {})
+    explicit SparklingModel(const paint::Recipe& recipe,
+                            const NacreModel& settings = {.specimen = 1})
         : paint(std::make_shared<const solver::SolvedPaint>(
               solver::solve(recipe, solver::default_wavelengths_nm()))),
-          nacre(paint, seed, settings),
+          nacre(paint, settings),
           bound(nacre.bind(kOnGrid)) {}
 
     /// Of the first species of the first layer.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "nacre/models/models.h"
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/solver/solver.h"
 
 // Only for tests: paints whose sparkle has nothing to it but places and slopes.
@@ -39,9 +39,7 @@ inline std::shared_ptr<const bsdf::Bsdf> nacre_surface(const paint::Recipe& reci
                                                        std::uint64_t seed) {
     const auto solved =
         std::make_shared<const solver::SolvedPaint>(solver::solve(recipe, {550}, {}));
-    SurfaceOptions options;
-    options.seed = seed;
-    return make_surface(Model::nacre, {recipe, solved, {}}, options);
+    return std::make_shared<const bsdf::Nacre>(solved, bsdf::NacreModel{.specimen = seed});
 }
 
 }  // namespace nacre::models::testing

@@ -1,9 +1,12 @@
 #include "nacre/bsdf/models/microflake.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/bsdf/warp.h"
 #include "nacre/core/error.h"
 #include "nacre/core/lane_math.h"
@@ -14,6 +17,62 @@
 #include "nacre/solver/rough_interface.h"
 
 namespace nacre::bsdf {
+
+namespace {
+
+constexpr std::string_view kTableNames[] = {"split", "raw", "svd"};
+
+constexpr ModelOption table_option() {
+    ModelOption option = OptionFor<&MicroflakeModel::table>::choice(
+        "--table",
+        "microflake: how the solved BRDF is kept: split (spectral, exact), or raw or svd (RGB "
+        "tables as in the comparison of 2022)",
+        kTableNames);
+    option.of_solution = true;
+    return option;
+}
+constexpr ModelOption kOptions[] = {table_option()};
+
+}  // namespace
+
+constinit const ModelInfo MicroflakeModel::info = {
+    .name = "microflake",
+    .summary = "flakes in layers, solved by radiative transfer: a smooth mean over many flakes",
+    .source = "Ergun et al. 2016",
+    .ingredients = Ingredients::layers,
+    .solution = Solution::table,
+    .can = {.goniochromism = true, .multiple_scattering = true, .parts = true},
+    .standard = standard_model<MicroflakeModel>,
+    .options = kOptions};
+
+std::shared_ptr<const Bsdf> MicroflakeModel::make(const ModelInput& input,
+                                                  const Progress& progress) const {
+    if (input.table) return std::make_shared<const Tabulated>(*input.table);
+    if (makes_table()) {
+        return std::make_shared<const Tabulated>(*make_table(*input.solved, progress));
+    }
+    return std::make_shared<const Microflake>(input.solved);
+}
+
+std::optional<BrdfTable> MicroflakeModel::make_table(const solver::SolvedPaint& paint,
+                                                     const Progress& progress) const {
+    if (!makes_table()) return std::nullopt;
+    RawBrdfTable raw = make_raw_table(paint, table_size, progress);
+    if (table == Table::svd) {
+        return std::make_shared<const CompressedBrdfTable>(compress(raw, compression));
+    }
+    return std::make_shared<const RawBrdfTable>(std::move(raw));
+}
+
+void MicroflakeModel::require_kind(const BrdfTable& read, const std::string& file) const {
+    const Table kind =
+        std::holds_alternative<std::shared_ptr<const RawBrdfTable>>(read) ? Table::raw : Table::svd;
+    if (makes_table() && table != kind) {
+        const auto name = [](Table t) { return kTableNames[static_cast<int>(t)]; };
+        throw DomainError(fmt::format("--table = {}: {} holds a table of the kind {}", name(table),
+                                      file, name(kind)));
+    }
+}
 
 // Directional-hemispherical reflectance by the model's own sampling, at the points of a Hammersley
 // set: deterministic, and within 1e-3 as weights hardly vary.

@@ -11,12 +11,37 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/flake_lobe.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/bsdf/smooth_table.h"
+#include "nacre/bsdf/tabulated/compression.h"
 #include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/solver/solved_paint.h"
 
 namespace nacre::bsdf {
+
+/// Chooses the model Microflake, or tables of what it shows.
+struct MicroflakeModel {
+    /// In which form the BRDF of a solved paint is kept for rendering.
+    enum class Table {
+        split,  ///< ours: interface, single scattering in closed form, a low-rank multiple
+                ///< scattering; spectral
+        raw,    ///< as the paper tabulates it: angles times angles, RGB     [ergun-2016; mir-2022]
+        svd     ///< the same after its singular value decomposition
+    };
+    Table table = Table::split;
+    BrdfTableSettings table_size = {};     ///< raw and svd
+    CompressionSettings compression = {};  ///< svd
+
+    static const ModelInfo info;
+    std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
+    bool makes_table() const { return table != Table::split; }
+    std::optional<BrdfTable> make_table(const solver::SolvedPaint& paint,
+                                        const Progress& progress) const;
+    void require_kind(const BrdfTable& read, const std::string& file) const;
+
+    friend bool operator==(const MicroflakeModel&, const MicroflakeModel&) = default;
+};
 
 /// The micro-flake model of Ergun et al. 2016 for rendering: interface + single scattering in
 /// closed form + the solver's multiple scattering from a table.

@@ -67,8 +67,7 @@ std::vector<double> returned_light(const Microflake::Tables& tables) {
 
 }  // namespace
 
-Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t seed,
-                      const NacreSettings& settings)
+Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings)
     : smooth(std::make_shared<Microflake::Tables>(paint)) {
     const paint::Recipe& recipe = paint->recipe;
     const std::vector<double> returned = returned_light(*smooth);
@@ -87,22 +86,21 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, std::uin
             const float fraction = static_cast<float>(returned[species.size()] / all);
             species.push_back(
                 {sparkle::FlakeField(population_of(flake, recipe.layers[l], smooth->mean_ior),
-                                     hash_of(seed, l, f)),
+                                     hash_of(settings.specimen, l, f)),
                  std::move(films), fraction});
         }
     }
     if (settings.hot_spot) hot_spot.emplace(*paint);
 }
 
-Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t seed,
-             const NacreSettings& settings) {
+Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings) {
     if (paint->medium.roughness > 0) {
         throw DomainError(
             fmt::format("clearcoat.roughness = {}: the model nacre needs a smooth clearcoat, with "
                         "roughness = 0",
                         paint->medium.roughness));
     }
-    auto tables = std::make_shared<Tables>(std::move(paint), seed, settings);
+    auto tables = std::make_shared<Tables>(std::move(paint), settings);
     tabulate_albedo(*tables->smooth, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundNacre>(tables, wavelengths_nm);
     });
@@ -480,6 +478,31 @@ std::optional<BsdfSample> BoundNacre::sample(Vec3f wi, float u_select, Vec2f u) 
         s->weight = mean_value(make_ray(wi), make_ray(s->wo)) * (s->wo.z / s->pdf);
     }
     return s;
+}
+
+namespace {
+
+constexpr ModelOption kOptions[] = {OptionFor<&NacreModel::hot_spot>::toggle(
+    "--hot-spot",
+    "nacre: light that came in between large flakes finds the same gaps on its way out; the mean "
+    "is then brighter than the solver's")};
+
+}  // namespace
+
+constinit const ModelInfo NacreModel::info = {
+    .name = "nacre",
+    .summary =
+        "single flakes in layers: their light one by one, the rest solved by radiative "
+        "transfer",
+    .source = "this project",
+    .ingredients = Ingredients::layers,
+    .solution = Solution::solved,
+    .can = {.goniochromism = true, .sparkle = true, .multiple_scattering = true},
+    .standard = standard_model<NacreModel>,
+    .options = kOptions};
+
+std::shared_ptr<const Bsdf> NacreModel::make(const ModelInput& input, const Progress&) const {
+    return std::make_shared<const Nacre>(input.solved, *this);
 }
 
 }  // namespace nacre::bsdf

@@ -8,16 +8,24 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/flake_films.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/solver/solved_paint.h"
 #include "nacre/sparkle/flake_field.h"
 
 namespace nacre::bsdf {
 
-struct NacreSettings {
+/// Chooses the model Nacre.
+struct NacreModel {
+    std::uint64_t specimen = 0;  ///< which flakes there are
     /// Large flakes: light that has come in between the flakes finds the same gaps on its way out
-    /// (nacre_hot_spot.h). Then the mean is no longer that of the solver.
+    /// (HotSpotTables). Then the mean is no longer that of the solver.
     bool hot_spot = false;
+
+    static const ModelInfo info;
+    std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
+
+    friend bool operator==(const NacreModel&, const NacreModel&) = default;
 };
 
 /// The micro-flake model with single flakes: colour travel, sparkle and multiple scattering at
@@ -27,7 +35,7 @@ struct NacreSettings {
 /// its own place, size, slope, depth and films (sparkle/flake_field.h); the interface and what is
 /// scattered again are those of Microflake. Without a patch it is Microflake: that is the mean over
 /// all patches, exactly. A patch is read from Patch::rest, in millimetres; which flakes there are
-/// depends on the seed alone.                                          [docs/nacre-model.md]
+/// depends on the specimen alone.                                      [docs/nacre-model.md]
 ///
 /// Under a binder whose index depends on the wavelength, which flakes answer is decided with the
 /// mean index; the mean of each wavelength stays its own.
@@ -35,8 +43,8 @@ class Nacre final : public Bsdf, public SingleFlakes {
  public:
     /// @throws DomainError if the paint's clearcoat is rough, or its flakes are such as no
     ///         FlakeField takes
-    Nacre(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t seed,
-          const NacreSettings& settings = {});
+    explicit Nacre(std::shared_ptr<const solver::SolvedPaint> paint,
+                   const NacreModel& settings = {});
     ~Nacre() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
@@ -131,8 +139,7 @@ struct NacreSpecies {
 };
 
 struct Nacre::Tables {
-    Tables(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t seed,
-           const NacreSettings& settings);
+    Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings);
 
     std::shared_ptr<Microflake::Tables> smooth;
     std::vector<NacreSpecies> species;       ///< layer by layer

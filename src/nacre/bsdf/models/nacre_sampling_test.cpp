@@ -190,7 +190,7 @@ TEST(NacrePatch, IsReciprocal) {
         solver::solve(dispersive, solver::default_wavelengths_nm()));
     for (const auto& paint : {model_with_every_feature().paint, solved}) {
         for (const bool hot_spot : {false, true}) {
-            const auto bound = Nacre(paint, 4, {.hot_spot = hot_spot}).bind(kOnGrid);
+            const auto bound = Nacre(paint, {.specimen = 4, .hot_spot = hot_spot}).bind(kOnGrid);
             Rng rng(5);
             for (int n = 0; n < 1000; ++n) {
                 const OnPatch on(
@@ -290,7 +290,8 @@ TEST(NacrePatch, QueriesWithMemoryAllocateNothing) {
 
 TEST(NacrePatch, SeedsAndLayersHaveFlakesOfTheirOwn) {
     paint::Recipe recipe = paint_of({metal_flake(20, 0.6)});
-    const SparklingModel one(recipe, 1), other(recipe, 2), again(recipe, 1);
+    const SparklingModel one(recipe, {.specimen = 1}), other(recipe, {.specimen = 2}),
+        again(recipe, {.specimen = 1});
     const Vec3f wi = direction(30, 0), wo = direction(30, 180);
     Rng rng(7);
     int differ = 0;

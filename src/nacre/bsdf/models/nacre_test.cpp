@@ -89,7 +89,7 @@ TEST(DiscOverlap, IntegralIsThatOfTheOverlap) {
 double lit_and_seen(double diameter_um, double theta_deg) {
     paint::Recipe recipe = paint_of({metal_flake(diameter_um, 0.5)});
     recipe.layers[0].flakes[0].amount = paint::AreaDensity{2.0 / 15};
-    const SparklingModel hot(recipe, 1, {.hot_spot = true}), plain(recipe);
+    const SparklingModel hot(recipe, {.specimen = 1, .hot_spot = true}), plain(recipe);
     const double theta = std::asin(1.5 * std::sin(theta_deg * kDegree)) / kDegree;  // outside
     const Vec3f wi = direction(theta, 0), wo = direction(theta, 180);
     const double single = hot.paint->brdf(theta * kDegree, theta * kDegree, std::numbers::pi,
@@ -137,7 +137,7 @@ TEST(HotSpot, LargeFlakesAreSeenWhereTheyAreLit) {
 }
 
 TEST(HotSpot, MeanOverPatchesIsItsOwnMean) {
-    const SparklingModel model(recipe_with_every_feature(), 2, {.hot_spot = true});
+    const SparklingModel model(recipe_with_every_feature(), {.specimen = 2, .hot_spot = true});
     const Vec3f wi = direction(30, 20), wo = direction(31, 199);
     PatchMemory memory(model.bound->patch_memory_bytes());
     for (const double side : {0.01, 0.5}) {

@@ -279,4 +279,18 @@ std::unique_ptr<const BoundBsdf> SpecialEffect::bind(const Wavelengths& waveleng
     return std::make_unique<const BoundSpecialEffect>(tables_, wavelengths_nm);
 }
 
+constinit const ModelInfo SpecialEffectModel::info = {
+    .name = "special-effect",
+    .summary = "single microfacets, each with its own place, normal and film thickness",
+    .source = "Guo et al. 2018",
+    .ingredients = Ingredients::facets,
+    .solution = Solution::none,
+    .can = {.goniochromism = true, .sparkle = true},
+    .standard = standard_model<SpecialEffectModel>};
+
+std::shared_ptr<const Bsdf> SpecialEffectModel::make(const ModelInput& input,
+                                                     const Progress&) const {
+    return std::make_shared<const SpecialEffect>(input.recipe, specimen);
+}
+
 }  // namespace nacre::bsdf

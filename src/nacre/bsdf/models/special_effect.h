@@ -5,11 +5,22 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/optics/airy.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/sparkle/facet_field.h"
 
 namespace nacre::bsdf {
+
+/// Chooses the model SpecialEffect.
+struct SpecialEffectModel {
+    std::uint64_t specimen = 0;  ///< which facets there are
+
+    static const ModelInfo info;
+    std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
+
+    friend bool operator==(const SpecialEffectModel&, const SpecialEffectModel&) = default;
+};
 
 /// Films of thicknesses spread evenly over a range, at eight wavelengths: each, and on average.
 class SpreadFilm {

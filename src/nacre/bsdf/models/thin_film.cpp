@@ -222,4 +222,29 @@ std::unique_ptr<const BoundBsdf> ThinFilm::bind(const Wavelengths& wavelengths_n
     return std::make_unique<const BoundThinFilm>(tables_, wavelengths_nm);
 }
 
+namespace {
+
+constexpr std::string_view kColourNames[] = {"spectral", "table", "paper"};
+constexpr ModelOption kOptions[] = {OptionFor<&ThinFilmModel::colour>::choice(
+    "--colour",
+    "thin-film: spectral (exact), or RGB by spectral antialiasing: table (Fourier transform of the "
+    "observer) or paper (Gaussian fit)",
+    kColourNames)};
+
+}  // namespace
+
+constinit const ModelInfo ThinFilmModel::info = {
+    .name = "thin-film",
+    .summary = "microfacets under one smooth interference film",
+    .source = "Belcour and Barla 2017",
+    .ingredients = Ingredients::microfacet,
+    .solution = Solution::none,
+    .can = {.goniochromism = true},
+    .standard = standard_model<ThinFilmModel>,
+    .options = kOptions};
+
+std::shared_ptr<const Bsdf> ThinFilmModel::make(const ModelInput& input, const Progress&) const {
+    return std::make_shared<const ThinFilm>(input.recipe, colour);
+}
+
 }  // namespace nacre::bsdf

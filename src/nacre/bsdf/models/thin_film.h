@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/paint/recipe.h"
 
 namespace nacre::bsdf {
@@ -12,6 +13,16 @@ enum class ThinFilmColour {
     spectral,  ///< exact at each wavelength
     table,     ///< an RGB colour by spectral antialiasing with the observer's tabulated transform
     paper,     ///< the same with the Gaussians of the paper
+};
+
+/// Chooses the model ThinFilm.
+struct ThinFilmModel {
+    ThinFilmColour colour = ThinFilmColour::spectral;
+
+    static const ModelInfo info;
+    std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
+
+    friend bool operator==(const ThinFilmModel&, const ThinFilmModel&) = default;
 };
 
 /// Microfacets under a smooth film: the model of Belcour & Barla 2017 in the form

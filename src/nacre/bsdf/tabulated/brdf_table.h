@@ -203,6 +203,8 @@ struct RawBrdfTable {
 struct BrdfTableSettings {
     int angles = 256;    ///< n, as BrdfGrid::angles
     int azimuths = 128;  ///< m, as BrdfGrid::azimuths
+
+    friend bool operator==(const BrdfTableSettings&, const BrdfTableSettings&) = default;
 };
 
 /// Tabulates solver::SolvedPaint::brdf (the total) at all nodes: the spectrum at the paint's

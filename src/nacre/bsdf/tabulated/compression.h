@@ -68,6 +68,8 @@ struct CompressionSettings {
     bool clip_to_gamut = false;
 
     static constexpr int kMaxRank = 10;
+
+    friend bool operator==(const CompressionSettings&, const CompressionSettings&) = default;
 };
 
 /// Errors count relative to the largest values that a row's two directions have (relative_error):

@@ -333,10 +333,22 @@ Tabulated::Tabulated(std::shared_ptr<const RawBrdfTable> table)
 Tabulated::Tabulated(std::shared_ptr<const CompressedBrdfTable> table)
     : tables_(std::make_shared<const Tables>(Tables::Data(std::move(table)))) {}
 
+Tabulated::Tabulated(const BrdfTable& table)
+    : tables_(std::make_shared<const Tables>(Tables::Data(table))) {}
+
 Tabulated::~Tabulated() = default;
 
 std::unique_ptr<const BoundBsdf> Tabulated::bind(const Wavelengths& wavelengths_nm) const {
     return std::make_unique<const BoundTabulated>(tables_, wavelengths_nm);
+}
+
+BrdfTable share_table(std::variant<RawBrdfTable, CompressedBrdfTable> table) {
+    return std::visit(
+        [](auto&& t) -> BrdfTable {
+            using T = std::decay_t<decltype(t)>;
+            return std::make_shared<const T>(std::forward<decltype(t)>(t));
+        },
+        std::move(table));
 }
 
 }  // namespace nacre::bsdf

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/bsdf/tabulated/compression.h"
 
 namespace nacre::bsdf {
@@ -28,6 +29,7 @@ class Tabulated final : public Bsdf {
     /// @throws DomainError if the table's grid or sizes are out of range or do not fit together
     explicit Tabulated(std::shared_ptr<const RawBrdfTable> table);
     explicit Tabulated(std::shared_ptr<const CompressedBrdfTable> table);
+    explicit Tabulated(const BrdfTable& table);
     ~Tabulated() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
@@ -37,6 +39,9 @@ class Tabulated final : public Bsdf {
  private:
     std::shared_ptr<const Tables> tables_;
 };
+
+/// Takes over a table read from a file.
+BrdfTable share_table(std::variant<RawBrdfTable, CompressedBrdfTable> table);
 
 inline constexpr double kTabulatedError = 1e-3;
 inline constexpr double kTabulatedCompressedError = 4e-3;

@@ -7,7 +7,9 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
 #include "nacre/montecarlo/discs/disc_scene.h"
@@ -319,7 +321,7 @@ std::vector<int> counts(const std::vector<FlakeFilms>& films) {
     return result;
 }
 
-Tile checked_tile(const DiscSettings& settings, const paint::Recipe& recipe) {
+Tile checked_tile(const ExplicitFlakesModel& settings, const paint::Recipe& recipe) {
     const auto side_um = [](double side_mm, const char* name) {
         if (!kTileSide.contains(side_mm))
             throw DomainError(
@@ -374,12 +376,12 @@ struct DiscWalkTables {
     DiscScene scene;
     bool diffraction;
 
-    DiscWalkTables(const paint::Recipe& recipe, const Tile& tile, const DiscSettings& settings,
-                   const std::vector<double>& grid_nm)
+    DiscWalkTables(const paint::Recipe& recipe, const Tile& tile,
+                   const ExplicitFlakesModel& settings, const std::vector<double>& grid_nm)
         : medium(without_flakes(recipe), grid_nm),
           wavelengths_nm(grid_nm),
-          films(make_films(recipe, grid_nm, settings.seed)),
-          scene(draw_discs(recipe, tile, counts(films), settings.seed), tile),
+          films(make_films(recipe, grid_nm, settings.specimen)),
+          scene(draw_discs(recipe, tile, counts(films), settings.specimen), tile),
           diffraction(settings.diffraction) {}
 };
 
@@ -428,7 +430,7 @@ class BoundDiscWalk final : public BoundWalk {
 
 }  // namespace
 
-DiscWalk::DiscWalk(const paint::Recipe& recipe, const DiscSettings& settings,
+DiscWalk::DiscWalk(const paint::Recipe& recipe, const ExplicitFlakesModel& settings,
                    const std::vector<double>& wavelengths_nm) {
     paint::validate(recipe, wavelengths_nm);
     const Tile tile = checked_tile(settings, recipe);
@@ -443,5 +445,65 @@ std::unique_ptr<const bsdf::BoundBsdf> DiscWalk::bind(
 }
 
 const DiscScene& DiscWalk::scene() const { return tables_->scene; }
+
+namespace {
+
+constexpr bsdf::Alternative kInPlaceOfHashedFlakes{
+    .to = &bsdf::NacreModel::info,
+    .flag = "--flakes",
+    .help =
+        "nacre: hashed (statistics, on any shape), or explicit (the ground truth: every flake "
+        "a disc, under flat panels)",
+    .usual = "hashed",
+    .value = "explicit",
+    .from = [](const bsdf::Model& other) -> bsdf::Model {
+        const bsdf::NacreModel& nacre = *other.get<bsdf::NacreModel>();
+        if (nacre.hot_spot) {
+            throw DomainError(
+                "--hot-spot is for hashed flakes: explicit ones have it by themselves");
+        }
+        return ExplicitFlakesModel{.specimen = nacre.specimen};
+    }};
+
+}  // namespace
+
+constinit const bsdf::ModelInfo ExplicitFlakesModel::info = {
+    .name = "nacre",
+    .summary = "every flake a disc, light followed from disc to disc",
+    .source = "this project",
+    .ingredients = bsdf::Ingredients::layers,
+    .solution = bsdf::Solution::none,
+    .can = {.goniochromism = true,
+            .sparkle = true,
+            .multiple_scattering = true,
+            .reference_only = true},
+    .standard = bsdf::standard_model<ExplicitFlakesModel>,
+    .alternative = &kInPlaceOfHashedFlakes};
+
+std::shared_ptr<const bsdf::Bsdf> ExplicitFlakesModel::make(const bsdf::ModelInput& input,
+                                                            const Progress&) const {
+    return std::make_shared<const DiscWalk>(input.recipe, *this);
+}
+
+void ExplicitFlakesModel::lie_on(const std::string& material,
+                                 std::span<const bsdf::PaintedShape> shapes) {
+    std::optional<std::pair<double, double>> common;
+    for (const bsdf::PaintedShape& shape : shapes) {
+        if (shape.kind != bsdf::PaintedShape::Kind::panel) {
+            throw DomainError(
+                fmt::format("the material {} is on a shape that is no flat panel; --flakes hashed "
+                            "goes on any shape",
+                            material));
+        }
+        const std::pair size{shape.width_mm, shape.height_mm};
+        if (common && *common != size) {
+            throw DomainError(
+                fmt::format("the material {} is on panels of different sizes", material));
+        }
+        common = size;
+    }
+    // On nothing that is seen: any size will do.
+    std::tie(tile_width_mm, tile_height_mm) = common.value_or(std::pair{1.0, 1.0});
+}
 
 }  // namespace nacre::montecarlo

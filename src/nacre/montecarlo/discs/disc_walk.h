@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/model.h"
 #include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/lanes.h"
 #include "nacre/montecarlo/discs/disc.h"
@@ -127,15 +128,23 @@ struct DiscWalkTables;
 /// A tile's sides are at least this times the thickness of the paint.
 inline constexpr double kMinTileFraction = 0.1;
 
-struct DiscSettings {
+/// Chooses DiscWalk: the model nacre with every flake in its place, its ground truth.
+struct ExplicitFlakesModel {
     /// The piece of paint that repeats itself over the panel, in kTileSide. As large as the panel:
     /// nothing repeats, and only light that crosses the panel's edge within the paint comes back at
     /// the opposite one.
     double tile_width_mm = 10, tile_height_mm = 10;
-    std::uint64_t seed = 0;  ///< which flakes there are
+    std::uint64_t specimen = 0;  ///< which flakes there are
     /// Whether a flake spreads what it mirrors by the Airy pattern of its disc (airy_disc.h) at the
     /// mean of the eight wavelengths; if not, it is a perfect mirror.
     bool diffraction = true;
+
+    static const bsdf::ModelInfo info;
+    std::shared_ptr<const bsdf::Bsdf> make(const bsdf::ModelInput& input,
+                                           const Progress& progress) const;
+    void lie_on(const std::string& material, std::span<const bsdf::PaintedShape> shapes);
+
+    friend bool operator==(const ExplicitFlakesModel&, const ExplicitFlakesModel&) = default;
 };
 
 /// A flat panel of paint whose flakes are discs, and whose light is followed from disc to disc:
@@ -154,7 +163,7 @@ class DiscWalk final : public bsdf::Bsdf {
     /// @param wavelengths_nm  as for PlaneWalk
     /// @throws DomainError if the recipe is not valid at these wavelengths, naming a setting out of
     ///         range, or as draw_discs()
-    DiscWalk(const paint::Recipe& recipe, const DiscSettings& settings,
+    DiscWalk(const paint::Recipe& recipe, const ExplicitFlakesModel& settings,
              const std::vector<double>& wavelengths_nm = solver::default_wavelengths_nm());
     ~DiscWalk() override;
 
