@@ -1,17 +1,23 @@
 #include "nacre/models/models.h"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/models/spectral_brdf.h"
+#include "nacre/models/traced/traced_models.h"
+#include "nacre/montecarlo/discs/disc_walk.h"
+#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/solver/solver.h"
 
 // What the list of models claims (Table 3 of the 2022 comparison) is measured here.
@@ -23,8 +29,7 @@ using bsdf::Ingredients;
 using bsdf::ModelInfo;
 
 std::shared_ptr<const bsdf::Bsdf> pearl(const ModelInfo* model) {
-    static const paint::Recipe recipe =
-        io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
+    static const paint::Recipe recipe = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     static const auto solved = std::make_shared<const solver::SolvedPaint>(
         solver::solve(recipe, solver::default_wavelengths_nm(), {}));
     return model->standard().make({recipe, solved, {}});
@@ -142,6 +147,150 @@ TEST(Models, RecipeWithoutWhatTheModelReadsIsRefused) {
     for (const ModelInfo* model : all_models()) {
         if (model->ingredients != Ingredients::layers) continue;
         EXPECT_THROW(model->standard().make({.recipe = no_layers}), DomainError) << model->name;
+    }
+}
+
+/// All entries, those of models that trace rays included.
+std::vector<const ModelInfo*> all_entries() {
+    std::vector<const ModelInfo*> entries(all_models().begin(), all_models().end());
+    entries.insert(entries.end(), traced_models().begin(), traced_models().end());
+    return entries;
+}
+
+TEST(Models, EachEntrySaysWhatItIs) {
+    ASSERT_GT(all_entries().size(), all_models().size());
+    for (const ModelInfo* model : all_entries()) {
+        SCOPED_TRACE(model->name);
+        EXPECT_FALSE(model->name.empty());
+        EXPECT_FALSE(model->summary.empty());
+        EXPECT_FALSE(model->source.empty());
+        EXPECT_EQ(&model->standard().info(), model);
+        EXPECT_EQ(model->standard(), model->standard());
+        // What estimates its values is a reference; what knows parts is solved.
+        EXPECT_TRUE(model->can.reference_only || !model->can.estimated_values);
+        EXPECT_TRUE(model->solution != bsdf::Solution::none || !model->can.parts);
+        // Only what renders from a table makes one.
+        EXPECT_FALSE(model->standard().makes_table());
+    }
+}
+
+std::string refusal(const bsdf::Model& model, const bsdf::ModelOption& option,
+                    const std::string& text) {
+    bsdf::Model changed = model;
+    try {
+        set_option(changed, option, text);
+    } catch (const DomainError& error) {
+        return error.what();
+    }
+    return "accepted " + option_text(changed, option);
+}
+
+TEST(Models, OptionsTakeWhatIsAllowedAndNameItWhenTheyRefuse) {
+    using ::testing::AllOf, ::testing::HasSubstr;
+    int found = 0;
+    for (const ModelInfo* model : all_entries()) {
+        for (const bsdf::ModelOption& option : model->options) {
+            SCOPED_TRACE(option.flag);
+            ++found;
+            EXPECT_EQ(option.flag.substr(0, 2), "--");
+            // The help of options says whose they are.
+            EXPECT_EQ(option.help.substr(0, model->name.size()), model->name);
+            const bsdf::Model standard = model->standard();
+            std::vector<std::string> allowed, refused = {"", "no-such-value"}, named;
+            if (!option.names.empty()) {
+                allowed.assign(option.names.begin(), option.names.end());
+                named = allowed;
+            } else if (option.range) {
+                const auto [lo, hi] = *option.range;
+                allowed = named = {std::to_string(lo), std::to_string(hi)};
+                refused.push_back(std::to_string(lo - 1));
+                refused.push_back(std::to_string(hi + 1));
+                refused.push_back(std::to_string(lo) + ".5");
+            } else {
+                allowed = named = {"on", "off"};
+            }
+            int changes = 0;
+            for (const std::string& text : allowed) {
+                bsdf::Model changed = standard;
+                set_option(changed, option, text);
+                EXPECT_EQ(option_text(changed, option), text);
+                EXPECT_EQ(changed == standard, text == option_text(standard, option)) << text;
+                changes += changed != standard;
+            }
+            EXPECT_GT(changes, 0);
+            for (const std::string& text : refused) {
+                const std::string message = refusal(standard, option, text);
+                EXPECT_THAT(message, HasSubstr(fmt::format("{} = {}: must be", option.flag, text)));
+                for (const std::string& value : named) EXPECT_THAT(message, HasSubstr(value));
+            }
+        }
+    }
+    EXPECT_EQ(found, 5);
+}
+
+TEST(Models, SpecimensDifferWhereSingleFlakesAreShown) {
+    for (const ModelInfo* model : all_entries()) {
+        bsdf::Model other = model->standard();
+        other.set_specimen(7);
+        EXPECT_EQ(other != model->standard(), model->can.sparkle) << model->name;
+    }
+}
+
+TEST(Models, AlternativesTakeOverWhatWasChosen) {
+    ASSERT_FALSE(traced_models().empty());
+    for (const ModelInfo* model : traced_models()) {
+        ASSERT_NE(model->alternative, nullptr);
+        const bsdf::Alternative& alternative = *model->alternative;
+        EXPECT_EQ(find_model(alternative.to->name), alternative.to);
+        EXPECT_EQ(model->name, alternative.to->name);
+        bsdf::Model other = alternative.to->standard(), same = model->standard();
+        other.set_specimen(7);
+        same.set_specimen(7);
+        EXPECT_EQ(alternative.from(other), same);
+    }
+    EXPECT_THROW(
+        montecarlo::ExplicitFlakesModel::info.alternative->from(bsdf::NacreModel{.hot_spot = true}),
+        DomainError);
+}
+
+TEST(Models, ModelsThatFollowAShapeRefuseOthers) {
+    using bsdf::PaintedShape;
+    const PaintedShape ball{.kind = PaintedShape::Kind::sphere, .radius_mm = 50},
+        small_ball{.kind = PaintedShape::Kind::sphere, .radius_mm = 20},
+        panel{.kind = PaintedShape::Kind::panel, .width_mm = 150, .height_mm = 100},
+        small_panel{.kind = PaintedShape::Kind::panel, .width_mm = 15, .height_mm = 10}, mesh{};
+    const auto accepts = [](bsdf::Model model, const std::vector<PaintedShape>& shapes) {
+        try {
+            model.lie_on("red", shapes);
+        } catch (const DomainError& error) {
+            EXPECT_THAT(error.what(), ::testing::HasSubstr("the material red is on"));
+            return false;
+        }
+        return true;
+    };
+    const montecarlo::VolumeModel volume;
+    EXPECT_TRUE(accepts(volume, {ball, ball}));
+    EXPECT_TRUE(accepts(volume, {panel, small_panel}));
+    EXPECT_FALSE(accepts(volume, {ball, small_ball}));
+    EXPECT_FALSE(accepts(volume, {ball, panel}));
+    EXPECT_FALSE(accepts(volume, {mesh}));
+    bsdf::Model on_ball = volume;
+    on_ball.lie_on("red", std::vector{ball});
+    EXPECT_EQ(on_ball, montecarlo::VolumeModel{.radius_mm = 50});
+
+    const montecarlo::ExplicitFlakesModel flakes;
+    EXPECT_TRUE(accepts(flakes, {panel, panel}));
+    EXPECT_FALSE(accepts(flakes, {panel, small_panel}));
+    EXPECT_FALSE(accepts(flakes, {ball}));
+    bsdf::Model under_panel = flakes;
+    under_panel.lie_on("red", std::vector{panel});
+    EXPECT_EQ(under_panel,
+              (montecarlo::ExplicitFlakesModel{.tile_width_mm = 150, .tile_height_mm = 100}));
+
+    for (const ModelInfo* model : all_models()) {
+        if (model != &montecarlo::VolumeModel::info) {
+            EXPECT_TRUE(accepts(model->standard(), {ball, panel, mesh})) << model->name;
+        }
     }
 }
 
