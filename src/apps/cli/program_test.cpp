@@ -305,7 +305,7 @@ TEST_F(Program, SingleFlakesAreEvaluatedInMillimetresAndRendered) {
     // The very flakes that lie there in the model: on a flat panel that faces +z.
     const auto paint = std::make_shared<const solver::SolvedPaint>(
         solver::solve(io::read_recipe(folder_ / "gray.toml"), {550}));
-    const auto surface = bsdf::Nacre(paint, 0).bind({550, 550, 550, 550, 550, 550, 550, 550});
+    const auto surface = bsdf::Nacre(paint).bind({550, 550, 550, 550, 550, 550, 550, 550});
     const Frame frame = Frame::around({0, 0, 1});
     bsdf::Patch patch_of_fan;
     patch_of_fan.rest = {{7, 3.3f, 0}, {0, 0, 1}, frame.s, {0.1f * frame.s, 0.1f * frame.t}};

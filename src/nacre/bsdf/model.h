@@ -130,8 +130,7 @@ struct PaintedShape {
 };
 
 template <class M>
-concept ModelSettings = std::copyable<M> && std::equality_comparable<M> &&
-    std::same_as<decltype((M::info)), const ModelInfo&>;
+concept ModelSettings = std::same_as<decltype((M::info)), const ModelInfo&>;
 
 /// A model and what was chosen about it: any of the settings types, as a value.
 class Model {

@@ -312,8 +312,9 @@ TEST(DiscWalk, SmallFlakesSendLightWhereTheTransferEquationDoes) {
     const Vec3f wi = test::from_degrees(45, 0);
     const Estimates expected = power_by_direction(PlaneWalk(recipe), wi, 300'000, 1);
     const Estimates found = power_by_direction(
-        DiscWalk(recipe,
-                 {.tile_width_mm = 0.03, .tile_height_mm = 0.03, .specimen = 2, .diffraction = false}),
+        DiscWalk(
+            recipe,
+            {.tile_width_mm = 0.03, .tile_height_mm = 0.03, .specimen = 2, .diffraction = false}),
         wi, 150'000, 2);
     for (std::size_t bin = 0; bin < expected.size(); ++bin) {
         SCOPED_TRACE(bin < kDirections ? testing::Message() << "bin " << bin
