@@ -195,7 +195,7 @@ void ShellWalker::ascend() {
 namespace {
 
 constexpr std::string_view kTrackingNames[] = {"delta", "simpson"};
-constexpr bsdf::ModelOption kOptions[] = {
+constexpr bsdf::ModelOption kVolumeOptions[] = {
     bsdf::OptionFor<&VolumeModel::tracking>::choice(
         "--tracking", "volume: delta (unbiased) or simpson (the paper's integration along the ray)",
         kTrackingNames),
@@ -213,7 +213,7 @@ constinit const bsdf::ModelInfo VolumeModel::info = {
     .solution = bsdf::Solution::none,
     .can = {.goniochromism = true, .multiple_scattering = true, .reference_only = true},
     .standard = bsdf::standard_model<VolumeModel>,
-    .options = kOptions};
+    .options = kVolumeOptions};
 
 std::shared_ptr<const bsdf::Bsdf> VolumeModel::make(const bsdf::ModelInput& input,
                                                     const Progress&) const {

@@ -31,7 +31,7 @@ constexpr ModelOption table_option() {
     option.of_solution = true;
     return option;
 }
-constexpr ModelOption kOptions[] = {table_option()};
+constexpr ModelOption kMicroflakeOptions[] = {table_option()};
 
 }  // namespace
 
@@ -43,7 +43,7 @@ constinit const ModelInfo MicroflakeModel::info = {
     .solution = Solution::table,
     .can = {.goniochromism = true, .multiple_scattering = true, .parts = true},
     .standard = standard_model<MicroflakeModel>,
-    .options = kOptions};
+    .options = kMicroflakeOptions};
 
 std::shared_ptr<const Bsdf> MicroflakeModel::make(const ModelInput& input,
                                                   const Progress& progress) const {

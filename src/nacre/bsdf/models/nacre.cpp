@@ -482,7 +482,7 @@ std::optional<BsdfSample> BoundNacre::sample(Vec3f wi, float u_select, Vec2f u) 
 
 namespace {
 
-constexpr ModelOption kOptions[] = {OptionFor<&NacreModel::hot_spot>::toggle(
+constexpr ModelOption kNacreOptions[] = {OptionFor<&NacreModel::hot_spot>::toggle(
     "--hot-spot",
     "nacre: light that came in between large flakes finds the same gaps on its way out; the mean "
     "is then brighter than the solver's")};
@@ -499,7 +499,7 @@ constinit const ModelInfo NacreModel::info = {
     .solution = Solution::solved,
     .can = {.goniochromism = true, .sparkle = true, .multiple_scattering = true},
     .standard = standard_model<NacreModel>,
-    .options = kOptions};
+    .options = kNacreOptions};
 
 std::shared_ptr<const Bsdf> NacreModel::make(const ModelInput& input, const Progress&) const {
     return std::make_shared<const Nacre>(input.solved, *this);

@@ -225,7 +225,7 @@ std::unique_ptr<const BoundBsdf> ThinFilm::bind(const Wavelengths& wavelengths_n
 namespace {
 
 constexpr std::string_view kColourNames[] = {"spectral", "table", "paper"};
-constexpr ModelOption kOptions[] = {OptionFor<&ThinFilmModel::colour>::choice(
+constexpr ModelOption kThinFilmOptions[] = {OptionFor<&ThinFilmModel::colour>::choice(
     "--colour",
     "thin-film: spectral (exact), or RGB by spectral antialiasing: table (Fourier transform of the "
     "observer) or paper (Gaussian fit)",
@@ -241,7 +241,7 @@ constinit const ModelInfo ThinFilmModel::info = {
     .solution = Solution::none,
     .can = {.goniochromism = true},
     .standard = standard_model<ThinFilmModel>,
-    .options = kOptions};
+    .options = kThinFilmOptions};
 
 std::shared_ptr<const Bsdf> ThinFilmModel::make(const ModelInput& input, const Progress&) const {
     return std::make_shared<const ThinFilm>(input.recipe, colour);
