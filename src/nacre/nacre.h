@@ -2,18 +2,30 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/model.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
+#include "nacre/bsdf/models/special_effect.h"
+#include "nacre/bsdf/models/thin_film.h"
 #include "nacre/core/error.h"
 #include "nacre/core/progress.h"
 #include "nacre/fit/fit.h"
+#include "nacre/measure/acquire.h"
 #include "nacre/measure/geometry.h"
+#include "nacre/measure/instrument.h"
 #include "nacre/measure/measurement.h"
+#include "nacre/measure/sparkle_measurement.h"
+#include "nacre/montecarlo/plane_walk.h"
+#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
 #include "nacre/solver/solved_paint.h"
@@ -21,26 +33,65 @@
 // The front door: open a paint, look at it, measure it, fit it, export it.
 //
 //   const nacre::Paint paint = nacre::open("violet.toml");
+//   const auto look = paint.appearance(nacre::NacreModel{.specimen = 1});  // for a renderer
+//   const auto brdf = paint.brdf();                            // by values
 //   const auto readings = paint.measure(nacre::geometries("byk-mac"));
-//   const auto match = paint.fit(standard, {"coats[0].thickness_nm"});
+//   const auto match = paint.fit(readings.measurement, {"coats[0].thickness_nm"});
+//   paint.export_rgl().write("violet.bsdf");
 //
 // Everything here is a value: copies share what they hold, may be used from any number of threads
 // at once, and give the same bits on all of them. Nothing is printed; long work reports through a
 // Progress and may be stopped by it (core/progress.h); what goes wrong is thrown (core/error.h):
-// InputError where a file is wrong, naming file, key, value and allowed range; DomainError where a
-// setting is; Error where the work itself failed or was stopped. Units and conventions:
+// InputError where a file is wrong, naming file, key, value and allowed range; SettingError, a
+// DomainError, where a setting is; Error where the work itself failed or was stopped. Units and conventions:
 // docs/conventions.md.
 //
-// Link nacre::nacre (find_package(nacre COMPONENTS core)). Pictures of scenes need ray tracing and
-// have a door of their own.
+// Link nacre::nacre (find_package(nacre COMPONENTS core)). Pictures need ray tracing, and have a
+// door of their own: nacre/render.h. What one does with a paint is a member of it, since rooms of
+// this house have those names: nacre::measure, nacre::fit and nacre::render are namespaces.
 
 namespace nacre {
 
 using measure::Aperture;
 using measure::Geometry;
 using measure::Measurement;
+using measure::MerlSettings;
+using measure::RglSettings;
+using measure::SparkleCamera;
+using measure::Viewing;
+using solver::Part;
 using spectra::Illuminant;
 using spectra::Observer;
+
+// A model is chosen by a value of its settings type; any of them is a Model. The first is what those
+// get who do not choose.
+using bsdf::MicroflakeModel;
+using bsdf::Model;
+using bsdf::NacreModel;
+using bsdf::SpecialEffectModel;
+using bsdf::ThinFilmModel;
+using montecarlo::VolumeModel;
+using montecarlo::WalkModel;
+
+/// A setting is out of range, or does not fit the paint that it is for.
+class SettingError : public DomainError {
+ public:
+    /// The message is "setting = value: reason", or "setting: reason".
+    SettingError(const std::string& setting, const std::string& reason,
+                 const std::string& value = {})
+        : DomainError(setting + (value.empty() ? "" : " = " + value) + ": " + reason),
+          setting_(setting),
+          reason_(reason) {}
+
+    /// From such a message.
+    explicit SettingError(const std::string& message);
+
+    const std::string& setting() const { return setting_; }
+    const std::string& reason() const { return reason_; }
+
+ private:
+    std::string setting_, reason_;
+};
 
 /// What a file holds. Its contents tell, not its name.
 enum class Kind {
@@ -77,6 +128,100 @@ struct SolverWarning {
 std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
                                            const std::string& file);
 
+/// Which values of a BRDF are wanted.
+struct BrdfSettings {
+    /// None: microflake, and measured BRDFs as they are.
+    std::optional<Model> model = {};
+    Part part = Part::total;  ///< other than the total: of models that can tell (Capabilities)
+    /// Vacuum wavelengths, nm. Empty: those of a solved paint where it answers itself, else 400 to
+    /// 700 by 10.
+    std::vector<double> wavelengths_nm = {};
+    /// As a renderer sees the paint, in single precision, rather than exactly: a hundred times
+    /// faster, off by less than bsdf::kMicroflakeError of the peak.
+    bool as_rendered = false;
+};
+
+/// The BRDF of a paint by values. Where a solved paint answers itself it is exact and in double
+/// precision; else as a renderer sees the paint.
+class PaintBrdf {
+ public:
+    const std::vector<double>& wavelengths_nm() const { return wavelengths_nm_; }
+    /// In 1/sr at each wavelength, without the mirror of a smooth interface, the mean over the
+    /// surface; angles in rad, theta in [0, pi/2), phi = phi_o - phi_i, pi being the mirror side.
+    /// @throws DomainError if an angle is out of range
+    std::vector<double> operator()(double theta_i, double theta_o, double phi) const {
+        return values_(theta_i, theta_o, phi);
+    }
+
+    /// Whether, and by what, places differ: they do where single flakes show.
+    bsdf::SurfaceCoordinates surface_coordinates() const { return coordinates_; }
+    /// What on() takes: mm on a flat panel, or shares of the object's unit square.
+    Range place_range() const;
+    Range side_range() const;
+    /// The same on a square patch about (x, y), with its own flakes instead of their mean.
+    /// @throws DomainError if the surface is alike everywhere, or a number is out of range
+    PaintBrdf on(double x, double y, double side) const;
+
+ private:
+    friend class Paint;
+    std::vector<double> wavelengths_nm_;
+    measure::Brdf values_;
+    bsdf::SurfaceCoordinates coordinates_ = bsdf::SurfaceCoordinates::none;
+    std::function<measure::Brdf(const bsdf::Patch&)> values_on_;
+};
+
+/// How a paint is measured. What is not given is that of measured colours, where a file holds them,
+/// or as said.
+struct MeasureSettings {
+    std::optional<Model> model = {};            ///< as in BrdfSettings
+    std::optional<Illuminant> illuminant = {};  ///< D65
+    std::optional<Observer> observer = {};      ///< 10 degrees
+    std::optional<Aperture> aperture = {};      ///< of lamp and detector; points
+    /// Vacuum wavelengths in equal steps, nm. Empty: as BrdfSettings::wavelengths_nm.
+    std::vector<double> wavelengths_nm = {};
+    std::uint64_t walks = std::uint64_t{1} << 18;  ///< per lamp, of models that follow light
+    std::uint64_t seed = 0;                        ///< of those walks
+};
+
+struct Readings {
+    Measurement measurement;
+    /// Of the reflectance factor, by reading and wavelength; empty where values are not estimates.
+    std::vector<std::vector<double>> standard_error = {};
+
+    /// As a file that open() reads (docs/measure.md).
+    std::string csv() const;
+};
+
+/// The set of those who do not choose.
+inline constexpr const char* kDefaultGeometries = "byk-mac";
+
+/// A set that is built in ("byk-mac"), a file of a set (.toml), or a list as in
+/// "45as15,45as25az90,45to30,90".
+/// @throws DomainError if it is none of these; InputError if the file is wrong
+std::vector<Geometry> geometries(const std::string& text);
+
+/// A file to be, and how it differs from what it was made of.
+struct Exported {
+    std::string bytes;
+    measure::TableError error;
+
+    /// Whole or not at all. @throws InputError, Error as core/file.h
+    void write(const std::filesystem::path& path) const;
+};
+
+struct SparkleSettings {
+    SparkleCamera camera = {};
+    Viewing viewing = {};
+};
+struct SparkleReadings {
+    measure::PanelPictures pictures;
+    measure::SparkleMeasurement measurement;
+};
+/// Takes pictures of a panel with a virtual camera and reads sparkle and graininess off them.
+/// @throws DomainError, Error as measure::take_pictures() and measure::measure_pictures()
+SparkleReadings measure_sparkle(const bsdf::Bsdf& look, const SparkleSettings& settings = {},
+                                const Progress& progress = {});
+
 using FitSettings = fit::FitOptions;
 struct Match;
 
@@ -97,6 +242,8 @@ class Paint {
     std::string name() const;
 
     bool has_recipe() const;
+    /// Whether the file holds what was measured, a BRDF or colours: no model has a part in it.
+    bool is_measured() const;
     /// @throws InputError naming the file if it holds none: tables and measured values
     const paint::Recipe& recipe() const;
     /// SHA-256 of what the recipe says (io/recipe_file.h); empty without a recipe.
@@ -116,6 +263,45 @@ class Paint {
     std::shared_ptr<const solver::SolvedPaint> solved(const SolveSettings& settings = {}) const;
     /// Of all solutions so far.
     std::vector<SolverWarning> warnings() const;
+
+    /// The paint as a model shows it, for a renderer; measured and tabulated BRDFs as they are. Made
+    /// once for all who hold it at a time.
+    /// @param model  none: microflake, and measured BRDFs as they are
+    /// @param solve  where the model needs the paint solved
+    /// @throws InputError naming the file if it lacks what the model reads, or is shown without one
+    /// @throws SettingError if the file holds another kind of table than the model makes
+    /// @throws DomainError, Error as solved() and Model::make()
+    std::shared_ptr<const bsdf::Bsdf> appearance(const std::optional<Model>& model = {},
+                                                 const SolveSettings& solve = {},
+                                                 const Progress& progress = {}) const;
+    /// @throws InputError, DomainError, Error as appearance(); DomainError if the model follows
+    ///         light and has no values to give, or a part is asked for that it cannot tell
+    PaintBrdf brdf(const BrdfSettings& settings = {}, const Progress& progress = {}) const;
+
+    /// What a multi-angle spectrophotometer reads on the paint. Measured colours are what was read:
+    /// the geometries asked for are picked, colours stated anew under the light asked for. A model
+    /// that follows light gives estimates, read by the walks of montecarlo/reference.h.
+    /// @param geometries  empty: those of measured colours; else kDefaultGeometries
+    /// @throws InputError as brdf(), or naming file and geometry where measured colours cannot be
+    ///         stated as asked; DomainError, Error as measure::measure()
+    Readings measure(const std::vector<Geometry>& geometries = {},
+                     const MeasureSettings& settings = {}, const Progress& progress = {}) const;
+
+    /// The BRDF as the files of the RGL database hold it, or those of MERL, for other renderers.
+    /// The mirror of a smooth interface is no part of it.
+    /// @param settings  as_rendered is taken as true, part as total
+    /// @throws InputError, DomainError, Error as brdf() and measure/acquire.h; InputError if the
+    ///         BRDF is anisotropic
+    Exported export_rgl(const RglSettings& rgl = {}, const BrdfSettings& settings = {},
+                        const Progress& progress = {}) const;
+    Exported export_merl(const MerlSettings& merl = {}, const BrdfSettings& settings = {},
+                         const Progress& progress = {}) const;
+    /// The bytes of a file of the solved paint. @throws as solved() and io::solved_paint_bytes()
+    std::string export_solved(const SolveSettings& settings = {}) const;
+    /// The bytes of a file of the table that a model renders from.
+    /// @throws as solved() and Model::make_table(); DomainError if the model makes no table
+    std::string export_table(const Model& model, const SolveSettings& solve = {},
+                             const Progress& progress = {}) const;
 
     /// Seeks the composition, starting from this one, whose colours are nearest to a standard's.
     /// @param keys  of the numbers that may change, as paint::matching_parameters(), `*` for any
@@ -140,6 +326,15 @@ class Paint {
 struct Match : fit::Fit {
     Paint paint;
 };
+
+/// Measures two panels so that they can be compared: beside measured colours, a paint is measured
+/// as those were, except for what is asked for. The model is for those that take one.
+/// @return  of the sample and of the standard
+/// @throws InputError, DomainError, Error as Paint::measure()
+std::pair<Readings, Readings> measure_alike(const Paint& sample, const Paint& standard,
+                                            const std::vector<Geometry>& geometries = {},
+                                            const MeasureSettings& settings = {},
+                                            const Progress& progress = {});
 
 /// Reads a file of any kind, once: the paint needs it no more. Materials that a recipe names as
 /// files are read too.

@@ -9,10 +9,10 @@
 
 #include "apps/cli/instrument_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/paint_source.h"
 #include "apps/report/svg_raster.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
+#include "nacre/nacre.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
 
@@ -104,21 +104,19 @@ datasheet::Atlas atlas_of_flake(const AtlasOptions& options, const Progress& pro
     flake.binder = optics::find_material(options.ior);
     return datasheet::flake_atlas(
         flake, parse_numbers("--thickness", options.values, paint::limits::kFilmThickness),
-        parse_angles(options), wavelengths_nm(5), parse_instrument(options.instrument).conditions(),
-        progress);
+        parse_angles(options), wavelengths_nm(5), parse_conditions(options.instrument), progress);
 }
 
 datasheet::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& progress) {
-    const paint::Recipe recipe = load_recipe(options.recipe);
+    const paint::Recipe recipe = open(options.recipe).recipe();
     const std::vector<std::string> keys = paint::matching_parameters(recipe, options.key);
     if (keys.size() != 1) {
         throw UsageError(fmt::format("--key = {}: means {} numbers, such as {}; must mean one",
                                      options.key, keys.size(), keys[0]));
     }
-    return datasheet::recipe_atlas(recipe, keys[0],
-                                   parse_numbers("--values", options.values, Range{}),
-                                   parse_angles(options), solver::default_wavelengths_nm(),
-                                   parse_instrument(options.instrument).conditions(), progress);
+    return datasheet::recipe_atlas(
+        recipe, keys[0], parse_numbers("--values", options.values, Range{}), parse_angles(options),
+        solver::default_wavelengths_nm(), parse_conditions(options.instrument), progress);
 }
 
 void check_choice(const AtlasOptions& options, const CLI::App& command) {

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <iterator>
@@ -7,12 +8,13 @@
 #include <numbers>
 
 #include "apps/cli/brdf_options.h"
-#include "apps/cli/brdf_source.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
+#include "apps/cli/paint_options.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/parallel.h"
-#include "nacre/io/recipe_file.h"
+#include "nacre/core/progress.h"
+#include "nacre/nacre.h"
 #include "nacre/paint/recipe.h"
 
 namespace nacre::cli {
@@ -27,19 +29,59 @@ struct EvalOptions : BrdfOptions {
     std::string at, footprint;
 };
 
+/// What can be said about --at and --footprint before the paint is made.
+void check_patch(const EvalOptions& options, const bsdf::ModelInfo& model) {
+    if (options.at.empty() && options.footprint.empty()) return;
+    if (!model.can.sparkle) {
+        throw UsageError(
+            fmt::format("--at and --footprint: {} is alike all over the surface", model.name));
+    }
+    if (options.at.empty() || options.footprint.empty()) {
+        throw UsageError("--at and --footprint belong together");
+    }
+    if (split(options.at, ',').size() != 2) {
+        throw UsageError(fmt::format("--at = {}: must be two numbers, as in 0.25,0.5", options.at));
+    }
+}
+
+/// The square that --at and --footprint describe; the mean over the surface without them.
+PaintBrdf on_patch(const PaintBrdf& brdf, const EvalOptions& options) {
+    if (options.at.empty()) return brdf;
+    const std::vector<std::string> place = split(options.at, ',');
+    return brdf.on(parse_number("--at", place[0], brdf.place_range()),
+                   parse_number("--at", place[1], brdf.place_range()),
+                   parse_number("--footprint", options.footprint, brdf.side_range()));
+}
+
+/// What the command line says about the model, before any work is done.
+void check_model(const EvalOptions& options) {
+    const bsdf::ModelInfo& model = parse_model_settings(options.model, options.seed).info();
+    check_patch(options, model);
+    require_values(model);
+    if (parse_part<Part>(options.part) != Part::total && !model.can.parts) {
+        throw UsageError(fmt::format(
+            "--part = {}: only --model {} knows parts", options.part,
+            fmt::join(models_that([](const bsdf::ModelInfo& m) { return m.can.parts; }), ", ")));
+    }
+}
+
 ExitStatus run(const EvalOptions& options) {
-    const BrdfRequest request = parse_brdf_request(options.model, options.seed, options.part,
-                                                   options.at, options.footprint);
+    check_model(options);
     const ThreadLimit threads(options.threads);
     const Stopwatch watch;
     const std::vector<Direction> incident = parse_directions("--incident", options.incident);
     const std::vector<Direction> outgoing = parse_directions("--outgoing", options.outgoing);
-    std::optional<std::vector<double>> wanted;
+    BrdfSettings settings{.part = parse_part<Part>(options.part)};
     if (!options.wavelengths.empty()) {
-        wanted = parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
+        settings.wavelengths_nm =
+            parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
     }
-    const BrdfSource source = load_brdf(options.recipe, request, wanted, options);
-    const std::vector<double>& wavelengths = source.wavelengths_nm;
+    const Paint paint = open(options.recipe);
+    settings.model = model_for({&paint}, options.model, options.seed);
+    ProgressBar bar("prepare", options.quiet || !settings.model || !settings.model->makes_table());
+    const PaintBrdf values = on_patch(paint.brdf(settings, bar.callback()), options);
+    say_warnings(options, paint);
+    const std::vector<double>& wavelengths = values.wavelengths_nm();
     if (incident.size() * outgoing.size() * wavelengths.size() > kMaxRows) {
         throw UsageError(
             fmt::format("{} incident times {} outgoing directions times {} wavelengths are too "
@@ -49,9 +91,8 @@ ExitStatus run(const EvalOptions& options) {
     std::string table = "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf\n";
     for (const Direction& in : incident) {
         for (const Direction& out : outgoing) {
-            const std::vector<double> brdf =
-                source.brdf(in.theta_deg * kDegree, out.theta_deg * kDegree,
-                            (out.phi_deg - in.phi_deg) * kDegree);
+            const std::vector<double> brdf = values(in.theta_deg * kDegree, out.theta_deg * kDegree,
+                                                    (out.phi_deg - in.phi_deg) * kDegree);
             for (std::size_t i = 0; i < wavelengths.size(); ++i) {
                 fmt::format_to(std::back_inserter(table), "{},{},{},{},{},{:.9g}\n", in.theta_deg,
                                in.phi_deg, out.theta_deg, out.phi_deg, wavelengths[i], brdf[i]);
@@ -61,8 +102,8 @@ ExitStatus run(const EvalOptions& options) {
     emit(options, table);
     write_report(options, "eval",
                  {{"recipe", options.recipe},
-                  {"recipe_sha256", source.recipe ? io::recipe_hash(*source.recipe) : ""},
-                  {"model", source.measured ? "measured" : options.model.model},
+                  {"recipe_sha256", paint.recipe_sha256()},
+                  {"model", paint.kind() == Kind::measured_brdf ? "measured" : options.model.model},
                   {"part", options.part},
                   {"values", incident.size() * outgoing.size() * wavelengths.size()},
                   {"total_s", watch.seconds()}});

@@ -7,20 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "apps/cli/brdf_source.h"
-#include "apps/cli/measured_source.h"
 #include "apps/cli/options.h"
-#include "apps/cli/paint_source.h"
-#include "nacre/bsdf/measured/merl.h"
-#include "nacre/bsdf/measured/rgl.h"
-#include "nacre/core/error.h"
-#include "nacre/core/file.h"
+#include "apps/cli/paint_options.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
-#include "nacre/io/measured_brdf_file.h"
-#include "nacre/io/recipe_file.h"
-#include "nacre/measure/acquire.h"
-#include "nacre/models/spectral_brdf.h"
+#include "nacre/nacre.h"
 #include "nacre/paint/recipe.h"
 
 namespace nacre::cli {
@@ -36,42 +27,6 @@ struct ExportOptions : CommonOptions {
     /// Given options that only one of the formats has; the last of each.
     std::string only_rgl, only_merl;
 };
-
-/// A file to be, and the surface that it holds.
-struct Exported {
-    std::string bytes;
-    std::shared_ptr<const bsdf::Bsdf> surface;
-    bool rgb;
-};
-
-/// What is written holds one azimuth of the lamp; a surface that has more must not lose them
-/// unsaid.
-void refuse_anisotropic(const std::string& paint) {
-    const std::string bytes = read_file(paint, io::kMaxMeasuredBytes);
-    if (io::looks_like_rgl(bytes) && !io::parse_rgl(bytes, paint).isotropic()) {
-        throw InputError(fmt::format(
-            "{}: holds an anisotropic BRDF; files are written of isotropic ones only", paint));
-    }
-}
-
-/// The paint as the renderer sees it, which differs from the solver's values by less than
-/// bsdf::kMicroflakeError of the peak and is a hundred times faster: a file asks a million times.
-BrdfSource load_fast(const ExportOptions& options, const BrdfRequest& request,
-                     const std::optional<std::vector<double>>& wavelengths) {
-    refuse_anisotropic(options.paint);
-    const bool solved = answers_by_solution(request.model) &&
-                        !is_measured_brdf_file(options.paint) && !is_brdf_table(options.paint);
-    if (!solved) return load_brdf(options.paint, request, wavelengths, options);
-    const auto paint = std::make_shared<const solver::SolvedPaint>(
-        load_paint(options.paint, wavelengths, options));
-    BrdfSource source{paint->recipe, wavelengths.value_or(paint->wavelengths_nm()), {}};
-    const auto brdf = std::make_shared<const models::SpectralBrdf>(
-        *request.model.make({paint->recipe, paint, {}}), source.wavelengths_nm);
-    source.brdf = [brdf](double theta_i, double theta_o, double phi) {
-        return (*brdf)(theta_i, theta_o, phi);
-    };
-    return source;
-}
 
 measure::MerlSettings parse_cells(const std::string& text) {
     constexpr Range kCells{bsdf::kMinMerlCells, bsdf::kMaxMerlCells};
@@ -100,59 +55,44 @@ void check_format_options(const ExportOptions& options, bool rgl) {
     }
 }
 
-std::string title(const ExportOptions& options, const BrdfSource& source) {
-    const std::string name = source.recipe && !source.recipe->name.empty()
-                                 ? source.recipe->name
-                                 : std::filesystem::path(options.paint).filename().string();
-    return fmt::format("{}, {}", name, source.measured ? "measured" : options.model.model);
-}
-
-Exported acquire(const ExportOptions& options, const BrdfSource& source, bool rgl) {
-    ProgressBar bar("measure", options.quiet);
-    if (rgl) {
-        const bsdf::RglTable table =
-            measure::acquire_rgl(title(options, source), source.brdf, source.wavelengths_nm,
-                                 options.rgl, bar.callback());
-        return {io::rgl_bytes(table), std::make_shared<const bsdf::MeasuredRgl>(table),
-                options.rgl.rgb};
-    }
-    const bsdf::MerlTable table = measure::acquire_merl(source.brdf, source.wavelengths_nm,
-                                                        parse_cells(options.cells), bar.callback());
-    return {io::merl_bytes(table), std::make_shared<const bsdf::MeasuredMerl>(table), true};
-}
-
 ExitStatus run(const ExportOptions& options) {
     const bool rgl = is_rgl_name(options.output);
     check_format_options(options, rgl);
     parse_cells(options.cells);
-    const BrdfRequest request = parse_brdf_request(options.model, options.seed);
-    std::optional<std::vector<double>> wanted;
+    require_values(parse_model_settings(options.model, options.seed).info());
+    BrdfSettings settings;
     if (!options.wavelengths.empty()) {
-        wanted = parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
-        std::sort(wanted->begin(), wanted->end());
-        wanted->erase(std::unique(wanted->begin(), wanted->end()), wanted->end());
+        settings.wavelengths_nm =
+            parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
+        std::vector<double>& nm = settings.wavelengths_nm;
+        std::sort(nm.begin(), nm.end());
+        nm.erase(std::unique(nm.begin(), nm.end()), nm.end());
     }
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const BrdfSource source = load_fast(options, request, wanted);
-    const Exported made = acquire(options, source, rgl);
-    const measure::TableError error =
-        measure::table_error(*made.surface, source.brdf, source.wavelengths_nm, made.rgb);
+    const Paint paint = open(options.paint);
+    settings.model = model_for({&paint}, options.model, options.seed);
+    const Exported made = [&] {
+        ProgressBar bar("measure", options.quiet);
+        return rgl ? paint.export_rgl(options.rgl, settings, bar.callback())
+                   : paint.export_merl(parse_cells(options.cells), settings, bar.callback());
+    }();
+    say_warnings(options, paint);
     emit(options, made.bytes);
     say(options, fmt::format("{}: {} bytes, {:.1f} s; misses the BRDF by {:.2g} % of the light and "
                              "at most {:.2g} % of its peak (incidence 5 to 80 deg)",
-                             options.output, made.bytes.size(), watch.seconds(), 100 * error.flux,
-                             100 * error.peak));
+                             options.output, made.bytes.size(), watch.seconds(),
+                             100 * made.error.flux, 100 * made.error.peak));
     write_report(options, "export",
                  {{"paint", options.paint},
-                  {"recipe_sha256", source.recipe ? io::recipe_hash(*source.recipe) : ""},
-                  {"model", source.measured ? "measured" : options.model.model},
+                  {"recipe_sha256", paint.recipe_sha256()},
+                  {"model", paint.kind() == Kind::measured_brdf ? "measured" : options.model.model},
                   {"output", options.output},
                   {"format", rgl ? "rgl" : "merl"},
                   {"bytes", made.bytes.size()},
-                  {"error_of_flux", error.flux},
-                  {"error_over_peak", error.peak},
+                  {"error_of_flux", made.error.flux},
+                  {"error_over_peak", made.error.peak},
                   {"total_s", watch.seconds()}});
     return ExitStatus::ok;
 }

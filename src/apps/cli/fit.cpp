@@ -9,12 +9,14 @@
 
 #include "apps/cli/difference_table.h"
 #include "apps/cli/fit_report.h"
-#include "apps/cli/measured_sample.h"
+#include "apps/cli/instrument_options.h"
 #include "apps/cli/options.h"
+#include "apps/cli/paint_options.h"
 #include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/nacre.h"
 
 namespace nacre::cli {
 
@@ -31,27 +33,18 @@ struct FitOptions : CommonOptions {
 };
 
 /// The keys that --free means, each once; those of the recipe's table [fit] without it.
-std::vector<std::string> free_keys(const FitOptions& options, const io::RecipeFile& start) {
-    std::vector<std::string> keys;
-    if (options.free.empty()) {
-        for (const paint::ParameterBounds& bounds : start.bounds) keys.push_back(bounds.key);
-        if (keys.empty()) {
-            throw UsageError(fmt::format(
-                "--free: say which numbers of {} are free, or bound them there in a table [fit]",
-                options.start));
-        }
-        return keys;
+std::vector<std::string> free_keys(const FitOptions& options, const Paint& start) {
+    if (options.free.empty() && start.bounds().empty()) {
+        throw UsageError(fmt::format(
+            "--free: say which numbers of {} are free, or bound them there in a table [fit]",
+            options.start));
     }
-    for (const std::string& pattern : split(options.free, ',')) {
-        try {
-            for (const std::string& key : paint::matching_parameters(start.recipe, pattern)) {
-                if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-            }
-        } catch (const DomainError& error) {
-            throw UsageError(fmt::format("--free: {}: {}", options.start, error.what()));
-        }
+    try {
+        return start.free_keys(options.free.empty() ? std::vector<std::string>()
+                                                    : split(options.free, ','));
+    } catch (const DomainError& error) {
+        throw UsageError(fmt::format("--free: {}: {}", options.start, error.what()));
     }
-    return keys;
 }
 
 fit::FitOptions parse(const FitOptions& options) {
@@ -82,29 +75,38 @@ void add_lights(const FitOptions& options, const measure::Measurement& standard,
 
 ExitStatus run(const FitOptions& options) {
     fit::FitOptions how = parse(options);
-    const InstrumentRequest instrument = parse_instrument(options.instrument);
+    InstrumentRequest instrument = parse_instrument(options.instrument);
+    instrument.settings.seed = options.seed;
+    parse_model(options.model);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
-    const io::RecipeFile start = io::read_recipe_file(options.start);
-    if (start.recipe.layers.empty()) {
+    const Paint start = open(options.start);
+    if (start.recipe().layers.empty()) {
         throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
                                      options.start));
     }
-    const fit::FreeNumbers numbers(start.recipe, free_keys(options, start), start.bounds);
-    const MeasuredSample standard =
-        measure_sample(options.standard, options.model, instrument, options);
-    add_lights(options, standard.measurement, how.target);
+    const std::vector<std::string> keys = free_keys(options, start);
+    fit::FreeNumbers(start.recipe(), keys, start.bounds());  // before any work
+    const Paint standard = open(options.standard);
+    instrument.settings.model = model_for({&standard}, options.model, options.seed, true);
+    const Measurement wanted = [&] {
+        ProgressBar bar("measure", options.quiet);
+        return standard.measure(instrument.geometries, instrument.settings, bar.callback())
+            .measurement;
+    }();
+    say_warnings(options, standard);
+    add_lights(options, wanted, how.target);
 
     std::optional<ProgressBar> bar(std::in_place, "fit", options.quiet);
-    const fit::Fit found = fit::fit(standard.measurement, numbers, how, bar->callback());
+    const Match found = start.fit(wanted, keys, how, bar->callback());
     bar.reset();
 
     nlohmann::json document = fit_json(found);
-    document["standard"] = standard.path;
+    document["standard"] = standard.file();
     document["start"] = options.start;
     document["recipe_sha256"] = io::recipe_hash(found.recipe);
     if (!options.output.empty()) {
-        write_file_atomically(options.output, io::write_recipe(found.recipe, start.bounds));
+        write_file_atomically(options.output, io::write_recipe(found.recipe, start.bounds()));
     }
     CommonOptions to_stdout = options;
     to_stdout.output.clear();

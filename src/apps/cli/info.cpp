@@ -14,6 +14,7 @@
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
+#include "nacre/nacre.h"
 #include "nacre/render/scene_file.h"
 
 namespace nacre::cli {
@@ -200,24 +201,33 @@ std::string describe(const std::string& file) {
         read_file(file, std::max(io::kMaxImageFileBytes, io::kMaxMeasuredBytes));
     Facts facts;
     facts.add("file", "{}", file);
-    if (io::looks_like_solved_paint(bytes)) {
-        describe_solved_paint(facts, bytes, file);
-    } else if (io::looks_like_brdf_table(bytes)) {
-        describe_brdf_table(facts, bytes, file);
-    } else if (io::looks_like_rgl(bytes)) {
-        describe_rgl(facts, bytes, file);
-    } else if (io::looks_like_merl(bytes)) {
-        describe_merl(facts, bytes, file);
-    } else if (io::looks_like_image(bytes)) {
+    if (io::looks_like_image(bytes)) {
         describe_image(facts, bytes, file);
-    } else {
-        const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-        if (render::looks_like_scene(bytes, file)) {
-            describe_scene(facts, render::parse_scene(bytes, file, folder));
-        } else {
-            facts.add("kind", "recipe");
-            describe_recipe(facts, io::parse_recipe(bytes, file, folder));
-        }
+        return facts.text();
+    }
+    switch (kind_of(bytes)) {
+        case Kind::solved_paint:
+            describe_solved_paint(facts, bytes, file);
+            break;
+        case Kind::brdf_table:
+            describe_brdf_table(facts, bytes, file);
+            break;
+        case Kind::measured_brdf:
+            if (io::looks_like_rgl(bytes)) {
+                describe_rgl(facts, bytes, file);
+            } else {
+                describe_merl(facts, bytes, file);
+            }
+            break;
+        case Kind::measured_colours:
+        case Kind::recipe:
+            const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+            if (render::looks_like_scene(bytes, file)) {
+                describe_scene(facts, render::parse_scene(bytes, file, folder));
+            } else {
+                facts.add("kind", "recipe");
+                describe_recipe(facts, io::parse_recipe(bytes, file, folder));
+            }
     }
     return facts.text();
 }

@@ -4,57 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <set>
 
 #include "apps/cli/options.h"
 #include "nacre/core/error.h"
-#include "nacre/core/text.h"
-#include "nacre/io/geometry_file.h"
 #include "nacre/paint/recipe.h"
 
 namespace nacre::cli {
 
 namespace {
 
-constexpr const char* kDefaultSet = "byk-mac";
-
 std::vector<std::string> set_names() {
     std::vector<std::string> names;
     for (const measure::GeometrySet& set : measure::geometry_sets()) names.push_back(set.name);
     return names;
-}
-
-/// Whether a text is meant as geometries rather than as the name of a set: it starts with a digit.
-bool looks_like_list(const std::string& text) {
-    return !text.empty() && text[0] >= '0' && text[0] <= '9';
-}
-
-std::vector<measure::Geometry> parse_list(const std::string& text) {
-    std::vector<std::string> names;
-    for (const std::string& part : split(text, ',')) {
-        // The comma of "45to30,90" separates theta and phi.
-        if (!names.empty() && names.back().find("to") != std::string::npos &&
-            names.back().find(',') == std::string::npos) {
-            names.back() += "," + part;
-        } else {
-            names.push_back(part);
-        }
-    }
-    std::vector<measure::Geometry> geometries;
-    std::set<std::string> seen;
-    for (const std::string& name : names) {
-        try {
-            geometries.push_back(measure::parse_geometry(name));
-        } catch (const DomainError& error) {
-            throw UsageError(fmt::format("--geometry = {}: {}", text, error.what()));
-        }
-        if (!seen.insert(geometries.back().name).second) {
-            throw UsageError(
-                fmt::format("--geometry = {}: {} appears twice", text, geometries.back().name));
-        }
-    }
-    return geometries;
 }
 
 measure::Aperture parse_aperture(const std::string& text) {
@@ -94,23 +56,11 @@ auto parse_word(const char* option, const std::string& text, const Parse& parse)
 
 }  // namespace
 
-measure::Conditions InstrumentRequest::conditions() const {
-    measure::Conditions conditions;
-    conditions.illuminant = illuminant.value_or(conditions.illuminant);
-    conditions.observer = observer.value_or(conditions.observer);
-    conditions.aperture = aperture.value_or(conditions.aperture);
-    return conditions;
-}
-
-std::vector<measure::Geometry> InstrumentRequest::geometries_or_default() const {
-    return geometries ? *geometries : measure::find_geometry_set(kDefaultSet)->geometries;
-}
-
 void add_instrument_options(CLI::App& command, InstrumentOptions& options) {
     command.add_option("--geometry", options.geometry,
                        fmt::format("Set of angles: {}; a TOML file of a set; or a list as in "
                                    "45as15,45as110,45as25az90 [{}]",
-                                   fmt::join(set_names(), ", "), kDefaultSet));
+                                   fmt::join(set_names(), ", "), kDefaultGeometries));
     command.add_option("--illuminant", options.illuminant, "A, D50, D65, FL2, FL11 or E [D65]");
     command.add_option("--observer", options.observer, "2 or 10 degrees [10]");
     command.add_option("--aperture", options.aperture,
@@ -121,33 +71,30 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& options) {
                        "400:700:10]");
 }
 
-std::vector<measure::Geometry> parse_geometries(const std::string& text) {
-    if (const measure::GeometrySet* set = measure::find_geometry_set(text)) return set->geometries;
-    if (std::filesystem::path(text).extension() == ".toml") {
-        return io::read_geometry_set(text).geometries;
-    }
-    if (looks_like_list(text)) return parse_list(text);
-    throw UsageError(fmt::format(
-        "--geometry = {}: is no set{}; there are {}; or give a .toml file, or a list as in "
-        "45as15,45as110",
-        text, did_you_mean(text, set_names()), fmt::join(set_names(), ", ")));
-}
-
 InstrumentRequest parse_instrument(const InstrumentOptions& options) {
     InstrumentRequest request;
-    if (!options.geometry.empty()) request.geometries = parse_geometries(options.geometry);
+    MeasureSettings& settings = request.settings;
+    if (!options.geometry.empty()) request.geometries = geometries(options.geometry);
     if (!options.illuminant.empty()) {
-        request.illuminant =
+        settings.illuminant =
             parse_word("--illuminant", options.illuminant, spectra::parse_illuminant);
     }
     if (!options.observer.empty()) {
-        request.observer = parse_word("--observer", options.observer, spectra::parse_observer);
+        settings.observer = parse_word("--observer", options.observer, spectra::parse_observer);
     }
-    if (!options.aperture.empty()) request.aperture = parse_aperture(options.aperture);
+    if (!options.aperture.empty()) settings.aperture = parse_aperture(options.aperture);
     if (!options.wavelengths.empty()) {
-        request.wavelengths_nm = parse_wavelengths(options.wavelengths);
+        settings.wavelengths_nm = parse_wavelengths(options.wavelengths);
     }
     return request;
+}
+
+measure::Conditions parse_conditions(const InstrumentOptions& options) {
+    const MeasureSettings settings = parse_instrument(options).settings;
+    measure::Conditions conditions;
+    conditions.illuminant = settings.illuminant.value_or(conditions.illuminant);
+    conditions.observer = settings.observer.value_or(conditions.observer);
+    return conditions;
 }
 
 }  // namespace nacre::cli

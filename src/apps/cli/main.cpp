@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "apps/cli/options.h"
 #include "nacre/core/error.h"
 #include "nacre/core/version.h"
+#include "nacre/nacre.h"
 
 namespace {
 
@@ -22,6 +24,9 @@ ExitStatus run(const std::vector<nacre::cli::Command>& commands) {
         return ExitStatus::usage;
     } catch (const nacre::cli::UsageError& error) {
         complain(error.what());
+        return ExitStatus::usage;
+    } catch (const nacre::SettingError& error) {  // options are called like the settings
+        complain((std::string("--") + error.what()).c_str());
         return ExitStatus::usage;
     } catch (const nacre::InputError& error) {
         complain(error.what());

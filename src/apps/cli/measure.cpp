@@ -8,14 +8,15 @@
 
 #include "apps/cli/difference_table.h"
 #include "apps/cli/instrument_options.h"
-#include "apps/cli/measured_sample.h"
 #include "apps/cli/options.h"
+#include "apps/cli/paint_options.h"
 #include "apps/cli/plot_files.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/io/measurement_file.h"
 #include "nacre/measure/difference.h"
 #include "nacre/measure/measurement.h"
+#include "nacre/nacre.h"
 
 namespace nacre::cli {
 
@@ -32,23 +33,32 @@ std::vector<std::string> sampled_models() {
     return models_that([](const bsdf::ModelInfo& model) { return model.can.estimated_values; });
 }
 
+/// A panel, and what was read on it.
+struct Sample {
+    Paint paint;
+    std::string model;  ///< empty: measured
+    Readings readings;
+
+    const Measurement& measurement() const { return readings.measurement; }
+};
+
 /// What a person wants to read at once.
-void say_summary(const MeasureOptions& options, const MeasuredSample& sample) {
-    const auto flop = measure::flop_index(sample.measurement);
-    const measure::ColourTravel travel = measure::colour_travel(sample.measurement);
-    std::string line = sample.measurement.name + ": ";
+void say_summary(const MeasureOptions& options, const Sample& sample) {
+    const auto flop = measure::flop_index(sample.measurement());
+    const measure::ColourTravel travel = measure::colour_travel(sample.measurement());
+    std::string line = sample.measurement().name + ": ";
     line += flop ? fmt::format("flop index {:.2f}", *flop) : "no flop index";
     if (travel.path.size() > 1) line += fmt::format(", colour travel {:.1f}", travel.length);
     say(options, line);
 }
 
-nlohmann::json sample_json(const MeasuredSample& sample) {
-    nlohmann::json document = io::measurement_json(sample.measurement);
-    document["file"] = sample.path;
-    document["recipe_sha256"] = sample.recipe_sha256;
+nlohmann::json sample_json(const Sample& sample) {
+    nlohmann::json document = io::measurement_json(sample.measurement());
+    document["file"] = sample.paint.file();
+    document["recipe_sha256"] = sample.paint.recipe_sha256();
     document["model"] = sample.model;
-    for (std::size_t i = 0; i < sample.standard_error.size(); ++i) {
-        document["readings"][i]["standard_error"] = sample.standard_error[i];
+    for (std::size_t i = 0; i < sample.readings.standard_error.size(); ++i) {
+        document["readings"][i]["standard_error"] = sample.readings.standard_error[i];
     }
     return document;
 }
@@ -57,10 +67,10 @@ std::string dumped(const nlohmann::json& document) {
     return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-ExitStatus compare(const MeasureOptions& options, const MeasuredSample& sample,
-                   const MeasuredSample& standard, const Stopwatch& watch) {
+ExitStatus compare(const MeasureOptions& options, const Sample& sample, const Sample& standard,
+                   const Stopwatch& watch) {
     const measure::Difference difference = measure::difference(
-        standard.measurement, sample.measurement, parse_weights(options.weights));
+        standard.measurement(), sample.measurement(), parse_weights(options.weights));
     nlohmann::json document = difference_json(difference);
     if (options.format == "json") {
         nlohmann::json whole = document;
@@ -72,15 +82,15 @@ ExitStatus compare(const MeasureOptions& options, const MeasuredSample& sample,
     }
     if (!options.plots.empty()) {
         write_plots(options.plots,
-                    datasheet::measurement_plots(sample.measurement, &standard.measurement));
+                    datasheet::measurement_plots(sample.measurement(), &standard.measurement()));
     }
     say_summary(options, sample);
     say_summary(options, standard);
     say(options, fmt::format("Delta E 2000 over {} angles: mean {:.2f}, greatest {:.2f}",
                              difference.angles.size(), difference.mean_delta_e_2000,
                              difference.max_delta_e_2000));
-    document["sample"] = sample.path;
-    document["standard"] = standard.path;
+    document["sample"] = sample.paint.file();
+    document["standard"] = standard.paint.file();
     document["total_s"] = watch.seconds();
     write_report(options, "measure", document);
     return ExitStatus::ok;
@@ -95,23 +105,32 @@ ExitStatus run(const MeasureOptions& options) {
     }
     parse_weights(options.weights);
     InstrumentRequest instrument = parse_instrument(options.instrument);
+    const bsdf::ModelInfo& model = parse_model(options.model);
     if (options.samples) {
-        if (!parse_model(options.model).can.estimated_values) {
+        if (!model.can.estimated_values) {
             throw UsageError(
                 fmt::format("--samples belongs to --model {}; other models are not sampled",
                             fmt::join(sampled_models(), ", ")));
         }
-        instrument.walks = *options.samples;
+        instrument.settings.walks = *options.samples;
     }
+    instrument.settings.seed = options.seed;
+    const auto sample_of = [&](const Paint& paint, Readings readings) {
+        say_warnings(options, paint);
+        return Sample{paint, paint.is_measured() ? std::string() : options.model.model,
+                      std::move(readings)};
+    };
+    const Paint paint = open(options.sample);
 
     if (options.versus.empty()) {
-        const MeasuredSample sample =
-            measure_sample(options.sample, options.model, instrument, options);
-        emit(options, options.format == "json"
-                          ? dumped(sample_json(sample))
-                          : io::measurement_csv(sample.measurement, sample.standard_error));
+        instrument.settings.model = model_for({&paint}, options.model, options.seed, true);
+        ProgressBar bar("measure", options.quiet);
+        const Sample sample = sample_of(
+            paint, paint.measure(instrument.geometries, instrument.settings, bar.callback()));
+        emit(options,
+             options.format == "json" ? dumped(sample_json(sample)) : sample.readings.csv());
         if (!options.plots.empty()) {
-            write_plots(options.plots, datasheet::measurement_plots(sample.measurement));
+            write_plots(options.plots, datasheet::measurement_plots(sample.measurement()));
         }
         say_summary(options, sample);
         nlohmann::json report = sample_json(sample);
@@ -119,9 +138,13 @@ ExitStatus run(const MeasureOptions& options) {
         write_report(options, "measure", report);
         return ExitStatus::ok;
     }
-    const auto [sample, standard] =
-        measure_both(options.sample, options.versus, options.model, instrument, options);
-    return compare(options, sample, standard, watch);
+    const Paint versus = open(options.versus);
+    instrument.settings.model = model_for({&paint, &versus}, options.model, options.seed, true);
+    ProgressBar bar("measure", options.quiet);
+    auto [sample, standard] =
+        measure_alike(paint, versus, instrument.geometries, instrument.settings, bar.callback());
+    return compare(options, sample_of(paint, std::move(sample)),
+                   sample_of(versus, std::move(standard)), watch);
 }
 
 }  // namespace

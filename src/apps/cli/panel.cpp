@@ -5,15 +5,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "apps/cli/brdf_source.h"
-#include "apps/cli/measured_sample.h"
-#include "apps/cli/measured_source.h"
+#include "apps/cli/instrument_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/paint_source.h"
+#include "apps/cli/paint_options.h"
 #include "apps/datasheet/datasheet.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
+#include "nacre/nacre.h"
 #include "nacre/render/builtin_scenes.h"
 
 namespace nacre::cli {
@@ -21,6 +20,7 @@ namespace nacre::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Look = std::shared_ptr<const bsdf::Bsdf>;
 
 struct PanelOptions : CommonOptions {
     std::string recipe, versus;
@@ -48,14 +48,15 @@ Quality quality_of(const PanelOptions& options) {
 }
 
 /// Draws with a progress bar.
-report::Picture picture(const PanelOptions& options, const PaintSurface& paint,
-                        const std::string& caption, const datasheet::PictureSettings& settings) {
+report::Picture picture(const PanelOptions& options, const Look& look, const std::string& caption,
+                        const datasheet::PictureSettings& settings) {
     ProgressBar bar(settings.scene, options.quiet);
-    return {caption, datasheet::painted_picture(paint.surface, settings, bar.callback())};
+    return {caption, datasheet::painted_picture(look, settings, bar.callback())};
 }
 
-std::vector<report::Picture> pictures(const PanelOptions& options, const PaintSurface& sample,
-                                      const Quality& quality) {
+/// @param standard  null: not to be drawn
+std::vector<report::Picture> pictures(const PanelOptions& options, const Look& sample,
+                                      const Look& standard, const Quality& quality) {
     const datasheet::PictureSettings small{.scene = "sphere",
                                            .width = quality.small_side,
                                            .height = quality.small_side,
@@ -65,79 +66,93 @@ std::vector<report::Picture> pictures(const PanelOptions& options, const PaintSu
     large.scene = options.scene;
     large.width = quality.large_width;
     large.height = quality.large_height;
-    const bool compares = !options.versus.empty() && !is_measured_file(options.versus);
     std::vector<report::Picture> all = {
         picture(options, sample, "", large),
-        picture(options, sample, compares ? "Sample, ball of 100 mm" : "Ball of 100 mm", small)};
-    if (compares) {
-        const PaintSurface standard =
-            is_measured_brdf_file(options.versus)
-                ? load_surface(options.versus, models::default_model(), options)
-                : load_surface(options.versus, parse_model_settings(options.model, options.seed),
-                               options);
-        all.push_back(picture(options, standard, "Standard", small));
-    }
+        picture(options, sample, standard ? "Sample, ball of 100 mm" : "Ball of 100 mm", small)};
+    if (standard) all.push_back(picture(options, standard, "Standard", small));
     return all;
 }
 
-measure::SparkleMeasurement sparkle(const PanelOptions& options, const PaintSurface& paint,
+measure::SparkleMeasurement sparkle(const PanelOptions& options, const Look& look,
                                     const Quality& quality) {
     ProgressBar bar("sparkle", options.quiet);
-    return measure::measure_pictures(
-        quality.camera, measure::take_pictures(*paint.surface, quality.camera, bar.callback()));
+    return measure_sparkle(*look, {quality.camera}, bar.callback()).measurement;
 }
 
+/// What can be said before a minute of work.
 void check_choices(const PanelOptions& options) {
     if (fs::path(options.output).extension() != ".html") {
         throw UsageError(fmt::format("--output = {}: must end in .html", options.output));
     }
     const fs::path folder = fs::path(options.output).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder)) {  // known before a minute of work
+    if (!folder.empty() && !fs::is_directory(folder)) {
         throw InputError(fmt::format("{}: there is no such folder", folder.string()));
     }
     render::builtin_scene(options.scene);  // throws if there is none
-    if (is_measured_file(options.recipe) || is_measured_brdf_file(options.recipe)) {
+}
+
+/// @throws InputError if the file holds no paint
+Paint open_panel(const std::string& file) {
+    const Paint paint = open(file);
+    if (paint.is_measured()) {
         throw InputError(fmt::format(
             "{}: holds measured values; a panel report needs a recipe, for its pictures and its "
             "composition",
-            options.recipe));
+            file));
     }
+    return paint;
+}
+
+/// How the paint that the sample is held against looks; null where it has only colours.
+Look standard_look(const std::optional<Paint>& standard, const bsdf::Model& model) {
+    if (!standard || standard->kind() == Kind::measured_colours) return nullptr;
+    if (standard->is_measured()) return standard->appearance();
+    return standard->appearance(model);
 }
 
 ExitStatus run(const PanelOptions& options) {
-    const bsdf::Model model = parse_brdf_request(options.model, options.seed).model;
-    const InstrumentRequest instrument = parse_instrument(options.instrument);
+    const bsdf::Model model = parse_model_settings(options.model, options.seed);
+    require_values(model.info());
+    InstrumentRequest instrument = parse_instrument(options.instrument);
+    instrument.settings.model = model;
     check_choices(options);
+    const Paint paint = open_panel(options.recipe);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
 
-    const PaintSurface paint = load_surface(options.recipe, model, options);
-    if (!paint.recipe) {
+    const Look look = paint.appearance(model);
+    say_warnings(options, paint);
+    if (!paint.has_recipe()) {
         throw InputError(
             fmt::format("{}: does not say what the paint is made of; a panel report needs a recipe",
                         options.recipe));
     }
     datasheet::PanelReport page;
     page.model = &model.info();
-    page.recipe = *paint.recipe;
+    page.recipe = paint.recipe();
     page.recipe_sha256 = paint.recipe_sha256();
+    std::optional<Paint> versus;
     if (options.versus.empty()) {
+        ProgressBar bar("measure", options.quiet);
         page.sample =
-            measure_sample(options.recipe, options.model, instrument, options).measurement;
+            paint.measure(instrument.geometries, instrument.settings, bar.callback()).measurement;
     } else {
-        auto [sample, standard] =
-            measure_both(options.recipe, options.versus, options.model, instrument, options);
+        versus = open(options.versus);
+        ProgressBar bar("measure", options.quiet);
+        auto [sample, standard] = measure_alike(paint, *versus, instrument.geometries,
+                                                instrument.settings, bar.callback());
+        say_warnings(options, *versus);
         page.sample = std::move(sample.measurement);
         const measure::Difference difference =
             measure::difference(standard.measurement, page.sample);
         page.standard = datasheet::PanelStandard{std::move(standard.measurement), difference,
-                                                 standard.model.empty()};
+                                                 versus->is_measured()};
     }
     page.title = page.sample.name;
     const Quality quality = quality_of(options);
-    if (model.info().can.sparkle) page.sparkle = sparkle(options, paint, quality);
-    page.pictures = pictures(options, paint, quality);
+    if (model.info().can.sparkle) page.sparkle = sparkle(options, look, quality);
+    page.pictures = pictures(options, look, standard_look(versus, model), quality);
     emit(options, datasheet::panel_report_html(page));
 
     say(options, options.output);

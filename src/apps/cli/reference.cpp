@@ -9,10 +9,10 @@
 
 #include "apps/cli/brdf_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/paint_source.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/nacre.h"
 #include "nacre/paint/recipe.h"
 
 namespace nacre::cli {
@@ -37,7 +37,7 @@ ExitStatus run(const ReferenceOptions& options) {
     if (rows > kMaxRows) {
         throw UsageError(fmt::format("{} rows are too many: at most {}", rows, kMaxRows));
     }
-    const paint::Recipe recipe = load_recipe(options.recipe);
+    const paint::Recipe recipe = open(options.recipe).recipe();
     std::vector<montecarlo::Estimate> estimates;
     {
         ProgressBar bar("reference", options.quiet);

@@ -1,27 +1,20 @@
-#include "nacre/render/render.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <deque>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "apps/cli/measured_source.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/paint_source.h"
+#include "apps/cli/paint_options.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
-#include "nacre/io/recipe_file.h"
+#include "nacre/render.h"
 #include "nacre/render/builtin_scenes.h"
-#include "nacre/render/render_image.h"
-#include "nacre/render/scene_file.h"
 
 namespace nacre::cli {
 
@@ -56,149 +49,66 @@ void parse_size(const std::string& text, render::RenderOptions& options) {
         fmt::format("--size = {}: must be WIDTHxHEIGHT in whole pixels, as in 512x512", text));
 }
 
-/// A scene file, or a built-in scene by its name; a file of that name comes first.
-render::SceneDescription load_scene(const std::string& name) {
-    if (fs::exists(name) || fs::path(name).has_extension()) return render::read_scene(name);
-    return render::builtin_scene(name);
-}
-
-/// What a paint lies on, for models that must know it.
-std::vector<bsdf::PaintedShape> painted_shapes(const render::SceneDescription& scene,
-                                               const std::string& material) {
-    using Kind = bsdf::PaintedShape::Kind;
-    std::vector<bsdf::PaintedShape> shapes;
-    for (const render::Shape& shape : scene.shapes) {
-        if (shape.material != material) continue;
-        const double scale = shape.transform.scale;
-        if (const auto* sphere = std::get_if<render::Sphere>(&shape.geometry)) {
-            shapes.push_back({.kind = Kind::sphere, .radius_mm = sphere->radius_mm * scale});
-        } else if (const auto* panel = std::get_if<render::FlatPanel>(&shape.geometry)) {
-            shapes.push_back({.kind = Kind::panel,
-                              .width_mm = scale * panel->width_mm,
-                              .height_mm = scale * panel->height_mm});
-        } else {
-            shapes.push_back({});
-        }
-    }
-    return shapes;
-}
-
-/// Makes each paint once for all materials that it is on.
-class PaintMaker {
- public:
-    explicit PaintMaker(const RenderCommandOptions& options)
-        : options_(options), model_(parse_model_settings(options.model, options.seed)) {}
-
-    const PaintSurface& make(const render::SceneDescription& scene, const std::string& material,
-                             const fs::path& path) {
-        if (is_measured_brdf_file(path)) return made(path, models::default_model());
-        model_used_ = true;
-        bsdf::Model model = model_;
-        try {
-            model.lie_on(material, painted_shapes(scene, material));
-        } catch (const DomainError& error) {
-            throw UsageError(fmt::format("{}: {}", choice_of(model.info()), error.what()));
-        }
-        return made(path, model);
-    }
-
-    /// Whether a recipe was among them.
-    bool model_used() const { return model_used_; }
-
- private:
-    const PaintSurface& made(const fs::path& path, const bsdf::Model& model) {
-        for (const Made& known : made_) {
-            if (known.path == path && known.model == model) return known.paint;
-        }
-        made_.push_back({path, model, load_surface(path, model, options_)});
-        return made_.back().paint;
-    }
-
-    const RenderCommandOptions& options_;
-    bsdf::Model model_;
-    bool model_used_ = false;
-    struct Made {
-        fs::path path;
-        bsdf::Model model;
-        PaintSurface paint;
-    };
-    std::deque<Made> made_;  // keeps what was handed out in its place
-};
-
-/// Every paint of the scene, the slot without a recipe being filled by --paint.
-struct Paints {
-    render::PaintTable table;
-    std::map<std::string, std::string> recipe_sha256;  // by name of the material
-    bool model_used = false;                           // false: all are measured
-};
-
 /// What --brdf names must be a measured BRDF, and no model has a part in it.
-void check_brdf(const RenderCommandOptions& options) {
-    if (options.brdf.empty()) return;
+std::optional<Paint> open_brdf(const RenderCommandOptions& options) {
+    if (options.brdf.empty()) return std::nullopt;
     if (!options.paint.empty()) throw UsageError("--paint and --brdf exclude each other");
-    if (!is_measured_brdf_file(options.brdf)) {
+    Paint brdf = open(options.brdf);
+    if (brdf.kind() != Kind::measured_brdf) {
         throw InputError(fmt::format(
             "{}: holds no measured BRDF, neither of the RGL database (.bsdf) nor of MERL "
             "(.binary); recipes go with --paint",
             options.brdf));
     }
+    return brdf;
 }
 
-Paints make_paints(const render::SceneDescription& scene, const RenderCommandOptions& options) {
-    Paints paints;
-    PaintMaker maker(options);
-    bool slot_found = false;
-    for (const auto& [name, material] : scene.materials) {
-        const auto* description = std::get_if<render::PaintMaterial>(&material);
-        if (!description) continue;
-        const bool is_slot = description->recipe.empty();
-        slot_found |= is_slot;
-        const std::string& slot = options.brdf.empty() ? options.paint : options.brdf;
-        const fs::path path = is_slot ? fs::path(slot) : description->recipe;
-        if (path.empty()) {
-            throw UsageError(fmt::format(
-                "the material {} of the scene {} has no recipe: name one with --paint, or "
-                "a measured BRDF with --brdf",
-                name, options.scene));
-        }
-        const PaintSurface& paint = maker.make(scene, name, path);
-        paints.table[name] = paint.surface;
-        if (paint.recipe) paints.recipe_sha256[name] = paint.recipe_sha256();
+/// The paint for materials without a recipe, if there are any: --brdf, or --paint.
+std::optional<Paint> paint_for_slots(const render::SceneDescription& description,
+                                     const RenderCommandOptions& options,
+                                     std::optional<Paint> brdf) {
+    const std::vector<std::string> slots = paint_slots(description);
+    if (!brdf && options.paint.empty()) {
+        if (slots.empty()) return std::nullopt;
+        throw UsageError(
+            fmt::format("the material {} of the scene {} has no recipe: name one with --paint, or "
+                        "a measured BRDF with --brdf",
+                        slots[0], options.scene));
     }
-    if (!(options.paint.empty() && options.brdf.empty()) && !slot_found) {
+    if (slots.empty()) {
         throw UsageError(fmt::format("{} = {}: the scene {} has no material without a recipe",
-                                     options.brdf.empty() ? "--paint" : "--brdf",
-                                     options.brdf.empty() ? options.paint : options.brdf,
-                                     options.scene));
+                                     brdf ? "--brdf" : "--paint",
+                                     brdf ? options.brdf : options.paint, options.scene));
     }
-    paints.model_used = maker.model_used();
-    if (!paints.model_used && !paints.table.empty()) {
-        refuse_model_of_measured(options.model.model_given, options.model.model,
-                                 "every material of the scene " + options.scene);
-        if (parse_model_settings(options.model, options.seed).makes_table()) {
-            throw UsageError(
-                fmt::format("--table = {}: every material of the scene {} holds a measured BRDF; "
-                            "tables are made of recipes",
-                            options.model.value("--table"), options.scene));
-        }
-    }
-    return paints;
+    return brdf ? brdf : open(options.paint);
 }
 
-/// A picture of measured surfaces alone owes nothing to a model.
-std::string model_name(const RenderCommandOptions& options, const Paints& paints) {
-    return paints.model_used || paints.table.empty() ? options.model.model : "measured";
+Scene painted_scene(const RenderCommandOptions& options) {
+    const bsdf::Model model = parse_model_settings(options.model, options.seed);
+    std::optional<Paint> brdf = open_brdf(options);
+    render::SceneDescription description = find_scene(options.scene);
+    std::optional<Paint> slot = paint_for_slots(description, options, std::move(brdf));
+    ProgressBar bar("prepare", options.quiet || !model.makes_table());
+    try {
+        return Scene(std::move(description), {std::move(slot), model}, bar.callback());
+    } catch (const SettingError& error) {  // where the model does not go
+        if (error.setting() != "model") throw;
+        throw UsageError(fmt::format("{}: {}", choice_of(model.info()), error.reason()));
+    }
 }
 
-std::map<std::string, std::string> metadata(const RenderCommandOptions& options,
-                                            const Paints& paints) {
-    std::map<std::string, std::string> data = {{"nacre:scene", options.scene},
-                                               {"nacre:model", model_name(options, paints)},
-                                               {"nacre:seed", fmt::format("{}", options.seed)}};
-    for (const auto& [name, hash] : paints.recipe_sha256) {
-        data["nacre:recipe_sha256:" + name] = hash;
+/// Where every paint is a measured BRDF, no model has a part in the picture.
+void check_model(const RenderCommandOptions& options, const Scene& scene) {
+    if (scene.paints().empty() || scene.shows_model()) return;
+    if (options.model.model_given) {
+        refuse_model(options.model.model, "every material of the scene " + options.scene);
     }
-    return data;
+    if (parse_model_settings(options.model, options.seed).makes_table()) {
+        throw UsageError(
+            fmt::format("--table = {}: every material of the scene {} holds a measured BRDF; "
+                        "tables are made of recipes",
+                        options.model.value("--table"), options.scene));
+    }
 }
 
 ExitStatus run(RenderCommandOptions options) {
@@ -214,17 +124,17 @@ ExitStatus run(RenderCommandOptions options) {
     const InterruptHandler interrupt;
     const Stopwatch watch;
 
-    check_brdf(options);
-    const render::SceneDescription description = load_scene(options.scene);
-    const Paints paints = make_paints(description, options);
-    const render::Scene scene(description, paints.table);
+    const Scene scene = painted_scene(options);
+    for (const Paint& paint : scene.paints()) say_warnings(options, paint);
+    check_model(options, scene);
     const double prepare_s = watch.seconds();
-    render::RenderResult result;
-    {
+    Picture picture = [&] {
         ProgressBar bar("render", options.quiet);
-        result = render::render(scene, options.render, bar.callback());
-    }
-    const io::Image image = render::image_of(result, metadata(options, paints));
+        return scene.render(options.render, bar.callback());
+    }();
+    const render::RenderResult& result = picture.result;
+    picture.metadata["nacre:scene"] = options.scene;
+    const io::Image image = picture.image();
     io::write_exr(exr, image);
     io::write_png(png, image, options.tone_map);
 
@@ -236,8 +146,8 @@ ExitStatus run(RenderCommandOptions options) {
                              result.samples, duration_text(result.seconds), msamples_per_s));
     write_report(options, "render",
                  {{"scene", options.scene},
-                  {"model", model_name(options, paints)},
-                  {"recipe_sha256", paints.recipe_sha256},
+                  {"model", scene.model_name()},
+                  {"recipe_sha256", scene.recipe_sha256()},
                   {"output", {exr.string(), png.string()}},
                   {"width", result.width},
                   {"height", result.height},

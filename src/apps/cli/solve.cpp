@@ -6,12 +6,10 @@
 
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/paint_source.h"
+#include "apps/cli/paint_options.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
-#include "nacre/io/brdf_table_file.h"
-#include "nacre/io/recipe_file.h"
-#include "nacre/io/solved_paint_file.h"
+#include "nacre/nacre.h"
 #include "nacre/paint/recipe.h"
 
 namespace nacre::cli {
@@ -27,11 +25,10 @@ struct SolveOptions : CommonOptions {
 
 /// The solved paint, or (--table raw or svd) the RGB table that is made of it.
 std::string solution_bytes(const SolveOptions& options, const bsdf::Model& model,
-                           const solver::SolvedPaint& paint) {
-    if (!model.makes_table()) return io::solved_paint_bytes(paint);
+                           const Paint& paint, const SolveSettings& settings) {
+    if (!model.makes_table()) return paint.export_solved(settings);
     ProgressBar bar("tabulate", options.quiet);
-    return std::visit([](const auto& t) { return io::brdf_table_bytes(*t); },
-                      *model.make_table(paint, bar.callback()));
+    return paint.export_table(model, settings, bar.callback());
 }
 
 ExitStatus run(const SolveOptions& options) {
@@ -39,25 +36,27 @@ ExitStatus run(const SolveOptions& options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const solver::SolvedPaint paint =
-        load_paint(options.recipe,
-                   parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength),
-                   options, options.settings);
+    const SolveSettings settings{
+        parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength),
+        options.settings};
+    const Paint paint = open(options.recipe);
+    const auto solved = paint.solved(settings);
+    say_warnings(options, paint);
     const double solve_s = watch.seconds();
-    const std::string bytes = solution_bytes(options, model, paint);
+    const std::string bytes = solution_bytes(options, model, paint, settings);
     emit(options, bytes);
-    const solver::SolverReport& report = paint.report;
+    const solver::SolverReport& report = solved->report;
     say(options,
         fmt::format("{}: {} wavelengths, {} + {} nodes, {} orders, {:.0f} ms, {} bytes",
-                    options.output, paint.wavelengths_nm().size(), report.exit_nodes,
+                    options.output, solved->wavelengths_nm().size(), report.exit_nodes,
                     report.inner_nodes, report.orders, 1000 * watch.seconds(), bytes.size()));
     write_report(options, "solve",
                  {{"recipe", options.recipe},
-                  {"recipe_sha256", io::recipe_hash(paint.recipe)},
+                  {"recipe_sha256", paint.recipe_sha256()},
                   {"output", options.output},
                   {"table", options.model.value("--table")},
                   {"bytes", bytes.size()},
-                  {"wavelengths_nm", paint.wavelengths_nm()},
+                  {"wavelengths_nm", solved->wavelengths_nm()},
                   {"exit_nodes", report.exit_nodes},
                   {"inner_nodes", report.inner_nodes},
                   {"orders", report.orders},

@@ -8,16 +8,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "apps/cli/brdf_source.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/paint_source.h"
+#include "apps/cli/paint_options.h"
 #include "apps/study/gallery.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/io/panel_image.h"
 #include "nacre/measure/sparkle_measurement.h"
+#include "nacre/nacre.h"
 
 namespace nacre::cli {
 namespace {
@@ -94,7 +94,7 @@ json json_of(const std::optional<Estimate>& estimate, double scale = 1) {
             {"standard_error", scale * estimate->standard_error}};
 }
 
-json json_of(const SparkleOptions& options, const PaintSurface& paint,
+json json_of(const SparkleOptions& options, const Paint& paint,
              const measure::SparkleMeasurement& measurement) {
     const measure::SparkleCamera& camera = options.camera;
     json readings = json::array();
@@ -168,12 +168,15 @@ ExitStatus run(SparkleOptions options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const PaintSurface paint = load_surface(options.recipe, model, options);
+    const Paint paint = open(options.recipe);
+    refuse_measured_brdf(paint);
+    const auto look = paint.appearance(model);
+    say_warnings(options, paint);
     const double solved_s = watch.seconds();
     measure::PanelPictures pictures;
     {
         ProgressBar bar("sparkle", options.quiet);
-        pictures = measure::take_pictures(*paint.surface, options.camera, bar.callback());
+        pictures = measure::take_pictures(*look, options.camera, bar.callback());
     }
     const double seen_s = watch.seconds();
     if (!pictures.flakes_resolved) {

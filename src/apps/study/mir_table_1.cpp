@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "apps/study/mir_2022.h"
 #include "nacre/bsdf/models/microflake.h"

@@ -18,7 +18,8 @@ std::vector<std::string> Paint::free_keys(const std::vector<std::string>& patter
     if (patterns.empty()) {
         for (const paint::ParameterBounds& b : bounds()) keys.push_back(b.key);
         if (keys.empty()) {
-            throw DomainError("no free numbers: name their keys, or bound them in a table [fit]");
+            throw SettingError("keys",
+                               "say which numbers are free, or bound them in a table [fit]");
         }
     }
     return keys;

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <numbers>
 #include <thread>
 
 #include "nacre/core/file.h"
@@ -161,7 +164,11 @@ TEST_F(Files, AFileIsReadOnce) {
         const Paint paint = open(path);
         fs::remove(path);
         EXPECT_EQ(paint.kind(), kind);
-        if (paint.has_recipe()) EXPECT_NE(paint.solved(), nullptr) << name;
+        if (kind == Kind::measured_colours) {
+            EXPECT_FALSE(paint.measure().measurement.readings.empty()) << name;
+        } else {
+            EXPECT_NE(paint.appearance(), nullptr) << name;
+        }
     }
 }
 
@@ -239,6 +246,173 @@ TEST(Solving, WarnsOfWhatItCouldNotResolve) {
     EXPECT_THAT(warnings[0].message, HasSubstr("recipe: 12 + 8 nodes miss"));
 }
 
+TEST(Appearance, EveryKindIsShownAsWhatItIs) {
+    int shown = 0;
+    for (const auto& [name, kind, bytes] : samples()) {
+        const Paint paint = open_text(bytes, name);
+        if (kind == Kind::measured_colours) {
+            EXPECT_THAT(message_of<InputError>([&] { paint.appearance(); }),
+                        HasSubstr(name + ": holds measured colours"));
+            continue;
+        }
+        ++shown;
+        const PaintBrdf brdf = paint.brdf({.wavelengths_nm = {450, 550, 650}});
+        const std::vector<double> values = brdf(0.6, 0.5, std::numbers::pi);
+        ASSERT_EQ(values.size(), 3u);
+        for (double value : values) EXPECT_TRUE(value >= 0 && std::isfinite(value)) << name;
+        // A copy gives the same bits, in another thread too.
+        std::vector<double> elsewhere;
+        std::thread([&, copy = paint] {
+            elsewhere = copy.brdf({.wavelengths_nm = {450, 550, 650}})(0.6, 0.5, std::numbers::pi);
+        }).join();
+        EXPECT_EQ(elsewhere, values) << name;
+    }
+    EXPECT_EQ(shown, 6);
+}
+
+TEST(Appearance, IsMadeOnceForAllWhoHoldIt) {
+    const Paint paint(fit::testing::pearl());
+    const auto look = paint.appearance(NacreModel{.specimen = 1});
+    EXPECT_EQ(Paint(paint).appearance(NacreModel{.specimen = 1}), look);
+    EXPECT_NE(paint.appearance(NacreModel{.specimen = 2}), look);
+    EXPECT_NE(paint.appearance(), look);
+}
+
+TEST(Appearance, RefusesWhatDoesNotFit) {
+    const Paint measured = open_text(samples()[4].bytes, "m.bsdf");
+    EXPECT_THAT(message_of<InputError>([&] { measured.appearance(NacreModel{}); }),
+                HasSubstr("m.bsdf: holds a measured BRDF, which is shown as it was measured"));
+    EXPECT_THAT(message_of<SettingError>([&] { measured.brdf({.part = Part::single}); }),
+                HasSubstr("part: m.bsdf holds a measured BRDF, which has no parts"));
+    const Paint raw = open_text(samples()[2].bytes, "raw.h5");
+    EXPECT_THAT(message_of<InputError>([&] { raw.appearance(NacreModel{}); }),
+                HasSubstr("raw.h5: holds a table of a BRDF"));
+    EXPECT_THAT(message_of<InputError>([&] { raw.appearance(ThinFilmModel{}); }),
+                HasSubstr("raw.h5: holds a table of a BRDF; a recipe is needed here"));
+    const MicroflakeModel svd{.table = MicroflakeModel::Table::svd};
+    EXPECT_EQ(message_of<SettingError>([&] { raw.appearance(svd); }),
+              "table = svd: raw.h5 holds a table of the kind raw");
+    const Paint pearl = open_text(samples()[0].bytes, "pearl.toml");
+    EXPECT_THAT(message_of<InputError>([&] { pearl.appearance(ThinFilmModel{}); }),
+                HasSubstr("pearl.toml: microfacet: is missing"));
+    EXPECT_EQ(message_of<SettingError>([&] { pearl.brdf({.model = WalkModel{}}); }),
+              "model = walk: follows light and has no values to give");
+    EXPECT_THAT(message_of<SettingError>([&] { pearl.brdf().on(0, 0, 1); }),
+                HasSubstr("the surface is alike everywhere"));
+}
+
+TEST(Appearance, TheSolutionAnswersInDoublePrecisionTheRendererNearlySo) {
+    const Paint paint(fit::testing::pearl());
+    const PaintBrdf exact = paint.brdf(), fast = paint.brdf({.as_rendered = true});
+    const auto solved = paint.solved();
+    EXPECT_EQ(exact.wavelengths_nm(), fast.wavelengths_nm());
+    const std::vector<double> a = exact(0.5, 0.7, 2.5), b = fast(0.5, 0.7, 2.5);
+    EXPECT_EQ(a, solved->brdf(0.5, 0.7, 2.5));
+    EXPECT_NE(a, b);
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 0.01 * a[i]);
+    const std::vector<double> single = paint.brdf({.part = Part::single})(0.5, 0.7, 2.5);
+    EXPECT_EQ(single, solved->brdf(0.5, 0.7, 2.5, Part::single));
+}
+
+TEST(Appearance, PatchesShowTheirOwnFlakes) {
+    const PaintBrdf mean =
+        Paint(fit::testing::pearl()).brdf({.model = NacreModel{}, .wavelengths_nm = {550}});
+    const auto at = [&](double x) { return mean.on(x, 0, 2)(0.3, 0.3, std::numbers::pi)[0]; };
+    EXPECT_NE(at(0), at(5));
+    EXPECT_EQ(at(5), at(5));
+    EXPECT_THAT(message_of<SettingError>([&] { mean.on(0, 0, -1); }),
+                HasSubstr("side = -1: must be a number in (0, 10000] mm"));
+}
+
+TEST(Measuring, ReadsWhatTheInstrumentReads) {
+    const Readings readings = Paint(fit::testing::pearl()).measure();
+    EXPECT_EQ(readings.measurement, fit::testing::read(fit::testing::pearl()));
+    // And as a file: colours that are measured again by picking them.
+    const Paint colours = open_text(readings.csv(), "pearl.csv");
+    EXPECT_EQ(colours.kind(), Kind::measured_colours);
+    EXPECT_EQ(colours.measure().measurement, readings.measurement);
+    const Readings two =
+        colours.measure(geometries("45as45,45as15"), {.illuminant = Illuminant::A});
+    ASSERT_EQ(two.measurement.readings.size(), 2u);
+    EXPECT_EQ(two.measurement.readings[0].geometry.name, "45as45");
+    EXPECT_EQ(two.measurement.readings[0].lab,
+              Paint(fit::testing::pearl())
+                  .measure(geometries("45as45"), {.illuminant = Illuminant::A})
+                  .measurement.readings[0]
+                  .lab);
+    EXPECT_THAT(message_of<InputError>([&] { colours.measure(geometries("15as15")); }),
+                HasSubstr("pearl.csv: has no reading at 15as15"));
+    EXPECT_THAT(message_of<InputError>([&] {
+                    colours.measure({}, {.aperture = Aperture{1, 1}});
+                }),
+                HasSubstr("pearl.csv: was measured with half angles of 0 and 0 deg"));
+    EXPECT_EQ(message_of<SettingError>([] { geometries("byk-mc"); }).substr(0, 48),
+              "geometry = byk-mc: is no set (did you mean 'byk-");
+    EXPECT_EQ(message_of<SettingError>([] { geometries("45as15,45as15"); }),
+              "geometry = 45as15,45as15: 45as15 appears twice");
+}
+
+TEST(Measuring, WalksEstimateWhatTheSolverSays) {
+    const Paint paint(fit::testing::pearl());
+    const std::vector<Geometry> angles = geometries("45as25,45as75");
+    const MeasureSettings walk{
+        .model = WalkModel{}, .wavelengths_nm = {450, 550, 650}, .walks = 20000, .seed = 3};
+    const Readings estimated = paint.measure(angles, walk);
+    MeasureSettings settings;
+    settings.wavelengths_nm = walk.wavelengths_nm;
+    const Readings exact = paint.measure(angles, settings);
+    ASSERT_EQ(estimated.standard_error.size(), 2u);
+    EXPECT_TRUE(exact.standard_error.empty());
+    for (std::size_t g = 0; g < 2; ++g) {
+        for (std::size_t w = 0; w < 3; ++w) {
+            const double error = estimated.standard_error[g][w];
+            EXPECT_GT(error, 0);
+            EXPECT_NEAR(estimated.measurement.readings[g].reflectance_factor[w],
+                        exact.measurement.readings[g].reflectance_factor[w], 4.5 * error);
+        }
+    }
+    MeasureSettings cones = walk;
+    cones.aperture = Aperture{1, 1};
+    EXPECT_THAT(message_of<SettingError>([&] { paint.measure(angles, cones); }),
+                HasSubstr("aperture: the model walk reads with points only"));
+    EXPECT_THROW(paint.measure(angles, walk, [](double) { return false; }), Error);
+}
+
+TEST(Measuring, APaintIsReadAsTheColoursBesideItWere) {
+    const Paint pearl(fit::testing::pearl());
+    const Paint colours = open_text(
+        pearl.measure(geometries("45as15,45as110"), {.illuminant = Illuminant::A}).csv(), "a.csv");
+    const auto [sample, standard] = measure_alike(pearl, colours);
+    EXPECT_EQ(sample.measurement.conditions, standard.measurement.conditions);
+    EXPECT_EQ(sample.measurement.readings, standard.measurement.readings);
+    const auto [first, second] = measure_alike(colours, pearl);
+    EXPECT_EQ(first.measurement, standard.measurement);
+    EXPECT_EQ(second.measurement, sample.measurement);
+}
+
+TEST_F(Files, AnExportedBrdfGivesThePaintBack) {
+    const Paint paint(fit::testing::pearl());
+    const RglSettings small{.resolution = 24, .incident = 16};
+    const Exported rgl = paint.export_rgl(small, {.wavelengths_nm = {450, 550, 650}});
+    EXPECT_LT(rgl.error.flux, 0.05);
+    rgl.write(folder_ / "pearl.bsdf");
+    const Paint measured = open(folder_ / "pearl.bsdf");
+    EXPECT_EQ(measured.kind(), Kind::measured_brdf);
+    const std::vector<double> before = paint.brdf({.wavelengths_nm = {550}})(0.7, 0.5, 3),
+                              after = measured.brdf({.wavelengths_nm = {550}})(0.7, 0.5, 3);
+    EXPECT_NEAR(after[0], before[0], 0.05 * before[0]);
+    EXPECT_EQ(open_text(paint.export_merl({8, 8, 16}).bytes, "x").kind(), Kind::measured_brdf);
+    EXPECT_EQ(*open_text(paint.export_solved(kThree), "x").solved(), *paint.solved(kThree));
+    const MicroflakeModel raw{.table = MicroflakeModel::Table::raw, .table_size = {8, 8}};
+    EXPECT_EQ(open_text(paint.export_table(raw, kThree), "x").kind(), Kind::brdf_table);
+    EXPECT_THROW(paint.export_table(MicroflakeModel{}, kThree), SettingError);
+    const Paint brushed(
+        open_text(read_file(shipped_file("fuzz/corpus/rgl/anisotropic_rgb.bsdf")), "brushed.bsdf"));
+    EXPECT_THAT(message_of<InputError>([&] { brushed.export_rgl(small); }),
+                HasSubstr("brushed.bsdf: holds an anisotropic BRDF"));
+    EXPECT_THROW(paint.export_rgl(small, {}, [](double) { return false; }), Error);
+}
+
 TEST(Fit, FindsThePaintThatTheStandardWasMeasuredOn) {
     const Measurement standard = fit::testing::read(fit::testing::pearl(110));
     const Paint start(fit::testing::pearl(90),
@@ -249,7 +423,7 @@ TEST(Fit, FindsThePaintThatTheStandardWasMeasuredOn) {
     EXPECT_EQ(match.paint.recipe(), match.recipe);
     EXPECT_EQ(match.paint.bounds(), start.bounds());
     EXPECT_EQ(start.free_keys({"*thickness_nm"}).size(), 2u);
-    EXPECT_THAT(message_of<DomainError>([] { Paint(fit::testing::pearl()).free_keys({}); }),
+    EXPECT_THAT(message_of<SettingError>([] { Paint(fit::testing::pearl()).free_keys({}); }),
                 HasSubstr("[fit]"));
 }
 

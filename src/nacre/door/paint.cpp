@@ -6,8 +6,10 @@
 
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
+#include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/file.h"
 #include "nacre/door/state.h"
+#include "nacre/io/brdf_table_file.h"
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/measurement_file.h"
 #include "nacre/io/solved_paint_file.h"
@@ -60,13 +62,19 @@ SolveSettings in_order(SolveSettings settings) {
     std::sort(nm.begin(), nm.end());
     nm.erase(std::unique(nm.begin(), nm.end()), nm.end());
     if (nm.size() > kMaxSolvedWavelengths) {
-        throw DomainError(fmt::format("{} wavelengths to solve; at most {} are allowed", nm.size(),
-                                      kMaxSolvedWavelengths));
+        throw SettingError("wavelength",
+                           fmt::format("{} wavelengths to solve; at most {} are allowed", nm.size(),
+                                       kMaxSolvedWavelengths));
     }
     return settings;
 }
 
 }  // namespace
+
+SettingError::SettingError(const std::string& message)
+    : DomainError(message),
+      setting_(message.substr(0, message.find_first_of(" :"))),
+      reason_(message.substr(std::min(message.size(), message.find(": ") + 2))) {}
 
 Kind kind_of(std::string_view bytes) {
     if (io::looks_like_solved_paint(bytes)) return Kind::solved_paint;
@@ -131,8 +139,8 @@ Paint open_text(std::string bytes, const std::string& name, const std::filesyste
                 std::make_shared<const solver::SolvedPaint>(io::parse_solved_paint(bytes, name)),
                 name));
         case Kind::brdf_table:
-            return Paint(
-                std::make_shared<const Paint::State>(io::parse_brdf_table(bytes, name), name));
+            return Paint(std::make_shared<const Paint::State>(
+                bsdf::share_table(io::parse_brdf_table(bytes, name)), name));
         case Kind::measured_brdf:
             return Paint(
                 std::make_shared<const Paint::State>(read_measured_brdf(bytes, name), name));
@@ -162,6 +170,10 @@ std::string Paint::name() const {
 
 bool Paint::has_recipe() const { return kind() == Kind::recipe || kind() == Kind::solved_paint; }
 
+bool Paint::is_measured() const {
+    return kind() == Kind::measured_brdf || kind() == Kind::measured_colours;
+}
+
 const paint::Recipe& Paint::recipe() const {
     if (const auto* file = std::get_if<io::RecipeFile>(&state_->contents)) return file->recipe;
     if (const auto* solved =
@@ -186,8 +198,9 @@ Paint Paint::with(std::string_view key, double value) const {
     io::RecipeFile changed{recipe(), bounds()};
     const std::vector<std::string> keys = paint::matching_parameters(changed.recipe, key);
     if (keys.size() != 1) {
-        throw DomainError(fmt::format("{}: means {} numbers, such as {}; must mean one", key,
-                                      keys.size(), keys[0]));
+        throw SettingError(
+            std::string(key),
+            fmt::format("means {} numbers, such as {}; must mean one", keys.size(), keys[0]));
     }
     paint::set_parameter(changed.recipe, keys[0], value);
     paint::validate(changed.recipe, {});

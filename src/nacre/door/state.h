@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
-#include "nacre/io/brdf_table_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/nacre.h"
 
@@ -32,10 +31,16 @@ struct MeasuredColours {
 std::size_t wavelength_position(const solver::SolvedPaint& paint, double wavelength_nm,
                                 const std::string& file);
 
+/// Asks whether to go on, but reports nothing: before the work that `progress` is about.
+inline Progress only_asking(const Progress& progress) {
+    if (!progress) return {};
+    return [&progress](double) { return progress(0); };
+}
+
 struct Paint::State {
     /// In the order of Kind.
     using Contents = std::variant<io::RecipeFile, std::shared_ptr<const solver::SolvedPaint>,
-                                  io::BrdfTable, MeasuredBrdf, MeasuredColours>;
+                                  bsdf::BrdfTable, MeasuredBrdf, MeasuredColours>;
 
     State(Contents c, std::string f) : contents(std::move(c)), file(std::move(f)) {}
 
@@ -44,6 +49,8 @@ struct Paint::State {
 
     /// How messages name the paint.
     std::string label() const;
+    /// @throws InputError naming the file if it holds an anisotropic BRDF
+    void require_isotropic() const;
     /// Rethrows what `work` throws about a setting or a recipe as an error of this file.
     template <class Work>
     auto naming_file(const Work& work) const {
@@ -62,8 +69,18 @@ struct Paint::State {
     };
     std::shared_ptr<Solution> solution(const SolveSettings& settings) const;
 
-    mutable std::mutex mutex;  // of the list, not of its entries
+    /// What a model made, as long as somebody holds it.
+    struct Look {
+        Model model;
+        SolveSettings solve;
+        std::weak_ptr<const bsdf::Bsdf> surface;
+    };
+    std::shared_ptr<const bsdf::Bsdf> known_look(const Model& model,
+                                                 const SolveSettings& solve) const;
+
+    mutable std::mutex mutex;  // of the lists, not of their entries
     mutable std::vector<std::shared_ptr<Solution>> solutions;
+    mutable std::vector<Look> looks;
 };
 
 }  // namespace nacre

@@ -69,7 +69,7 @@ void MicroflakeModel::require_kind(const BrdfTable& read, const std::string& fil
         std::holds_alternative<std::shared_ptr<const RawBrdfTable>>(read) ? Table::raw : Table::svd;
     if (makes_table() && table != kind) {
         const auto name = [](Table t) { return kTableNames[static_cast<int>(t)]; };
-        throw DomainError(fmt::format("--table = {}: {} holds a table of the kind {}", name(table),
+        throw DomainError(fmt::format("table = {}: {} holds a table of the kind {}", name(table),
                                       file, name(kind)));
     }
 }

@@ -1,0 +1,79 @@
+#include "apps/cli/paint_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "nacre/core/error.h"
+
+namespace nacre::cli {
+
+namespace {
+
+/// Which options to drop.
+const char* options_of(SolverWarning::What what) {
+    return what == SolverWarning::What::scattering ? "--nodes and --inner-nodes" : "--orders";
+}
+
+/// What remains to be done about it: drop the option that held the solver back, or distrust.
+std::string advice(const SolverWarning& warning) {
+    if (warning.held_back) {
+        return fmt::format("solve it without {}, and they are chosen from the recipe",
+                           options_of(warning.what));
+    }
+    return "the solver is at its limits: compare with nacre reference before relying on this "
+           "paint, or make its narrowest lobe wider (alpha of the flakes, anisotropy of the "
+           "pigments)";
+}
+
+}  // namespace
+
+void require_values(const bsdf::ModelInfo& model) {
+    if (!model.can.reference_only) return;
+    // The reference walks through layers, in which no flake has a place.
+    throw UsageError(fmt::format("{}: follows light and has no values to give; see nacre {}",
+                                 choice_of(model), model.can.sparkle ? "render" : "reference"));
+}
+
+void refuse_measured_brdf(const Paint& paint) {
+    if (paint.kind() != Kind::measured_brdf) return;
+    throw InputError(
+        fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it takes "
+                    "neither --model nor --table",
+                    paint.file()));
+}
+
+void refuse_model(const std::string& model, const std::string& what) {
+    throw UsageError(
+        fmt::format("--model = {}: {} holds a measured BRDF, which is shown as it was measured; "
+                    "models are for recipes",
+                    model, what));
+}
+
+std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
+                                     const ModelOptions& options, std::uint64_t seed,
+                                     bool estimates) {
+    const auto is_measured_brdf = [](const Paint* p) { return p->kind() == Kind::measured_brdf; };
+    std::optional<bsdf::Model> model;
+    for (const Paint* paint : paints) {
+        if (!paint->is_measured()) model = parse_model_settings(options, seed);
+    }
+    if (model) {
+        if (!estimates || !model->info().can.estimated_values) require_values(model->info());
+        return model;
+    }
+    const auto measured = std::find_if(paints.begin(), paints.end(), is_measured_brdf);
+    if (measured != paints.end()) {
+        if (options.model_given) refuse_model(options.model, (*measured)->file());
+        if (parse_model_settings(options, seed).makes_table()) refuse_measured_brdf(**measured);
+    }
+    return std::nullopt;
+}
+
+void say_warnings(const CommonOptions& options, const Paint& paint) {
+    for (const SolverWarning& warning : paint.warnings()) {
+        say(options, fmt::format("nacre: warning: {}; {}", warning.message, advice(warning)));
+    }
+}
+
+}  // namespace nacre::cli

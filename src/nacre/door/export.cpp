@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include "nacre/bsdf/measured/merl.h"
+#include "nacre/bsdf/measured/rgl.h"
+#include "nacre/core/file.h"
+#include "nacre/door/state.h"
+#include "nacre/io/brdf_table_file.h"
+#include "nacre/io/measured_brdf_file.h"
+#include "nacre/io/solved_paint_file.h"
+#include "nacre/models/models.h"
+
+namespace nacre {
+
+namespace {
+
+/// A file asks a million times.
+BrdfSettings fast(BrdfSettings settings) {
+    settings.part = Part::total;
+    settings.as_rendered = true;
+    return settings;
+}
+
+/// "Violet pearl, nacre", "brass.bsdf, measured".
+std::string title(const Paint& paint, const std::optional<Model>& model) {
+    const std::string name = paint.has_recipe() && !paint.recipe().name.empty()
+                                 ? paint.recipe().name
+                                 : std::filesystem::path(paint.file()).filename().string();
+    const Model shown = model.value_or(models::default_model());
+    return fmt::format("{}, {}", name,
+                       paint.kind() == Kind::measured_brdf ? "measured" : shown.info().name);
+}
+
+}  // namespace
+
+void Exported::write(const std::filesystem::path& path) const {
+    write_file_atomically(path, bytes);
+}
+
+/// What is written holds one azimuth of the lamp; a surface that has more must not lose them
+/// unsaid.
+void Paint::State::require_isotropic() const {
+    const auto* measured = std::get_if<MeasuredBrdf>(&contents);
+    if (!measured || measured->isotropic) return;
+    throw InputError(fmt::format(
+        "{}: holds an anisotropic BRDF; files are written of isotropic ones only", label()));
+}
+
+Exported Paint::export_rgl(const RglSettings& rgl, const BrdfSettings& settings,
+                           const Progress& progress) const {
+    state_->require_isotropic();
+    const PaintBrdf values = brdf(fast(settings), only_asking(progress));
+    const bsdf::RglTable table = measure::acquire_rgl(title(*this, settings.model), values,
+                                                      values.wavelengths_nm(), rgl, progress);
+    return {io::rgl_bytes(table), measure::table_error(bsdf::MeasuredRgl(table), values,
+                                                       values.wavelengths_nm(), rgl.rgb)};
+}
+
+Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settings,
+                            const Progress& progress) const {
+    state_->require_isotropic();
+    const PaintBrdf values = brdf(fast(settings), only_asking(progress));
+    const bsdf::MerlTable table =
+        measure::acquire_merl(values, values.wavelengths_nm(), merl, progress);
+    return {io::merl_bytes(table),
+            measure::table_error(bsdf::MeasuredMerl(table), values, values.wavelengths_nm(), true)};
+}
+
+std::string Paint::export_solved(const SolveSettings& settings) const {
+    return io::solved_paint_bytes(*solved(settings));
+}
+
+std::string Paint::export_table(const Model& model, const SolveSettings& solve,
+                                const Progress& progress) const {
+    const auto table = model.make_table(*solved(solve), progress);
+    if (!table) {
+        throw SettingError("model", "renders from no table, as chosen",
+                           std::string(model.info().name));
+    }
+    return std::visit([](const auto& t) { return io::brdf_table_bytes(*t); }, *table);
+}
+
+}  // namespace nacre

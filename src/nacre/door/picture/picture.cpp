@@ -1,0 +1,161 @@
+#include "nacre/render.h"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "nacre/models/models.h"
+#include "nacre/render/builtin_scenes.h"
+#include "nacre/render/render_image.h"
+#include "nacre/render/scene_file.h"
+
+namespace nacre {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a paint lies on, for models that must know it.
+std::vector<bsdf::PaintedShape> painted_shapes(const render::SceneDescription& scene,
+                                               const std::string& material) {
+    using Kind = bsdf::PaintedShape::Kind;
+    std::vector<bsdf::PaintedShape> shapes;
+    for (const render::Shape& shape : scene.shapes) {
+        if (shape.material != material) continue;
+        const double scale = shape.transform.scale;
+        if (const auto* sphere = std::get_if<render::Sphere>(&shape.geometry)) {
+            shapes.push_back({.kind = Kind::sphere, .radius_mm = sphere->radius_mm * scale});
+        } else if (const auto* panel = std::get_if<render::FlatPanel>(&shape.geometry)) {
+            shapes.push_back({.kind = Kind::panel,
+                              .width_mm = scale * panel->width_mm,
+                              .height_mm = scale * panel->height_mm});
+        } else {
+            shapes.push_back({});
+        }
+    }
+    return shapes;
+}
+
+/// Opens each file and makes each look once.
+class Painter {
+ public:
+    Painter(const ScenePaints& paints, const Progress& progress)
+        : paints_(paints),
+          model_(paints.model.value_or(models::default_model())),
+          progress_(progress) {}
+
+    std::shared_ptr<const bsdf::Bsdf> look(const render::SceneDescription& scene,
+                                           const std::string& material, std::size_t paint) {
+        if (opened_[paint].paint.kind() == Kind::measured_brdf) return look(paint, std::nullopt);
+        Model model = model_;
+        try {
+            model.lie_on(material, painted_shapes(scene, material));
+        } catch (const DomainError& error) {
+            throw SettingError("model", error.what(), std::string(model.info().name));
+        }
+        return look(paint, model);
+    }
+
+    /// Position among the paints of one that a material names; the slot's without a name.
+    std::size_t find(const fs::path& path, const std::string& material) {
+        for (std::size_t i = 0; i < opened_.size(); ++i) {
+            if (opened_[i].path == path) return i;
+        }
+        if (path.empty() && !paints_.slot) {
+            throw SettingError(
+                "slot", fmt::format("the material {} has no recipe, and there is no paint for it",
+                                    material));
+        }
+        opened_.push_back({path, path.empty() ? *paints_.slot : open(path), {}});
+        return opened_.size() - 1;
+    }
+
+    const Paint& paint(std::size_t i) const { return opened_[i].paint; }
+    std::vector<Paint> all() const {
+        std::vector<Paint> paints;
+        for (const Opened& one : opened_) paints.push_back(one.paint);
+        return paints;
+    }
+
+ private:
+    struct Look {
+        std::optional<Model> model;  // none: measured, and the only look
+        std::shared_ptr<const bsdf::Bsdf> surface;
+    };
+    struct Opened {
+        fs::path path;
+        Paint paint;
+        std::vector<Look> looks;
+    };
+
+    std::shared_ptr<const bsdf::Bsdf> look(std::size_t paint, const std::optional<Model>& model) {
+        for (const Look& known : opened_[paint].looks) {
+            if (!known.model || *known.model == *model) return known.surface;
+        }
+        auto surface = opened_[paint].paint.appearance(model, {}, progress_);
+        opened_[paint].looks.push_back({model, surface});
+        return surface;
+    }
+
+    const ScenePaints& paints_;
+    Model model_;
+    const Progress& progress_;
+    std::vector<Opened> opened_;
+};
+
+}  // namespace
+
+render::SceneDescription find_scene(const std::string& name) {
+    if (fs::exists(name) || fs::path(name).has_extension()) return render::read_scene(name);
+    return render::builtin_scene(name);
+}
+
+std::vector<std::string> paint_slots(const render::SceneDescription& scene) {
+    std::vector<std::string> slots;
+    for (const auto& [name, material] : scene.materials) {
+        const auto* paint = std::get_if<render::PaintMaterial>(&material);
+        if (paint && paint->recipe.empty()) slots.push_back(name);
+    }
+    return slots;
+}
+
+io::Image Picture::image() const { return render::image_of(result, metadata); }
+
+void Picture::write(const fs::path& path, const ToneMap& tone_map) const {
+    if (path.extension() == ".exr") return io::write_exr(path, image());
+    if (path.extension() == ".png") return io::write_png(path, image(), tone_map);
+    throw SettingError("path", "must end in .exr or .png", path.string());
+}
+
+Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
+             const Progress& progress)
+    : name_(description.name) {
+    Painter painter(paints, progress);
+    render::PaintTable table;
+    for (const auto& [name, material] : description.materials) {
+        const auto* wanted = std::get_if<render::PaintMaterial>(&material);
+        if (!wanted) continue;
+        const std::size_t found = painter.find(wanted->recipe, name);
+        table[name] = painter.look(description, name, found);
+        const Paint& paint = painter.paint(found);
+        shows_model_ |= paint.kind() != Kind::measured_brdf;
+        if (paint.has_recipe()) recipe_sha256_[name] = paint.recipe_sha256();
+    }
+    paints_ = painter.all();
+    const Model model = paints.model.value_or(models::default_model());
+    model_name_ = shows_model_ || table.empty() ? model.info().name : "measured";
+    compiled_.emplace(description, table);
+}
+
+Picture Scene::render(const RenderSettings& settings, const Progress& progress) const {
+    Picture picture{render::render(*compiled_, settings, progress),
+                    {{"nacre:scene", name_},
+                     {"nacre:model", model_name_},
+                     {"nacre:seed", fmt::format("{}", settings.seed)}}};
+    for (const auto& [name, hash] : recipe_sha256_) {
+        picture.metadata["nacre:recipe_sha256:" + name] = hash;
+    }
+    return picture;
+}
+
+}  // namespace nacre

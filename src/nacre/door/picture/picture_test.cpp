@@ -1,0 +1,57 @@
+#include "nacre/render.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nacre/testing/fit.h"
+
+namespace nacre {
+namespace {
+
+using ::testing::HasSubstr;
+
+const RenderSettings kTiny{.width = 8, .height = 8, .samples_per_pixel = 1};
+
+TEST(Picture, OfAScenePaintedThroughTheDoor) {
+    const Paint paint(fit::testing::pearl());
+    const Scene scene(find_scene("sphere"), {.slot = paint});
+    ASSERT_EQ(scene.paints().size(), 1u);
+    EXPECT_EQ(scene.model_name(), "microflake");
+    const Picture picture = scene.render(kTiny), again = Scene(scene).render(kTiny);
+    EXPECT_EQ(picture.result.rgb, again.result.rgb);
+    EXPECT_EQ(picture.metadata.at("nacre:scene"), "sphere");
+    EXPECT_EQ(picture.metadata.at("nacre:recipe_sha256:paint"), paint.recipe_sha256());
+    EXPECT_EQ(picture.image().width, 8);
+    // Other flakes, another picture; the paint is not solved again for it.
+    const auto solved = paint.solved();
+    const Scene sparkling(find_scene("sphere"),
+                          {.slot = paint, .model = NacreModel{.specimen = 1}});
+    EXPECT_NE(sparkling.render(kTiny).result.rgb, picture.result.rgb);
+    EXPECT_EQ(paint.solved(), solved);
+    RenderSettings two_passes = kTiny;
+    two_passes.samples_per_pixel = 2;
+    EXPECT_FALSE(scene.render(two_passes, [](double) { return false; }).result.complete);
+}
+
+TEST(Picture, SaysWhatDoesNotFit) {
+    const auto message = [](const std::string& name, const ScenePaints& paints) {
+        try {
+            Scene(find_scene(name), paints);
+        } catch (const SettingError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_THAT(message("sphere", {}), HasSubstr("slot: the material paint has no recipe"));
+    const Paint paint(fit::testing::pearl());
+    EXPECT_THAT(message("speed-shape", {paint, VolumeModel{}}),
+                HasSubstr("model = volume: the material paint is on a shape"));
+    EXPECT_THAT(message("sphere", {paint, ExplicitFlakesModel{}}), HasSubstr("no flat panel"));
+    EXPECT_THROW(find_scene("nowhere"), InputError);
+    EXPECT_THROW(find_scene("nowhere.toml"), InputError);
+    EXPECT_EQ(paint_slots(find_scene("sphere")), std::vector<std::string>{"paint"});
+    EXPECT_THROW(Scene(find_scene("sphere"), {paint}).render(kTiny).write("p.jpg"), SettingError);
+}
+
+}  // namespace
+}  // namespace nacre

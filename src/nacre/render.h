@@ -1,0 +1,85 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nacre/io/image.h"
+#include "nacre/montecarlo/discs/disc_walk.h"
+#include "nacre/nacre.h"
+#include "nacre/render/render.h"
+#include "nacre/render/scene.h"
+
+// The part of the front door (nacre/nacre.h) that needs ray tracing: pictures of painted scenes.
+//
+//   const nacre::Scene scene(nacre::find_scene("sphere"), {.slot = nacre::open("violet.toml")});
+//   scene.render({.samples_per_pixel = 64}).write("violet.exr");
+//
+// Link nacre::picture (find_package(nacre COMPONENTS core render)).
+
+namespace nacre {
+
+using io::ToneMap;
+using montecarlo::ExplicitFlakesModel;
+using RenderSettings = render::RenderOptions;
+
+/// A scene file, or a built-in scene by its name ("sphere"); a file of that name comes first.
+/// @throws InputError naming the file and what is wrong in it, or the scenes that there are
+render::SceneDescription find_scene(const std::string& name);
+
+/// The materials of a scene that wait for a paint: those that name no recipe.
+std::vector<std::string> paint_slots(const render::SceneDescription& scene);
+
+/// What lies on the shapes of a scene.
+struct ScenePaints {
+    std::optional<Paint> slot = {};   ///< for materials without a recipe; none if there are none
+    std::optional<Model> model = {};  ///< of all recipes; measured BRDFs take none
+};
+
+struct Picture {
+    render::RenderResult result;
+    /// The scene's name, the model, the specimen and the recipes' SHA-256.
+    std::map<std::string, std::string> metadata;
+
+    io::Image image() const;
+    /// By its extension: .exr, with every channel in linear light, or .png, tone-mapped.
+    /// @throws DomainError if it is another one; InputError, Error as io/image.h
+    void write(const std::filesystem::path& path, const ToneMap& tone_map = {}) const;
+};
+
+/// A scene ready to be rendered; a value, copies share what it holds.
+class Scene {
+ public:
+    /// Reads the files that the scene names and makes each paint once for all materials and shapes
+    /// that it is alike on.
+    /// @param progress  of each paint that takes long to prepare
+    /// @throws InputError, DomainError, Error as open(), Paint::appearance() and render::Scene;
+    ///         DomainError if a slot has no paint, or the model does not go on a shape
+    explicit Scene(render::SceneDescription description, const ScenePaints& paints = {},
+                   const Progress& progress = {});
+
+    /// The paints on it, each once.
+    const std::vector<Paint>& paints() const { return paints_; }
+    /// Of the recipes, by material.
+    const std::map<std::string, std::string>& recipe_sha256() const { return recipe_sha256_; }
+    /// The model's name, or "measured" where no recipe is seen.
+    const std::string& model_name() const { return model_name_; }
+    /// Whether a model shows any of the paints: not where all are measured, or there are none.
+    bool shows_model() const { return shows_model_; }
+
+    /// The same bits for any number of threads; where `progress` asks to stop, what there is.
+    /// @throws DomainError naming a setting out of range
+    Picture render(const RenderSettings& settings = {}, const Progress& progress = {}) const;
+
+ private:
+    std::string name_, model_name_;
+    bool shows_model_ = false;
+    std::vector<Paint> paints_;
+    std::map<std::string, std::string> recipe_sha256_;
+    std::optional<render::Scene> compiled_;
+};
+
+}  // namespace nacre
