@@ -8,6 +8,7 @@
 #include "bsdf_queries.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 template <class F>
 void run(benchmark::State& state, F&& f) {
     static const auto bound = Microflake(std::make_shared<const solver::SolvedPaint>(solver::solve(
-                                             bench_pearl(), solver::default_wavelengths_nm())))
+                                             bench_pearl(), spectra::default_wavelengths_nm())))
                                   .bind(kBenchWavelengths);
     static const std::vector<Query> queries = make_queries(*bound);
     run_queries(state, *bound, queries, f);

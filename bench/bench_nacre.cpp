@@ -13,13 +13,14 @@
 #include "bsdf_queries.h"
 #include "nacre/bsdf/models/nacre.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::bsdf {
 namespace {
 
 struct Setup {
     std::shared_ptr<const solver::SolvedPaint> paint = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(bench_pearl(), solver::default_wavelengths_nm()));
+        solver::solve(bench_pearl(), spectra::default_wavelengths_nm()));
     Nacre nacre{paint, {.specimen = 1}};
     std::unique_ptr<const BoundBsdf> bound = nacre.bind(kBenchWavelengths);
     std::vector<Query> queries = make_queries(*bound);

@@ -8,6 +8,7 @@
 
 #include "nacre/solver/impedance.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::solver {
 
@@ -30,7 +31,7 @@ Recipe pearl(double alpha) {
 
 void BM_SolvePearl31Wavelengths(benchmark::State& state) {
     const Recipe recipe = pearl(1e-3 * static_cast<double>(state.range(0)));
-    const auto wavelengths = default_wavelengths_nm();
+    const auto wavelengths = spectra::default_wavelengths_nm();
     SolverReport report;
     for (auto _ : state) {
         const SolvedPaint paint = solve(recipe, wavelengths);
@@ -53,7 +54,7 @@ BENCHMARK(BM_SolvePearl31Wavelengths)
 // The optics alone: films, spectra.
 void BM_SolveMediumOnly(benchmark::State& state) {
     const Recipe recipe = pearl(0.09);
-    const auto wavelengths = default_wavelengths_nm();
+    const auto wavelengths = spectra::default_wavelengths_nm();
     for (auto _ : state) {
         const PaintMedium medium = make_medium(recipe, wavelengths);
         benchmark::DoNotOptimize(medium.ior.data());

@@ -12,6 +12,7 @@
 #include "nacre/bsdf/tabulated/compression.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -24,7 +25,7 @@ struct Setup {
     std::vector<Query> queries;
 
     Setup() {
-        paint = solver::solve(bench_pearl(), solver::default_wavelengths_nm());
+        paint = solver::solve(bench_pearl(), spectra::default_wavelengths_nm());
         raw = std::make_shared<const bsdf::RawBrdfTable>(bsdf::make_raw_table(paint));
         compressed =
             std::make_shared<const bsdf::CompressedBrdfTable>(bsdf::compress(*raw, {3, 0.5}));

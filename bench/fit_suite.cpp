@@ -22,6 +22,7 @@
 #include "nacre/io/recipe_file.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace {
 
@@ -54,7 +55,7 @@ const Case kCases[] = {
 };
 
 measure::Measurement colours_of(const paint::Recipe& recipe) {
-    const solver::SolvedPaint paint = solver::solve(recipe, solver::default_wavelengths_nm());
+    const solver::SolvedPaint paint = solver::solve(recipe, spectra::default_wavelengths_nm());
     return measure::measure(recipe.name,
                             [&](double theta_i, double theta_o, double phi) {
                                 return paint.brdf(theta_i, theta_o, phi);

@@ -15,6 +15,7 @@
 #include "nacre/nacre.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::cli {
 
@@ -116,7 +117,7 @@ datasheet::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& pr
     }
     return datasheet::recipe_atlas(
         recipe, keys[0], parse_numbers("--values", options.values, Range{}), parse_angles(options),
-        solver::default_wavelengths_nm(), parse_conditions(options.instrument), progress);
+        spectra::default_wavelengths_nm(), parse_conditions(options.instrument), progress);
 }
 
 void check_choice(const AtlasOptions& options, const CLI::App& command) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/options.h"
-#include "nacre/io/measurement_csv.h"
+#include "nacre/core/csv.h"
 #include "nacre/spectra/observer.h"
 
 namespace nacre::cli {
@@ -16,10 +16,10 @@ std::string difference_csv(const measure::Difference& difference) {
         "geometry,theta_i,aspecular_deg,L_standard,a_standard,b_standard,L_sample,a_sample,"
         "b_sample,dL,da,db,dC,dH,dE2000,weight\n";
     for (const measure::AngleDifference& angle : difference.angles) {
-        const spectra::Vec3 &standard = angle.lab_standard, &sample = angle.lab_sample,
-                            &delta = angle.delta_lab;
+        const Vec3d &standard = angle.lab_standard, &sample = angle.lab_sample,
+                    &delta = angle.delta_lab;
         fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                       io::csv_cell(angle.geometry.name), angle.geometry.theta_i_deg,
+                       csv_cell(angle.geometry.name), angle.geometry.theta_i_deg,
                        angle.geometry.aspecular_deg, standard[0], standard[1], standard[2],
                        sample[0], sample[1], sample[2], delta[0], delta[1], delta[2],
                        angle.delta_chroma(), angle.delta_hue(), angle.delta_e_2000, angle.weight);
@@ -52,7 +52,7 @@ nlohmann::json difference_json(const measure::Difference& difference) {
 std::map<std::string, double> parse_weights(const std::string& text) {
     std::map<std::string, double> weights;
     if (text.empty()) return weights;
-    for (const std::string& part : split(text, ',')) {
+    for (const std::string_view part : split(text, ',')) {
         const std::size_t equals = part.rfind('=');
         if (equals == std::string::npos || equals == 0) {
             throw UsageError(

@@ -64,9 +64,9 @@ void add_lights(const FitOptions& options, const measure::Measurement& standard,
                 fit::TargetOptions& target) {
     if (options.also.empty()) return;
     target.illuminants = {standard.conditions.illuminant};
-    for (const std::string& name : split(options.also, ',')) {
+    for (const std::string_view name : split(options.also, ',')) {
         try {
-            target.illuminants.push_back(spectra::parse_illuminant(name));
+            target.illuminants.push_back(spectra::parse_illuminant(std::string(name)));
         } catch (const InputError& error) {
             throw UsageError(fmt::format("--also = {}: {}", options.also, error.what()));
         }

@@ -63,7 +63,7 @@ void add_angles(Text& text, const fit::Fit& fit) {
     text.line("{:<{}}  {:>24}  {:>24}  {:>10}", "geometry", width, "standard L*, a*, b*",
               "fitted L*, a*, b*", "Delta E");
     for (const auto& angle : fit.difference.angles) {
-        const auto lab = [](const spectra::Vec3& c) {
+        const auto lab = [](const Vec3d& c) {
             return fmt::format("{:.2f}, {:.2f}, {:.2f}", c[0], c[1], c[2]);
         };
         text.line("{:<{}}  {:>24}  {:>24}  {:>10.3f}", angle.geometry.name, width,

@@ -20,7 +20,7 @@ std::vector<std::string> set_names() {
 }
 
 measure::Aperture parse_aperture(const std::string& text) {
-    const std::vector<std::string> parts = split(text, ',');
+    const std::vector<std::string_view> parts = split(text, ',');
     if (parts.size() != 2) {
         throw UsageError(fmt::format(
             "--aperture = {}: must be the half angles of lamp and detector, as in 2,3", text));

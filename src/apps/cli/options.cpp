@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -63,31 +62,17 @@ void say(const CommonOptions& options, const std::string& line) {
     if (!options.quiet) fmt::print(stderr, "{}\n", line);
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::size_t begin = 0;
-    for (std::size_t end; (end = text.find(separator, begin)) != std::string::npos;) {
-        parts.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    parts.push_back(text.substr(begin));
-    return parts;
-}
-
-double parse_number(const std::string& option, const std::string& text, const Range& range) {
-    const char* first = text.data();
-    const char* last = first + text.size();
-    if (first != last && *first == '+') ++first;  // from_chars takes no plus sign
-    double number = 0;
-    const auto [end, error] = std::from_chars(first, last, number);
-    if (error != std::errc() || end != last || !std::isfinite(number) || !range.contains(number)) {
+double parse_number(std::string_view option, std::string_view text, const Range& range) {
+    std::string_view rest = text;
+    const auto number = take_number(rest);
+    if (!number || !rest.empty() || !range.contains(*number)) {
         throw UsageError(
             fmt::format("{} = {}: must be a number in {}", option, text, range.text()));
     }
-    return number;
+    return *number;
 }
 
-std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+std::vector<double> parse_numbers(std::string_view option, std::string_view text,
                                   const Range& range) {
     std::vector<double> numbers;
     const auto check_count = [&](double more) {
@@ -96,8 +81,8 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
                 fmt::format("{} = {}: more than {} values", option, text, kMaxNumbers));
         }
     };
-    for (const std::string& part : split(text, ',')) {
-        const std::vector<std::string> ends = split(part, ':');
+    for (const std::string_view part : split(text, ',')) {
+        const std::vector<std::string_view> ends = split(part, ':');
         if (ends.size() == 1) {
             check_count(1);
             numbers.push_back(parse_number(option, part, range));
@@ -133,7 +118,7 @@ std::vector<Direction> parse_directions(const std::string& option,
                                         const std::vector<std::string>& texts) {
     std::vector<Direction> directions;
     for (const std::string& text : texts) {
-        const std::vector<std::string> parts = split(text, ',');
+        const std::vector<std::string_view> parts = split(text, ',');
         if (parts.size() > 2) {
             throw UsageError(
                 fmt::format("{} = {}: must be theta or theta,phi in degrees", option, text));

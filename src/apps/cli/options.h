@@ -7,9 +7,11 @@
 #include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/core/text.h"
 #include "nacre/montecarlo/reference.h"
 
 namespace nacre::cli {
@@ -104,14 +106,11 @@ inline constexpr std::size_t kMaxNumbers = 100'000;
 ///
 /// @param option  for messages, as in "--wavelength"
 /// @throws UsageError naming option, text and what is allowed
-std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+std::vector<double> parse_numbers(std::string_view option, std::string_view text,
                                   const Range& range);
 
 /// One number.
-double parse_number(const std::string& option, const std::string& text, const Range& range);
-
-/// Parts between separators; at least one, possibly empty.
-std::vector<std::string> split(const std::string& text, char separator);
+double parse_number(std::string_view option, std::string_view text, const Range& range);
 
 using montecarlo::Direction;
 

@@ -51,10 +51,10 @@ ExitStatus run(const ReferenceOptions& options) {
     for (const Direction& in : incident) {
         for (const Direction& out : outgoing) {
             for (double wavelength : wavelengths) {
-                const montecarlo::Estimate& e = estimates[row++];
+                const Estimate& e = estimates[row++];
                 fmt::format_to(std::back_inserter(table), "{},{},{},{},{},{:.9g},{:.3g}\n",
                                in.theta_deg, in.phi_deg, out.theta_deg, out.phi_deg, wavelength,
-                               e.mean, e.standard_error);
+                               e.value, e.standard_error);
             }
         }
     }

@@ -1,3 +1,5 @@
+#include "nacre/render.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,7 +15,6 @@
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
-#include "nacre/render.h"
 #include "nacre/render/builtin_scenes.h"
 
 namespace nacre::cli {
@@ -36,7 +37,7 @@ struct RenderCommandOptions : CommonOptions {
 
 /// "640x480".
 void parse_size(const std::string& text, render::RenderOptions& options) {
-    const std::vector<std::string> sides = split(text, 'x');
+    const std::vector<std::string_view> sides = split(text, 'x');
     const Range range{1, kMaxPixelsPerSide, "pixels"};
     if (sides.size() == 2) {
         const double width = parse_number("--size (width)", sides[0], range);

@@ -340,7 +340,7 @@ std::string atlas_csv(const Atlas& atlas) {
     std::string csv = atlas.column + ",theta_i,aspecular_deg,L,a,b,C,h,chip\n";
     for (std::size_t v = 0; v < atlas.values.size(); ++v) {
         for (std::size_t g = 0; g < atlas.geometries.size(); ++g) {
-            const spectra::Vec3& lab = atlas.at(g, v);
+            const Vec3d& lab = atlas.at(g, v);
             fmt::format_to(
                 std::back_inserter(csv), "{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.2f},{}\n",
                 atlas.values[v], atlas.geometries[g].theta_i_deg, atlas.geometries[g].aspecular_deg,

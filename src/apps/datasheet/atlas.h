@@ -39,9 +39,9 @@ struct Atlas {
     measure::Conditions conditions = {};
     std::vector<double> values = {};                 ///< across
     std::vector<measure::Geometry> geometries = {};  ///< down
-    std::vector<spectra::Vec3> lab = {};             ///< [geometry][value], row-major
+    std::vector<Vec3d> lab = {};                     ///< [geometry][value], row-major
 
-    const spectra::Vec3& at(std::size_t geometry, std::size_t value) const {
+    const Vec3d& at(std::size_t geometry, std::size_t value) const {
         return lab[geometry * values.size() + value];
     }
 };

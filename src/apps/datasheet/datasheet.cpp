@@ -187,7 +187,7 @@ std::string readings_html(const PanelReport& report) {
     report::Table table{.columns = {"Angle", "L*", "a*", "b*", "C*", "h"}};
     if (report.standard) table.columns.emplace_back("ΔE2000");
     for (const Reading* reading : readings_for_chips(report.sample)) {
-        const spectra::Vec3& lab = reading->lab;
+        const Vec3d& lab = reading->lab;
         std::vector<report::Cell> row = {
             {.text = angle_name(report.sample, reading->geometry), .numeric = true}};
         for (const double value : {lab[0], lab[1], lab[2], measure::chroma(lab)}) {

@@ -184,7 +184,7 @@ void label_points(report::Plot& plot, report::Series& series, const std::vector<
 }
 
 /// A colour for a line on white paper.
-std::string line_colour(spectra::Vec3 lab) {
+std::string line_colour(Vec3d lab) {
     constexpr double kLightest = 65;
     lab[0] = std::min(lab[0], kLightest);
     return chip(lab);
@@ -192,7 +192,7 @@ std::string line_colour(spectra::Vec3 lab) {
 
 }  // namespace
 
-std::string chip(const spectra::Vec3& lab) {
+std::string chip(const Vec3d& lab) {
     return spectra::css_colour(measure::srgb_chip_at_full_light(lab));
 }
 

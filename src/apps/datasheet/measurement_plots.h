@@ -38,6 +38,6 @@ std::vector<NamedPlot> measurement_plots(const measure::Measurement& sample,
                                          const measure::Measurement* standard = nullptr);
 
 /// A colour as "#rrggbb" on a display: measure::srgb_chip_at_full_light().
-std::string chip(const spectra::Vec3& lab);
+std::string chip(const Vec3d& lab);
 
 }  // namespace nacre::datasheet

@@ -18,6 +18,7 @@
 #include "nacre/montecarlo/discs/disc_walk.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::study {
 namespace {
@@ -179,7 +180,7 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
     }
     if (!solved_) {
         solved_ = std::make_shared<const solver::SolvedPaint>(
-            solver::solve(recipe_, solver::default_wavelengths_nm(), {}));
+            solver::solve(recipe_, spectra::default_wavelengths_nm(), {}));
     }
     auto& made = way == Way::hashed ? hashed_ : way == Way::hot_spot ? hot_spot_ : smooth_;
     if (!made) {

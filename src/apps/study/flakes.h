@@ -85,10 +85,10 @@ struct FlakesContext {
 struct FlakesVerdict {
     std::string name;
     double depth = 0, diameter_um = 0, flakes_per_mm2 = 0;
-    Measured mean_ratio;            ///< mean luminance of hashed over that of discs
+    Estimate mean_ratio;            ///< mean luminance of hashed over that of discs
     double mean_ratio_mirrors = 0;  ///< over that of discs without diffraction
     double contrast_ratio = 0;      ///< of hashed over discs: geometric mean over the footprints
-    Measured mean_ratio_hot_spot;   ///< the same two with the model's hot spot
+    Estimate mean_ratio_hot_spot;   ///< the same two with the model's hot spot
     double contrast_ratio_hot_spot = 0;
     double worst_contrast_ratio = 1;  ///< farthest from 1
     double mean_delta_e = 0;          ///< between the mean colours at equal luminance

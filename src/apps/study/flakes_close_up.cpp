@@ -12,67 +12,13 @@
 #include "nacre/core/sha256.h"
 #include "nacre/core/version.h"
 #include "nacre/io/image.h"
+#include "nacre/measure/panel_picture.h"
 #include "nacre/render/scene.h"
 #include "nacre/spectra/lab.h"
 #include "nacre/spectra/rgb.h"
 
 namespace nacre::study {
 namespace {
-
-constexpr int kPiecesAcross = 4;
-constexpr int kPieces = kPiecesAcross * kPiecesAcross;
-
-struct Sums {
-    double n = 0, a = 0, b = 0, ab = 0;
-
-    friend Sums operator+(const Sums& x, const Sums& y) {
-        return {x.n + y.n, x.a + y.a, x.b + y.b, x.ab + y.ab};
-    }
-    friend Sums operator-(const Sums& x, const Sums& y) {
-        return {x.n - y.n, x.a - y.a, x.b - y.b, x.ab - y.ab};
-    }
-};
-
-/// Sums over each piece of the picture.
-std::array<Sums, kPieces> sum_pieces(const Pixels& a, const Pixels& b) {
-    if (a.width != b.width || a.height != b.height || a.width < kPiecesAcross ||
-        a.height < kPiecesAcross) {
-        throw DomainError(
-            fmt::format("pictures of {} x {} and {} x {} pixels: must be alike and at least {} a "
-                        "side",
-                        a.width, a.height, b.width, b.height, kPiecesAcross));
-    }
-    const auto y_a = luminance(a), y_b = luminance(b);
-    std::array<Sums, kPieces> sums{};
-    for (int y = 0; y < a.height; ++y) {
-        for (int x = 0; x < a.width; ++x) {
-            const int piece =
-                y * kPiecesAcross / a.height * kPiecesAcross + x * kPiecesAcross / a.width;
-            const std::size_t p = static_cast<std::size_t>(y) * a.width + x;
-            Sums& s = sums[piece];
-            s.n += 1;
-            s.a += y_a[p];
-            s.b += y_b[p];
-            s.ab += y_a[p] * y_b[p];
-        }
-    }
-    return sums;
-}
-
-/// A statistic of the sums over all pieces, with the jackknife's error.
-template <class Statistic>
-Measured jackknife(const std::array<Sums, kPieces>& pieces, Statistic&& statistic) {
-    Sums total;
-    for (const Sums& s : pieces) total = total + s;
-    std::array<double, kPieces> values;
-    double mean = 0, variance = 0;
-    for (int i = 0; i < kPieces; ++i) {
-        values[i] = statistic(total - pieces[i]);
-        mean += values[i] / kPieces;
-    }
-    for (double value : values) variance += (value - mean) * (value - mean) / kPieces;
-    return {statistic(total), std::sqrt((kPieces - 1) * variance)};
-}
 
 // Steps of the histogram: three in each factor of two, over a factor of 2^12.
 constexpr int kStepsPerOctave = 3, kOctavesBelow = 7, kOctavesAbove = 5;
@@ -88,16 +34,20 @@ std::vector<double> luminance(const Pixels& picture) {
     return y;
 }
 
-Measured mean_luminance(const Pixels& a, const Pixels& b) {
-    return jackknife(sum_pieces(a, b), [](const Sums& s) { return 0.5 * (s.a + s.b) / s.n; });
+namespace {
+
+measure::LuminancePicture luminance_picture(const Pixels& picture) {
+    return {picture.width, picture.height, luminance(picture)};
 }
 
-Measured contrast(const Pixels& a, const Pixels& b) {
-    return jackknife(sum_pieces(a, b), [](const Sums& s) {
-        const double mean_a = s.a / s.n, mean_b = s.b / s.n, product = mean_a * mean_b;
-        // An unlit picture has none.
-        return product > 0 ? std::sqrt(std::max(0.0, s.ab / s.n / product - 1)) : 0.0;
-    });
+}  // namespace
+
+Estimate mean_luminance(const Pixels& a, const Pixels& b) {
+    return measure::mean_luminance(luminance_picture(a), luminance_picture(b));
+}
+
+Estimate contrast(const Pixels& a, const Pixels& b) {
+    return measure::pixel_contrast(luminance_picture(a), luminance_picture(b));
 }
 
 Histogram histogram(const Pixels& picture) {
@@ -121,7 +71,7 @@ Histogram histogram(const Pixels& picture) {
 ColourSpread colour_spread(const Pixels& picture, double mean_luminance) {
     constexpr double kShown = 0.3;
     const double scale = kShown / mean_luminance;
-    const spectra::Vec3 white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
     const auto lab = [&](double r, double g, double b) {
         return spectra::xyz_to_lab(spectra::linear_rec709_to_xyz({scale * r, scale * g, scale * b}),
                                    white);

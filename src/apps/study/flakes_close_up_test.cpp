@@ -51,7 +51,7 @@ TEST(FlakesStatistics, JackknifeKnowsThatNeighboursShareFlakes) {
     constexpr int kPictures = 200;
     for (int i = 0; i < kPictures; ++i) {
         const Pixels p = Scene(32, 0.5, 100 + i).picture(0, 0);
-        const Measured m = mean_luminance(p, p);
+        const Estimate m = mean_luminance(p, p);
         claimed += m.standard_error / kPictures;
         sum += m.value / kPictures;
         squares += m.value * m.value / kPictures;

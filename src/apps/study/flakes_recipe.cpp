@@ -24,7 +24,7 @@ constexpr Effort kQuick{16, 16, 8};
 
 struct Taken {
     Pixels pixels;
-    Measured mean;
+    Estimate mean;
 };
 
 class Look {
@@ -91,7 +91,7 @@ void add_pictures(FlakesContext& context, const FlakePaint& paint, const Look& l
                             "all shown with the exposure of the discs.");
 }
 
-std::string with_error(const Measured& m) {
+std::string with_error(const Estimate& m) {
     return fmt::format("{} ± {}", number(m.value), number(m.standard_error, 1));
 }
 
@@ -100,7 +100,7 @@ struct Ratios {
     double log_sum = 0, worst = 1, mean = 0, mean_variance = 0, weights = 0;
     int counted = 0;
 
-    void add(double flakes_per_pixel, const Measured (&contrast)[2], const Measured (&means)[2]) {
+    void add(double flakes_per_pixel, const Estimate (&contrast)[2], const Estimate (&means)[2]) {
         if (contrast[0].value > 0 && contrast[1].value > 0) {
             const double ratio = contrast[1].value / contrast[0].value;
             log_sum += std::log(ratio);
@@ -117,7 +117,7 @@ struct Ratios {
         weights += flakes_per_pixel;
     }
     double contrast() const { return counted > 0 ? std::exp(log_sum / counted) : 0; }
-    Measured of_means() const {
+    Estimate of_means() const {
         if (weights == 0) return {};
         return {mean / weights, std::sqrt(mean_variance) / weights};
     }
@@ -142,7 +142,7 @@ void add_contrast(FlakesContext& context, const FlakePaint& paint, const Look& l
     nlohmann::json& results = context.results["recipes"][paint.key()]["contrast"];
     Ratios hashed, hot_spot;
     for (double n : footprints) {
-        Measured c[3], mean[3];
+        Estimate c[3], mean[3];
         for (int i = 0; i < 3; ++i) {
             const Pixels a = look.take(kWays[i], n, "contrast", kContrast, 0);
             const Pixels b = look.take(kWays[i], n, "contrast", kContrast, 1);
@@ -162,8 +162,8 @@ void add_contrast(FlakesContext& context, const FlakePaint& paint, const Look& l
         hashed.add(n, {c[0], c[1]}, {mean[0], mean[1]});
         hot_spot.add(n, {c[0], c[2]}, {mean[0], mean[2]});
         table.rows.push_back({report::number_cell(number(n))});
-        for (const Measured& m : c) table.rows.back().push_back(report::number_cell(with_error(m)));
-        for (const Measured& m : mean)
+        for (const Estimate& m : c) table.rows.back().push_back(report::number_cell(with_error(m)));
+        for (const Estimate& m : mean)
             table.rows.back().push_back(report::number_cell(with_error(m)));
         table.rows.back().push_back(report::number_cell(number(mean_luminance(s, s).value)));
     }
@@ -250,7 +250,7 @@ void add_diffraction(FlakesContext& context, const FlakePaint& paint, const Look
                      FlakesVerdict& verdict) {
     constexpr double kFlakes = 64;
     const Effort effort{kContrast.pixels, kContrast.disc_samples, kContrast.hashed_samples};
-    Measured mean[3];
+    Estimate mean[3];
     for (int i = 0; i < 3; ++i) {
         const Way way = std::array{Way::discs, Way::mirrors, Way::hashed}[i];
         mean[i] = mean_luminance(look.take(way, kFlakes, "contrast", effort, 0),

@@ -27,6 +27,7 @@
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/render/render_image.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::study {
 
@@ -103,7 +104,7 @@ Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& 
     Prepared out;
     if (job.model.info().solution != bsdf::Solution::none) {
         const solver::SolvedPaint solved =
-            solver::solve(paint.recipe, solver::default_wavelengths_nm(), {});
+            solver::solve(paint.recipe, spectra::default_wavelengths_nm(), {});
         fs::create_directories(tables);
         const fs::path file = tables / (job.key + ".h5");
         if (const auto table = job.model.make_table(solved, progress)) {

@@ -17,6 +17,7 @@
 #include "nacre/io/recipe_file.h"
 #include "nacre/montecarlo/discs/disc.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 // What the fourth model costs and how it errs, beside the two that it stands between.
 
@@ -193,7 +194,7 @@ Surfaces make_surfaces(std::uint64_t seed) {
     facets.microfacet->facets->count = kFacets;
     const paint::Recipe flakes = io::read_recipe(shipped_file("studies/mir-2022/flakes-570.toml"));
     const auto solved = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(flakes, solver::default_wavelengths_nm(), {}));
+        solver::solve(flakes, spectra::default_wavelengths_nm(), {}));
     constexpr double kUmPerMm = 1e3;
     return {std::make_shared<const bsdf::SpecialEffect>(facets, seed),
             std::make_shared<const bsdf::Nacre>(solved, bsdf::NacreModel{.specimen = seed}),

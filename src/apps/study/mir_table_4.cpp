@@ -15,6 +15,7 @@
 #include "nacre/models/spectral_brdf.h"
 #include "nacre/montecarlo/shell_walk.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 // Table 4 and Figure 4: the models on two pearls, and their colour against angle.
 
@@ -70,7 +71,7 @@ void add_pictures(MirContext& context) {
 void add_colour(MirContext& context, const std::string& name, const std::string& file,
                 const bsdf::Model& model, report::Plot& travel, report::Plot& lightness) {
     bsdf::ModelInput paint{.recipe = io::read_recipe(shipped_file(file))};
-    const std::vector<double> wavelengths = solver::default_wavelengths_nm();
+    const std::vector<double> wavelengths = spectra::default_wavelengths_nm();
     if (model.info().solution != bsdf::Solution::none) {
         paint.solved = std::make_shared<const solver::SolvedPaint>(
             solver::solve(paint.recipe, wavelengths, {}));

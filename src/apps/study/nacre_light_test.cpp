@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "nacre/bsdf/models/nacre.h"
+#include "nacre/core/estimate.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/render/render.h"
@@ -38,10 +39,6 @@ render::Light lamp(float size_mm) {
                                   .radiance = {.scale = 1e5 / (size_mm * size_mm)}};
 }
 
-struct Estimate {
-    double mean, standard_error;
-};
-
 // Mean luminance of the picture by independent renders of the same flakes.
 Estimate luminance(const render::Scene& scene, DirectLight how) {
     constexpr int kRenders = 16;
@@ -59,8 +56,7 @@ Estimate luminance(const render::Scene& scene, DirectLight how) {
         sum += y;
         squares += y * y;
     }
-    const double mean = sum / kRenders;
-    return {mean, std::sqrt((squares / kRenders - mean * mean) / (kRenders - 1))};
+    return estimate_of_mean(sum, squares, kRenders);
 }
 
 void expect_agreement(const render::SceneDescription& description, const char* name) {
@@ -69,11 +65,12 @@ void expect_agreement(const render::SceneDescription& description, const char* n
     const Estimate all = luminance(scene, DirectLight::combined);
     const Estimate light = luminance(scene, DirectLight::light_sampling);
     const Estimate surface = luminance(scene, DirectLight::surface_sampling);
-    EXPECT_GT(all.mean, 0.01);
-    EXPECT_LT(all.standard_error, 0.02 * all.mean);
+    EXPECT_GT(all.value, 0.01);
+    EXPECT_LT(all.standard_error, 0.02 * all.value);
     // 4 combined standard errors: exceeded once in some 10 000 times.
-    EXPECT_NEAR(all.mean, light.mean, 4 * std::hypot(all.standard_error, light.standard_error));
-    EXPECT_NEAR(all.mean, surface.mean, 4 * std::hypot(all.standard_error, surface.standard_error));
+    EXPECT_NEAR(all.value, light.value, 4 * std::hypot(all.standard_error, light.standard_error));
+    EXPECT_NEAR(all.value, surface.value,
+                4 * std::hypot(all.standard_error, surface.standard_error));
     // That is the point of combining them.
     EXPECT_LT(all.standard_error, 1.5 * std::min(light.standard_error, surface.standard_error));
 }

@@ -11,6 +11,7 @@
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::study {
 namespace {
@@ -39,7 +40,7 @@ TEST(QueryCost, SurfacesOfSingleReflectorsAnswerTheirMean) {
     paint.recipe = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     paint.recipe.microfacet->facets->count = 1e9;
     paint.solved = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(paint.recipe, solver::default_wavelengths_nm(), {}));
+        solver::solve(paint.recipe, spectra::default_wavelengths_nm(), {}));
     for (const bsdf::Model& model :
          {bsdf::Model(bsdf::SpecialEffectModel{}), bsdf::Model(bsdf::NacreModel{})}) {
         const QuerySubject subject(*model.make(paint), kQueries);

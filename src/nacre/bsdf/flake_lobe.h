@@ -53,7 +53,7 @@ class FlakeLobe {
         const float y = r * std::sin(angle);
         if (x > 0 && u_sign * wi.z < x * s) x = -x;
         const float ex = s > 0 ? wi.x / s : 1.0f, ey = s > 0 ? wi.y / s : 0.0f;
-        const Vec3f m = normalize({-(x * ex - y * ey), -(x * ey + y * ex), 1.0f});
+        const Vec3f m = normalize(Vec3f{-(x * ex - y * ey), -(x * ey + y * ex), 1.0f});
         return 2 * dot(wi, m) * m - wi;
     }
 

@@ -101,7 +101,7 @@ float sample_visible_beckmann_slope(float cotangent, float u) {
 
 Vec3f MicrofacetDistribution::sample_visible(Vec3f wi, Vec2f u) const {
     if (law_ == paint::FacetDistribution::ggx) {
-        const Vec3f stretched = normalize({alpha_ * wi.x, alpha_ * wi.y, wi.z});
+        const Vec3f stretched = normalize(Vec3f{alpha_ * wi.x, alpha_ * wi.y, wi.z});
         // The hemisphere seen from there: a half disk, and a half ellipse squeezed along `along`.
         const float sine = std::sqrt(stretched.x * stretched.x + stretched.y * stretched.y);
         const Vec3f across =
@@ -112,14 +112,14 @@ Vec3f MicrofacetDistribution::sample_visible(Vec3f wi, Vec2f u) const {
         d.y = (1 - s) * std::sqrt(std::max(0.0f, 1 - d.x * d.x)) + s * d.y;
         const float up = std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y));
         const Vec3f m = d.x * across + d.y * along + up * stretched;
-        return normalize({alpha_ * m.x, alpha_ * m.y, std::max(1e-6f, m.z)});
+        return normalize(Vec3f{alpha_ * m.x, alpha_ * m.y, std::max(1e-6f, m.z)});
     }
     const float sine = std::sqrt(wi.x * wi.x + wi.y * wi.y);
     const float cotangent = sine > 0 ? wi.z / (alpha_ * sine) : 1e9f;
     const float ex = sine > 0 ? wi.x / sine : 1.0f, ey = sine > 0 ? wi.y / sine : 0.0f;
     const float x = alpha_ * sample_visible_beckmann_slope(cotangent, std::max(u.x, 1e-7f));
     const float y = alpha_ * erf_inverse(std::clamp(2 * u.y - 1, -0.9999999f, 0.9999999f));
-    return normalize({-(x * ex - y * ey), -(x * ey + y * ex), 1.0f});
+    return normalize(Vec3f{-(x * ex - y * ey), -(x * ey + y * ex), 1.0f});
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/core/random.h"
 #include "nacre/core/vec.h"
 #include "nacre/paint/recipe.h"
 
@@ -122,7 +123,7 @@ class MicrofacetAlbedo {
  public:
     /// Fills the table. weight(wi, u) is the weight f cos / pdf, without the specular lobe, of the
     /// sample that the numbers u in (0, 1)^4 give for the direction wi; they are points of a
-    /// Hammersley set.
+    /// Hammersley set.                                      [niederreiter-1992, chapter 3]
     template <class Weight>
     void tabulate(Weight&& weight) {
         constexpr unsigned kPoints = 256;
@@ -131,9 +132,12 @@ class MicrofacetAlbedo {
             const Vec3f wi = {std::sqrt(1 - z * z), 0, z};
             FloatLanes sum{};
             for (unsigned p = 0; p < kPoints; ++p) {
+                const auto mirrored_digits = [p](unsigned base) {
+                    return static_cast<float>(radical_inverse(p, base));
+                };
                 sum += weight(wi, std::array{(static_cast<float>(p) + 0.5f) / kPoints,
-                                             radical_inverse(p, 2) + 0.5f / kPoints,
-                                             radical_inverse(p, 3), radical_inverse(p, 5)});
+                                             mirrored_digits(2) + 0.5f / kPoints,
+                                             mirrored_digits(3), mirrored_digits(5)});
             }
             lanes_[row] = sum * (1.0f / kPoints);
             means_[row] = lane_mean(lanes_[row]);
@@ -162,16 +166,6 @@ class MicrofacetAlbedo {
         const float x = std::min(cosine, 1.0f) * kIntervals;
         const int row = std::min(static_cast<int>(x), kIntervals - 1);
         return rows[row] + (x - static_cast<float>(row)) * (rows[row + 1] - rows[row]);
-    }
-
-    // The digits of p mirrored at the point.                    [niederreiter-1992, chapter 3]
-    static float radical_inverse(unsigned p, unsigned base) {
-        float value = 0, digit = 1;
-        for (; p > 0; p /= base) {
-            digit /= static_cast<float>(base);
-            value += digit * static_cast<float>(p % base);
-        }
-        return value;
     }
 
     std::array<FloatLanes, kIntervals + 1> lanes_{};

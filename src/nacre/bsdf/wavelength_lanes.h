@@ -57,7 +57,7 @@ class RgbLanes {
             });
         }
     }
-    FloatLanes operator()(const std::array<float, 3>& rgb) const {
+    FloatLanes operator()(spectra::Rgb rgb) const {
         return max_lanes(rgb[0] * basis_[0] + rgb[1] * basis_[1] + rgb[2] * basis_[2],
                          FloatLanes{});
     }

@@ -1,33 +1,59 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
+// Values that are known up to noise.
+
 namespace nacre {
 
+/// A value and the standard deviation of its error, estimated from the same data. Where few of many
+/// contributions count much both are skewed downwards.
 struct Estimate {
     double value = 0, standard_error = 0;
 };
+
+/// Mean of independent numbers, by their sum and that of their squares. @param count  at least 2
+inline Estimate estimate_of_mean(double sum, double sum_of_squares, double count) {
+    const double mean = sum / count;
+    const double variance = (sum_of_squares / count - mean * mean) * count / (count - 1);
+    return {mean, std::sqrt(std::max(0.0, variance) / count)};  // < 0 by rounding alone
+}
+
+/// (estimate - expected) in standard errors; the expected value's own error adds in quadrature.
+/// Standard normal if both have the same mean.
+inline double z_score(const Estimate& estimate, double expected, double expected_error = 0) {
+    return (estimate.value - expected) / std::hypot(estimate.standard_error, expected_error);
+}
+inline double z_score(const Estimate& a, const Estimate& b) {
+    return z_score(a, b.value, b.standard_error);
+}
 
 /// A statistic of sums over a picture, with its standard error: pieces of the picture are left out
 /// in turn, so that neighbours that share a flake do not count as independent.
 /// [efron-stein-1981]
 ///
-/// @param pieces     sums over each piece; Sums has + and -
-/// @param statistic  a function of the sums over all pieces
+/// @param pieces     several sums over each piece
+/// @param statistic  a function of these sums over all pieces
 /// @return the standard error is NaN where the statistic of some of them is not finite
-template <class Sums, std::size_t kPieces, class Statistic>
-Estimate jackknife(const std::array<Sums, kPieces>& pieces, const Statistic& statistic) {
+template <std::size_t kSums, std::size_t kPieces, class Statistic>
+Estimate jackknife(const std::array<std::array<double, kSums>, kPieces>& pieces,
+                   const Statistic& statistic) {
     constexpr double kCount = kPieces;
-    Sums total{};
-    for (const Sums& s : pieces) total = total + s;
+    std::array<double, kSums> total{};
+    for (const auto& piece : pieces) {
+        for (std::size_t i = 0; i < kSums; ++i) total[i] += piece[i];
+    }
     std::array<double, kPieces> values;
     double mean = 0, variance = 0;
-    for (std::size_t i = 0; i < kPieces; ++i) {
-        values[i] = statistic(total - pieces[i]);
-        mean += values[i] / kCount;
+    for (std::size_t p = 0; p < kPieces; ++p) {
+        std::array<double, kSums> others = total;
+        for (std::size_t i = 0; i < kSums; ++i) others[i] -= pieces[p][i];
+        values[p] = statistic(others);
+        mean += values[p] / kCount;
     }
     for (double value : values) variance += (value - mean) * (value - mean) / kCount;
     const double error = std::sqrt((kCount - 1) * variance);

@@ -14,6 +14,25 @@ constexpr std::size_t kMaxNameLength = 100;
 
 }  // namespace
 
+std::string lowercase(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = lower(c);
+    return result;
+}
+
+std::string excerpt(std::string_view text, std::size_t longest, char stand_in) {
+    std::size_t end = std::min(text.size(), longest);
+    // Not before a continuation byte, which would leave half a character.
+    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
+        --end;
+    }
+    std::string result(text.substr(0, end));
+    for (char& c : result) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = stand_in;
+    }
+    return end < text.size() ? result + "..." : result;
+}
+
 int edit_distance(std::string_view a, std::string_view b) {
     // Three rows of the table d[i][j] = distance of the first i letters of a to the first j of b.
     std::vector<int> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);

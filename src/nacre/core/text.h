@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -43,31 +44,39 @@ inline std::optional<double> parse_number(std::string_view text) {
     return value && text.empty() ? value : std::nullopt;
 }
 
-/// The pieces between separators, trimmed. A run of spaces separates as one when `separator` is a
-/// space.
+/// The pieces between separators: at least one, possibly empty.
 inline std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> pieces;
     while (true) {
-        if (separator == ' ') {
-            text = trimmed(text);
-            if (text.empty()) return pieces;
-        }
-        const auto end = separator == ' ' ? text.find_first_of(" \t") : text.find(separator);
-        pieces.push_back(trimmed(text.substr(0, end)));
+        const auto end = text.find(separator);
+        pieces.push_back(text.substr(0, end));
         if (end == std::string_view::npos) return pieces;
         text.remove_prefix(end + 1);
     }
 }
 
-/// For messages: a text that somebody else wrote, shortened, its control characters replaced.
-inline std::string excerpt(std::string_view text) {
-    constexpr std::size_t longest = 60;
-    std::string result(text.substr(0, longest));
-    for (char& c : result) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+/// The pieces between runs of spaces; none where there is nothing else.
+inline std::vector<std::string_view> words(std::string_view text) {
+    std::vector<std::string_view> pieces;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        pieces.push_back(trimmed(text.substr(0, text.find_first_of(" \t"))));
+        text.remove_prefix(std::min(text.size(), text.find_first_of(" \t")));
     }
-    return text.size() > longest ? result + "..." : result;
+    return pieces;
 }
+
+/// With small letters of the English alphabet.
+std::string lowercase(std::string_view text);
+
+/// Without the mark with which some editors begin a file of UTF-8.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+/// For messages: a text that somebody else wrote, cut to so many bytes between characters of UTF-8,
+/// with `stand_in` for control characters, so that a message stays a line.
+std::string excerpt(std::string_view text, std::size_t longest = 60, char stand_in = '?');
 
 /// Fewest insertions, deletions, substitutions and swaps of neighbours that turn a into b, no
 /// letter being changed twice: the optimal string alignment distance. Bytes are compared, upper

@@ -1,11 +1,36 @@
 #include "nacre/core/text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <vector>
 
 namespace nacre {
 namespace {
+
+using testing::ElementsAre;
+
+TEST(Split, GivesAllPiecesEmptyOnesToo) {
+    EXPECT_THAT(split("a, b,", ','), ElementsAre("a", " b", ""));
+    EXPECT_THAT(split("", ','), ElementsAre(""));
+}
+
+TEST(Words, AreWhatStandsBetweenSpaces) {
+    EXPECT_THAT(words("  0.4\t1.5   0\r"), ElementsAre("0.4", "1.5", "0"));
+    EXPECT_THAT(words(" \t"), ElementsAre());
+}
+
+TEST(Excerpt, IsOneLineAndCutBetweenCharacters) {
+    EXPECT_EQ(excerpt("a\nb"), "a?b");
+    EXPECT_EQ(excerpt("a\tb", 60, ' '), "a b");
+    EXPECT_EQ(excerpt("abcd", 4), "abcd");
+    EXPECT_EQ(excerpt("abcde", 4), "abcd...");
+    EXPECT_EQ(excerpt("ab\u00e9", 3), "ab...") << "half of the last character would be left";
+}
+
+TEST(Lowercase, ChangesTheEnglishAlphabetAlone) {
+    EXPECT_EQ(lowercase("L*a9\u00c9"), "l*a9\u00c9");
+}
 
 TEST(EditDistance, CountsEachKindOfEditOnce) {
     EXPECT_EQ(edit_distance("alpha", "alpha"), 0);

@@ -1,33 +1,73 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
-// Small vectors for geometry. Directions point away from the surface (docs/conventions.md).
+// Small vectors: directions and places, which point away from the surface (docs/conventions.md),
+// and triples of numbers that are added and scaled together, such as colours.
 
 namespace nacre {
 
-struct Vec2f {
-    float x = 0, y = 0;
+template <class T>
+struct Vec2 {
+    T x = 0, y = 0;
+
+    friend constexpr T dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+    friend T length(Vec2 a) { return std::sqrt(dot(a, a)); }
 };
 
-struct Vec3f {
-    float x = 0, y = 0, z = 0;
+template <class T>
+struct Vec3 {
+    T x = 0, y = 0, z = 0;
 
-    friend constexpr Vec3f operator+(Vec3f a, Vec3f b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend constexpr Vec3f operator-(Vec3f a, Vec3f b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    friend constexpr Vec3f operator*(Vec3f a, Vec3f b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-    friend constexpr Vec3f operator*(float s, Vec3f a) { return {s * a.x, s * a.y, s * a.z}; }
-    friend constexpr Vec3f operator*(Vec3f a, float s) { return s * a; }
-    friend constexpr Vec3f operator-(Vec3f a) { return {-a.x, -a.y, -a.z}; }
-    friend constexpr bool operator==(Vec3f, Vec3f) = default;
+    constexpr T& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    constexpr const T& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+
+    friend constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend constexpr Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    friend constexpr Vec3 operator*(T s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
+    friend constexpr Vec3 operator*(Vec3 a, T s) { return s * a; }
+    friend constexpr Vec3 operator/(Vec3 a, T s) { return {a.x / s, a.y / s, a.z / s}; }
+    friend constexpr Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
+    constexpr Vec3& operator+=(Vec3 b) { return *this = *this + b; }
+    constexpr Vec3& operator*=(T s) { return *this = s * *this; }
+    friend constexpr bool operator==(Vec3, Vec3) = default;
+
+    friend constexpr T dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend constexpr Vec3 cross(Vec3 a, Vec3 b) {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
+    friend T length(Vec3 a) { return std::sqrt(dot(a, a)); }
+    friend Vec3 normalize(Vec3 a) { return (1 / length(a)) * a; }
 };
 
-constexpr float dot(Vec3f a, Vec3f b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3f cross(Vec3f a, Vec3f b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+/// As an array of three, for nlohmann::json, which finds this by name.
+template <class Json, class T>
+void to_json(Json& json, const Vec3<T>& v) {
+    json = Json::array({v.x, v.y, v.z});
 }
-inline float length(Vec3f a) { return std::sqrt(dot(a, a)); }
-inline Vec3f normalize(Vec3f a) { return (1.0f / length(a)) * a; }
+
+using Vec2f = Vec2<float>;
+using Vec3f = Vec3<float>;
+using Vec3d = Vec3<double>;
+
+inline Vec3d to_double(Vec3f a) { return {a.x, a.y, a.z}; }
+inline Vec3f to_float(Vec3d a) {
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+/// A unit vector perpendicular to `a`, in the plane z = 0 unless `a` stands on it.
+template <class T>
+Vec3<T> perpendicular(Vec3<T> a) {
+    constexpr T kUpright = T(1e-12);
+    if (std::max(std::abs(a.x), std::abs(a.y)) > kUpright * std::abs(a.z)) {
+        const T scale = 1 / std::sqrt(a.x * a.x + a.y * a.y);
+        return {-a.y * scale, a.x * scale, 0};
+    }
+    const T scale = 1 / std::sqrt(a.y * a.y + a.z * a.z);
+    return {0, -a.z * scale, a.y * scale};
+}
 
 /// Right-handed orthonormal frame whose third axis is the unit vector n, without branches on n
 /// and without a singularity.                                        [duff-2017-onb, listing 3]

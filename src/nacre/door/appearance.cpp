@@ -5,6 +5,7 @@
 #include "nacre/models/models.h"
 #include "nacre/models/spectral_brdf.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 // Who answers: a solved paint itself, a model made of it or of its recipe, a table, a measurement.
 
@@ -156,7 +157,7 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
             return brdf;
         }
     }
-    if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = solver::default_wavelengths_nm();
+    if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = spectra::default_wavelengths_nm();
     const auto look = appearance(settings.model, solve, progress);
     const auto bound = std::make_shared<const models::SpectralBrdf>(*look, brdf.wavelengths_nm_);
     brdf.values_ = [bound](double theta_i, double theta_o, double phi) {

@@ -12,6 +12,7 @@
 #include "nacre/io/measurement_file.h"
 #include "nacre/montecarlo/reference.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre {
 
@@ -112,7 +113,7 @@ Readings estimated(const std::string& name, const paint::Recipe& recipe,
                                                    settings.model->info().name));
     }
     const std::vector<double> nm = settings.wavelengths_nm.empty()
-                                       ? solver::default_wavelengths_nm()
+                                       ? spectra::default_wavelengths_nm()
                                        : settings.wavelengths_nm;
     Readings readings;
     readings.measurement = {name, conditions, nm, std::vector<measure::Reading>(geometries.size())};

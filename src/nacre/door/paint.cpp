@@ -15,6 +15,7 @@
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre {
 
@@ -58,7 +59,7 @@ MeasuredBrdf read_measured_brdf(std::string_view bytes, const std::string& name)
 /// By wavelength, each once, as a solver wants them.
 SolveSettings in_order(SolveSettings settings) {
     std::vector<double>& nm = settings.wavelengths_nm;
-    if (nm.empty()) nm = solver::default_wavelengths_nm();
+    if (nm.empty()) nm = spectra::default_wavelengths_nm();
     std::sort(nm.begin(), nm.end());
     nm.erase(std::unique(nm.begin(), nm.end()), nm.end());
     if (nm.size() > kMaxSolvedWavelengths) {

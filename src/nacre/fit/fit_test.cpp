@@ -204,13 +204,13 @@ TEST(Fit, StopsWhenAsked) {
 // Whether errors are as large as reported: many standards with noise of a known size.
 
 /// L*a*b* moved so that each component of the CIEDE2000 difference is normal with this deviation.
-spectra::Vec3 disturbed(const spectra::Vec3& lab, double sigma, Rng& rng) {
+Vec3d disturbed(const Vec3d& lab, double sigma, Rng& rng) {
     Eigen::Matrix3d metric;
     constexpr double kStep = 1e-4;
     for (int c = 0; c < 3; ++c) {
-        spectra::Vec3 moved = lab;
+        Vec3d moved = lab;
         moved[c] += kStep;
-        const spectra::Vec3 v = spectra::delta_e_2000_vector(lab, moved);
+        const Vec3d v = spectra::delta_e_2000_vector(lab, moved);
         for (int r = 0; r < 3; ++r) metric(r, c) = v[r] / kStep;
     }
     std::normal_distribution<double> normal(0, sigma);

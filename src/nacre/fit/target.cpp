@@ -9,6 +9,7 @@
 #include "nacre/measure/instrument.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/lab.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::fit {
 
@@ -95,7 +96,7 @@ Target::Target(const measure::Measurement& standard, const TargetOptions& option
     }
 
     const std::vector<double> all =
-        has_spectra_ ? standard.wavelengths_nm : solver::default_wavelengths_nm();
+        has_spectra_ ? standard.wavelengths_nm : spectra::default_wavelengths_nm();
     for (Detail detail : {Detail::screening, Detail::coarse, Detail::fine}) {
         const auto d = static_cast<std::size_t>(detail);
         const bool fine = detail == Detail::fine;
@@ -136,10 +137,9 @@ std::vector<double> Target::residuals(const solver::SolvedPaint& paint, Detail d
     for (const measure::Measurement& wanted : standards(detail)) {
         const measure::Measurement seen = restated(sample, wanted.conditions);
         for (std::size_t i = 0; i < geometries_.size(); ++i) {
-            for (double component :
-                 spectra::delta_e_2000_vector(wanted.readings[i].lab, seen.readings[i].lab)) {
-                out.push_back(root_weight_[i] * component);
-            }
+            const Vec3d difference =
+                spectra::delta_e_2000_vector(wanted.readings[i].lab, seen.readings[i].lab);
+            for (int c = 0; c < 3; ++c) out.push_back(root_weight_[i] * difference[c]);
         }
     }
     return out;

@@ -48,10 +48,6 @@ void write_head(hid_t file, const std::string& paint, const BrdfGrid& grid, cons
 
 // ---------------------------------------------------------------------------------- reading
 
-void require(bool ok, const char* what) {
-    if (!ok) throw Error(what);
-}
-
 BrdfGrid read_grid(hid_t file) {
     const Hdf5Handle group(H5Gopen2(file, "grid", H5P_DEFAULT), "open group grid");
     BrdfGrid grid;
@@ -67,11 +63,10 @@ BrdfGrid read_grid(hid_t file) {
 std::vector<float> read_exactly(hid_t file, const char* name, const Hdf5Shape& shape) {
     std::size_t most = 1;  // a black table has no terms, but its other sizes must pass
     for (hsize_t n : shape) most *= std::max<hsize_t>(n, 1);
-    require(array_shape(file, name, shape.size(), most) == shape,
-            "the sizes of the arrays do not fit the grid");
+    require_content(array_shape(file, name, shape.size(), most) == shape,
+                    "the sizes of the arrays do not fit the grid");
     std::vector<float> values = read_floats(file, name, shape.size(), most);
-    require(std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }),
-            "a value is not finite");
+    require_finite(values, "a value is not finite");
     return values;
 }
 
@@ -83,13 +78,13 @@ BrdfTable read_contents(hid_t file) {
     if (kind == "raw") {
         return RawBrdfTable{paint, grid, read_exactly(file, "values", {n, n, m, 3})};
     }
-    require(kind == "svd", "attribute kind is neither raw nor svd");
+    require_content(kind == "svd", "attribute kind is neither raw nor svd");
     CompressedBrdfTable table{paint, grid, {}, {}, {}};
     const std::vector<int> rank = read_ints(file, "rank", 1, 3);
-    require(rank.size() == 3, "there are not three channels");
+    require_content(rank.size() == 3, "there are not three channels");
     for (int c = 0; c < 3; ++c) {
-        require(rank[c] >= 0 && rank[c] <= CompressedBrdfTable::kMaxTerms,
-                "the number of terms of a channel is out of range");
+        require_content(rank[c] >= 0 && rank[c] <= CompressedBrdfTable::kMaxTerms,
+                        "the number of terms of a channel is out of range");
         table.rank[c] = rank[c];
     }
     const hsize_t terms = table.terms();

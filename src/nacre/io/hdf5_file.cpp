@@ -163,6 +163,10 @@ void write_text(hid_t parent, const char* name, const std::string& text, const c
     write_attribute(set, "meaning", std::string(meaning));
 }
 
+void require_content(bool ok, const char* what) {
+    if (!ok) throw Error(what);
+}
+
 Hdf5Shape array_shape(hid_t parent, const char* name, std::size_t rank, std::size_t most) {
     const std::string action = fmt::format("read array {}", name);
     const Hdf5Handle set(H5Dopen2(parent, name, H5P_DEFAULT), action);

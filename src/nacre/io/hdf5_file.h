@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -67,6 +68,13 @@ std::vector<double> read_doubles(hid_t parent, const char* name, std::size_t ran
 std::vector<float> read_floats(hid_t parent, const char* name, std::size_t rank, std::size_t most);
 std::vector<int> read_ints(hid_t parent, const char* name, std::size_t rank, std::size_t most);
 std::string read_text(hid_t parent, const char* name, std::size_t most);
+
+/// What a file says must make sense. @throws Error `what`
+void require_content(bool ok, const char* what);
+template <class T>
+void require_finite(const std::vector<T>& values, const char* what) {
+    for (const T value : values) require_content(std::isfinite(value), what);
+}
 
 // HDF5 files behind a head of 512 bytes of text that says what this is, and version, size and
 // SHA-256 of the rest. The checksum is verified before HDF5 sees a byte: its library is not made

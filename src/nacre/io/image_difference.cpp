@@ -14,12 +14,10 @@ namespace nacre::io {
 
 namespace {
 
-using spectra::Vec3;
-
 constexpr std::size_t kPixelsPerPiece = 4096;
 
-Vec3 lab_of(const float* rgb) {
-    static const Vec3 white = spectra::linear_rec709_to_xyz({1, 1, 1});
+Vec3d lab_of(const float* rgb) {
+    static const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
     return spectra::xyz_to_lab(spectra::linear_rec709_to_xyz({rgb[0], rgb[1], rgb[2]}), white);
 }
 

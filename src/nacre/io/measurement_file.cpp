@@ -96,7 +96,7 @@ measure::Geometry geometry_of(const MeasurementRow& row) {
 measure::Reading reading_of(const MeasurementRow& row, const std::vector<double>& wavelengths_nm,
                             const measure::Conditions& conditions) {
     measure::Reading reading;
-    const spectra::Vec3 white = measure::white_point(
+    const Vec3d white = measure::white_point(
         row.reflectance_factor.empty() ? std::vector<double>{} : wavelengths_nm, conditions);
     if (!row.reflectance_factor.empty()) {
         reading = measure::coloured({}, wavelengths_nm, row.reflectance_factor, conditions);
@@ -198,11 +198,11 @@ class Member {
         for (const json& value : *found) values.push_back(as_number(value, key, range));
         return values;
     }
-    std::optional<spectra::Vec3> triple(const char* key, const Range& range) const {
+    std::optional<Vec3d> triple(const char* key, const Range& range) const {
         const std::vector<double> values = numbers(key, range, 3);
         if (!find(key)) return std::nullopt;
         if (values.size() != 3) fail(key, "must have three numbers");
-        return spectra::Vec3{values[0], values[1], values[2]};
+        return Vec3d{values[0], values[1], values[2]};
     }
 
     const std::string& place() const { return place_; }
@@ -358,7 +358,7 @@ json measurement_json(const measure::Measurement& measurement) {
 namespace {
 
 bool starts_like_json(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    text = without_byte_order_mark(text);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && text[first] == '{';
 }

@@ -28,7 +28,7 @@ struct MeasurementRow {
     std::string name;   ///< of the geometry; empty: not stated
     std::optional<double> theta_i_deg, aspecular_deg, theta_o_deg, phi_deg;
     std::vector<double> reflectance_factor;
-    std::optional<spectra::Vec3> xyz, lab;
+    std::optional<Vec3d> xyz, lab;
 };
 
 /// Completes rows to a measurement.

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "nacre/core/csv.h"
 #include "nacre/core/error.h"
-#include "nacre/io/measurement_csv.h"
 #include "nacre/measure/measurement.h"
 
 namespace nacre::io {
@@ -91,11 +91,11 @@ TEST(MeasurementFile, ReadsColoursWithoutSpectraAsInstrumentsExportThem) {
     ASSERT_EQ(m.readings.size(), 2u);
     EXPECT_EQ(m.readings[0].geometry.aspecular_deg, 15);
     EXPECT_EQ(m.readings[1].geometry.theta_o_deg, 60);
-    EXPECT_EQ(m.readings[0].lab, (spectra::Vec3{110.5, -2, 3.25}));
+    EXPECT_EQ(m.readings[0].lab, (Vec3d{110.5, -2, 3.25}));
     EXPECT_EQ(m.conditions.illuminant, spectra::Illuminant::A);
     EXPECT_TRUE(m.wavelengths_nm.empty());
     // XYZ follows from L*a*b*: grey is as the white, of which Y is 100.
-    const spectra::Vec3 white =
+    const Vec3d white =
         spectra::white_point(spectra::Illuminant::A, spectra::Observer::cie1931_2deg);
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(m.readings[1].xyz[c] / m.readings[1].xyz[1], white[c] / 100, 1e-14);

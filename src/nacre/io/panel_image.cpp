@@ -12,7 +12,7 @@ Image image_of(const measure::PanelPicture& picture, std::map<std::string, std::
     for (Channel& channel : image.channels) channel.pixels.reserve(picture.pixel_count());
     for (std::size_t p = 0; p < picture.pixel_count(); ++p) {
         const float* const xyz = &picture.xyz[3 * p];
-        const spectra::Vec3 rgb = spectra::xyz_to_linear_rec709({xyz[0], xyz[1], xyz[2]});
+        const Vec3d rgb = spectra::xyz_to_linear_rec709({xyz[0], xyz[1], xyz[2]});
         for (std::size_t c = 0; c < 3; ++c) {
             image.channels[c].pixels.push_back(static_cast<float>(rgb[c]));
         }

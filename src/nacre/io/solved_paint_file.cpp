@@ -93,15 +93,6 @@ std::string kept_recipe(const paint::Recipe& recipe) {
 
 // ---------------------------------------------------------------------------------- reading
 
-void require(bool ok, const char* what) {
-    if (!ok) throw Error(what);
-}
-
-template <class T>
-void require_finite(const std::vector<T>& values, const char* what) {
-    require(std::all_of(values.begin(), values.end(), [](T v) { return std::isfinite(v); }), what);
-}
-
 solver::MultipleScattering read_tensor(hid_t file, const TensorGroup& where,
                                        std::size_t wavelengths) {
     const Hdf5Handle group(H5Gopen2(file, where.name, H5P_DEFAULT),
@@ -117,18 +108,19 @@ solver::MultipleScattering read_tensor(hid_t file, const TensorGroup& where,
     require_finite(r.coefficient, "a coefficient is not finite");
 
     const int nodes = static_cast<int>(r.exit_angle.size());
-    require(nodes > 0, "there are no exit angles");
+    require_content(nodes > 0, "there are no exit angles");
     for (int i = 0; i < nodes; ++i) {
-        require(r.exit_angle[i] >= (i ? r.exit_angle[i - 1] : 0.0) &&
-                    r.exit_angle[i] <= std::numbers::pi / 2,
-                "exit angles must increase within [0, pi/2]");
+        require_content(r.exit_angle[i] >= (i ? r.exit_angle[i - 1] : 0.0) &&
+                            r.exit_angle[i] <= std::numbers::pi / 2,
+                        "exit angles must increase within [0, pi/2]");
     }
-    for (int first : r.first) require(first >= 0 && first <= nodes, "a first node is out of range");
+    for (int first : r.first)
+        require_content(first >= 0 && first <= nodes, "a first node is out of range");
     const Hdf5Shape basis = array_shape(group, "basis", 2, wavelengths * wavelengths);
     const Hdf5Shape coefficient = array_shape(group, "coefficient", 2, kMaxCoefficients);
-    require(basis[1] == wavelengths && coefficient[0] == basis[0] &&
-                coefficient[1] == (basis[0] ? r.pair_count() : 0),
-            "the sizes of the arrays do not fit together");
+    require_content(basis[1] == wavelengths && coefficient[0] == basis[0] &&
+                        coefficient[1] == (basis[0] ? r.pair_count() : 0),
+                    "the sizes of the arrays do not fit together");
     return r;
 }
 
@@ -137,9 +129,10 @@ solver::SolvedPaint read_contents(hid_t file, const std::string& name) {
     const std::vector<double> wavelengths =
         read_doubles(file, "wavelengths_nm", 1, kMaxWavelengths);
     require_finite(wavelengths, "a wavelength is not finite");
-    require(!wavelengths.empty() && std::adjacent_find(wavelengths.begin(), wavelengths.end(),
-                                                       std::greater_equal<>()) == wavelengths.end(),
-            "wavelengths must increase");
+    require_content(
+        !wavelengths.empty() && std::adjacent_find(wavelengths.begin(), wavelengths.end(),
+                                                   std::greater_equal<>()) == wavelengths.end(),
+        "wavelengths must increase");
 
     solver::SolvedPaint paint;
     paint.recipe = parse_recipe(recipe, name + "/recipe", "");
@@ -161,11 +154,11 @@ solver::SolvedPaint read_contents(hid_t file, const std::string& name) {
     paint.multiple_scattering = read_tensor(file, kRemainder, wavelengths.size());
     if (paint.medium.roughness > 0) {
         paint.rough_single = read_tensor(file, kRoughSingle, wavelengths.size());
-        require(paint.rough_single.exit_angle == paint.multiple_scattering.exit_angle,
-                "the exit angles of remainder and rough_single differ");
+        require_content(paint.rough_single.exit_angle == paint.multiple_scattering.exit_angle,
+                        "the exit angles of remainder and rough_single differ");
     } else {
-        require(H5Lexists(file, kRoughSingle.name, H5P_DEFAULT) == 0,
-                "there is a group rough_single, but the interface is smooth");
+        require_content(H5Lexists(file, kRoughSingle.name, H5P_DEFAULT) == 0,
+                        "there is a group rough_single, but the interface is smooth");
     }
     return paint;
 }

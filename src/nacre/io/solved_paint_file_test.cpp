@@ -14,6 +14,7 @@
 #include "nacre/io/hdf5_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::io {
 namespace {
@@ -250,7 +251,7 @@ TEST(SolvedPaintFile, StaysBelow300KilobytesFor31Wavelengths) {
     // From an ordinary pearl to the narrowest lobes: 76 orders between 44 nodes.
     for (const double alpha : {0.1, 0.02}) {
         recipe.layers[0].flakes[0].orientation.beckmann_alpha = alpha;
-        const solver::SolvedPaint paint = solver::solve(recipe, solver::default_wavelengths_nm());
+        const solver::SolvedPaint paint = solver::solve(recipe, spectra::default_wavelengths_nm());
         EXPECT_EQ(paint.wavelengths_nm().size(), 31u);
         EXPECT_LE(solved_paint_bytes(paint).size(), 300'000u) << "alpha " << alpha;
     }

@@ -16,20 +16,8 @@ namespace nacre::io {
 
 namespace {
 
-constexpr std::size_t kMaxShownValueLength = 60;
+constexpr std::size_t kMaxShownLength = 60;
 constexpr std::size_t kMaxComplaintLength = 200;  // of the TOML parser, which quotes the text
-
-/// Printable and short, so that a message stays a line whatever stands in the file.
-std::string shortened(std::string text, std::size_t longest = kMaxShownValueLength) {
-    for (char& c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-    }
-    if (text.size() <= longest) return text;
-    // Cut before a continuation byte would leave half a UTF-8 character.
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
-    return text.substr(0, end) + "...";
-}
 
 std::string shown(const toml::node& node) {
     if (node.is_table()) return "{...}";
@@ -42,7 +30,7 @@ std::string shown(const toml::node& node) {
     node.visit([&](const auto& value) {
         if constexpr (toml::is_value<decltype(value)>) out << toml::toml_formatter(value);
     });
-    return shortened(out.str());
+    return excerpt(out.str(), kMaxShownLength, ' ');
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -88,7 +76,7 @@ TomlDocument::TomlDocument(std::string_view text, std::string filename,
         root_ = toml::parse(text, filename_);
     } catch (const toml::parse_error& error) {
         throw InputError(place(filename_, error.source()) +
-                         shortened(std::string(error.description()), kMaxComplaintLength));
+                         excerpt(error.description(), kMaxComplaintLength, ' '));
     }
 }
 
@@ -124,8 +112,9 @@ TableReader::TableReader(TomlDocument& document, const toml::table& table, std::
         if (!may_have(key.str())) {
             throw InputError(fmt::format("{}{} = {}: unknown key{}; allowed here: {}",
                                          place(document.filename(), key.source()),
-                                         path_of(shortened(std::string(key.str()))), shown(node),
-                                         suggestion(key.str(), allowed_), joined(allowed_)));
+                                         path_of(excerpt(key.str(), kMaxShownLength, ' ')),
+                                         shown(node), suggestion(key.str(), allowed_),
+                                         joined(allowed_)));
         }
         document.note(path_of(key.str()), node.source());
     }

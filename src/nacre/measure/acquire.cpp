@@ -36,7 +36,7 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
                 const bsdf::DirectionPair pair = bsdf::directions_of(table.middle(h, d, a));
                 const auto &i = pair.wi, &o = pair.wo;
                 if (i[2] <= 0 || o[2] <= 0) continue;
-                const auto polar = [](const std::array<double, 3>& w) {
+                const auto polar = [](const Vec3d& w) {
                     return std::min(std::atan2(std::hypot(w[0], w[1]), w[2]),
                                     0.5 * std::numbers::pi - 1e-9);
                 };

@@ -58,7 +58,7 @@ TEST(AcquireMerl, MiddlesOfCellsHoldTheBrdf) {
         for (int d = 0; d < 18; d += 3) {
             for (int a = 0; a < 24; a += 5) {
                 const bsdf::DirectionPair pair = bsdf::directions_of(table.middle(h, d, a));
-                const auto vec = [](const std::array<double, 3>& w) {
+                const auto vec = [](const Vec3d& w) {
                     return Vec3f{static_cast<float>(w[0]), static_cast<float>(w[1]),
                                  static_cast<float>(w[2])};
                 };

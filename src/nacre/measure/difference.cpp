@@ -51,8 +51,8 @@ bool same_light(const Conditions& a, const Conditions& b) {
 }
 
 /// CIELAB of a reading as it is, or from its spectrum where other conditions are asked for.
-spectra::Vec3 lab_under(const Measurement& measurement, const Reading& reading,
-                        const Conditions& conditions) {
+Vec3d lab_under(const Measurement& measurement, const Reading& reading,
+                const Conditions& conditions) {
     if (same_light(measurement.conditions, conditions)) return reading.lab;
     return coloured(reading.geometry, measurement.wavelengths_nm, reading.reflectance_factor,
                     conditions)

@@ -10,10 +10,10 @@ namespace nacre::measure {
 
 struct AngleDifference {
     Geometry geometry;
-    spectra::Vec3 delta_lab{};  ///< sample less standard
+    Vec3d delta_lab{};  ///< sample less standard
     double delta_e_2000 = 0;
     double weight = 1;
-    spectra::Vec3 lab_standard{}, lab_sample{};  ///< under Difference::conditions
+    Vec3d lab_standard{}, lab_sample{};  ///< under Difference::conditions
 
     double delta_chroma() const;  ///< Delta C*, sample less standard
     /// Delta H* = 2 sqrt(C*1 C*2) sin(Delta h / 2), positive for a sample whose hue angle is

@@ -13,12 +13,11 @@
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
+#include "nacre/core/vec.h"
 
 namespace nacre::measure {
 
 namespace {
-
-using Direction = std::array<double, 3>;
 
 constexpr Range kPolar{0, 90, "deg", false, true};
 
@@ -28,20 +27,15 @@ void require(double value, const Range& range, const char* what) {
     }
 }
 
-Direction direction(double theta_deg, double phi_deg) {
+Vec3d direction(double theta_deg, double phi_deg) {
     const double sine = std::sin(theta_deg * kDegree);
     return {sine * std::cos(phi_deg * kDegree), sine * std::sin(phi_deg * kDegree),
             std::cos(theta_deg * kDegree)};
 }
 
 /// Between unit vectors; exact for small angles too, where the arc cosine loses half its digits.
-double angle_deg(const Direction& a, const Direction& b) {
-    double sum = 0, difference = 0;
-    for (int i = 0; i < 3; ++i) {
-        sum += (a[i] + b[i]) * (a[i] + b[i]);
-        difference += (a[i] - b[i]) * (a[i] - b[i]);
-    }
-    return 2 * std::atan2(std::sqrt(difference), std::sqrt(sum)) / kDegree;
+double angle_deg(const Vec3d& a, const Vec3d& b) {
+    return 2 * std::atan2(length(a - b), length(a + b)) / kDegree;
 }
 
 /// An angle in [0, 360).
@@ -51,11 +45,9 @@ double wrapped_deg(double degrees) {
     return rest < 0 ? std::fmod(rest + 360, 360) : rest;
 }
 
-Direction lamp(const Geometry& geometry) { return direction(geometry.theta_i_deg, 0); }
-Direction view(const Geometry& geometry) {
-    return direction(geometry.theta_o_deg, geometry.phi_deg);
-}
-Direction mirror(double theta_i_deg) { return direction(theta_i_deg, 180); }
+Vec3d lamp(const Geometry& geometry) { return direction(geometry.theta_i_deg, 0); }
+Vec3d view(const Geometry& geometry) { return direction(geometry.theta_o_deg, geometry.phi_deg); }
+Vec3d mirror(double theta_i_deg) { return direction(theta_i_deg, 180); }
 
 }  // namespace
 

@@ -47,14 +47,14 @@ std::vector<ConeNode> cone_rule(double theta, double phi, double half_angle, int
 SpectrumColour::SpectrumColour(const std::vector<double>& wavelengths_nm)
     : weights_(spectra::rec709_weights(wavelengths_nm)) {}
 
-spectra::Vec3 SpectrumColour::sum(const std::vector<double>& values) const {
+Vec3d SpectrumColour::sum(const std::vector<double>& values) const {
     if (values.size() != weights_.size()) {
         throw DomainError(fmt::format("a BRDF gives {} values at {} wavelengths", values.size(),
                                       weights_.size()));
     }
     // As much as files in single precision take.
     constexpr Range kValue{0, 1e30, "1/sr"};
-    spectra::Vec3 rgb{};
+    Vec3d rgb{};
     for (std::size_t w = 0; w < values.size(); ++w) {
         if (!kValue.contains(values[w])) {
             throw DomainError(
@@ -66,7 +66,7 @@ spectra::Vec3 SpectrumColour::sum(const std::vector<double>& values) const {
 }
 
 std::vector<double> SpectrumColour::rgb(const std::vector<double>& values) const {
-    const spectra::Vec3 rgb = sum(values);
+    const Vec3d rgb = sum(values);
     return {std::max(0.0, rgb[0]), std::max(0.0, rgb[1]), std::max(0.0, rgb[2])};
 }
 

@@ -47,9 +47,9 @@ class SpectrumColour {
     double luminance(const std::vector<double>& values) const;
 
  private:
-    spectra::Vec3 sum(const std::vector<double>& values) const;
+    Vec3d sum(const std::vector<double>& values) const;
 
-    std::vector<spectra::Vec3> weights_;
+    std::vector<Vec3d> weights_;
 };
 
 /// Of a reading with finite cones, relative to its greatest value over wavelengths. Rules of

@@ -9,12 +9,14 @@ namespace nacre::measure {
 namespace {
 
 /// Encoded sRGB of a colour divided by its brightest component, if that is above `full`.
-spectra::Vec3 encoded(const spectra::Vec3& lab, bool keep_hue) {
+Vec3d encoded(const Vec3d& lab, bool keep_hue) {
     // CIELAB is relative to the white of the panel's light; on a display white is the display's.
-    const spectra::Vec3 white = spectra::linear_rec709_to_xyz({1, 1, 1});
-    spectra::Vec3 rgb = spectra::xyz_to_linear_rec709(spectra::lab_to_xyz(lab, white));
+    const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    Vec3d rgb = spectra::xyz_to_linear_rec709(spectra::lab_to_xyz(lab, white));
     const double scale = keep_hue ? std::max({rgb[0], rgb[1], rgb[2], 1.0}) : 1.0;
-    for (double& c : rgb) c = spectra::srgb_encode(std::clamp(c / scale, 0.0, 1.0));
+    for (int c = 0; c < 3; ++c) {
+        rgb[c] = spectra::srgb_encode(std::clamp(rgb[c] / scale, 0.0, 1.0));
+    }
     return rgb;
 }
 
@@ -25,9 +27,9 @@ bool has_lines(spectra::Illuminant illuminant) {
 
 }  // namespace
 
-double chroma(const spectra::Vec3& lab) { return std::hypot(lab[1], lab[2]); }
+double chroma(const Vec3d& lab) { return std::hypot(lab[1], lab[2]); }
 
-double hue_deg(const spectra::Vec3& lab) {
+double hue_deg(const Vec3d& lab) {
     // What rounding leaves of grey has no hue.
     if (chroma(lab) < 1e-9) return 0;
     const double degrees = std::atan2(lab[2], lab[1]) * 180 / std::numbers::pi;
@@ -35,9 +37,9 @@ double hue_deg(const spectra::Vec3& lab) {
     return degrees < 0 ? std::fmod(degrees + 360, 360) : degrees;
 }
 
-spectra::Vec3 srgb_chip(const spectra::Vec3& lab) { return encoded(lab, false); }
+Vec3d srgb_chip(const Vec3d& lab) { return encoded(lab, false); }
 
-spectra::Vec3 srgb_chip_at_full_light(const spectra::Vec3& lab) { return encoded(lab, true); }
+Vec3d srgb_chip_at_full_light(const Vec3d& lab) { return encoded(lab, true); }
 
 const Reading* Measurement::find(double theta_i_deg, double aspecular_deg) const {
     constexpr double kSame_deg = 1e-6;
@@ -51,7 +53,7 @@ const Reading* Measurement::find(double theta_i_deg, double aspecular_deg) const
     return nullptr;
 }
 
-spectra::Vec3 white_point(const std::vector<double>& wavelengths_nm, const Conditions& conditions) {
+Vec3d white_point(const std::vector<double>& wavelengths_nm, const Conditions& conditions) {
     return wavelengths_nm.empty() || has_lines(conditions.illuminant)
                ? spectra::white_point(conditions.illuminant, conditions.observer)
                : spectra::white_point(wavelengths_nm, conditions.illuminant, conditions.observer);
@@ -96,7 +98,7 @@ ColourTravel colour_travel(const Measurement& measurement, double theta_i_deg) {
                          return a->geometry.aspecular_deg < b->geometry.aspecular_deg;
                      });
     for (std::size_t i = 1; i < travel.path.size(); ++i) {
-        const spectra::Vec3 &from = travel.path[i - 1]->lab, &to = travel.path[i]->lab;
+        const Vec3d &from = travel.path[i - 1]->lab, &to = travel.path[i]->lab;
         travel.length += std::hypot(to[1] - from[1], to[2] - from[2]);
     }
     return travel;

@@ -38,21 +38,21 @@ struct Reading {
     /// pi times the BRDF at the measurement's wavelengths: 1 is the perfect diffuser. Empty where
     /// only the colour is known.
     std::vector<double> reflectance_factor;
-    spectra::Vec3 xyz{};  ///< the perfect diffuser has Y = 100
-    spectra::Vec3 lab{};  ///< CIELAB relative to the perfect diffuser
+    Vec3d xyz{};  ///< the perfect diffuser has Y = 100
+    Vec3d lab{};  ///< CIELAB relative to the perfect diffuser
 
     friend bool operator==(const Reading&, const Reading&) = default;
 };
 
-double chroma(const spectra::Vec3& lab);   ///< C* = sqrt(a*^2 + b*^2)
-double hue_deg(const spectra::Vec3& lab);  ///< h in [0, 360); 0 for C* < 1e-9
+double chroma(const Vec3d& lab);   ///< C* = sqrt(a*^2 + b*^2)
+double hue_deg(const Vec3d& lab);  ///< h in [0, 360); 0 for C* < 1e-9
 
 /// The colour as a chip on a display: encoded sRGB in [0, 1], the perfect diffuser being white.
 /// What is brighter than the display, or outside its gamut, is clipped.
-spectra::Vec3 srgb_chip(const spectra::Vec3& lab);
+Vec3d srgb_chip(const Vec3d& lab);
 /// The same with what is brighter than the display dimmed until it fits, so that a lobe keeps its
 /// hue.
-spectra::Vec3 srgb_chip_at_full_light(const spectra::Vec3& lab);
+Vec3d srgb_chip_at_full_light(const Vec3d& lab);
 
 struct Measurement {
     std::string name;  ///< of the panel
@@ -69,7 +69,7 @@ struct Measurement {
 /// XYZ of the perfect diffuser, by the sums that coloured() takes: what L*a*b* is relative to. By
 /// sums at 5 nm without wavelengths.
 /// @throws DomainError as spectra::white_point()
-spectra::Vec3 white_point(const std::vector<double>& wavelengths_nm, const Conditions& conditions);
+Vec3d white_point(const std::vector<double>& wavelengths_nm, const Conditions& conditions);
 
 /// XYZ and L*a*b* of a reflectance factor, added to a reading: under A, D50, D65 and E by sums over
 /// the samples, under FL2 and FL11, whose lines fall between them, by sums at 5 nm

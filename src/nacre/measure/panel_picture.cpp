@@ -10,52 +10,77 @@
 namespace nacre::measure {
 namespace {
 
-// Deviations from the mean, relative to it.
-struct DeviationSums {
-    double pixels = 0, a = 0, b = 0, ab = 0;
-
-    friend DeviationSums operator+(const DeviationSums& x, const DeviationSums& y) {
-        return {x.pixels + y.pixels, x.a + y.a, x.b + y.b, x.ab + y.ab};
-    }
-    friend DeviationSums operator-(const DeviationSums& x, const DeviationSums& y) {
-        return {x.pixels - y.pixels, x.a - y.a, x.b - y.b, x.ab - y.ab};
-    }
-};
-
-}  // namespace
-
-double mean_luminance(const PanelPicture& picture) {
-    // About the first pixel, so that an even picture has its own value, not that of a rounded sum.
-    const std::size_t count = picture.pixel_count();
-    if (count == 0) return 0;
-    const double first = picture.luminance(0);
+// About the first pixel, so that an even picture has its own value, not that of a rounded sum.
+double mean_of(const std::vector<double>& y) {
+    if (y.empty()) return 0;
     double sum = 0;
-    for (std::size_t p = 0; p < count; ++p) sum += picture.luminance(p) - first;
-    return first + sum / static_cast<double>(count);
+    for (const double value : y) sum += value - y.front();
+    return y.front() + sum / static_cast<double>(y.size());
 }
 
-Estimate pixel_contrast(const PanelPicture& a, const PanelPicture& b) {
+LuminancePicture luminance_of(const PanelPicture& picture) {
+    LuminancePicture result{picture.width, picture.height, {}};
+    for (std::size_t p = 0; p < picture.pixel_count(); ++p) {
+        result.y.push_back(picture.luminance(p));
+    }
+    return result;
+}
+
+void require_alike(const LuminancePicture& a, const LuminancePicture& b) {
     if (a.width != b.width || a.height != b.height || a.width < kPiecesAcross ||
         a.height < kPiecesAcross) {
         throw DomainError(fmt::format(
             "pictures of {} x {} and {} x {} pixels: must be alike and at least {} a side", a.width,
             a.height, b.width, b.height, kPiecesAcross));
     }
-    const double mean_a = mean_luminance(a), mean_b = mean_luminance(b);
-    if (!(mean_a > 0 && mean_b > 0)) return {};
-    std::array<DeviationSums, kPicturePieces> pieces{};
+}
+
+}  // namespace
+
+double mean_luminance(const PanelPicture& picture) { return mean_of(luminance_of(picture).y); }
+
+Estimate mean_luminance(const LuminancePicture& a, const LuminancePicture& b) {
+    require_alike(a, b);
+    using Sums = std::array<double, 3>;  // of pixels and of their Y in a and b
+    std::array<Sums, kPicturePieces> pieces{};
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             const std::size_t p = static_cast<std::size_t>(y) * a.width + x;
-            const double da = a.luminance(p) / mean_a - 1, db = b.luminance(p) / mean_b - 1;
-            DeviationSums& sums = pieces[piece_of(x, y, a.width, a.height)];
-            sums = sums + DeviationSums{1, da, db, da * db};
+            Sums& sums = pieces[piece_of(x, y, a.width, a.height)];
+            sums[0] += 1;
+            sums[1] += a.y[p];
+            sums[2] += b.y[p];
         }
     }
-    return jackknife(pieces, [](const DeviationSums& s) {
+    return jackknife(pieces, [](const Sums& s) { return 0.5 * (s[1] + s[2]) / s[0]; });
+}
+
+Estimate pixel_contrast(const PanelPicture& a, const PanelPicture& b) {
+    return pixel_contrast(luminance_of(a), luminance_of(b));
+}
+
+Estimate pixel_contrast(const LuminancePicture& a, const LuminancePicture& b) {
+    require_alike(a, b);
+    const double mean_a = mean_of(a.y), mean_b = mean_of(b.y);
+    if (!(mean_a > 0 && mean_b > 0)) return {};
+    // Of pixels, deviations from the means, relative to them, and the products of these.
+    using Sums = std::array<double, 4>;
+    std::array<Sums, kPicturePieces> pieces{};
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) {
+            const std::size_t p = static_cast<std::size_t>(y) * a.width + x;
+            const double da = a.y[p] / mean_a - 1, db = b.y[p] / mean_b - 1;
+            Sums& sums = pieces[piece_of(x, y, a.width, a.height)];
+            sums[0] += 1;
+            sums[1] += da;
+            sums[2] += db;
+            sums[3] += da * db;
+        }
+    }
+    return jackknife(pieces, [](const Sums& sums) {
         // Deviations are from the mean of all pixels: where pieces are left out, theirs differs.
-        const double a = s.a / s.pixels, b = s.b / s.pixels;
-        return std::sqrt(std::max(0.0, (s.ab / s.pixels - a * b) / ((1 + a) * (1 + b))));
+        const double a = sums[1] / sums[0], b = sums[2] / sums[0];
+        return std::sqrt(std::max(0.0, (sums[3] / sums[0] - a * b) / ((1 + a) * (1 + b))));
     });
 }
 

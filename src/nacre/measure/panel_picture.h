@@ -24,11 +24,22 @@ struct PanelPicture {
 /// Y averaged over the pixels; exactly Y if all are equal.
 double mean_luminance(const PanelPicture& picture);
 
+/// Y of each pixel, row by row.
+struct LuminancePicture {
+    int width = 0, height = 0;
+    std::vector<double> y;
+};
+
+/// Y averaged over the pixels of both, with its error by the jackknife over pieces.
+/// @throws DomainError as pixel_contrast()
+Estimate mean_luminance(const LuminancePicture& a, const LuminancePicture& b);
+
 /// Standard deviation of the pixels' Y over its mean, from two pictures of the same panel with
 /// independent noise: by their covariance, which noise does not raise. One picture, given twice,
 /// serves where there is no noise. 0 where noise makes the covariance negative, and for a black
 /// panel.
 /// @throws DomainError unless both have the same size, at least 4 pixels a side
+Estimate pixel_contrast(const LuminancePicture& a, const LuminancePicture& b);
 Estimate pixel_contrast(const PanelPicture& a, const PanelPicture& b);
 
 }  // namespace nacre::measure

@@ -106,16 +106,9 @@ bool is_peak(const RetinalPicture& picture, int x, int y) {
            at[0] >= at[1] && at[0] >= at[w - 1] && at[0] >= at[w] && at[0] >= at[w + 1];
 }
 
-struct SpotSums {
-    double pixels = 0, above = 0, spots = 0, decades = 0;
-
-    friend SpotSums operator+(const SpotSums& a, const SpotSums& b) {
-        return {a.pixels + b.pixels, a.above + b.above, a.spots + b.spots, a.decades + b.decades};
-    }
-    friend SpotSums operator-(const SpotSums& a, const SpotSums& b) {
-        return {a.pixels - b.pixels, a.above - b.above, a.spots - b.spots, a.decades - b.decades};
-    }
-};
+// Of the pixels of a piece of the picture.
+enum Sum { kPixels, kAbove, kSpots, kDecades, kSums };
+using SpotSums = std::array<double, kSums>;
 
 }  // namespace
 
@@ -209,29 +202,30 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
             SpotSums& sums = pieces[piece_of(x, y, seen.width, seen.height)];
             const double excess =
                 seen.y[static_cast<std::size_t>(y) * seen.width + x] - result.background.y;
-            sums.pixels += 1;
-            sums.above += excess >= result.background.threshold ? 1 : 0;
+            sums[kPixels] += 1;
+            sums[kAbove] += excess >= result.background.threshold ? 1 : 0;
         }
     }
     const std::vector<Spot> spots = visible_spots(seen, result.background);
     for (const Spot& spot : spots) {
         SpotSums& sums = pieces[piece_of(spot.x, spot.y, seen.width, seen.height)];
-        sums.spots += 1;
-        sums.decades += std::log10(spot.visibility);
+        sums[kSpots] += 1;
+        sums[kDecades] += std::log10(spot.visibility);
     }
     const double pixels_per_cm2 = 100 / (seen.pixel_mm * seen.pixel_mm);
-    result.density_per_cm2 =
-        jackknife(pieces, [&](const SpotSums& s) { return s.spots / s.pixels * pixels_per_cm2; });
-    result.sparkle_per_cm2 =
-        jackknife(pieces, [&](const SpotSums& s) { return s.decades / s.pixels * pixels_per_cm2; });
-    result.area_fraction = jackknife(pieces, [](const SpotSums& s) { return s.above / s.pixels; });
+    result.density_per_cm2 = jackknife(
+        pieces, [&](const SpotSums& s) { return s[kSpots] / s[kPixels] * pixels_per_cm2; });
+    result.sparkle_per_cm2 = jackknife(
+        pieces, [&](const SpotSums& s) { return s[kDecades] / s[kPixels] * pixels_per_cm2; });
+    result.area_fraction =
+        jackknife(pieces, [](const SpotSums& s) { return s[kAbove] / s[kPixels]; });
     if (spots.empty()) {
         // As if there had been one: that none was met does not say that there are none.
         result.density_per_cm2.standard_error = 100 / result.area_mm2;
     } else {
         // The error of the logarithm, carried over: that of few spots stays sound.
         const Estimate decades =
-            jackknife(pieces, [](const SpotSums& s) { return s.decades / s.spots; });
+            jackknife(pieces, [](const SpotSums& s) { return s[kDecades] / s[kSpots]; });
         const double mean = std::pow(10, decades.value);
         result.intensity = Estimate{mean, std::numbers::ln10 * mean * decades.standard_error};
         if (result.background.y > 0) {
@@ -291,17 +285,6 @@ PanelPicture top_left(const PanelPicture& picture, int width, int height) {
 // Cycles per picture of the i-th coefficient.
 double cycles(int i, int count) { return i <= count / 2 ? i : i - count; }
 
-struct ProductSums {
-    double pixels = 0, product = 0;
-
-    friend ProductSums operator+(const ProductSums& x, const ProductSums& y) {
-        return {x.pixels + y.pixels, x.product + y.product};
-    }
-    friend ProductSums operator-(const ProductSums& x, const ProductSums& y) {
-        return {x.pixels - y.pixels, x.product - y.product};
-    }
-};
-
 }  // namespace
 
 Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing) {
@@ -337,16 +320,18 @@ Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewin
     }
     transform(filtered, a.width, a.height, false);
     // By Parseval's theorem the sum over frequencies is one over pixels.
-    std::array<ProductSums, kPicturePieces> pieces{};
+    std::array<std::array<double, 2>, kPicturePieces> pieces{};
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             const std::size_t p = static_cast<std::size_t>(y) * a.width + x;
-            ProductSums& sums = pieces[piece_of(x, y, a.width, a.height)];
-            sums = sums + ProductSums{1, filtered[p].real() * filtered[p].imag()};
+            auto& [pixels, products] = pieces[piece_of(x, y, a.width, a.height)];
+            pixels += 1;
+            products += filtered[p].real() * filtered[p].imag();
         }
     }
-    result.graininess = jackknife(pieces, [](const ProductSums& s) {
-        return std::sqrt(std::max(0.0, 2 * s.product / s.pixels));
+    result.graininess = jackknife(pieces, [](const std::array<double, 2>& sums) {
+        const auto [pixels, products] = sums;
+        return std::sqrt(std::max(0.0, 2 * products / pixels));
     });
     result.pixel_contrast = pixel_contrast(a, b);
     return result;

@@ -197,13 +197,9 @@ TEST(Sparkle, WhatCannotBeReadIsRefused) {
 }
 
 TEST(Jackknife, OfAMeanIsItsStandardError) {
-    struct Sum {
-        double n = 0, x = 0;
-        Sum operator+(const Sum& o) const { return {n + o.n, x + o.x}; }
-        Sum operator-(const Sum& o) const { return {n - o.n, x - o.x}; }
-    };
-    std::array<Sum, 5> pieces{{{1, 1}, {1, 4}, {1, 2}, {1, 8}, {1, 5}}};
-    const Estimate e = jackknife(pieces, [](const Sum& s) { return s.x / s.n; });
+    using Sums = std::array<double, 2>;
+    const std::array<Sums, 5> pieces{{{1, 1}, {1, 4}, {1, 2}, {1, 8}, {1, 5}}};
+    const Estimate e = jackknife(pieces, [](const Sums& s) { return s[1] / s[0]; });
     EXPECT_DOUBLE_EQ(e.value, 4);
     // Variance 30/4 of the five, over five.
     EXPECT_NEAR(e.standard_error, std::sqrt(30.0 / 4 / 5), 1e-12);

@@ -19,6 +19,7 @@
 #include "nacre/montecarlo/discs/disc_walk.h"
 #include "nacre/montecarlo/shell_walk.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 // What the list of models claims (Table 3 of the 2022 comparison) is measured here.
 
@@ -31,7 +32,7 @@ using bsdf::ModelInfo;
 std::shared_ptr<const bsdf::Bsdf> pearl(const ModelInfo* model) {
     static const paint::Recipe recipe = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     static const auto solved = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(recipe, solver::default_wavelengths_nm(), {}));
+        solver::solve(recipe, spectra::default_wavelengths_nm(), {}));
     return model->standard().make({recipe, solved, {}});
 }
 

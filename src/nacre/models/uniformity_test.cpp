@@ -192,13 +192,14 @@ TEST(NacreOnShapes, EstimatorsOfDirectLightAgree) {
             return render::testing::estimate_luminance(scene, options, how, 16);
         };
         const auto all = estimate(render::DirectLight::combined);
-        EXPECT_GT(all.mean, 0);
-        EXPECT_LT(all.standard_error, 0.04 * all.mean);
+        EXPECT_GT(all.value, 0);
+        EXPECT_LT(all.standard_error, 0.04 * all.value);
         const auto light = estimate(render::DirectLight::light_sampling);
-        EXPECT_NEAR(all.mean, light.mean, 4 * std::hypot(all.standard_error, light.standard_error));
+        EXPECT_NEAR(all.value, light.value,
+                    4 * std::hypot(all.standard_error, light.standard_error));
         if (!c.surface_alone) continue;
         const auto surface = estimate(render::DirectLight::surface_sampling);
-        EXPECT_NEAR(all.mean, surface.mean,
+        EXPECT_NEAR(all.value, surface.value,
                     4 * std::hypot(all.standard_error, surface.standard_error));
     }
 }

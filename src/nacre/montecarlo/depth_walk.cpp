@@ -30,7 +30,7 @@ class Gatherer {
         const double probability = -std::expm1(-rate * to_edge);
         const double place = -std::log1p(-random_.uniform() * probability) / rate;
         const double depth =
-            std::clamp(state.depth_um - place * state.travel.z(), 0.0, slab.thickness_um);
+            std::clamp(state.depth_um - place * state.travel.z, 0.0, slab.thickness_um);
         Lanes power = (probability / rate) * state.weight;
         if (!is_dark(slab.absorption_per_um))
             power *= attenuation(place * slab.absorption_per_um, medium_.lane_count);
@@ -76,7 +76,7 @@ class Gatherer {
 
 Connection::Connection(const AirInterface::Weighted& inner, const Medium& medium)
     : travel_(inner.travel), weight_(inner.weight), lane_count_(medium.lane_count) {
-    const double mu = travel_.z();
+    const double mu = travel_.z;
     Lanes depth{};
     for (const Slab& slab : medium.slabs) {
         depth_above_.push_back(depth);
@@ -87,7 +87,7 @@ Connection::Connection(const AirInterface::Weighted& inner, const Medium& medium
 }
 
 Lanes Connection::from_slab(std::size_t slab, double depth_um) const {
-    return (weight_ / travel_.z()) *
+    return (weight_ / travel_.z) *
            attenuation(depth_above_[slab] + depth_um * depth_per_um_[slab], lane_count_);
 }
 
@@ -100,7 +100,7 @@ void WalkTally::clear() {
     reflected = absorbed_by_substrate = Lanes{};
 }
 
-void walk(const Medium& medium, const AirInterface& interface, const Direction3& towards_light,
+void walk(const Medium& medium, const AirInterface& interface, const Vec3d& towards_light,
           std::span<const Connection> connections, Part part, RandomStream& random,
           WalkTally& tally) {
     const AirInterface::Weighted entry = interface.enter(towards_light, random);

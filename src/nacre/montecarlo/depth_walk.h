@@ -29,9 +29,9 @@ class DepthWalk : private Walker {
         : Walker(medium, random), observer_(observer) {}
 
     /// @param travel  inside the paint, downwards
-    void run(const Direction3& travel, const Lanes& weight) {
+    void run(const Vec3d& travel, const Lanes& weight) {
         start(travel, weight);
-        for (std::uint64_t flights = 0; state_.alive && std::abs(state_.travel.z()) > kHorizontal;
+        for (std::uint64_t flights = 0; state_.alive && std::abs(state_.travel.z) > kHorizontal;
              ++flights) {
             if (!observer_.follows(state_)) return;
             if (flights == kMaxFlights) throw_endless_walk();
@@ -43,8 +43,8 @@ class DepthWalk : private Walker {
     /// To the next candidate or to the edge of the slab, whichever comes first.
     void fly() {
         const Slab& slab = this->slab();
-        const bool down = state_.travel.z() < 0;
-        const double cosine = std::abs(state_.travel.z());
+        const bool down = state_.travel.z < 0;
+        const double cosine = std::abs(state_.travel.z);
         const double to_edge =
             (down ? slab.thickness_um - state_.depth_um : state_.depth_um) / cosine;
         const double rate = slab.candidate_rate_per_um();
@@ -57,7 +57,7 @@ class DepthWalk : private Walker {
         if (!state_.alive) return;
         if (collides) {
             state_.depth_um =
-                std::clamp(state_.depth_um - length * state_.travel.z(), 0.0, slab.thickness_um);
+                std::clamp(state_.depth_um - length * state_.travel.z, 0.0, slab.thickness_um);
             collide(slab, rate);
         } else if (down) {
             descend();
@@ -76,8 +76,8 @@ class DepthWalk : private Walker {
     }
 
     void meet_candidate(const Flakes& species) {
-        const Direction3 normal = sample_beckmann_normal(species.alpha, random_);
-        const double projection = state_.travel.dot(normal);
+        const Vec3d normal = sample_beckmann_normal(species.alpha, random_);
+        const double projection = dot(state_.travel, normal);
         const double cosine = std::abs(projection);
         if (random_.uniform() >= cosine) return;  // a candidate that is not in the way
         meet_flake(species.optics.reflectance(cosine), species.optics.transmittance(cosine),
@@ -125,7 +125,7 @@ class Connection {
  public:
     Connection(const AirInterface::Weighted& inner, const Medium& medium);
 
-    const Direction3& travel() const { return travel_; }
+    const Vec3d& travel() const { return travel_; }
     bool is_dark() const { return weight_ == 0; }
     /// Radiance outside per unit power scattered per sr and unit area at `depth_um` below the top
     /// of slab number `slab`: attenuation, 1 / mu and the interface's weight.
@@ -134,7 +134,7 @@ class Connection {
     Lanes from_substrate() const;
 
  private:
-    Direction3 travel_;
+    Vec3d travel_;
     double weight_;
     int lane_count_;
     std::vector<Lanes> depth_above_;   // optical depth of the slabs above, along the direction
@@ -152,7 +152,7 @@ struct WalkTally {
 
 /// Sends one unit of power in from `towards_light` and adds what becomes of it to `tally`.
 /// Reflected and absorbed power are complete only with Part::total.
-void walk(const Medium& medium, const AirInterface& interface, const Direction3& towards_light,
+void walk(const Medium& medium, const AirInterface& interface, const Vec3d& towards_light,
           std::span<const Connection> connections, Part part, RandomStream& random,
           WalkTally& tally);
 

@@ -14,7 +14,7 @@ void throw_endless_walk() {
                     kMaxFlights));
 }
 
-Direction3 sample_henyey_greenstein(const Direction3& in, double g, RandomStream& random) {
+Vec3d sample_henyey_greenstein(const Vec3d& in, double g, RandomStream& random) {
     const double s = 2 * random.uniform() - 1;
     const double d = 1 + g * s;
     const double cosine = std::clamp(
@@ -22,8 +22,8 @@ Direction3 sample_henyey_greenstein(const Direction3& in, double g, RandomStream
         1.0);
     const double sine = std::sqrt(1 - cosine * cosine);
     const auto [c, sn] = random.cos_sin();
-    const Direction3 across = in.unitOrthogonal();
-    return (cosine * in + sine * (c * across + sn * in.cross(across))).normalized();
+    const Vec3d across = perpendicular(in);
+    return normalize(cosine * in + sine * (c * across + sn * cross(in, across)));
 }
 
 const Pigment* draw_pigment(const Slab& slab, Lanes& weight, RandomStream& random) {

@@ -97,17 +97,17 @@ inline Lanes attenuation(const Lanes& depth, int lane_count) {
 }
 
 /// Upward normal of a flake, z being the normal of the layer.
-inline Direction3 sample_beckmann_normal(double alpha, RandomStream& random) {
+inline Vec3d sample_beckmann_normal(double alpha, RandomStream& random) {
     const auto [radius, c, s] = random.slope();
     const double slope = alpha * radius;
-    return Direction3(-slope * c, -slope * s, 1).normalized();
+    return normalize(Vec3d{-slope * c, -slope * s, 1});
 }
 
 /// The inversion of Henyey and Greenstein's phase function, without its cancellation at small g.
-Direction3 sample_henyey_greenstein(const Direction3& in, double g, RandomStream& random);
+Vec3d sample_henyey_greenstein(const Vec3d& in, double g, RandomStream& random);
 
 /// Direction about z with a density proportional to its cosine: Lambert's law.
-inline Direction3 sample_lambert(RandomStream& random) {
+inline Vec3d sample_lambert(RandomStream& random) {
     const double sine_sq = random.uniform();
     const auto [c, s] = random.cos_sin();
     const double sine = std::sqrt(sine_sq);
@@ -140,8 +140,8 @@ inline FlakeEvent draw_flake_event(const FlakeOptics& optics, double cosine, Lan
 }
 
 /// Light that travels along `travel` off a mirror, of which `projection` is travel.normal.
-inline Direction3 mirrored(const Direction3& travel, double projection, const Direction3& normal) {
-    return (travel - 2 * projection * normal).normalized();
+inline Vec3d mirrored(const Vec3d& travel, double projection, const Vec3d& normal) {
+    return normalize(travel - 2 * projection * normal);
 }
 
 /// Light meets a candidate of slab.pigment_rate_per_um: the pigment that scatters it, at random, or

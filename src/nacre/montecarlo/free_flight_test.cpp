@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-
 #include "nacre/core/quadrature.h"
 #include "nacre/montecarlo/shell_walk.h"
 #include "nacre/paint/beckmann.h"
@@ -15,18 +13,17 @@ namespace {
 // A ray on a small sphere, by plain vectors.
 constexpr double kRadius = 7;
 
-Eigen::Vector3d at(double cosine, double t) {
-    return Eigen::Vector3d(0, 0, kRadius) +
-           t * Eigen::Vector3d(std::sqrt(1 - cosine * cosine), 0, cosine);
+Vec3d at(double cosine, double t) {
+    return Vec3d{0, 0, kRadius} + t * Vec3d(std::sqrt(1 - cosine * cosine), 0, cosine);
 }
 
 TEST(RadialRay, HeightAndCosineAreThoseOfVectors) {
     for (const double cosine : {-1.0, -0.7, -0.01, 0.0, 0.3, 1.0}) {
         const RadialRay ray{1 / kRadius, cosine};
         for (const double t : {0.0, 0.5, 3.0, 6.0, 20.0}) {
-            const Eigen::Vector3d p = at(cosine, t), way = at(cosine, 1) - at(cosine, 0);
-            EXPECT_NEAR(ray.rise(t), p.norm() - kRadius, 1e-13);
-            EXPECT_NEAR(ray.cosine_at(t), p.normalized().dot(way), 1e-13);
+            const Vec3d p = at(cosine, t), way = at(cosine, 1) - at(cosine, 0);
+            EXPECT_NEAR(ray.rise(t), length(p) - kRadius, 1e-13);
+            EXPECT_NEAR(ray.cosine_at(t), dot(normalize(p), way), 1e-13);
         }
     }
 }

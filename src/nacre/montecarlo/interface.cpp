@@ -16,40 +16,37 @@ class SmoothInterface final : public AirInterface {
  public:
     explicit SmoothInterface(double index) : index_(index) {}
 
-    Weighted enter(const Direction3& towards_light, RandomStream&) const override {
-        return {-refract_inwards(towards_light), transmittance(towards_light.z())};
+    Weighted enter(const Vec3d& towards_light, RandomStream&) const override {
+        return {-refract_inwards(towards_light), transmittance(towards_light.z)};
     }
 
-    Weighted reflect_inside(const Direction3& travel, RandomStream&) const override {
-        return {Direction3(travel.x(), travel.y(), -travel.z()),
-                optics::dielectric_reflectance(index_, 1.0, travel.z())};
+    Weighted reflect_inside(const Vec3d& travel, RandomStream&) const override {
+        return {{travel.x, travel.y, -travel.z},
+                optics::dielectric_reflectance(index_, 1.0, travel.z)};
     }
 
-    Passage meet_from_outside(const Direction3& towards_light,
-                              RandomStream& random) const override {
-        if (random.uniform() < transmittance(towards_light.z()))
+    Passage meet_from_outside(const Vec3d& towards_light, RandomStream& random) const override {
+        if (random.uniform() < transmittance(towards_light.z))
             return {-refract_inwards(towards_light), true};
-        return {{-towards_light.x(), -towards_light.y(), towards_light.z()}, false};
+        return {{-towards_light.x, -towards_light.y, towards_light.z}, false};
     }
 
-    Passage meet_from_inside(const Direction3& travel, RandomStream& random) const override {
-        if (random.uniform() < optics::dielectric_reflectance(index_, 1.0, travel.z()))
-            return {{travel.x(), travel.y(), -travel.z()}, true};
-        const double x = travel.x() * index_, y = travel.y() * index_;
+    Passage meet_from_inside(const Vec3d& travel, RandomStream& random) const override {
+        if (random.uniform() < optics::dielectric_reflectance(index_, 1.0, travel.z))
+            return {{travel.x, travel.y, -travel.z}, true};
+        const double x = travel.x * index_, y = travel.y * index_;
         return {{x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))}, false};
     }
 
     // Radiance over index squared is kept but for what Fresnel reflects: a cone outside is n^2
     // times wider, projected, than its image inside.
-    Weighted connect(const Direction3& towards_eye, RandomStream&) const override {
-        return {refract_inwards(towards_eye), transmittance(towards_eye.z()) / (index_ * index_)};
+    Weighted connect(const Vec3d& towards_eye, RandomStream&) const override {
+        return {refract_inwards(towards_eye), transmittance(towards_eye.z) / (index_ * index_)};
     }
 
     bool scatters() const override { return false; }
 
-    double reflect_outside(const Direction3&, const Direction3&, RandomStream&) const override {
-        return 0;
-    }
+    double reflect_outside(const Vec3d&, const Vec3d&, RandomStream&) const override { return 0; }
 
  private:
     /// Of light from outside, and along the same ray from inside (Stokes).
@@ -58,8 +55,8 @@ class SmoothInterface final : public AirInterface {
     }
 
     /// The unit vector inside along which a ray from (or to) `outside` goes on; z > 0.
-    Direction3 refract_inwards(const Direction3& outside) const {
-        const double x = outside.x() / index_, y = outside.y() / index_;
+    Vec3d refract_inwards(const Vec3d& outside) const {
+        const double x = outside.x / index_, y = outside.y / index_;
         return {x, y, std::sqrt(1 - x * x - y * y)};
     }
 
@@ -86,11 +83,11 @@ namespace {
 
 /// Light at the surface. The direction points away from it: up outside, down inside.
 struct Ray {
-    Direction3 away;
+    Vec3d away;
     bool inside = false;
 };
 
-Direction3 flipped(const Direction3& v) { return {v.x(), v.y(), -v.z()}; }
+Vec3d flipped(const Vec3d& v) { return {v.x, v.y, -v.z}; }
 
 /// Smith's G1 for Beckmann slopes, in its exact form.                [walter-2007], [heitz-2014]
 double smith_g1(double cosine, double alpha) {
@@ -104,38 +101,37 @@ class RoughAirInterface final : public AirInterface {
  public:
     RoughAirInterface(double index, double alpha) : index_(index), alpha_(alpha) {}
 
-    Weighted enter(const Direction3& towards_light, RandomStream& random) const override {
+    Weighted enter(const Vec3d& towards_light, RandomStream& random) const override {
         const Ray ray = scatter({towards_light, false}, random);
         return {ray.away, ray.inside ? 1.0 : 0.0};
     }
 
-    Weighted reflect_inside(const Direction3& travel, RandomStream& random) const override {
+    Weighted reflect_inside(const Vec3d& travel, RandomStream& random) const override {
         const Ray ray = scatter({-travel, true}, random);
         return {ray.inside ? ray.away : flipped(travel), ray.inside ? 1.0 : 0.0};
     }
 
-    Passage meet_from_outside(const Direction3& towards_light,
-                              RandomStream& random) const override {
+    Passage meet_from_outside(const Vec3d& towards_light, RandomStream& random) const override {
         const Ray ray = scatter({towards_light, false}, random);
         return {ray.away, ray.inside};
     }
 
-    Passage meet_from_inside(const Direction3& travel, RandomStream& random) const override {
+    Passage meet_from_inside(const Vec3d& travel, RandomStream& random) const override {
         const Ray ray = scatter({-travel, true}, random);
         return {ray.away, ray.inside};
     }
 
     // The kernel between basic radiances is symmetric: the light that an eye sees comes from the
     // directions to which light from the eye would go. 1/n^2 turns radiance inside into basic.
-    Weighted connect(const Direction3& towards_eye, RandomStream& random) const override {
+    Weighted connect(const Vec3d& towards_eye, RandomStream& random) const override {
         const Ray ray = scatter({towards_eye, false}, random);
-        if (!ray.inside) return {Direction3::UnitZ(), 0};
+        if (!ray.inside) return {{0, 0, 1}, 0};
         return {-ray.away, 1 / (index_ * index_)};
     }
 
     bool scatters() const override { return true; }
 
-    double reflect_outside(const Direction3& towards_light, const Direction3& towards_eye,
+    double reflect_outside(const Vec3d& towards_light, const Vec3d& towards_eye,
                            RandomStream& random) const override {
         double sum = facet_brdf(towards_light, towards_eye);
         // m(light) m(eye) / Int m: the masked shares at random; the number of directions, uniform in
@@ -166,11 +162,11 @@ class RoughAirInterface final : public AirInterface {
 
     /// One meeting with a facet; false if what goes on from it is masked.
     bool leaves(const Ray& from, RandomStream& random, Ray& to) const {
-        const Direction3 x = from.inside ? flipped(from.away) : from.away;  // now upwards
+        const Vec3d x = from.inside ? flipped(from.away) : from.away;  // now upwards
         const double n_here = from.inside ? index_ : 1, n_there = from.inside ? 1 : index_;
-        const Direction3 facet = visible_normal(x, random);
-        const double cosine = std::min(1.0, x.dot(facet));
-        Direction3 y;
+        const Vec3d facet = visible_normal(x, random);
+        const double cosine = std::min(1.0, dot(x, facet));
+        Vec3d y;
         const bool reflected =
             random.uniform() < optics::dielectric_reflectance(n_here, n_there, cosine);
         if (reflected) {
@@ -180,8 +176,8 @@ class RoughAirInterface final : public AirInterface {
             y = (ratio * cosine - optics::refracted_cos(n_here, n_there, cosine)) * facet -
                 ratio * x;
         }
-        y.normalize();
-        const double height = reflected ? y.z() : -y.z();
+        y = normalize(y);
+        const double height = reflected ? y.z : -y.z;
         if (!(height > 0) || random.uniform() >= smith_g1(height, alpha_)) return false;
         to = {from.inside ? flipped(y) : y, reflected == from.inside};
         return true;
@@ -191,9 +187,9 @@ class RoughAirInterface final : public AirInterface {
     /// is (x_z - x_s p)+ exp(-(p^2 + q^2) / alpha^2), so q is Gaussian, and p is drawn from
     /// (x_z + x_s |p|) exp(-p^2 / alpha^2) and kept with the ratio of the two, at least every
     /// other time.
-    Direction3 visible_normal(const Direction3& x, RandomStream& random) const {
-        const double sine = std::hypot(x.x(), x.y());
-        const double flat = std::sqrt(std::numbers::pi) * x.z(), tilted = alpha_ * sine;
+    Vec3d visible_normal(const Vec3d& x, RandomStream& random) const {
+        const double sine = std::hypot(x.x, x.y);
+        const double flat = std::sqrt(std::numbers::pi) * x.z, tilted = alpha_ * sine;
         double p;
         do {
             if (random.uniform() * (flat + tilted) < flat) {
@@ -201,10 +197,10 @@ class RoughAirInterface final : public AirInterface {
             } else {
                 p = alpha_ * std::sqrt(random.exponential()) * (random.uniform() < 0.5 ? -1 : 1);
             }
-        } while (random.uniform() * (x.z() + sine * std::abs(p)) >= x.z() - sine * p);
+        } while (random.uniform() * (x.z + sine * std::abs(p)) >= x.z - sine * p);
         const double q = alpha_ * std::sqrt(random.exponential()) * std::get<0>(random.cos_sin());
-        const double c = sine > 0 ? x.x() / sine : 1, s = sine > 0 ? x.y() / sine : 0;
-        return Direction3(-(p * c - q * s), -(p * s + q * c), 1).normalized();
+        const double c = sine > 0 ? x.x / sine : 1, s = sine > 0 ? x.y / sine : 0;
+        return normalize(Vec3d{-(p * c - q * s), -(p * s + q * c), 1});
     }
 
     Ray uniform_in_etendue(RandomStream& random) const {
@@ -216,14 +212,14 @@ class RoughAirInterface final : public AirInterface {
     }
 
     /// Light that met one facet.                                            [walter-2007, eq. 20]
-    double facet_brdf(const Direction3& light, const Direction3& eye) const {
-        const Direction3 h = (light + eye).normalized();
-        const double cos_sq = h.z() * h.z();
+    double facet_brdf(const Vec3d& light, const Vec3d& eye) const {
+        const Vec3d h = normalize(light + eye);
+        const double cos_sq = h.z * h.z;
         const double density = std::exp((1 - 1 / cos_sq) / (alpha_ * alpha_)) /
                                (std::numbers::pi * alpha_ * alpha_ * cos_sq * cos_sq);
-        const double cosine = std::min(1.0, light.dot(h));
+        const double cosine = std::min(1.0, dot(light, h));
         return optics::dielectric_reflectance(1.0, index_, cosine) * density *
-               smith_g1(light.z(), alpha_) * smith_g1(eye.z(), alpha_) / (4 * light.z() * eye.z());
+               smith_g1(light.z, alpha_) * smith_g1(eye.z, alpha_) / (4 * light.z * eye.z);
     }
 
     double index_, alpha_;

@@ -15,13 +15,13 @@ class AirInterface {
  public:
     /// A direction of travel inside the paint with the weight that makes its mean right.
     struct Weighted {
-        Direction3 travel;
+        Vec3d travel;
         double weight = 0;
     };
 
     /// A direction of travel after a meeting with the boundary, and on which side of it.
     struct Passage {
-        Direction3 travel;
+        Vec3d travel;
         bool inside = false;
     };
 
@@ -29,30 +29,29 @@ class AirInterface {
 
     /// Sends light in. @param towards_light  unit vector outside, z > 0
     /// @return travel inside (z < 0) and the share of the incident flux that travels so
-    virtual Weighted enter(const Direction3& towards_light, RandomStream& random) const = 0;
+    virtual Weighted enter(const Vec3d& towards_light, RandomStream& random) const = 0;
 
     /// Light that arrives from inside. @param travel  z > 0
     /// @return travel after reflection (z < 0) and the share of the flux that is reflected; the
     ///         rest leaves the paint
-    virtual Weighted reflect_inside(const Direction3& travel, RandomStream& random) const = 0;
+    virtual Weighted reflect_inside(const Vec3d& travel, RandomStream& random) const = 0;
 
     /// The same two at random: all of the light goes one way, reflected or through.
     /// @param towards_light  unit vector outside, z > 0
-    virtual Passage meet_from_outside(const Direction3& towards_light,
-                                      RandomStream& random) const = 0;
+    virtual Passage meet_from_outside(const Vec3d& towards_light, RandomStream& random) const = 0;
     /// @param travel  inside, z > 0
-    virtual Passage meet_from_inside(const Direction3& travel, RandomStream& random) const = 0;
+    virtual Passage meet_from_inside(const Vec3d& travel, RandomStream& random) const = 0;
 
     /// Connects the inside with an eye. @param towards_eye  unit vector outside, z > 0
     /// @return a direction of travel inside (z > 0) and a weight such that the radiance that leaves
     ///         towards the eye is the mean of  weight * (radiance inside along travel)
-    virtual Weighted connect(const Direction3& towards_eye, RandomStream& random) const = 0;
+    virtual Weighted connect(const Vec3d& towards_eye, RandomStream& random) const = 0;
 
     /// Whether connect() draws at random, so that each walk wants a connection of its own.
     virtual bool scatters() const = 0;
 
     /// Unbiased estimate of the BRDF of the interface by itself, in 1/sr, a mirror left out.
-    virtual double reflect_outside(const Direction3& towards_light, const Direction3& towards_eye,
+    virtual double reflect_outside(const Vec3d& towards_light, const Vec3d& towards_eye,
                                    RandomStream& random) const = 0;
 };
 

@@ -14,17 +14,17 @@
 namespace nacre::montecarlo {
 namespace {
 
-Direction3 direction(double mu) { return {std::sqrt(1 - mu * mu), 0, mu}; }
+Vec3d direction(double mu) { return {std::sqrt(1 - mu * mu), 0, mu}; }
 
 TEST(SmoothInterface, RaysObeySnell) {
     const auto interface = make_smooth_interface(1.5);
     RandomStream random(1, 2, 3);
-    const Direction3 outside(0.6, 0.48, 0.64);
+    const Vec3d outside(0.6, 0.48, 0.64);
     const auto entry = interface->enter(outside, random);
-    EXPECT_NEAR(entry.travel.norm(), 1, 1e-15);
-    EXPECT_LT(entry.travel.z(), 0);
-    EXPECT_NEAR(entry.travel.x(), -outside.x() / 1.5, 1e-15);
-    EXPECT_NEAR(entry.travel.y(), -outside.y() / 1.5, 1e-15);
+    EXPECT_NEAR(length(entry.travel), 1, 1e-15);
+    EXPECT_LT(entry.travel.z, 0);
+    EXPECT_NEAR(entry.travel.x, -outside.x / 1.5, 1e-15);
+    EXPECT_NEAR(entry.travel.y, -outside.y / 1.5, 1e-15);
     EXPECT_EQ(interface->connect(outside, random).travel, -entry.travel);
 }
 
@@ -42,7 +42,7 @@ TEST(SmoothInterface, ReflectsAllBeyondTheCriticalAngle) {
     EXPECT_EQ(interface->reflect_inside(direction(critical - 1e-6), random).weight, 1);
     EXPECT_LT(interface->reflect_inside(direction(critical + 1e-6), random).weight, 1);
     const auto grazing = interface->reflect_inside(direction(0.1), random);
-    EXPECT_DOUBLE_EQ(grazing.travel.z(), -0.1);
+    EXPECT_DOUBLE_EQ(grazing.travel.z, -0.1);
     EXPECT_EQ(grazing.weight, 1);
 }
 
@@ -82,22 +82,22 @@ TEST(SmoothInterface, SampledEventsHaveTheMeansOfTheWeightedOnes) {
     RandomStream random(1, 2, 3);
     constexpr int kMeetings = 40'000;
     for (const double mu : {0.2, 0.8, 0.95}) {
-        const Direction3 outside = direction(mu), travel = direction(mu);
+        const Vec3d outside = direction(mu), travel = direction(mu);
         const auto entry = interface->enter(outside, random);
         const auto reflection = interface->reflect_inside(travel, random);
         int entered = 0, reflected = 0;
         for (int i = 0; i < kMeetings; ++i) {
             const auto in = interface->meet_from_outside(outside, random);
-            const Direction3 mirrored(-outside.x(), -outside.y(), outside.z());
-            EXPECT_LT((in.travel - (in.inside ? entry.travel : mirrored)).norm(), 1e-14);
+            const Vec3d mirrored(-outside.x, -outside.y, outside.z);
+            EXPECT_LT(length(in.travel - (in.inside ? entry.travel : mirrored)), 1e-14);
             entered += in.inside;
             const auto out = interface->meet_from_inside(travel, random);
             if (out.inside) {
-                EXPECT_LT((out.travel - reflection.travel).norm(), 1e-14);
+                EXPECT_LT(length(out.travel - reflection.travel), 1e-14);
             } else {
-                EXPECT_NEAR(out.travel.x(), 1.5 * travel.x(), 1e-14) << "Snell";
-                EXPECT_NEAR(out.travel.norm(), 1, 1e-14);
-                EXPECT_GT(out.travel.z(), 0);
+                EXPECT_NEAR(out.travel.x, 1.5 * travel.x, 1e-14) << "Snell";
+                EXPECT_NEAR(length(out.travel), 1, 1e-14);
+                EXPECT_GT(out.travel.z, 0);
             }
             reflected += out.inside;
         }
@@ -117,7 +117,6 @@ namespace {
 using test::brdf;
 using test::kGreen;
 using test::kWorstZ;
-using test::z_score;
 
 paint::Recipe rough(paint::Recipe recipe, double roughness) {
     recipe.clearcoat = paint::Clearcoat{20, 0.0, roughness};
@@ -142,7 +141,7 @@ TEST(RoughInterface, AlbedoMatchesTheIntegralOverFacets) {
         for (double theta : {0.0, 40.0, 75.0, 88.0}) {
             const Estimate found = reflectance(bare(1.5, alpha), theta, 20'000);
             EXPECT_LT(std::abs(z_score(found, integrated.albedo(theta * kDegree))), kWorstZ)
-                << "alpha " << alpha << ", theta " << theta << ": " << found.mean << " for "
+                << "alpha " << alpha << ", theta " << theta << ": " << found.value << " for "
                 << integrated.albedo(theta * kDegree);
         }
     }
@@ -160,7 +159,7 @@ TEST(RoughInterface, BrdfMatchesFacetsAndMaskedLight) {
             // The solver's facets are exact, its m is interpolated in theta to some 1e-4.
             EXPECT_LT(std::abs(z_score(found[j], expected, 1e-4 * expected)), kWorstZ)
                 << "alpha " << alpha << ", theta_o " << outgoing[j].theta_deg << ": "
-                << found[j].mean << " +- " << found[j].standard_error << " for " << expected;
+                << found[j].value << " +- " << found[j].standard_error << " for " << expected;
         }
     }
 }
@@ -173,7 +172,7 @@ TEST(RoughInterface, NarrowFacetsRefractAsTheSmoothInterface) {
     const auto smooth = brdf(rough(paint, 0), {45, 0}, outgoing, {.samples = 6'000, .seed = 2});
     for (std::size_t j = 0; j < outgoing.size(); ++j)
         EXPECT_LT(std::abs(z_score(narrow[j], smooth[j])), kWorstZ)
-            << narrow[j].mean << ' ' << smooth[j].mean;
+            << narrow[j].value << ' ' << smooth[j].value;
 }
 
 TEST(RoughInterface, LosslessPaintReflectsEverything) {
@@ -181,7 +180,7 @@ TEST(RoughInterface, LosslessPaintReflectsEverything) {
         const auto recipe = rough(test::paint(1.5, {test::flake_layer(1, .3, .4, .6)}, 1.0), alpha);
         for (double theta : {20.0, 80.0}) {
             const Estimate found = reflectance(recipe, theta, 5'000);
-            EXPECT_NEAR(found.mean, 1, 1e-9) << "no roulette, no loss: each walk returns 1";
+            EXPECT_NEAR(found.value, 1, 1e-9) << "no roulette, no loss: each walk returns 1";
         }
     }
 }
@@ -195,8 +194,8 @@ TEST(RoughInterface, HelmholtzReciprocityHolds) {
         const auto there = brdf(recipe, a, {b}, {.samples = 4'000, .seed = 5, .part = part});
         const auto back = brdf(recipe, b, {a}, {.samples = 4'000, .seed = 6, .part = part});
         EXPECT_LT(std::abs(z_score(there[0], back[0])), kWorstZ)
-            << there[0].mean << ' ' << back[0].mean;
-        EXPECT_LT(there[0].standard_error, 0.15 * there[0].mean);
+            << there[0].value << ' ' << back[0].value;
+        EXPECT_LT(there[0].standard_error, 0.15 * there[0].value);
     }
 }
 
@@ -213,12 +212,13 @@ TEST(RoughInterface, BrdfIntegratesToTheAlbedo) {
     for (std::size_t i = 0; i < outgoing.size(); ++i) {
         const std::size_t j = i / kPhiSteps;
         const double weight = mu.weights[j] * mu.nodes[j] * 2 * std::numbers::pi / kPhiSteps;
-        integral.mean += weight * found[i].mean;
+        integral.value += weight * found[i].value;
         integral.standard_error += weight * found[i].standard_error;  // a bound: as if in step
     }
     const Estimate albedo = reflectance(recipe, 50, 50'000);
-    EXPECT_LT(std::abs(z_score(albedo, integral)), kWorstZ) << albedo.mean << ' ' << integral.mean;
-    EXPECT_LT(integral.standard_error, 0.2 * integral.mean);
+    EXPECT_LT(std::abs(z_score(albedo, integral)), kWorstZ)
+        << albedo.value << ' ' << integral.value;
+    EXPECT_LT(integral.standard_error, 0.2 * integral.value);
 }
 
 TEST(RoughInterface, RoughnessTooSmallToWalkIsRefused) {

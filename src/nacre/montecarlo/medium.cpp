@@ -62,10 +62,10 @@ Lanes FlakeOptics::transmittance(double cosine) const {
     return interpolate(transmittance_, cosine);
 }
 
-Lanes Flakes::scattering(const Direction3& in, const Direction3& out) const {
-    const Direction3 along_normal = out - in;
-    const double vertical_sq = along_normal.z() * along_normal.z();
-    const double length_sq = along_normal.squaredNorm();
+Lanes Flakes::scattering(const Vec3d& in, const Vec3d& out) const {
+    const Vec3d along_normal = out - in;
+    const double vertical_sq = along_normal.z * along_normal.z;
+    const double length_sq = dot(along_normal, along_normal);
     const double slope_sq = (length_sq - vertical_sq) / vertical_sq;  // inf or NaN if vertical = 0
     const double exponent = slope_sq / (alpha * alpha);
     constexpr double kNegligible = 700;  // exp(-700) = 1e-304
@@ -115,13 +115,13 @@ Lanes Flakes::extinction(double mu) const {
     return (area_density_per_um / (std::numbers::pi * alpha * alpha)) * sum;
 }
 
-Lanes Pigment::scattering(const Direction3& in, const Direction3& out) const {
+Lanes Pigment::scattering(const Vec3d& in, const Vec3d& out) const {
     const double g = anisotropy;
-    const double d = 1 + g * g - 2 * g * in.dot(out);
+    const double d = 1 + g * g - 2 * g * dot(in, out);
     return ((1 - g * g) / (4 * std::numbers::pi * d * std::sqrt(d))) * scattering_per_um;
 }
 
-Lanes Slab::scattering(const Direction3& in, const Direction3& out) const {
+Lanes Slab::scattering(const Vec3d& in, const Vec3d& out) const {
     Lanes sum{};
     for (const Flakes& species : flakes) sum += species.scattering(in, out);
     for (const Pigment& pigment : pigments) sum += pigment.scattering(in, out);

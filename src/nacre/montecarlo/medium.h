@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "nacre/core/lanes.h"
+#include "nacre/core/vec.h"
 #include "nacre/paint/recipe.h"
 
 // A recipe as the random walk sees it, for one batch of at most kLanes wavelengths: what a ray may
@@ -14,8 +14,6 @@
 // lengths in um, rates in 1/um.
 
 namespace nacre::montecarlo {
-
-using Direction3 = Eigen::Vector3d;
 
 /// A quantity per wavelength of the batch. Lanes beyond Medium::lane_count hold zeros.
 using Lanes = DoubleLanes;
@@ -61,7 +59,7 @@ struct Flakes {
     /// and a cone of normals dm to the cone d(out) = 4 |in.m| dm. What remains is
     /// c p(s) R / (4 m_z^3), m being along out - in. It does not contain in and out other than
     /// through m and |in.m|: it is reciprocal.
-    Lanes scattering(const Direction3& in, const Direction3& out) const;
+    Lanes scattering(const Vec3d& in, const Vec3d& out) const;
 
     /// What a ray along a direction of cosine mu loses per um, to reflection and absorption:
     /// c E[(1 - T(|w.m|)) |w.m|] over the slopes, by quadrature in the two slope components.
@@ -76,7 +74,7 @@ struct Pigment {
     double anisotropy;
 
     /// [henyey-greenstein-1941, eq. 2], per sr and um of path.
-    Lanes scattering(const Direction3& in, const Direction3& out) const;
+    Lanes scattering(const Vec3d& in, const Vec3d& out) const;
 };
 
 inline constexpr int kExtinctionTableIntervals = 1024;
@@ -94,7 +92,7 @@ struct Slab {
 
     double candidate_rate_per_um() const { return flake_rate_per_um + pigment_rate_per_um; }
     /// Scattered power per um of path and sr of flakes and pigments.
-    Lanes scattering(const Direction3& in, const Direction3& out) const;
+    Lanes scattering(const Vec3d& in, const Vec3d& out) const;
     /// Total extinction along a direction of cosine mu > 0: by quadrature, or from the table.
     Lanes extinction(double mu) const;
     /// Makes extinction() cheap, for many directions: linear between kExtinctionTableIntervals

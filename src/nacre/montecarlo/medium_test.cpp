@@ -21,16 +21,16 @@ Flakes flakes_of(double alpha, double reflectance, double transmittance) {
     return {1, alpha, FlakeOptics(species, optics::Material(1.5), kWavelength)};
 }
 
-Direction3 direction(double mu, double phi) {
+Vec3d direction(double mu, double phi) {
     const double s = std::sqrt(1 - mu * mu);
     return {s * std::cos(phi), s * std::sin(phi), mu};
 }
 
 /// Over the whole sphere: Gauss-Legendre in the angle to `axis`, equal steps around it. About the
 /// travel direction the kernels are smooth in these, the grazing reflections forwards included.
-double integrate_sphere(const Direction3& axis, const std::function<double(const Direction3&)>& f) {
+double integrate_sphere(const Vec3d& axis, const std::function<double(const Vec3d&)>& f) {
     constexpr int kSteps = 512, kNodes = 256;
-    const Direction3 across = axis.unitOrthogonal(), third = axis.cross(across);
+    const Vec3d across = perpendicular(axis), third = cross(axis, across);
     const Quadrature rule = gauss_legendre(kNodes, 0, std::numbers::pi);
     double sum = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -93,9 +93,9 @@ TEST(Flakes, ScatteringIntegratesToTheExtinctionOfPerfectMirrors) {
     for (double alpha : {0.1, 0.3, 0.5}) {
         const Flakes species = flakes_of(alpha, 1, 0);
         for (double mu : {0.05, 0.2, 0.5, 0.97}) {
-            const Direction3 in = direction(-mu, 0.3);
+            const Vec3d in = direction(-mu, 0.3);
             const double integral = integrate_sphere(
-                in, [&](const Direction3& out) { return species.scattering(in, out)[0]; });
+                in, [&](const Vec3d& out) { return species.scattering(in, out)[0]; });
             const double extinction = species.extinction(mu)[0];
             EXPECT_NEAR(integral / extinction, 1, 10 * kExtinctionRelativeError)
                 << "alpha " << alpha << ", mu " << mu;
@@ -105,7 +105,7 @@ TEST(Flakes, ScatteringIntegratesToTheExtinctionOfPerfectMirrors) {
 
 TEST(Flakes, ScatteringIsReciprocal) {
     const Flakes species = flakes_of(.2, .8, .1);
-    const Direction3 in = direction(-.9, 0), out = direction(.7, .3);
+    const Vec3d in = direction(-.9, 0), out = direction(.7, .3);
     const double forward = species.scattering(in, out)[0];
     EXPECT_GT(forward, 0.01);
     EXPECT_NEAR(species.scattering(-out, -in)[0], forward, 1e-15);
@@ -113,7 +113,7 @@ TEST(Flakes, ScatteringIsReciprocal) {
 
 TEST(Flakes, ForwardDirectionIsNotScattered) {
     const Flakes species = flakes_of(.2, .8, .1);
-    const Direction3 level(0.6, 0.8, 0);
+    const Vec3d level(0.6, 0.8, 0);
     EXPECT_EQ(species.scattering(level, level)[0], 0);
     EXPECT_EQ(species.scattering(level, -level)[0], 0) << "its normal would lie in the plane";
 }
@@ -149,14 +149,12 @@ TEST(Pigment, ScatteringIntegratesToItsRateWithItsMeanCosine) {
     for (double g : {-0.5, 0.0, 0.7}) {
         Pigment pigment{Lanes{}, g};
         pigment.scattering_per_um[0] = 0.2;
-        const Direction3 in = direction(0.4, 1);
-        const auto scattering = [&](const Direction3& out) {
-            return pigment.scattering(in, out)[0];
-        };
+        const Vec3d in = direction(0.4, 1);
+        const auto scattering = [&](const Vec3d& out) { return pigment.scattering(in, out)[0]; };
         EXPECT_NEAR(integrate_sphere(in, scattering), 0.2, 1e-12);
-        EXPECT_NEAR(integrate_sphere(
-                        in, [&](const Direction3& out) { return in.dot(out) * scattering(out); }),
-                    0.2 * g, 1e-12);
+        EXPECT_NEAR(
+            integrate_sphere(in, [&](const Vec3d& out) { return dot(in, out) * scattering(out); }),
+            0.2 * g, 1e-12);
     }
 }
 

@@ -83,7 +83,7 @@ Picture solved_picture(const paint::Recipe& recipe) {
     parallel_for(0, all.size(), [&](std::size_t i) {
         const double index = recipe.binder.index(kOnGrid[0]).real();
         const auto fine = integrate(*surface, index, all[i], 56);
-        for (int lane = 0; lane < kLanes; ++lane) picture[i][lane].mean = fine[lane];
+        for (int lane = 0; lane < kLanes; ++lane) picture[i][lane].value = fine[lane];
         if (i % 16 != 0) return;
         const auto coarse = integrate(*surface, index, all[i], 40);
         for (int lane = 0; lane < kLanes; ++lane)
@@ -119,7 +119,7 @@ void expect_agreement(const Picture& a, const Picture& b, const std::string& pai
     for (const int lane : {kGreen, kRed}) {
         double chi_square = 0, sum = 0, worst = 0;
         for (std::size_t i = 0; i < a.size(); ++i) {
-            const double z = test::z_score(a[i][lane], b[i][lane]);
+            const double z = z_score(a[i][lane], b[i][lane]);
             chi_square += z * z;
             sum += z;
             worst = std::max(worst, std::abs(z));

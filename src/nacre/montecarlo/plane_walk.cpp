@@ -25,10 +25,6 @@ RandomStream stream_of(Vec3f wi, float u_select, Vec2f u) {
     return random;
 }
 
-Vec3f to_float(const Direction3& v) {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
 FloatLanes to_float(const Lanes& x) { return __builtin_convertvector(x, FloatLanes); }
 
 bsdf::BsdfSample sample_of(const Escape& escape) {
@@ -37,7 +33,7 @@ bsdf::BsdfSample sample_of(const Escape& escape) {
             .weight = to_float(escape.weight),
             .pdf = 1,
             .kind = bsdf::SampleKind::unknown_density,
-            .exit_mm = to_float(Direction3(kMmPerUm * escape.position_um))};
+            .exit_mm = to_float(kMmPerUm * escape.position_um)};
 }
 
 }  // namespace
@@ -74,7 +70,7 @@ std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f 
                                                 Vec2f u) const {
     if (!(wi.z > 0)) return {};
     RandomStream random = stream_of(wi, u_select, u);
-    const Direction3 towards_light = Direction3(wi.x, wi.y, wi.z).normalized();
+    const Vec3d towards_light = normalize(to_double(wi));
     const Packet packet = draw_packet(patch, random);
     if (rough_) {
         const auto escape = meet_rough(towards_light, packet, random);
@@ -82,13 +78,13 @@ std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f 
         return sample_of(*escape);
     }
     // In proportion to what each way contributes in a white room, as a root mean square.
-    const Lanes specular = specular_reflectance(towards_light.z());
+    const Lanes specular = specular_reflectance(towards_light.z);
     const double f = lane_mean(specular);
     const double inside = (1 - f) * typical_weight_;
     const double probability = f / (f + inside);
     if (u_select < probability) {
         return bsdf::BsdfSample{
-            .wo = to_float({-towards_light.x(), -towards_light.y(), towards_light.z()}),
+            .wo = to_float(Vec3d{-towards_light.x, -towards_light.y, towards_light.z}),
             .weight = to_float(Lanes(specular / probability)),
             .pdf = static_cast<float>(probability),
             .kind = bsdf::SampleKind::specular};
@@ -100,14 +96,14 @@ std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f 
     return sample_of(*escape);
 }
 
-std::optional<Escape> BoundWalk::enter_and_follow(const Direction3& wi, const Packet& packet,
+std::optional<Escape> BoundWalk::enter_and_follow(const Vec3d& wi, const Packet& packet,
                                                   RandomStream& random) const {
     return follow(
         {interface(packet.lane).enter(wi, random).travel, packet.weight, packet.lane, packet.patch},
         random);
 }
 
-std::optional<Escape> BoundWalk::meet_rough(const Direction3& wi, const Packet& packet,
+std::optional<Escape> BoundWalk::meet_rough(const Vec3d& wi, const Packet& packet,
                                             RandomStream& random) const {
     const auto passage = interface(packet.lane).meet_from_outside(wi, random);
     if (!passage.inside) return Escape{.direction = passage.travel, .weight = packet.weight};
@@ -116,7 +112,7 @@ std::optional<Escape> BoundWalk::meet_rough(const Direction3& wi, const Packet& 
 
 Lanes BoundWalk::mean_weight(double cosine, int walks, std::uint64_t number,
                              double* mean_square) const {
-    const Direction3 wi(std::sqrt(1 - cosine * cosine), 0, cosine);
+    const Vec3d wi(std::sqrt(1 - cosine * cosine), 0, cosine);
     RandomStream random(0, number, 0);
     Lanes sum{}, sum_of_squares{};
     for (int i = 0; i < walks; ++i) {

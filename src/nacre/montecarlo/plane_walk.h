@@ -12,7 +12,7 @@
 #include "nacre/montecarlo/interface.h"
 #include "nacre/montecarlo/medium.h"
 #include "nacre/paint/recipe.h"
-#include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 namespace nacre::montecarlo {
 
@@ -38,7 +38,7 @@ struct WalkTables {
 
 /// Light that has just come in at the origin of the local frame.
 struct Entry {
-    Direction3 travel;  ///< inside, z < 0
+    Vec3d travel;  ///< inside, z < 0
     Lanes weight{};
     int lane = 0;                        ///< whose index of refraction holds
     const bsdf::Patch* patch = nullptr;  ///< where, if known
@@ -46,8 +46,8 @@ struct Entry {
 
 /// Light that has just left.
 struct Escape {
-    Direction3 direction;
-    Direction3 position_um{0, 0, 0};  ///< from where it came in
+    Vec3d direction;
+    Vec3d position_um{0, 0, 0};  ///< from where it came in
     Lanes weight{};
 };
 
@@ -92,9 +92,9 @@ class BoundWalk : public bsdf::BoundBsdf {
                                          Vec2f u) const;
     Packet draw_packet(const bsdf::Patch* patch, RandomStream& random) const;
     Lanes specular_reflectance(double cosine) const;
-    std::optional<Escape> enter_and_follow(const Direction3& wi, const Packet& packet,
+    std::optional<Escape> enter_and_follow(const Vec3d& wi, const Packet& packet,
                                            RandomStream& random) const;
-    std::optional<Escape> meet_rough(const Direction3& wi, const Packet& packet,
+    std::optional<Escape> meet_rough(const Vec3d& wi, const Packet& packet,
                                      RandomStream& random) const;
     Lanes mean_weight(double cosine, int walks, std::uint64_t number, double* mean_square) const;
 
@@ -130,7 +130,7 @@ class PlaneWalk final : public bsdf::Bsdf {
     ///                        in wavelength, beyond them constant
     /// @throws DomainError if the recipe is not valid at these wavelengths
     explicit PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm =
-                                                        solver::default_wavelengths_nm());
+                                                        spectra::default_wavelengths_nm());
     ~PlaneWalk() override;
 
     std::unique_ptr<const bsdf::BoundBsdf> bind(

@@ -13,7 +13,6 @@ using test::from_degrees;
 using test::kOnGrid;
 using test::kWorstZ;
 using test::walked_albedo;
-using test::z_score;
 
 constexpr int kWalks = 200'000;
 
@@ -26,7 +25,7 @@ void expect_reference_albedo(const paint::Recipe& recipe, double theta_deg) {
         EXPECT_GT(found[lane].standard_error, 0);
         EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
             << recipe.name << ' ' << theta_deg << " deg, " << kOnGrid[lane]
-            << " nm: " << found[lane].mean << " against " << expected[lane].reflectance.mean;
+            << " nm: " << found[lane].value << " against " << expected[lane].reflectance.value;
     }
 }
 
@@ -94,13 +93,13 @@ TEST(PlaneWalk, PowerIntoASolidAngleIsTheIntegralOfTheReferencesBrdf) {
             // Eyes share walks: their errors add up at worst.
             Estimate expected;
             for (std::size_t j = 0; j < eyes.size(); ++j) {
-                expected.mean += weights[j] * brdf[j * kLanes + lane].mean;
+                expected.value += weights[j] * brdf[j * kLanes + lane].value;
                 expected.standard_error += weights[j] * brdf[j * kLanes + lane].standard_error;
             }
-            EXPECT_GT(expected.mean, 10 * expected.standard_error);
+            EXPECT_GT(expected.value, 10 * expected.standard_error);
             EXPECT_LT(std::abs(z_score(found[b][lane], expected)), 3)
-                << "bin " << b << ", " << kOnGrid[lane] << " nm: " << found[b][lane].mean << " +- "
-                << found[b][lane].standard_error << " against " << expected.mean << " +- "
+                << "bin " << b << ", " << kOnGrid[lane] << " nm: " << found[b][lane].value << " +- "
+                << found[b][lane].standard_error << " against " << expected.value << " +- "
                 << expected.standard_error;
         }
     }
@@ -128,7 +127,7 @@ TEST(PlaneWalk, EstimatedAlbedoIsThatOfItsSamples) {
         const auto found = walked_albedo(*surface, wi, 50'000);
         for (int lane = 0; lane < kLanes; ++lane) {
             // A weight's deviation is at most about its mean's root: 0.5 over the root of 512.
-            EXPECT_NEAR(told[lane], found[lane].mean, 4 * 0.5 / std::sqrt(512.)) << theta;
+            EXPECT_NEAR(told[lane], found[lane].value, 4 * 0.5 / std::sqrt(512.)) << theta;
         }
     }
 }
@@ -138,10 +137,10 @@ TEST(PlaneWalk, WavelengthsBetweenTheGridsAreInterpolatedAndThoseBeyondAreItsEnd
     const PlaneWalk model(test::pearl());
     const bsdf::Wavelengths wavelengths{380, 400, 550, 555, 560, 700, 720, 780};
     const auto a = walked_albedo(*model.bind(wavelengths), {0, 0, 1}, kWalks);
-    EXPECT_EQ(a[0].mean, a[1].mean);
-    EXPECT_EQ(a[5].mean, a[6].mean);
-    EXPECT_EQ(a[5].mean, a[7].mean);
-    EXPECT_LT(std::abs(z_score(a[3], (a[2].mean + a[4].mean) / 2)), kWorstZ);
+    EXPECT_EQ(a[0].value, a[1].value);
+    EXPECT_EQ(a[5].value, a[6].value);
+    EXPECT_EQ(a[5].value, a[7].value);
+    EXPECT_LT(std::abs(z_score(a[3], (a[2].value + a[4].value) / 2)), kWorstZ);
 }
 
 TEST(PlaneWalk, OnlySamplesTellWhatItLooksLike) {

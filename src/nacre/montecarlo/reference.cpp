@@ -71,8 +71,8 @@ class Ticker {
 struct Experiment {
     const Medium& medium;
     const AirInterface& interface;
-    Direction3 towards_light;
-    std::span<const Direction3> towards_eyes;
+    Vec3d towards_light;
+    std::span<const Vec3d> towards_eyes;
     std::span<const Connection> connections;  ///< one per eye if the interface is smooth, else none
     ReferenceSettings settings;
     std::uint64_t number;  ///< among the experiments of one call
@@ -93,7 +93,7 @@ namespace {
 // More eyes than this are served by walks of their own, to bound memory.
 constexpr std::size_t kMaxEyesPerWalk = 1024;
 
-Direction3 unit_vector(const Direction& direction) {
+Vec3d unit_vector(const Direction& direction) {
     const double theta = direction.theta_deg * std::numbers::pi / 180;
     const double phi = direction.phi_deg * std::numbers::pi / 180;
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
@@ -151,7 +151,7 @@ void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
     check(incident, "incident");
     check(outgoing, "outgoing");
     check(recipe, wavelengths_nm, settings);
-    std::vector<Direction3> eyes;
+    std::vector<Vec3d> eyes;
     for (const Direction& direction : outgoing) eyes.push_back(unit_vector(direction));
 
     const auto all_batches = batches(recipe, wavelengths_nm);
@@ -170,7 +170,7 @@ void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
             std::vector<Connection> connections;
             if (!interface->scatters()) {
                 RandomStream unused(0, 0, 0);
-                for (const Direction3& eye : own_eyes)
+                for (const Vec3d& eye : own_eyes)
                     connections.emplace_back(interface->connect(eye, unused), medium);
             }
             for (std::size_t i = 0; i < incident.size(); ++i) {
@@ -253,10 +253,7 @@ void Moments::add(std::size_t i, const Lanes& x) {
 }
 
 Estimate Moments::estimate(std::size_t i, int lane, std::uint64_t samples) const {
-    const double n = static_cast<double>(samples);
-    const double mean = sum_[i][lane] / n;
-    const double variance = (sum_of_squares_[i][lane] / n - mean * mean) * n / (n - 1);
-    return {mean, std::sqrt(std::max(0.0, variance) / n)};  // < 0 by rounding alone
+    return estimate_of_mean(sum_[i][lane], sum_of_squares_[i][lane], static_cast<double>(samples));
 }
 
 std::uint64_t Experiment::block_count(std::uint64_t samples) {
@@ -275,7 +272,7 @@ void Experiment::run_block(std::uint64_t block, Moments& moments) const {
         tally.clear();
         if (interface.scatters()) {
             own_connections.clear();
-            for (const Direction3& eye : towards_eyes)
+            for (const Vec3d& eye : towards_eyes)
                 own_connections.emplace_back(interface.connect(eye, random), medium);
         }
         walk(medium, interface, towards_light, interface.scatters() ? own_connections : connections,

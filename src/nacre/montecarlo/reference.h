@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "nacre/core/estimate.h"
 #include "nacre/core/progress.h"
 #include "nacre/paint/recipe.h"
 
@@ -28,13 +29,6 @@ struct ReferenceSettings {
     std::uint64_t samples = 1u << 20;  ///< walks per incident direction, [2, 1e15]
     std::uint64_t seed = 0;
     Part part = Part::total;
-};
-
-/// A mean over walks and the standard deviation of that mean, estimated from the same walks. Where
-/// few walks contribute much (narrow flakes far off their lobe) both are skewed downwards.
-struct Estimate {
-    double mean = 0;
-    double standard_error = 0;
 };
 
 /// The BRDF in 1/sr: [incident][outgoing][wavelength], row-major.

@@ -22,7 +22,6 @@ using test::brdf;
 using test::kGreen;
 using test::kWorstZ;
 using test::worked_paint;
-using test::z_score;
 
 const std::vector<Direction> kWorkedOutgoing{{15, 180}, {30, 180}, {45, 180}, {60, 180},
                                              {75, 180}, {0, 0},    {30, 90},  {45, 0}};
@@ -40,10 +39,10 @@ TEST(Reference, MatchesTheWorkedValuesOfTheTotal) {
         EXPECT_LT(
             std::abs(z_score(found[i], kWorkedTotal[i], kWorkedRelativeError * kWorkedTotal[i])),
             kWorstZ)
-            << "theta_o " << kWorkedOutgoing[i].theta_deg << ": " << found[i].mean << " +- "
+            << "theta_o " << kWorkedOutgoing[i].theta_deg << ": " << found[i].value << " +- "
             << found[i].standard_error;
         if (i < 5) {
-            EXPECT_LT(found[i].standard_error, 5e-3 * found[i].mean);
+            EXPECT_LT(found[i].standard_error, 5e-3 * found[i].value);
         }
     }
 }
@@ -53,7 +52,7 @@ TEST(Reference, MatchesTheWorkedValuesOfSingleScattering) {
         brdf(worked_paint(), {45, 0}, kWorkedOutgoing, {.samples = 200'000, .part = Part::single});
     for (std::size_t i = 0; i < found.size(); ++i) {
         EXPECT_LT(std::abs(z_score(found[i], kWorkedSingle[i], 2e-3 * kWorkedSingle[i])), kWorstZ)
-            << "theta_o " << kWorkedOutgoing[i].theta_deg << ": " << found[i].mean << " +- "
+            << "theta_o " << kWorkedOutgoing[i].theta_deg << ": " << found[i].value << " +- "
             << found[i].standard_error;
     }
 }
@@ -68,11 +67,11 @@ TEST(Reference, PartsAddUpToTheTotal) {
     const auto total = part(Part::total, 1), single = part(Part::single, 2),
                multiple = part(Part::multiple, 3);
     for (std::size_t i = 0; i < outgoing.size(); ++i) {
-        const Estimate sum{single[i].mean + multiple[i].mean,
+        const Estimate sum{single[i].value + multiple[i].value,
                            std::hypot(single[i].standard_error, multiple[i].standard_error)};
         EXPECT_LT(std::abs(z_score(sum, total[i])), kWorstZ);
-        EXPECT_GT(single[i].mean, 0);
-        EXPECT_GT(multiple[i].mean, 0);
+        EXPECT_GT(single[i].value, 0);
+        EXPECT_GT(multiple[i].value, 0);
     }
 }
 
@@ -118,7 +117,7 @@ TEST(Reference, MatchesChandrasekharsHalfSpace) {
         for (std::size_t i = 0; i < outgoing.size(); ++i) {
             const double expected = h.brdf(cosine(theta_i), cosine(outgoing[i].theta_deg));
             EXPECT_LT(std::abs(z_score(found[i], expected)), kWorstZ)
-                << found[i].mean << " for " << expected;
+                << found[i].value << " for " << expected;
         }
     }
 }
@@ -131,8 +130,8 @@ TEST(Reference, HelmholtzReciprocityHolds) {
     const auto there = brdf(recipe, a, {b}, {.samples = 80'000, .seed = 5});
     const auto back = brdf(recipe, b, {a}, {.samples = 80'000, .seed = 6});
     EXPECT_LT(std::abs(z_score(there[0], back[0])), kWorstZ)
-        << there[0].mean << ' ' << back[0].mean;
-    EXPECT_LT(there[0].standard_error, 0.01 * there[0].mean);
+        << there[0].value << ' ' << back[0].value;
+    EXPECT_LT(there[0].standard_error, 0.01 * there[0].value);
 }
 
 TEST(Reference, BrdfIntegratesToTheAlbedo) {
@@ -151,7 +150,7 @@ TEST(Reference, BrdfIntegratesToTheAlbedo) {
     for (std::size_t i = 0; i < outgoing.size(); ++i) {
         const std::size_t j = i / kPhiSteps;
         const double weight = mu.weights[j] * mu.nodes[j] * 2 * std::numbers::pi / kPhiSteps;
-        integral.mean += weight * found[i].mean;
+        integral.value += weight * found[i].value;
         integral.standard_error += weight * found[i].standard_error;  // a bound: as if in step
     }
     const Albedo albedo =
@@ -160,9 +159,9 @@ TEST(Reference, BrdfIntegratesToTheAlbedo) {
     const double mirror = optics::dielectric_reflectance(
         1.0, 1.5, std::cos(incident.theta_deg * std::numbers::pi / 180));
     EXPECT_LT(
-        std::abs(z_score(albedo.reflectance, integral.mean + mirror, integral.standard_error)),
+        std::abs(z_score(albedo.reflectance, integral.value + mirror, integral.standard_error)),
         kWorstZ);
-    EXPECT_LT(integral.standard_error, 0.03 * integral.mean);
+    EXPECT_LT(integral.standard_error, 0.03 * integral.value);
 }
 
 TEST(Reference, WavelengthsWalkTogetherAsTheyWouldAlone) {
@@ -187,8 +186,8 @@ TEST(Reference, WavelengthsWalkTogetherAsTheyWouldAlone) {
             reference_brdf(recipe, incident, outgoing, std::vector<double>{wavelengths[i]},
                            {.samples = 20'000, .seed = 2 + i});
         EXPECT_LT(std::abs(z_score(together[i], alone[0])), kWorstZ)
-            << wavelengths[i] << " nm: " << together[i].mean << ' ' << alone[0].mean;
-        EXPECT_LT(together[i].standard_error, 0.02 * together[i].mean);
+            << wavelengths[i] << " nm: " << together[i].value << ' ' << alone[0].value;
+        EXPECT_LT(together[i].standard_error, 0.02 * together[i].value);
     }
 }
 
@@ -219,7 +218,6 @@ using test::brdf;
 using test::kGreen;
 using test::kWorstZ;
 using test::worked_paint;
-using test::z_score;
 
 TEST(Reference, ManyOutgoingDirectionsKeepTheirOrder) {
     // More than one walk serves: two directions in turns, so that a slip shows.
@@ -230,11 +228,11 @@ TEST(Reference, ManyOutgoingDirectionsKeepTheirOrder) {
     }
     const auto found = brdf(worked_paint(), {45, 0}, outgoing, {.samples = 3000});
     ASSERT_EQ(found.size(), outgoing.size());
-    EXPECT_EQ(found[0].mean, found[2].mean) << "the same walks";
-    EXPECT_NE(found[0].mean, found[1398].mean) << "other walks";
+    EXPECT_EQ(found[0].value, found[2].value) << "the same walks";
+    EXPECT_NE(found[0].value, found[1398].value) << "other walks";
     EXPECT_LT(std::abs(z_score(found[0], found[1398])), kWorstZ);
     EXPECT_LT(std::abs(z_score(found[1], found[1399])), kWorstZ);
-    EXPECT_GT(found[0].mean, 1.2 * found[1].mean);
+    EXPECT_GT(found[0].value, 1.2 * found[1].value);
 }
 
 TEST(Reference, ThreadsDoNotChangeTheResult) {
@@ -247,7 +245,7 @@ TEST(Reference, ThreadsDoNotChangeTheResult) {
     };
     const auto one = run(1), two = run(2);
     for (std::size_t i = 0; i < one.size(); ++i) {
-        EXPECT_EQ(one[i].mean, two[i].mean);
+        EXPECT_EQ(one[i].value, two[i].value);
         EXPECT_EQ(one[i].standard_error, two[i].standard_error);
     }
 }
@@ -261,7 +259,7 @@ TEST(Reference, SeedsAreIndependentAndTheirScatterIsTheStandardError) {
     for (int seed = 0; seed < kSeeds; ++seed) {
         found.push_back(brdf(worked_paint(), {45, 0}, {{45, 180}},
                              {.samples = 2000, .seed = static_cast<std::uint64_t>(seed)})[0]);
-        mean += found.back().mean / kSeeds;
+        mean += found.back().value / kSeeds;
     }
     double chi_square = 0;
     for (const Estimate& e : found) chi_square += std::pow(z_score(e, mean), 2);
@@ -317,7 +315,6 @@ TEST(Reference, EmptyRequestsGiveEmptyAnswers) {
 namespace {
 
 using test::kWorstZ;
-using test::z_score;
 
 Albedo albedo_of(const paint::Recipe& recipe, double mu, std::uint64_t samples,
                  std::uint64_t seed = 1) {
@@ -343,16 +340,16 @@ TEST(PigmentSlab, MatchesTablesOfReflectanceAndTransmittance) {
         const auto recipe = test::paint(1, {test::pigment_layer(c.albedo, c.depth, c.anisotropy)});
         const Albedo albedo = albedo_of(recipe, c.mu, 140'000);
         EXPECT_LT(std::abs(z_score(albedo.reflectance, c.reflectance)), kWorstZ)
-            << c.albedo << ' ' << c.depth << ' ' << albedo.reflectance.mean;
+            << c.albedo << ' ' << c.depth << ' ' << albedo.reflectance.value;
         EXPECT_LT(std::abs(z_score(albedo.absorbed_by_substrate, c.transmittance)), kWorstZ)
-            << c.albedo << ' ' << c.depth << ' ' << albedo.absorbed_by_substrate.mean;
+            << c.albedo << ' ' << c.depth << ' ' << albedo.absorbed_by_substrate.value;
     }
 }
 
 TEST(PigmentSlab, SemiInfiniteUnderAnInterfaceMatchesTheTable) {
     const auto recipe = test::paint(1.5, {test::pigment_layer(.9, 100, 0)});
     const Albedo albedo = albedo_of(recipe, 1, 140'000);
-    EXPECT_LT(std::abs(z_score(albedo.reflectance, .25992)), kWorstZ) << albedo.reflectance.mean;
+    EXPECT_LT(std::abs(z_score(albedo.reflectance, .25992)), kWorstZ) << albedo.reflectance.value;
 }
 
 TEST(FlakeSlab, MatchesAddingDoublingOfTheDesignNotes) {
@@ -372,10 +369,10 @@ TEST(FlakeSlab, MatchesAddingDoublingOfTheDesignNotes) {
             c.index, {test::flake_layer(c.beta, c.alpha, c.reflectance, c.transmittance)});
         const Albedo albedo = albedo_of(recipe, c.mu, 140'000);
         EXPECT_LT(std::abs(z_score(albedo.reflectance, c.total_reflected)), kWorstZ)
-            << c.index << ' ' << c.alpha << ' ' << albedo.reflectance.mean;
+            << c.index << ' ' << c.alpha << ' ' << albedo.reflectance.value;
         if (c.transmitted >= 0) {
             EXPECT_LT(std::abs(z_score(albedo.absorbed_by_substrate, c.transmitted)), kWorstZ)
-                << c.index << ' ' << c.alpha << ' ' << albedo.absorbed_by_substrate.mean;
+                << c.index << ' ' << c.alpha << ' ' << albedo.absorbed_by_substrate.value;
         }
     }
 }
@@ -395,7 +392,7 @@ TEST(FlakeSlab, NearlyFlatFlakesObeyKubelkaAndMunk) {
             test::paint(1, {test::flake_layer(c.beta, kAlpha, c.reflectance, c.transmittance)});
         const Albedo albedo = albedo_of(recipe, 1, 140'000);
         EXPECT_LT(std::abs(z_score(albedo.reflectance, expected)), kWorstZ)
-            << albedo.reflectance.mean << ' ' << expected;
+            << albedo.reflectance.value << ' ' << expected;
     }
 }
 
@@ -403,7 +400,7 @@ TEST(FlakeSlab, LosslessFlakesLoseNoLight) {
     for (double index : {1.0, 1.5}) {
         const auto recipe = test::paint(index, {test::flake_layer(1.5, .3, .7, .3)});
         const Albedo albedo = albedo_of(recipe, .6, 35'000);
-        const double sum = albedo.reflectance.mean + albedo.absorbed_by_substrate.mean;
+        const double sum = albedo.reflectance.value + albedo.absorbed_by_substrate.value;
         // Roulette alone makes the sum fluctuate, so the two errors bound its own.
         const double error =
             albedo.reflectance.standard_error + albedo.absorbed_by_substrate.standard_error;
@@ -414,15 +411,15 @@ TEST(FlakeSlab, LosslessFlakesLoseNoLight) {
 TEST(FlakeSlab, ThickLosslessFlakesReflectEverything) {
     const auto recipe = test::paint(1, {test::flake_layer(300, .5, 1, 0)});
     const Albedo albedo = albedo_of(recipe, .8, 5'000);
-    EXPECT_GT(albedo.reflectance.mean, 0.985);  // the rest, some 1/300, comes through
-    EXPECT_NEAR(albedo.reflectance.mean + albedo.absorbed_by_substrate.mean, 1, 1e-9);
+    EXPECT_GT(albedo.reflectance.value, 0.985);  // the rest, some 1/300, comes through
+    EXPECT_NEAR(albedo.reflectance.value + albedo.absorbed_by_substrate.value, 1, 1e-9);
 }
 
 TEST(FlakeSlab, LosslessPaintOverWhiteReflectsEverything) {
     const auto recipe = test::paint(1.5, {test::flake_layer(1, .2, .4, .6)}, 1.0);
     const Albedo albedo = albedo_of(recipe, .7, 20'000);
-    EXPECT_LT(std::abs(z_score(albedo.reflectance, 1)), kWorstZ) << albedo.reflectance.mean;
-    EXPECT_EQ(albedo.absorbed_by_substrate.mean, 0);
+    EXPECT_LT(std::abs(z_score(albedo.reflectance, 1)), kWorstZ) << albedo.reflectance.value;
+    EXPECT_EQ(albedo.absorbed_by_substrate.value, 0);
 }
 
 TEST(Clearcoat, AbsorbsByBeerAndLambert) {
@@ -430,8 +427,8 @@ TEST(Clearcoat, AbsorbsByBeerAndLambert) {
     paint::Recipe recipe = test::paint(1, {test::flake_layer(1e-6, .1, 0, 1)});
     recipe.clearcoat = paint::Clearcoat{45, 20.0, 0};
     const Albedo albedo = albedo_of(recipe, .5, 1000);
-    EXPECT_NEAR(albedo.absorbed_by_substrate.mean, std::exp(-0.045 * 20 / .5), 1e-12);
-    EXPECT_EQ(albedo.reflectance.mean, 0);
+    EXPECT_NEAR(albedo.absorbed_by_substrate.value, std::exp(-0.045 * 20 / .5), 1e-12);
+    EXPECT_EQ(albedo.reflectance.value, 0);
 }
 
 TEST(PigmentSlab, DeepAbsorptionOverWhiteGroundFollowsBeerAndLambert) {
@@ -446,7 +443,7 @@ TEST(PigmentSlab, DeepAbsorptionOverWhiteGroundFollowsBeerAndLambert) {
         up += 2 * mu.weights[i] * mu.nodes[i] * std::exp(-kDepth / mu.nodes[i]);
     const double expected = std::exp(-kDepth) * up;
     EXPECT_LT(std::abs(z_score(albedo.reflectance, expected)), kWorstZ)
-        << albedo.reflectance.mean << " against " << expected;
+        << albedo.reflectance.value << " against " << expected;
     EXPECT_LT(albedo.reflectance.standard_error, 0.01 * expected);
 }
 

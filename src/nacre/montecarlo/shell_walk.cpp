@@ -75,9 +75,9 @@ std::unique_ptr<const bsdf::BoundBsdf> ShellWalk::bind(
     return std::make_unique<BoundShellWalk>(tables_, settings_, wavelengths_nm);
 }
 
-std::optional<Escape> ShellWalker::run(const Direction3& travel, const Lanes& weight) {
+std::optional<Escape> ShellWalker::run(const Vec3d& travel, const Lanes& weight) {
     start(travel, weight);
-    position_ = Direction3::Zero();
+    position_ = Vec3d{};
     slab_top_um_ = 0;
     escape_.reset();
     for (std::uint64_t flights = 0; state_.alive; ++flights) {
@@ -88,8 +88,8 @@ std::optional<Escape> ShellWalker::run(const Direction3& travel, const Lanes& we
 }
 
 // The vector from the centre, over the outer radius: without cancellation, and for any curvature.
-Direction3 ShellWalker::normal() const {
-    return (Direction3::UnitZ() + outer_curvature_ * position_).normalized();
+Vec3d ShellWalker::normal() const {
+    return normalize(Vec3d{0, 0, 1} + outer_curvature_ * position_);
 }
 
 /// To the next candidate or to the edge of the slab, whichever comes first.
@@ -97,7 +97,7 @@ void ShellWalker::fly() {
     const Slab& slab = this->slab();
     const double depth_below_surface = slab_top_um_ + state_.depth_um;
     const RadialRay ray{outer_curvature_ / (1 - outer_curvature_ * depth_below_surface),
-                        state_.travel.dot(normal())};
+                        dot(state_.travel, normal())};
     const double outwards = ray.distance_outwards(state_.depth_um);
     const double inwards = ray.distance_inwards(slab.thickness_um - state_.depth_um);
     const bool down = inwards < outwards;
@@ -125,7 +125,7 @@ void ShellWalker::fly() {
 }
 
 void ShellWalker::collide(const Slab& slab, double choice) {
-    const double cosine = state_.travel.dot(normal());
+    const double cosine = dot(state_.travel, normal());
     for (const Flakes& species : slab.flakes) {
         choice -= species.area_density_per_um * candidate_area(cosine, species.alpha);
         if (choice < 0) return meet_candidate(species);
@@ -134,21 +134,19 @@ void ShellWalker::collide(const Slab& slab, double choice) {
 }
 
 void ShellWalker::meet_candidate(const Flakes& species) {
-    const Direction3 up = normal();
-    const double cosine_up = state_.travel.dot(up);
-    const Direction3 across_up = state_.travel - cosine_up * up;
-    const double sine = across_up.norm();
+    const Vec3d up = normal();
+    const double cosine_up = dot(state_.travel, up);
+    const Vec3d across_up = state_.travel - cosine_up * up;
+    const double sine = length(across_up);
     const CandidateSlopes slopes = sample_candidate(cosine_up, sine, species.alpha, random_);
     const double upright =
         1 / std::sqrt(1 + slopes.along * slopes.along + slopes.across * slopes.across);
     if (random_.uniform() >= upright) return;  // a candidate that was none
     // Straight down any pair of axes will do.
     constexpr double kVertical = 1e-9;
-    const Direction3 along =
-        sine > kVertical ? Direction3(across_up / sine) : Direction3(up.unitOrthogonal());
-    const Direction3 flake =
-        upright * (up - slopes.along * along - slopes.across * up.cross(along));
-    const double projection = state_.travel.dot(flake);
+    const Vec3d along = sine > kVertical ? across_up / sine : perpendicular(up);
+    const Vec3d flake = upright * (up - slopes.along * along - slopes.across * cross(up, along));
+    const double projection = dot(state_.travel, flake);
     const double cosine = std::abs(projection);
     if (meet_flake(species.optics.reflectance(cosine), species.optics.transmittance(cosine),
                    projection, flake) == FlakeEvent::absorbed)
@@ -165,10 +163,9 @@ void ShellWalker::descend() {
     }
     state_.depth_um = slab().thickness_um;
     if (!leave_substrate()) return;
-    const Direction3 up = normal(), local = sample_lambert(random_);
-    const Direction3 across = up.unitOrthogonal();
-    state_.travel =
-        (local.x() * across + local.y() * up.cross(across) + local.z() * up).normalized();
+    const Vec3d up = normal(), local = sample_lambert(random_);
+    const Vec3d across = perpendicular(up);
+    state_.travel = normalize(local.x * across + local.y * cross(up, across) + local.z * up);
     roulette();
 }
 
@@ -180,15 +177,15 @@ void ShellWalker::ascend() {
         return;
     }
     state_.depth_um = 0;
-    const Direction3 up = normal();
-    const double cosine = std::max(0.0, state_.travel.dot(up));
+    const Vec3d up = normal();
+    const double cosine = std::max(0.0, dot(state_.travel, up));
     if (random_.uniform() < optics::dielectric_reflectance(index_, 1.0, cosine)) {
         state_.travel = mirrored(state_.travel, cosine, up);
         return;
     }
-    const Direction3 tangential = index_ * (state_.travel - cosine * up);
-    const double cosine_outside = std::sqrt(std::max(0.0, 1 - tangential.squaredNorm()));
-    escape_ = Escape{(tangential + cosine_outside * up).normalized(), position_, state_.weight};
+    const Vec3d tangential = index_ * (state_.travel - cosine * up);
+    const double cosine_outside = std::sqrt(std::max(0.0, 1 - dot(tangential, tangential)));
+    escape_ = Escape{normalize(tangential + cosine_outside * up), position_, state_.weight};
     state_.alive = false;
 }
 

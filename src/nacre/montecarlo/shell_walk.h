@@ -12,7 +12,7 @@
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/montecarlo/walker.h"
 #include "nacre/paint/recipe.h"
-#include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 // The volumetric path tracer of the comparison of 2022. docs/volume.md
 
@@ -60,7 +60,7 @@ class ShellWalk final : public bsdf::Bsdf {
     /// or
     ///         is thicker than the sphere, or if a setting is out of range
     ShellWalk(const paint::Recipe& recipe, const VolumeModel& settings,
-              const std::vector<double>& wavelengths_nm = solver::default_wavelengths_nm());
+              const std::vector<double>& wavelengths_nm = spectra::default_wavelengths_nm());
     ~ShellWalk() override;
 
     std::unique_ptr<const bsdf::BoundBsdf> bind(
@@ -84,7 +84,7 @@ class ShellWalker : private Walker {
           settings_(settings) {}
 
     /// @param travel  inside the paint, z < 0
-    std::optional<Escape> run(const Direction3& travel, const Lanes& weight);
+    std::optional<Escape> run(const Vec3d& travel, const Lanes& weight);
 
  private:
     void fly();
@@ -92,13 +92,13 @@ class ShellWalker : private Walker {
     void meet_candidate(const Flakes& species);
     void descend();
     void ascend();
-    Direction3 normal() const;
+    Vec3d normal() const;
 
     double index_, outer_curvature_;
     const VolumeModel& settings_;
 
     // state_.depth_um is kept for itself, to all digits, beside the place.
-    Direction3 position_ = Direction3::Zero();
+    Vec3d position_ = Vec3d{};
     double slab_top_um_ = 0;  ///< depth of the slab's top below the outer sphere
     std::optional<Escape> escape_;
 };

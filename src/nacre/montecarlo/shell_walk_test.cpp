@@ -14,7 +14,6 @@ using test::from_degrees;
 using test::kOnGrid;
 using test::kWorstZ;
 using test::walked_albedo;
-using test::z_score;
 
 constexpr int kWalks = 200'000;
 constexpr double kFlat = std::numeric_limits<double>::infinity();
@@ -38,7 +37,7 @@ void expect_reference_albedo(const VolumeModel& settings, double theta_deg) {
     for (int lane = 0; lane < kLanes; ++lane) {
         EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
             << settings.radius_mm << " mm, " << theta_deg << " deg, " << kOnGrid[lane]
-            << " nm: " << found[lane].mean << " against " << expected[lane].reflectance.mean;
+            << " nm: " << found[lane].value << " against " << expected[lane].reflectance.value;
     }
 }
 
@@ -75,7 +74,7 @@ TEST(ShellWalk, ThinShellSendsLightWhereThePositionFreeWalkDoes) {
         const auto found = power_by_direction(ShellWalk(recipe, settings), wi, seed++);
         for (std::size_t bin = 0; bin < expected.size(); ++bin) {
             for (int lane = 0; lane < kLanes; ++lane) {
-                EXPECT_GT(expected[bin][lane].mean, 5 * expected[bin][lane].standard_error);
+                EXPECT_GT(expected[bin][lane].value, 5 * expected[bin][lane].standard_error);
                 EXPECT_LT(std::abs(z_score(found[bin][lane], expected[bin][lane])), kWorstZ)
                     << "bin " << bin << ", " << kOnGrid[lane] << " nm, radius "
                     << settings.radius_mm;
@@ -107,7 +106,7 @@ TEST(ShellWalk, TrackingsAgreeInAThickShell) {
     const auto delta = measure(Tracking::delta, 1), simpson = measure(Tracking::simpson, 2);
     for (std::size_t q = 0; q < delta.size(); ++q) {
         EXPECT_LT(std::abs(z_score(delta[q][0], simpson[q][0])), kWorstZ)
-            << q << ": " << delta[q][0].mean << " against " << simpson[q][0].mean;
+            << q << ": " << delta[q][0].value << " against " << simpson[q][0].value;
     }
 }
 
@@ -186,7 +185,7 @@ TEST(ShellWalk, WavelengthsWithoutReflectionSeeOnlyTheMirror) {
         walked_albedo(*model.bind({600, 610, 620, 630, 640, 650, 660, 670}), wi, kWalks);
     EXPECT_LT(std::abs(z_score(mixed[7], alone[0])), kWorstZ);
     EXPECT_LT(std::abs(z_score(mixed[0], 0.0415)), kWorstZ + 0.1) << "Fresnel at 30 deg: 0.04152";
-    EXPECT_GT(alone[0].mean, 0.3);
+    EXPECT_GT(alone[0].value, 0.3);
 }
 
 TEST(ShellWalk, DispersiveBinderHasTheAlbedoOfEachIndex) {

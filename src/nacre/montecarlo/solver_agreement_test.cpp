@@ -145,18 +145,18 @@ void compare(const Case& c, const std::vector<Direction>& outgoing, solver::Part
     const double solver_error = kSolverError * *std::max_element(expected.begin(), expected.end());
     const std::size_t values_per_incident = outgoing.size() * c.wavelengths_nm.size();
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (!(found[i].standard_error <= kSkewedRelativeError * found[i].mean)) {
+        if (!(found[i].standard_error <= kSkewedRelativeError * found[i].value)) {
             ++scores.skewed;
             continue;
         }
-        const double z = test::z_score(found[i], expected[i], solver_error);
+        const double z = z_score(found[i], expected[i], solver_error);
         scores.z.push_back(z);
         const Direction& in = kIncident[i / values_per_incident];
         const Direction& out = outgoing[i % values_per_incident / c.wavelengths_nm.size()];
         EXPECT_LT(std::abs(z), kWorstOfManyZ)
             << c.name << ": theta_i " << in.theta_deg << ", theta_o " << out.theta_deg << ", phi "
             << out.phi_deg << ", " << c.wavelengths_nm[i % c.wavelengths_nm.size()]
-            << " nm: solver " << expected[i] << ", walk " << found[i].mean << " +- "
+            << " nm: solver " << expected[i] << ", walk " << found[i].value << " +- "
             << found[i].standard_error;
     }
 }

@@ -10,7 +10,7 @@ namespace nacre::montecarlo {
 
 /// Light on its way through the paint.
 struct WalkState {
-    Direction3 travel = Direction3::Zero();
+    Vec3d travel = Vec3d{};
     std::size_t slab = 0;
     double depth_um = 0;  ///< below the top of the slab; not kept by walks that know the place
     Lanes weight{};
@@ -24,7 +24,7 @@ class Walker {
  protected:
     Walker(const Medium& medium, RandomStream& random) : medium_(medium), random_(random) {}
 
-    void start(const Direction3& travel, const Lanes& weight) {
+    void start(const Vec3d& travel, const Lanes& weight) {
         state_ = {};
         state_.travel = travel;
         state_.weight = weight;
@@ -40,7 +40,7 @@ class Walker {
 
     /// Light meets a flake with this unit normal, of which `projection` is travel.normal.
     FlakeEvent meet_flake(const Lanes& reflectance, const Lanes& transmittance, double projection,
-                          const Direction3& normal) {
+                          const Vec3d& normal) {
         const FlakeEvent event =
             draw_flake_event(reflectance, transmittance, state_.weight, random_);
         if (event == FlakeEvent::reflected) {

@@ -15,26 +15,25 @@ namespace nacre::optics {
 namespace {
 
 using Complex = std::complex<double>;
-using Rgb = spectra::Vec3;
 using RgbWave = std::array<Complex, 3>;
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-const spectra::Vec3& white_xyz() {
-    static const spectra::Vec3 white = spectra::linear_rec709_to_xyz({1, 1, 1});
+const Vec3d& white_xyz() {
+    static const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
     return white;
 }
 
 // What a sample at each wavelength adds to the colour, with samples every `step_nm`.
 struct ColourSums {
     std::vector<double> wavelengths_nm;
-    std::vector<Rgb> weights;
+    std::vector<Vec3d> weights;
 
     explicit ColourSums(int step_nm) {
         using namespace spectra;
-        spectra::Vec3 sum{};
+        Vec3d sum{};
         for (int nm = 360; nm <= 780; nm += step_nm) {
-            spectra::Vec3 xyz = colour_matching(Observer::cie1931_2deg, nm);
+            Vec3d xyz = colour_matching(Observer::cie1931_2deg, nm);
             for (int c = 0; c < 3; ++c) {
                 xyz[c] *= illuminant_power(Illuminant::D65, nm);
                 sum[c] += xyz[c];
@@ -42,7 +41,7 @@ struct ColourSums {
             wavelengths_nm.push_back(nm);
             weights.push_back(xyz);
         }
-        for (spectra::Vec3& w : weights) {
+        for (Vec3d& w : weights) {
             for (int c = 0; c < 3; ++c) w[c] *= white_xyz()[c] / sum[c];
             w = xyz_to_linear_rec709(w);
         }
@@ -120,13 +119,13 @@ RgbWave paper_transform(double path_nm) {
                                           {1, 4.4201e-13, 1.7953e6, 9.3046e9},
                                           {2, 5.2481e-13, 2.2084e6, 6.6121e9},
                                           {0, 9.7470e-14, 2.2399e6, 4.5282e9}};
-    static const spectra::Vec3 total = [] {
-        spectra::Vec3 sum{};
+    static const Vec3d total = [] {
+        Vec3d sum{};
         for (const Gaussian& g : kLobes) sum[g.channel] += g.area();
         return sum;
     }();
     const double phase = kTwoPi * path_nm * 1e-9;
-    spectra::Vec3 re{}, im{};
+    Vec3d re{}, im{};
     for (const Gaussian& g : kLobes) {
         const double size = g.area() / total[g.channel] * white_xyz()[g.channel] *
                             std::exp(-phase * phase * g.variance_per_m2);
@@ -146,8 +145,8 @@ std::array<Complex, 3> observer_transform(ObserverTransform transform, double op
     return table(optical_path_nm);
 }
 
-spectra::Vec3 antialiased_rgb(const AiryFilm& film, double cosine, double thickness_nm,
-                              const Antialiasing& how) {
+Vec3d antialiased_rgb(const AiryFilm& film, double cosine, double thickness_nm,
+                      const Antialiasing& how) {
     const auto terms = film.terms(cosine);
     if (!terms) return integrated_rgb(film, cosine, thickness_nm, 5);
 
@@ -156,7 +155,7 @@ spectra::Vec3 antialiased_rgb(const AiryFilm& film, double cosine, double thickn
     const Complex step_s = std::polar(terms->s.ratio, terms->s.phase);
     const Complex step_p = std::polar(terms->p.ratio, terms->p.phase);
     const double c0 = (terms->s.c0 + terms->p.c0) / 2;
-    Rgb rgb{c0, c0, c0};
+    Vec3d rgb{c0, c0, c0};
     Complex s = terms->s.strength * step_s, p = terms->p.strength * step_p;
     for (int m = 1; m <= how.orders; ++m, s *= step_s, p *= step_p) {
         // What is left out are this and all higher orders, at most this over 1 - ratio.
@@ -171,11 +170,10 @@ spectra::Vec3 antialiased_rgb(const AiryFilm& film, double cosine, double thickn
     return rgb;
 }
 
-spectra::Vec3 integrated_rgb(const AiryFilm& film, double cosine, double thickness_nm,
-                             int step_nm) {
+Vec3d integrated_rgb(const AiryFilm& film, double cosine, double thickness_nm, int step_nm) {
     const ColourSums& sums = ColourSums::at(step_nm);
     const auto angle = film.at<double>(cosine);
-    Rgb rgb{};
+    Vec3d rgb{};
     const std::size_t count = sums.weights.size();
     for (std::size_t w = 0; w < count; w += kLanes) {
         const DoubleLanes R = angle.reflectance(make_lanes<DoubleLanes>(
@@ -190,7 +188,7 @@ spectra::Vec3 integrated_rgb(const AiryFilm& film, double cosine, double thickne
 AntialiasingComparison compare_antialiasing(const AiryFilm& film, double cosine,
                                             double thickness_nm, const Antialiasing& how) {
     using namespace spectra;
-    static const Vec3 white = linear_rec709_to_xyz({1, 1, 1});
+    static const Vec3d white = linear_rec709_to_xyz({1, 1, 1});
     AntialiasingComparison c{antialiased_rgb(film, cosine, thickness_nm, how),
                              integrated_rgb(film, cosine, thickness_nm), 0, 0};
     c.delta_e = delta_e_2000(xyz_to_lab(linear_rec709_to_xyz(c.rgb), white),

@@ -54,13 +54,12 @@ struct Antialiasing {
 /// Where the film's wave is evanescent, which has no such sum: by sums over wavelengths at 5 nm.
 /// @param cosine  of incidence, outside, in [0, 1]
 /// @param thickness_nm  d >= 0
-spectra::Vec3 antialiased_rgb(const AiryFilm& film, double cosine, double thickness_nm,
-                              const Antialiasing& how = {});
+Vec3d antialiased_rgb(const AiryFilm& film, double cosine, double thickness_nm,
+                      const Antialiasing& how = {});
 
 /// The same by sums over 360-780 nm in steps of 1, 5 or 10 nm.
 /// @throws DomainError for another step
-spectra::Vec3 integrated_rgb(const AiryFilm& film, double cosine, double thickness_nm,
-                             int step_nm = 1);
+Vec3d integrated_rgb(const AiryFilm& film, double cosine, double thickness_nm, int step_nm = 1);
 
 /// How far colours by spectral antialiasing are from integration at 1 nm: differences of CIEDE2000
 /// relative to D65, and of the largest component of linear Rec. 709.
@@ -71,7 +70,7 @@ struct AntialiasingError {
 
 /// One film, thickness and angle.
 struct AntialiasingComparison {
-    spectra::Vec3 rgb, integrated_rgb;
+    Vec3d rgb, integrated_rgb;
     double delta_e, rgb_error;
 };
 AntialiasingComparison compare_antialiasing(const AiryFilm& film, double cosine,

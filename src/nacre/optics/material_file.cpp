@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
 #include "nacre/optics/dispersion_formula.h"
@@ -167,27 +168,24 @@ double require_number(std::string_view field, const char* column, const std::str
 
 Material parse_material_csv(std::string_view text, const std::string& name) {
     std::string source;
+    std::vector<std::string_view> lines = split(without_byte_order_mark(text), '\n');
+    for (std::string_view& line : lines) {
+        line = trimmed(line);
+        if (!line.starts_with('#')) continue;
+        const auto comment = trimmed(line.substr(1));
+        if (comment.starts_with(kSourceMark)) source = trimmed(comment.substr(kSourceMark.size()));
+    }
+
     std::vector<double> wavelengths_nm;
     std::vector<ComplexIndex> index;
-    std::size_t columns = 0, line_number = 0;
-
-    for (std::string_view line : split(text, '\n')) {
-        ++line_number;
-        const std::string place = fmt::format("{}:{}", name, line_number);
-        if (line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);  // BOM
-        if (line.empty()) continue;
-        if (line.front() == '#') {
-            const auto comment = trimmed(line.substr(1));
-            if (comment.starts_with(kSourceMark)) {
-                source = trimmed(comment.substr(kSourceMark.size()));
-            }
-            continue;
-        }
-        const auto fields = split(line, ',');
+    std::size_t columns = 0;
+    for (const CsvRow& fields : parse_csv(text, name, ',')) {
+        const std::string place = fmt::format("{}:{}", name, fields[0].line);
+        const std::string_view line = lines[fields[0].line - 1];
         if (columns == 0) {
-            const bool with_k = fields.size() == 3 && fields[2] == "k";
-            if (!(fields[0] == "wavelength_nm" && fields.size() >= 2 && fields[1] == "n" &&
-                  (with_k || fields.size() == 2))) {
+            const bool with_k = fields.size() == 3 && fields[2].text == "k";
+            if (!(fields[0].text == "wavelength_nm" && fields.size() >= 2 &&
+                  fields[1].text == "n" && (with_k || fields.size() == 2))) {
                 throw InputError(
                     fmt::format("{}: the header is \"{}\"; it must be \"wavelength_nm,n,k\" or "
                                 "\"wavelength_nm,n\"",
@@ -200,9 +198,9 @@ Material parse_material_csv(std::string_view text, const std::string& name) {
             throw InputError(fmt::format("{}: {} fields in \"{}\"; the header has {}", place,
                                          fields.size(), excerpt(line), columns));
         }
-        const double wavelength_nm = require_number(fields[0], "wavelength_nm", place);
-        const double n = require_number(fields[1], "n", place);
-        const double k = columns == 3 ? require_number(fields[2], "k", place) : 0.0;
+        const double wavelength_nm = require_number(fields[0].text, "wavelength_nm", place);
+        const double n = require_number(fields[1].text, "n", place);
+        const double k = columns == 3 ? require_number(fields[2].text, "k", place) : 0.0;
         if (!(wavelength_nm > (wavelengths_nm.empty() ? 0.0 : wavelengths_nm.back()))) {
             throw InputError(fmt::format(
                 "{}: wavelength_nm = {} is not above {}; wavelengths are positive and increase",
@@ -325,7 +323,7 @@ class Page {
 
     std::vector<double> numbers(std::string_view text, const char* key, int line) const {
         std::vector<double> values;
-        for (const auto field : split(text, ' ')) {
+        for (const auto field : words(text)) {
             const auto value = parse_number(field);
             if (!value) {
                 fail(line, fmt::format("{}: \"{}\" is not a finite number", key, excerpt(field)));
@@ -355,7 +353,8 @@ class Page {
         // A literal block starts on the line after its mark `|`.
         int line = data.Mark().line + 1;
         double last = 0;
-        for (const auto row : split(data.Scalar(), '\n')) {
+        for (auto row : split(data.Scalar(), '\n')) {
+            row = trimmed(row);
             ++line;
             if (row.empty()) continue;
             const auto values = numbers(row, "data", line);

@@ -178,7 +178,7 @@ std::optional<Hit> CompiledScene::intersect(const Ray& ray, bool coherent) const
             surface.sphere_center_mm + surface.sphere_radius_mm * hit.geometric_normal;
         hit.shading_normal = hit.geometric_normal;
     } else {
-        hit.geometric_normal = normalize({query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z});
+        hit.geometric_normal = normalize(Vec3f{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z});
         const auto& [a, b, c] = surface.mesh.triangles[query.hit.primID];
         const auto& normals = surface.mesh.normals;
         const Vec3f blend = (1 - query.hit.u - query.hit.v) * normals[a] +

@@ -13,7 +13,7 @@ namespace {
 /// A dim sky, a bright spot near a pole and one on the seam of the azimuth, and a black part.
 float brightness(Vec3f d) {
     if (d.z < -0.6f) return 0;
-    const Vec3f pole = normalize({0.1f, 0.05f, 1});
+    const Vec3f pole = normalize(Vec3f{0.1f, 0.05f, 1});
     const Vec3f seam{1, 0, 0};
     return 0.2f + 30 * std::exp(40 * (dot(d, pole) - 1)) + 10 * std::exp(60 * (dot(d, seam) - 1));
 }

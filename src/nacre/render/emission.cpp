@@ -101,8 +101,7 @@ Spectrum unit_illuminant(spectra::Illuminant illuminant) {
 std::vector<Spectrum> rec709_light_basis() {
     const Spectrum d65 = unit_illuminant(spectra::Illuminant::D65);
     std::vector<Spectrum> basis;
-    for (const spectra::Vec3& primary :
-         {spectra::Vec3{1, 0, 0}, spectra::Vec3{0, 1, 0}, spectra::Vec3{0, 0, 1}}) {
+    for (const Vec3d& primary : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
         const Spectrum reflectance = spectra::reflectance_from_rec709(primary);
         basis.push_back(tabulate(5, [&](double nm) { return reflectance(nm) * d65(nm); }));
     }

@@ -10,7 +10,7 @@ namespace nacre::render {
 namespace {
 
 /// XYZ of D65 of luminance 1.
-spectra::Vec3 white_xyz() { return spectra::linear_rec709_to_xyz({1, 1, 1}); }
+Vec3d white_xyz() { return spectra::linear_rec709_to_xyz({1, 1, 1}); }
 
 double estimate(const XyzWeights& weights, int channel, FloatLanes radiance) {
     return lane_sum(weights[channel] * radiance);
@@ -52,7 +52,7 @@ void Film::begin_pass(const Pass& pass, bool with_albedo) {
 }
 
 void Film::add(std::size_t pixel, const Pass& pass, const PathLight& path) {
-    Xyz xyz, sparkle{};
+    Vec3d xyz, sparkle;
     for (int c = 0; c < 3; ++c) {
         xyz[c] = estimate(pass.xyz_weights, c, path.radiance);
         if (!sparkle_.empty()) {
@@ -63,10 +63,8 @@ void Film::add(std::size_t pixel, const Pass& pass, const PathLight& path) {
         ++invalid_[pixel];
         return;
     }
-    for (int c = 0; c < 3; ++c) {
-        xyz_[pixel][c] += xyz[c];
-        if (!sparkle_.empty()) sparkle_[pixel][c] += sparkle[c];
-    }
+    xyz_[pixel] += xyz;
+    if (!sparkle_.empty()) sparkle_[pixel] += sparkle;
     if (bins_ > 0) {
         float* bins = &spectral_[pixel * bins_];
         for (int i = 0; i < kLanes; ++i) {
@@ -91,9 +89,9 @@ void Film::end_pass() {
     if (with_albedo_) ++albedo_passes_;
 }
 
-std::array<double, 3> Film::colour(const Xyz& sum, const Xyz& d65) const {
-    static const spectra::Vec3 white = white_xyz();
-    spectra::Vec3 xyz{};
+Vec3d Film::colour(const Vec3d& sum, const Vec3d& d65) const {
+    static const Vec3d white = white_xyz();
+    Vec3d xyz{};
     for (int c = 0; c < 3; ++c) xyz[c] = d65[c] > 0 ? sum[c] / d65[c] * white[c] : 0;
     return spectra::xyz_to_linear_rec709(xyz);
 }

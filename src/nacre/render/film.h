@@ -31,18 +31,16 @@ class Film {
         int bin;
         float weight, next_weight;
     };
-    using Xyz = std::array<double, 3>;
-
-    std::array<double, 3> colour(const Xyz& sum, const Xyz& d65) const;
+    Vec3d colour(const Vec3d& sum, const Vec3d& d65) const;
 
     int width_, height_, bins_;
     int passes_ = 0, albedo_passes_ = 0;
     bool with_albedo_ = false;
     std::array<Splat, kLanes> splats_{};
-    Xyz d65_{}, albedo_d65_{};         // sums over passes of the XYZ of D65
+    Vec3d d65_, albedo_d65_;           // sums over passes of the XYZ of D65
     std::vector<double> bin_weights_;  // sums over passes, the same for all pixels
-    std::vector<Xyz> xyz_, albedo_;
-    std::vector<Xyz> sparkle_;  // empty unless asked for
+    std::vector<Vec3d> xyz_, albedo_;
+    std::vector<Vec3d> sparkle_;  // empty unless asked for
     std::vector<Vec3f> normal_;
     std::vector<float> met_;
     std::vector<float> spectral_;

@@ -310,7 +310,7 @@ double superellipse(double a, double b, double cosine, double sine, double expon
 }
 
 /// Point at station u along the body and v around it, both in [0, 1], for a half length of 1.
-std::array<double, 3> point(double u, double v) {
+Vec3d point(double u, double v) {
     const double s = -std::cos(kPi * u);  // tail -1, nose +1; even steps round the ends
     const double angle = kPi * v;         // from the right sill over the roof to the left
     const double cosine = std::cos(angle);
@@ -338,24 +338,14 @@ std::array<double, 3> point(double u, double v) {
     return {s, -radius * cosine, radius * sine};
 }
 
-std::array<double, 3> difference(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 /// Normal by central differences; at the two tips, where all v meet, along x.
 Vec3f normal(double u, double v) {
     constexpr double kStep = 1e-4;
     const double u0 = std::max(u - kStep, 0.0), u1 = std::min(u + kStep, 1.0);
     const double v0 = std::max(v - kStep, 0.0), v1 = std::min(v + kStep, 1.0);
-    const auto du = difference(point(u1, v), point(u0, v));
-    const auto dv = difference(point(u, v1), point(u, v0));
-    const double x = du[1] * dv[2] - du[2] * dv[1];
-    const double y = du[2] * dv[0] - du[0] * dv[2];
-    const double z = du[0] * dv[1] - du[1] * dv[0];
-    const double norm = std::sqrt(x * x + y * y + z * z);
-    if (norm < 1e-12) return {u < 0.5 ? -1.0f : 1.0f, 0, 0};
-    return {static_cast<float>(x / norm), static_cast<float>(y / norm),
-            static_cast<float>(z / norm)};
+    const Vec3d n = cross(point(u1, v) - point(u0, v), point(u, v1) - point(u, v0));
+    if (length(n) < 1e-12) return {u < 0.5 ? -1.0f : 1.0f, 0, 0};
+    return to_float(n / length(n));
 }
 
 }  // namespace
@@ -363,10 +353,7 @@ Vec3f normal(double u, double v) {
 Mesh make_mesh(const SpeedShape& shape) {
     const double scale = 0.5 * shape.length_mm;
     return mesh_of_surface(384, 256, [&](double u, double v) {
-        const auto p = point(u, v);
-        return SurfacePoint{{static_cast<float>(scale * p[0]), static_cast<float>(scale * p[1]),
-                             static_cast<float>(scale * p[2])},
-                            normal(u, v)};
+        return SurfacePoint{to_float(scale * point(u, v)), normal(u, v)};
     });
 }
 

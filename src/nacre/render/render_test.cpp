@@ -68,7 +68,7 @@ TEST(Render, WhiteFurnaceHoldsOnAverageWithLightSampling) {
     const RenderOptions options{.width = 8, .height = 8, .samples_per_pixel = 16};
     for (DirectLight how : {DirectLight::combined, DirectLight::light_sampling}) {
         const auto e = testing::estimate_luminance(scene, options, how, 32);
-        EXPECT_NEAR(e.mean, 1, 4 * e.standard_error + 2e-6);
+        EXPECT_NEAR(e.value, 1, 4 * e.standard_error + 2e-6);
         EXPECT_LT(e.standard_error, 5e-3);
     }
 }
@@ -94,7 +94,7 @@ TEST(Render, IntegratingSphereHasItsMultipleReflections) {
         testing::estimate_luminance(Scene(description, {}), options, DirectLight::combined, 16);
     const double flux_over_area = kLamp * kSide * kSide / (4 * kRadius * kRadius);
     const double expected = kRho / M_PI * kRho * flux_over_area / (1 - kRho);
-    EXPECT_NEAR(e.mean, expected, 4 * e.standard_error + 2e-4 * expected);
+    EXPECT_NEAR(e.value, expected, 4 * e.standard_error + 2e-4 * expected);
     EXPECT_LT(e.standard_error, 0.01 * expected);
 }
 
@@ -123,8 +123,8 @@ TEST(Render, RectangleLightsADiffuseFloorAsInClosedForm) {
         // A path that samples the surface sees the lamp as its next vertex.
         o.max_depth = how == DirectLight::light_sampling ? 1 : 2;
         const auto e = testing::estimate_luminance(scene, o, how, 32);
-        EXPECT_NEAR(e.mean, kRho * view_factor, 4 * e.standard_error);
-        EXPECT_LT(e.standard_error, 0.005 * e.mean);
+        EXPECT_NEAR(e.value, kRho * view_factor, 4 * e.standard_error);
+        EXPECT_LT(e.standard_error, 0.005 * e.value);
     }
 }
 
@@ -173,13 +173,14 @@ TEST(Render, EstimatorsOfDirectLightAgree) {
         const auto all = testing::estimate_luminance(scene, options, DirectLight::combined, 24);
         const auto light =
             testing::estimate_luminance(scene, options, DirectLight::light_sampling, 24);
-        EXPECT_GT(all.mean, 0.05);
-        EXPECT_LT(all.standard_error, 0.005 * all.mean);
-        EXPECT_NEAR(all.mean, light.mean, 4 * std::hypot(all.standard_error, light.standard_error));
+        EXPECT_GT(all.value, 0.05);
+        EXPECT_LT(all.standard_error, 0.005 * all.value);
+        EXPECT_NEAR(all.value, light.value,
+                    4 * std::hypot(all.standard_error, light.standard_error));
         if (!c.surface_alone) continue;
         const auto surface =
             testing::estimate_luminance(scene, options, DirectLight::surface_sampling, 24);
-        EXPECT_NEAR(all.mean, surface.mean,
+        EXPECT_NEAR(all.value, surface.value,
                     4 * std::hypot(all.standard_error, surface.standard_error));
     }
 }

@@ -101,7 +101,7 @@ TEST(SurfacePatch, IsLinearOnATriangle) {
 
 TEST(SurfacePatch, AtRestKeepsItsAreaAndLiesAcrossTheShadingNormal) {
     const AffineMap map({.scale = 3, .rotation_deg = {40, 50, -60}, .translation_mm = {7, 8, 9}});
-    const Vec3f geometric = normalize({0.2f, -0.7f, 0.6f});
+    const Vec3f geometric = normalize(Vec3f{0.2f, -0.7f, 0.6f});
     const Frame facet = Frame::around(geometric);
     const Vec3f edge_1 = 0.3f * facet.s, edge_2 = 0.1f * facet.s + 0.2f * facet.t;
     int checked = 0;
@@ -125,8 +125,8 @@ TEST(SurfacePatch, AtRestKeepsItsAreaAndLiesAcrossTheShadingNormal) {
 }
 
 TEST(RayDifferential, FootprintOnAPlaneIsWhereTheNeighbouringRaysHit) {
-    const Vec3f to_x{0.01f, 0, 0}, direction = normalize({0, 0.6f, -0.8f});
-    const RayDifferential d{{}, {to_x, 0.01f * normalize({0, 0.8f, 0.6f})}};
+    const Vec3f to_x{0.01f, 0, 0}, direction = normalize(Vec3f{0, 0.6f, -0.8f});
+    const RayDifferential d{{}, {to_x, 0.01f * normalize(Vec3f{0, 0.8f, 0.6f})}};
     const auto edges = d.at(direction, 100, {0, 0, 1});
     EXPECT_NEAR(edges.edge_mm[0].x, 1, 1e-5);
     EXPECT_NEAR(edges.edge_mm[0].y, 0, 1e-5);
@@ -136,7 +136,7 @@ TEST(RayDifferential, FootprintOnAPlaneIsWhereTheNeighbouringRaysHit) {
 
 TEST(RayDifferential, AFlatMirrorIsAWindow) {
     // By way of a mirror in z = 0 to a plane at z = 50 is as far as straight on to z = -50.
-    const Vec3f direction = normalize({0.3f, 0.6f, -0.8f});
+    const Vec3f direction = normalize(Vec3f{0.3f, 0.6f, -0.8f});
     const RayDifferential d{{}, {{0.01f, 0, 0}, {0, 0.01f, 0}}};
     const float to_mirror = -30 / direction.z, onward = -50 / direction.z;
     const auto on_mirror = d.at(direction, to_mirror, {0, 0, 1});

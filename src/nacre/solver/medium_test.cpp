@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "nacre/core/error.h"
+#include "nacre/core/vec.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/testing/layers.h"
 
@@ -53,10 +53,10 @@ TEST(PaintMedium, KernelIsThePrintedOneWithoutItsCancellation) {
 }
 
 // c D(h) R / 2 from vectors, between directions of travel.
-double vector_kernel(double alpha, double c, double reflectance, const Eigen::Vector3d& in,
-                     const Eigen::Vector3d& out) {
-    const Eigen::Vector3d h = (out - in).normalized();
-    const double tan2 = (1 - h.z() * h.z()) / (h.z() * h.z());
+double vector_kernel(double alpha, double c, double reflectance, const Vec3d& in,
+                     const Vec3d& out) {
+    const Vec3d h = normalize(out - in);
+    const double tan2 = (1 - h.z * h.z) / (h.z * h.z);
     return 0.5 * c * reflectance * paint::flake_density(tan2, alpha);
 }
 
@@ -66,7 +66,7 @@ TEST(PaintMedium, ScatteringIntegratesToTheCrossSection) {
     const PaintMedium m = make_medium(test::flake_paint(alpha, 0.6, 0.1, 1, 1.5), kOneWavelength);
     const Quadrature cube_root = gauss_legendre(200, 0, 1);
     for (double mu : {0.95, 0.5, 0.2}) {
-        const Eigen::Vector3d in(std::sqrt(1 - mu * mu), 0, mu);
+        const Vec3d in(std::sqrt(1 - mu * mu), 0, mu);
         double sum = 0;
         // Like |z - mu| near z = mu: split there.
         for (const Quadrature& cosine : {gauss_legendre(150, -1, mu), gauss_legendre(150, mu, 1)}) {
@@ -105,9 +105,9 @@ TEST(PaintMedium, BackscatteringIsReciprocalEvenInAzimuthAndMatchesVectors) {
         ASSERT_NEAR(backscattering(m.layers[0], mu_o, mu_i, phi, 0)[0], value, 1e-12 * value);
         ASSERT_NEAR(backscattering(m.layers[0], mu_i, mu_o, -phi, 0)[0], value, 1e-12 * value);
         // Light comes from (mu_i, azimuth 0) and so travels away from it.
-        const Eigen::Vector3d in(-s_i, 0, -mu_i);
-        const Eigen::Vector3d out(s_o * std::cos(phi), s_o * std::sin(phi), mu_o);
-        const double g = 0.6, turn = in.dot(out);
+        const Vec3d in(-s_i, 0, -mu_i);
+        const Vec3d out(s_o * std::cos(phi), s_o * std::sin(phi), mu_o);
+        const double g = 0.6, turn = dot(in, out);
         const double pigment =
             0.03 * (1 - g * g) / (4 * kPi * std::pow(1 + g * g - 2 * g * turn, 1.5));
         const double expected = vector_kernel(0.25, 0.1, 0.7, in, out) + pigment;

@@ -171,12 +171,6 @@ class GroupSolver {
 
 }  // namespace
 
-std::vector<double> default_wavelengths_nm() {
-    std::vector<double> w;
-    for (int nm = 400; nm <= 700; nm += 10) w.push_back(nm);
-    return w;
-}
-
 SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                   const SolverSettings& settings, FilmCache* films) {
     SolvedPaint paint;

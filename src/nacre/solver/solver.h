@@ -16,7 +16,4 @@ namespace nacre::solver {
 SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                   const SolverSettings& settings = {}, FilmCache* films = nullptr);
 
-/// 400 to 700 nm by 10.
-std::vector<double> default_wavelengths_nm();
-
 }  // namespace nacre::solver

@@ -226,7 +226,7 @@ void FacetField::for_each_cell(const Footprint& footprint, int level, Visit&& vi
 
 inline Vec3f FacetField::normal_of(std::uint64_t bits) const {
     const SlopeLanes slopes = gaussian_slopes(BitLanes{bits});
-    return normalize({alpha_f_ * slopes.x[0], alpha_f_ * slopes.y[0], 1.0f});
+    return normalize(Vec3f{alpha_f_ * slopes.x[0], alpha_f_ * slopes.y[0], 1.0f});
 }
 
 template <class Visit>

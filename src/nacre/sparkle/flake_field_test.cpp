@@ -335,7 +335,7 @@ TEST(FlakeField, IsTheSameInEveryFrame) {
     const FlakeField field(kSilver, 1);
     const auto view = std::make_unique<FlakeView>(), turned = std::make_unique<FlakeView>();
     ObjectSpaceFootprint patch = square(7, 5, 0.02);
-    patch.normal = normalize({0.3f, 0.2f, 0.9f});
+    patch.normal = normalize(Vec3f{0.3f, 0.2f, 0.9f});
     patch.tangent = normalize(cross({0, 1, 0}, patch.normal));
     const Vec3f bitangent = cross(patch.normal, patch.tangent);
     patch.edge_mm[0] = 0.02f * patch.tangent;
@@ -394,7 +394,7 @@ TEST(FlakeField, SamplesSlopesWithTheDensityItStates) {
     const auto view = std::make_unique<FlakeView>();
     field.look(square(1, 2, 0.04), *view);
     ASSERT_GT(view->count, 2);
-    const Vec3f wi = normalize({0.3f, -0.2f, 0.8f});
+    const Vec3f wi = normalize(Vec3f{0.3f, -0.2f, 0.8f});
     // E[1 / pdf] over what is sampled is the area of the support; cells of a grid hold what the
     // density says.
     constexpr int kSide = 40, kSamples = 400000;

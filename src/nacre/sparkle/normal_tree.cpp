@@ -15,15 +15,10 @@ constexpr std::uint32_t nodes_above(int level) { return ((1u << (2 * level)) - 1
 
 Vec3f between(Vec3f a, Vec3f b) { return normalize(a + b); }
 
-struct Point {
-    double x, y, z;
-};
-Point widen(Vec3f a) { return {a.x, a.y, a.z}; }
-
 // Int D(m) (m.n) dm over a spherical triangle, by the seven-point rule of degree 5 on the flat
 // triangle below it; solid angle = det(a, b, c) / |p|^3 per unit of barycentric area.
 // [dunavant-1985, table II]
-double rule_of_seven(Point a, Point b, Point c, double alpha) {
+double rule_of_seven(Vec3d a, Vec3d b, Vec3d c, double alpha) {
     static constexpr double kNear = 0.797426985353087, kFar = 0.101286507323456;
     static constexpr double kSide = 0.470142064105115, kOther = 0.059715871789770;
     static constexpr double kThird = 1.0 / 3;
@@ -35,8 +30,7 @@ double rule_of_seven(Point a, Point b, Point c, double alpha) {
          {kOther, kSide, kSide, 0.132394152788506},
          {kSide, kOther, kSide, 0.132394152788506},
          {kSide, kSide, kOther, 0.132394152788506}}};
-    const double det = a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
-                       a.z * (b.x * c.y - b.y * c.x);
+    const double det = dot(a, cross(b, c));
     double sum = 0;
     for (const auto& [wa, wb, wc, weight] : kRule) {
         const double x = wa * a.x + wb * b.x + wc * c.x, y = wa * a.y + wb * b.y + wc * c.y;
@@ -56,7 +50,7 @@ double integrate(Vec3f a, Vec3f b, Vec3f c, double edge, double alpha) {
     const double sine = std::sqrt(std::max(0.0, 1 - z * z)) - edge;
     const bool negligible = sine > 0 && sine * sine / (1 - sine * sine) > 80 * alpha * alpha;
     if (edge <= 0.6 * alpha || negligible) {
-        return rule_of_seven(widen(a), widen(b), widen(c), alpha);
+        return rule_of_seven(to_double(a), to_double(b), to_double(c), alpha);
     }
     const Vec3f ab = between(a, b), bc = between(b, c), ca = between(c, a);
     const double half = 0.5 * edge;

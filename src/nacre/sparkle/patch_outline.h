@@ -176,9 +176,6 @@ class PatchOutline {
     }
 
  private:
-    static float dot(Vec2f a, Vec2f b) { return a.x * b.x + a.y * b.y; }
-    static float dot(Vec3f a, Vec3f b) { return nacre::dot(a, b); }
-    static float length(Vec2f a) { return std::sqrt(dot(a, a)); }
     float area() const { return edge_[0].x * edge_[1].y - edge_[0].y * edge_[1].x; }
 
     Vec2f edge_[2];        // anticlockwise

@@ -19,7 +19,7 @@ double f(double t) {
 }
 double f_inverse(double u) { return u > kDelta ? u * u * u : 3 * kDelta * kDelta * (u - 4.0 / 29); }
 
-void require_positive(const Vec3& white) {
+void require_positive(const Vec3d& white) {
     if (!(white[0] > 0 && white[1] > 0 && white[2] > 0)) {
         throw DomainError(fmt::format("the white point ({}, {}, {}) is not positive", white[0],
                                       white[1], white[2]));
@@ -28,13 +28,13 @@ void require_positive(const Vec3& white) {
 
 }  // namespace
 
-Vec3 xyz_to_lab(const Vec3& xyz, const Vec3& white) {
+Vec3d xyz_to_lab(const Vec3d& xyz, const Vec3d& white) {
     require_positive(white);
     const double fx = f(xyz[0] / white[0]), fy = f(xyz[1] / white[1]), fz = f(xyz[2] / white[2]);
     return {116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)};
 }
 
-Vec3 lab_to_xyz(const Vec3& lab, const Vec3& white) {
+Vec3d lab_to_xyz(const Vec3d& lab, const Vec3d& white) {
     require_positive(white);
     const double fy = (lab[0] + 16) / 116;
     return {white[0] * f_inverse(fy + lab[1] / 500), white[1] * f_inverse(fy),
@@ -65,7 +65,7 @@ struct Terms {
     double dc, dh;                  // dC' and dH'
 };
 
-Terms terms(const Vec3& lab1, const Vec3& lab2) {
+Terms terms(const Vec3d& lab1, const Vec3d& lab2) {
     // Step 1: chromas and hues with a* stretched near the grey axis (eq. 2-7).
     const double mean_chroma = (std::hypot(lab1[1], lab1[2]) + std::hypot(lab2[1], lab2[2])) / 2;
     const double stretch = 1 + 0.5 * (1 - chroma_weight(mean_chroma));
@@ -101,13 +101,13 @@ Terms terms(const Vec3& lab1, const Vec3& lab2) {
 
 }  // namespace
 
-double delta_e_2000(const Vec3& lab1, const Vec3& lab2) {
+double delta_e_2000(const Vec3d& lab1, const Vec3d& lab2) {
     const Terms t = terms(lab1, lab2);
     return std::sqrt(t.lightness * t.lightness + t.chroma * t.chroma + t.hue * t.hue +
                      t.rotation * t.chroma * t.hue);  // eq. 22
 }
 
-Vec3 delta_e_2000_vector(const Vec3& lab1, const Vec3& lab2) {
+Vec3d delta_e_2000_vector(const Vec3d& lab1, const Vec3d& lab2) {
     const Terms t = terms(lab1, lab2);
     // c^2 + h^2 + R c h = (c + R h/2)^2 + (1 - R^2/4) h^2, and |R| <= 2.
     const double u = t.chroma + t.rotation / 2 * t.hue;

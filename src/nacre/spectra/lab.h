@@ -8,15 +8,15 @@ namespace nacre::spectra {
 /// have any common scale. The linear part near black continues to negative values.
 /// [cie-15-2018]
 /// @throws DomainError unless every component of the white is positive
-Vec3 xyz_to_lab(const Vec3& xyz, const Vec3& white);
+Vec3d xyz_to_lab(const Vec3d& xyz, const Vec3d& white);
 
 /// The inverse, in the scale of the white.
 /// @throws DomainError unless every component of the white is positive
-Vec3 lab_to_xyz(const Vec3& lab, const Vec3& white);
+Vec3d lab_to_xyz(const Vec3d& lab, const Vec3d& white);
 
 /// CIEDE2000 difference of two CIELAB colours with kL = kC = kH = 1; about 1 is just noticeable.
 /// Symmetric in its arguments.                                        [sharma-2005, eq. 2-22]
-double delta_e_2000(const Vec3& lab1, const Vec3& lab2);
+double delta_e_2000(const Vec3d& lab1, const Vec3d& lab2);
 
 /// A vector whose length is delta_e_2000(lab1, lab2), for least squares: lightness first, then the
 /// differences along a* and b*, each as wide as CIEDE2000 sees it. It points from the first colour
@@ -24,6 +24,6 @@ double delta_e_2000(const Vec3& lab1, const Vec3& lab2);
 /// coordinates, have a corner. Where hues are opposite it jumps, as the formula does.
 /// [sharma-2005, eq. 22], with its cross term R_T brought to squares and the pair of chroma and hue
 /// turned by the angle from (dC', dH') to (da', db'), which changes no length.
-Vec3 delta_e_2000_vector(const Vec3& lab1, const Vec3& lab2);
+Vec3d delta_e_2000_vector(const Vec3d& lab1, const Vec3d& lab2);
 
 }  // namespace nacre::spectra

@@ -10,16 +10,16 @@
 namespace nacre::spectra {
 namespace {
 
-constexpr Vec3 kWhite = {95.046506, 100, 108.897024};
+constexpr Vec3d kWhite = {95.046506, 100, 108.897024};
 
 TEST(Lab, WhiteBlackAndGreys) {
-    const Vec3 white = xyz_to_lab(kWhite, kWhite);
+    const Vec3d white = xyz_to_lab(kWhite, kWhite);
     EXPECT_NEAR(white[0], 100, 1e-12);
     EXPECT_NEAR(white[1], 0, 1e-12);
     EXPECT_NEAR(white[2], 0, 1e-12);
-    const Vec3 black = xyz_to_lab({0, 0, 0}, kWhite);
-    for (double x : black) EXPECT_NEAR(x, 0, 1e-12);
-    const Vec3 grey = xyz_to_lab({0.125 * kWhite[0], 12.5, 0.125 * kWhite[2]}, kWhite);
+    const Vec3d black = xyz_to_lab({0, 0, 0}, kWhite);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(black[c], 0, 1e-12);
+    const Vec3d grey = xyz_to_lab({0.125 * kWhite[0], 12.5, 0.125 * kWhite[2]}, kWhite);
     EXPECT_NEAR(grey[0], 116 * 0.5 - 16, 1e-12);
     EXPECT_NEAR(grey[1], 0, 1e-12);
 }
@@ -27,12 +27,12 @@ TEST(Lab, WhiteBlackAndGreys) {
 // colour-science 0.4.7: XYZ_to_Lab(XYZ, CCS_ILLUMINANTS["CIE 1931 2 Degree Standard Observer"]
 // ["D65"]): the white with x = 0.3127, y = 0.3290.
 TEST(Lab, MatchesColourScience) {
-    const Vec3 white = {0.3127 / 0.3290, 1, (1 - 0.3127 - 0.3290) / 0.3290};
-    const Vec3 light = xyz_to_lab({0.2, 0.3, 0.4}, white);
+    const Vec3d white = {0.3127 / 0.3290, 1, (1 - 0.3127 - 0.3290) / 0.3290};
+    const Vec3d light = xyz_to_lab({0.2, 0.3, 0.4}, white);
     EXPECT_NEAR(light[0], 61.65422221, 1e-8);
     EXPECT_NEAR(light[1], -37.31986865, 1e-8);
     EXPECT_NEAR(light[2], -9.34309034, 1e-8);
-    const Vec3 dark = xyz_to_lab({0.002, 0.003, 0.001}, white);  // the linear part
+    const Vec3d dark = xyz_to_lab({0.002, 0.003, 0.001}, white);  // the linear part
     EXPECT_NEAR(dark[0], 2.70988889, 1e-8);
     EXPECT_NEAR(dark[1], -3.48760645, 1e-8);
     EXPECT_NEAR(dark[2], 3.24217188, 1e-8);
@@ -43,8 +43,8 @@ TEST(Lab, ThereAndBackIsTheIdentity) {
     for (double x : {-1.0, 0.0, 0.5, 0.8856, 3.0, 50.0, 150.0}) {
         for (double y : {0.0, 0.1, 0.8857, 20.0, 100.0}) {
             for (double z : {-0.5, 0.0, 1.0, 109.0}) {
-                const Vec3 xyz = {x, y, z};
-                const Vec3 back = lab_to_xyz(xyz_to_lab(xyz, kWhite), kWhite);
+                const Vec3d xyz = {x, y, z};
+                const Vec3d back = lab_to_xyz(xyz_to_lab(xyz, kWhite), kWhite);
                 for (int c = 0; c < 3; ++c) EXPECT_NEAR(back[c], xyz[c], 1e-12 * 150);
                 ++cases;
             }
@@ -72,7 +72,7 @@ TEST(Lab, RefusesAWhiteThatIsNone) {
 TEST(DeltaE2000, MatchesThePublishedPairs) {
     constexpr double kRounding = 0.5e-4;
     const struct {
-        Vec3 lab1, lab2;
+        Vec3d lab1, lab2;
         double difference;
     } pairs[] = {
         {{50.0000, 2.6772, -79.7751}, {50.0000, 0.0000, -82.7485}, 2.0425},
@@ -128,30 +128,30 @@ TEST(DeltaE2000, IsTheLengthOfItsVector) {
     Rng rng(2000);
     for (int i = 0; i < 1000; ++i) {
         const auto colour = [&] {
-            return Vec3{100 * rng.uniform_double(), 200 * rng.uniform_double() - 100,
-                        200 * rng.uniform_double() - 100};
+            return Vec3d{100 * rng.uniform_double(), 200 * rng.uniform_double() - 100,
+                         200 * rng.uniform_double() - 100};
         };
-        const Vec3 lab1 = colour(), lab2 = colour(), v = delta_e_2000_vector(lab1, lab2);
+        const Vec3d lab1 = colour(), lab2 = colour(), v = delta_e_2000_vector(lab1, lab2);
         const double difference = delta_e_2000(lab1, lab2);
         EXPECT_NEAR(std::hypot(v[0], v[1], v[2]), difference, 1e-10 * difference);
     }
-    EXPECT_EQ(delta_e_2000_vector({50, 20, -30}, {50, 20, -30}), (Vec3{0, 0, 0}));
+    EXPECT_EQ(delta_e_2000_vector({50, 20, -30}, {50, 20, -30}), (Vec3d{0, 0, 0}));
 }
 
 // Chroma and hue have a corner at grey: a colour that passes by the standard at a small distance
 // turns through all hues. The vector goes straight on: here along a*, stretched by 1.5 as it is
 // near the grey axis.
 TEST(DeltaE2000, VectorGoesThroughGreysWithoutACorner) {
-    const Vec3 grey{50, 0, 0};
+    const Vec3d grey{50, 0, 0};
     for (double a = -0.3; a < 0.31; a += 0.1) {
-        const Vec3 v = delta_e_2000_vector(grey, {50, a, 0.01});
+        const Vec3d v = delta_e_2000_vector(grey, {50, a, 0.01});
         EXPECT_NEAR(v[1], 1.5 * a, 0.03 * std::abs(a) + 1e-4) << a;  // S_C and S_H: a few per cent
         EXPECT_NEAR(v[2], 0.01, 5e-4) << a;
     }
 }
 
 TEST(DeltaE2000, VanishesOnlyForEqualColours) {
-    for (const Vec3& lab : {Vec3{0, 0, 0}, Vec3{50, 20, -30}, Vec3{100, 0, 0}}) {
+    for (const Vec3d& lab : {Vec3d{0, 0, 0}, Vec3d{50, 20, -30}, Vec3d{100, 0, 0}}) {
         EXPECT_EQ(delta_e_2000(lab, lab), 0);
         EXPECT_GT(delta_e_2000(lab, {lab[0], lab[1], lab[2] + 1e-6}), 0);
     }

@@ -62,11 +62,11 @@ const std::vector<std::string> kIlluminantNames = {"A", "D50", "D65", "FL2", "FL
 
 }  // namespace
 
-Vec3 colour_matching(Observer observer, double wavelength_nm) {
+Vec3d colour_matching(Observer observer, double wavelength_nm) {
     const auto [i, t] = find(wavelength_nm, kObserverTable[0].wavelength_nm, kObserverRows);
     if (i < 0) return {0, 0, 0};
     const int first = observer == Observer::cie1931_2deg ? 0 : 3;
-    Vec3 xyz;
+    Vec3d xyz;
     for (int c = 0; c < 3; ++c) {
         xyz[c] =
             std::lerp(kObserverTable[i].xyz[first + c], kObserverTable[i + 1].xyz[first + c], t);

@@ -3,19 +3,19 @@
 #include <array>
 #include <string>
 
+#include "nacre/core/vec.h"
+
 // CIE standard colorimetric observers and illuminants, tabulated at 5 nm in
 // data/cie_observers.csv and data/cie_illuminants.csv.                        [cie-15-2018]
 
 namespace nacre::spectra {
-
-using Vec3 = std::array<double, 3>;  // X Y Z, or L* a* b*, or R G B
 
 enum class Observer { cie1931_2deg, cie1964_10deg };
 enum class Illuminant { A, D50, D65, FL2, FL11, E };
 
 /// The colour-matching functions (x, y, z) at a wavelength: linear between 5 nm samples, zero
 /// outside 360-830 nm. @throws DomainError if the wavelength is not finite
-Vec3 colour_matching(Observer observer, double wavelength_nm);
+Vec3d colour_matching(Observer observer, double wavelength_nm);
 
 /// Relative spectral power. 100 at 560 nm for A, D50 and D65, as the CIE normalises them, and 100
 /// everywhere for E, which has equal energy; FL2 and FL11 as published. Linear between 5 nm

@@ -37,8 +37,8 @@ TEST(Observers, AreThoseOfTheDataFolder) {
     ASSERT_EQ(rows.size(), 95u);
     for (const auto& row : rows) {
         ASSERT_EQ(row.size(), 7u);
-        const Vec3 small = colour_matching(Observer::cie1931_2deg, row[0]);
-        const Vec3 large = colour_matching(Observer::cie1964_10deg, row[0]);
+        const Vec3d small = colour_matching(Observer::cie1931_2deg, row[0]);
+        const Vec3d large = colour_matching(Observer::cie1964_10deg, row[0]);
         for (int c = 0; c < 3; ++c) {
             EXPECT_EQ(small[c], row[1 + c]) << row[0];
             EXPECT_EQ(large[c], row[4 + c]) << row[0];
@@ -62,10 +62,10 @@ TEST(Illuminants, AreThoseOfTheDataFolderAndZeroWhereNoneArePublished) {
 }
 
 TEST(Observers, AreLinearBetweenSamplesAndBlindOutside) {
-    const Vec3 a = colour_matching(Observer::cie1931_2deg, 550);
-    const Vec3 b = colour_matching(Observer::cie1931_2deg, 555);
-    const Vec3 between = colour_matching(Observer::cie1931_2deg, 552);
-    const Vec3 none = {0, 0, 0};
+    const Vec3d a = colour_matching(Observer::cie1931_2deg, 550);
+    const Vec3d b = colour_matching(Observer::cie1931_2deg, 555);
+    const Vec3d between = colour_matching(Observer::cie1931_2deg, 552);
+    const Vec3d none = {0, 0, 0};
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(between[c], 0.6 * a[c] + 0.4 * b[c], 1e-15);
     for (double outside : {-1.0, 359.9, 830.1, 1e300}) {
         EXPECT_EQ(colour_matching(Observer::cie1964_10deg, outside), none);

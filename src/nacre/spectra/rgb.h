@@ -18,14 +18,17 @@ inline constexpr double kRec709White[2] = {0.3127, 0.3290};
 /// The matrices follow from the chromaticities above in double precision; those printed in the
 /// standard are rounded to four digits and are no inverses of each other. Nothing is clamped:
 /// colours outside the gamut have negative components.
-Vec3 xyz_to_linear_rec709(const Vec3& xyz);
-Vec3 linear_rec709_to_xyz(const Vec3& rgb);
+Vec3d xyz_to_linear_rec709(const Vec3d& xyz);
+Vec3d linear_rec709_to_xyz(const Vec3d& rgb);
 
 /// Transfer function of sRGB, [0, 1] -> [0, 1], odd for negative values.
 /// [iec-61966-2-1-1999]
 /// The standard's rounded constants leave a step of 3e-8 where its two branches meet.
 double srgb_encode(double linear);
 double srgb_decode(double encoded);
+
+/// Linear Rec. 709 in single precision, as pictures and tables hold it.
+using Rgb = Vec3f;
 
 // Colour and spectrum as linear maps of each other, for data that exist in RGB only.
 
@@ -35,7 +38,7 @@ double srgb_decode(double encoded);
 /// reflectance_to_xyz(). Colours are relative to the white of that sum: reflectance 1 has
 /// (1, 1, 1), to rounding.
 /// @throws DomainError unless the wavelengths are finite and strictly increase, at least one
-std::vector<Vec3> rec709_weights(const std::vector<double>& wavelengths_nm);
+std::vector<Vec3d> rec709_weights(const std::vector<double>& wavelengths_nm);
 
 /// Three smooth spectra b_j >= 0 from 360 to 780 nm, red, green and blue, with b_1 + b_2 + b_3 = 1,
 /// whose colours under D65 are the units of linear Rec. 709. So
@@ -47,14 +50,14 @@ std::vector<Vec3> rec709_weights(const std::vector<double>& wavelengths_nm);
 /// [0, 1]. Of all such triples on a grid of 10 nm it has the least sum of squared slopes.
 ///                                                               [mallett-yuksel-2019]
 /// Colours outside the gamut have spectra that may be negative somewhere. The product of two such
-/// spectra has not the product of the colours. Found at the first call by an interior-point method
-/// for the quadratic programme, in a few milliseconds, the same bits every time.
+/// spectra has not the product of the colours. The table is data/rec709_basis.csv as it was when
+/// this was compiled.
 const std::array<Spectrum, 3>& linear_rec709_basis();
 
 inline constexpr double kRec709BasisError = 1e-12;
 
 /// "#rrggbb" of a colour encoded as sRGB, components in [0, 1]; what lies outside is clipped, NaN
 /// to 0. From linear Rec. 709, encode first: srgb_encode.
-std::string css_colour(const std::array<double, 3>& srgb);
+std::string css_colour(const Vec3d& srgb);
 
 }  // namespace nacre::spectra

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "nacre/core/error.h"
@@ -18,22 +19,22 @@ TEST(Rec709, MatrixMatchesColourScience) {
                                  {0.21263901, 0.71516868, 0.07219232},
                                  {0.01933082, 0.11919478, 0.95053215}};
     for (int j = 0; j < 3; ++j) {
-        Vec3 primary{};
+        Vec3d primary{};
         primary[j] = 1;
-        const Vec3 xyz = linear_rec709_to_xyz(primary);
+        const Vec3d xyz = linear_rec709_to_xyz(primary);
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(xyz[i], matrix[i][j], 5e-9) << i << j;
     }
 }
 
 TEST(Rec709, EqualAmountsMakeTheWhiteOfTheStandardAndPrimariesKeepTheirChromaticity) {
-    const Vec3 white = linear_rec709_to_xyz({1, 1, 1});
+    const Vec3d white = linear_rec709_to_xyz({1, 1, 1});
     EXPECT_NEAR(white[1], 1, 1e-15);
     EXPECT_NEAR(white[0] / (white[0] + white[1] + white[2]), kRec709White[0], 1e-15);
     EXPECT_NEAR(white[1] / (white[0] + white[1] + white[2]), kRec709White[1], 1e-15);
     for (int j = 0; j < 3; ++j) {
-        Vec3 rgb{};
+        Vec3d rgb{};
         rgb[j] = 0.7;
-        const Vec3 xyz = linear_rec709_to_xyz(rgb);
+        const Vec3d xyz = linear_rec709_to_xyz(rgb);
         EXPECT_NEAR(xyz[0] / (xyz[0] + xyz[1] + xyz[2]), kRec709Primaries[j][0], 1e-15);
         EXPECT_NEAR(xyz[1] / (xyz[0] + xyz[1] + xyz[2]), kRec709Primaries[j][1], 1e-15);
     }
@@ -43,8 +44,8 @@ TEST(Rec709, ThereAndBackIsTheIdentityOutsideTheGamutToo) {
     for (double r : {-0.5, 0.0, 0.3, 1.0, 20.0}) {
         for (double g : {-0.1, 0.5, 1.0}) {
             for (double b : {0.0, 0.25, 3.0}) {
-                const Vec3 rgb = {r, g, b};
-                const Vec3 back = xyz_to_linear_rec709(linear_rec709_to_xyz(rgb));
+                const Vec3d rgb = {r, g, b};
+                const Vec3d back = xyz_to_linear_rec709(linear_rec709_to_xyz(rgb));
                 for (int c = 0; c < 3; ++c) EXPECT_NEAR(back[c], rgb[c], 1e-13);
             }
         }
@@ -76,15 +77,15 @@ TEST(Srgb, EncodingIsOddIncreasingAndUndoneByDecoding) {
 }
 
 // Linear Rec. 709 relative to the white of the same sums, independent of rec709_weights().
-Vec3 rgb_of(const Spectrum& reflectance) {
-    const Vec3 white = white_point(Illuminant::D65, Observer::cie1931_2deg);
-    const Vec3 rec709_white = linear_rec709_to_xyz({1, 1, 1});
-    Vec3 xyz = reflectance_to_xyz(reflectance, Illuminant::D65, Observer::cie1931_2deg);
+Vec3d rgb_of(const Spectrum& reflectance) {
+    const Vec3d white = white_point(Illuminant::D65, Observer::cie1931_2deg);
+    const Vec3d rec709_white = linear_rec709_to_xyz({1, 1, 1});
+    Vec3d xyz = reflectance_to_xyz(reflectance, Illuminant::D65, Observer::cie1931_2deg);
     for (int c = 0; c < 3; ++c) xyz[c] *= rec709_white[c] / white[c];
     return xyz_to_linear_rec709(xyz);
 }
 
-Spectrum combine(const Vec3& rgb) {
+Spectrum combine(const Vec3d& rgb) {
     const auto& basis = linear_rec709_basis();
     std::vector<double> values;
     for (std::size_t i = 0; i < basis[0].values().size(); ++i) {
@@ -96,14 +97,14 @@ Spectrum combine(const Vec3& rgb) {
 
 TEST(RgbBasis, ColoursOfTheBasisAreTheUnits) {
     for (int j = 0; j < 3; ++j) {
-        const Vec3 rgb = rgb_of(linear_rec709_basis()[j]);
+        const Vec3d rgb = rgb_of(linear_rec709_basis()[j]);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(rgb[c], c == j, kRec709BasisError);
     }
 }
 
 TEST(RgbBasis, EveryColourComesBackThoseOutsideTheGamutToo) {
-    for (const Vec3& rgb : {Vec3{0.2, 0.5, 0.9}, Vec3{1, 0, 0.3}, Vec3{3, -0.4, 0.01}}) {
-        const Vec3 found = rgb_of(combine(rgb));
+    for (const Vec3d& rgb : {Vec3d{0.2, 0.5, 0.9}, Vec3d{1, 0, 0.3}, Vec3d{3, -0.4, 0.01}}) {
+        const Vec3d found = rgb_of(combine(rgb));
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], rgb[c], 4 * kRec709BasisError);
     }
 }
@@ -130,21 +131,77 @@ TEST(RgbBasis, HasTheLeastSlope) {
     EXPECT_NEAR(sum, 0.74966212040693, 1e-9);
 }
 
+// What the colours weigh is known up to six multipliers, three for red and three for green; blue has
+// its colour because white has. Moving a little of a channel's share at one wavelength to another
+// channel changes the sum of squared slopes by the difference of their potentials
+//
+//     p_j(i) = 2 (2 b_j(i) - b_j(i-1) - b_j(i+1)) + y_j . w(i),     y_blue = 0:
+//
+// where several channels have a share their potentials must agree, and none may lie below. Since the
+// programme is convex, what the shares lie above the least potential bounds how far the sum of
+// squared slopes is above its minimum.                        [nocedal-wright-2006, chapter 16]
+TEST(RgbBasis, MeetsTheConditionsOfOptimality) {
+    const auto& basis = linear_rec709_basis();
+    const std::vector<Vec3d> weights = rec709_weights(basis[0].wavelengths_nm());
+    const int count = static_cast<int>(weights.size());
+    ASSERT_EQ(count, 43);
+    const auto slope = [&](int j, int i) {
+        const auto& b = basis[j].values();
+        return 2 * ((i > 0 ? b[i] - b[i - 1] : 0) + (i + 1 < count ? b[i] - b[i + 1] : 0));
+    };
+    // Equations p_j = p_largest wherever a second channel has a share that matters.
+    std::vector<Eigen::Matrix<double, 1, 6>> rows;
+    std::vector<double> right;
+    const auto potential_row = [&](int j, int i) {
+        Eigen::Matrix<double, 1, 6> row = Eigen::Matrix<double, 1, 6>::Zero();
+        for (int c = 0; j < 2 && c < 3; ++c) row[3 * j + c] = weights[i][c];
+        return row;
+    };
+    for (int i = 0; i < count; ++i) {
+        int largest = 0;
+        for (int j = 1; j < 3; ++j) {
+            if (basis[j].values()[i] > basis[largest].values()[i]) largest = j;
+        }
+        for (int j = 0; j < 3; ++j) {
+            if (j == largest || basis[j].values()[i] < 1e-3) continue;
+            rows.push_back(potential_row(j, i) - potential_row(largest, i));
+            right.push_back(slope(largest, i) - slope(j, i));
+        }
+    }
+    ASSERT_GT(rows.size(), 12u);
+    Eigen::MatrixXd matrix(rows.size(), 6);
+    for (std::size_t r = 0; r < rows.size(); ++r) matrix.row(r) = rows[r];
+    const Eigen::VectorXd y = matrix.colPivHouseholderQr().solve(
+        Eigen::Map<const Eigen::VectorXd>(right.data(), right.size()));
+
+    double gap = 0;
+    for (int i = 0; i < count; ++i) {
+        double potential[3], least = INFINITY;
+        for (int j = 0; j < 3; ++j) {
+            potential[j] = slope(j, i) + potential_row(j, i) * y;
+            least = std::min(least, potential[j]);
+        }
+        for (int j = 0; j < 3; ++j) gap += basis[j].values()[i] * (potential[j] - least);
+    }
+    EXPECT_GE(gap, 0);
+    EXPECT_LT(gap, 1e-9);
+}
+
 TEST(RgbBasis, WeightsGiveTheColourOfAnySampledSpectrum) {
     std::vector<double> nm, value;
-    Vec3 sum{};
+    Vec3d sum{};
     for (int i = 0; i <= 30; ++i) {
         nm.push_back(400 + 10 * i);
         value.push_back(0.5 + 0.4 * std::sin(0.3 * i));
     }
-    const std::vector<Vec3> weights = rec709_weights(nm);
+    const std::vector<Vec3d> weights = rec709_weights(nm);
     for (int i = 0; i <= 30; ++i) {
         for (int c = 0; c < 3; ++c) sum[c] += weights[i][c] * value[i];
     }
-    const Vec3 expected = rgb_of(Spectrum(nm, value));
+    const Vec3d expected = rgb_of(Spectrum(nm, value));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c], 1e-13);
 
-    const std::vector<Vec3> one = rec709_weights({550});
+    const std::vector<Vec3d> one = rec709_weights({550});
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(one[0][c], 1, 1e-14);  // constant: white
     EXPECT_THROW(rec709_weights({}), DomainError);
     EXPECT_THROW(rec709_weights({500, 400}), DomainError);
@@ -154,13 +211,13 @@ TEST(RgbBasis, WeightsGiveTheColourOfAnySampledSpectrum) {
 TEST(RgbBasis, ColourHardlyDependsOnTheEndsOfTheSpectrum) {
     std::vector<double> nm;
     for (int i = 0; i <= 30; ++i) nm.push_back(400 + 10 * i);
-    const Vec3 white = white_point(nm, Illuminant::D65, Observer::cie1931_2deg);
+    const Vec3d white = white_point(nm, Illuminant::D65, Observer::cie1931_2deg);
     for (int j = 0; j < 3; ++j) {
         std::vector<double> value;
         for (double w : nm) value.push_back(linear_rec709_basis()[j](w));
-        const Vec3 short_sum =
+        const Vec3d short_sum =
             reflectance_to_xyz(nm, value, Illuminant::D65, Observer::cie1931_2deg);
-        const Vec3 all =
+        const Vec3d all =
             reflectance_to_xyz(linear_rec709_basis()[j], Illuminant::D65, Observer::cie1931_2deg);
         EXPECT_LT(
             delta_e_2000(xyz_to_lab(short_sum, white),

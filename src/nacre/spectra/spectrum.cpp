@@ -48,4 +48,10 @@ double Spectrum::operator()(double wavelength_nm) const {
 double Spectrum::min() const { return *std::min_element(values_.begin(), values_.end()); }
 double Spectrum::max() const { return *std::max_element(values_.begin(), values_.end()); }
 
+std::vector<double> default_wavelengths_nm() {
+    std::vector<double> w;
+    for (int nm = 400; nm <= 700; nm += 10) w.push_back(nm);
+    return w;
+}
+
 }  // namespace nacre::spectra

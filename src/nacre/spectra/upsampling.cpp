@@ -23,7 +23,7 @@ struct ColourWeights {
 ColourWeights make_colour_weights() {
     std::vector<double> wavelengths_nm;
     for (int i = 0; i < kSamples; ++i) wavelengths_nm.push_back(kFirst_nm + i * kStep_nm);
-    const std::vector<Vec3> by_sample = rec709_weights(wavelengths_nm);
+    const std::vector<Vec3d> by_sample = rec709_weights(wavelengths_nm);
     ColourWeights weights;
     for (int i = 0; i < kSamples; ++i) {
         for (int c = 0; c < 3; ++c) weights.rgb[c][i] = by_sample[i][c];
@@ -62,8 +62,8 @@ void solve_tridiagonal(Samples lower, Samples diagonal, Samples upper,
 }
 
 // Cramer's rule.
-Vec3 solve_3x3(const std::array<Vec3, 3>& columns, const Vec3& b) {
-    const auto det = [](const Vec3& u, const Vec3& v, const Vec3& w) {
+Vec3d solve_3x3(const std::array<Vec3d, 3>& columns, const Vec3d& b) {
+    const auto det = [](const Vec3d& u, const Vec3d& v, const Vec3d& w) {
         return u[0] * (v[1] * w[2] - v[2] * w[1]) - v[0] * (u[1] * w[2] - u[2] * w[1]) +
                w[0] * (u[1] * v[2] - u[2] * v[1]);
     };
@@ -79,7 +79,7 @@ Vec3 solve_3x3(const std::array<Vec3, 3>& columns, const Vec3& b) {
 // show, makes the matrix regular where lambda = 0.
 class LeastSlope {
  public:
-    explicit LeastSlope(const Vec3& rgb) : rgb_(rgb) {
+    explicit LeastSlope(const Vec3d& rgb) : rgb_(rgb) {
         const double luminance = std::clamp(linear_rec709_to_xyz(rgb)[1], 1e-4, 1 - 1e-4);
         z0_ = std::atanh(2 * luminance - 1);
         grey_ = {luminance, luminance, luminance};
@@ -118,7 +118,7 @@ class LeastSlope {
 
     struct State {
         Samples z{}, rho{}, slope{}, gradient{};  // slope = d rho / dz
-        Vec3 lambda{}, miss{};                    // miss = colour - target
+        Vec3d lambda{}, miss{};                   // miss = colour - target
         double merit = 0;
     };
 
@@ -145,14 +145,15 @@ class LeastSlope {
         }
         // Both residuals must vanish; the colour counts more, so that it is met before the
         // slope is polished.
-        for (double m : s.miss) s.merit += 1e4 * m * m;
+        for (int c = 0; c < 3; ++c) s.merit += 1e4 * s.miss[c] * s.miss[c];
     }
 
     bool converged() const {
         const auto below = [](double bound) {
             return [bound](double x) { return std::abs(x) < bound; };
         };
-        return std::all_of(at_.miss.begin(), at_.miss.end(), below(kUpsamplingError / 10)) &&
+        const std::array miss{at_.miss.x, at_.miss.y, at_.miss.z};
+        return std::all_of(miss.begin(), miss.end(), below(kUpsamplingError / 10)) &&
                std::all_of(at_.gradient.begin(), at_.gradient.end(), below(1e-8));
     }
 
@@ -178,15 +179,15 @@ class LeastSlope {
         }
         const auto border = x;
         solve_tridiagonal(off, diagonal, off, x);
-        std::array<Vec3, 3> schur{};
-        Vec3 right = at_.miss;
+        std::array<Vec3d, 3> schur{};
+        Vec3d right = at_.miss;
         for (int i = 0; i < kSamples; ++i) {
             for (int c = 0; c < 3; ++c) {
                 for (int d = 0; d < 3; ++d) schur[d][c] += border[i][c] * x[i][d];
                 right[c] -= border[i][c] * x[i][3];
             }
         }
-        const Vec3 dlambda = solve_3x3(schur, right);
+        const Vec3d dlambda = solve_3x3(schur, right);
         Samples dz;
         double largest = 0;
         for (int i = 0; i < kSamples; ++i) {
@@ -208,7 +209,7 @@ class LeastSlope {
         return false;
     }
 
-    Vec3 rgb_, grey_, target_{};
+    Vec3d rgb_, grey_, target_{};
     double z0_;
     State at_;
 };
@@ -216,11 +217,11 @@ class LeastSlope {
 // Any colour with a component of at least kDarkest and one of at most 1 - kDarkest.
 constexpr double kDarkest = 1e-3;
 
-Samples solve_scaled(const Vec3& rgb) {
-    const double brightest = *std::max_element(rgb.begin(), rgb.end());
+Samples solve_scaled(const Vec3d& rgb) {
+    const double brightest = std::max({rgb.x, rgb.y, rgb.z});
     if (brightest >= kDarkest) return LeastSlope(rgb).solve();
     // Near black z runs off to -infinity: take a lighter colour of the same ratios and darken it.
-    Vec3 lighter;
+    Vec3d lighter;
     for (int c = 0; c < 3; ++c) lighter[c] = rgb[c] / brightest * kDarkest;
     Samples rho = LeastSlope(lighter).solve();
     for (double& r : rho) r *= brightest / kDarkest;
@@ -229,7 +230,7 @@ Samples solve_scaled(const Vec3& rgb) {
 
 }  // namespace
 
-Spectrum reflectance_from_rec709(const Vec3& linear_rgb) {
+Spectrum reflectance_from_rec709(const Vec3d& linear_rgb) {
     for (int c = 0; c < 3; ++c) {
         const char* names[] = {"red", "green", "blue"};
         require_in_range(linear_rgb[c], 0, 1, names[c]);
@@ -239,7 +240,7 @@ Spectrum reflectance_from_rec709(const Vec3& linear_rgb) {
 
     // The method is symmetric under rho -> 1 - rho: near white, solve for the colour it lacks.
     const bool near_white = low > 1 - kDarkest;
-    Vec3 rgb = linear_rgb;
+    Vec3d rgb = linear_rgb;
     if (near_white) rgb = {1 - rgb[0], 1 - rgb[1], 1 - rgb[2]};
     const Samples rho = solve_scaled(rgb);
 

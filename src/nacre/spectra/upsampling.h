@@ -15,7 +15,7 @@ namespace nacre::spectra {
 /// everywhere in the cube; Delta E 2000 below 0.25 by
 /// sums over 400-700 nm at 10 nm. Takes some 0.02 ms.
 /// @throws DomainError if a component is outside [0, 1]
-Spectrum reflectance_from_rec709(const Vec3& linear_rgb);
+Spectrum reflectance_from_rec709(const Vec3d& linear_rgb);
 
 inline constexpr double kUpsamplingError = 1e-10;
 

@@ -16,7 +16,7 @@ namespace nacre::spectra {
 namespace {
 
 // Linear Rec. 709 under D65, 2 degrees, relative to the perfect diffuser by the same sums.
-Vec3 colour_of(const Spectrum& s, double first_nm, double last_nm, double step_nm) {
+Vec3d colour_of(const Spectrum& s, double first_nm, double last_nm, double step_nm) {
     std::vector<double> wavelengths, values;
     for (double w = first_nm; w <= last_nm; w += step_nm) {
         wavelengths.push_back(w);
@@ -24,22 +24,22 @@ Vec3 colour_of(const Spectrum& s, double first_nm, double last_nm, double step_n
     }
     const auto light = Illuminant::D65;
     const auto observer = Observer::cie1931_2deg;
-    Vec3 xyz = reflectance_to_xyz(wavelengths, values, light, observer);
-    const Vec3 white = white_point(wavelengths, light, observer);
-    const Vec3 rec709_white = linear_rec709_to_xyz({1, 1, 1});
+    Vec3d xyz = reflectance_to_xyz(wavelengths, values, light, observer);
+    const Vec3d white = white_point(wavelengths, light, observer);
+    const Vec3d rec709_white = linear_rec709_to_xyz({1, 1, 1});
     for (int c = 0; c < 3; ++c) xyz[c] *= rec709_white[c] / white[c];
     return xyz_to_linear_rec709(xyz);
 }
 
-double largest_difference(const Vec3& a, const Vec3& b) {
+double largest_difference(const Vec3d& a, const Vec3d& b) {
     return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
 // A grid of the cube, denser towards its faces, and random points.
-std::vector<Vec3> colours() {
+std::vector<Vec3d> colours() {
     const double levels[] = {0,   1e-300, 1e-9, 1e-4,     1e-3,     0.02,     0.2,
                              0.5, 0.8,    0.98, 1 - 1e-3, 1 - 1e-4, 1 - 1e-9, 1};
-    std::vector<Vec3> list;
+    std::vector<Vec3d> list;
     for (double r : levels) {
         for (double g : levels) {
             for (double b : levels) list.push_back({r, g, b});
@@ -54,7 +54,7 @@ std::vector<Vec3> colours() {
 }
 
 TEST(Upsampling, GivesTheColourBackEverywhereInTheCube) {
-    for (const Vec3& rgb : colours()) {
+    for (const Vec3d& rgb : colours()) {
         const Spectrum s = reflectance_from_rec709(rgb);
         EXPECT_LE(largest_difference(colour_of(s, 360, 780, 5), rgb), kUpsamplingError)
             << rgb[0] << " " << rgb[1] << " " << rgb[2];
@@ -65,12 +65,12 @@ TEST(Upsampling, GivesTheColourBackEverywhereInTheCube) {
 
 // The same on the grid of Nacre's reports, 400-700 nm by 10 nm; docs/colour.md quotes the bound.
 TEST(Upsampling, ColourDifferenceOnTheReportingGridIsInvisible) {
-    const Vec3 white = linear_rec709_to_xyz({1, 1, 1});
+    const Vec3d white = linear_rec709_to_xyz({1, 1, 1});
     double largest = 0;
-    for (const Vec3& rgb : colours()) {
-        const Vec3 back = colour_of(reflectance_from_rec709(rgb), 400, 700, 10);
-        const Vec3 lab1 = xyz_to_lab(linear_rec709_to_xyz(rgb), white);
-        const Vec3 lab2 = xyz_to_lab(linear_rec709_to_xyz(back), white);
+    for (const Vec3d& rgb : colours()) {
+        const Vec3d back = colour_of(reflectance_from_rec709(rgb), 400, 700, 10);
+        const Vec3d lab1 = xyz_to_lab(linear_rec709_to_xyz(rgb), white);
+        const Vec3d lab2 = xyz_to_lab(linear_rec709_to_xyz(back), white);
         largest = std::max(largest, delta_e_2000(lab1, lab2));
     }
     EXPECT_LT(largest, 0.25);
@@ -86,9 +86,9 @@ TEST(Upsampling, GreysAreExactlyConstant) {
 // near black and near white.
 TEST(Upsampling, IsContinuous) {
     const double e = 1e-7;
-    const Vec3 centres[] = {{0.5, 0.5, 0.5},       {1e-3, 1e-3, 0.2e-3}, {1 - 1e-3, 1, 1 - 0.5e-3},
-                            {0.89, 0.0 + e, 0.13}, {1e-3, 1e-3, 1e-3},   {0.2, 0.7, 0.3}};
-    for (const Vec3& c : centres) {
+    const Vec3d centres[] = {{0.5, 0.5, 0.5},       {1e-3, 1e-3, 0.2e-3}, {1 - 1e-3, 1, 1 - 0.5e-3},
+                             {0.89, 0.0 + e, 0.13}, {1e-3, 1e-3, 1e-3},   {0.2, 0.7, 0.3}};
+    for (const Vec3d& c : centres) {
         const Spectrum a = reflectance_from_rec709({c[0] - e, c[1], c[2]});
         const Spectrum b = reflectance_from_rec709({c[0] + e, c[1], c[2]});
         for (double w = 360; w <= 780; w += 5) EXPECT_NEAR(a(w), b(w), 1e-4) << c[0] << " " << w;

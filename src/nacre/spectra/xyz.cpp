@@ -34,14 +34,15 @@ void require_equal_steps(std::span<const double> wavelengths_nm) {
 
 }  // namespace
 
-Vec3 reflectance_to_xyz(std::span<const double> wavelengths_nm, std::span<const double> reflectance,
-                        Illuminant illuminant, Observer observer) {
+Vec3d reflectance_to_xyz(std::span<const double> wavelengths_nm,
+                         std::span<const double> reflectance, Illuminant illuminant,
+                         Observer observer) {
     require_equal_steps(wavelengths_nm);
     if (reflectance.size() != wavelengths_nm.size()) {
         throw DomainError(fmt::format("{} reflectances are given for {} wavelengths",
                                       reflectance.size(), wavelengths_nm.size()));
     }
-    Vec3 sum{};
+    Vec3d sum{};
     double white = 0;
     for (std::size_t i = 0; i < reflectance.size(); ++i) {
         if (!std::isfinite(reflectance[i])) {
@@ -49,7 +50,7 @@ Vec3 reflectance_to_xyz(std::span<const double> wavelengths_nm, std::span<const 
                                           wavelengths_nm[i], reflectance[i]));
         }
         const double power = illuminant_power(illuminant, wavelengths_nm[i]);
-        const Vec3 matching = colour_matching(observer, wavelengths_nm[i]);
+        const Vec3d matching = colour_matching(observer, wavelengths_nm[i]);
         for (int c = 0; c < 3; ++c) sum[c] += power * matching[c] * reflectance[i];
         white += power * matching[1];
     }
@@ -57,16 +58,16 @@ Vec3 reflectance_to_xyz(std::span<const double> wavelengths_nm, std::span<const 
         throw DomainError(fmt::format("no light is seen at any of the wavelengths from {} to {} nm",
                                       wavelengths_nm.front(), wavelengths_nm.back()));
     }
-    for (double& c : sum) c *= 100 / white;
-    return sum;
+    return (100 / white) * sum;
 }
 
-Vec3 white_point(std::span<const double> wavelengths_nm, Illuminant illuminant, Observer observer) {
+Vec3d white_point(std::span<const double> wavelengths_nm, Illuminant illuminant,
+                  Observer observer) {
     const std::vector<double> ones(wavelengths_nm.size(), 1.0);
     return reflectance_to_xyz(wavelengths_nm, ones, illuminant, observer);
 }
 
-Vec3 reflectance_to_xyz(const Spectrum& reflectance, Illuminant illuminant, Observer observer) {
+Vec3d reflectance_to_xyz(const Spectrum& reflectance, Illuminant illuminant, Observer observer) {
     std::array<double, kIlluminantRows> wavelengths_nm, values;
     for (int i = 0; i < kIlluminantRows; ++i) {
         wavelengths_nm[i] = kIlluminantTable[i].wavelength_nm;
@@ -75,7 +76,7 @@ Vec3 reflectance_to_xyz(const Spectrum& reflectance, Illuminant illuminant, Obse
     return reflectance_to_xyz(wavelengths_nm, values, illuminant, observer);
 }
 
-Vec3 white_point(Illuminant illuminant, Observer observer) {
+Vec3d white_point(Illuminant illuminant, Observer observer) {
     return reflectance_to_xyz(Spectrum(1.0), illuminant, observer);
 }
 
@@ -85,24 +86,22 @@ constexpr int kRows = static_cast<int>((kRenderLast_nm - kRenderFirst_nm) / kCie
 
 // The colour-matching functions from 400 to 700 nm, multiplied by stratum width / Int y.
 // The integral of a function that is linear between samples is the trapezoid sum.
-std::array<Vec3, kRows> make_table() {
-    std::array<Vec3, kRows> table;
+std::array<Vec3d, kRows> make_table() {
+    std::array<Vec3d, kRows> table;
     double integral = 0;
     for (int i = 0; i < kRows; ++i) {
         table[i] = colour_matching(Observer::cie1931_2deg, kRenderFirst_nm + i * kCieStep_nm);
         integral += (i == 0 || i == kRows - 1 ? 0.5 : 1.0) * kCieStep_nm * table[i][1];
     }
     const double width_nm = (kRenderLast_nm - kRenderFirst_nm) / 8;
-    for (Vec3& row : table) {
-        for (double& c : row) c *= width_nm / integral;
-    }
+    for (Vec3d& row : table) row *= width_nm / integral;
     return table;
 }
 
 }  // namespace
 
 std::array<std::array<float, 3>, 8> xyz_weights(const std::array<double, 8>& wavelengths_nm) {
-    static const std::array<Vec3, kRows> table = make_table();
+    static const std::array<Vec3d, kRows> table = make_table();
     std::array<std::array<float, 3>, 8> weights{};
     for (int k = 0; k < 8; ++k) {
         const double position = (wavelengths_nm[k] - kRenderFirst_nm) / kCieStep_nm;

@@ -17,20 +17,21 @@ namespace nacre::spectra {
 /// there, and whenever the reflectance is known as a function, use the overload for a Spectrum.
 /// @throws DomainError if the sizes differ, the wavelengths are not as described, a reflectance is
 /// not finite, or no sample lies where the illuminant and the observer respond
-Vec3 reflectance_to_xyz(std::span<const double> wavelengths_nm, std::span<const double> reflectance,
-                        Illuminant illuminant, Observer observer);
+Vec3d reflectance_to_xyz(std::span<const double> wavelengths_nm,
+                         std::span<const double> reflectance, Illuminant illuminant,
+                         Observer observer);
 
 /// XYZ of the perfect diffuser by the same sums: the white point for CIELAB.
 /// @throws DomainError as reflectance_to_xyz
-Vec3 white_point(std::span<const double> wavelengths_nm, Illuminant illuminant, Observer observer);
+Vec3d white_point(std::span<const double> wavelengths_nm, Illuminant illuminant, Observer observer);
 
 /// XYZ of a reflectance by sums at 5 nm over 360-780 nm, between and beyond its samples as the
 /// Spectrum continues them: the CIE's prescription for reflectances measured on a coarser or a
 /// shorter grid. The perfect diffuser has Y = 100.                  [cie-15-2018]
-Vec3 reflectance_to_xyz(const Spectrum& reflectance, Illuminant illuminant, Observer observer);
+Vec3d reflectance_to_xyz(const Spectrum& reflectance, Illuminant illuminant, Observer observer);
 
 /// XYZ of the perfect diffuser by the same sums.
-Vec3 white_point(Illuminant illuminant, Observer observer);
+Vec3d white_point(Illuminant illuminant, Observer observer);
 
 /// The range over which pictures are rendered.
 inline constexpr double kRenderFirst_nm = 400, kRenderLast_nm = 700;

@@ -44,7 +44,7 @@ TEST(WhitePoint, OfEveryIlluminantMatchesTheCie) {
     };
     const auto wavelengths = grid(360, 780, 5);
     for (const auto& c : cases) {
-        const Vec3 white = white_point(wavelengths, c.illuminant, c.observer);
+        const Vec3d white = white_point(wavelengths, c.illuminant, c.observer);
         const auto label = testing::Message() << static_cast<int>(c.illuminant);
         EXPECT_NEAR(white[0], c.x, kRounding) << label;
         EXPECT_NEAR(white[1], 100, 1e-12) << label;
@@ -55,8 +55,8 @@ TEST(WhitePoint, OfEveryIlluminantMatchesTheCie) {
 // At 400-700 nm by 10 nm, as Nacre reports. Tolerances: the measured differences, rounded up;
 // docs/colour.md quotes them.
 TEST(WhitePoint, OfDaylightHardlyDependsOnTheGrid) {
-    const Vec3 fine = white_point(grid(360, 780, 5), Illuminant::D65, Observer::cie1931_2deg);
-    const Vec3 coarse = white_point(grid(400, 700, 10), Illuminant::D65, Observer::cie1931_2deg);
+    const Vec3d fine = white_point(grid(360, 780, 5), Illuminant::D65, Observer::cie1931_2deg);
+    const Vec3d coarse = white_point(grid(400, 700, 10), Illuminant::D65, Observer::cie1931_2deg);
     EXPECT_NEAR(coarse[0], fine[0], 0.11);
     EXPECT_NEAR(coarse[2], fine[2], 0.19);
 }
@@ -71,10 +71,10 @@ TEST(ReflectanceToXyz, IsLinearAndAGreyHasTheChromaticityOfTheLight) {
     }
     for (Illuminant light : {Illuminant::D50, Illuminant::FL11}) {
         const Observer observer = Observer::cie1964_10deg;
-        const Vec3 white = white_point(wavelengths, light, observer);
-        const Vec3 xa = reflectance_to_xyz(wavelengths, a, light, observer);
-        const Vec3 xb = reflectance_to_xyz(wavelengths, b, light, observer);
-        const Vec3 xm = reflectance_to_xyz(wavelengths, mix, light, observer);
+        const Vec3d white = white_point(wavelengths, light, observer);
+        const Vec3d xa = reflectance_to_xyz(wavelengths, a, light, observer);
+        const Vec3d xb = reflectance_to_xyz(wavelengths, b, light, observer);
+        const Vec3d xm = reflectance_to_xyz(wavelengths, mix, light, observer);
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(xa[c], 0.3 * white[c], 1e-12);
             EXPECT_NEAR(xm[c], 2 * xa[c] + 0.5 * xb[c], 1e-12);
@@ -92,10 +92,10 @@ TEST(ReflectanceToXyz, ASpectrumOnACoarseGridIsGoodUnderLineSpectra) {
     for (double w : wavelengths) values.push_back(0.1 + 0.8 * (w - 360) / 420);
     for (Illuminant light : {Illuminant::D65, Illuminant::FL2, Illuminant::FL11}) {
         const Observer observer = Observer::cie1964_10deg;
-        const Vec3 fine = reflectance_to_xyz(wavelengths, values, light, observer);
-        const Vec3 same = reflectance_to_xyz(coarse, light, observer);
-        const Vec3 white = white_point(light, observer);
-        const Vec3 sums = white_point(wavelengths, light, observer);
+        const Vec3d fine = reflectance_to_xyz(wavelengths, values, light, observer);
+        const Vec3d same = reflectance_to_xyz(coarse, light, observer);
+        const Vec3d white = white_point(light, observer);
+        const Vec3d sums = white_point(wavelengths, light, observer);
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(same[c], fine[c], 1e-12);
             EXPECT_EQ(white[c], sums[c]);
@@ -129,7 +129,7 @@ std::array<double, 8> one_per_stratum(double offset) {
 // pieces, and 750 offsets of 0.05 nm leave an error of 2e-6 where they bend.
 TEST(XyzWeights, GiveTheEqualEnergySpectrumUnitLuminanceInExpectation) {
     const int offsets = 750;
-    Vec3 mean{};
+    Vec3d mean{};
     for (int j = 0; j < offsets; ++j) {
         for (const auto& w : xyz_weights(one_per_stratum((j + 0.5) / offsets))) {
             for (int c = 0; c < 3; ++c) mean[c] += w[c] / offsets;
@@ -144,9 +144,9 @@ TEST(XyzWeights, GiveTheEqualEnergySpectrumUnitLuminanceInExpectation) {
 TEST(XyzWeights, AreProportionalToTheObserverAndVanishOutside) {
     const auto wavelengths = one_per_stratum(0.3);
     const auto weights = xyz_weights(wavelengths);
-    const Vec3 reference = colour_matching(Observer::cie1931_2deg, wavelengths[4]);
+    const Vec3d reference = colour_matching(Observer::cie1931_2deg, wavelengths[4]);
     for (int k = 0; k < 8; ++k) {
-        const Vec3 matching = colour_matching(Observer::cie1931_2deg, wavelengths[k]);
+        const Vec3d matching = colour_matching(Observer::cie1931_2deg, wavelengths[k]);
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(weights[k][c], matching[c] * weights[4][1] / reference[1], 1e-6);
         }

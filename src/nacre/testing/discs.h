@@ -13,7 +13,6 @@ using montecarlo::test::kOnGrid;
 using montecarlo::test::kWorstZ;
 using montecarlo::test::paint;
 using montecarlo::test::walked_albedo;
-using montecarlo::test::z_score;
 
 /// One layer of opaque flakes of one size. Under 50 um of clearcoat: no flake is moved.
 inline paint::Recipe opaque(double depth, double thickness_um, double diameter_um,

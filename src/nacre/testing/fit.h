@@ -3,6 +3,7 @@
 #include "nacre/fit/fit.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 // Only for tests: paints that solve fast, and what an instrument reads on them.
 
@@ -39,7 +40,7 @@ inline const std::vector<measure::Geometry>& six_angles() {
 inline measure::Measurement read(const paint::Recipe& recipe,
                                  const std::vector<measure::Geometry>& geometries = six_angles(),
                                  const measure::Conditions& conditions = {}) {
-    const solver::SolvedPaint paint = solver::solve(recipe, solver::default_wavelengths_nm());
+    const solver::SolvedPaint paint = solver::solve(recipe, spectra::default_wavelengths_nm());
     return measure::measure(
         recipe.name,
         [&](double theta_i, double theta_o, double phi) {

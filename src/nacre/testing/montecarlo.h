@@ -14,20 +14,11 @@
 #include "nacre/montecarlo/reference.h"
 #include "nacre/optics/material.h"
 
-// What the tests of this folder share: paints written short, and the z-score.
+// What the tests of this folder share: paints written short.
 
 namespace nacre::montecarlo::test {
 
-/// (estimate - expected) in standard errors; the expected value's own error adds in quadrature.
-/// Standard normal if the walk is right.
-inline double z_score(const Estimate& estimate, double expected, double expected_error = 0) {
-    return (estimate.mean - expected) / std::hypot(estimate.standard_error, expected_error);
-}
-inline double z_score(const Estimate& a, const Estimate& b) {
-    return z_score(a, b.mean, b.standard_error);
-}
-
-/// A right walk exceeds this in one of 30000 values; seeds are fixed, so a test that passes once
+/// The z-score of a right walk exceeds this in one of 30000 values; seeds are fixed, so a test that passes once
 /// passes always, and the bound says how likely it was to be kept although the walk is wrong.
 inline constexpr double kWorstZ = 4.2;
 
@@ -94,13 +85,11 @@ inline double degrees_of_cosine(double cosine) {
 
 // What the tests of this folder share: walks in numbers, and the statistics of what they bring.
 
-using montecarlo::Estimate;
 using montecarlo::test::flake_layer;
 using montecarlo::test::kWorstZ;
 using montecarlo::test::paint;
 using montecarlo::test::pigment_layer;
 using montecarlo::test::worked_paint;
-using montecarlo::test::z_score;
 
 /// Eight wavelengths of the grid on which films are computed, so that nothing is interpolated.
 inline constexpr bsdf::Wavelengths kOnGrid{420, 460, 500, 540, 580, 620, 660, 690};
@@ -174,9 +163,7 @@ inline Estimates estimate(const bsdf::BoundBsdf& surface, Vec3f wi, int count,
             squares += sums.squares[q];
         }
         for (int lane = 0; lane < kLanes; ++lane) {
-            const double mean = sum[lane] / n;
-            const double variance = std::max(0.0, squares[lane] / n - mean * mean) * n / (n - 1);
-            result[q][lane] = {mean, std::sqrt(variance / n)};
+            result[q][lane] = estimate_of_mean(sum[lane], squares[lane], n);
         }
     }
     return result;

@@ -9,6 +9,7 @@
 #include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 #include "nacre/testing/bsdf.h"
 
 // What the tests of single flakes share.
@@ -62,7 +63,7 @@ struct SparklingModel {
     explicit SparklingModel(const paint::Recipe& recipe,
                             const NacreModel& settings = {.specimen = 1})
         : paint(std::make_shared<const solver::SolvedPaint>(
-              solver::solve(recipe, solver::default_wavelengths_nm()))),
+              solver::solve(recipe, spectra::default_wavelengths_nm()))),
           nacre(paint, settings),
           bound(nacre.bind(kOnGrid)) {}
 

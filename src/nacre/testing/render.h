@@ -9,6 +9,7 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/warp.h"
+#include "nacre/core/estimate.h"
 #include "nacre/render/render.h"
 #include "nacre/render/scene.h"
 
@@ -96,12 +97,7 @@ class Glossy final : public bsdf::Bsdf {
     float exponent_, specular_;
 };
 
-/// Mean of a quantity over renders with different seeds, and the standard error of that mean.
-struct Estimate {
-    double mean = 0, standard_error = 0;
-};
-
-/// Luminance of the whole picture, over `seeds` renders.
+/// Mean luminance of the whole picture, over `seeds` renders.
 inline Estimate estimate_luminance(const Scene& scene, RenderOptions options,
                                    DirectLight direct_light, int seeds) {
     double sum = 0, squares = 0;
@@ -116,9 +112,7 @@ inline Estimate estimate_luminance(const Scene& scene, RenderOptions options,
         sum += y;
         squares += y * y;
     }
-    const double mean = sum / seeds;
-    const double variance = std::max(0.0, squares / seeds - mean * mean) / (seeds - 1);
-    return {mean, std::sqrt(variance)};
+    return estimate_of_mean(sum, squares, seeds);
 }
 
 // Only for tests: a paint that differs from place to place, with a mean that is known.

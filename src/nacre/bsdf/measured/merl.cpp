@@ -68,7 +68,7 @@ DirectionPair directions_of(const HalfDifference& angles) {
 
 namespace {
 
-using Rgb = std::array<float, 3>;
+using spectra::Rgb;
 
 constexpr float kPiF = std::numbers::pi_v<float>;
 /// Lobes to sample from: from a polished metal to a matte plastic, and at last a cosine.
@@ -176,11 +176,10 @@ Rgb MeasuredMerl::Tables::rgb(Vec3f wi, Vec3f wo) const {
         const float weight = (i ? h.fraction : 1 - h.fraction) * (j ? d.fraction : 1 - d.fraction) *
                              (k ? a.fraction : 1 - a.fraction);
         all += weight;
-        for (int c = 0; c < 3; ++c) sum[c] += weight * cell[c];
+        sum += weight * cell;
     }
     if (!(all > 0)) return {};
-    for (float& x : sum) x /= all;
-    return sum;
+    return sum / all;
 }
 
 // Points are half vectors, dense near the normal like the cells of the table: with
@@ -190,7 +189,7 @@ Row MeasuredMerl::Tables::fit_row(float theta_i) const {
     const Vec3f wi = {std::sin(theta_i), 0, std::cos(theta_i)};
     std::vector<FluxPoint<kStrategies>> points;
     points.reserve(kPolar * kAzimuth);
-    std::array<double, 3> albedo{};
+    Vec3d albedo;
     for (int p = 0; p < kPolar; ++p) {
         const float x = (p + 0.5f) / kPolar, theta = 0.5f * kPiF * x * x, sine = std::sin(theta);
         for (int q = 0; q < kAzimuth; ++q) {
@@ -202,12 +201,12 @@ Row MeasuredMerl::Tables::fit_row(float theta_i) const {
             const double weight =
                 4.0 * cosine * 2 * kPiF * kPiF * x * sine / (kPolar * kAzimuth) * wo.z;
             const Rgb f = rgb(wi, wo);
-            for (int c = 0; c < 3; ++c) albedo[c] += weight * f[c];
+            albedo += weight * to_double(f);
             points.push_back({weight * (f[0] + f[1] + f[2]), densities(wi, wo)});
         }
     }
     Row row;
-    for (int c = 0; c < 3; ++c) row.albedo[c] = static_cast<float>(albedo[c]);
+    row.albedo = to_float(albedo);
     std::array<double, kStrategies> fraction;
     fraction.fill(1.0 / kStrategies);
     fraction = fit_mixture(points, fraction);
@@ -257,9 +256,7 @@ class BoundMeasuredMerl final : public BoundBsdf {
         if (wi.z <= 0) return FloatLanes{};
         const auto [row, fraction] = MeasuredMerl::Tables::locate(wi);
         const Rgb &a = tables_->rows[row].albedo, &b = tables_->rows[row + 1].albedo;
-        Rgb rgb;
-        for (int c = 0; c < 3; ++c) rgb[c] = a[c] + fraction * (b[c] - a[c]);
-        return spectrum_(rgb);
+        return spectrum_(a + fraction * (b - a));
     }
 
  private:

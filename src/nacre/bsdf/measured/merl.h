@@ -52,7 +52,7 @@ void validate(const MerlTable& table);
 HalfDifference half_difference(Vec3f wi, Vec3f wo);
 
 struct DirectionPair {
-    std::array<double, 3> wi, wo;  ///< the half vector in the plane of x and z, towards +x
+    Vec3d wi, wo;  ///< the half vector in the plane of x and z, towards +x
 };
 DirectionPair directions_of(const HalfDifference& angles);
 

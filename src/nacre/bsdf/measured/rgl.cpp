@@ -313,7 +313,7 @@ class BoundMeasuredRgl final : public BoundBsdf {
     FloatLanes value(const RglIncident& i, const RglPoint& point, float cosine) const {
         const float factor = tables_->map.scale(i, point) / std::max(cosine, kMinCosine);
         if (is_rgb()) {
-            std::array<float, 3> rgb{};
+            spectra::Rgb rgb;
             tables_->for_each_corner(i.mix, point.sample, [&](float weight, const float* at) {
                 for (int c = 0; c < 3; ++c) rgb[c] += weight * at[c];
             });

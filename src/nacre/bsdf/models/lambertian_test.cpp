@@ -10,7 +10,7 @@ namespace nacre::bsdf {
 namespace {
 
 const Wavelengths kWavelengths{410, 450, 490, 530, 570, 610, 650, 690};
-const Vec3f kOblique = normalize({0.6f, -0.2f, 0.5f});
+const Vec3f kOblique = normalize(Vec3f{0.6f, -0.2f, 0.5f});
 
 TEST(Lambertian, BrdfIsReflectanceOverPiAndVanishesBelowTheHorizon) {
     const auto bound = Lambertian({{400.0, 700.0}, {0.0, 1.0}}).bind(kWavelengths);

@@ -7,6 +7,7 @@
 
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 #include "nacre/testing/bsdf.h"
 
 namespace nacre::bsdf {
@@ -46,7 +47,7 @@ struct Model {
 
     explicit Model(const paint::Recipe& recipe)
         : paint(std::make_shared<const solver::SolvedPaint>(
-              solver::solve(recipe, solver::default_wavelengths_nm()))),
+              solver::solve(recipe, spectra::default_wavelengths_nm()))),
           bsdf(std::make_unique<const Microflake>(paint)) {}
 };
 

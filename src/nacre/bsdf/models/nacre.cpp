@@ -406,7 +406,7 @@ std::optional<Vec3f> BoundNacre::draw_flake(const Look& look, const Probability&
     const sparkle::FlakeView& view = look[last];
     const Vec2f slope = view.sample_slope(tables_->species[last].field.lobe(), i.inside,
                                           std::min(rest, 0x1.fffffep-1f), u);
-    const Vec3f m = normalize({slope.x, slope.y, 1});
+    const Vec3f m = normalize(Vec3f{slope.x, slope.y, 1});
     return leave(2 * dot(i.inside, m) * m - i.inside);
 }
 

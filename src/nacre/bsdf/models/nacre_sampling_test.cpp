@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "nacre/spectra/spectrum.h"
 #include "nacre/testing/nacre_model.h"
 
 // Sampling of the nacre model on a patch, and what a patch's memory may and may not change.
@@ -187,7 +188,7 @@ TEST(NacrePatch, IsReciprocal) {
     paint::Recipe dispersive = recipe_with_every_feature();
     dispersive.binder = optics::Material("crown", {400, 700}, {{1.56, 0}, {1.48, 0}});
     const auto solved = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(dispersive, solver::default_wavelengths_nm()));
+        solver::solve(dispersive, spectra::default_wavelengths_nm()));
     for (const auto& paint : {model_with_every_feature().paint, solved}) {
         for (const bool hot_spot : {false, true}) {
             const auto bound = Nacre(paint, {.specimen = 4, .hot_spot = hot_spot}).bind(kOnGrid);

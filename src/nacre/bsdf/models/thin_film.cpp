@@ -22,12 +22,12 @@ class FilmColours {
     FilmColours(const optics::AiryFilm& film, double thickness_nm, ThinFilmColour colour);
 
     /// Linear between kIntervals + 1 equally spaced cosines.
-    std::array<float, 3> at(float cosine) const;
+    spectra::Rgb at(float cosine) const;
 
     static constexpr int kIntervals = 1024;
 
  private:
-    std::vector<std::array<float, 3>> rgb_;
+    std::vector<spectra::Rgb> rgb_;
 };
 
 /// The film at eight wavelengths: a function of the cosine of incidence.
@@ -57,20 +57,16 @@ FilmColours::FilmColours(const optics::AiryFilm& film, double thickness_nm, Thin
     optics::Antialiasing how;
     if (colour == ThinFilmColour::paper) how.transform = optics::ObserverTransform::paper;
     for (int i = 0; i <= kIntervals; ++i) {
-        const auto rgb =
-            optics::antialiased_rgb(film, static_cast<double>(i) / kIntervals, thickness_nm, how);
-        rgb_.push_back(
-            {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])});
+        rgb_.push_back(to_float(
+            optics::antialiased_rgb(film, static_cast<double>(i) / kIntervals, thickness_nm, how)));
     }
 }
 
-std::array<float, 3> FilmColours::at(float cosine) const {
+spectra::Rgb FilmColours::at(float cosine) const {
     const float x = std::clamp(cosine, 0.0f, 1.0f) * kIntervals;
     const int row = std::min(static_cast<int>(x), kIntervals - 1);
     const float t = x - static_cast<float>(row);
-    std::array<float, 3> rgb;
-    for (int c = 0; c < 3; ++c) rgb[c] = rgb_[row][c] + t * (rgb_[row + 1][c] - rgb_[row][c]);
-    return rgb;
+    return rgb_[row] + t * (rgb_[row + 1] - rgb_[row]);
 }
 
 FilmReflectance::FilmReflectance(const optics::AiryFilm& film, double thickness_nm,

@@ -339,7 +339,7 @@ TEST(ThinFilm, ColourModesShowTheColourOfTheAntialiasedReflectance) {
             for (int i = 0; i < kLanes; ++i) ratio.push_back(f[i] / one[i]);
         }
         const auto weights = spectra::rec709_weights(wavelengths_nm);
-        spectra::Vec3 seen{};
+        Vec3d seen{};
         for (std::size_t i = 0; i < ratio.size(); ++i) {
             for (int c = 0; c < 3; ++c) seen[c] += weights[i][c] * ratio[i];
         }

@@ -48,19 +48,17 @@ double BrdfGrid::factor(double theta_i, double theta_o) const {
     return t_i * t_o / (ior * ior * mu);
 }
 
-using spectra::Vec3;
-
 BrdfTableRows::BrdfTableRows(const solver::SolvedPaint& paint, const BrdfGrid& grid)
     : paint_(paint), grid_(grid), tensors_{&paint.multiple_scattering} {
     if (grid.roughness > 0) tensors_.push_back(&paint.rough_single);
-    const std::vector<Vec3> weights = spectra::rec709_weights(paint.wavelengths_nm());
+    const std::vector<Vec3d> weights = spectra::rec709_weights(paint.wavelengths_nm());
     for (const solver::WavelengthGroup& group : group_wavelengths(paint.medium)) {
         groups_.push_back(make_group(group, weights));
     }
 }
 
 BrdfTableRows::Group BrdfTableRows::make_group(const solver::WavelengthGroup& wavelengths,
-                                               const std::vector<Vec3>& weights) const {
+                                               const std::vector<Vec3d>& weights) const {
     Group group;
     group.ior = paint_.medium.ior[wavelengths.members[0]];
     group.medium = select_wavelengths(paint_.medium, wavelengths.distinct);
@@ -75,7 +73,7 @@ BrdfTableRows::Group BrdfTableRows::make_group(const solver::WavelengthGroup& wa
         }
     }
     for (const solver::MultipleScattering* tensor : tensors_) {
-        auto& basis = group.basis.emplace_back(tensor->rank(), Vec3{});
+        auto& basis = group.basis.emplace_back(tensor->rank(), Vec3d{});
         for (int k = 0; k < tensor->rank(); ++k) {
             for (int w : wavelengths.members) {
                 for (int c = 0; c < 3; ++c) {
@@ -132,7 +130,7 @@ void BrdfTableRows::evaluate(Workspace& work, int o, float* out) const {
     for (int j = 0; j < grid_.azimuths; ++j) {
         work.azimuth[j] = grid_.azimuth(work.theta_i, theta_o, j);
     }
-    std::fill(work.rgb.begin(), work.rgb.end(), Vec3{});
+    std::fill(work.rgb.begin(), work.rgb.end(), Vec3d{});
     add_tensors(work, theta_o);
     for (const Group& group : groups_) {
         const double s = scale(group, work.theta_i, theta_o);
@@ -153,7 +151,7 @@ void BrdfTableRows::add_tensors(Workspace& work, double theta_o) const {
         const solver::MultipleScattering& tensor = *tensors_[t];
         const int orders = tensor.orders(), rank = tensor.rank();
         work.slices[t].by_order(theta_o, work.term);
-        std::vector<Vec3> basis(rank, Vec3{});
+        std::vector<Vec3d> basis(rank, Vec3d{});
         for (const Group& group : groups_) {
             const double s = scale(group, work.theta_i, theta_o);
             for (int k = 0; k < rank; ++k) {
@@ -161,17 +159,16 @@ void BrdfTableRows::add_tensors(Workspace& work, double theta_o) const {
             }
         }
         for (int l = 0; l < orders; ++l) {
-            Vec3 sum{};
+            Vec3d sum{};
             for (int k = 0; k < rank; ++k) {
                 for (int c = 0; c < 3; ++c) sum[c] += work.term[k * orders + l] * basis[k][c];
             }
-            for (double& x : sum) x *= l ? 2 : 1;
-            work.by_order[l] = sum;
+            work.by_order[l] = (l ? 2.0 : 1.0) * sum;
         }
         for (int j = 0; j < grid_.azimuths; ++j) {
             // cos(l (phi - pi)) = (-1)^l cos(l phi): the recurrence in -cos phi.
             const double cosine = -std::cos(work.azimuth[j]);
-            Vec3 next{}, after{};
+            Vec3d next{}, after{};
             for (int l = orders - 1; l > 0; --l) {
                 for (int c = 0; c < 3; ++c) {
                     const double here = work.by_order[l][c] + 2 * cosine * next[c] - after[c];

@@ -14,7 +14,7 @@
 #include "nacre/solver/rough_interface.h"
 #include "nacre/solver/solved_paint.h"
 #include "nacre/solver/wavelength_groups.h"
-#include "nacre/spectra/observer.h"
+#include "nacre/spectra/rgb.h"
 
 // Where a tabulated BRDF has its nodes, and how it is interpolated between them.
 //
@@ -132,7 +132,7 @@ class BrdfTableRows {
         double theta_i;
         std::vector<solver::MultipleScatteringSlice> slices;  // one per tensor
         std::vector<double> azimuth, term;
-        std::vector<spectra::Vec3> by_order, rgb;
+        std::vector<Vec3d> by_order, rgb;
     };
     Workspace make_workspace(int i) const;
 
@@ -147,9 +147,9 @@ class BrdfTableRows {
         /// Weights of the wavelengths for red, green, blue, and zero for lanes beyond the last:
         /// [block].
         std::vector<std::array<DoubleLanes, 3>> weights;
-        spectra::Vec3 white{};  ///< their sum
+        Vec3d white{};  ///< their sum
         /// Colours of the elements of the tensors' spectral bases: [tensor][k].
-        std::vector<std::vector<spectra::Vec3>> basis;
+        std::vector<std::vector<Vec3d>> basis;
         /// Extinction: [layer][node][block].
         std::vector<std::vector<DoubleLanes>> extinction;
         std::shared_ptr<const solver::RoughInterface> interface;
@@ -157,7 +157,7 @@ class BrdfTableRows {
     };
 
     Group make_group(const solver::WavelengthGroup& wavelengths,
-                     const std::vector<spectra::Vec3>& weights) const;
+                     const std::vector<Vec3d>& weights) const;
     double scale(const Group& group, double theta_i, double theta_o) const;
     void add_tensors(Workspace& work, double theta_o) const;
     void add_single(const Group& group, double scale, Workspace& work, int o) const;
@@ -173,9 +173,6 @@ class BrdfTableRows {
 // decomposition: the two representations that Mir et al. 2022 compare [mir-2022]. Their sizes are
 // the paper's; the nodes are ours (brdf_table_grid.h, docs/tables.md).
 
-/// Red, green, blue in linear Rec. 709.
-using Rgb = std::array<float, 3>;
-
 /// Every value: n^2 m of them per channel, 96 MiB for n = 256 and m = 128.
 struct RawBrdfTable {
     std::string paint;  ///< name of the recipe
@@ -184,8 +181,8 @@ struct RawBrdfTable {
 
     std::size_t bytes() const { return values.size() * sizeof(float); }
 
-    Rgb interpolate(const BrdfCell& cell) const {
-        Rgb g{};
+    spectra::Rgb interpolate(const BrdfCell& cell) const {
+        spectra::Rgb g;
         for (int corner = 0; corner < 4; ++corner) {
             const float* at =
                 values.data() + 3 * (cell.pair[corner] * grid.azimuths + cell.azimuth);

@@ -48,7 +48,7 @@ constexpr BrdfTableSettings kSmall = {24, 20};
 // peak of each incident node.
 double worst_node_error(const solver::SolvedPaint& paint) {
     const RawBrdfTable table = make_raw_table(paint, kSmall);
-    const std::vector<spectra::Vec3> weights = spectra::rec709_weights(paint.wavelengths_nm());
+    const std::vector<Vec3d> weights = spectra::rec709_weights(paint.wavelengths_nm());
     const int n = table.grid.angles, m = table.grid.azimuths;
     double worst = 0;
     for (int i = 0; i < n; i += 5) {

@@ -30,7 +30,7 @@ struct CompressedBrdfTable {
     int terms() const { return rank[0] + rank[1] + rank[2]; }
     std::size_t bytes() const { return (left.size() + right.size()) * sizeof(float); }
 
-    Rgb interpolate(const BrdfCell& cell) const {
+    spectra::Rgb interpolate(const BrdfCell& cell) const {
         const int all = terms();
         std::array<float, 3 * kMaxTerms> factor;
         const float* at = right.data() + static_cast<std::size_t>(cell.azimuth) * all;
@@ -39,7 +39,7 @@ struct CompressedBrdfTable {
                         cell.azimuth_weight[2] * at[2 * all + k] +
                         cell.azimuth_weight[3] * at[3 * all + k];
         }
-        Rgb g{};
+        spectra::Rgb g;
         for (int corner = 0; corner < 4; ++corner) {
             const float* row = left.data() + cell.pair[corner] * all;
             int k = 0;

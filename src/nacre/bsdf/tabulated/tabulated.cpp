@@ -44,11 +44,11 @@ struct Tabulated::Tables {
     FlakeLobe flakes, wide;
     std::optional<FlakeLobe> interface;
     std::vector<LobeProbabilities> probability;  ///< by direction row
-    std::vector<Rgb> albedo;                     ///< by direction row, the specular lobe left out
+    std::vector<spectra::Rgb> albedo;            ///< by direction row, the specular lobe left out
 
     TableRay make_ray(Vec3f w) const;
     /// The BRDF in linear Rec. 709.
-    Rgb rgb(const TableRay& i, const TableRay& o) const;
+    spectra::Rgb rgb(const TableRay& i, const TableRay& o) const;
     const LobeProbabilities& probabilities_at(Vec3f wi) const;
     /// Density of sampling o given i, the specular lobe left out.
     float density(const LobeProbabilities& probability, const TableRay& i, const TableRay& o) const;
@@ -107,7 +107,7 @@ float flake_roughness(const BrdfGrid& grid) {
     return static_cast<float>(std::min(1.0, std::hypot(grid.lobe_alpha, 0.5 * grid.roughness)));
 }
 
-double brightness(const Rgb& rgb) {
+double brightness(const spectra::Rgb& rgb) {
     return std::max(0.0, (static_cast<double>(rgb[0]) + rgb[1] + rgb[2]) / 3);
 }
 
@@ -157,14 +157,13 @@ TableRay Tabulated::Tables::make_ray(Vec3f w) const {
     return ray;
 }
 
-Rgb Tabulated::Tables::rgb(const TableRay& i, const TableRay& o) const {
+spectra::Rgb Tabulated::Tables::rgb(const TableRay& i, const TableRay& o) const {
     const BrdfCell cell =
         locate(grid, i.outside, o.outside, i.sine, o.sine, i.side_cosine, o.side_cosine);
-    Rgb g = std::visit([&](const auto& table) { return table->interpolate(cell); }, data);
+    spectra::Rgb g = std::visit([&](const auto& table) { return table->interpolate(cell); }, data);
     const float cosines = std::max(i.side_cosine + o.side_cosine, kMinCosines);
     const float factor = i.transmittance * o.transmittance / cosines;
-    for (float& x : g) x *= factor;
-    return g;
+    return factor * g;
 }
 
 const LobeProbabilities& Tabulated::Tables::probabilities_at(Vec3f wi) const {
@@ -202,7 +201,7 @@ void Tabulated::Tables::fit_row(int row) {
     std::vector<FluxPoint<4>> points;
     points.reserve(kPolar * kAzimuths);
     double energy = 0;
-    std::array<double, 3> sum{};
+    Vec3d sum;
     for (int t = 0; t < kPolar; ++t) {
         const double theta = unit_polar.nodes[t] * std::numbers::pi / 2;
         const double sine = std::sin(theta), cosine = std::cos(theta);
@@ -212,16 +211,16 @@ void Tabulated::Tables::fit_row(int row) {
             const TableRay o =
                 make_ray({static_cast<float>(sine * std::cos(phi)),
                           static_cast<float>(sine * std::sin(phi)), static_cast<float>(cosine)});
-            const Rgb f = rgb(i, o);
+            const spectra::Rgb f = rgb(i, o);
             const double weight = unit_polar.weights[t] * std::numbers::pi / 2 * sine * cosine *
                                   unit_azimuth.weights[a] * 4 * std::numbers::pi * x;
-            for (int c = 0; c < 3; ++c) sum[c] += weight * f[c];
+            sum += weight * to_double(f);
             const double flux = weight * brightness(f);
             energy += flux;
             points.push_back({flux, densities(i, o)});
         }
     }
-    for (int c = 0; c < 3; ++c) albedo[row][c] = static_cast<float>(sum[c]);
+    albedo[row] = to_float(sum);
 
     std::array<double, 4> fraction =
         fit_mixture(points, std::array<double, 4>{interface ? 0.25 : 0.0, 0.25, 0.25, 0.25});
@@ -293,9 +292,8 @@ class BoundTabulated final : public BoundBsdf {
     FloatLanes albedo(Vec3f wi) const override {
         if (wi.z <= 0) return FloatLanes{};
         const DirectionRow at = direction_row(wi);
-        const Rgb &a = tables_->albedo[at.row], &b = tables_->albedo[at.row + 1];
-        Rgb rgb;
-        for (int c = 0; c < 3; ++c) rgb[c] = a[c] + at.fraction * (b[c] - a[c]);
+        const spectra::Rgb &a = tables_->albedo[at.row], &b = tables_->albedo[at.row + 1];
+        const spectra::Rgb rgb = a + at.fraction * (b - a);
         const float specular =
             tables_->interface ? 0.0f : optics::dielectric_reflectance(1.0f, tables_->ior, wi.z);
         return spectrum_(rgb) + specular;

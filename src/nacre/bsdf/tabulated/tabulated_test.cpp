@@ -48,7 +48,7 @@ const Model& gold() {
 FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double theta_o, double phi) {
     const auto f = paint.brdf(theta_i * kDegree, theta_o * kDegree, phi * kDegree);
     const auto weights = spectra::rec709_weights(paint.wavelengths_nm());
-    spectra::Vec3 rgb{};
+    Vec3d rgb{};
     for (std::size_t w = 0; w < f.size(); ++w) {
         for (int c = 0; c < 3; ++c) rgb[c] += weights[w][c] * f[w];
     }

@@ -1,10 +1,9 @@
-#include "nacre/render.h"
-
 #include <fmt/format.h>
 
 #include <variant>
 
 #include "nacre/models/models.h"
+#include "nacre/render.h"
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/render/render_image.h"
 #include "nacre/render/scene_file.h"

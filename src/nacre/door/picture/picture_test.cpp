@@ -1,8 +1,7 @@
-#include "nacre/render.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "nacre/render.h"
 #include "nacre/testing/fit.h"
 
 namespace nacre {

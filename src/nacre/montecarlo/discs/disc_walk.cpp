@@ -165,17 +165,13 @@ namespace {
 constexpr double kGrazing = 1e-6;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Vec3f to_float(const Direction3& v) {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
 }  // namespace
 
-std::optional<Escape> DiscWalker::run(double x_um, double y_um, const Direction3& travel,
+std::optional<Escape> DiscWalker::run(double x_um, double y_um, const Vec3d& travel,
                                       const Lanes& weight) {
     position_ = {x_um, y_um, 0};
-    paint_.discs.tile().wrap(position_.x(), position_.y());
-    moved_ = Direction3::Zero();
+    paint_.discs.tile().wrap(position_.x, position_.y);
+    moved_ = Vec3d{};
     start(travel, weight);
     leaving_ = DiscScene::kNone;
     slab_top_ = 0;
@@ -190,18 +186,17 @@ std::optional<Escape> DiscWalker::run(double x_um, double y_um, const Direction3
 /// To the next disc or pigment particle, or to the edge of the slab or of the tile, whichever comes
 /// first.
 void DiscWalker::fly() {
-    if (std::abs(state_.travel.z()) < kGrazing) {
-        state_.travel.z() = std::copysign(kGrazing, state_.travel.z());
-        state_.travel.normalize();
+    if (std::abs(state_.travel.z) < kGrazing) {
+        state_.travel.z = std::copysign(kGrazing, state_.travel.z);
+        state_.travel = normalize(state_.travel);
     }
     const Slab& slab = this->slab();
-    const bool down = state_.travel.z() < 0;
+    const bool down = state_.travel.z < 0;
     const double bottom = slab_top_ - slab.thickness_um;
     const double to_slab =
-        std::max(0.0, ((down ? bottom : slab_top_) - position_.z()) / state_.travel.z());
+        std::max(0.0, ((down ? bottom : slab_top_) - position_.z) / state_.travel.z);
     const Tile& tile = paint_.discs.tile();
-    const double to_edge =
-        tile.to_edge(position_.x(), position_.y(), state_.travel.x(), state_.travel.y());
+    const double to_edge = tile.to_edge(position_.x, position_.y, state_.travel.x, state_.travel.y);
     const double to_pigment =
         slab.pigment_rate_per_um > 0 ? random_.exponential() / slab.pigment_rate_per_um : kInfinity;
     double distance = std::min({to_slab, to_edge, to_pigment});
@@ -213,12 +208,12 @@ void DiscWalker::fly() {
     absorb(slab, distance);
     if (!state_.alive) return;
     if (hit) {
-        position_.z() = std::clamp(position_.z(), bottom, slab_top_);
+        position_.z = std::clamp(position_.z, bottom, slab_top_);
         meet_disc(hit->disc);
     } else if (to_slab <= std::min(to_edge, to_pigment)) {
         down ? descend() : ascend();
     } else if (to_edge <= to_pigment) {
-        tile.step_over(position_.x(), position_.y(), state_.travel.x(), state_.travel.y());
+        tile.step_over(position_.x, position_.y, state_.travel.x, state_.travel.y);
         leaving_ = DiscScene::kNone;
     } else {
         leaving_ = DiscScene::kNone;
@@ -229,8 +224,8 @@ void DiscWalker::fly() {
 void DiscWalker::meet_disc(std::uint32_t number) {
     const Disc& disc = paint_.discs[number];
     leaving_ = number;
-    const Direction3 normal = Direction3(disc.normal.x, disc.normal.y, disc.normal.z).normalized();
-    const double projection = state_.travel.dot(normal);
+    const Vec3d normal = normalize(Vec3d{disc.normal.x, disc.normal.y, disc.normal.z});
+    const double projection = dot(state_.travel, normal);
     const auto optics =
         paint_.films[disc.species].at(disc.film, std::abs(projection), paint_.places);
     const FlakeEvent event =
@@ -243,12 +238,11 @@ void DiscWalker::meet_disc(std::uint32_t number) {
 
 /// The direction of the mirror image, spread by diffraction. What would leave along the disc or not
 /// at all is drawn anew: 0.4 % at perpendicular incidence on a flake of 20 um.
-Direction3 DiscWalker::spread(const Direction3& mirrored, const Direction3& normal,
-                              double diameter_um) {
+Vec3d DiscWalker::spread(const Vec3d& mirrored, const Vec3d& normal, double diameter_um) {
     const double scale = paint_.wavelength_um / (index_ * std::numbers::pi * diameter_um);
-    const double upright = mirrored.dot(normal);
-    const Direction3 flat = mirrored - upright * normal;
-    const Direction3 across = normal.unitOrthogonal();
+    const double upright = dot(mirrored, normal);
+    const Vec3d flat = mirrored - upright * normal;
+    const Vec3d across = perpendicular(normal);
     // Flakes as small as the wavelength send out most of what they mirror in any direction: after
     // that many trials the mirror's own is as good.
     constexpr int kTrials = 64;
@@ -256,19 +250,19 @@ Direction3 DiscWalker::spread(const Direction3& mirrored, const Direction3& norm
         const auto [fraction, turn] = random_.pair();
         const double q = scale * AiryDisc::radius_of_fraction(fraction);
         const double phi = 2 * std::numbers::pi * turn;
-        const Direction3 tangential =
-            flat + q * (std::cos(phi) * across + std::sin(phi) * normal.cross(across));
-        const double rest = 1 - tangential.squaredNorm();
+        const Vec3d tangential =
+            flat + q * (std::cos(phi) * across + std::sin(phi) * cross(normal, across));
+        const double rest = 1 - dot(tangential, tangential);
         if (rest > 0)
-            return (tangential + std::copysign(std::sqrt(rest), upright) * normal).normalized();
+            return normalize(tangential + std::copysign(std::sqrt(rest), upright) * normal);
     }
     return mirrored;
 }
 
 void DiscWalker::descend() {
-    position_.z() = slab_top_ - slab().thickness_um;
+    position_.z = slab_top_ - slab().thickness_um;
     if (state_.slab + 1 < medium_.slabs.size()) {
-        slab_top_ = position_.z();
+        slab_top_ = position_.z;
         ++state_.slab;
         return;
     }
@@ -279,7 +273,7 @@ void DiscWalker::descend() {
 }
 
 void DiscWalker::ascend() {
-    position_.z() = slab_top_;
+    position_.z = slab_top_;
     if (state_.slab > 0) {
         --state_.slab;
         slab_top_ += slab().thickness_um;
@@ -290,7 +284,7 @@ void DiscWalker::ascend() {
     state_.travel = passage.travel;
     if (passage.inside) return;
     state_.alive = false;
-    moved_.z() = 0;
+    moved_.z = 0;
     escape_ = Escape{state_.travel, moved_, state_.weight};
 }
 
@@ -350,13 +344,13 @@ class TileFrame {
           // Seen from behind, the panel is turned over about its x axis.
           behind_(patch.normal.z < 0) {}
 
-    Direction3 to_tile(const Direction3& v) const {
-        const Direction3 turned(v.x() * x_.x + v.y() * y_.x, v.x() * x_.y + v.y() * y_.y, v.z());
-        return behind_ ? Direction3(turned.x(), -turned.y(), turned.z()) : turned;
+    Vec3d to_tile(const Vec3d& v) const {
+        const Vec3d turned(v.x * x_.x + v.y * y_.x, v.x * x_.y + v.y * y_.y, v.z);
+        return behind_ ? Vec3d{turned.x, -turned.y, turned.z} : turned;
     }
-    Direction3 to_local(const Direction3& v) const {
-        const double y = behind_ ? -v.y() : v.y();
-        return {v.x() * x_.x + y * x_.y, v.x() * y_.x + y * y_.y, v.z()};
+    Vec3d to_local(const Vec3d& v) const {
+        const double y = behind_ ? -v.y : v.y;
+        return {v.x * x_.x + y * x_.y, v.x * y_.x + y * y_.y, v.z};
     }
     double place_y(const Vec3f& position_mm) const {
         return behind_ ? -position_mm.y : position_mm.y;

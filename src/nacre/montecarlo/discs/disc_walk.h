@@ -15,7 +15,7 @@
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/montecarlo/walker.h"
 #include "nacre/paint/recipe.h"
-#include "nacre/solver/solver.h"
+#include "nacre/spectra/spectrum.h"
 
 // Diffraction at a flat disc that mirrors light.
 
@@ -99,13 +99,12 @@ class DiscWalker : private Walker {
 
     /// @param x_um, y_um  where light comes in, anywhere: taken modulo the tile
     /// @param travel      inside the paint, z < 0
-    std::optional<Escape> run(double x_um, double y_um, const Direction3& travel,
-                              const Lanes& weight);
+    std::optional<Escape> run(double x_um, double y_um, const Vec3d& travel, const Lanes& weight);
 
  private:
     void fly();
     void meet_disc(std::uint32_t disc);
-    Direction3 spread(const Direction3& mirrored, const Direction3& normal, double diameter_um);
+    Vec3d spread(const Vec3d& mirrored, const Vec3d& normal, double diameter_um);
     void descend();
     void ascend();
 
@@ -113,7 +112,7 @@ class DiscWalker : private Walker {
     const AirInterface& interface_;
     double index_;
 
-    Direction3 position_ = Direction3::Zero(), moved_ = Direction3::Zero();
+    Vec3d position_ = Vec3d{}, moved_ = Vec3d{};
     std::uint32_t leaving_ = DiscScene::kNone;
     double slab_top_ = 0;  ///< z of the top of the slab
     std::optional<Escape> escape_;
@@ -164,7 +163,7 @@ class DiscWalk final : public bsdf::Bsdf {
     /// @throws DomainError if the recipe is not valid at these wavelengths, naming a setting out of
     ///         range, or as draw_discs()
     DiscWalk(const paint::Recipe& recipe, const ExplicitFlakesModel& settings,
-             const std::vector<double>& wavelengths_nm = solver::default_wavelengths_nm());
+             const std::vector<double>& wavelengths_nm = spectra::default_wavelengths_nm());
     ~DiscWalk() override;
 
     std::unique_ptr<const bsdf::BoundBsdf> bind(

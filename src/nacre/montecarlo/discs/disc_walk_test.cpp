@@ -285,9 +285,9 @@ Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, int walks, std::
 /// The chance of the noise, and half a per cent of the light: what flakes of a 200th of the layer
 /// still have of a hot spot, and how some 300 000 of them have come out in one drawing.
 void expect_same_light(const Estimate& found, const Estimate& expected) {
-    EXPECT_NEAR(found.mean, expected.mean,
+    EXPECT_NEAR(found.value, expected.value,
                 test::kWorstZ * std::hypot(expected.standard_error, found.standard_error) +
-                    0.005 * expected.mean);
+                    0.005 * expected.value);
 }
 
 /// Flakes so small that light meets none of them twice.
@@ -320,7 +320,7 @@ TEST(DiscWalk, SmallFlakesSendLightWhereTheTransferEquationDoes) {
         SCOPED_TRACE(bin < kDirections ? testing::Message() << "bin " << bin
                                        : testing::Message() << "all");
         for (int lane = 0; lane < kLanes; ++lane) {
-            EXPECT_GT(expected[bin][lane].mean, 10 * expected[bin][lane].standard_error);
+            EXPECT_GT(expected[bin][lane].value, 10 * expected[bin][lane].standard_error);
             expect_same_light(found[bin][lane], expected[bin][lane]);
         }
     }
@@ -332,8 +332,8 @@ TEST(DiscWalk, PigmentsAloneScatterAsInTheReference) {
     const auto expected = test::walked_albedo(*PlaneWalk(recipe).bind(kOnGrid), wi, 200'000);
     const auto found = test::walked_albedo(*DiscWalk(recipe, {1, 1}).bind(kOnGrid), wi, 200'000, 2);
     // To see 2 %. Without films all wavelengths are alike.
-    EXPECT_LT(expected[0].standard_error, 0.005 * expected[0].mean);
-    EXPECT_LT(std::abs(test::z_score(found[0], expected[0])), test::kWorstZ);
+    EXPECT_LT(expected[0].standard_error, 0.005 * expected[0].value);
+    EXPECT_LT(std::abs(z_score(found[0], expected[0])), test::kWorstZ);
 }
 
 TEST(DiscWalk, PearlsOfManyFilmsHaveTheMeanOfTheReference) {
@@ -356,7 +356,7 @@ TEST(DiscWalk, LargeFlakesAreBrighterThanTheTransferEquationSays) {
     const paint::Recipe recipe = test::opaque(2, 15, 20);
     const auto equation = test::walked_albedo(*PlaneWalk(recipe).bind(kOnGrid), wi, 50'000);
     const auto discs = test::walked_albedo(*DiscWalk(recipe, {4, 4}).bind(kOnGrid), wi, 50'000);
-    EXPECT_GT(discs[0].mean, 1.1 * equation[0].mean);
+    EXPECT_GT(discs[0].value, 1.1 * equation[0].value);
 }
 
 TEST(DiscWalk, OnlySamplesTellWhatItLooksLike) {

@@ -1,0 +1,136 @@
+#include "nacre/core/csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "nacre/core/error.h"
+#include "nacre/core/text.h"
+
+namespace nacre {
+
+namespace {
+
+char separator_of(std::string_view text) {
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        const std::string_view content = trimmed(line);
+        if (!content.empty() && content.front() != '#') {
+            if (line.find(',') != std::string_view::npos) return ',';
+            if (line.find(';') != std::string_view::npos) return ';';
+            if (line.find('\t') != std::string_view::npos) return '\t';
+            return ',';
+        }
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
+    return ',';
+}
+
+/// Walks over a text and knows where it is.
+class CsvParser {
+ public:
+    CsvParser(std::string_view text, const std::string& filename, char separator)
+        : text_(text), filename_(filename), separator_(separator) {}
+
+    std::vector<CsvRow> rows() {
+        std::vector<CsvRow> rows;
+        while (!at_end()) {
+            if (trimmed(text_.substr(position_, text_.find('\n', position_) - position_))
+                    .starts_with('#')) {
+                while (!at_end() && peek() != '\n') advance();
+            }
+            CsvRow row = this->row();
+            if (row.size() > 1 || !row[0].text.empty()) rows.push_back(std::move(row));
+        }
+        return rows;
+    }
+
+ private:
+    bool at_end() const { return position_ == text_.size(); }
+    char peek() const { return text_[position_]; }
+    bool at_cell_end() const { return at_end() || peek() == separator_ || peek() == '\n'; }
+    void advance() {
+        if (text_[position_++] == '\n') {
+            ++line_;
+            line_start_ = position_;
+        }
+    }
+    std::size_t column() const { return position_ - line_start_ + 1; }
+
+    /// Up to the end of the line, which is passed over.
+    CsvRow row() {
+        CsvRow row;
+        while (true) {
+            row.push_back(cell());
+            if (at_end()) return row;
+            const bool last = peek() == '\n';
+            advance();
+            if (last) return row;
+        }
+    }
+    CsvCell cell() {
+        while (!at_cell_end() && (peek() == ' ' || peek() == '\t' || peek() == '\r')) advance();
+        CsvCell cell{{}, line_, column()};
+        if (++cells_ > kMaxCsvCells) fail(cell, fmt::format("more than {} cells", kMaxCsvCells));
+        if (!at_end() && peek() == '"') {
+            quoted(cell);
+            return cell;
+        }
+        const std::size_t begin = position_;
+        while (!at_cell_end()) advance();
+        cell.text = trimmed(text_.substr(begin, position_ - begin));
+        return cell;
+    }
+    void quoted(CsvCell& cell) {
+        advance();
+        while (true) {
+            if (at_end()) fail(cell, "the quote that starts here is not closed");
+            const char c = peek();
+            advance();
+            if (c != '"') {
+                cell.text += c;
+            } else if (!at_end() && peek() == '"') {
+                cell.text += '"';
+                advance();
+            } else {
+                break;
+            }
+        }
+        while (!at_cell_end()) {
+            if (peek() != ' ' && peek() != '\t' && peek() != '\r') {
+                fail(cell, "something follows the quoted text before the next separator");
+            }
+            advance();
+        }
+    }
+    [[noreturn]] void fail(const CsvCell& cell, std::string_view why) const {
+        throw InputError(fmt::format("{}:{}:{}: {}", filename_, cell.line, cell.column, why));
+    }
+
+    std::string_view text_;
+    const std::string& filename_;
+    char separator_;
+    std::size_t position_ = 0, line_ = 1, line_start_ = 0, cells_ = 0;
+};
+
+}  // namespace
+
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename,
+                              std::optional<char> separator) {
+    text = without_byte_order_mark(text);
+    return CsvParser(text, filename, separator.value_or(separator_of(text))).rows();
+}
+
+std::string csv_cell(std::string_view text) {
+    const bool plain =
+        text.find_first_of(",;\t\r\n\"#") == std::string_view::npos && trimmed(text) == text;
+    if (plain) return std::string(text);
+    std::string quoted = "\"";
+    for (char c : text) {
+        if (c == '"') quoted += c;
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+}  // namespace nacre

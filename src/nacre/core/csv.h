@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Comma-separated values, as spreadsheets and instruments export them. [shafranovich-2005]
+
+namespace nacre {
+
+struct CsvCell {
+    std::string text;                  ///< without quotes, and without spaces around unless quoted
+    std::size_t line = 1, column = 1;  ///< where it starts, in bytes, counted from 1
+};
+using CsvRow = std::vector<CsvCell>;
+
+/// In all rows: 250 MB of them, and what the largest text file of numbers needs.
+inline constexpr std::size_t kMaxCsvCells = 5'000'000;
+
+/// The rows of a text; lines that are empty or start with '#' are left out. A byte order mark and
+/// either kind of line end are understood.
+/// @param separator  of cells; if none is given, the commas, or else the semicolons, or else the
+///                   tabs that stand in the first row
+/// @throws InputError with file, line and column if a quote is not closed, or something follows
+///         one, or there are more than kMaxCsvCells
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename,
+                              std::optional<char> separator = std::nullopt);
+
+/// A cell as it is written: quoted where it has to be.
+std::string csv_cell(std::string_view text);
+
+}  // namespace nacre

@@ -1,0 +1,61 @@
+#include "nacre/core/csv.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nacre/core/error.h"
+
+namespace nacre {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+using Texts = std::vector<std::vector<std::string>>;
+
+Texts texts(const std::vector<CsvRow>& rows) {
+    Texts result;
+    for (const CsvRow& row : rows) {
+        result.emplace_back();
+        for (const CsvCell& cell : row) result.back().push_back(cell.text);
+    }
+    return result;
+}
+
+TEST(Csv, LeavesOutCommentsEmptyLinesAndTheByteOrderMark) {
+    const Texts expected = {{"a", "b"}, {"1", ""}};
+    EXPECT_EQ(texts(parse_csv("\xEF\xBB\xBF# x,y\r\n\r\na , b\r\n  # z\n1,", "f.csv")), expected);
+}
+
+TEST(Csv, TakesTheSeparatorOfTheFirstRowUnlessOneIsGiven) {
+    EXPECT_EQ(texts(parse_csv("# a,b\na;b\n1,5;2", "f.csv")), (Texts{{"a", "b"}, {"1,5", "2"}}));
+    EXPECT_EQ(texts(parse_csv("a\tb", "f.csv")), (Texts{{"a", "b"}}));
+    EXPECT_EQ(texts(parse_csv("a;b", "f.csv", ',')), (Texts{{"a;b"}}));
+}
+
+TEST(Csv, KnowsWhereACellStands) {
+    const auto rows = parse_csv("a,b\n\n\"x\ny\", z\nlast", "f.csv");
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[1][0].text, "x\ny");
+    EXPECT_EQ(rows[1][1].line, 4u);
+    EXPECT_EQ(rows[1][1].column, 5u);
+    EXPECT_EQ(rows[2][0].line, 5u);
+}
+
+TEST(Csv, RefusesQuotesThatDoNotEndOrEndEarly) {
+    EXPECT_THAT([] { parse_csv("a\n\"b", "f.csv"); },
+                ThrowsMessage<InputError>(HasSubstr("f.csv:2:1: the quote")));
+    EXPECT_THAT([] { parse_csv("a,\"b\" c", "f.csv"); },
+                ThrowsMessage<InputError>(HasSubstr("f.csv:1:3: something follows")));
+}
+
+TEST(Csv, ReadsBackWhatItWrites) {
+    for (const std::string text :
+         {"plain", "a,b", "say \"x\"", " padded ", "# no comment", "two\nlines"}) {
+        const auto rows = parse_csv(csv_cell(text) + ",end", "f.csv", ',');
+        ASSERT_EQ(rows.size(), 1u);
+        EXPECT_EQ(rows[0][0].text, text);
+    }
+}
+
+}  // namespace
+}  // namespace nacre
