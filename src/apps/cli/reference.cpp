@@ -38,7 +38,7 @@ ExitStatus run(const ReferenceOptions& options) {
         throw UsageError(fmt::format("{} rows are too many: at most {}", rows, kMaxRows));
     }
     const paint::Recipe recipe = open(options.recipe).recipe();
-    std::vector<montecarlo::Estimate> estimates;
+    std::vector<Estimate> estimates;
     {
         ProgressBar bar("reference", options.quiet);
         estimates = montecarlo::reference_brdf(

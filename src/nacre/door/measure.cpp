@@ -135,8 +135,8 @@ Readings estimated(const std::string& name, const paint::Recipe& recipe,
         for (std::size_t view = 0; view < positions.size(); ++view) {
             std::vector<double> mean(nm.size()), error(nm.size());
             for (std::size_t i = 0; i < nm.size(); ++i) {
-                const montecarlo::Estimate& estimate = estimates[view * nm.size() + i];
-                mean[i] = std::numbers::pi * estimate.mean;
+                const Estimate& estimate = estimates[view * nm.size() + i];
+                mean[i] = std::numbers::pi * estimate.value;
                 error[i] = std::numbers::pi * estimate.standard_error;
             }
             const std::size_t position = positions[view];
