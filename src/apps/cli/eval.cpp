@@ -47,7 +47,7 @@ void check_patch(const EvalOptions& options, const bsdf::ModelInfo& model) {
 /// The square that --at and --footprint describe; the mean over the surface without them.
 PaintBrdf on_patch(const PaintBrdf& brdf, const EvalOptions& options) {
     if (options.at.empty()) return brdf;
-    const std::vector<std::string> place = split(options.at, ',');
+    const std::vector<std::string_view> place = split(options.at, ',');
     return brdf.on(parse_number("--at", place[0], brdf.place_range()),
                    parse_number("--at", place[1], brdf.place_range()),
                    parse_number("--footprint", options.footprint, brdf.side_range()));

@@ -39,9 +39,14 @@ std::vector<std::string> free_keys(const FitOptions& options, const Paint& start
             "--free: say which numbers of {} are free, or bound them there in a table [fit]",
             options.start));
     }
+    std::vector<std::string> patterns;
+    if (!options.free.empty()) {
+        for (const std::string_view pattern : split(options.free, ',')) {
+            patterns.emplace_back(pattern);
+        }
+    }
     try {
-        return start.free_keys(options.free.empty() ? std::vector<std::string>()
-                                                    : split(options.free, ','));
+        return start.free_keys(patterns);
     } catch (const DomainError& error) {
         throw UsageError(fmt::format("--free: {}: {}", options.start, error.what()));
     }

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "nacre/core/error.h"
-#include "nacre/spectra/rgb.h"
 
 namespace nacre::report {
 namespace {
@@ -142,12 +141,6 @@ TEST(PlotData, ThirtyTwoSeriesLookDifferent) {
     }
     EXPECT_EQ(looks.size(), 32u);
     EXPECT_EQ(look_of({.colour = "#123456"}, 3).colour, "#123456");
-}
-
-TEST(PlotData, ColoursAreClippedToTheGamut) {
-    EXPECT_EQ(spectra::css_colour({0, 0.5, 1}), "#0080ff");
-    EXPECT_EQ(spectra::css_colour({-1, 2, kNan}), "#00ff00");
-    EXPECT_EQ(spectra::css_colour({kInf, -kInf, 1.0 / 255}), "#ff0001");
 }
 
 }  // namespace

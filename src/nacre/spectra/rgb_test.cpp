@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 
 #include "nacre/core/error.h"
 #include "nacre/spectra/lab.h"
@@ -224,6 +225,14 @@ TEST(RgbBasis, ColourHardlyDependsOnTheEndsOfTheSpectrum) {
                          xyz_to_lab(all, white_point(Illuminant::D65, Observer::cie1931_2deg))),
             0.3);
     }
+}
+
+TEST(Rgb, CssColoursAreClippedToTheGamut) {
+    EXPECT_EQ(css_colour({0, 0.5, 1}), "#0080ff");
+    EXPECT_EQ(css_colour({-1, 2, std::numeric_limits<double>::quiet_NaN()}), "#00ff00");
+    EXPECT_EQ(css_colour({std::numeric_limits<double>::infinity(),
+                          -std::numeric_limits<double>::infinity(), 1.0 / 255}),
+              "#ff0001");
 }
 
 }  // namespace
