@@ -22,8 +22,8 @@ int main(int argc, char** argv) {
                 .thickness_nm;
         const auto match = standard.with(key, 0.9 * truth).fit(readings.measurement, {key});
         for (const auto& found : match.estimates) {
-            std::printf("%s: %.3f (of the standard: %.3f)\n", found.number.key.c_str(), found.value,
-                        truth);
+            std::printf("%s: %.3f (of the standard: %.3f)\n", found.number.bounds.key.c_str(),
+                        found.value, truth);
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fit: %s\n", error.what());

@@ -43,7 +43,8 @@
 // at once, and give the same bits on all of them. Nothing is printed; long work reports through a
 // Progress and may be stopped by it (core/progress.h); what goes wrong is thrown (core/error.h):
 // InputError where a file is wrong, naming file, key, value and allowed range; SettingError, a
-// DomainError, where a setting is; Error where the work itself failed or was stopped. Units and conventions:
+// DomainError, where a setting is; Error where the work itself failed or was stopped. Units and
+// conventions:
 // docs/conventions.md.
 //
 // Link nacre::nacre (find_package(nacre COMPONENTS core)). Pictures need ray tracing, and have a

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/report/test_support.h"
+#include "nacre/bsdf/models/microflake.h"
 #include "nacre/core/error.h"
 
 namespace nacre::datasheet {
@@ -33,6 +34,7 @@ PanelReport example(const std::string& text) {
     flakes.amount = paint::VolumeFraction{0.05};
     flakes.body = paint::PrescribedFlake{0.6, 0.0, 0.3};
     PanelReport report{.title = text, .sample = readings(text, 0)};
+    report.model = &bsdf::MicroflakeModel::info;
     report.recipe.name = text;
     report.recipe.layers = {paint::Layer{15, {flakes}, {}}};
     report.recipe_sha256 = "0123456789abcdef";
