@@ -417,7 +417,9 @@ TEST(Fit, FindsThePaintThatTheStandardWasMeasuredOn) {
     const Measurement standard = fit::testing::read(fit::testing::pearl(110));
     const Paint start(fit::testing::pearl(90),
                       {{"layer[0].flakes[0].coats[0].thickness_nm", 60, 160}});
-    const Match match = start.fit(standard, {}, {.starts = 1});
+    FitSettings settings;
+    settings.starts = 1;
+    const Match match = start.fit(standard, {}, settings);
     ASSERT_EQ(match.estimates.size(), 1u);
     EXPECT_NEAR(match.estimates[0].value, 110, 0.1);
     EXPECT_EQ(match.paint.recipe(), match.recipe);
