@@ -39,7 +39,8 @@ done
 build core "${without[@]}"
 paints=$scratch/nacre/share/nacre/paints
 "$scratch/core/brdf_value" "$paints/metallic-gray.toml"
-"$scratch/core/multi_angle" "$paints/red-gold.toml" | head -n 3
+"$scratch/core/multi_angle" "$paints/red-gold.toml" >"$scratch/reading.csv"
+[[ $(wc -l <"$scratch/reading.csv") == 7 ]] # a header and six angles
 "$scratch/core/fit" "$paints/tio2-mica-110.toml"
 
 build render -DWITH_RENDER=ON

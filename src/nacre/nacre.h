@@ -317,7 +317,8 @@ class Paint {
 
  private:
     struct State;
-    friend Paint open_text(std::string, const std::string&, const std::filesystem::path&);
+    friend Paint open_text(std::string bytes, const std::string& name,
+                           const std::filesystem::path& folder);
     explicit Paint(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
     std::shared_ptr<const State> state_;  // never null

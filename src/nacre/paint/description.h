@@ -202,7 +202,7 @@ class Visitor {
     virtual bool has(const Field&, bool present) { return present; }
 
     /// Which alternative is to be visited; it is made if the object has another.
-    /// @param keys  those of each alternative
+    /// With the alternatives come the keys of each.
     virtual std::size_t alternative(const Alternatives&,
                                     const std::vector<std::vector<std::string> (*)()>& /*keys*/,
                                     std::size_t present) {
