@@ -63,10 +63,6 @@ endfunction()
 function(nacre_discover_tests target)
   target_link_libraries(${target} PRIVATE nacre::testing)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-  # A precompiled header holds absolute paths, with which ccache would find nothing in other clones.
-  if(NACRE_UNITY AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    target_precompile_headers(${target} REUSE_FROM nacre_testing)
-  endif()
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
 endfunction()
 
