@@ -45,13 +45,21 @@ struct ImpedanceWorkspace {
 int doublings_for(double largest_optical_depth);
 
 /// Z_s and Z_a of a slab of thickness `thickness` (in units of the inverse of E and F), n nodes.
-/// E and F are n x n, symmetric; both are overwritten: E by Z_s, F by Z_a.
+/// E and F are n x n, symmetric, F positive definite or 0 (a slab that is empty at a wavelength has
+/// Z_s = 0 and some Z_a >= 1e30 there); both are overwritten: E by Z_s, F by Z_a.
 void slab_impedance(DoubleLanes* e_to_zs, DoubleLanes* f_to_za, double thickness, int doublings,
                     int n, ImpedanceWorkspace& work);
 
 /// The impedance y (v = y u, n x n) seen through a slab that lies on something of impedance y;
-/// in place. Z_s and Z_a are overwritten.
-void stack_on(DoubleLanes* zs, DoubleLanes* za, DoubleLanes* y, int n, ImpedanceWorkspace& work);
+/// in place. With Q = y + Z_s,
+///
+///     y' = Z_s + Q - Q (Q + (Z_a - Z_s)/2)^-1 Q,
+///
+/// the slab as a two-port of two shunts Z_s and, between them, (Z_a - Z_s)/2 in series. This form
+/// errs by rounding of y and Z_s at any thickness: as the slab gets thin Z_a grows beyond bounds
+/// and the last term vanishes, where the difference of two terms of the size of Z_a would lose y.
+void stack_on(const DoubleLanes* zs, const DoubleLanes* za, DoubleLanes* y, int n,
+              ImpedanceWorkspace& work);
 
 /// Reflection psi- = R psi+ from impedance, R = 2 (1 + y)^-1 - 1; in place.
 void impedance_to_reflection(DoubleLanes* y, int n, ImpedanceWorkspace& work);

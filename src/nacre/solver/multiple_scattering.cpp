@@ -29,7 +29,7 @@ void for_each_pair(const MultipleScattering& r, Visit&& visit) {
     }
 }
 
-// For each pair, the smaller of the largest values that its two directions have.
+// For each pair, the smaller of the largest values that its two directions have, or kBlackBrdf.
 std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::VectorXd& largest) {
     std::vector<double> by_node(r.exit_angle.size(), 0.0), scale;
     Eigen::Index pair = 0;
@@ -39,7 +39,7 @@ std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::Vector
         ++pair;
     });
     scale.reserve(pair);
-    for_each_pair(r, [&](int i, int j) { scale.push_back(std::min(by_node[i], by_node[j])); });
+    for_each_pair(r, [&](int i, int j) { scale.push_back(std::max(std::min(by_node[i], by_node[j]), kBlackBrdf)); });
     return scale;
 }
 

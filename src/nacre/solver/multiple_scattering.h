@@ -41,8 +41,13 @@ struct MultipleScattering {
     friend bool operator==(const MultipleScattering&, const MultipleScattering&) = default;
 };
 
+/// A BRDF in 1/sr that counts as black: the least value to which a tolerance is relative, so that
+/// rounding (some 1e-13 at grazing exit nodes) is never mistaken for light. Errors below it times
+/// the tolerance, 1e-12, are made even where a paint is darker.
+inline constexpr double kBlackBrdf = 1e-8;
+
 /// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
-/// the smaller of the largest values that its two directions have: a cut of the spectral basis, and
+/// the smaller of the largest values that its two directions have, or kBlackBrdf: a cut of the spectral basis, and
 /// coefficients of few digits.
 MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
                             int wavelength_count, std::span<const double> values, double tolerance);

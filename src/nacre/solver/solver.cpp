@@ -153,7 +153,7 @@ class GroupSolver {
                         out.values.push_back(value[lane] - single[lane]);
                         if (interface_) out.single_values.push_back(single[lane]);
                         const double scale = std::min(peak[i][lane], peak[j][lane]);
-                        size = std::max(size, std::abs(value[lane]) / std::max(scale, 1e-300));
+                        size = std::max(size, std::abs(value[lane]) / std::max(scale, kBlackBrdf));
                     }
                 }
             }
