@@ -26,7 +26,7 @@ char separator_of(std::string_view text) {
     return ',';
 }
 
-/// Walks over a text and knows where it is.
+/// Splits a text into rows of cells, each with the line and column where it starts.
 class CsvParser {
  public:
     CsvParser(std::string_view text, const std::string& filename, char separator)
@@ -57,7 +57,7 @@ class CsvParser {
     }
     std::size_t column() const { return position_ - line_start_ + 1; }
 
-    /// Up to the end of the line, which is passed over.
+    /// Cells up to the end of the line, which is consumed with them.
     CsvRow row() {
         CsvRow row;
         while (true) {

@@ -16,7 +16,8 @@ struct CsvCell {
 };
 using CsvRow = std::vector<CsvCell>;
 
-/// In all rows: 250 MB of them, and what the largest text file of numbers needs.
+/// Limit on the cells of one text, all rows together: some 250 MB of memory. A text of
+/// kMaxTextFileBytes (core/file.h) reaches it with 13 bytes a cell.
 inline constexpr std::size_t kMaxCsvCells = 5'000'000;
 
 /// The rows of a text; lines that are empty or start with '#' are left out. A byte order mark and

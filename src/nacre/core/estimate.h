@@ -6,17 +6,18 @@
 #include <cstddef>
 #include <limits>
 
-// Values that are known up to noise.
+// Estimates with their standard errors.
 
 namespace nacre {
 
-/// A value and the standard deviation of its error, estimated from the same data. Where few of many
-/// contributions count much both are skewed downwards.
+/// A value and the standard deviation of its error, estimated from the same data. Where a few rare
+/// contributions dominate the sum, both come out too low in most runs.
 struct Estimate {
     double value = 0, standard_error = 0;
 };
 
-/// Mean of independent numbers, by their sum and that of their squares. @param count  at least 2
+/// Mean of independent numbers, from their sum and the sum of their squares.
+/// @param count  at least 2
 inline Estimate estimate_of_mean(double sum, double sum_of_squares, double count) {
     const double mean = sum / count;
     const double variance = (sum_of_squares / count - mean * mean) * count / (count - 1);

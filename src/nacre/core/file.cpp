@@ -69,7 +69,7 @@ int read_all(int fd, std::uintmax_t max_bytes, std::string& bytes) {
     return 0;
 }
 
-// A new file that nobody else has, with the permissions that the user's mask gives.
+// Creates a file under a name that did not exist, with the permissions of the user's umask.
 fs::path create_temporary(const fs::path& folder, const fs::path& name, const fs::path& path) {
     static const std::uint64_t start = [] {
         timespec now{};
@@ -145,7 +145,7 @@ void AtomicFile::commit() {
         if (!file.is_open()) fail(path_, errno);
         struct stat old_file {};
         if (::stat(target_.c_str(), &old_file) == 0) {
-            // Who could read the old file can read the new one; where we may not, so be it.
+            // Keeps the old file's permissions; a failure (we do not own the file) is ignored.
             (void)::fchmod(file.get(), old_file.st_mode & 07777);
         }
         // Without this a power cut may leave the new name with no contents.
@@ -174,7 +174,7 @@ namespace fs = std::filesystem;
 fs::path data_directory() {
     std::error_code ec;
     if (const char* chosen = std::getenv("NACRE_DATA_DIR"); chosen && *chosen) {
-        // A wrong choice is an error; other data than the user asked for would be a trap.
+        // No fallback: results from other data than the user asked for would go unnoticed.
         if (fs::is_directory(chosen, ec)) return chosen;
         throw InputError(fmt::format("NACRE_DATA_DIR = '{}' is not a folder", chosen));
     }

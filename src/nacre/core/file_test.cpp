@@ -62,7 +62,7 @@ TEST_F(AtomicFileTest, WithoutCommitTheOldFileStaysAndTheTemporaryGoes) {
     EXPECT_EQ(files(), 1);
 }
 
-TEST_F(AtomicFileTest, TwoWritersOfOneNameDoNotMeet) {
+TEST_F(AtomicFileTest, TwoWritersOfOneNameHaveDifferentTemporaries) {
     const fs::path path = folder_ / "out.exr";
     AtomicFile a(path), b(path);
     EXPECT_NE(a.temporary_path(), b.temporary_path());

@@ -13,8 +13,8 @@
 
 namespace nacre {
 
-/// e^x by 2^(n + f) with a degree-6 polynomial for 2^f on [-1/2, 1/2]; relative error below
-/// kExpLanesError for x in [-87, 88], clamped outside (so e^-100 gives 1.6e-38, not 0).
+/// e^x = 2^n e^r, |r| <= ln 2 / 2, with the Taylor polynomial of degree 6 for e^r; relative error
+/// below kExpLanesError for x in [-87, 88], clamped outside (so e^-100 gives 1.6e-38, not 0).
 inline FloatLanes exp_lanes(FloatLanes x) {
     using IntLanes = int __attribute__((vector_size(kLanes * sizeof(int))));
     x = min_lanes(max_lanes(x, splat(-87.0f)), splat(88.0f));
@@ -55,7 +55,7 @@ inline FloatLanes one_minus_exp_lanes(FloatLanes x) {
 
 inline constexpr double kLogLanesError = 2e-7;
 
-/// Natural logarithm of x in [1e-37, 1e38], to kLogLanesError of the value and of 1: by the
+/// Natural logarithm of x in [1e-37, 1e38], error below kLogLanesError (1 + |ln x|): by the
 /// exponent and the series of artanh((m - 1) / (m + 1)) for a mantissa m in [1/sqrt 2, sqrt 2).
 /// [abramowitz-stegun-1964, eq. 4.1.27]
 inline FloatLanes log_lanes(FloatLanes x) {
@@ -112,7 +112,7 @@ using IntegerLanes = std::int64_t __attribute__((vector_size(kLanes * sizeof(std
 // complement, in its low bits.
 inline constexpr double kRoundingShift = 0x1.8p52;
 
-/// Taylor polynomial sum x^i / (start + stride i)! signs..., by Horner's rule, last term first.
+/// sum_i coefficients[i] x^i, by Horner's rule.
 template <std::size_t n>
 inline DoubleLanes horner(const DoubleLanes& x, const double (&coefficients)[n]) {
     DoubleLanes sum = nacre::splat(coefficients[n - 1]);
@@ -189,10 +189,9 @@ inline ComplexLanes cis_lanes(const DoubleLanes& x) {
 /// e^(i z) for Im z >= 0.
 inline ComplexLanes exp_i(const ComplexLanes& z) { return exp_lanes(-z.im) * cis_lanes(z.re); }
 
-// What the Airy reflectance needs of vector arithmetic: waves and decaying waves over lanes.
+// For the Airy reflectance: cosine, sine and exponential decay over lanes of either precision.
 
-/// Errors of the functions below, in the lanes' own precision: of the value for waves, relative for
-/// decay.
+/// Error bounds in the lanes' own precision: absolute for cos_sin_turns(), relative for decay().
 template <class V>
 inline constexpr double kAiryLanesError = std::is_same_v<V, FloatLanes> ? 4e-7 : 1e-15;
 

@@ -122,9 +122,9 @@ double worst_wave_error() {
         const V turns = make_lanes<V>([&](int i) { return Real(n + i) * Real(0.001); });
         const auto wave = cos_sin_turns(turns);
         for (int i = 0; i < kLanes; ++i) {
-            // Whole turns taken off first: what is left is exact.
-            const double rest = std::remainder(static_cast<double>(turns[i]), 1.0);
-            const double angle = 2 * std::numbers::pi * rest;
+            // Whole turns are subtracted first, which is exact.
+            const double fraction = std::remainder(static_cast<double>(turns[i]), 1.0);
+            const double angle = 2 * std::numbers::pi * fraction;
             worst = std::max({worst, std::abs(wave.cosine[i] - std::cos(angle)),
                               std::abs(wave.sine[i] - std::sin(angle))});
         }

@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// What parallel_for() and parallel_for_ranges() call: a loop body, its type forgotten, so that
+/// What parallel_for() and parallel_for_ranges() call: a loop body with its type erased, so that
 /// oneTBB's templates are compiled once (parallel.cpp).
 struct LoopBody {
     const void* body;

@@ -21,7 +21,8 @@ struct sigaction previous_interrupt, previous_terminate;
 
 extern "C" void on_signal(int signal_number) {
     if (requested.exchange(true)) {
-        // The shell shall see that the signal ended us: restore the default and send it again.
+        // So that the shell sees the signal as the cause of death: restore the default action, send
+        // it again.
         signal(signal_number, SIG_DFL);
         raise(signal_number);
     }
@@ -66,7 +67,7 @@ int terminal_columns() {
 }  // namespace
 
 std::string duration_text(double seconds) {
-    // From a century on, and for NaN, a number would only be noise.
+    // Beyond a century, and for NaN, there is no useful number.
     if (!(seconds < 3.2e9)) return "very long";
     if (seconds < 59.95) return fmt::format("{:.1f} s", std::max(0.0, seconds));
     const auto whole = static_cast<long long>(std::lround(seconds));
@@ -78,7 +79,7 @@ std::string progress_line(const std::string& label, double fraction, double elap
                           int columns) {
     fraction = fraction >= 0 ? std::min(fraction, 1.0) : 0.0;  // NaN counts as 0
     std::string times = duration_text(elapsed_s) + " elapsed";
-    // Before a hundredth is done the estimate would jump about.
+    // Before 1 % is done the estimate is too uncertain to show.
     if (fraction >= 0.01 && fraction < 1) {
         times += ", " + duration_text(elapsed_s * (1 - fraction) / fraction) + " left";
     }

@@ -18,7 +18,7 @@ struct Quadrature {
 /// @throws DomainError unless 1 <= n <= 100000, a < b and both are finite
 Quadrature gauss_legendre(int n, double a, double b);
 
-/// The rule of that size on [0, 1], made once a process and kept.
+/// The n-point rule on [0, 1], computed once per process.
 const Quadrature& unit_gauss_legendre(int n);
 
 inline constexpr double kGaussLegendreError = 1e-14;

@@ -43,8 +43,8 @@ class Rng {
  public:
     using result_type = std::uint32_t;
 
-    /// Seed and stream are hashed first, so that neighbouring seeds, streams or pixels share
-    /// nothing visible.
+    /// Seed and stream are hashed first, so that generators of neighbouring seeds, streams or
+    /// pixels are uncorrelated.
     explicit constexpr Rng(std::uint64_t seed, std::uint64_t stream = 0)
         : state_(hash_of(seed, stream)), increment_(2 * hash_of(stream, seed) + 1) {
         next_u32();
@@ -80,8 +80,9 @@ class Rng {
     std::uint64_t state_, increment_;
 };
 
-/// The digits of `index` in a base, mirrored at the point: 6 = 110 in base 2 becomes 0.011 = 3/8.
-/// In one base the sequence over indices is van der Corput's, in several Halton's. [halton-1960]
+/// The digits of `index` in a base, mirrored at the radix point: 6 = 110 in base 2 becomes 0.011 =
+/// 3/8. In one base the sequence over indices is van der Corput's, in several Halton's.
+/// [halton-1960]
 /// @param base  >= 2
 /// @return in [0, 1)
 inline double radical_inverse(std::size_t index, unsigned base) {
@@ -92,9 +93,9 @@ inline double radical_inverse(std::size_t index, unsigned base) {
     return value;
 }
 
-/// Points that fill the unit cube evenly, the same ones for the same seed: Halton's sequence
+/// A low-discrepancy set in the unit cube, the same one for the same seed: Halton's sequence
 /// [halton-1960], in base 2 for the first coordinate, 3 for the second, 5, 7, ..., without its
-/// point 0, turned by a random shift for each coordinate [cranley-patterson-1976].
+/// point 0, each coordinate shifted modulo 1 by a random offset [cranley-patterson-1976].
 /// @param dimensions  1 to kMaxHaltonDimensions @throws DomainError
 std::vector<std::vector<double>> halton_points(std::size_t count, std::size_t dimensions,
                                                std::uint64_t seed);

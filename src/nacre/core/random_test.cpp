@@ -117,9 +117,9 @@ TEST(RadicalInverse, FillsTheIntervalEvenly) {
     }
 }
 
-// In base 2 any 64 consecutive points fall one each into 64 equal pieces, in base 3 any 81: what a
-// shift leaves is that no piece has more than two and gaps are at most two pieces wide.
-TEST(Halton, FillsEveryAxisEvenly) {
+// In base 2 any 64 consecutive points fall one each into 64 equal intervals; after a shift modulo 1
+// neighbours are still at most two intervals apart.
+TEST(Halton, FillsTheFirstAxisEvenly) {
     const auto points = halton_points(64, 2, 7);
     std::vector<double> along;
     for (const auto& point : points) along.push_back(point[0]);

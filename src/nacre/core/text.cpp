@@ -8,8 +8,8 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-// No name of ours is longer; a longer text is no slip of the hand, and the distance costs the
-// product of the lengths.
+// Longer texts are not compared: no key is so long, and the distance takes time in proportion to
+// the product of the lengths.
 constexpr std::size_t kMaxNameLength = 100;
 
 }  // namespace

@@ -74,8 +74,8 @@ inline std::string_view without_byte_order_mark(std::string_view text) {
     return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
-/// For messages: a text that somebody else wrote, cut to so many bytes between characters of UTF-8,
-/// with `stand_in` for control characters, so that a message stays a line.
+/// For messages: at most `longest` bytes of a text, cut between characters of UTF-8, control
+/// characters replaced by `stand_in`, so that a message stays one line.
 std::string excerpt(std::string_view text, std::size_t longest = 60, char stand_in = '?');
 
 /// Fewest insertions, deletions, substitutions and swaps of neighbours that turn a into b, no

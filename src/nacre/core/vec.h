@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Small vectors: directions and places, which point away from the surface (docs/conventions.md),
+// Small vectors: directions, which point away from the surface (docs/conventions.md), positions,
 // and triples of numbers that are added and scaled together, such as colours.
 
 namespace nacre {
@@ -57,7 +57,7 @@ inline Vec3f to_float(Vec3d a) {
     return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
 
-/// A unit vector perpendicular to `a`, in the plane z = 0 unless `a` stands on it.
+/// A unit vector perpendicular to `a`, in the plane z = 0 unless `a` is parallel to z.
 template <class T>
 Vec3<T> perpendicular(Vec3<T> a) {
     constexpr T kUpright = T(1e-12);

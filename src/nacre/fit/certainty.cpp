@@ -15,7 +15,7 @@ namespace {
 /// Change of the residual (root mean square of Delta E) across the whole cube that is no more than
 /// the solver's own error: such a direction is taken as flat.
 constexpr double kFlat_delta_e = 1e-3;
-/// Fraction of a flat direction that makes a coordinate unknown.
+/// A coordinate is not determined if its component of a flat unit direction exceeds this.
 constexpr double kPartInFlat = 0.05;
 
 }  // namespace
@@ -49,7 +49,8 @@ Certainty certainty(std::span<const double> residuals, std::span<const double> j
         const double true_gain = std::sqrt(std::max(0.0, eigen.values[k]));
         const double gain = std::max(true_gain, flat);
         for (Eigen::Index a = 0; a < columns; ++a) {
-            // However little noise there is, what lies flat stays unknown.
+            // A coordinate with a component along a flat direction is not determined, whatever the
+            // noise.
             if (true_gain < flat && std::abs(axis[a]) > kPartInFlat) lies_flat[a] = true;
         }
         covariance += axis * axis.transpose() / (gain * gain);
@@ -68,8 +69,8 @@ Certainty certainty(std::span<const double> residuals, std::span<const double> j
             out.correlation[a * columns + b] = covariance(a, b) / (deviation[a] * deviation[b]);
         }
         const double error = out.noise_delta_e.value_or(0) * deviation[a];
-        const double of_any_number = 1 / std::sqrt(12.0);
-        if (out.noise_delta_e && !lies_flat[a] && error < of_any_number) {
+        const double of_uniform_law = 1 / std::sqrt(12.0);
+        if (out.noise_delta_e && !lies_flat[a] && error < of_uniform_law) {
             out.standard_error.emplace_back(error);
         } else {
             out.standard_error.emplace_back(std::nullopt);

@@ -5,16 +5,17 @@
 #include <span>
 #include <vector>
 
-// How well least squares know their answer, from the derivatives there.
+// Standard errors, correlations and undetermined directions of a least-squares estimate, from its
+// Jacobian.
 
 namespace nacre::fit {
 
 struct CertaintyOptions {
-    /// Standard deviation of what disturbs each of the three components of a reading's colour, in
-    /// Delta E 2000, where the weight is the mean one. Empty: from the residual itself.
+    /// Standard deviation of the noise in each of the three components of the colour of a reading
+    /// of mean weight, in Delta E 2000. Empty: from the residual itself.
     std::optional<double> noise_delta_e;
     /// Readings whose components are independent: residuals under several illuminants come from one
-    /// spectrum and tell nothing new.
+    /// spectrum and are not independent.
     std::size_t independent_values = 0;
     std::size_t geometries = 1;
     /// Paints this close (root mean square of Delta E 2000) count as equal.
@@ -23,22 +24,24 @@ struct CertaintyOptions {
 
 /// A direction in the unit cube along which the colour hardly changes.
 struct WeakDirection {
-    std::vector<double> step;  ///< of the unit cube: what changes the colour by equal_delta_e
+    /// In the unit cube: changes the colour by equal_delta_e (root mean square, to first order), or
+    /// by less if it is of length 1, its maximum.
+    std::vector<double> step;
 };
 
 struct Certainty {
-    /// Standard deviation of the noise, in Delta E 2000 per component. Empty: there are not more
-    /// values than numbers, so that the residual tells nothing, and none was given.
+    /// Standard deviation of the noise, in Delta E 2000 per component. Empty: none was given, and
+    /// there are not more values than numbers to estimate it from the residual.
     std::optional<double> noise_delta_e;
     int degrees_of_freedom = 0;  ///< values less numbers
     /// Standard error of each coordinate. Empty where the noise is unknown, or where the error
-    /// would be above what any number between the bounds has, 1/sqrt(12) of their distance: the
-    /// colours do not determine that number.
+    /// would be above the standard deviation of the uniform law between the bounds, 1/sqrt(12) of
+    /// their distance: the colours do not determine that number.
     std::vector<std::optional<double>> standard_error;
     /// Correlations between the errors, row by row. Zero beside a coordinate without any effect.
     std::vector<double> correlation;
-    /// Those by which one may go kWeak of the cube's width and further within equal_delta_e, the
-    /// weakest first.
+    /// Those along which a step of kWeak of the cube's width or more stays within equal_delta_e,
+    /// the weakest first.
     std::vector<WeakDirection> weak;
 
     static constexpr double kWeak = 0.1;

@@ -31,16 +31,16 @@ TEST(Certainty, NoiseThatIsGivenIsTaken) {
     EXPECT_NEAR(c.standard_error[0].value(), 0.05, 1e-12);
 }
 
-TEST(Certainty, WithoutSpareValuesTheResidualTellsNoNoise) {
+TEST(Certainty, WithoutDegreesOfFreedomTheNoiseIsUnknown) {
     const Certainty c = certainty(std::vector<double>{0.0}, std::vector<double>{2.0}, 1,
                                   {std::nullopt, 1, 1, 0.01});
     EXPECT_FALSE(c.noise_delta_e);
     EXPECT_FALSE(c.standard_error[0]);
 }
 
-// The second and third number act alike: their difference is free, and no noise is small enough to
-// tell them apart. The first is known.
-TEST(Certainty, NamesWhatLiesFlat) {
+// The second and third number act alike: their difference is not determined, however small the
+// noise. The first is.
+TEST(Certainty, NamesFlatDirections) {
     const std::vector<double> jacobian = {10, 0, 0, 0, 10, 10, 0, 10, 10};
     const Certainty c = certainty(std::vector<double>(3, 1e-9), jacobian, 3, {1e-6, 3, 1, 0.3});
     EXPECT_TRUE(c.standard_error[0]);
@@ -53,8 +53,8 @@ TEST(Certainty, NamesWhatLiesFlat) {
     EXPECT_NEAR(std::hypot(step[1], step[2]), 1, 1e-9);  // all of the cube's width
 }
 
-// An error above that of a number of which only the bounds are known is no knowledge.
-TEST(Certainty, AnErrorAsWideAsTheBoundsIsNoError) {
+// Errors above the standard deviation of the uniform law between the bounds are not reported.
+TEST(Certainty, ErrorsAsWideAsTheBoundsAreNotReported) {
     const auto error = [](double noise) {
         return certainty(std::vector<double>{0, 0}, std::vector<double>{1, 0}, 1,
                          {noise, 2, 1, 0.01})

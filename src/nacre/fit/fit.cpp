@@ -13,11 +13,11 @@ namespace nacre::fit {
 
 namespace {
 
-/// A number this near to its bound, as a fraction of the way between both, is at it.
+/// A number this near to its bound, as a fraction of the distance between both, is at it.
 constexpr double kAtBound = 1e-3;
-/// Numbers whose fraction of a weak direction is below this are not named in it.
+/// Numbers whose component of a weak direction is below this fraction of the largest are not named.
 constexpr double kPartOfTradeoff = 0.15;
-/// A way is not worth naming if the bounds end it within this fraction of their distance.
+/// A weak direction is not reported if the bounds end it within this fraction of their distance.
 constexpr double kMinRoom = 0.02;
 
 void check(const FitOptions& options) {
@@ -40,7 +40,7 @@ void require_effect(const FreeNumbers& numbers) {
         try {
             if (!(solver::make_medium(numbers.at(moved), wavelengths) == here)) continue;
         } catch (const DomainError&) {
-            continue;  // not with the others as they are; it may have an effect
+            continue;  // invalid with the other numbers as they are: it may have an effect
         }
         throw DomainError(fmt::format(
             "{}: does not change the colours of this paint, so that they cannot tell it",
@@ -48,7 +48,7 @@ void require_effect(const FreeNumbers& numbers) {
     }
 }
 
-/// As everybody else would compute them, without the shortcuts of a search.
+/// With the default settings of the solver, without the reduced accuracy of the search.
 measure::Measurement colours_of(const Target& target, const paint::Recipe& recipe) {
     return target.read(solver::solve(recipe, target.wavelengths_nm(Detail::fine)), Detail::fine);
 }
@@ -73,10 +73,10 @@ std::vector<Estimate> estimates_at(const FreeNumbers& numbers, const std::vector
     return estimates;
 }
 
-/// Empty where the bounds leave no room to go that way.
+/// Empty where the bounds leave no room along the direction.
 std::optional<Tradeoff> describe(const FreeNumbers& numbers, const std::vector<double>& x,
                                  const std::vector<double>& step, double equal_delta_e) {
-    // As far as the bounds allow, in that sense of the direction in which they allow more.
+    // As far as the bounds allow, in the sense of the direction in which they allow more.
     const auto room = [&](double sign) {
         double fraction = 1;
         for (std::size_t i = 0; i < x.size(); ++i) {
@@ -122,7 +122,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     const auto compare = [&](const measure::Measurement& sample) {
         return measure::difference(target.standard(), sample, options.target.weights);
     };
-    // Whatever is wrong with the recipe comes up here.
+    // Errors of the recipe are thrown here.
     out.at_start = compare(colours_of(target, numbers.start()));
 
     SearchEffort effort;

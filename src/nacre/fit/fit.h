@@ -12,27 +12,27 @@
 #include "nacre/fit/target.h"
 #include "nacre/measure/difference.h"
 
-// From multi-angle colour back to composition. The method, what it can know and what it cannot:
+// From multi-angle colour back to composition. The method, what it determines and what it cannot:
 // docs/fit.md.
 
 namespace nacre::fit {
 
 struct FitOptions {
     TargetOptions target;
-    /// Descents from different points of the bounds, the given start being the first. Before, up to
-    /// 16 times as many points are looked at in passing.
+    /// Descents from different points of the bounds, the given start being the first. Up to 16
+    /// times as many points are screened first.
     int starts = 8;
     std::uint64_t seed = 0;  ///< of the points
     /// Standard deviation of the standard's noise in each component of Delta E 2000; none: from the
     /// residual.
     std::optional<double> noise_delta_e;
-    /// Paints that are this close to the best one, in the mean of Delta E 2000, count as equal.
+    /// Paints whose mean Delta E 2000 exceeds that of the best one by this or less count as equal.
     double equal_delta_e = 0.3;
 
     static constexpr int kMaxStarts = 256;
 };
 
-/// A number as the fit left it.
+/// The fitted value of a free number.
 struct Estimate {
     FreeNumber number;
     double value = 0;
@@ -40,7 +40,7 @@ struct Estimate {
     bool at_lower_bound = false, at_upper_bound = false;
 };
 
-/// Another composition that was found: a minimum of its own.
+/// Another local minimum of the colour difference.
 struct Minimum {
     std::vector<double> values;  ///< of the free numbers
     double mean_delta_e_2000 = 0, max_delta_e_2000 = 0;
@@ -48,20 +48,20 @@ struct Minimum {
     std::string ended;
 };
 
-/// A change of numbers that the colours hardly show.
+/// A change of several numbers together that leaves the colours nearly the same.
 struct Tradeoff {
     struct Change {
         std::string key;
         double from = 0, to = 0;
     };
     std::vector<Change> changes;  ///< of those that take part, the largest first
-    double rms_delta_e = 0;       ///< as far as derivatives at the minimum tell
+    double rms_delta_e = 0;       ///< at most, to first order at the minimum
 };
 
-/// What the work was.
+/// Cost of a fit.
 struct Effort {
     int solves = 0, films = 0;
-    int points = 0, descents = 0, finished = 0;  ///< looked at, coarsely descended, carried through
+    int points = 0, descents = 0, finished = 0;  ///< screened, descended coarsely, and finely
     double seconds = 0;
 };
 

@@ -35,12 +35,12 @@ FitOptions with_starts(int starts) {
     return options;
 }
 
-// What docs/fit.md promises of exact standards is a mean Delta E 2000 below 0.3; a descent that has
-// converged leaves a hundredth of that.
+// docs/fit.md states a mean Delta E 2000 below 0.3 for exact standards; a descent that has
+// converged ends at a hundredth of that.
 constexpr double kExact_delta_e = 0.003;
 
-// From gold to violet lie all the colours of the first order: a search downhill alone need not find
-// the way.
+// All colours of the first order lie between gold and violet: a single descent need not get past
+// them.
 TEST(Fit, FindsAFilmAcrossInterferenceColours) {
     const Fit found = fit(read(pearl(131)), FreeNumbers(pearl(70), {kFilm}, {}), with_starts(3));
     EXPECT_GT(found.at_start.mean_delta_e_2000, 10);
@@ -48,8 +48,8 @@ TEST(Fit, FindsAFilmAcrossInterferenceColours) {
     EXPECT_NEAR(found.estimates[0].value, 131, 0.05);
     EXPECT_TRUE(found.converged) << found.ended;
     EXPECT_FALSE(found.estimates[0].at_lower_bound || found.estimates[0].at_upper_bound);
-    EXPECT_EQ(found.recipe.layers[0].thickness_um, 15);  // what is not free stays
-    // A match of spectra is one under any light.
+    EXPECT_EQ(found.recipe.layers[0].thickness_um, 15);  // not free: unchanged
+    // Equal spectra match under any light.
     ASSERT_THAT(found.other_lights, SizeIs(2));
     EXPECT_LT(found.other_lights[1].second.max_delta_e_2000, 0.01);
 }
@@ -106,7 +106,8 @@ TEST(Fit, FindsAmountsOfPigmentUnderSeveralLights) {
     EXPECT_EQ(found.standard.conditions.observer, spectra::Observer::cie1931_2deg);
 }
 
-// Only optical depths matter to a layer of pigment: twice as thick and half as dense is the same.
+// The colour of a layer of pigment depends on optical depths alone: twice as thick and half as
+// dense is the same.
 TEST(Fit, SaysWhatColoursCannotTell) {
     const std::string thickness = "layer[0].thickness_um";
     const FreeNumbers numbers(solid(), {thickness, kScattering, kAbsorption}, {});
@@ -134,12 +135,12 @@ TEST(Fit, AStandardOutOfReachLeavesItsResidual) {
     const FreeNumbers numbers(solid(), {kAbsorption}, {{kAbsorption, 30, 90}});
     const Fit found = fit(read(green), numbers, with_starts(2));
     EXPECT_GT(found.difference.mean_delta_e_2000, 10);
-    EXPECT_TRUE(found.estimates[0].at_lower_bound);  // the less red the better
+    EXPECT_TRUE(found.estimates[0].at_lower_bound);  // the least red
     EXPECT_FALSE(found.ended.empty());
     EXPECT_GT(*found.certainty.noise_delta_e, 5);
 }
 
-// Without other weights the far angles would have their say.
+// The film of the other three angles differs: with equal weights it would shift the fit.
 TEST(Fit, FollowsTheWeights) {
     measure::Measurement standard = read(pearl(80));
     const measure::Measurement other = read(pearl(100));
@@ -150,7 +151,7 @@ TEST(Fit, FollowsTheWeights) {
     }
     const Fit found = fit(standard, FreeNumbers(pearl(85), {kFilm}, {}), options);
     EXPECT_NEAR(found.estimates[0].value, 80, 0.05);
-    EXPECT_EQ(found.certainty.degrees_of_freedom, 3 * 3 - 1);  // what weighs nothing tells nothing
+    EXPECT_EQ(found.certainty.degrees_of_freedom, 3 * 3 - 1);  // three geometries of weight 0
 }
 
 TEST(Fit, DoesNotDependOnThreads) {
@@ -201,7 +202,7 @@ TEST(Fit, StopsWhenAsked) {
     EXPECT_EQ(asked, 5);
 }
 
-// Whether errors are as large as reported: many standards with noise of a known size.
+// Reported standard errors against the scatter of fits to many standards with known noise.
 
 /// L*a*b* moved so that each component of the CIEDE2000 difference is normal with this deviation.
 Vec3d disturbed(const Vec3d& lab, double sigma, Rng& rng) {
@@ -221,8 +222,8 @@ Vec3d disturbed(const Vec3d& lab, double sigma, Rng& rng) {
 
 // With the noise given, the errors over the standard errors are standard normal: the sum of their
 // squares over n fits follows the chi-square law of n degrees of freedom, within whose two tails of
-// 0.05 % it must not lie (scipy 1.11: chi2.ppf([0.0005, 0.9995], 24) = 7.45, 53.5). The noise that
-// the fits see in their residuals is the one that was put in, to 5 standard errors.
+// 0.05 % it must not lie (scipy 1.11: chi2.ppf([0.0005, 0.9995], 24) = 7.45, 53.5). The noise
+// estimated from the residuals is the true one, to 5 standard errors.
 TEST(FitNoise, NumbersScatterAsTheirStandardErrorsSay) {
     const std::string scattering = "layer[0].pigment[0].scattering_per_mm",
                       absorption = "layer[0].pigment[0].absorption_per_mm.max";
@@ -245,7 +246,7 @@ TEST(FitNoise, NumbersScatterAsTheirStandardErrorsSay) {
         variance += seen * seen / kFits;
         for (int p = 0; p < 2; ++p) {
             const Estimate& e = found.estimates[p];
-            // The reported error rests on the noise seen; restate it for that put in.
+            // The reported error is by the estimated noise; scale it to the true one.
             const double error = e.standard_error.value() * kSigma / seen;
             squares[p] += std::pow((e.value - e.number.start) / error, 2);
         }

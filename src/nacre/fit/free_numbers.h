@@ -10,11 +10,11 @@
 
 namespace nacre::fit {
 
-/// Bounds for a number whose recipe states none: what a colourist might have got wrong, cut to what
-/// the key may be. Reflectances and transmittances, if constant over wavelength: all of [0, 1].
-/// Anisotropy: what the solver resolves. A spread of thickness: from 0 to three times itself or 15
-/// % of the thickness, whatever is more. The binder's index: 10 % either way. Everything else: a
-/// third to three times itself.
+/// Bounds for a number whose recipe states none: the plausible error of a colourist's recipe, cut
+/// to the range of the key. Reflectances and transmittances, if constant over wavelength: all of
+/// [0, 1]. Anisotropy: what the solver resolves. A spread of thickness: from 0 to three times
+/// itself or 15 % of the thickness, whichever is more. The binder's index: 10 % either way.
+/// Everything else: a third to three times itself.
 /// @throws DomainError if the recipe has no such number, or if it is 0 where it must have a size
 paint::ParameterBounds default_bounds(const paint::Recipe& recipe, const std::string& key);
 
@@ -24,7 +24,7 @@ struct FreeNumber {
     double start = 0;
     bool bounds_given = false;  ///< by the recipe's table [fit], not by default_bounds()
 
-    /// The place of a value between the bounds, 0 to 1: in its logarithm if the lower bound is
+    /// The coordinate of a value between the bounds, 0 to 1: in its logarithm if the lower bound is
     /// above 0, since amounts and thicknesses act by their ratios, else in the value.
     double to_unit(double value) const;
     double from_unit(double x) const;

@@ -18,7 +18,7 @@ namespace nacre::fit {
 
 namespace {
 
-/// From half the sum of squares; infinite where there is none.
+/// From half the sum of squares; infinite if that is not finite.
 double rms_delta_e(const ColourModel& model, double cost) {
     if (!std::isfinite(cost) || cost < 0) return std::numeric_limits<double>::infinity();
     return std::sqrt(2 * cost / static_cast<double>(model.target().geometry_count()));
@@ -76,7 +76,7 @@ class AfterStep : public ceres::IterationCallback {
 };
 
 std::string reason(const ceres::Solver::Summary& summary, int max_steps) {
-    // Ceres explains itself with numbers and file names; what it means is one of these.
+    // Ceres' message holds numbers and file names; its cause is one of these.
     const auto says = [&](const char* words) {
         return summary.message.find(words) != std::string::npos;
     };
@@ -137,34 +137,34 @@ Descent descend(const ColourModel& model, std::vector<double> x, Detail detail,
 
 namespace {
 
-/// A few steps show which way a point goes.
+/// A few steps tell which points are worth a coarse descent.
 constexpr DescentLimits kShortLimits{3, 1e-2, 1e-3, 0.1};
 constexpr DescentLimits kCoarseLimits{20, 1e-3, 1e-4, 1e-2};
 constexpr DescentLimits kFineLimits{50, 1e-4, 1e-5, 2e-3};
 
-/// Points that make a few steps for each one that goes on.
+/// Short descents for each coarse one.
 constexpr int kShortDescentsPerStart = 3;
 
-/// Points looked at for each descent: as many as help, a line being filled by fewer than a cube.
+/// Points screened for each descent: more in more dimensions.
 constexpr std::size_t points_per_start(std::size_t numbers) {
     return std::min<std::size_t>(16, 4 + 4 * numbers);
 }
-/// Points nearer than this in every coordinate belong to the same minimum: one descent will do.
+/// Points nearer than this in every coordinate are taken to belong to the same minimum.
 constexpr double kMinStartDistance = 0.05;
 /// Ends of descents nearer than this are the same minimum.
 constexpr double kSameMinimum = 0.02;
-/// A spread of zero is a place where its derivative vanishes: no descent starts there.
+/// Lowest start of a number whose lower bound is 0: at a spread of 0 the derivative by it vanishes.
 constexpr double kMinStart = 0.05;
-/// Ends of coarse descents are carried through if their difference is so near to the best one's.
-/// Without spectra coarse colours are off by up to 1.
+/// Coarse descents are continued with fine ones if their rms Delta E is within this of the best
+/// one's. Without spectra coarse colours are off by up to 1.
 constexpr double kFineStartDelta_e = 0.5, kFineStartWithoutSpectra_delta_e = 1.5;
 constexpr std::size_t kMaxFineStarts = 3;
 
-// Fractions of the work, for the bar.
+// Fractions of the work, for the progress.
 constexpr double kScreeningFraction = 0.15, kShortFraction = 0.25, kCoarseFraction = 0.3,
                  kFineFraction = 0.25;
 
-/// Adds up what threads have done and tells the caller, one at a time.
+/// Sums the progress of all threads and reports it to the caller, one call at a time.
 class Meter {
  public:
     Meter(ColourModel& model, const Progress& progress) : model_(model), progress_(progress) {}
@@ -222,7 +222,7 @@ std::vector<Candidate> screen(const ColourModel& model, std::vector<std::vector<
     return candidates;
 }
 
-/// The first one, and the best of the others that lie apart.
+/// The first one, and the best of the others that are kMinStartDistance apart.
 std::vector<std::vector<double>> choose_starts(std::vector<Candidate> candidates,
                                                std::size_t most) {
     std::vector<std::vector<double>> chosen = {candidates[0].x};

@@ -41,8 +41,8 @@ std::vector<double> every(const std::vector<double>& values, std::size_t stride)
     return chosen;
 }
 
-/// The colours that the same sums give at fewer wavelengths, so that a paint that agrees at all of
-/// them agrees at those.
+/// The colours by the same sums over fewer wavelengths, so that a paint that agrees at all of them
+/// agrees at those.
 measure::Measurement seen_coarsely(measure::Measurement standard, std::size_t stride) {
     standard.conditions.aperture = {};
     if (stride == 1 || !has_all_spectra(standard)) return standard;
@@ -153,13 +153,13 @@ double Target::rms_delta_e(const std::vector<double>& residuals) const {
 
 namespace {
 
-/// Of the unit cube. The function is smooth over a hundredth (a hue turns over a tenth), and the
-/// solver's own error is below 1e-4 Delta E: 0.05 Delta E for all of the cube's width, while
-/// sensitivities are of order 1 to 100.
+/// Step of the differences, in the unit cube. The function is smooth over a hundredth (a hue turns
+/// over a tenth), and the solver's own error is below 1e-4 Delta E: the error of a derivative is
+/// 0.05 Delta E over the cube's width, while derivatives are of order 1 to 100.
 constexpr double kStep = 2e-3;
 
-// By detail. What a solver's tolerance of the BRDF's peak does to colours far from the peak, and
-// what fewer cosines do to films with resonances at grazing incidence, which contribute little:
+// By detail. The tolerance is relative to the BRDF's peak, so that colours far from it err by more;
+// fewer cosines miss resonances of films at grazing incidence, which contribute little:
 // docs/fit.md.
 constexpr double kTolerance[] = {1e-4, 1e-5, 1e-6};
 constexpr int kCosines[] = {33, 65, 129};

@@ -15,11 +15,11 @@
 #include "nacre/solver/solved_paint.h"
 #include "nacre/solver/solver.h"
 
-// The colours that a fit is after, and how far a paint is from them.
+// The target colours of a fit, and the residuals of a paint against them.
 
 namespace nacre::fit {
 
-/// Under which lights, and at which angles how much, colours are to agree.
+/// The illuminants and the weights of the geometries of the comparison.
 struct TargetOptions {
     /// Colours under all of them count equally. Empty: the standard's own.
     std::vector<spectra::Illuminant> illuminants;
@@ -78,14 +78,14 @@ class Target {
 measure::Measurement restated(const measure::Measurement& measurement,
                               const measure::Conditions& conditions);
 
-/// From a point of the unit cube to the differences from the standard: the function whose squares
-/// are to be least. May be asked from several threads at once.
+/// From a point of the unit cube to the residuals, whose sum of squares the fit minimises. Safe to
+/// call from several threads at once.
 class ColourModel {
  public:
     struct Evaluation {
         std::vector<double> residuals;
-        /// Nodes and orders that were chosen for this point: what its neighbours must be solved
-        /// with, or the choice would make the function jump between them.
+        /// Nodes and orders that were chosen for this point. Its neighbours must be solved with the
+        /// same, or the function would jump between them.
         solver::SolverSettings settings;
     };
 

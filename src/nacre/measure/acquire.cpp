@@ -31,7 +31,7 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
     table.values.assign(3 * table.cells(), -1.0);
     for_each_row(table.half, progress, [&](int h) {
         for (int d = 0; d < table.difference; ++d) {
-            // phi_d and pi - phi_d: the same by reciprocity and a mirror's symmetry.
+            // phi_d and pi - phi_d: the same by reciprocity and mirror symmetry.
             for (int a = 0; a < (table.azimuths + 1) / 2; ++a) {
                 const bsdf::DirectionPair pair = bsdf::directions_of(table.middle(h, d, a));
                 const auto &i = pair.wi, &o = pair.wo;
@@ -58,7 +58,7 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
 namespace {
 
 constexpr double kEvenFraction = 0.02;
-/// The largest polar angle that a BRDF is asked for: its domain is open at the horizon.
+/// Largest polar angle at which a BRDF is evaluated: its domain is open at the horizon.
 constexpr double kMaxPolar = 0.5 * kPi - 1e-4;
 
 double polar_node(int k, int count) {
@@ -118,7 +118,7 @@ Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
         std::vector<double> next(count);
         for (int k = 0; k < count; ++k) next[k] = retro[k] * area[k];
         std::vector<double> next_area = projected_areas(next);
-        if (!(next_area[0] > 0)) break;  // black: facets stay even
+        if (!(next_area[0] > 0)) break;  // black: facets stay uniform
         for (int k = 0; k < count; ++k) {
             density[k] = next[k] / next_area[0];
             area[k] = next_area[k] / next_area[0];
@@ -136,7 +136,7 @@ bsdf::SquareTable same_at_every_azimuth(const std::vector<double>& values) {
     return table;
 }
 
-/// The visible facets, as a density over the square.
+/// Appends the distribution of visible facets at each incidence, as a density over the square.
 void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf) {
     for (std::size_t slice = 0; slice < table.slices(); ++slice) {
         const double theta_i = table.theta_i[slice];
@@ -227,7 +227,7 @@ namespace {
 
 constexpr int kIncidences = 6, kSamplesPerIncidence = 1024;
 
-/// Positions of eight of the wavelengths, spread evenly.
+/// Indices of eight of the wavelengths, evenly spaced.
 std::array<std::size_t, kLanes> choose(std::size_t count) {
     std::array<std::size_t, kLanes> chosen;
     for (int i = 0; i < kLanes; ++i) chosen[i] = i * (count - 1) / (kLanes - 1);

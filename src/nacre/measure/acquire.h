@@ -15,7 +15,7 @@
 
 namespace nacre::measure {
 
-/// What readers take, and more than anybody should want to make.
+/// Limit of the readers of these files: 2 GiB.
 inline constexpr double kMaxTableBytes = 2147483648.0;
 
 /// @throws DomainError if a table would have more bytes than that
@@ -40,7 +40,7 @@ void for_each_row(int rows, const Progress& progress, const Body& body) {
 }
 
 /// Cells of a table over half and difference angles, [2, 1024] each. Reading code of the database
-/// takes no others than its own.
+/// accepts the defaults only.
 struct MerlSettings {
     int half = bsdf::MerlTable::kHalf;
     int difference = bsdf::MerlTable::kDifference;
@@ -75,11 +75,11 @@ struct RglSettings {
 /// The distribution of facets D follows from retroreflection, f(m, m) cos(theta_m) =
 /// D(m) / (4 sigma(m)) to a factor, with sigma the projected area of D: an eigenvector, found by
 /// power iteration [dupuy-jakob-2018, section 5.1]. A fiftieth of it is made uniform, so that no
-/// direction is left without facets. It steers where the table is fine; the values make up for
-/// whatever it lacks, and at its nodes the table is exact to single precision.
+/// direction is left without facets. It determines where the table is fine, not its values: at its
+/// nodes the table is exact to single precision.
 ///
-/// Incidences are even from 0 to kMaxIncidence. RGB is that of spectra::rec709_weights(), with
-/// components outside the gamut cut off at zero.
+/// Incidences are evenly spaced from 0 to kMaxIncidence. RGB is that of spectra::rec709_weights(),
+/// with components outside the gamut cut off at zero.
 ///
 /// @param wavelengths_nm  those of `brdf`, increasing
 /// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
@@ -89,19 +89,18 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
                            const std::vector<double>& wavelengths_nm, const RglSettings& settings,
                            const Progress& progress = {});
 
-/// The last incidence; what comes flatter looks like this. In rad: 89 deg.
+/// Largest incidence of a table, in rad (89 deg), at which larger ones are read.
 inline constexpr double kMaxIncidence = 1.5533430342749532;
 
-/// How a table of a BRDF differs from what it was made of, over incidences from 5 to 80 deg.
+/// Error of a table against the BRDF that it was made of, over incidences from 5 to 80 deg.
 struct TableError {
     double flux = 0;  ///< Int |f' - f| cos over Int f cos, mean over incidences and wavelengths
-    /// Largest |f' - f| cos over the largest f cos of its incidence and wavelength. The cosine is
-    /// that of what such tables hold: near the horizon f itself is its quotient, and uncertain.
+    /// Largest |f' - f| cos over the largest f cos of its incidence and wavelength. With the
+    /// cosine, since RGL tables hold f cos, whose quotient f is uncertain near the horizon.
     double peak = 0;
 };
 
-/// Compared at eight of the wavelengths, at directions that the table itself draws and therefore
-/// finds important, off its nodes.
+/// Compared at eight of the wavelengths, at directions sampled from the table, off its nodes.
 /// @param rgb  the table holds colours: compared with the spectra of the exact ones
 /// @throws DomainError as SpectrumColour
 TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,

@@ -24,11 +24,11 @@ bsdf::MerlTable table_of(const Brdf& brdf, const MerlSettings& settings = {}) {
     return acquire_merl(brdf, kThree, settings);
 }
 
-TEST(AcquireMerl, AWhiteDiffuserComesBack) {
+TEST(AcquireMerl, ReproducesAWhiteDiffuser) {
     const auto bound = bsdf::MeasuredMerl(table_of(lambertian({1, 1, 1}))).bind(kLanesAt);
     for (const double theta_i : {0.5, 30.0, 60.0, 80.0}) {
         const Vec3f wi = direction(theta_i, 20);
-        EXPECT_NEAR(bound->albedo(wi)[3], 1, 5e-3);  // midpoints near the horizon
+        EXPECT_NEAR(bound->albedo(wi)[3], 1, 5e-3);  // error of midpoints near the horizon
         const auto [mean, error] = bsdf::mean_weight(*bound, wi, 3, 40000, 5);
         EXPECT_NEAR(mean, 1, 4 * error);
         EXPECT_NEAR(bound->eval(wi, direction(70, 140))[3], std::numbers::inv_pi, 1e-6);
@@ -169,9 +169,9 @@ bsdf::MeasuredRgl measured(const Brdf& brdf, const RglSettings& settings = {}) {
     return bsdf::MeasuredRgl(acquire_rgl("test", brdf, kThree, settings));
 }
 
-// The table interpolates f cos(theta_o), which is not linear even here: what is left is the
-// error of the format.
-TEST(AcquireRgl, AWhiteDiffuserComesBack) {
+// The table interpolates f cos(theta_o), which is not linear even here: the tolerance is the error
+// of the format.
+TEST(AcquireRgl, ReproducesAWhiteDiffuser) {
     const auto bound = measured(lambertian({1, 1, 1})).bind(kLanesAt);
     for (const double theta_i : {0.5, 30.0, 60.0, 80.0}) {
         const Vec3f wi = direction(theta_i, 20);

@@ -30,7 +30,7 @@ std::vector<Pair> common_readings(const Measurement& standard, const Measurement
         const Reading* nearest = nullptr;
         double least = kSameGeometry_deg;
         for (const Reading& other : sample.readings) {
-            // Directions are no nearer than their polar angles: goniometers make many pairs.
+            // Quick test by the polar angles, a lower bound: goniometers make many pairs.
             if (far_apart(reading.geometry.theta_i_deg, other.geometry.theta_i_deg) ||
                 far_apart(reading.geometry.theta_o_deg, other.geometry.theta_o_deg)) {
                 continue;
@@ -59,7 +59,8 @@ Vec3d lab_under(const Measurement& measurement, const Reading& reading,
         .lab;
 }
 
-/// Under which light the two are compared: the standard's if the sample can be stated under it.
+/// Illuminant and observer of the comparison: the standard's if the sample can be restated under
+/// them.
 Conditions common_light(const Measurement& standard, const Measurement& sample,
                         const std::vector<Pair>& pairs) {
     const auto all = [&](const Reading* Pair::*side) {

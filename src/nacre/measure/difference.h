@@ -21,12 +21,12 @@ struct AngleDifference {
     double delta_hue() const;
 };
 
-/// How far a sample is from a standard, at the geometries that both have (to 0.1 deg).
+/// Colour difference of a sample from a standard, at the geometries that both have (to 0.1 deg).
 struct Difference {
     std::vector<AngleDifference> angles;
     double mean_delta_e_2000 = 0;  ///< weighted
     double max_delta_e_2000 = 0;
-    Conditions conditions;  ///< the light and the eye of the comparison: the standard's if possible
+    Conditions conditions;  ///< of the comparison: the standard's if possible
 };
 
 /// Where illuminants or observers differ, the sample is converted to those of the standard if it

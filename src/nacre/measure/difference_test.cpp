@@ -59,7 +59,7 @@ TEST(Difference, SplitsIntoLightnessChromaAndHue) {
     // From red to yellow the hue angle grows.
     EXPECT_GT((AngleDifference{{}, {}, 0, 1, {50, 20, 1}, {50, 20, 3}}).delta_hue(), 0);
     EXPECT_LT((AngleDifference{{}, {}, 0, 1, {50, 20, 1}, {50, 20, -3}}).delta_hue(), 0);
-    // Opposite hues, and grey, are no division by zero.
+    // Opposite hues and grey: no division by zero.
     EXPECT_NEAR((AngleDifference{{}, {}, 0, 1, {50, 20, 0}, {50, -5, 0}}).delta_hue(), 20, 1e-12);
     EXPECT_EQ((AngleDifference{{}, {}, 0, 1, {50, 20, 0}, {50, 0, 0}}).delta_hue(), 0);
 }
@@ -85,7 +85,7 @@ TEST(Difference, ComparesTheGeometriesThatBothHave) {
     Measurement b = spectral(0.6);
     b.readings.erase(b.readings.begin());
     std::swap(b.readings[0], b.readings[1]);
-    b.readings[0].geometry.name = "far";  // names are labels, directions count
+    b.readings[0].geometry.name = "far";  // compared by directions, not names
     const Difference d = difference(a, b);
     ASSERT_EQ(d.angles.size(), 2u);
     EXPECT_EQ(d.angles[0].geometry.name, "45as45");

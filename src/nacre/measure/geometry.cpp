@@ -71,8 +71,8 @@ Geometry off_plane(double theta_i_deg, double aspecular_deg, double azimuth_deg)
     if (azimuth_deg == 0) return in_plane(theta_i_deg, -aspecular_deg);
     if (std::abs(azimuth_deg) == 180) return in_plane(theta_i_deg, aspecular_deg);
     if (aspecular_deg == 0) return in_plane(theta_i_deg, 0);
-    // Of a step along the mirror direction and two across it: away from the normal, and off the
-    // plane.
+    // Components of the unit view direction: along the mirror direction, and across it away from
+    // the normal and off the plane.
     const double along = std::cos(aspecular_deg * kDegree),
                  across = std::sin(aspecular_deg * kDegree),
                  away = across * std::cos(azimuth_deg * kDegree),
@@ -172,7 +172,7 @@ Geometry parse_geometry(std::string_view name) {
         excerpt(name)));
 }
 
-// The sets that are built in. What stands where in public: docs/measure.md.
+// The sets that are built in. Sources: docs/measure.md.
 
 namespace {
 

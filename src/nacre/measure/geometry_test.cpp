@@ -17,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-// Directions go through sines and back.
+// Directions are computed through sines and arc tangents.
 constexpr double kRounding_deg = 1e-10;
 
 std::vector<std::string> names(const char* set) {
@@ -42,7 +42,7 @@ TEST(Geometry, OffPlaneTurnsAboutTheMirrorDirection) {
     EXPECT_EQ(off_plane(45, 15, -180), in_plane(45, 15));
     for (double azimuth : {1.0, 30.0, 90.0, 125.3, 179.0}) {
         const Geometry one = off_plane(45, 25, azimuth), other = off_plane(45, 25, -azimuth);
-        // As far from the mirror direction as it says, on either side alike.
+        // The aspecular angle is that between the directions, on either side.
         EXPECT_NEAR(separation_deg(one, in_plane(45, 0)), 25, kRounding_deg);
         EXPECT_DOUBLE_EQ(one.theta_o_deg, other.theta_o_deg);
         EXPECT_NEAR(one.phi_deg + other.phi_deg, 360, kRounding_deg);
@@ -136,7 +136,7 @@ TEST(GeometrySets, HoldEachDirectionOnce) {
         for (std::size_t i = 0; i < set.geometries.size(); ++i) {
             const Geometry& g = set.geometries[i];
             EXPECT_TRUE(seen.insert(g.name).second) << set.name << ": " << g.name;
-            // Where they say they are.
+            // The directions agree with the names.
             EXPECT_NEAR(separation_deg(g, towards(g.theta_i_deg, g.theta_o_deg, g.phi_deg)), 0,
                         kRounding_deg);
             for (std::size_t j = 0; j < i; ++j) {

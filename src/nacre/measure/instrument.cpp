@@ -30,7 +30,7 @@ std::vector<ConeNode> cone_rule(double theta, double phi, double half_angle, int
         const double along = 1 - fall, across = std::sqrt(fall * (2 - fall));
         for (int step = 0; step < around; ++step) {
             const double turn = 2 * std::numbers::pi * (step + 0.5) / around;
-            // In the frame of the axis: across it away from the normal, and aside.
+            // Components across the axis: away from the normal, and off its plane.
             const double away = across * std::cos(turn), aside = across * std::sin(turn);
             const double x = along * sine + away * cosine, z = along * cosine - away * sine;
             if (!(z > 1e-12)) continue;
@@ -52,7 +52,7 @@ Vec3d SpectrumColour::sum(const std::vector<double>& values) const {
         throw DomainError(fmt::format("a BRDF gives {} values at {} wavelengths", values.size(),
                                       weights_.size()));
     }
-    // As much as files in single precision take.
+    // Within the range of files in single precision.
     constexpr Range kValue{0, 1e30, "1/sr"};
     Vec3d rgb{};
     for (std::size_t w = 0; w < values.size(); ++w) {
@@ -76,7 +76,7 @@ double SpectrumColour::luminance(const std::vector<double>& values) const {
 
 namespace {
 
-/// Reads one geometry after the other; may be shared by threads.
+/// Reads single geometries; may be shared by threads.
 class Instrument {
  public:
     Instrument(const Brdf& brdf, std::size_t wavelengths, const Aperture& aperture)

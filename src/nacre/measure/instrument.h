@@ -11,9 +11,10 @@
 
 namespace nacre::measure {
 
-/// What an instrument is held against: the BRDF in 1/sr at each of some wavelengths, without the
-/// mirror of a smooth interface. Polar angles in rad in [0, pi/2); phi = phi_o - phi_i, pi being
-/// the mirror side (docs/conventions.md). May be called from several threads at once.
+/// The surface that an instrument reads: the BRDF in 1/sr at each of some wavelengths, without the
+/// specular reflection of a smooth interface. Polar angles in rad in [0, pi/2);
+/// phi = phi_o - phi_i, pi being the mirror side (docs/conventions.md). Must be safe to call from
+/// several threads at once.
 using Brdf = std::function<std::vector<double>(double theta_i, double theta_o, double phi)>;
 
 // A round solid angle about a direction, as an instrument's lamp or detector fills it.
@@ -52,16 +53,17 @@ class SpectrumColour {
     std::vector<Vec3d> weights_;
 };
 
-/// Of a reading with finite cones, relative to its greatest value over wavelengths. Rules of
-/// growing size over both cones are tried until the last two agree to this; each is exact for
-/// polynomials of a far higher degree than the one before, so that the last errs by less.
+/// Tolerance of a reading with finite cones, relative to its greatest value over wavelengths. Rules
+/// of growing size over both cones are tried until the last two agree to this; each is exact for
+/// polynomials of a far higher degree than the one before, so that the error of the last is
+/// smaller.
 inline constexpr double kApertureTolerance = 1e-4;
 
-/// Holds a virtual multi-angle spectrophotometer against a surface.
+/// Measures a surface with a virtual multi-angle spectrophotometer.
 ///
 /// With an ideal aperture the reflectance factor is pi times the BRDF at the geometry. With finite
-/// cones it is what the instrument compares with a perfect diffuser in its place: the mean of
-/// pi f over lamp and detector, weighted with cos theta_i cos theta_o over both solid angles
+/// cones it is relative to a perfect diffuser in the place of the surface: the mean of pi f over
+/// lamp and detector, weighted with cos theta_i cos theta_o over both solid angles
 /// [nicodemus-1977, biconical reflectance factor]; rays below the horizon carry nothing.
 /// The specular lobe of a smooth interface is not part of it, as instruments keep away from the
 /// gloss.

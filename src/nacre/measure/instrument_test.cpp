@@ -88,7 +88,7 @@ TEST(Instrument, AveragesOverProjectedSolidAngle) {
 
 // A lobe e^(k (cos - 1)) about the middle of the detector's cone, over cos theta: its mean is
 // 2 (1 - e^(-k (1 - cos b))) / (k sin^2 b cos theta).
-TEST(Instrument, BluntsALobeByTheCone) {
+TEST(Instrument, AveragesALobeOverTheCone) {
     for (double width_deg : {20.0, 5.0, 2.0}) {
         const double k = 1 / std::pow(width_deg * kDegree, 2), b = 5 * kDegree;
         const Vector axis = direction(30 * kDegree, kPi);
@@ -111,7 +111,7 @@ TEST(Instrument, ConvolvesALobeWithBothCones) {
         const double cosine = dot(direction(theta_o, phi), direction(theta_i, kPi));
         return std::vector<double>(2, std::exp(k * (cosine - 1)) / kPi);
     };
-    // Midpoint in the solid angle and the turn; its error falls as 1/n^2: 4e-4 / 4 at n = 24.
+    // Midpoint rule in solid angle and azimuth; its error falls as 1/n^2: 4e-4 / 4 at n = 24.
     constexpr int kRings = 16, kSteps = 24;
     double sum = 0, weights = 0;
     const auto node = [&](double theta, double half, int ring, int step) {
@@ -229,8 +229,8 @@ TEST(Instrument, RefusesAperturesOutOfRangeAndViewsBelowTheHorizon) {
                  DomainError);  // values at two wavelengths only
 }
 
-TEST(Instrument, SaysWhenAMeanDoesNotSettle) {
-    // A needle that is narrower than the nodes of the largest rule are apart.
+TEST(Instrument, RefusesLobesThatItCannotIntegrate) {
+    // A lobe narrower than the spacing of the nodes of the largest rule.
     const Vector axis = direction(31.234 * kDegree, kPi);
     const Brdf needle = [&](double, double theta, double phi) {
         return std::vector<double>(2, std::exp(3e4 * (dot(direction(theta, phi), axis) - 1)));

@@ -8,7 +8,7 @@ namespace nacre::measure {
 
 namespace {
 
-/// Encoded sRGB of a colour divided by its brightest component, if that is above `full`.
+/// Encoded sRGB of a colour; with keep_hue divided by its largest component if that is above 1.
 Vec3d encoded(const Vec3d& lab, bool keep_hue) {
     // CIELAB is relative to the white of the panel's light; on a display white is the display's.
     const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
@@ -30,7 +30,7 @@ bool has_lines(spectra::Illuminant illuminant) {
 double chroma(const Vec3d& lab) { return std::hypot(lab[1], lab[2]); }
 
 double hue_deg(const Vec3d& lab) {
-    // What rounding leaves of grey has no hue.
+    // The hue of grey would be that of rounding.
     if (chroma(lab) < 1e-9) return 0;
     const double degrees = std::atan2(lab[2], lab[1]) * 180 / std::numbers::pi;
     // A tiny negative angle would round to 360.

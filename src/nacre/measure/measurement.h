@@ -8,8 +8,7 @@
 #include "nacre/measure/geometry.h"
 #include "nacre/spectra/colour.h"
 
-// What a multi-angle spectrophotometer reports about a panel: a value, whether we computed it or
-// somebody measured it.
+// The report of a multi-angle spectrophotometer on a panel, computed or measured.
 
 namespace nacre::measure {
 
@@ -23,7 +22,7 @@ struct Aperture {
     friend bool operator==(const Aperture&, const Aperture&) = default;
 };
 
-/// Under which light colours are stated, to which eye, and how the instrument is built.
+/// Illuminant and observer of the colours, and the solid angles of the instrument.
 struct Conditions {
     spectra::Illuminant illuminant = spectra::Illuminant::D65;
     spectra::Observer observer = spectra::Observer::cie1964_10deg;
@@ -32,7 +31,7 @@ struct Conditions {
     friend bool operator==(const Conditions&, const Conditions&) = default;
 };
 
-/// What is seen at one geometry.
+/// The reading at one geometry.
 struct Reading {
     Geometry geometry;
     /// pi times the BRDF at the measurement's wavelengths: 1 is the perfect diffuser. Empty where
@@ -48,10 +47,10 @@ double chroma(const Vec3d& lab);   ///< C* = sqrt(a*^2 + b*^2)
 double hue_deg(const Vec3d& lab);  ///< h in [0, 360); 0 for C* < 1e-9
 
 /// The colour as a chip on a display: encoded sRGB in [0, 1], the perfect diffuser being white.
-/// What is brighter than the display, or outside its gamut, is clipped.
+/// Colours brighter than the display, or outside its gamut, are clipped.
 Vec3d srgb_chip(const Vec3d& lab);
-/// The same with what is brighter than the display dimmed until it fits, so that a lobe keeps its
-/// hue.
+/// The same, but colours brighter than the display are scaled down until they fit, so that a lobe
+/// keeps its hue.
 Vec3d srgb_chip_at_full_light(const Vec3d& lab);
 
 struct Measurement {
@@ -78,7 +77,7 @@ Vec3d white_point(const std::vector<double>& wavelengths_nm, const Conditions& c
 Reading coloured(Geometry geometry, const std::vector<double>& wavelengths_nm,
                  std::vector<double> reflectance_factor, const Conditions& conditions);
 
-// How much a paint changes with the angle, in one number or two.
+// Measures of the change of colour with angle.
 
 /// 2.69 (L*15 - L*110)^1.11 / (L*45)^0.86, lit from 45 deg: 0 for a solid colour, some 15 to 20 for
 /// a strong metallic.                                      [alman-1987, by way of docs/measure.md]
@@ -86,7 +85,7 @@ Reading coloured(Geometry geometry, const std::vector<double>& wavelengths_nm,
 /// L*45 = 0).
 std::optional<double> flop_index(const Measurement& measurement);
 
-/// The path that a paint takes through a* and b* as the view leaves the mirror direction.
+/// The path of the colour in the a*b* plane as the view leaves the mirror direction.
 struct ColourTravel {
     std::vector<const Reading*>
         path;           ///< readings in the plane lit from one angle, by aspecular angle

@@ -10,7 +10,7 @@
 namespace nacre::measure {
 namespace {
 
-// About the first pixel, so that an even picture has its own value, not that of a rounded sum.
+// Summed as differences from the first pixel, so that a uniform picture has its value exactly.
 double mean_of(const std::vector<double>& y) {
     if (y.empty()) return 0;
     double sum = 0;
@@ -41,7 +41,7 @@ double mean_luminance(const PanelPicture& picture) { return mean_of(luminance_of
 
 Estimate mean_luminance(const LuminancePicture& a, const LuminancePicture& b) {
     require_alike(a, b);
-    using Sums = std::array<double, 3>;  // of pixels and of their Y in a and b
+    using Sums = std::array<double, 3>;  // number of pixels, sums of their Y in a and b
     std::array<Sums, kPicturePieces> pieces{};
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
@@ -63,7 +63,7 @@ Estimate pixel_contrast(const LuminancePicture& a, const LuminancePicture& b) {
     require_alike(a, b);
     const double mean_a = mean_of(a.y), mean_b = mean_of(b.y);
     if (!(mean_a > 0 && mean_b > 0)) return {};
-    // Of pixels, deviations from the means, relative to them, and the products of these.
+    // Number of pixels, sums of their relative deviations in a and b, and of the products of these.
     using Sums = std::array<double, 4>;
     std::array<Sums, kPicturePieces> pieces{};
     for (int y = 0; y < a.height; ++y) {

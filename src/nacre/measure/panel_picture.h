@@ -7,9 +7,9 @@
 
 namespace nacre::measure {
 
-/// What a camera sees of a flat panel, looking along its normal from far away: X, Y, Z of each
-/// pixel relative to the perfect diffuser under the same light, which has Y = 1 (CIE 1931 observer:
-/// luminance is defined by it). Row by row from the top left.
+/// A picture of a flat panel by a distant camera along its normal: X, Y, Z of each pixel relative
+/// to the perfect diffuser under the same light, which has Y = 1 (CIE 1931 observer: luminance is
+/// defined by it). Row by row from the top left.
 struct PanelPicture {
     int width = 0, height = 0;
     double pixel_mm = 0;     ///< side of a pixel on the panel
@@ -35,9 +35,9 @@ struct LuminancePicture {
 Estimate mean_luminance(const LuminancePicture& a, const LuminancePicture& b);
 
 /// Standard deviation of the pixels' Y over its mean, from two pictures of the same panel with
-/// independent noise: by their covariance, which noise does not raise. One picture, given twice,
-/// serves where there is no noise. 0 where noise makes the covariance negative, and for a black
-/// panel.
+/// independent noise: by their covariance, which independent noise does not bias. One picture,
+/// given twice, serves where there is no noise. 0 where noise makes the covariance negative, and
+/// for a black panel.
 /// @throws DomainError unless both have the same size, at least 4 pixels a side
 Estimate pixel_contrast(const LuminancePicture& a, const LuminancePicture& b);
 Estimate pixel_contrast(const PanelPicture& a, const PanelPicture& b);

@@ -20,12 +20,12 @@ namespace {
 constexpr Vec3f kView{0, 0, 1};
 constexpr int kMinPixels = 32, kMaxPixels = 4096;
 constexpr double kMaxTotalPixels = 6e7;  // 720 MB
-// Between directions to a lamp: a quarter of the radius of the lobe of a flake of 100 um.
+// Spacing of directions to a lamp: a quarter of the radius of the lobe of a flake of 100 um.
 constexpr double kLampSpacing_deg = 0.1;
-// Rows between two looks at `progress`.
+// Rows between two calls of `progress`.
 constexpr int kRowsAtOnce = 16;
 
-// Wavelengths are shared out in turn, so that either eight span the visible range.
+// The two sets of eight wavelengths are interleaved, so that each spans the visible range.
 constexpr int kOctets = 2, kWavelengths = kOctets * kLanes;
 constexpr double kFirst_nm = 400, kStep_nm = 20;
 constexpr double wavelength_nm(int octet, int lane) {
@@ -34,7 +34,7 @@ constexpr double wavelength_nm(int octet, int lane) {
 
 using Spectrum = std::array<FloatLanes, kOctets>;
 
-// What each wavelength adds to X, Y and Z.
+// Weights of the wavelengths in X, Y and Z.
 struct ColourWeights {
     std::array<Spectrum, 3> of;
 
@@ -96,11 +96,10 @@ float fraction_of(double u) {
     return std::min(static_cast<float>(u - std::floor(u)), 0x1.fffffep-1f);
 }
 
-// Pixels are looked at patch by patch, each so small that it resolves its flakes. Of patches
-// this much larger than such, the flakes resolved stand for 1.002 each, which nothing here
-// notices.
+// Pixels are evaluated patch by patch, each so small that it resolves its flakes. On patches larger
+// than that by this factor, each flake represents 1.002 flakes, far below the noise.
 constexpr double kNearlyExact = 1.35;
-constexpr int kMaxPatches = 16;  // a side of a pixel
+constexpr int kMaxPatches = 16;  // per side of a pixel
 
 double patches_wanted(const bsdf::Bsdf& surface, double pixel_mm) {
     const auto* const flakes = dynamic_cast<const bsdf::SingleFlakes*>(&surface);
@@ -125,7 +124,7 @@ class Photographer {
         for (double lamp : camera.lamps_deg) {
             lamps_.push_back(lamp_directions(lamp, camera.lamp_half_angle_deg));
         }
-        // Hammersley's points, so many a patch and half.
+        // Hammersley's points, for each patch and each of the two pictures.
         const int half = std::max(1, camera.diffuse_samples / (2 * patches_ * patches_));
         for (int i = 0; i < half; ++i) {
             points_.push_back({(i + 0.5) / half, radical_inverse(i, 2), radical_inverse(i, 3)});
@@ -140,35 +139,36 @@ class Photographer {
     int across() const { return across_; }
     bool exact() const { return exact_; }
 
-    /// What one thread works with.
-    struct Desk {
-        explicit Desk(const Photographer& p)
+    /// The working memory of one thread.
+    struct Workspace {
+        explicit Workspace(const Photographer& p)
             : memory(p.bound_[0]->patch_memory_bytes()), by_lamp(p.lamps_.size()) {}
         bsdf::PatchMemory memory;
         std::vector<Spectrum> by_lamp;
         std::array<Spectrum, 2> diffuse;
     };
 
-    void look(std::size_t pixel, Desk& desk, PanelPictures& pictures) const {
-        std::fill(desk.by_lamp.begin(), desk.by_lamp.end(), Spectrum{});
-        desk.diffuse.fill(Spectrum{});
+    void look(std::size_t pixel, Workspace& workspace, PanelPictures& pictures) const {
+        std::fill(workspace.by_lamp.begin(), workspace.by_lamp.end(), Spectrum{});
+        workspace.diffuse.fill(Spectrum{});
         Rng rng(camera_.seed, pixel);
         for (int piece = 0; piece < patches_ * patches_; ++piece) {
-            desk.memory.forget();
-            const bsdf::Patch patch = patch_of(pixel, piece, desk.memory);
+            workspace.memory.forget();
+            const bsdf::Patch patch = patch_of(pixel, piece, workspace.memory);
             for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
-                add_lit(patch, lamps_[lamp], desk.by_lamp[lamp]);
+                add_lit(patch, lamps_[lamp], workspace.by_lamp[lamp]);
             }
             if (pictures.diffuse.empty()) continue;
-            for (Spectrum& half : desk.diffuse) add_diffuse(patch, rng, half);
+            for (Spectrum& half : workspace.diffuse) add_diffuse(patch, rng, half);
         }
         const float fraction = 1.0f / static_cast<float>(patches_ * patches_);
         for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
-            weights_.store(desk.by_lamp[lamp], fraction, &pictures.by_lamp[lamp].xyz[3 * pixel]);
+            weights_.store(workspace.by_lamp[lamp], fraction,
+                           &pictures.by_lamp[lamp].xyz[3 * pixel]);
         }
         const float fraction_of_points = fraction / static_cast<float>(points_.size());
         for (std::size_t half = 0; half < pictures.diffuse.size(); ++half) {
-            weights_.store(desk.diffuse[half], fraction_of_points,
+            weights_.store(workspace.diffuse[half], fraction_of_points,
                            &pictures.diffuse[half].xyz[3 * pixel]);
         }
     }
@@ -225,7 +225,7 @@ class Photographer {
     int across_;
     double pixel_mm_;
     bool unit_square_;
-    int patches_;  // a side of a pixel
+    int patches_;  // per side of a pixel
     bool exact_;
     std::array<std::unique_ptr<const bsdf::BoundBsdf>, kOctets> bound_;
     std::vector<std::vector<LampDirection>> lamps_;
@@ -233,7 +233,7 @@ class Photographer {
     ColourWeights weights_;
 };
 
-// All pixels are what the first is.
+// Copies the first pixel to all others.
 void spread_first(PanelPicture& picture) {
     for (std::size_t i = 3; i < picture.xyz.size(); ++i) picture.xyz[i] = picture.xyz[i - 3];
 }
@@ -274,8 +274,8 @@ PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& came
     pictures.by_lamp.assign(camera.lamps_deg.size(), photographer.blank());
     if (camera.diffuse_samples > 0) pictures.diffuse.assign(2, photographer.blank());
     if (!surface.varies_over_surface()) {
-        Photographer::Desk desk(photographer);
-        photographer.look(0, desk, pictures);
+        Photographer::Workspace workspace(photographer);
+        photographer.look(0, workspace, pictures);
         for (PanelPicture& picture : pictures.by_lamp) spread_first(picture);
         if (!pictures.diffuse.empty()) pictures.diffuse[1] = pictures.diffuse[0];
         for (PanelPicture& picture : pictures.diffuse) spread_first(picture);
@@ -288,9 +288,9 @@ PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& came
         parallel_for_ranges(static_cast<std::size_t>(first) * rows,
                             static_cast<std::size_t>(last) * rows, 128,
                             [&](std::size_t begin, std::size_t end) {
-                                Photographer::Desk desk(photographer);
+                                Photographer::Workspace workspace(photographer);
                                 for (std::size_t p = begin; p < end; ++p)
-                                    photographer.look(p, desk, pictures);
+                                    photographer.look(p, workspace, pictures);
                             });
     }
     if (progress) progress(1);

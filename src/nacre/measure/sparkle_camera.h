@@ -12,13 +12,13 @@ namespace nacre::measure {
 /// A telecentric camera that looks along the normal of a flat panel, and the lights around it.
 struct SparkleCamera {
     double pixel_um = 25;  ///< side of a pixel on the panel, [1, 1000]
-    /// Side of the square that it sees: 32 to 4096 pixels, 60 million in all pictures together.
+    /// Side of its square field: 32 to 4096 pixels, 60 million in all pictures together.
     double field_mm = 12;
     /// Lamps, from the normal, in one plane; [0, 85] each. May be empty.
     std::vector<double> lamps_deg = {15, 45, 75};
     /// Lamps are discs of uniform radiance of this radius, [0, 3]. 0 is a point. The sun has 0.27.
     double lamp_half_angle_deg = 0.25;
-    /// Directions a pixel, two a patch at least, for the picture in diffuse light; even, [2,
+    /// Directions per pixel, at least two per patch, for the picture in diffuse light; even, in [2,
     /// 65536], or 0: no such picture.
     int diffuse_samples = 16;
     std::uint64_t seed = 0;  ///< of those directions; which flakes there are is the surface's own
@@ -29,21 +29,21 @@ struct SparkleCamera {
 
 /// @throws DomainError naming the number and its range
 void check(const SparkleCamera& camera);
-/// Pixels a side.
+/// Pixels per side.
 int pixels_across(const SparkleCamera& camera);
 
 struct PanelPictures {
     std::vector<PanelPicture> by_lamp;  ///< in the camera's order
     /// Under a hemisphere of uniform radiance: the same flakes twice, sampled along independent
-    /// directions, so that what both show is not noise. Empty without diffuse_samples.
+    /// directions, so that their covariance is free of noise. Empty without diffuse_samples.
     std::vector<PanelPicture> diffuse;
-    /// False if flakes lie so densely that the model lets some stand for others even on the
-    /// smallest patches: graininess is then too large.
+    /// False if flakes are so dense that the model represents several by one even on the smallest
+    /// patches: graininess is then too large.
     bool flakes_resolved = true;
 };
 
-/// Takes the pictures of a panel. The specular reflection of the light in a smooth interface stays
-/// out.
+/// Takes the pictures of a panel. They do not contain the specular reflection of a smooth
+/// interface.
 ///
 /// Pixels are made of patches that are small enough for the model to resolve every flake
 /// (bsdf::SingleFlakes). A pixel under a lamp is pi times the BRDF of its patch, averaged over the
@@ -51,7 +51,7 @@ struct PanelPictures {
 /// diffuse light, the integral of BRDF times cosine by sampling the patch along stratified
 /// directions, shifted at random from pixel to pixel [cranley-patterson-1976]. Illuminant D65.
 ///
-/// The same bits for any number of threads. Of a surface that does not vary one pixel is computed.
+/// The same bits for any number of threads. For a homogeneous surface a single pixel is computed.
 /// @throws DomainError as check(), or if the field is larger than the unit square of a surface that
 ///         is laid out over it
 /// @throws Error if `progress` asks to stop

@@ -46,7 +46,7 @@ paint::Recipe mirrors(double diameter_um, double depth, double alpha = 0.12) {
 SparkleCamera small_camera() { return {.pixel_um = 25, .field_mm = 3}; }
 
 double standard_error_of_mean(const PanelPicture& picture) {
-    // Pixels that share a flake are not independent: sixteen pieces are.
+    // Pixels that share a flake are correlated; sixteen pieces are nearly independent.
     double sum[kPicturePieces] = {}, count[kPicturePieces] = {};
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
@@ -104,16 +104,16 @@ TEST(SparkleCamera, SeesOnAverageWhatTheSmoothPaintShows) {
         EXPECT_LT(error, 0.25 * mean.by_lamp[i].luminance(0));
         EXPECT_NEAR(mean_luminance(seen.by_lamp[i]), mean.by_lamp[i].luminance(0), 4 * error);
     }
-    // In diffuse light, what leaves but for the specular reflection of the interface.
+    // In diffuse light: the albedo less the specular reflectance of the interface.
     const auto bound = smooth.bind({400, 440, 480, 520, 560, 600, 640, 680});
-    const double mirror = std::pow((1.5 - 1) / (1.5 + 1), 2);
-    const double expected = bound->albedo({0, 0, 1})[4] - mirror;
+    const double specular = std::pow((1.5 - 1) / (1.5 + 1), 2);
+    const double expected = bound->albedo({0, 0, 1})[4] - specular;
     const double error = standard_error_of_mean(seen.diffuse[0]);
     EXPECT_LT(error, 0.03 * expected);
     EXPECT_NEAR(mean_luminance(seen.diffuse[0]), expected, 4 * error);
 }
 
-// Few mirrors under light from everywhere: each is as bright as any other, wherever it looks. Then
+// A few specular flakes under uniform light: all are equally bright, whatever their slopes. Then
 // the picture is shot noise of discs, whose relative power spectrum is, by Campbell's theorem,
 //   P(q) = (2 J_1(x)/x)^2 / density,  x = pi d q                       [kingman-1993, section 3.2]
 TEST(SparkleCamera, GrainOfSparseMirrorsIsThatOfShotNoise) {
@@ -145,12 +145,12 @@ TEST(SparkleCamera, GrainOfSparseMirrorsIsThatOfShotNoise) {
     }
     const double expected = std::sqrt(2 * squared / density) / per_degree;
     EXPECT_LT(error, 0.04 * expected);
-    // Light that met two flakes, and the depth of a flake, make 2 % at most.
+    // Light reflected by two flakes, and the depth of a flake, contribute 2 % at most.
     EXPECT_NEAR(mean, expected, 4 * error + 0.02 * expected);
 }
 
-// Large pixels hold so many flakes that the model would let some stand for all: they are looked at
-// in patches.
+// Large pixels hold so many flakes that the model would represent several by one: they are
+// evaluated in patches.
 TEST(SparkleCamera, GrainDoesNotDependOnThePixels) {
     const Panel panel(mirrors(15, 2));
     const bsdf::Nacre surface = panel.sparkling();
@@ -166,7 +166,7 @@ TEST(SparkleCamera, GrainDoesNotDependOnThePixels) {
         error = g.standard_error;
     }
     // The same flakes. The pixel's own blur differs by 2 %, the noise of the directions makes 3 %.
-    // Patches that let flakes stand for others would have more than three times as much.
+    // Without patches graininess would be more than three times as large.
     EXPECT_NEAR(grain[1] / grain[0], 1, 0.08);
     EXPECT_LT(error, 0.2 * grain[0]);
 }

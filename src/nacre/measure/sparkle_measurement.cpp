@@ -14,8 +14,6 @@
 #include "nacre/core/parallel.h"
 
 namespace nacre::measure {
-namespace {}  // namespace
-
 void check(const Viewing& viewing) {
     require_in_range(viewing.distance_mm, 50, 1e5, "viewing distance in mm");
     require_in_range(viewing.illuminance_lx, 1, 2e5, "illuminance in lx");
@@ -71,7 +69,7 @@ double point_threshold_lx(double background_cd_m2) {
 
 namespace {
 
-// Beyond so many standard deviations the eye's Gaussian is cut off; it holds all but 6e-5 of it.
+// The eye's Gaussian is cut off at so many standard deviations, which leaves out 6e-5 of it.
 constexpr double kReach = 4;
 constexpr int kMinPixelsAcross = 16;
 
@@ -106,7 +104,7 @@ bool is_peak(const RetinalPicture& picture, int x, int y) {
            at[0] >= at[1] && at[0] >= at[w - 1] && at[0] >= at[w] && at[0] >= at[w + 1];
 }
 
-// Of the pixels of a piece of the picture.
+// Sums over the pixels of a piece of the picture.
 enum Sum { kPixels, kAbove, kSpots, kDecades, kSums };
 using SpotSums = std::array<double, kSums>;
 
@@ -138,7 +136,8 @@ RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewi
                         picture.width, picture.height, seen.blur_mm / picture.pixel_mm,
                         std::max(0, seen.width), std::max(0, seen.height), kMinPixelsAcross));
     }
-    // About the first pixel, as in mean_luminance(): an even picture stays even to the last bit.
+    // Differences from the first pixel, as in mean_luminance(): a uniform picture stays exactly
+    // uniform.
     const double first = picture.luminance(0);
     std::vector<double> sharp(picture.pixel_count());
     for (std::size_t p = 0; p < sharp.size(); ++p) sharp[p] = picture.luminance(p) - first;
@@ -166,7 +165,7 @@ Background background(const RetinalPicture& picture, const Viewing& viewing) {
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
     background.y = std::max(0.0, *middle);
-    // A point whose excess of Y times area is 1 mm^2 sends E/pi candela per mm^2 of distance.
+    // lux at the eye of a point whose excess of Y times area is 1 mm^2: E / (pi distance^2).
     const double lux_per_mm2 =
         viewing.illuminance_lx / std::numbers::pi / (viewing.distance_mm * viewing.distance_mm);
     background.threshold = point_threshold_lx(luminance_cd_m2(viewing, background.y)) /
@@ -196,7 +195,7 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
     result.blur_mm = seen.blur_mm;
     result.area_mm2 = (seen.width - 2) * (seen.height - 2) * seen.pixel_mm * seen.pixel_mm;
     std::array<SpotSums, kPicturePieces> pieces{};
-    // Where a maximum can be told from a slope: not along the edge.
+    // Without the edge, where a local maximum is not defined.
     for (int y = 1; y + 1 < seen.height; ++y) {
         for (int x = 1; x + 1 < seen.width; ++x) {
             SpotSums& sums = pieces[piece_of(x, y, seen.width, seen.height)];
@@ -220,10 +219,10 @@ Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
     result.area_fraction =
         jackknife(pieces, [](const SpotSums& s) { return s[kAbove] / s[kPixels]; });
     if (spots.empty()) {
-        // As if there had been one: that none was met does not say that there are none.
+        // That of a count of one: the jackknife of a count of zero would be zero.
         result.density_per_cm2.standard_error = 100 / result.area_mm2;
     } else {
-        // The error of the logarithm, carried over: that of few spots stays sound.
+        // By the error of the mean logarithm, to first order.
         const Estimate decades =
             jackknife(pieces, [](const SpotSums& s) { return s[kDecades] / s[kSpots]; });
         const double mean = std::pow(10, decades.value);
@@ -261,8 +260,8 @@ void transform(std::vector<Complex>& values, int width, int height, bool forward
     for (int x = 0; x < width; ++x) along(x, width, height);
 }
 
-// The largest length up to this one without prime factors above 7. A transform takes as many steps
-// a value as the sum of them: minutes for the whole, where a side is a large prime.
+// The largest length up to this one without prime factors above 7. The steps of a transform per
+// value are the sum of the prime factors: minutes in all where a side is a large prime.
 int fast_length(int length) {
     for (;; --length) {
         int rest = length;

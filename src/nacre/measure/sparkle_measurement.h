@@ -7,19 +7,19 @@
 #include "nacre/measure/panel_picture.h"
 #include "nacre/measure/sparkle_camera.h"
 
-// What the eye resolves, and what it needs to notice something: published models of vision, so that
-// sparkle and graininess can be stated in thresholds of seeing.
+// Published models of the resolution and the thresholds of the eye, and sparkle and graininess as
+// multiples of these thresholds.
 
 namespace nacre::measure {
 
-/// How a panel is looked at.
+/// The viewing conditions of a panel.
 struct Viewing {
     double distance_mm = 500;      ///< from the eye to the panel, [50, 1e5]
     double illuminance_lx = 1000;  ///< on the panel, [1, 2e5]
 };
 
-/// Side of the panel that an observer is taken to look at: what contrast sensitivity depends on
-/// weakly, however small the piece that a camera has looked at.
+/// Side of the panel that an observer is assumed to see, whatever the field of the camera. Contrast
+/// sensitivity depends on it weakly.
 inline constexpr double kPanelSide_mm = 100;
 
 /// @throws DomainError naming the number and its range
@@ -51,15 +51,15 @@ double contrast_sensitivity(double cycles_per_deg, double luminance_cd_m2, doubl
 inline constexpr double kContrastSensitivityError = 1e-9;
 
 /// Illuminance at the eye, in lx, that a steady point of light must add to be noticed on an even
-/// background: C (1 + sqrt(K B))^2, with one pair of constants for vision by the rods and one for
-/// vision by the cones.         [knoll-1946; hecht-1947, eq. 3; schaefer-1990, eq. 2]
-/// Where the one takes over from the other, at 0.005 cd/m^2, the threshold rises by 7 % at once.
+/// background: C (1 + sqrt(K B))^2, with one pair of constants for scotopic and one for photopic
+/// vision.                      [knoll-1946; hecht-1947, eq. 3; schaefer-1990, eq. 2]
+/// At the change from one to the other, at 0.005 cd/m^2, the threshold jumps up by 7 %.
 double point_threshold_lx(double background_cd_m2);
 
-// How much a panel sparkles under a lamp: definitions, sources and limits in docs/sparkle.md.
+// Sparkle of a panel under a lamp: definitions, sources and limits in docs/sparkle.md.
 
-/// The picture on the retina: what the camera saw, blurred by the eye, without the margin into
-/// which what lies beyond the picture would be blurred.
+/// The picture on the retina: that of the camera, blurred by the eye, without the margin that
+/// depends on what lies beyond the picture.
 struct RetinalPicture {
     int width = 0, height = 0;
     double pixel_mm = 0;
@@ -73,14 +73,14 @@ struct RetinalPicture {
 ///         fewer than 16 pixels a side are left
 RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewing);
 
-/// A spot of light that stands out: a local maximum of the retinal picture.
+/// A visible spot of light: a local maximum of the retinal picture.
 struct Spot {
     int x = 0, y = 0;       ///< pixel of the retinal picture
     double excess = 0;      ///< of Y over the background
     double visibility = 0;  ///< thresholds; 1 and above are seen
 };
 
-/// What the eye makes of the panel between its spots.
+/// The panel between its spots.
 struct Background {
     double y = 0;          ///< median of the retinal picture
     double threshold = 0;  ///< least excess of Y in the retinal picture that is seen
@@ -92,7 +92,7 @@ std::vector<Spot> visible_spots(const RetinalPicture& picture, const Background&
 
 struct Sparkle {
     double mean_y = 0;        ///< luminance factor of the panel
-    Estimate pixel_contrast;  ///< what the camera saw, without the eye: pixel_contrast()
+    Estimate pixel_contrast;  ///< of the camera's picture, without the eye: pixel_contrast()
     Background background;
     double blur_mm = 0;        ///< as in RetinalPicture
     double area_mm2 = 0;       ///< of the panel in which spots are looked for
@@ -109,12 +109,12 @@ struct Sparkle {
 /// @throws DomainError as check(const Viewing&) and retinal_picture()
 Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing = {});
 
-// How grainy a panel looks in diffuse light: definition, sources and limits in docs/sparkle.md.
+// Graininess of a panel in diffuse light: definition, sources and limits in docs/sparkle.md.
 
 struct Graininess {
     double mean_y = 0;        ///< luminance factor of the panel
     Estimate graininess;      ///< in thresholds: 1 is a sinusoidal grating that is just noticed
-    Estimate pixel_contrast;  ///< the same without the eye: pixel_contrast()
+    Estimate pixel_contrast;  ///< of the pictures, without the eye: pixel_contrast()
 };
 
 /// The contrast of a picture, frequency by frequency, weighted with the eye's contrast sensitivity
@@ -123,19 +123,20 @@ struct Graininess {
 /// A sinusoidal grating of modulation m has G = m S(u): 1 at the threshold.
 ///
 /// From two pictures of the same flakes with independent noise: P is their cross spectrum, which
-/// noise does not raise. Where a side has prime factors above 7, the rows and columns beyond the
-/// largest one without are left out. 0 where noise makes the sum negative, and for a black picture.
+/// independent noise does not bias. Where a side has prime factors above 7, rows or columns are
+/// left out down to the next length without. 0 where noise makes the sum negative, and for a black
+/// picture.
 /// @throws DomainError unless both have the same size, at least 16 pixels a side; as check()
 Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing = {});
 
-/// What is reported about the sparkle and the grain of a panel.
+/// Sparkle and graininess of a panel.
 struct SparkleMeasurement {
     std::vector<double> lamps_deg;
     std::vector<Sparkle> by_lamp;
     std::optional<Graininess> diffuse;  ///< none: no picture in diffuse light was taken
 };
 
-/// Reads the pictures that take_pictures() made.
+/// Evaluates the pictures of take_pictures().
 /// @throws DomainError as sparkle() and graininess()
 SparkleMeasurement measure_pictures(const SparkleCamera& camera, const PanelPictures& pictures,
                                     const Viewing& viewing = {});

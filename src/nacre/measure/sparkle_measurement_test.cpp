@@ -43,7 +43,7 @@ double limiting_magnitude(double sky_cd_m2) {
     return -2.5 * std::log10(point_threshold_lx(sky_cd_m2) / 2.54e-6);
 }
 
-// What everybody can check: stars of magnitude 6 to 7, less 0.3 for the air, from a dark place,
+// Common experience: stars of magnitude 6 to 7, less 0.3 for the atmosphere, from a dark site,
 // whose sky has 60 nL; Venus at magnitude -4.5, and no star, in a bright blue sky.
 TEST(PointThreshold, ShowsTheStarsThatAreSeen) {
     const double dark_sky = 60e-5 / 3.14159, blue_sky = 3000;
@@ -65,7 +65,7 @@ TEST(PointThreshold, RisesWithTheBackground) {
     for (double background = 1e-6; background < 1e5; background *= 1.1) {
         const double now = point_threshold_lx(background);
         EXPECT_GT(now, before) << background;
-        EXPECT_LT(now, 1.2 * before) << background;  // where cones take over it rises at once
+        EXPECT_LT(now, 1.2 * before) << background;  // jumps up where photopic vision begins
         before = now;
     }
 }
@@ -79,14 +79,14 @@ TEST(Viewing, OutsideItsRangeIsRefused) {
 using ::testing::HasSubstr;
 
 constexpr Viewing kViewing{500, 1000};
-constexpr double kPixel_mm = 0.025, kGround = 0.2;
+constexpr double kPixel_mm = 0.025, kBackground = 0.2;
 
-// The excess of Y of one pixel that is as many thresholds on a ground of kGround: illuminance at
-// the eye over that needed.
+// The excess of Y of one pixel over kBackground at which it has this visibility: the illuminance at
+// the eye over the threshold.
 double excess_of(double visibility, double pixel_mm = kPixel_mm, const Viewing& v = kViewing) {
     const double lux_per_y =
         v.illuminance_lx / std::numbers::pi * pixel_mm * pixel_mm / (v.distance_mm * v.distance_mm);
-    return visibility * point_threshold_lx(luminance_cd_m2(v, kGround)) / lux_per_y;
+    return visibility * point_threshold_lx(luminance_cd_m2(v, kBackground)) / lux_per_y;
 }
 
 TEST(Sparkle, AnEvenPanelHasNone) {
@@ -105,13 +105,13 @@ TEST(Sparkle, AnEvenPanelHasNone) {
 // Spots are far apart: 1 mm is 13 times the eye's blur.
 TEST(Sparkle, SpotsOfKnownContrastAreCountedExactly) {
     const double painted[] = {0.5, 0.97, 1.03, 3, 10, 20};
-    PanelPicture picture = uniform_picture(480, kPixel_mm, kGround);
+    PanelPicture picture = uniform_picture(480, kPixel_mm, kBackground);
     double seen = 0, decades = 0;
     int n = 0;
     for (int y = 60; y < 420; y += 40) {
         for (int x = 60; x < 420; x += 40, ++n) {
             const double v = painted[n % 6];
-            set_y(picture, x, y, kGround + excess_of(v));
+            set_y(picture, x, y, kBackground + excess_of(v));
             if (v < 1) continue;
             seen += 1;
             decades += std::log10(v);
@@ -119,19 +119,19 @@ TEST(Sparkle, SpotsOfKnownContrastAreCountedExactly) {
     }
     const Sparkle s = sparkle(picture, kViewing);
     EXPECT_DOUBLE_EQ(s.density_per_cm2.value * s.area_mm2 / 100, seen);
-    // Pixels are kept in single precision; what a spot leaves at its neighbour's place is exp(-80).
+    // Pixels are kept in single precision; the blur of a spot at its neighbour is exp(-80).
     const double mean = std::pow(10, decades / seen);
     EXPECT_NEAR(s.intensity->value, mean, 1e-5 * mean);
     EXPECT_NEAR(s.sparkle_per_cm2.value, decades / s.area_mm2 * 100,
                 1e-5 * s.sparkle_per_cm2.value);
-    EXPECT_NEAR(s.contrast->value, s.background.threshold * s.intensity->value / kGround, 1e-4);
+    EXPECT_NEAR(s.contrast->value, s.background.threshold * s.intensity->value / kBackground, 1e-4);
 }
 
 TEST(Sparkle, ASpotIsAsVisibleInSmallPixelsAsInLargeOnes) {
     for (double pixel_mm : {0.01, 0.025, 0.05}) {
         const int side = static_cast<int>(std::lround(2.5 / pixel_mm));
-        PanelPicture picture = uniform_picture(side, pixel_mm, kGround);
-        set_y(picture, side / 2, side / 2, kGround + excess_of(5, pixel_mm));
+        PanelPicture picture = uniform_picture(side, pixel_mm, kBackground);
+        set_y(picture, side / 2, side / 2, kBackground + excess_of(5, pixel_mm));
         const Sparkle s = sparkle(picture, kViewing);
         ASSERT_TRUE(s.intensity) << pixel_mm;
         EXPECT_NEAR(s.intensity->value, 5, 1e-3) << pixel_mm;
@@ -139,20 +139,21 @@ TEST(Sparkle, ASpotIsAsVisibleInSmallPixelsAsInLargeOnes) {
 }
 
 TEST(Sparkle, VisibilityFallsWithTheSquareOfTheDistance) {
-    PanelPicture picture = uniform_picture(240, kPixel_mm, kGround);
-    set_y(picture, 120, 120, kGround + excess_of(16));
+    PanelPicture picture = uniform_picture(240, kPixel_mm, kBackground);
+    set_y(picture, 120, 120, kBackground + excess_of(16));
     const double near = sparkle(picture, {500, 1000}).intensity->value;
     const double far = sparkle(picture, {1000, 1000}).intensity->value;
     EXPECT_NEAR(near / far, 4, 1e-3);
 }
 
 TEST(Sparkle, TwoSpotsAreToldApartBeyondTwiceTheBlur) {
-    const double blur = retinal_picture(uniform_picture(120, kPixel_mm, kGround), kViewing).blur_mm;
+    const double blur =
+        retinal_picture(uniform_picture(120, kPixel_mm, kBackground), kViewing).blur_mm;
     const int twice = static_cast<int>(std::lround(2 * blur / kPixel_mm));
     for (int distance : {twice - 2, twice + 2}) {
-        PanelPicture picture = uniform_picture(161, kPixel_mm, kGround);
-        set_y(picture, 80, 80, kGround + excess_of(10));
-        set_y(picture, 80 + distance, 80, kGround + excess_of(10));
+        PanelPicture picture = uniform_picture(161, kPixel_mm, kBackground);
+        set_y(picture, 80, 80, kBackground + excess_of(10));
+        set_y(picture, 80 + distance, 80, kBackground + excess_of(10));
         const RetinalPicture seen = retinal_picture(picture, kViewing);
         const auto spots = visible_spots(seen, background(seen, kViewing));
         EXPECT_EQ(spots.size(), distance < twice ? 1u : 2u) << distance;
@@ -165,7 +166,7 @@ TEST(Sparkle, StandardErrorIsTheScatterOfRepeatedPanels) {
     double sum = 0, squares = 0, claimed = 0;
     for (int panel = 0; panel < kPanels; ++panel) {
         Rng rng(1, panel);
-        PanelPicture picture = uniform_picture(kSide, kPixel_mm, kGround);
+        PanelPicture picture = uniform_picture(kSide, kPixel_mm, kBackground);
         for (int y = 0; y < kSide; ++y) {
             for (int x = 0; x < kSide; ++x) {
                 if (rng.uniform_double() > 60.0 / (kSide * kSide)) continue;
@@ -281,7 +282,7 @@ TEST(Graininess, IndependentNoiseDoesNotCount) {
     const Graininess g = graininess(a, b);
     EXPECT_NEAR(g.graininess.value, clean, 4 * g.graininess.standard_error);
     EXPECT_LT(g.graininess.standard_error, 0.2 * clean);
-    // With its own noise the picture has the root of 1 + 4 times as much.
+    // Given twice, the picture has the root of 1 + 4 times as much.
     EXPECT_GT(graininess(a, a).graininess.value, 1.9 * clean);
 }
 
@@ -300,8 +301,9 @@ TEST(Graininess, StandardErrorIsTheScatterOfRepeatedPanels) {
     EXPECT_NEAR(std::sqrt(claimed / kPanels) / scatter, 1, 0.3);
 }
 
-// A prime side would take the transform minutes; 360 is the largest handy length below 367.
-TEST(Graininess, LeavesOutRowsAndColumnsBeyondAHandyLength) {
+// A prime side would take the transform minutes; 360 is the largest length below 367 without prime
+// factors above 7.
+TEST(Graininess, LeavesOutRowsAndColumnsBeyondAFastLength) {
     const PanelPicture whole = noise(367, 0.05, 5);
     PanelPicture part = uniform_picture(360, kPixel_mm, kMean);
     for (int y = 0; y < 360; ++y) {

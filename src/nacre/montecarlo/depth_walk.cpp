@@ -7,7 +7,7 @@
 namespace nacre::montecarlo {
 namespace {
 
-/// Adds to a tally what a walk contributes.
+/// Observer that adds the contributions of a walk to a tally.
 class Gatherer {
  public:
     Gatherer(const Medium& medium, const AirInterface& interface,
@@ -22,9 +22,9 @@ class Gatherer {
 
     bool follows(const WalkState& state) const { return part_ != Part::single || state.untouched; }
 
-    /// Next-event estimation with a forced candidate: a place on the flight is drawn from the law
-    /// of the first candidate given that there is one, and weighs the probability of that, so that
-    /// thin layers are no noisier than thick ones.
+    /// Next-event estimation with a forced candidate: a position on the flight is drawn from the
+    /// law of the first candidate given that there is one, weighted with the probability of that,
+    /// so that thin layers are no noisier than thick ones.
     void flies(const WalkState& state, const Slab& slab, double to_edge, double rate) {
         if (!(rate > 0) || !counts(state.untouched ? Part::single : Part::multiple)) return;
         const double probability = -std::expm1(-rate * to_edge);

@@ -9,9 +9,9 @@
 #include "nacre/montecarlo/reference.h"
 #include "nacre/montecarlo/walker.h"
 
-// The walk itself, of which only depth is followed: the paint is the same everywhere along its
-// plane. What is done with it is the business of its observer: walk.h gathers statistics for given
-// eyes, montecarlo/plane_walk.h follows one packet of light out of the paint.
+// The random walk in depth alone: the paint is the same everywhere along its plane. An observer
+// decides what is recorded: that of depth_walk.cpp sums contributions to given eyes, that of
+// plane_walk.cpp follows one packet of light out of the paint.
 
 namespace nacre::montecarlo {
 
@@ -79,7 +79,7 @@ class DepthWalk : private Walker {
         const Vec3d normal = sample_beckmann_normal(species.alpha, random_);
         const double projection = dot(state_.travel, normal);
         const double cosine = std::abs(projection);
-        if (random_.uniform() >= cosine) return;  // a candidate that is not in the way
+        if (random_.uniform() >= cosine) return;  // not a real flake
         meet_flake(species.optics.reflectance(cosine), species.optics.transmittance(cosine),
                    projection, normal);
         roulette();
@@ -117,10 +117,9 @@ class DepthWalk : private Walker {
     Observer& observer_;
 };
 
-// One random walk through a paint. Only depth is followed: the paint is the same everywhere along
-// its plane. See docs/reference.md for the estimators.
+// One random walk with its contributions to the eyes. The estimators: docs/reference.md.
 
-/// A way out of the paint towards an eye: the inner direction, and all that the radiance loses.
+/// A connection from inside the paint to an eye: the inner direction and the attenuation along it.
 class Connection {
  public:
     Connection(const AirInterface::Weighted& inner, const Medium& medium);
@@ -150,8 +149,8 @@ struct WalkTally {
     void clear();
 };
 
-/// Sends one unit of power in from `towards_light` and adds what becomes of it to `tally`.
-/// Reflected and absorbed power are complete only with Part::total.
+/// Follows one unit of power from `towards_light` and adds its contributions to `tally`. Reflected
+/// and absorbed power are complete only with Part::total.
 void walk(const Medium& medium, const AirInterface& interface, const Vec3d& towards_light,
           std::span<const Connection> connections, Part part, RandomStream& random,
           WalkTally& tally);

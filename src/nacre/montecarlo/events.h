@@ -15,7 +15,7 @@ namespace nacre::montecarlo {
 /// The random numbers of one block of walks.
 class RandomStream {
  public:
-    /// Streams whose (seed, experiment, block) differ share nothing visible.
+    /// Streams whose (seed, experiment, block) differ are uncorrelated.
     RandomStream(std::uint64_t seed, std::uint64_t experiment, std::uint64_t block)
         : rng_(seed, hash_of(experiment, block)) {}
 
@@ -45,8 +45,8 @@ class RandomStream {
         const auto [c, s] = cos_sin_of(b);
         return {std::sqrt(exponential_of(a)), c, s};
     }
-    /// The first pair(), uniform in [0, 1): well spread over many walks they make the noise of what
-    /// is drawn from it, and of what follows from that, small.
+    /// The first pair(), uniform in [0, 1): numbers stratified over many walks reduce the noise of
+    /// what is drawn from it, and of all that depends on that.
     void lead_with(double a, double b) {
         lead_ = {a, b};
         has_lead_ = true;
@@ -64,8 +64,8 @@ class RandomStream {
     bool has_lead_ = false;
 };
 
-// What random walks do when they meet something: the draws that every walk through a paint shares,
-// whatever it follows (depth alone here, places in space in volume/).
+// The random draws at flakes and pigments, shared by all walks through a paint, whether they follow
+// depth alone or positions in space.
 //
 // A walk carries a weight per wavelength, whose mean is what remains of the unit of power. An event
 // of probability P_i at wavelength i is drawn with the weighted mean probability
@@ -116,8 +116,8 @@ inline Vec3d sample_lambert(RandomStream& random) {
 
 enum class FlakeEvent { reflected, passed, absorbed };
 
-/// Light meets a flake of this R and T: it is reflected or goes straight on, at random; what the flake
-/// absorbs lightens it. The weight is of no use after `absorbed`.
+/// Light meets a flake of this R and T: it is reflected or goes straight on, at random; absorption
+/// reduces the weight. The weight is of no use after `absorbed`.
 inline FlakeEvent draw_flake_event(const Lanes& reflectance, const Lanes& transmittance,
                                    Lanes& weight, RandomStream& random) {
     const Lanes reflected = weight * reflectance;
@@ -139,13 +139,13 @@ inline FlakeEvent draw_flake_event(const FlakeOptics& optics, double cosine, Lan
                             random);
 }
 
-/// Light that travels along `travel` off a mirror, of which `projection` is travel.normal.
+/// The direction of light after specular reflection; `projection` is travel.normal.
 inline Vec3d mirrored(const Vec3d& travel, double projection, const Vec3d& normal) {
     return normalize(travel - 2 * projection * normal);
 }
 
 /// Light meets a candidate of slab.pigment_rate_per_um: the pigment that scatters it, at random, or
-/// none if the candidate was none.
+/// null if the candidate is not real.
 const Pigment* draw_pigment(const Slab& slab, Lanes& weight, RandomStream& random);
 
 /// Russian roulette by the mean weight over the lanes in use, which keeps the mean.

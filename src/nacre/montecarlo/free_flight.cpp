@@ -12,7 +12,7 @@ struct Panel {
 
     double depth() const { return width / 6 * (start + 4 * middle + end); }
 
-    /// Integral of the parabola over the share x of the panel.
+    /// Integral of the parabola over the fraction x of the panel.
     double depth_to(double x) const {
         const double linear = 4 * middle - 3 * start - end;
         const double square = 2 * (start + end - 2 * middle);
@@ -24,7 +24,7 @@ struct Panel {
         return start + x * (linear + x * square);
     }
 
-    /// Share of the panel at which the integral is `target`, between 0 and depth(). Newton's
+    /// Fraction of the panel at which the integral is `target`, between 0 and depth(). Newton's
     /// method, with bisection where it would leave the bracket (a parabola through rates that fall
     /// to zero can dip below it).
     double invert(double target) const {

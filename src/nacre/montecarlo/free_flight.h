@@ -52,17 +52,16 @@ struct RadialRay {
 // Flakes that a ray may meet, at a rate that has a closed form.
 //
 // The exact rate is c E[|w.m|] with m the unit normal of slopes (p, q). We take |w.m| / m_z
-// instead, which is |mu - s p| if p is the slope along the ray: as if the flakes had the projected
-// area of their own a / m_z. Its mean is that of a folded Gaussian, and the normal of such a
-// candidate can be drawn well at any angle. A candidate is then real with the probability m_z. No
-// table, no bias.
+// instead, the projected area of flakes of area a / m_z: |mu - s p| if p is the slope along the
+// ray. Its mean is that of a folded Gaussian, and the normal of such a candidate is drawn
+// efficiently at any angle. A candidate is then real with the probability m_z. No table, no bias.
 
 /// E[|mu - s p|] for p Gaussian of standard deviation alpha / sqrt(2), s the sine of mu. Even, and
 /// increasing with |mu| for alpha < sqrt(2), which makes its value at one end of a ray a majorant.
 inline double candidate_area(double mu, double alpha) {
     const double sine_sq = std::fmax(0.0, 1 - mu * mu);
     const double width_sq = alpha * alpha * sine_sq;
-    constexpr double kFar = 36;  // erfc(6) = 2e-17: no flake is seen from its other side
+    constexpr double kFar = 36;  // erfc(6) = 2e-17: no flake is seen from behind
     const double cosine = std::abs(mu);
     if (mu * mu >= kFar * width_sq) return cosine;
     const double x = cosine / std::sqrt(width_sq);

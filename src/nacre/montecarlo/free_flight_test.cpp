@@ -61,8 +61,8 @@ TEST(RadialRay, CurvatureZeroIsAFlatLayer) {
 }
 
 TEST(RadialRay, ThinLayersOnLargeSpheresKeepTheirDigits) {
-    // 15 um on 1 km: a difference of radii would keep 7 digits of the height, and these are flat
-    // layers but for a share of 15 um / 1 km / cosine^2.
+    // 15 um on 1 km: a difference of radii would keep 7 digits of the height; the layer is flat up
+    // to a fraction of 15 um / 1 km / cosine^2.
     const RadialRay ray{1e-9, -0.6};
     EXPECT_NEAR(ray.distance_inwards(15) / 25, 1, 1e-7);
     EXPECT_NEAR(ray.rise(ray.distance_inwards(15)), -15, 1e-13);
@@ -114,7 +114,7 @@ TEST(FlakeCandidates, AreaGrowsWithTheCosine) {
     }
 }
 
-TEST(FlakeCandidates, ThoseThatAreRealHaveTheProjectedAreaOfTheFlakes) {
+TEST(FlakeCandidates, RealOnesHaveTheProjectedAreaOfTheFlakes) {
     // E[m_z] over candidates, times their area, against the quadrature over flake normals.
     RandomStream random(1, 2, 3);
     constexpr int kDraws = 100'000;
@@ -137,7 +137,7 @@ TEST(FlakeCandidates, ThoseThatAreRealHaveTheProjectedAreaOfTheFlakes) {
     }
 }
 
-TEST(FlakeCandidates, SlopesFollowWhatIsSeen) {
+TEST(FlakeCandidates, SlopesFollowTheVisibleArea) {
     // Histogram of the slope along the ray against the integral of its density: chi-square of 20
     // bins, 19 degrees of freedom, exceeds 43.8 once in 1000.
     RandomStream random(4, 5, 6);
@@ -181,7 +181,7 @@ TEST(FlakeCandidates, SlopesFollowWhatIsSeen) {
 
 namespace {
 
-/// Flakes and a pigment; what a piece of ray meets varies by a factor of 20.
+/// Flakes and a pigment; the rate of candidates along a ray varies by a factor of 20.
 Slab mixed_slab() {
     paint::Layer layer = test::flake_layer(1, 0.05, 0.6, 0.2);
     layer.pigments.push_back({2.0, 1.0, 0.3});
@@ -207,7 +207,7 @@ TEST(FreeFlight, SimpsonsRuleIsOfFourthOrder) {
     double last = 0;
     for (const int panels : {16, 32, 64}) {
         const double error = std::abs(simpson_depth(slab, kChord, kChordLength, panels) - exact);
-        // Sixteen, with room for terms of higher order.
+        // 16 but for terms of higher order.
         if (last > 0) {
             EXPECT_GT(last / error, 12) << panels;
         }
@@ -260,7 +260,7 @@ TEST(FreeFlight, BothTrackingsFollowTheOpticalDepth) {
     }
 }
 
-TEST(FreeFlight, NothingIsMetWhereNothingIs) {
+TEST(FreeFlight, AnEmptySlabHasNoCandidates) {
     RandomStream random(1, 1, 1);
     const Slab empty;
     EXPECT_FALSE(fly_delta(empty, kChord, 10, random));

@@ -38,8 +38,8 @@ class SmoothInterface final : public AirInterface {
         return {{x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))}, false};
     }
 
-    // Radiance over index squared is kept but for what Fresnel reflects: a cone outside is n^2
-    // times wider, projected, than its image inside.
+    // Radiance over index squared is conserved up to Fresnel's transmittance: the projected solid
+    // angle of a cone outside is n^2 times that of its image inside.
     Weighted connect(const Vec3d& towards_eye, RandomStream&) const override {
         return {refract_inwards(towards_eye), transmittance(towards_eye.z) / (index_ * index_)};
     }
@@ -76,8 +76,8 @@ std::unique_ptr<const AirInterface> make_air_interface(const paint::Recipe& reci
     return make_smooth_interface(index);
 }
 
-// The rough interface of solver/rough_interface.h as a game of chance: its facets, its masking and
-// what becomes of masked light are defined there; here each is drawn, and nothing is integrated.
+// The rough interface of solver/rough_interface.h by random sampling: its facets, its masking and
+// the return of masked light are defined there; here each is drawn, and nothing is integrated.
 
 namespace {
 
@@ -134,8 +134,9 @@ class RoughAirInterface final : public AirInterface {
     double reflect_outside(const Vec3d& towards_light, const Vec3d& towards_eye,
                            RandomStream& random) const override {
         double sum = facet_brdf(towards_light, towards_eye);
-        // m(light) m(eye) / Int m: the masked shares at random; the number of directions, uniform in
-        // etendue, that it takes to find one whose light is masked has the mean  total / Int m.
+        // m(light) m(eye) / Int m: the masked fractions by chance; the number of directions,
+        // uniform in etendue, that it takes to find one whose light is masked has the mean
+        // total / Int m.
         if (is_masked({towards_light, false}, random) && is_masked({towards_eye, false}, random)) {
             std::uint64_t trials = 1;
             while (!is_masked(uniform_in_etendue(random), random)) ++trials;
@@ -145,7 +146,8 @@ class RoughAirInterface final : public AirInterface {
     }
 
  private:
-    /// Where light from `from` goes on; masked light from a direction whose own would be masked.
+    /// Exit of light from `from`; if it is masked, from a direction from which light would be
+    /// masked too.
     Ray scatter(const Ray& from, RandomStream& random) const {
         Ray to;
         if (leaves(from, random, to)) return to;

@@ -13,7 +13,7 @@ namespace nacre::montecarlo {
 
 class AirInterface {
  public:
-    /// A direction of travel inside the paint with the weight that makes its mean right.
+    /// A direction of travel inside the paint with its weight, which makes the estimate unbiased.
     struct Weighted {
         Vec3d travel;
         double weight = 0;
@@ -28,12 +28,12 @@ class AirInterface {
     virtual ~AirInterface() = default;
 
     /// Sends light in. @param towards_light  unit vector outside, z > 0
-    /// @return travel inside (z < 0) and the share of the incident flux that travels so
+    /// @return travel inside (z < 0) and the fraction of the incident flux that enters so
     virtual Weighted enter(const Vec3d& towards_light, RandomStream& random) const = 0;
 
     /// Light that arrives from inside. @param travel  z > 0
-    /// @return travel after reflection (z < 0) and the share of the flux that is reflected; the
-    ///         rest leaves the paint
+    /// @return travel after reflection (z < 0) and the fraction of the flux that is reflected;
+    ///         the remainder leaves the paint
     virtual Weighted reflect_inside(const Vec3d& travel, RandomStream& random) const = 0;
 
     /// The same two at random: all of the light goes one way, reflected or through.
@@ -47,15 +47,16 @@ class AirInterface {
     ///         towards the eye is the mean of  weight * (radiance inside along travel)
     virtual Weighted connect(const Vec3d& towards_eye, RandomStream& random) const = 0;
 
-    /// Whether connect() draws at random, so that each walk wants a connection of its own.
+    /// Whether connect() draws at random, so that each walk needs connections of its own.
     virtual bool scatters() const = 0;
 
-    /// Unbiased estimate of the BRDF of the interface by itself, in 1/sr, a mirror left out.
+    /// Unbiased estimate of the BRDF of the interface by itself, in 1/sr, without specular
+    /// reflection.
     virtual double reflect_outside(const Vec3d& towards_light, const Vec3d& towards_eye,
                                    RandomStream& random) const = 0;
 };
 
-/// A flat interface: mirror and refraction by Snell and Fresnel.
+/// A flat interface: specular reflection and refraction by Snell and Fresnel.
 /// @param index  of the binder, >= 1
 std::unique_ptr<const AirInterface> make_smooth_interface(double index);
 

@@ -46,7 +46,7 @@ TEST(SmoothInterface, ReflectsAllBeyondTheCriticalAngle) {
     EXPECT_EQ(grazing.weight, 1);
 }
 
-TEST(SmoothInterface, LightComesOutAsMuchAsItGoesIn) {
+TEST(SmoothInterface, ConnectionsConserveFlux) {
     // Isotropic radiance 1 inside: the flux that the inner side lets through is the flux that
     // connections find outside.
     const double index = 1.7;
@@ -213,7 +213,7 @@ TEST(RoughInterface, BrdfIntegratesToTheAlbedo) {
         const std::size_t j = i / kPhiSteps;
         const double weight = mu.weights[j] * mu.nodes[j] * 2 * std::numbers::pi / kPhiSteps;
         integral.value += weight * found[i].value;
-        integral.standard_error += weight * found[i].standard_error;  // a bound: as if in step
+        integral.standard_error += weight * found[i].standard_error;  // a bound
     }
     const Estimate albedo = reflectance(recipe, 50, 50'000);
     EXPECT_LT(std::abs(z_score(albedo, integral)), kWorstZ)
@@ -221,7 +221,7 @@ TEST(RoughInterface, BrdfIntegratesToTheAlbedo) {
     EXPECT_LT(integral.standard_error, 0.2 * integral.value);
 }
 
-TEST(RoughInterface, RoughnessTooSmallToWalkIsRefused) {
+TEST(RoughInterface, RoughnessBelowItsRangeIsRefused) {
     EXPECT_THROW(reflectance(bare(1.5, 1e-5), 0, 10), DomainError);
 }
 

@@ -223,7 +223,7 @@ Medium MediumGrid::at(std::span<const double> wavelengths_nm) const {
     std::vector<Place> places;
     for (double wavelength : wavelengths_nm) places.push_back(locate(wavelength));
 
-    // What the media keep in lanes is reached by get(medium), and gathered into the result's lanes.
+    // Interpolates the lanes that get(medium) returns, into the result's lanes.
     const auto interpolate = [&](auto&& get) {
         Lanes result{};
         for (std::size_t lane = 0; lane < places.size(); ++lane) {

@@ -8,10 +8,10 @@
 #include "nacre/core/vec.h"
 #include "nacre/paint/recipe.h"
 
-// A recipe as the random walk sees it, for one batch of at most kLanes wavelengths: what a ray may
-// meet in each slab, how often, and what happens then. Everything is derived here from the flakes
-// themselves, not taken from the solver (docs/reference.md). Directions are directions of travel,
-// lengths in um, rates in 1/um.
+// A recipe for the random walk, for one batch of at most kLanes wavelengths: the rates at which a
+// ray meets flakes and pigments in each slab, and how they scatter. Everything is derived here from
+// the flakes themselves, not taken from the solver (docs/reference.md). Directions are directions
+// of travel, lengths in um, rates in 1/um.
 
 namespace nacre::montecarlo {
 
@@ -57,11 +57,11 @@ struct Flakes {
     /// A candidate has its upward normal m with density p(s(m)) / m_z^3 per solid angle; it is in
     /// the way with probability |in.m|; a mirror of normal m sends light to out = in - 2 (in.m) m,
     /// and a cone of normals dm to the cone d(out) = 4 |in.m| dm. What remains is
-    /// c p(s) R / (4 m_z^3), m being along out - in. It does not contain in and out other than
-    /// through m and |in.m|: it is reciprocal.
+    /// c p(s) R / (4 m_z^3), m being along out - in. It depends on in and out through m and |in.m|
+    /// alone: it is reciprocal.
     Lanes scattering(const Vec3d& in, const Vec3d& out) const;
 
-    /// What a ray along a direction of cosine mu loses per um, to reflection and absorption:
+    /// Extinction of a ray along a direction of cosine mu, by reflection and absorption, in 1/um:
     /// c E[(1 - T(|w.m|)) |w.m|] over the slopes, by quadrature in the two slope components.
     /// Relative error for constant T: kExtinctionRelativeError.
     Lanes extinction(double mu) const;
@@ -115,7 +115,7 @@ struct Medium {
     Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_nm);
 };
 
-// The same recipe at ever new wavelengths, as a renderer asks for it: films are computed once.
+// The same recipe at the many sets of wavelengths of a renderer: films are computed once.
 
 /// Media of one recipe on a grid of wavelengths, between which everything in them is linear.
 class MediumGrid {

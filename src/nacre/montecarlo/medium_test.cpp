@@ -68,7 +68,7 @@ TEST(Flakes, ExtinctionOfFlatFlakesIsTheCosine) {
                     1e-8);
 }
 
-TEST(Flakes, ExtinctionIsOneMinusTransmittanceOfTheOpaqueOne) {
+TEST(Flakes, ExtinctionScalesWithOneMinusTheTransmittance) {
     const double opaque = flakes_of(.3, 0, 0).extinction(.4)[0];
     EXPECT_NEAR(flakes_of(.3, .2, .7).extinction(.4)[0], 0.3 * opaque, 1e-14);
 }

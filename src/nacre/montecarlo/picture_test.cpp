@@ -10,8 +10,8 @@
 
 // The three models of one paint in one picture: a sphere, seen from far above, in a room whose
 // light changes smoothly with direction. The solved BRDF is integrated over the hemisphere of each
-// pixel; the walks bring an estimate with its error. Whether they agree is a matter of chi-square
-// over the pixels.
+// pixel; the walks give estimates with their errors. They are compared by chi-square over the
+// pixels.
 
 namespace nacre::montecarlo {
 namespace {
@@ -48,8 +48,8 @@ std::vector<Pixel> pixels() {
     return result;
 }
 
-/// Light off the solved paint, mirror included: Gauss-Legendre in the polar angle times equal steps
-/// in azimuth.
+/// Radiance of the solved paint, specular reflection included: Gauss-Legendre in the polar angle
+/// times equal steps in azimuth.
 std::array<double, kLanes> integrate(const bsdf::BoundBsdf& surface, double index,
                                      const Pixel& pixel, int polar_nodes) {
     const Quadrature polar = gauss_legendre(polar_nodes, 0, std::numbers::pi / 2);
@@ -97,7 +97,7 @@ Picture walked_picture(const bsdf::Bsdf& model, std::uint64_t seed) {
     const std::vector<Pixel> all = pixels();
     Picture picture;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        // The room is far away: where on the sphere light leaves does not matter to it.
+        // The room is far away: the radiance does not depend on where light leaves the sphere.
         picture.push_back(
             test::estimate(*surface, all[i].wi, kSamplesPerPixel, 1, hash_of(seed, i),
                            [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
@@ -107,7 +107,7 @@ Picture walked_picture(const bsdf::Bsdf& model, std::uint64_t seed) {
     return picture;
 }
 
-/// One of two million values of a normal law is beyond; some 9000 are looked at.
+/// One of two million values of a normal law is beyond; some 9000 are tested.
 constexpr double kWorstPixel = 5;
 
 /// Sum of z^2 over n pixels has the mean n and the deviation sqrt(2 n) if the two agree and the
@@ -160,9 +160,9 @@ double by_magnitude(Rng& rng, double least, double most) {
     return least * std::pow(most / least, rng.uniform_double());
 }
 
-/// A paint at the limits of what a recipe may say, but for what scatters for ever: a depth of
-/// hundreds that absorbs nothing.
-paint::Recipe strange_paint(Rng& rng) {
+/// A paint at the limits of what a recipe may say, except for depths of hundreds without
+/// absorption, which scatter for ever.
+paint::Recipe extreme_paint(Rng& rng) {
     paint::Recipe recipe = test::paint(1 + 2 * rng.uniform_double(), {}, rng.uniform_double());
     if (rng.uniform_double() < 0.2) recipe.binder = 1.0;
     const int count = 1 + static_cast<int>(3 * rng.uniform_double());
@@ -214,7 +214,7 @@ TEST(ExtremeRecipes, WalksAreFiniteAtTheLimitsOfRecipes) {
     Rng rng(11, 12);
     int left = 0;
     for (int i = 0; i < 60; ++i) {
-        const paint::Recipe recipe = strange_paint(rng);
+        const paint::Recipe recipe = extreme_paint(rng);
         double thickness_um = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
         for (const paint::Layer& layer : recipe.layers) thickness_um += layer.thickness_um;
         // From nearly solid paint to nearly flat.

@@ -10,15 +10,15 @@
 namespace nacre::montecarlo {
 namespace {
 
-/// The walk is a function of the sample's numbers: all their bits count.
+/// Seeds a walk with all bits of the sample's numbers, so that the same ones give the same walk.
 RandomStream stream_of(Vec3f wi, float u_select, Vec2f u) {
     const auto pair = [](float a, float b) {
         return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 |
                std::bit_cast<std::uint32_t>(b);
     };
     RandomStream random(pair(u.x, u.y), pair(wi.x, wi.y), pair(wi.z, u_select));
-    // A renderer spreads its numbers well: the first flake, which decides most, takes them as they
-    // are, with their resolution made that of double.
+    // A renderer stratifies its numbers: the first flake's normal, which matters most, is drawn
+    // from them, extended to the resolution of double.
     constexpr double kStep = 0x1p-24;
     const double x = u.x + kStep * random.uniform(), y = u.y + kStep * random.uniform();
     random.lead_with(x, y);
@@ -77,7 +77,7 @@ std::optional<bsdf::BsdfSample> BoundWalk::walk(const bsdf::Patch* patch, Vec3f 
         if (!escape) return {};
         return sample_of(*escape);
     }
-    // In proportion to what each way contributes in a white room, as a root mean square.
+    // Lobe probability in proportion to the rms contribution of each lobe under uniform light.
     const Lanes specular = specular_reflectance(towards_light.z);
     const double f = lane_mean(specular);
     const double inside = (1 - f) * typical_weight_;
@@ -130,8 +130,7 @@ Lanes BoundWalk::mean_weight(double cosine, int walks, std::uint64_t number,
 void BoundWalk::estimate_typical_weight() {
     constexpr int kWalks = 64;
     constexpr double kTypicalCosine = 0.8;
-    // A specular lobe drawn less often than this would make its weight large where walks are rarely
-    // bright.
+    // Below this, walks would be drawn so rarely that the few bright ones had large weights.
     constexpr double kMin = 0.1;
     double mean_square = 0;
     mean_weight(kTypicalCosine, kWalks, 0, &mean_square);
@@ -158,10 +157,10 @@ FloatLanes BoundWalk::albedo(Vec3f wi) const {
 
 namespace {
 
-/// Lets light out by lot.
-class WayOut {
+/// Observer that ends the walk where light leaves the paint, reflected or transmitted at random.
+class EscapeObserver {
  public:
-    WayOut(const AirInterface& interface, RandomStream& random)
+    EscapeObserver(const AirInterface& interface, RandomStream& random)
         : interface_(interface), random_(random) {}
 
     bool follows(const WalkState&) const { return true; }
@@ -192,9 +191,9 @@ class BoundPlaneWalk final : public BoundWalk {
 
  private:
     std::optional<Escape> follow(const Entry& entry, RandomStream& random) const override {
-        WayOut way_out(interface(entry.lane), random);
-        DepthWalk(medium(), random, way_out).run(entry.travel, entry.weight);
-        return way_out.escape;
+        EscapeObserver observer(interface(entry.lane), random);
+        DepthWalk(medium(), random, observer).run(entry.travel, entry.weight);
+        return observer.escape;
     }
 };
 

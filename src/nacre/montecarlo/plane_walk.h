@@ -34,7 +34,8 @@ struct WalkTables {
         : recipe(r), grid(r, wavelengths_nm) {}
 };
 
-// What the two walks have in common: how light comes in, by which lot, and what a renderer is told.
+// What PlaneWalk, ShellWalk and DiscWalk share: the random choice between specular reflection and
+// entry, and the samples that a renderer gets.
 
 /// Light that has just come in at the origin of the local frame.
 struct Entry {
@@ -74,8 +75,8 @@ class BoundWalk : public bsdf::BoundBsdf {
     /// Follows light until it leaves; empty if it is absorbed.
     virtual std::optional<Escape> follow(const Entry& entry, RandomStream& random) const = 0;
 
-    /// Sends out a few walks, to know how often the specular lobe is worth a sample. To be called
-    /// once, when follow() is ready.
+    /// Estimates typical_weight_ by a few walks, from which the probability of the specular lobe
+    /// follows. To be called once, when follow() is ready.
     void estimate_typical_weight();
 
     const Medium& medium() const { return medium_; }
@@ -109,12 +110,12 @@ class BoundWalk : public bsdf::BoundBsdf {
     mutable std::vector<Lanes> inner_albedo_;  // over the outer cosine
 };
 
-// The Monte Carlo reference as a surface to render with. docs/volume.md
+// The Monte Carlo reference as a surface for the renderer. docs/volume.md
 
 struct WalkTables;
 
 /// A paint whose light is followed flake by flake, by depth alone: the position-free walk of
-/// reference/, for one packet of light at eight wavelengths.   [guo-hasan-zhao-2018; wilkie-2014]
+/// reference.h, for one packet of light at eight wavelengths.   [guo-hasan-zhao-2018; wilkie-2014]
 ///
 /// Only sample() tells what the paint looks like: it sends light in from wi and follows it until it
 /// leaves, or reflects it at a smooth interface: samples are of unknown density or specular.
@@ -123,7 +124,7 @@ struct WalkTables;
 ///
 /// Supports all that a recipe may say: pigments, several layers, a rough clearcoat. Where the
 /// binder's index differs between the eight wavelengths, light bends differently, and each walk
-/// carries one of them, drawn by lot: the mean is right, the noise coloured.
+/// carries one of them, drawn at random: unbiased, with coloured noise.
 class PlaneWalk final : public bsdf::Bsdf {
  public:
     /// @param wavelengths_nm  where films are computed; between them, R, T and all else are linear

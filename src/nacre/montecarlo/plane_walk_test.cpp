@@ -90,7 +90,7 @@ TEST(PlaneWalk, PowerIntoASolidAngleIsTheIntegralOfTheReferencesBrdf) {
         const auto brdf = reference_brdf(recipe, std::vector<Direction>{{theta_i, 0}}, eyes,
                                          kOnGrid, {.samples = 20'000});
         for (int lane = 0; lane < kLanes; ++lane) {
-            // Eyes share walks: their errors add up at worst.
+            // Eyes share walks: their errors add up, if fully correlated.
             Estimate expected;
             for (std::size_t j = 0; j < eyes.size(); ++j) {
                 expected.value += weights[j] * brdf[j * kLanes + lane].value;
@@ -123,11 +123,11 @@ TEST(PlaneWalk, EstimatedAlbedoIsThatOfItsSamples) {
     const auto surface = PlaneWalk(test::pearl()).bind(kOnGrid);
     for (const double theta : {0., 37., 70.}) {
         const Vec3f wi = from_degrees(theta, 0);
-        const FloatLanes told = surface->albedo(wi);
+        const FloatLanes tabulated = surface->albedo(wi);
         const auto found = walked_albedo(*surface, wi, 50'000);
         for (int lane = 0; lane < kLanes; ++lane) {
-            // A weight's deviation is at most about its mean's root: 0.5 over the root of 512.
-            EXPECT_NEAR(told[lane], found[lane].value, 4 * 0.5 / std::sqrt(512.)) << theta;
+            // The standard deviation of a weight is about 0.5 at most, over the root of 512 walks.
+            EXPECT_NEAR(tabulated[lane], found[lane].value, 4 * 0.5 / std::sqrt(512.)) << theta;
         }
     }
 }
@@ -143,7 +143,7 @@ TEST(PlaneWalk, WavelengthsBetweenTheGridsAreInterpolatedAndThoseBeyondAreItsEnd
     EXPECT_LT(std::abs(z_score(a[3], (a[2].value + a[4].value) / 2)), kWorstZ);
 }
 
-TEST(PlaneWalk, OnlySamplesTellWhatItLooksLike) {
+TEST(PlaneWalk, EvalAndPdfAreZeroAndSamplesHaveNoDensity) {
     const auto surface = PlaneWalk(test::worked_paint()).bind(kOnGrid);
     const Vec3f wi = from_degrees(30, 0), wo = from_degrees(30, 180);
     EXPECT_EQ(lane_max(surface->eval(wi, wo)), 0);

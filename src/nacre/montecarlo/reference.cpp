@@ -67,7 +67,7 @@ class Ticker {
     std::atomic<bool> stopped_ = false;
 };
 
-/// What walks from one direction at one batch of wavelengths are about.
+/// The walks of one incident direction at one batch of wavelengths.
 struct Experiment {
     const Medium& medium;
     const AirInterface& interface;
@@ -136,7 +136,7 @@ std::vector<std::span<const double>> batches(const paint::Recipe& recipe,
     return result;
 }
 
-/// What came out of one experiment, and where its numbers belong.
+/// The sums of one experiment, and where its results belong.
 struct Outcome {
     std::size_t incident, first_outgoing, first_wavelength;
     const Medium& medium;

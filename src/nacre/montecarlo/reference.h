@@ -8,9 +8,9 @@
 #include "nacre/core/progress.h"
 #include "nacre/paint/recipe.h"
 
-// An independent answer to what the solver computes: a random walk through the same recipe. It
-// shares with the solver the recipe and the optics of films and interfaces, and no formula of
-// radiative transfer. How it works and what it neglects: docs/reference.md.
+// An independent check of the solver: a random walk through the same recipe. It shares with the
+// solver the recipe and the optics of films and interfaces, and no formula of radiative transfer.
+// How it works and what it neglects: docs/reference.md.
 
 namespace nacre::montecarlo {
 
@@ -21,8 +21,8 @@ struct Direction {
 };
 
 /// Which light is counted: `single` met exactly one flake or pigment particle, and neither the
-/// substrate nor the inner side of the interface; `multiple` is the rest of the light that entered
-/// the paint. The mirror image in a smooth interface belongs to none of them.
+/// substrate nor the inner side of the interface; `multiple` is all other light that entered the
+/// paint. Specular reflection by a smooth interface belongs to none of them.
 enum class Part { total, single, multiple };
 
 struct ReferenceSettings {
@@ -49,9 +49,9 @@ std::vector<Estimate> reference_brdf(const paint::Recipe& recipe,
                                      const ReferenceSettings& settings,
                                      const Progress& progress = {});
 
-/// Where the light from one direction ends; flakes and pigments absorb the rest.
+/// Fractions of the light from one direction; flakes and pigments absorb the remainder.
 struct Albedo {
-    Estimate reflectance;            ///< directional-hemispherical, the interface's mirror included
+    Estimate reflectance;            ///< directional-hemispherical, specular reflection included
     Estimate absorbed_by_substrate;  ///< of a black substrate: the transmittance of what lies above
 };
 

@@ -25,7 +25,8 @@ using test::worked_paint;
 
 const std::vector<Direction> kWorkedOutgoing{{15, 180}, {30, 180}, {45, 180}, {60, 180},
                                              {75, 180}, {0, 0},    {30, 90},  {45, 0}};
-// By two independent methods that agree within their error (DESIGN section 2.4).
+// The worked example of docs/microflake.md, by two independent methods that agree within their
+// error.
 constexpr double kWorkedTotal[] = {0.0986750, 0.660157,   1.21809,    0.879130,
                                    0.403080,  0.00615526, 0.00147852, 2.5171e-5};
 constexpr double kWorkedSingle[] = {0.0850942, 0.630615,   1.17416, 0.828999,
@@ -151,15 +152,15 @@ TEST(Reference, BrdfIntegratesToTheAlbedo) {
         const std::size_t j = i / kPhiSteps;
         const double weight = mu.weights[j] * mu.nodes[j] * 2 * std::numbers::pi / kPhiSteps;
         integral.value += weight * found[i].value;
-        integral.standard_error += weight * found[i].standard_error;  // a bound: as if in step
+        integral.standard_error += weight * found[i].standard_error;  // a bound
     }
     const Albedo albedo =
         reference_albedo(recipe, std::vector{incident}, kGreen, {.samples = 200'000, .seed = 9})
             .at(0);
-    const double mirror = optics::dielectric_reflectance(
+    const double specular = optics::dielectric_reflectance(
         1.0, 1.5, std::cos(incident.theta_deg * std::numbers::pi / 180));
     EXPECT_LT(
-        std::abs(z_score(albedo.reflectance, integral.value + mirror, integral.standard_error)),
+        std::abs(z_score(albedo.reflectance, integral.value + specular, integral.standard_error)),
         kWorstZ);
     EXPECT_LT(integral.standard_error, 0.03 * integral.value);
 }
@@ -210,7 +211,7 @@ TEST(Reference, DispersiveBinderRefractsEachWavelengthByItself) {
 
 }  // namespace
 
-// What the interface promises: order, determinism, errors, progress.
+// The contract of the functions: order, determinism, errors, progress.
 
 namespace {
 
@@ -330,7 +331,7 @@ TEST(PigmentSlab, MatchesTablesOfReflectanceAndTransmittance) {
     struct Case {
         double albedo, depth, anisotropy, mu, reflectance, transmittance;
     };
-    // Without an interface; van de Hulst 1980 and an independent adding-doubling program.
+    // Without an interface [van-de-hulst-1980; prahl-1993].
     constexpr Case kCases[] = {
         {.9, 2, .75, 1, .097395, .660958},  {.99, 1, 0, .5, .486518, .491628},
         {.99, 4, .5, .5, .619959, .306051}, {1, 1, 0, 1, .341329, .658671},
@@ -352,12 +353,12 @@ TEST(PigmentSlab, SemiInfiniteUnderAnInterfaceMatchesTheTable) {
     EXPECT_LT(std::abs(z_score(albedo.reflectance, .25992)), kWorstZ) << albedo.reflectance.value;
 }
 
-TEST(FlakeSlab, MatchesAddingDoublingOfTheDesignNotes) {
+TEST(FlakeSlab, MatchesAddingDoubling) {
     struct Case {
         double index, alpha, beta, reflectance, transmittance, mu, total_reflected, transmitted;
     };
-    // Index 1: published in the design notes from adding-doubling and Monte Carlo; transmitted < 0:
-    // not known. Index 1.5: the total includes the interface's mirror.
+    // By adding-doubling and Monte Carlo (docs/solver.md); transmitted < 0: not known. At index 1.5
+    // the total includes specular reflection.
     constexpr Case kCases[] = {
         {1, .1, 2, 1, 0, .8, .66557, .33443},
         {1, .1, 2, .6, 0, .8, .32101, .18172},
@@ -379,7 +380,7 @@ TEST(FlakeSlab, MatchesAddingDoublingOfTheDesignNotes) {
 
 TEST(FlakeSlab, NearlyFlatFlakesObeyKubelkaAndMunk) {
     // S = R, K = 1 - R - T, depth beta, light and flakes along one line.  [kubelka-1948]
-    constexpr double kAlpha = 0.005;  // leaves the line by some alpha^2: far below the noise
+    constexpr double kAlpha = 0.005;  // deviates from the line by some alpha^2, far below the noise
     struct Case {
         double beta, reflectance, transmittance;
     };
@@ -411,7 +412,7 @@ TEST(FlakeSlab, LosslessFlakesLoseNoLight) {
 TEST(FlakeSlab, ThickLosslessFlakesReflectEverything) {
     const auto recipe = test::paint(1, {test::flake_layer(300, .5, 1, 0)});
     const Albedo albedo = albedo_of(recipe, .8, 5'000);
-    EXPECT_GT(albedo.reflectance.value, 0.985);  // the rest, some 1/300, comes through
+    EXPECT_GT(albedo.reflectance.value, 0.985);  // some 1/300 is transmitted
     EXPECT_NEAR(albedo.reflectance.value + albedo.absorbed_by_substrate.value, 1, 1e-9);
 }
 
@@ -431,9 +432,10 @@ TEST(Clearcoat, AbsorbsByBeerAndLambert) {
     EXPECT_EQ(albedo.reflectance.value, 0);
 }
 
-TEST(PigmentSlab, DeepAbsorptionOverWhiteGroundFollowsBeerAndLambert) {
-    // Nothing scatters but the ground: exp(-depth) down, and the mean of exp(-depth / mu) over
-    // Lambert's law up. Most walks end by Russian roulette on their way, and those must bring nothing.
+TEST(PigmentSlab, DeepAbsorptionOverAWhiteSubstrateFollowsBeerAndLambert) {
+    // Nothing scatters but the substrate: exp(-depth) down, and the mean of exp(-depth / mu) over
+    // Lambert's law up. Most walks end by Russian roulette on their way, and must contribute
+    // nothing.
     constexpr double kDepth = 1.5;
     const auto recipe = test::paint(1, {test::pigment_layer(0, kDepth, 0)}, 1);
     const Albedo albedo = albedo_of(recipe, 1, 140'000);

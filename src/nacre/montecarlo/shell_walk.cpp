@@ -52,7 +52,7 @@ void check(const paint::Recipe& recipe, const VolumeModel& settings) {
     }
     double thickness_um = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
     for (const paint::Layer& layer : recipe.layers) thickness_um += layer.thickness_um;
-    // Something must be left for the paint to lie on: a millionth of the radius keeps its digits.
+    // The substrate's radius must be above 0: a millionth of the outer one keeps its digits.
     constexpr double kMaxFraction = 1 - 1e-6;
     if (!(thickness_um < kMaxFraction * kUmPerMm * settings.radius_mm)) {
         throw DomainError(fmt::format("a paint of {} um does not fit on a sphere of radius {} mm",
@@ -102,7 +102,7 @@ void ShellWalker::fly() {
     const double inwards = ray.distance_inwards(slab.thickness_um - state_.depth_um);
     const bool down = inwards < outwards;
     const double to_edge = std::min(outwards, inwards);
-    // In a flat slab only: it would stay there for ever.
+    // In a flat slab only: light would stay in it for ever.
     if (outer_curvature_ == 0 && std::abs(ray.cosine) <= kHorizontal) {
         state_.alive = false;
         return;
@@ -141,7 +141,7 @@ void ShellWalker::meet_candidate(const Flakes& species) {
     const CandidateSlopes slopes = sample_candidate(cosine_up, sine, species.alpha, random_);
     const double upright =
         1 / std::sqrt(1 + slopes.along * slopes.along + slopes.across * slopes.across);
-    if (random_.uniform() >= upright) return;  // a candidate that was none
+    if (random_.uniform() >= upright) return;  // not a real flake
     // Straight down any pair of axes will do.
     constexpr double kVertical = 1e-9;
     const Vec3d along = sine > kVertical ? across_up / sine : perpendicular(up);

@@ -14,7 +14,7 @@
 #include "nacre/paint/recipe.h"
 #include "nacre/spectra/spectrum.h"
 
-// The volumetric path tracer of the comparison of 2022. docs/volume.md
+// The volumetric path tracer of [mir-2022]. docs/volume.md
 
 namespace nacre::montecarlo {
 
@@ -51,14 +51,13 @@ inline constexpr Range kSimpsonPanels{1, 1024};
 /// sample() as in PlaneWalk; besides it sets exit_mm, the place where light leaves, relative to
 /// where it came in, in the frame of the entry (the centre is at -radius z). wo is in that frame
 /// too, on the outer side of the sphere at the place of exit: its z may be negative. eval() and
-/// pdf() are zero. Dispersive binders as in PlaneWalk. Double precision; the depth of a place is
-/// never the difference of two radii, so that 15 um on 1 km are no problem.
+/// pdf() are zero. Dispersive binders as in PlaneWalk. Double precision; the depth of a position is
+/// never the difference of two radii, so that 15 um on 1 km keep their digits.
 class ShellWalk final : public bsdf::Bsdf {
  public:
     /// @param wavelengths_nm  as in PlaneWalk
     /// @throws DomainError if the recipe is not valid at these wavelengths, has a rough clearcoat
-    /// or
-    ///         is thicker than the sphere, or if a setting is out of range
+    ///         or is thicker than the sphere, or if a setting is out of range
     ShellWalk(const paint::Recipe& recipe, const VolumeModel& settings,
               const std::vector<double>& wavelengths_nm = spectra::default_wavelengths_nm());
     ~ShellWalk() override;
@@ -97,7 +96,7 @@ class ShellWalker : private Walker {
     double index_, outer_curvature_;
     const VolumeModel& settings_;
 
-    // state_.depth_um is kept for itself, to all digits, beside the place.
+    // state_.depth_um is kept separately from the position, to all digits.
     Vec3d position_ = Vec3d{};
     double slab_top_um_ = 0;  ///< depth of the slab's top below the outer sphere
     std::optional<Escape> escape_;

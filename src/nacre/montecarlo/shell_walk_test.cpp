@@ -18,7 +18,7 @@ using test::walked_albedo;
 constexpr int kWalks = 200'000;
 constexpr double kFlat = std::numeric_limits<double>::infinity();
 
-/// White flakes that let some light pass, and a pigment that absorbs nothing, over white.
+/// Lossless flakes that transmit some light, and a pigment that absorbs nothing, over white.
 paint::Recipe lossless(double thickness_um) {
     paint::Layer layer = test::flake_layer(1.5, 0.2, 0.7, 0.3);
     const double fraction = 10 / thickness_um;
@@ -42,7 +42,7 @@ void expect_reference_albedo(const VolumeModel& settings, double theta_deg) {
 }
 
 TEST(ShellWalk, ThinShellHasTheAlbedoOfTheReference) {
-    // 80 um on 50 mm: radial directions turn by less than a thousandth within the paint.
+    // 80 um on 50 mm: the radial direction changes by less than 1e-3 along a walk.
     expect_reference_albedo({.radius_mm = kFlat}, 20);
     expect_reference_albedo({.radius_mm = 1e9}, 45);
     expect_reference_albedo({.radius_mm = 50}, 60);
@@ -63,7 +63,7 @@ test::Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, std::uint6
         });
 }
 
-TEST(ShellWalk, ThinShellSendsLightWhereThePositionFreeWalkDoes) {
+TEST(ShellWalk, ThinShellHasTheDirectionsOfThePositionFreeWalk) {
     const paint::Recipe recipe = test::pearl();
     const Vec3f wi = from_degrees(50, 0);
     const auto expected = power_by_direction(PlaneWalk(recipe), wi, 1);
@@ -111,8 +111,8 @@ TEST(ShellWalk, TrackingsAgreeInAThickShell) {
 }
 
 TEST(ShellWalk, LosesNoLightWhereNothingAbsorbs) {
-    // The furnace: nothing absorbs, so each walk comes out, with the weight that it went in with,
-    // and a white room hides the sphere.
+    // White furnace test: nothing absorbs, so that each walk leaves with the weight that it entered
+    // with.
     for (const Tracking tracking : {Tracking::delta, Tracking::simpson}) {
         for (const double radius_mm : {0.02, 10., 50.}) {
             const double half_radius_um = 500 * radius_mm;
@@ -154,8 +154,8 @@ TEST(ShellWalk, LeavesOnTheSphereAndOutwards) {
     EXPECT_GT(below_the_horizon, 100);
 }
 
-TEST(ShellWalk, LightStaysPutOnAFlatSlabButForItsWayThroughIt) {
-    // A walk goes as far as the paint is thick, not as the sphere is wide.
+TEST(ShellWalk, LateralShiftOnAFlatSlabIsOfTheOrderOfItsThickness) {
+    // A walk goes about as far as the paint is thick, whatever the radius.
     const auto surface = ShellWalk(test::worked_paint(), {}).bind(kOnGrid);
     Rng rng(1, 2);
     double furthest = 0;
@@ -171,7 +171,7 @@ TEST(ShellWalk, LightStaysPutOnAFlatSlabButForItsWayThroughIt) {
     EXPECT_LT(furthest, 1);
 }
 
-TEST(ShellWalk, WavelengthsWithoutReflectionSeeOnlyTheMirror) {
+TEST(ShellWalk, WavelengthsWithoutReflectionHaveTheSpecularOneOnly) {
     // Reflectance 0.8 from 550 nm on, 0 below: each lane has the mean it has alone.
     paint::Layer layer = test::flake_layer(2, 0.2, 0, 0);
     layer.flakes[0].body =

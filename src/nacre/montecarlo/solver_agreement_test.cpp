@@ -92,16 +92,16 @@ const std::vector<Direction> kIncident{{10, 0}, {45, 0}, {75, 0}};
 const std::vector<Direction> kOutgoing{{0, 0},    {15, 180}, {30, 180}, {45, 180}, {60, 180},
                                        {75, 180}, {85, 180}, {45, 90},  {30, 0},   {70, 130}};
 // For rough interfaces: the specular directions, near the horizon, and out of the plane. Not fewer
-// walks instead: that two facets mask is drawn at random and rare, and where no walk met it the
-// standard error knows nothing of it.
+// walks instead: masking of both directions is drawn at random and rare, and where no walk met it
+// the standard error is too small.
 const std::vector<Direction> kRoughOutgoing{{10, 180}, {45, 180}, {75, 180}, {70, 130}};
 
-// An estimate with a larger relative error rests on a few walks that carry the sum (narrow flakes
-// far off their lobe); its law is skewed and its z-score none.
+// An estimate with a larger relative error is dominated by a few walks (narrow flakes far off their
+// lobe): its law is skewed, and its z-score not normal.
 constexpr double kSkewedRelativeError = 0.05;
 
-// The solver's own error, as a share of the largest value on the grid: a tenth of what it promises
-// (SolverSettings::tolerance). It adds to the walk's in quadrature.
+// The solver's own error, as a fraction of the largest value on the grid: a tenth of
+// SolverSettings::tolerance. It adds to the walk's in quadrature.
 constexpr double kSolverError = 1e-5;
 
 // |z| > 4.5 in one of 150000 values; there are some 1700.
@@ -168,8 +168,8 @@ void compare_all(const std::vector<Case>& all, const std::vector<Direction>& out
     fmt::print("{}{} values, {} too skewed for a z-score; mean z^2 {:.3f}\n", scores.histogram(),
                scores.z.size(), scores.skewed, scores.mean_square());
     ASSERT_GT(scores.z.size(), fewest);
-    // Values that share walks go together. If all of one incidence were one, the mean of z^2 would
-    // be a chi-square over their number divided by it.
+    // Values that share walks are correlated. If all of one incidence were equal, the mean of z^2
+    // would be chi-square over N, with N degrees of freedom for N incidences.
     const double independent = static_cast<double>(all.size() * kIncident.size());
     EXPECT_NEAR(scores.mean_square(), 1, 4 * std::sqrt(2 / independent));
 }

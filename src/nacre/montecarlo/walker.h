@@ -12,14 +12,14 @@ namespace nacre::montecarlo {
 struct WalkState {
     Vec3d travel = Vec3d{};
     std::size_t slab = 0;
-    double depth_um = 0;  ///< below the top of the slab; not kept by walks that know the place
+    double depth_um = 0;  ///< below the top of the slab; not used among discs
     Lanes weight{};
     bool untouched = true;  ///< no flake, pigment, substrate or inner reflection so far
     bool alive = true;
 };
 
-/// What every walk does alike, whatever it follows: depth alone (depth_walk.h), places in a shell
-/// (shell_walk.h) or places among discs (discs/disc_walk.h).
+/// What all walks share, whether they follow depth alone (depth_walk.h), positions in a shell
+/// (shell_walk.h) or positions among discs (discs/disc_walk.h).
 class Walker {
  protected:
     Walker(const Medium& medium, RandomStream& random) : medium_(medium), random_(random) {}
@@ -61,7 +61,7 @@ class Walker {
         }
     }
 
-    /// What the substrate keeps. @return whether any light is left
+    /// Reflection by the substrate. @return whether any light is left
     bool leave_substrate() {
         state_.weight *= medium_.substrate_reflectance;
         state_.untouched = false;

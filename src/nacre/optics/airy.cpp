@@ -19,9 +19,9 @@ double checked(double value, const Range& range, const char* what) {
 
 /// From the interfaces' amplitudes, r12 real.
 AiryTerms::Polarised series_terms(double r12, Complex r23) {
-    const double R12 = r12 * r12, R23 = std::norm(r23), passes = 1 - R12;
-    const double returned = passes * passes * R23 / (1 - R12 * R23);
-    return {R12 + returned, returned - passes, std::abs(r12) * std::abs(r23), std::arg(-r12 * r23)};
+    const double R12 = r12 * r12, R23 = std::norm(r23), T121 = 1 - R12;
+    const double R_star = T121 * T121 * R23 / (1 - R12 * R23);
+    return {R12 + R_star, R_star - T121, std::abs(r12) * std::abs(r23), std::arg(-r12 * r23)};
 }
 
 Complex complex_log1p(Complex w) {
@@ -60,7 +60,7 @@ struct Wave {
 // Mean of H_a H_b and of H_a conj(H_b), by partial fractions.
 Complex mean_product(const Wave& a, const Wave& b) {
     const Complex apart = a.z - b.z;
-    // Symmetric about the midpoint, so what merging them leaves out is of second order.
+    // Symmetric in a and b: the error of taking them as equal is of second order in a.z - b.z.
     if (std::abs(apart) < 1e-5) return 0.5 * (a.mean_square + b.mean_square);
     return (b.z * a.mean - a.z * b.mean) / apart;
 }
@@ -113,7 +113,7 @@ AiryMoments AiryFilm::moments(double cosine, ThicknessRange range, double wavele
             (ss * s.mean_square + pp * p.mean_square + 2 * sp * mean_product(s, p)).real();
         return {c + mean_f, c * c + 2 * c * mean_f + (norm + square) / 2};
     }
-    // Beyond a depth of 40 the base is out of reach and the reflectance constant.
+    // Beyond 40 decay lengths, lambda / (4 pi |q_2|), the base no longer changes the reflectance.
     const auto angle = at<double>(cosine);
     const double width = range.hi_nm - range.lo_nm;
     const double q2 = std::sqrt(std::abs(eps_21_ + std::pow(outside_ior_ * cosine, 2)));

@@ -110,7 +110,7 @@ class AiryFilm {
     /// outside into the film, or within rounding of it), which has no orders of interference.
     std::optional<AiryTerms> terms(double cosine) const;
 
-    /// Mean and mean square of the unpolarised reflectance over thicknesses distributed evenly
+    /// Mean and mean square of the unpolarised reflectance over thicknesses distributed uniformly
     /// between `range.lo_nm` >= 0 and `range.hi_nm` >= lo, in closed form: the series above sums to
     /// 1 / (1 - z e^(i x)), whose products split into partial fractions and integrate to
     /// logarithms. Where the film's wave is evanescent: by Gauss-Legendre quadrature.

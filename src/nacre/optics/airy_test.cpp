@@ -86,7 +86,7 @@ TEST(AiryFilm, VanishesSmoothlyIntoTheBareBase) {
     }
 }
 
-TEST(AiryFilm, IsNotThereIfItsIndexIsThatOfANeighbour) {
+TEST(AiryFilm, HasNoEffectIfItsIndexIsThatOfANeighbour) {
     // A film of the outside's or of a lossless base's index changes nothing, however thick.
     for (const double cosine : kCosines) {
         const double bare = AiryFilm(1, 1, 1.6, 0).reflectance(cosine, 0.0, splat(1 / 550.0))[0];

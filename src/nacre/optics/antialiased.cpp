@@ -24,7 +24,8 @@ const Vec3d& white_xyz() {
     return white;
 }
 
-// What a sample at each wavelength adds to the colour, with samples every `step_nm`.
+// Weights of R(lambda) in its colour, rgb = sum weights[i] R(wavelengths_nm[i]), every `step_nm`
+// over 360-780 nm.
 struct ColourSums {
     std::vector<double> wavelengths_nm;
     std::vector<Vec3d> weights;
@@ -62,8 +63,8 @@ struct ColourSums {
     }
 };
 
-// The transform turns about as fast as the wave number of green; without that turn it is smooth, so
-// that cubic pieces from values and slopes every 25 nm are enough.
+// The phase of the transform advances about as that of a wave of 540 nm. Without this carrier it is
+// smooth, so that cubic Hermite interpolation every 25 nm keeps kTransformError.
 class TransformTable {
  public:
     static constexpr double kStep_nm = 25, kCarrier_per_nm = 1 / 540.0;
@@ -108,12 +109,13 @@ class TransformTable {
     std::vector<Knot> knots_;
 };
 
-// Belcour & Barla's Gaussians: area, centre and variance in wave number, 1/m. X has two lobes.
+// Belcour & Barla's Gaussians in wave number by the numbers of their supplement: height, centre and
+// `var`, which is half of the variance. X has two lobes.
 RgbWave paper_transform(double path_nm) {
     struct Gaussian {
         int channel;
-        double height, centre_per_m, variance_per_m2;
-        double area() const { return height * std::sqrt(kTwoPi * variance_per_m2); }
+        double height, centre_per_m, var_per_m2;
+        double area() const { return height * std::sqrt(kTwoPi * var_per_m2); }
     };
     static constexpr Gaussian kLobes[] = {{0, 5.4856e-13, 1.6810e6, 4.3278e9},
                                           {1, 4.4201e-13, 1.7953e6, 9.3046e9},
@@ -128,7 +130,7 @@ RgbWave paper_transform(double path_nm) {
     Vec3d re{}, im{};
     for (const Gaussian& g : kLobes) {
         const double size = g.area() / total[g.channel] * white_xyz()[g.channel] *
-                            std::exp(-phase * phase * g.variance_per_m2);
+                            std::exp(-phase * phase * g.var_per_m2);
         re[g.channel] += size * std::cos(phase * g.centre_per_m);
         im[g.channel] += size * std::sin(phase * g.centre_per_m);
     }
@@ -158,7 +160,7 @@ Vec3d antialiased_rgb(const AiryFilm& film, double cosine, double thickness_nm,
     Vec3d rgb{c0, c0, c0};
     Complex s = terms->s.strength * step_s, p = terms->p.strength * step_p;
     for (int m = 1; m <= how.orders; ++m, s *= step_s, p *= step_p) {
-        // What is left out are this and all higher orders, at most this over 1 - ratio.
+        // This and all higher orders sum to at most |s| / (1 - ratio).
         if (std::abs(s) < kNegligible * (1 - terms->s.ratio) &&
             std::abs(p) < kNegligible * (1 - terms->p.ratio)) {
             break;

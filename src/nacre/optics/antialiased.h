@@ -27,8 +27,8 @@ enum class ObserverTransform {
 /// `paper` is the fit of the supplement of [belcour-barla-2017] to the 1931 observer under equal
 /// energy; here X, Y and Z are scaled so that its white becomes that of D65. `table` interpolates
 /// the transform of the sums at 1 nm over 360-780 nm, to kTransformError; beyond a path of
-/// kTransformReach_nm it is 0. There it has fallen below kTransformTail; what is left is an echo of
-/// the 5 nm between the samples of the CIE's tables more than a property of the observer.
+/// kTransformReach_nm it is 0. There it has fallen below kTransformTail, and comes from the 5 nm
+/// between the samples of the CIE's tables more than from the observer.
 /// @param optical_path_nm  OPD >= 0
 std::array<std::complex<double>, 3> observer_transform(ObserverTransform transform,
                                                        double optical_path_nm);
@@ -61,8 +61,8 @@ Vec3d antialiased_rgb(const AiryFilm& film, double cosine, double thickness_nm,
 /// @throws DomainError for another step
 Vec3d integrated_rgb(const AiryFilm& film, double cosine, double thickness_nm, int step_nm = 1);
 
-/// How far colours by spectral antialiasing are from integration at 1 nm: differences of CIEDE2000
-/// relative to D65, and of the largest component of linear Rec. 709.
+/// Errors of colours by spectral antialiasing against integration at 1 nm: CIEDE2000 differences
+/// relative to D65, and the largest difference of a component of linear Rec. 709.
 struct AntialiasingError {
     double mean_delta_e = 0, max_delta_e = 0;
     double mean_rgb = 0, max_rgb = 0;

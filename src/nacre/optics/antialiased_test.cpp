@@ -70,8 +70,8 @@ TEST(ObserverTransform, HasFallenBelowTheTailWhereTheTableEnds) {
     for (const auto s : observer_transform(ObserverTransform::table, 1e9)) EXPECT_EQ(s, 0.0);
 }
 
-// What the fit of [belcour-barla-2017] stands for, by sums over wave numbers: an observer under
-// equal energy with four Gaussian lobes in wave number. The numbers are those of the listing in the
+// The fit of [belcour-barla-2017], integrated numerically over wave numbers: an observer under equal
+// energy with four Gaussian lobes in wave number. The numbers are those of the listing in the
 // paper's supplement, evalSensitivity(), whose "var" is half of a variance: it multiplies
 // exp(-var phase^2), and the Fourier transform of a Gaussian is exp(-variance phase^2 / 2).
 struct Lobe {
@@ -85,10 +85,10 @@ constexpr Lobe kSupplement[] = {{0, 5.4856e-13, 1.6810e+06, 4.3278e+09},
                                 {1, 4.4201e-13, 1.7953e+06, 9.3046e+09},
                                 {2, 5.2481e-13, 2.2084e+06, 6.6121e+09}};
 
-/// Colour of what reflects so much at a wave number, in 1/m; white is 1.
+/// Colour of a reflectance, a function of the wave number in 1/m; white is (1, 1, 1).
 template <class Reflectance>
-Vec3d seen_by_the_fit(Reflectance&& reflectance) {
-    // The trapezoidal rule over +-8.5 deviations, which of such bells makes no error but rounding.
+Vec3d colour_by_the_fit(Reflectance&& reflectance) {
+    // The trapezoidal rule over +-8.5 deviations, whose error for a Gaussian is rounding only.
     constexpr int kSteps = 600;
     constexpr double kReach = 8.5;
     Vec3d xyz{}, white{};
@@ -112,8 +112,8 @@ TEST(ObserverTransform, OfThePaperIsTheIntegralOfItsGaussians) {
     for (const double nm : {0.0, 90.0, 400.0, 1234.5, 3000.0, 7000.0}) {
         const auto found = observer_transform(ObserverTransform::paper, nm);
         const auto phase = [&](double per_m) { return 2 * std::numbers::pi * nm * 1e-9 * per_m; };
-        const auto re = seen_by_the_fit([&](double per_m) { return std::cos(phase(per_m)); });
-        const auto im = seen_by_the_fit([&](double per_m) { return std::sin(phase(per_m)); });
+        const auto re = colour_by_the_fit([&](double per_m) { return std::cos(phase(per_m)); });
+        const auto im = colour_by_the_fit([&](double per_m) { return std::sin(phase(per_m)); });
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(found[c].real(), re[c], 1e-11) << nm;
             EXPECT_NEAR(found[c].imag(), im[c], 1e-11) << nm;
@@ -122,7 +122,8 @@ TEST(ObserverTransform, OfThePaperIsTheIntegralOfItsGaussians) {
 }
 
 TEST(ObserverTransform, OfThePaperIsNearlyThatOfTheObserverUnderEqualEnergy) {
-    // The numbers themselves, against the tables of the CIE. What is left is the fit's own error.
+    // The numbers themselves, against the tables of the CIE: the difference is the error of the
+    // fit.
     const Vec3d d65 = spectra::linear_rec709_to_xyz({1, 1, 1});
     Vec3d area{};
     for (const Lobe& lobe : kSupplement) area[lobe.channel] += lobe.area();
@@ -166,7 +167,7 @@ TEST(AntialiasedRgb, OfThePaperIsWhatItsObserverSeesOfTheTransferMatrix) {
         for (const double cosine : {1.0, 0.7, 0.2}) {
             for (const double nm : {15.0, 158.333, 420.0, 1000.0}) {
                 const ThinFilm layer{c.film, nm};
-                const auto expected = seen_by_the_fit([&](double per_m) {
+                const auto expected = colour_by_the_fit([&](double per_m) {
                     return stack_reflectance(c.outside, {&layer, 1}, c.base, cosine, 1e9 / per_m,
                                              Polarization::unpolarized)
                         .reflectance;
@@ -196,7 +197,7 @@ TEST(AntialiasedRgb, OfAPerfectMirrorIsWhite) {
 }
 
 TEST(AntialiasedRgb, VanishesSmoothlyIntoTheBareBase) {
-    // Metal under glass: strong orders, of which three would leave a rest.
+    // Glass on metal: strong orders, of which three do not sum to the bare base.
     const AiryFilm film(1, 1.5, 0.2, 3.6);
     for (const double cosine : {1.0, 0.6, 0.1}) {
         const double bare = film.reflectance(cosine, 0.0, splat(1 / 550.0))[0];
@@ -251,7 +252,8 @@ TEST(AntialiasedRgb, KeepsItsErrorBounds) {
         EXPECT_LT(three.max_delta_e, c.three_max);
         EXPECT_LT(table.mean_delta_e, 1e-3);
         EXPECT_LT(table.max_delta_e, 0.01);
-        // The fit is worse than the table by more than an order: no bound above is idle.
+        // The fit errs by more than twice as much as the table with as many orders, and its bound
+        // is tight to 20 %.
         EXPECT_GT(paper.mean_delta_e, 2 * three.mean_delta_e);
         EXPECT_GT(paper.mean_delta_e, 0.8 * c.paper_mean);
     }

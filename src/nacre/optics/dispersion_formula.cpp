@@ -18,8 +18,8 @@ class Coefficients {
     std::span<const double> values_;
 };
 
-/// sum of term(C_2i, C_2i+1) over the pairs after C1; a pair whose first number is 0 or missing
-/// adds nothing, even where its second one would make a pole.
+/// Sum of term(C_i, C_i+1) over the pairs from C_first on; a pair whose first number is 0 or
+/// missing adds nothing, even where its second one would make a pole.
 template <class Term>
 double sum_of_pairs(const Coefficients& c, std::size_t first, Term term) {
     double sum = 0;

@@ -35,9 +35,9 @@ struct SampledFunction {
 SampledFunction sample_smooth(const std::function<double(double)>& f, double first_nm,
                               double last_nm, double error, std::size_t most);
 
-/// Refuses YAML with anchors, aliases or deep nesting, which a page of data does not need and by
-/// which a small file makes a parser do endless work. It reads the parser's events, before any tree
-/// is built.
+/// Refuses YAML with anchors, aliases or deep nesting, which a page of data does not need and with
+/// which a small file can expand without limit. It reads the parser's events, before any tree is
+/// built.
 /// @param name  of the file in messages
 /// @throws InputError naming file and line; YAML::Exception where the text is not YAML
 void require_plain_yaml(std::string_view text, const std::string& name);
@@ -67,7 +67,7 @@ SampledFunction sample_smooth(const std::function<double(double)>& f, double fir
         const double left_nm =
             i == 0 ? first_nm
                    : first_nm * std::pow(last_nm / first_nm, static_cast<double>(i) / start);
-        if (!(left_nm < right_nm)) continue;  // a range of a few roundings
+        if (!(left_nm < right_nm)) continue;  // a range of a few units in the last place
         const double f_left = f(left_nm);
         open.push_back({left_nm, right_nm, f_left, f_right});
         right_nm = left_nm;

@@ -64,10 +64,11 @@ int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double targ
 
 namespace {
 
-// Aimed at for the mean of each film; the first that needs no more than kMaxNodes is taken.
+// Relative errors aimed at in the mean over each film's thickness: the first one whose nodes number
+// at most kMaxNodes is used.
 constexpr double kTargetErrors[] = {1e-7, 1e-5, 1e-4};
-constexpr double kMinCosine = 1e-9;  // stands for the limit at 0, where all is 0/0
-constexpr double kMaxNodes = 1e6;    // of all films together, some seconds of work
+constexpr double kMinCosine = 1e-9;  // in place of 0, where the amplitudes are 0/0
+constexpr double kMaxNodes = 1e6;    // product over the films: some seconds of work
 
 /// Wave vectors and interfaces at one cosine for one lane vector of wavelengths.
 struct Lanes {
@@ -154,8 +155,8 @@ class PlateletAverage {
             for (std::size_t f = count; f-- > 0;) {
                 const ComplexIndex n = index_[f][j];
                 std::complex<double> q = normal_wavevector(binder_[j], n, cosine);
-                // Exactly at the critical angle both waves in the film are one, and the sums below
-                // would be 0/0; a film so close to it is the same to 1e-9.
+                // Exactly at the critical angle both waves in the film are the same, and the sums
+                // below would be 0/0; moving q by 1e-9 changes R and T by as little.
                 constexpr double least = 1e-9;
                 if (std::abs(q) < least) q = least;
                 const auto below_s = q, below_p = q / (n * n);
@@ -263,9 +264,8 @@ class PlateletAverage {
             }
             const ComplexLanes through = coat.tt * coat.r_in;
             // 1 - |p|^2 is (1 - |r_in|^2)(1 + |r_in|^2), and 1 - |r_in|^2 >= |tt|, for no coat
-            // amplifies. Behind one that lets next to nothing through, the difference is all
-            // rounding and the bound stands in for it; behind one that lets nothing through, any
-            // positive number does.
+            // amplifies. Where the difference is below rounding, the bound replaces it; where tt =
+            // 0, the quotient is multiplied by 0 and any positive number will do.
             constexpr double tiny = 1e-300;
             const DoubleLanes least = sqrt_lanes(norm(coat.tt)) * (1.0 + norm(coat.r_in)) + tiny;
             const DoubleLanes kernel =
@@ -309,15 +309,15 @@ class PlateletAverage {
                 decay[f] = 4 * std::numbers::pi / wavelengths_nm_[j] * q.imag();
                 y = q;
             }
-            // What comes back from the core's far side, seen from its near one: the mean over the
-            // core's thickness washes out all but a Gaussian remainder.
+            // Amplitude returned from the far side of the core, averaged over its thickness: the
+            // mean of e^(i phase) over a normal law is exp(-(deviation of the phase)^2 / 2).
             const double core_phase = rate[0] * films_[0]->spread.standard_deviation_nm;
             const double thinnest_core_nm =
                 thickness_range(films_[0]->thickness_nm, films_[0]->spread).lo_nm;
             double inward = std::exp(-core_phase * core_phase / 2 - decay[0] * thinnest_core_nm);
             for (std::size_t f = 0; f < count; ++f) {
                 const auto& spread = films_[f]->spread;
-                // Where the arc serves, the core needs no nodes of its own.
+                // Where average_arc() is used, the core needs no nodes of its own.
                 const bool on_arc = f == 0 && decay[0] == 0;
                 if (spread.standard_deviation_nm > 0 && !on_arc) {
                     const auto [lo, hi] = thickness_range(films_[f]->thickness_nm, spread);

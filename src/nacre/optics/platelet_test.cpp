@@ -139,7 +139,7 @@ TEST(Platelet, UniformSpreadOfOneFilmIsAClosedForm) {
         4 * std::numbers::pi * normal_wavevector(n_binder, n, cosine).real() / wavelength_nm;
     double expected = 0;
     for (const double r12 : {std::norm(f.r_s), std::norm(f.r_p)}) {
-        // In T the phases of the two mirrors add to 0 and R = 1 - T.
+        // The phases of the two inner reflections add to 0 or 2 pi; R = 1 - T.
         const double t2 = (1 - r12) * (1 - r12) / (1 - r12 * r12);
         double transmitted = t2;
         for (int m = 1; m < 60; ++m) {

@@ -21,7 +21,8 @@ Number density(Number x, double mean_nm, const ThicknessSpread& spread) {
     return std::exp(-0.5 * z * z);
 }
 
-/// Gauss-Legendre times the density, for the many nodes with which it is as good as Gauss's own.
+/// Gauss-Legendre with the density in the weights: for many nodes as accurate as the Gauss rule of
+/// the law.
 ThicknessRule product_rule(double mean_nm, const ThicknessSpread& spread, int n) {
     const auto [lo, hi] = thickness_range(mean_nm, spread);
     auto [nodes, weights] = gauss_legendre(n, lo, hi);
@@ -109,8 +110,8 @@ ThicknessArc thickness_arc(double mean_nm, const ThicknessSpread& spread) {
     Complex sum = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         const double s = rule.nodes[i];
-        // t runs from -1 to 1 with zero speed at its ends: a resonance there, which the arc cannot
-        // avoid, falls among closely spaced nodes.
+        // t runs from -1 to 1 with zero derivative at its ends: a resonance there, which the arc
+        // cannot avoid, falls among closely spaced nodes.
         const double t = s * (3 - s * s) / 2, speed = 1.5 * (1 - s * s);
         const Complex thickness = (lo + hi) / 2 + (hi - lo) / 2 * Complex(t, height * (1 - t * t));
         const Complex weight = rule.weights[i] * speed * Complex(1, -2 * height * t) *

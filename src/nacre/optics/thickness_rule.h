@@ -26,15 +26,16 @@ struct ThicknessRule {
     std::vector<double> thickness_nm, weights;
 };
 
-/// The n-point Gauss rule for the law itself: exact for polynomials of degree 2 n - 1 times it.
-/// Made from the three-term recurrence of its orthogonal polynomials by the eigenvalues of the
-/// Jacobi matrix [golub-welsch-1969], the recurrence by the discretised Stieltjes procedure
-/// [gautschi-2004, section 2.2.3]. Without spread the rule has one node.
+/// For n <= 24 the n-point Gauss rule for the law itself: exact for polynomials of degree 2 n - 1
+/// times it. Made from the three-term recurrence of its orthogonal polynomials by the eigenvalues
+/// of the Jacobi matrix [golub-welsch-1969], the recurrence by the discretised Stieltjes procedure
+/// [gautschi-2004, section 2.2.3]. For more nodes, Gauss-Legendre with the density in the weights.
+/// Without spread the rule has one node.
 ThicknessRule thickness_rule(double mean_nm, const ThicknessSpread& spread, int n);
 
 /// The same mean for a function that is analytic for Im thickness >= 0, on an arc through the
-/// upper half plane between the ends of the law: there waves that run through the film decay, and
-/// with them the resonances which near grazing incidence make the function spiky on the real axis.
+/// upper half plane between the ends of the law: there propagating waves decay, and with them the
+/// narrow resonances that the function has on the real axis near grazing incidence.
 struct ThicknessArc {
     std::vector<std::complex<double>> thickness_nm, weights;
 };

@@ -68,7 +68,7 @@ TEST(ThicknessRule, NodesStayInsideAndWeightsArePositive) {
     }
 }
 
-TEST(ThicknessQuantile, SplitsTheLawIntoTheFractionsItSays) {
+TEST(ThicknessQuantile, SplitsTheLawIntoEqualFractions) {
     // Quantiles at the middles of many equal fractions have the moments of the law.
     for (const double mean_nm : {400.0, 60.0}) {  // the second is cut at zero
         for (const Law law : {Law::normal, Law::uniform}) {

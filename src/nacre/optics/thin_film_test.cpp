@@ -228,8 +228,8 @@ Colour colour_of_mica_with(double coat_nm) {
     return {lab[0], std::hypot(lab[1], lab[2]), std::fmod(hue_deg + 360, 360)};
 }
 
-// What pigment makers sell: the colour of TiO2 on mica by the thickness of the coat, good to 10 nm.
-// CIELAB hue angles: 0 red-magenta, 90 yellow, 180 green, 270 blue.
+// Colours of TiO2 on mica by the thickness of the coat, good to 10 nm [pfaff-reynders-1999;
+// buxbaum-pfaff-2005]. CIELAB hue angles: 0 red-magenta, 90 yellow, 180 green, 270 blue.
 TEST(InterferenceColour, ThinTitaniaOnMicaIsSilver) {
     for (double coat_nm : {40.0, 50.0, 60.0}) {
         const auto colour = colour_of_mica_with(coat_nm);

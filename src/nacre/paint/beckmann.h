@@ -25,7 +25,8 @@ double projected_area(double mu, double alpha);
 
 /// Nodes for integrals over flake normals m ~ D: sum of weight f(cosine) approximates
 /// Int f(|w.m|) |w.m| D(m) dm for smooth f.
-/// Calls visit(cosine, weight) for every node; weights are positive and sum to s(mu).
+/// Calls visit(cosine, weight) for every node; weights are positive and sum to s(mu) within 1e-5 of
+/// it (kNormalQuadratureError in beckmann_test.cpp).
 template <class Visit>
 void for_each_normal(double mu, double alpha, Visit&& visit);
 

@@ -84,7 +84,7 @@ TEST(BeckmannFlakes, DensityIsMicrofacetBeckmannTimesHalfTheCosine) {
 
 TEST(BeckmannFlakes, ProjectedAreaFaceOnHasAClosedForm) {
     for (double alpha : {0.005, 0.02, 0.1, 0.3, 0.5, 1.0, 2.0}) {
-        EXPECT_NEAR(projected_area(1.0, alpha), facing_area(alpha), 1e-9) << alpha;  // as promised
+        EXPECT_NEAR(projected_area(1.0, alpha), facing_area(alpha), 1e-9) << alpha;  // beckmann.h
     }
 }
 
@@ -99,12 +99,13 @@ TEST(BeckmannFlakes, ProjectedAreaMatchesTheTable) {
           Row{0.1, .05, .0694580910}, Row{0.3, 1, .9600198566}, Row{0.3, .5, .4803032343},
           Row{0.3, .2, .2258440078}, Row{0.3, .05, .1637693455}}) {
         EXPECT_NEAR(projected_area(row.mu, row.alpha), row.s, 1e-9 * row.s + 5e-11)
-            << row.alpha << ' ' << row.mu;  // the promise, and ten digits
+            << row.alpha << ' ' << row.mu;  // beckmann.h, and ten digits
     }
 }
 
 TEST(BeckmannFlakes, ProjectedAreaIsTheCosineWhereNoFlakeStandsEdgeOn) {
-    // s(mu) = mu s(1) up to the fraction exp(-(mu/s alpha)^2) of normals beyond the edge.
+    // s(mu) = mu s(1) up to the fraction exp(-(mu / (alpha sin theta))^2) of normals beyond the
+    // edge.
     for (double mu : {0.6, 0.8, 0.99}) {
         EXPECT_NEAR(projected_area(mu, 0.1), mu * facing_area(0.1), 1e-12);
     }
@@ -118,7 +119,7 @@ TEST(BeckmannFlakes, ProjectedAreaHasTheRightMeanOverDirections) {
         for (std::size_t k = 0; k < mu.nodes.size(); ++k) {
             mean += mu.weights[k] * projected_area(mu.nodes[k], alpha);
         }
-        EXPECT_NEAR(mean, 0.5, 1e-9) << alpha;  // the promised error of s
+        EXPECT_NEAR(mean, 0.5, 1e-9) << alpha;  // as s itself
     }
 }
 

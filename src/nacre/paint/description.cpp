@@ -8,7 +8,7 @@ namespace nacre::paint {
 
 namespace {
 
-/// Looks at the keys of an object's own table alone, all alternatives among them.
+/// Visits the keys of an object's own table only, those of all alternatives among them.
 class KeyVisitor : public Visitor {
  public:
     bool has(const Field& field, bool) override {

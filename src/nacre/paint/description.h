@@ -14,14 +14,14 @@
 #include "nacre/optics/material.h"
 #include "nacre/spectra/spectrum.h"
 
-// Says once what a file may say. For each struct T that a file states, a function
+// One description of the keys of a file. For each struct T that a file states, a function
 //
 //   void describe(Visitor& visit, T& object);
 //
-// names its keys in order, each with unit, range, meaning and the place of its value. Whatever
-// needs to know the keys is a visitor: the reader and the writer of TOML (io/described_toml.h), the
+// names its keys in order, each with unit, range, meaning and the place of its value. All that
+// depends on the keys is a visitor: the reader and the writer of TOML (io/described_toml.h), the
 // check of ranges and the tables of the documentation (below), the numbers by key
-// (paint/recipe_parameter.h), the words of a data sheet. Descriptions: paint/recipe_description.h.
+// (paint/recipe_parameter.h), the text of a data sheet. Descriptions: paint/recipe_description.h.
 
 namespace nacre::paint {
 
@@ -48,7 +48,7 @@ inline constexpr std::size_t kMaxSpectrumSamples = 10'000;
 
 class Visitor;
 
-/// An object with its description, its type forgotten.
+/// An object with its description, its type erased.
 class Described {
  public:
     template <class T>

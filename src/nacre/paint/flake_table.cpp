@@ -48,7 +48,8 @@ std::vector<double> fine_grid(int count, int wavelengths, std::size_t stride, in
     return fine;
 }
 
-// Largest of the upper eighth of the Chebyshev coefficients: how far from resolved the samples are.
+// Largest of the upper eighth of the Chebyshev coefficients: an estimate of the interpolation
+// error.
 double unresolved(int count, int wavelengths, std::span<const double> values) {
     const int n = count - 1;
     double worst = 0;
@@ -66,7 +67,8 @@ double unresolved(int count, int wavelengths, std::span<const double> values) {
     return worst;
 }
 
-// Rows of `even` and `odd` by turns: the points of one level lie between those of the one before.
+// Rows of `even` and `odd` alternately: the new points of a level lie between those of the one
+// before.
 std::vector<double> interleave(int wavelengths, const std::vector<double>& even,
                                const std::vector<double>& odd) {
     std::vector<double> all;

@@ -13,8 +13,8 @@ namespace nacre::paint {
 /// Sampled twice: at Chebyshev-Lobatto points in the cosine, few enough to store, and from those
 /// on a fine uniform grid, where a lookup is one linear interpolation for eight wavelengths.
 /// Between the nodes of the fine grid R and T err by less than 2e-4 where a core up to 1 um thick
-/// varies by 50 nm or more; fringes that no spread washes out cost more: 7e-4 for a core of 500 nm,
-/// 1e-2 for one of 3 um.
+/// varies by 50 nm or more; without spread the fringes cost more: 7e-4 for a core of 500 nm, 1e-2
+/// for one of 3 um.
 class FlakeTable {
  public:
     /// R and T that do not depend on angle, one value per wavelength.

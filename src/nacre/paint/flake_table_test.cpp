@@ -48,9 +48,9 @@ TEST(FlakeTable, PlateletsAreInterpolatedToTheStatedError) {
 }
 
 TEST(FlakeTable, FringesOfThickCoresCostDigits) {
-    // Linear steps of the fine grid err by h^2/8 |R''|, and R'' goes like the square of the number
-    // of fringes: where no spread washes them out, or the core is several um thick, the bound above
-    // does not hold. These are the errors measured, times 1.2.
+    // Linear interpolation on the fine grid errs by h^2/8 |R''|, and R'' grows with the square of
+    // the number of fringes: without spread, or for a core of several um, the bound above does not
+    // hold. These are the errors measured, times 1.2.
     EXPECT_LT(worst_error(coated_mica(500, 0)), 8e-4);
     EXPECT_LT(worst_error(coated_mica(3000, 60)), 5e-4);
     EXPECT_LT(worst_error(coated_mica(3000, 0)), 1.2e-2);

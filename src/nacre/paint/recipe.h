@@ -24,7 +24,8 @@ struct Orientation {
     friend bool operator==(const Orientation&, const Orientation&) = default;
 };
 
-/// A flake whose optics are given, not computed: R + T <= 1 at every wavelength, at all angles.
+/// A flake whose optics are given, not computed: R and T, the same at all angles, R + T <= 1 at
+/// every wavelength.
 struct PrescribedFlake {
     spectra::Spectrum reflectance;
     spectra::Spectrum transmittance;
@@ -83,18 +84,19 @@ struct Clearcoat {
     friend bool operator==(const Clearcoat&, const Clearcoat&) = default;
 };
 
-/// The microfacet description that the models of Belcour & Barla and Guo et al. take in place of
-/// layers (DESIGN section 3, [microfacet]).
+/// The facets of the model of Guo et al.: the table [microfacet.facets] of docs/recipe.md.
 struct MicrofacetFacets {
-    double count = 0;  ///< K, over the whole object
-    double cone_deg = 3;
-    double thickness_spread_nm = 0;
+    double count = 0;                ///< K, over the whole object
+    double cone_deg = 3;             ///< gamma, half-angle of the query cone
+    double thickness_spread_nm = 0;  ///< standard deviation of the film's thickness
 
     friend bool operator==(const MicrofacetFacets&, const MicrofacetFacets&) = default;
 };
 /// The law of facet normals: Beckmann's (Gaussian slopes) or GGX (Trowbridge and Reitz), with long
 /// tails.                                                          [walter-2007, eq. 25 and 33]
 enum class FacetDistribution { beckmann, ggx };
+/// What the models of Belcour & Barla and of Guo et al. take in place of layers: a film of index
+/// eta_2 on a base of index eta_3 + i kappa_3.
 struct Microfacet {
     double alpha = 0.1;
     FacetDistribution distribution = FacetDistribution::beckmann;
@@ -126,7 +128,7 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm);
 
 }  // namespace nacre::paint
 
-// Bounds that others need too; those of every key: paint/recipe_description.cpp.
+// Bounds that other rooms need too; those of every key: paint/recipe_description.cpp.
 
 namespace nacre::paint::limits {
 
@@ -137,7 +139,7 @@ inline constexpr Range kFilmThickness{0, 1e5, "nm", true};
 inline constexpr Range kFilmSpread{0, 1e5, "nm"};
 inline constexpr Range kMicrofacetAlpha{0.001, 1};
 
-/// R + T may pass 1 by this much: what rounding leaves when both come from one computation.
+/// R + T may exceed 1 by this much, for rounding.
 inline constexpr double kEnergySlack = 1e-9;
 
 /// The first wavelength (nm) at which R + T > 1, if there is one. Both spectra are linear between

@@ -48,8 +48,9 @@ void describe(Visitor& visit, Clearcoat& coat) {
            .range = kPerMillimetre,
            .meaning = "absorption coefficient, for tinted clear coats"},
           coat.absorption_per_mm);
-    // A lobe below the range is a mirror to every use there is; smooth interfaces are solved
-    // faster and to more digits, and the walks of montecarlo/ need 1 / alpha^2 trials for others.
+    // Below 0.01 the reflected lobe is narrower than about 1 deg, and a smooth interface is the
+    // better model: it is solved faster and to more digits, and the walks of montecarlo/ need some
+    // 1 / alpha^2 trials under a rough one.
     visit({.key = "roughness",
            .range = {0.01, 1},
            .meaning = "Beckmann alpha of the air interface; 0 is smooth, a mirror",
@@ -205,7 +206,7 @@ void describe(Visitor& visit, Substrate& substrate) {
 }
 
 void describe(Visitor& visit, Microfacet& m) {
-    // Below the range of alpha a direction in single precision cannot tell slopes apart.
+    // Below the range of alpha directions in single precision do not resolve the slopes.
     visit({.key = "alpha",
            .range = limits::kMicrofacetAlpha,
            .meaning = "roughness",

@@ -6,7 +6,8 @@
 
 // Every key of a recipe, once: what paint/description.h says of descriptions. To add a key, add a
 // member to its struct (paint/recipe.h) and a line to its description; the reader, the writer, the
-// checks, the numbers by key and the data sheet follow, and a test says how docs/recipe.md must.
+// checks, the numbers by key and the data sheet follow, and a test compares the tables of
+// docs/recipe.md (and writes them with NACRE_WRITE_DOCS=1).
 
 namespace nacre::paint {
 

@@ -56,7 +56,7 @@ struct Slot {
 class SlotList final : public PathVisitor {
  public:
     void number(const Field& field, double& value) override {
-        if (field.zero && value == 0) return;  // there is no way from 0 into the range
+        if (field.zero && value == 0) return;  // 0 is outside the range: it cannot be varied
         slots.push_back({path_of(field), field.range, &value});
     }
 

@@ -7,15 +7,15 @@
 #include "nacre/core/error.h"
 #include "nacre/paint/recipe.h"
 
-// The numbers of a recipe by name, for whatever turns them: fits, sweeps, sliders.
+// The numbers of a recipe by key, for fits, sweeps and sliders.
 //
 // A number is named by its path in a recipe file, entries of lists counted from 0, as error
 // messages spell it: "layer[0].flakes[0].coats[0].thickness_nm". A spectrum that varies with the
-// wavelength is one number too, its largest sample: "clearcoat.absorption_per_mm.max". To set it
-// is to scale all samples, so that the amount of a dye can be turned and its colour stays.
-// What a recipe states as a material (of a film, or of the binder if it is not a plain number) is
-// not a number; nor is the roughness of a smooth interface, a spectrum that is zero everywhere
-// although it has samples, and what a recipe does not have.
+// wavelength is one number too, its largest sample: "clearcoat.absorption_per_mm.max". Setting it
+// scales all samples, so that the amount of a dye varies and the shape of its spectrum stays. What
+// a recipe states as a material (of a film, or of the binder if it is not a plain number) is not a
+// number; nor is the roughness of a smooth interface, a spectrum that is zero everywhere although
+// it has samples, and what a recipe does not have.
 
 namespace nacre::paint {
 
@@ -36,13 +36,13 @@ RecipeParameter find_parameter(const Recipe& recipe, std::string_view key);
 /// @throws DomainError as find_parameter(), or naming key, value and range
 void set_parameter(Recipe& recipe, std::string_view key, double value);
 
-/// The keys that a pattern means, in the order of recipe_parameters(): a whole key, or its end from
+/// The keys that match a pattern, in the order of recipe_parameters(): a whole key, or its end from
 /// a dot or the beginning on ("coats[0].thickness_nm", "alpha"), in which `*` stands for any text,
 /// even none.
 /// @throws DomainError if there is none, or if the pattern is without `*` and several keys end so
 std::vector<std::string> matching_parameters(const Recipe& recipe, std::string_view pattern);
 
-/// Between which ends a number may be sought.
+/// The interval in which a fit varies a number.
 struct ParameterBounds {
     std::string key;
     double lo = 0, hi = 0;

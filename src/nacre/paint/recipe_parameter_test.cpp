@@ -57,8 +57,8 @@ TEST(RecipeParameter, EveryNumberOfARecipeIsListedInItsOrder) {
             "microfacet.facets.cone_deg", "microfacet.facets.thickness_spread_nm"));
 }
 
-// What is set is what is read, no other number moves, and what a recipe refuses is refused under
-// the same key: keys, values and ranges are those of validate().
+// A number that was set is read back, no other number changes, and a value out of range is refused
+// under the same key: keys, values and ranges are those of validate().
 TEST(RecipeParameter, SettingOneNumberChangesThatNumberAlone) {
     const Recipe recipe = full_recipe();
     const std::vector<RecipeParameter> before = recipe_parameters(recipe);
@@ -86,7 +86,7 @@ TEST(RecipeParameter, TheLargestSampleOfASpectrumScalesAllOfIt) {
     Recipe recipe = full_recipe();
     set_parameter(recipe, "clearcoat.absorption_per_mm.max", 2.0);
     EXPECT_THAT(recipe.clearcoat->absorption_per_mm.values(), ElementsAre(0.5, 2.0));
-    // Zero would forget the shape; a spectrum that is zero has none.
+    // At zero the shape of the spectrum would be lost; a spectrum that is zero has none.
     EXPECT_THROW(set_parameter(recipe, "clearcoat.absorption_per_mm.max", 0.0), DomainError);
     recipe.clearcoat->absorption_per_mm = spectra::Spectrum({400, 700}, {0.0, 0.0});
     EXPECT_THAT(keys(recipe), Not(Contains("clearcoat.absorption_per_mm.max")));
@@ -94,7 +94,7 @@ TEST(RecipeParameter, TheLargestSampleOfASpectrumScalesAllOfIt) {
 
 TEST(RecipeParameter, WhatARecipeLacksIsNotListed) {
     Recipe recipe = full_recipe();
-    recipe.clearcoat->roughness = 0;  // smooth: there is no way from 0 to the least roughness
+    recipe.clearcoat->roughness = 0;  // smooth: 0 is outside the range of roughness
     recipe.binder = optics::Material("resin", std::vector<double>{400, 700},
                                      std::vector<optics::ComplexIndex>{1.52, 1.49});
     EXPECT_THAT(keys(recipe), Not(Contains("clearcoat.roughness")));
@@ -130,7 +130,7 @@ TEST(RecipeParameter, APatternMeansEndsOfKeysAndStarsAnyText) {
     EXPECT_THAT(message_of([&] { matching_parameters(recipe, "ness_nm"); }),
                 HasSubstr("is not a number"));
     EXPECT_THAT(message_of([&] { matching_parameters(recipe, ""); }), HasSubstr("is not a number"));
-    // Going back at every star would take longer than the sun shines.
+    // Backtracking at every star would take time exponential in their number.
     EXPECT_THAT(message_of([&] { matching_parameters(recipe, "*e*e*e*e*e*e*e*e*e*e*e*e*e*e*?"); }),
                 HasSubstr("is not a number"));
 }

@@ -85,8 +85,8 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d, const Acti
 
 namespace {
 
-// The impedance of the Lambertian substrate: order 0 returns the fraction r of the downward flux
-// evenly, R = r e e^T with e_i = sqrt(weight x cosine) normalised; 1 + R inverts in closed form.
+// The impedance of the Lambertian substrate of reflectance r: order 0 is R = r e e^T with e_i =
+// sqrt(weight x cosine) normalised, the others 0; 1 + R inverts in closed form.
 void set_substrate(DoubleLanes* y, const PaintBlock& block, const Directions& d, int order, int m) {
     std::fill(y, y + m * m, DoubleLanes{});
     for (int i = 0; i < m; ++i) y[i * m + i] = splat(1.0);
@@ -120,7 +120,8 @@ void set_operators(DoubleLanes* e, DoubleLanes* f, const LayerBlock& layer, cons
     }
 }
 
-// What meets one flake only, sum of kernel times depth integral, for one pair of active nodes.
+// Single scattering, the sum over layers of kernel times depth integral, for one pair of active
+// nodes.
 DoubleLanes single_scattering(const PaintBlock& block, int order, int first, int i, int j) {
     DoubleLanes once{};
     for (const LayerBlock& layer : block.layers) {
@@ -156,8 +157,8 @@ void reflect_under_coat(const PaintBlock& block, DoubleLanes* y, int first, int 
     }
 }
 
-// 2 pi W_i, W = etendue of an active node on the side where f is wanted: operators are
-// R_ij = 2 pi f_ij sqrt(W_i W_j).
+// 2 pi sqrt(W_i W_j) with W = weight x cosine of an active node inside the coat: the operator of an
+// order f_ij of the BRDF is R_ij = 2 pi sqrt(W_i W_j) f_ij.
 double flux(const Directions& d, int first, int i, int j) {
     return 2 * std::numbers::pi *
            std::sqrt(d.weight[first + i] * d.mu[first + i] * d.weight[first + j] * d.mu[first + j]);
@@ -174,7 +175,7 @@ void solve_order(const PaintBlock& block, const Directions& d, const ActiveNodes
     reflect_under_interface(y, block.interface_reflectance.data() + first, u, m, exits,
                             work.impedance);
 
-    // Take out what met one flake only, in the same discretisation.
+    // Subtract single scattering, in the same discretisation.
     for (int i = 0; i < exits; ++i) {
         for (int j = 0; j <= i; ++j) {
             *out++ = u[i * exits + j] * (1 / flux(d, first, i, j)) -
@@ -186,7 +187,7 @@ void solve_order(const PaintBlock& block, const Directions& d, const ActiveNodes
 
 void solve_rough_order(const PaintBlock& block, const RoughInterfaceOperators::Order& interface,
                        const Directions& d, int order, OrderWorkspace& work, DoubleLanes* single,
-                       DoubleLanes* rest) {
+                       DoubleLanes* multiple) {
     const int m = interface.n, exits = interface.exits, first = d.size() - m;
     set_paint_impedance(block, d, order, first, work);
     DoubleLanes *y = work.y.data(), *u = work.u.data(), *s = work.e.data(), *once = work.f.data();
@@ -207,7 +208,7 @@ void solve_rough_order(const PaintBlock& block, const RoughInterfaceOperators::O
         for (int j = 0; j <= i; ++j) {
             const double scale = 1 / (d.ior * d.ior * flux(d, first, i, j));
             *single++ = once[i * exits + j] * scale;
-            *rest++ = (u[i * exits + j] - once[i * exits + j]) * scale;
+            *multiple++ = (u[i * exits + j] - once[i * exits + j]) * scale;
         }
     }
 }

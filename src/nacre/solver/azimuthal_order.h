@@ -30,8 +30,8 @@ struct PaintBlock {
     double unresolved = 0;  ///< as SolverReport::unresolved_scattering
 };
 
-/// Single scattering is wanted between the first `lit` nodes: those that light reaches from
-/// outside.
+/// Single scattering is computed between the first `lit` nodes, those that light from outside
+/// reaches.
 ///
 /// The block keeps sigma_t = (discrete sum of the kernel) + (exact absorption): what the quadrature
 /// misses of the scattering cross section is taken from extinction too, so that a flake that
@@ -40,7 +40,7 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& directions,
                       const ActiveNodes& active, int lit, int block);
 
 // One azimuthal order of a paint at eight wavelengths: layers stacked as impedances (impedance.h),
-// the interface on top, single scattering taken out.
+// the interface on top, single scattering subtracted.
 
 /// Scratch memory for up to n nodes; allocate once a thread.
 struct OrderWorkspace {
@@ -56,9 +56,10 @@ struct OrderWorkspace {
 void solve_order(const PaintBlock& block, const Directions& directions, const ActiveNodes& active,
                  int order, OrderWorkspace& work, DoubleLanes* out);
 
-/// The same under a rough interface: f_single and the rest, complete, as seen from outside.
+/// The same under a rough interface: f_single and f_multiple with the interface's transmission, as
+/// seen from outside.
 void solve_rough_order(const PaintBlock& block, const RoughInterfaceOperators::Order& interface,
                        const Directions& directions, int order, OrderWorkspace& work,
-                       DoubleLanes* single, DoubleLanes* rest);
+                       DoubleLanes* single, DoubleLanes* multiple);
 
 }  // namespace nacre::solver

@@ -11,9 +11,9 @@
 
 namespace nacre::solver {
 
-/// Remembers the films of flakes, a fifth to five sixths of the work of a solve, for callers
-/// that solve a recipe many times with other amounts, layers or orientations. May be used from
-/// several threads at once; forgets what was not used for longest.
+/// Keeps the R and T tables of platelets, a fifth to five sixths of the time of a solve, for
+/// callers that solve a recipe many times with other amounts, layers or orientations. May be used
+/// from several threads at once; drops the least recently used table.
 class FilmCache {
  public:
     /// @param max_cosines  see paint::FlakeTable::of_platelet()
@@ -21,12 +21,12 @@ class FilmCache {
                        int max_cosines = paint::FlakeTable::kMaxCosines)
         : max_tables_(max_tables), max_cosines_(max_cosines) {}
 
-    /// paint::FlakeTable::of_platelet(), computed or remembered: the same bits.
+    /// paint::FlakeTable::of_platelet(), computed or from the cache: the same bits.
     std::shared_ptr<const paint::FlakeTable> table(const optics::Platelet& platelet,
                                                    const optics::Material& binder,
                                                    const std::vector<double>& wavelengths_nm);
 
-    std::size_t computed() const;  ///< how many tables were not remembered
+    std::size_t computed() const;  ///< number of tables computed so far
 
  private:
     struct Entry {

@@ -19,7 +19,7 @@ paint::Recipe pearl(double thickness_nm) {
     return recipe;
 }
 
-TEST(FilmCache, ASolveWithRememberedFilmsHasTheSameBits) {
+TEST(FilmCache, ASolveWithCachedFilmsHasTheSameBits) {
     const std::vector<double> wavelengths = {450, 550, 650};
     FilmCache cache;
     const SolvedPaint without = solve(pearl(80), wavelengths);
@@ -29,7 +29,7 @@ TEST(FilmCache, ASolveWithRememberedFilmsHasTheSameBits) {
     EXPECT_EQ(cache.computed(), 1u);
 }
 
-TEST(FilmCache, KnowsFilmsApart) {
+TEST(FilmCache, ComputesEachDifferentPlateletBinderAndGrid) {
     const std::vector<double> wavelengths = {450, 550};
     FilmCache cache;
     make_medium(pearl(80), wavelengths, &cache);
@@ -45,13 +45,13 @@ TEST(FilmCache, KnowsFilmsApart) {
     EXPECT_EQ(cache.computed(), 4u);
 }
 
-TEST(FilmCache, ForgetsWhatWasNotUsedForLongest) {
+TEST(FilmCache, DropsTheLeastRecentlyUsed) {
     const std::vector<double> wavelengths = {550};
     FilmCache cache(2);
     make_medium(pearl(80), wavelengths, &cache);
     make_medium(pearl(90), wavelengths, &cache);
     make_medium(pearl(80), wavelengths, &cache);   // used again
-    make_medium(pearl(100), wavelengths, &cache);  // drives 90 out
+    make_medium(pearl(100), wavelengths, &cache);  // evicts 90
     make_medium(pearl(80), wavelengths, &cache);
     EXPECT_EQ(cache.computed(), 3u);
     make_medium(pearl(90), wavelengths, &cache);

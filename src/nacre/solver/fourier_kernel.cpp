@@ -14,10 +14,10 @@ namespace nacre::solver {
 
 namespace {
 
-// exp(-kNegligible) of the peak is where a lobe ends.
+// A lobe is cut where it falls below exp(-kNegligible) of its peak.
 constexpr double kNegligible = 22.0;
 
-// What the azimuthal transform of one pair of nodes needs; reused from pair to pair.
+// Scratch memory of the azimuthal transform of one pair of nodes; reused from pair to pair.
 struct PairScratch {
     std::vector<DoubleLanes> value;
     std::vector<double> twice_cos, now, before;

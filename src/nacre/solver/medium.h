@@ -7,8 +7,8 @@
 #include "nacre/paint/recipe.h"
 #include "nacre/solver/film_cache.h"
 
-// The optics of a recipe at a set of wavelengths: everything the solver and the single scattering
-// need, with spectra evaluated and films computed. Lengths in um.
+// The optics of a recipe at a set of wavelengths, for the solver and for single scattering: spectra
+// evaluated and films computed. Lengths in um.
 
 namespace nacre::solver {
 
@@ -47,7 +47,7 @@ struct PaintMedium {
     friend bool operator==(const PaintMedium&, const PaintMedium&) = default;
 };
 
-/// @param films  where to look for films, if given
+/// @param films  cache of the flakes' tables; null: none
 /// @throws DomainError as validate() does
 PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                         FilmCache* films = nullptr);
@@ -55,7 +55,7 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
 /// Extinction sigma_t(mu), in 1/um, of the eight wavelengths of `block`.
 DoubleLanes extinction(const LayerMedium& layer, double mu, int block);
 
-/// The same with what scatters taken out: what is lost for good, sigma_t - sigma_s.
+/// Absorption sigma_t - sigma_s, in 1/um, likewise.
 DoubleLanes absorption(const LayerMedium& layer, double mu, int block);
 
 /// sigma_s p(w -> w') in 1/(um sr): light that travels down (towards -z) under the cosine mu_i is

@@ -16,8 +16,8 @@ namespace {
 
 using test::kOneWavelength;
 
-// Equations (3) to (6) of mir-2022 as printed, with the exponent of (4) repaired: full of
-// cancellation, but another road to the same numbers.
+// Equations (3) to (6) of [mir-2022] as printed, with the exponent of (4) repaired: an independent
+// form of the same kernel, which loses digits to cancellation.
 double printed_kernel(double alpha, double c, double reflectance, double mu_i, double mu_o,
                       double phi) {
     // Travel cosines have opposite signs, and phi between directions of travel is pi away from
@@ -85,7 +85,7 @@ TEST(PaintMedium, ScatteringIntegratesToTheCrossSection) {
             extinction(m.layers[0], mu, 0)[0] - absorption(m.layers[0], mu, 0)[0];
         // for_each_normal errs by 1e-5, the sum here less.
         EXPECT_NEAR(sum, scattering, 3e-5 * scattering) << mu;
-        // All of it in closed form: c R s(mu), c (1 - T) s(mu).
+        // Both in closed form: c R s(mu), c (1 - T) s(mu).
         const double s = paint::projected_area(mu, alpha);
         EXPECT_NEAR(scattering, 0.1 * 0.6 * s, 1e-5 * s);
         EXPECT_NEAR(extinction(m.layers[0], mu, 0)[0], 0.1 * 0.9 * s, 1e-5 * s);
@@ -116,7 +116,7 @@ TEST(PaintMedium, BackscatteringIsReciprocalEvenInAzimuthAndMatchesVectors) {
     }
 }
 
-TEST(PaintMedium, FlakesThatPassOrReflectAllAbsorbNothing) {
+TEST(PaintMedium, FlakesThatTransmitOrReflectAllAbsorbNothing) {
     const PaintMedium m = make_medium(test::flake_paint(0.1, 0.4, 0.6, 1, 1.5), kOneWavelength);
     for (double mu : {1.0, 0.3, 1e-3}) {
         const double lost = absorption(m.layers[0], mu, 0)[0];
@@ -135,7 +135,7 @@ TEST(PaintMedium, CarriesUnitsOverFromTheRecipe) {
     EXPECT_NEAR(m.clearcoat_depth[1], 0.1, 1e-15);  // 2.5 per mm x 0.04 mm
     EXPECT_NEAR(m.layers[0].pigments[0].scattering_per_um[0], 2.4e-3, 1e-17);
     EXPECT_NEAR(m.substrate_reflectance[1], 0.35, 1e-15);
-    EXPECT_NEAR(extinction(m.layers[0], 0.4, 0)[2], 3e-3, 1e-17);  // no direction is special
+    EXPECT_NEAR(extinction(m.layers[0], 0.4, 0)[2], 3e-3, 1e-17);  // isotropic
 }
 
 TEST(PaintMedium, RefusesWhatTheRecipeForbids) {

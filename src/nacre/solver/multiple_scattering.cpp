@@ -43,8 +43,8 @@ std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::Vector
     return scale;
 }
 
-// To a multiple of the largest power of two that is not above `step`: a float with few digits,
-// which a file packs well.
+// To a multiple of the largest power of two that is not above `step`: a float with few significant
+// bits, which compresses well in a file.
 float round_to(double value, double step) {
     if (!(step > 0)) return static_cast<float>(value);
     const double unit = std::exp2(std::floor(std::log2(step)));
@@ -84,8 +84,8 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     }
     const RowMajorMatrix basis = eigen.vectors.rightCols(rank).rowwise().reverse().transpose();
     const RowMajorMatrix coefficient = (all * basis.transpose()).transpose();
-    // The errors of the terms add up in squares, and no element of an orthonormal basis exceeds 1;
-    // at worst they add up as they are, hence the root.
+    // Each coefficient errs by step / 2 at most. At one wavelength the squares of the basis sum to
+    // at most 1, the magnitudes to sqrt(rank): together the terms err by tolerance / 2 at most.
     // Order 0 carries the energy and costs little: it is kept to more digits.
     const double step = tolerance / std::sqrt(std::max(rank, 1)), finer = 1.0 / 64;
     const std::size_t order_0 =

@@ -30,10 +30,10 @@ struct MultipleScattering {
     /// Pairs of nodes over all orders; coefficient.size() = rank() pair_count().
     std::size_t pair_count() const;
 
-    /// Whether an order has anything under theta_e. It is zero at every node before first[order],
-    /// hence also nearer to the normal than the last of them: between such nodes, and beyond the
-    /// first one of all, the polynomial through all nodes would ring instead, in phase in hundreds
-    /// of orders. At that last node it vanishes, so nothing jumps.
+    /// Whether an order is evaluated at theta_e. Its values are zero at the nodes before
+    /// first[order]; between these the interpolating polynomial would oscillate instead of
+    /// vanishing, in phase in hundreds of orders, so that the order is set to zero up to the last
+    /// of them. There the polynomial is zero too: there is no jump.
     bool takes_part(int order, double theta_e) const {
         return first[order] == 0 || theta_e > exit_angle[first[order] - 1];
     }
@@ -47,8 +47,8 @@ struct MultipleScattering {
 inline constexpr double kBlackBrdf = 1e-8;
 
 /// Values [pair][wavelength] in, compressed so that no value errs by more than `tolerance` times
-/// the smaller of the largest values that its two directions have, or kBlackBrdf: a cut of the spectral basis, and
-/// coefficients of few digits.
+/// the smaller of the largest values that its two directions have, or kBlackBrdf: by truncating the
+/// spectral basis and rounding the coefficients.
 MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> first,
                             int wavelength_count, std::span<const double> values, double tolerance);
 

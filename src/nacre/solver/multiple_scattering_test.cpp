@@ -124,9 +124,10 @@ TEST(MultipleScattering, SlicesReturnTheValuesAtNodes) {
     EXPECT_EQ(compared, 4 * 6 * 3);
 }
 
-TEST(MultipleScattering, HighOrdersStayAwayFromTheNormal) {
-    // 400 orders that live on the outermost four nodes only and are in phase at phi = pi. Towards
-    // the normal nothing may depend on azimuth; the polynomial through the zeros of 40 nodes rings.
+TEST(MultipleScattering, OrdersVanishTowardsTheNormalFromTheirFirstNode) {
+    // 400 orders that are nonzero on the outermost four nodes only and are in phase at phi = pi.
+    // Towards the normal nothing may depend on azimuth, where the polynomial through the zeros of
+    // 40 nodes oscillates.
     const std::vector<double> angle = make_directions(1.0, 44, 0).exit_angle;
     std::vector<int> first = {0};
     std::vector<double> values(44 * 45 / 2, 0.0);

@@ -25,8 +25,8 @@ void check_nodes(int value, int most, const char* what) {
 }
 
 // Under a rough interface single scattering is not split off: its lobes must be resolved by the
-// nodes too. The interface's lobes ask for nothing (rough_interface_operators.h), but masking sets
-// in within its roughness of the horizon, where the spacing of n nodes is of order 1/n^2.
+// nodes too. The interface's lobes need not be (rough_interface_operators.h), but masking changes
+// within its roughness of the horizon, where the spacing of n nodes is of order 1/n^2.
 void choose_rough(double alpha, double roughness, double n, const SolverSettings& settings,
                   Resolution& r) {
     const int exit_nodes =

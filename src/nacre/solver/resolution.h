@@ -16,13 +16,13 @@ struct Resolution {
 /// @throws DomainError if a setting is out of range; Error if a lobe is too sharp for any setting
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings);
 
-/// What the nodes may miss of the scattering cross section of an exit direction. It is not lost
-/// (the solver gives it back to extinction), and what it errs is a fraction of it.
+/// Largest SolverReport::unresolved_scattering that is not refined. No energy is lost (make_block()
+/// changes extinction by as much), and the BRDF errs by a fraction of it.
 inline constexpr double kAcceptedUnresolved = 1e-2;
 
 /// Raises nodes and orders after a solution that they did not resolve. False if there is no need,
-/// or if the settings fix what would have to grow, or if it has reached its limit: the report then
-/// says how far off the solution is.
+/// or if what would have to grow is fixed by the settings or has reached its limit: the report then
+/// states the error.
 bool refine(Resolution& resolution, const SolverSettings& settings, double unresolved,
             double azimuthal_tail);
 

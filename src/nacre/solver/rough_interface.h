@@ -21,14 +21,14 @@
 //     K(x,y) = (1-F) D G1 G1 |x.h| |y.h| / (|cos x| |cos y| (n_x x.h + n_y y.h)^2)   (other side)
 //                                                                  [walter-2007, eq. 20, 21, 25]
 //
-// What is masked, m(x) = 1 - Int K(x,y) dy, would meet the surface again. It is given back
-// diffusely over both sides, as m(x) m(y) / Int m: reciprocal, and exactly conserving. The idea is
-// that of [kulla-conty-2017], on both sides of the surface at once. A random walk samples it so:
-// a masked photon goes on to y with the density m(y)/Int m, that is, to the first direction drawn
-// uniformly in etendue from which a photon of its own would have been masked.
+// The masked fraction, m(x) = 1 - Int K(x,y) dy, would meet the surface again. It is returned
+// diffusely to both sides, as m(x) m(y) / Int m: reciprocal, and exactly conserving. The idea is
+// that of [kulla-conty-2017], on both sides of the surface at once. A random walk samples it so: a
+// masked photon goes on to y with the density m(y)/Int m, that is, to the first direction drawn
+// uniformly in etendue from which another photon would have been masked.
 //
-// Limits: for alpha -> 0 a smooth interface. For n -> 1 masked light still spreads, although
-// nothing is there to mask it; n = 1 itself is no interface at all (the solver goes round it).
+// Limits: for alpha -> 0 a smooth interface. For n -> 1 masked light is still scattered, although
+// there is no index step; n = 1 itself is no interface (the solver leaves it out).
 
 namespace nacre::solver {
 
@@ -45,14 +45,14 @@ class RoughInterface {
     /// @throws DomainError if one is out of range
     RoughInterface(double ior, double alpha);
 
-    /// BRDF in 1/sr, what is masked and given back to the outside included. phi = phi_o - phi_i.
+    /// BRDF in 1/sr, the masked light that returns to the outside included. phi = phi_o - phi_i.
     double brdf(double theta_i, double theta_o, double phi) const;
     /// The two terms of brdf(): facets, met once; and diffuse_scale() m(theta_i) m(theta_o).
     double facet_brdf(double theta_i, double theta_o, double phi) const;
     double masked(double theta) const;                       ///< m from outside, in [0, 1]
     double diffuse_scale() const { return diffuse_scale_; }  ///< 1 / Int m over both sides, 1/sr
 
-    /// Fraction of light from outside that the interface throws back without letting it in.
+    /// Fraction of the light from outside that the interface reflects.
     double albedo(double theta_i) const;
 
  private:

@@ -25,15 +25,15 @@ struct Panel {
     ExitInterpolation basis;
 };
 
-// Where the outer integral looks out from: one fine node of one panel on one side.
-struct Station {
+// A node of the outer integral, on one panel and one side.
+struct OuterNode {
     const Panel* panel;
     bool outside;
     double theta;                            // on its own side
     double etendue;                          // over 2 pi
     std::vector<double> basis;               // the panel's Lagrange polynomials here
-    int orders;                              // that may matter
-    std::vector<double> reflected, through;  // [order][node inside]: what goes on, by node
+    int orders;                              // that are not negligible
+    std::vector<double> reflected, through;  // [order][node inside]: inner integral by node
     double masked = 1, reflected_fraction = 0;
 };
 
@@ -50,21 +50,21 @@ class Projection {
         }
         const double n2 = d.ior * d.ior;
         for (int i = 0; i < d.size(); ++i) etendue_.push_back(n2 * d.weight[i] * d.mu[i]);
-        add_stations(panels_[0], true);
-        for (const Panel& panel : panels_) add_stations(panel, false);
-        tbb::parallel_for(std::size_t{0}, stations_.size(),
-                          [&](std::size_t i) { look_out(stations_[i]); });
+        add_outer_nodes(panels_[0], true);
+        for (const Panel& panel : panels_) add_outer_nodes(panel, false);
+        tbb::parallel_for(std::size_t{0}, outer_nodes_.size(),
+                          [&](std::size_t i) { integrate_facets(outer_nodes_[i]); });
         set_normaliser();
     }
 
     // Reflection inside and transmission to outside (exits x size) of one order, all nodes.
-    Matrix reflection(int l) const { return project(false, l, &Station::reflected); }
-    Matrix transmission(int l) const { return project(true, l, &Station::through); }
+    Matrix reflection(int l) const { return project(false, l, &OuterNode::reflected); }
+    Matrix transmission(int l) const { return project(true, l, &OuterNode::through); }
 
-    // A function given by its values at the stations of one side.
-    Vector project(bool outside, double Station::*value) const {
+    // Projection of a function given by its values at the outer nodes of one side.
+    Vector project(bool outside, double OuterNode::*value) const {
         Vector out = Vector::Zero(outside ? d_.exit_count : d_.size());
-        for (const Station& s : stations_) {
+        for (const OuterNode& s : outer_nodes_) {
             if (s.outside != outside) continue;
             for (int i = 0; i < s.panel->count; ++i) {
                 out[s.panel->first + i] += s.etendue * s.basis[i] * (s.*value);
@@ -74,7 +74,7 @@ class Projection {
         return normaliser_.topLeftCorner(out.size(), out.size()) * out;
     }
 
-    // The function 1, exactly what project() would make of it.
+    // The projection of the function 1, which is exact.
     Vector ones(bool outside) const {
         Vector out(outside ? d_.exit_count : d_.size());
         for (int i = 0; i < out.size(); ++i) out[i] = std::sqrt(etendue_[i]);
@@ -82,11 +82,11 @@ class Projection {
     }
 
  private:
-    void add_stations(const Panel& panel, bool outside) {
+    void add_outer_nodes(const Panel& panel, bool outside) {
         // Exact for products of two basis functions and a smooth third one.
         const Quadrature rule = gauss_legendre(panel.count + 16, panel.from, panel.to);
         for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-            Station s;
+            OuterNode s;
             s.panel = &panel;
             s.outside = outside;
             const double angle = rule.nodes[k];
@@ -96,15 +96,16 @@ class Projection {
             s.theta = exits && !outside ? std::asin(std::sin(angle) / d_.ior) : angle;
             s.basis.resize(panel.count);
             panel.basis.weights_at(angle, s.basis.data());
-            // Lobes are no narrower than alpha times the bend of a refracted ray, (n - 1)/n.
+            // Lobes are no narrower than alpha times (n - 1)/n, the deviation of a refracted ray
+            // per tilt of the facet.
             const double narrowest = alpha_ * (d_.ior - 1) / d_.ior;
             s.orders =
                 static_cast<int>(std::min<double>(orders_, 12 + 5 * std::sin(s.theta) / narrowest));
-            stations_.push_back(std::move(s));
+            outer_nodes_.push_back(std::move(s));
         }
     }
 
-    void look_out(Station& s) const {
+    void integrate_facets(OuterNode& s) const {
         const int n = d_.size();
         const std::size_t size = static_cast<std::size_t>(s.orders) * n;
         s.reflected.assign(s.outside ? 0 : size, 0.0);
@@ -139,12 +140,12 @@ class Projection {
         });
     }
 
-    // Polynomials are orthogonal under the nodes' own quadrature, all but exactly so under the
+    // Polynomials are orthogonal under the nodes' own quadrature, nearly so under the
     // true measure for the highest degrees: M^-1/2 makes them so.                [lowdin-1950]
     void set_normaliser() {
         const int n = d_.size();
         Matrix gram = Matrix::Zero(n, n);
-        for (const Station& s : stations_) {
+        for (const OuterNode& s : outer_nodes_) {
             if (s.outside) continue;
             for (int i = 0; i < s.panel->count; ++i) {
                 for (int j = 0; j < s.panel->count; ++j) {
@@ -157,10 +158,10 @@ class Projection {
         normaliser_ = inverse_square_root(gram);
     }
 
-    Matrix project(bool outside, int l, std::vector<double> Station::*values) const {
+    Matrix project(bool outside, int l, std::vector<double> OuterNode::*values) const {
         const int n = d_.size(), rows = outside ? d_.exit_count : n;
         Matrix out = Matrix::Zero(rows, n);
-        for (const Station& s : stations_) {
+        for (const OuterNode& s : outer_nodes_) {
             if (s.outside != outside || l >= s.orders) continue;
             const Eigen::Map<const Eigen::RowVectorXd> value(
                 (s.*values).data() + std::size_t(l) * n, n);
@@ -179,7 +180,7 @@ class Projection {
     double alpha_;
     std::vector<Panel> panels_;
     std::vector<double> etendue_;  // of the nodes, over 2 pi
-    std::vector<Station> stations_;
+    std::vector<OuterNode> outer_nodes_;
     Matrix normaliser_;
 };
 
@@ -196,13 +197,13 @@ RoughInterfaceOperators::RoughInterfaceOperators(const Directions& d, const Acti
         reflection = 0.5 * (reflection + reflection.transpose()).eval();
         Matrix transmission = projection.transmission(l);
         if (l == 0) {
-            // What is masked goes back evenly. Inside, m is what the matrices lack, so that they
-            // conserve energy to rounding.
-            const Vector masked_outside = projection.project(true, &Station::masked);
+            // Masked light returns diffusely. Inside, m is the deficit of the matrices' sums, so
+            // that they conserve energy to rounding.
+            const Vector masked_outside = projection.project(true, &OuterNode::masked);
             const Vector masked_inside = projection.ones(false) -
                                          reflection * projection.ones(false) -
                                          transmission.transpose() * projection.ones(true);
-            const Vector found = projection.project(false, &Station::masked);
+            const Vector found = projection.project(false, &OuterNode::masked);
             asymmetry_ = (found - masked_inside).norm() / projection.ones(false).norm();
             const double total = masked_outside.dot(projection.ones(true)) +
                                  masked_inside.dot(projection.ones(false));

@@ -14,25 +14,26 @@
 #include "nacre/solver/impedance.h"
 #include "nacre/solver/rough_interface.h"
 
-// Integrals over the facets of a rough interface that are visible from one direction. Lobes may be
-// as narrow as they like: the nodes are facets, not directions.
+// Integrals over the facets of a rough interface that are visible from one direction. The nodes are
+// facets, not directions, so that narrow lobes need no more of them.
 
 namespace nacre::solver {
 
-/// Light that left the surface: `towards` is where it goes on.
+/// Light that leaves the surface after one facet, and its exit direction.
 struct FacetExit {
     double fraction = 0;  ///< of the light that met the surface
     bool through = false;
-    double cosine = 0;  ///< of the way on, in (0, 1]
+    double cosine = 0;  ///< of the exit direction, in (0, 1]
     double sine = 0;
     double cos_phi = 1;  ///< azimuth between directions of travel before and after
 };
 
-/// What is integrated, for the choice of nodes.
+/// How fast the integrand varies, for the choice of nodes.
 struct FacetDetail {
-    double polar = 0;  ///< it turns by this many rad per rad of the polar angle of the way on
-    double order = 0;  ///< and has azimuthal orders up to this one
-    /// It has an edge at this cosine of the ways on inside (on the side of larger index); 0: none.
+    double polar = 0;  ///< its phase in rad per rad of the polar angle of the exit direction
+    double order = 0;  ///< its largest azimuthal order
+    /// It jumps at this cosine of the exit directions inside (on the side of larger index); 0:
+    /// nowhere.
     double edge_inside = 0;
 };
 
@@ -81,15 +82,16 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
         }
     };
 
-    // Cosines of ways on at which rings are cut.
+    // Cosines of exit directions at which rings are cut.
     const std::array<double, 2> reflected_cut = {0.0, inside ? detail.edge_inside : 0.0};
     const std::array<double, 2> through_cut = {0.0, inside ? 0.0 : detail.edge_inside};
     const int reflected_cuts = reflected_cut[1] > 0 ? 2 : 1,
               through_cuts = through_cut[1] > 0 ? 2 : 1;
 
-    // How far what is integrated turns over facets up to slope t: mirrors turn light by twice their
-    // tilt, refraction by less than it; its azimuth goes round once when the slope passes s.
-    const auto turn = [&](double t) {
+    // Phase of the integrand, in rad, over facets up to slope t: reflection turns light by twice
+    // the tilt of the facet, refraction by less than the tilt; the azimuth makes one turn when the
+    // slope passes s.
+    const auto phase_of = [&](double t) {
         return detail.polar * std::min(inside ? 2 * t : t, 0.5 * kPi) +
                detail.order * std::min(2 * t / std::max(s, 1e-9), 1.0);
     };
@@ -98,7 +100,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
 
     const auto ring = [&](double t, double weight) {
         weight *= 2 * t / (alpha * alpha) * std::exp(-t * t / (alpha * alpha)) / kPi;
-        // Where, in p = t cos phi, something changes.
+        // The azimuths, by p = t cos phi, where the integrand is not smooth.
         std::array<double, 7> cut{};
         int cuts = 0;
         cut[cuts++] = 0;
@@ -130,8 +132,8 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
             const double from = cut[k], width = cut[k + 1] - from;
             if (width < 1e-12) continue;
             // A whole ring is periodic: equal steps converge fastest.
-            const int count =
-                nodes(whole ? 2 * base + 0.6 * turn(t) : base + 1.2 * turn(t) * width / kPi);
+            const int count = nodes(whole ? 2 * base + 0.6 * phase_of(t)
+                                          : base + 1.2 * phase_of(t) * width / kPi);
             const Quadrature& rule = unit_gauss_legendre(count);
             for (int i = 0; i < count; ++i) {
                 const double u = rule.nodes[i];
@@ -170,7 +172,7 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
     for (int k = 0; k + 1 < cuts; ++k) {
         const double from = cut[k], width = cut[k + 1] - from;
         if (width < 1e-12 * t_max) continue;
-        const int count = nodes(8 + (2 * base + 0.6 * turn(t_max)) * width / t_max);
+        const int count = nodes(8 + (2 * base + 0.6 * phase_of(t_max)) * width / t_max);
         const Quadrature& rule = unit_gauss_legendre(count);
         for (int i = 0; i < count; ++i) {
             const double u = rule.nodes[i];
@@ -182,15 +184,15 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
 // The rough interface (rough_interface.h) as matrices for the solver, one set per azimuthal order.
 //
 // Psi is basic radiance times the square root of etendue, so that both sides share one scale and
-// what goes in is the transpose of what comes out. The matrices are the Galerkin projections of the
-// kernel on the polynomials that the quadrature nodes interpolate,
+// transmission inwards is the transpose of that outwards. The matrices are the Galerkin projections
+// of the kernel on the polynomials that the quadrature nodes interpolate,
 //
 //     A_ij = Int Int l_i(x) K(x, y) l_j(y) dx dy / sqrt(W_i W_j),
 //
-// with the inner integral over facets. Hence (1) lobes narrower than the spacing of the nodes do no
-// harm: only the light they scatter must be smooth, and that the flakes decide; (2) projections of
-// a contraction contract, and constants are among the polynomials: energy is conserved exactly;
-// (3) for alpha -> 0 they tend to Fresnel's diagonal matrices.
+// with the inner integral over facets. Hence (1) lobes may be narrower than the spacing of the
+// nodes: only the radiance that they scatter must be smooth, which depends on the flakes; (2)
+// projections of a contraction contract, and constants are among the polynomials: energy is
+// conserved exactly; (3) for alpha -> 0 they tend to Fresnel's diagonal matrices.
 //
 // Below the interface light goes down as D = Rii U + T^T s, and comes back as U = R D. With
 // impedances Y_i = (1 - Rii)(1 + Rii)^-1 and Y = (1 - R)(1 + R)^-1, and B = T (1 + Rii)^-1,
@@ -214,8 +216,8 @@ class RoughInterfaceOperators {
 
     const Order& order(int l) const { return orders_[l]; }
 
-    /// How far the quadrature over facets is from reciprocal: the difference between the masked
-    /// share m inside, found from inside and from what enters, rms over etendue.
+    /// Error of reciprocity of the quadrature over facets: the difference between the masked
+    /// fraction m inside, found from inside and from what enters, rms over etendue.
     double asymmetry() const { return asymmetry_; }
 
  private:
@@ -228,8 +230,8 @@ class RoughInterfaceOperators {
 void reflect_under_rough_interface(const RoughInterfaceOperators::Order& interface, DoubleLanes* y,
                                    DoubleLanes* u, ImpedanceWorkspace& work);
 
-/// T S T^T of one order into u (exits x exits), for a symmetric S (n x n): light that the interface
-/// lets in and out, with one reflection S between.
+/// T S T^T of one order into u (exits x exits), for a symmetric S (n x n): light transmitted in and
+/// out by the interface, with one reflection S between.
 void reflect_once_under_rough_interface(const RoughInterfaceOperators::Order& interface,
                                         const DoubleLanes* s, DoubleLanes* u,
                                         ImpedanceWorkspace& work);

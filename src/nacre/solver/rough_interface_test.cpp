@@ -47,7 +47,7 @@ double over_hemisphere(int polar, int azimuthal, F&& f) {
 }
 
 TEST(RoughInterface, VisibleFacetsFillTheProjectedArea) {
-    // Smith's masking is what makes Int D_x(h) dh = 1: the direct integral over slopes.
+    // Smith's masking is defined by Int D_x(h) dh = 1: the direct integral over slopes.
     for (const double alpha : {0.05, 0.3, 1.0}) {
         for (const double theta : {0.1, 0.8, 1.3, 1.55}) {
             const double c = std::cos(theta), s = std::sin(theta);

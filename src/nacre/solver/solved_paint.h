@@ -22,11 +22,11 @@ struct SolverSettings {
     friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
 };
 
-/// What the solver found out about itself.
+/// The resolution that was used, and the solver's estimates of its own errors.
 struct SolverReport {
     int exit_nodes = 0, inner_nodes = 0, orders = 0;
     /// Largest fraction by which the quadrature misses the scattering cross section of an exit
-    /// node; it is given back to extinction, so that no energy is lost.
+    /// node; extinction is changed by as much, so that no energy is lost.
     double unresolved_scattering = 0;
     /// Size of the last azimuthal orders over the peak: the truncation error of the series.
     double azimuthal_tail = 0;
@@ -51,7 +51,7 @@ struct SolvedPaint {
     /// exact. Zero at wavelengths at which the binder's index is 1: there is no interface.
     MultipleScattering rough_single;
 
-    /// Whether the interface is rough at this wavelength: which of the two the tensors mean.
+    /// Whether the interface is rough at this wavelength, which decides what the two tensors hold.
     bool is_rough(int wavelength) const {
         return medium.roughness > 0 && medium.ior[wavelength] > 1;
     }

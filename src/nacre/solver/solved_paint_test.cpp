@@ -12,7 +12,7 @@ namespace {
 using test::flake_species;
 using test::kOneWavelength;
 
-// paint::Clearcoat that absorbs, flakes and pigment over flakes of another kind.
+// An absorbing clearcoat, flakes and pigment over flakes of another species.
 PaintMedium two_layers() {
     paint::Recipe recipe = test::flake_paint(0.15, 0.5, 0.2, 1.2, 1.5);
     recipe.layers[0].pigments.push_back({20.0, 10.0, 0.4});
@@ -53,7 +53,7 @@ TEST(SingleScattering, IsTheDepthIntegralOverThinSublayers) {
     }
 }
 
-TEST(SingleScattering, DoesNotSeeHowALayerIsCut) {
+TEST(SingleScattering, DoesNotDependOnHowALayerIsDivided) {
     paint::Recipe whole = test::flake_paint(0.1, 0.6, 0.1, 1.5, 1.5), cut = whole;
     cut.layers.clear();
     for (const double thickness : {1.0, 4.0, 10.0}) {

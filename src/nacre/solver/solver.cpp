@@ -36,7 +36,7 @@ class GroupSolver {
         set_peaks(medium);
     }
 
-    // Solves orders in parallel until they no longer matter.
+    // Solves orders in parallel until those omitted sum to less than `tolerance` of the peak.
     GroupSolution run(double tolerance) {
         constexpr int kChunk = 4;
         GroupSolution out;
@@ -77,7 +77,8 @@ class GroupSolver {
             for (int c = 0; c < count; ++c) {
                 chunk += 2 * append_order(out, from + c, &values[c * blocks]);
             }
-            // What the orders left out would add, if they fall on as they fell from chunk to chunk.
+            // Sum of the omitted orders, extrapolated as a geometric series from the last two
+            // chunks.
             const double ratio = from > 0 ? chunk / std::max(last_chunk, 1e-300) : 1.0;
             out.azimuthal_tail = ratio < 1 ? chunk * ratio / (1 - ratio) : chunk;
             if (from > 0 && out.azimuthal_tail < tolerance) break;
@@ -87,12 +88,12 @@ class GroupSolver {
     }
 
  private:
-    // The largest BRDF along the mirror direction of each exit node, for what "small" means: single
+    // The scale of the tolerance: the BRDF in the specular direction of each exit node, by single
     // scattering alone, a lower bound.
     void set_peaks(const PaintMedium& medium) {
         peak_.assign(static_cast<std::size_t>(directions_.exit_count) * blocks_.size(),
                      DoubleLanes{});
-        if (interface_) return;  // add_to_peaks
+        if (interface_) return;  // see add_to_peaks()
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
             for (int i = 0; i < directions_.exit_count; ++i) {
                 const double mu = directions_.mu[i];
@@ -107,7 +108,7 @@ class GroupSolver {
         }
     }
 
-    // Under a rough interface: what the orders so far add up to along the mirror direction.
+    // Under a rough interface: the sum of the orders so far in the specular direction.
     void add_to_peaks(int order, int first, const LaneBuffer* by_block) {
         const int rows = directions_.exit_count - first;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {

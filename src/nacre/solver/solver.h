@@ -10,7 +10,7 @@
 
 namespace nacre::solver {
 
-/// @param films  where to look for films, if given
+/// @param films  cache of the flakes' tables; null: none
 /// @throws DomainError as validate() does; Error if the recipe cannot be resolved with the nodes
 /// and orders that the settings allow (the message says which and what to do)
 SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,

@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Grid, SolverAccuracy,
                                                 10 * c.ior);
                          });
 
-TEST(SolverAccuracy, AzimuthHasNoMeaningAtTheNormal) {
+TEST(SolverAccuracy, NothingDependsOnAzimuthAtTheNormal) {
     // Bare flakes need hundreds of orders between grazing directions. None may show at the normal.
     const SolvedPaint paint = solve(test::flake_paint(0.1, 0.3, 0.7, 1, 1.0), kOneWavelength);
     ASSERT_GT(paint.report.orders, 500);
@@ -78,7 +78,8 @@ TEST(SolverAccuracy, AzimuthHasNoMeaningAtTheNormal) {
     for (const double theta : {30.0, 60.0, 80.0, 89.0}) {
         const double back = paint.brdf(0, theta * kDegree, 0)[0];
         for (const double phi : {90.0, 175.0, 180.0}) {
-            // The promised accuracy. Orders that ring between nodes would add up to ten times that.
+            // The bound of docs/solver.md. Orders that oscillate between nodes would sum to ten
+            // times that.
             EXPECT_NEAR(paint.brdf(0, theta * kDegree, phi * kDegree)[0], back, 1e-3 * peak);
         }
     }
@@ -99,7 +100,7 @@ using test::flake_paint;
 using test::kOneWavelength;
 using test::pigment_paint;
 
-double with_mirror(const SolvedPaint& paint, double theta) {
+double with_specular(const SolvedPaint& paint, double theta) {
     return test::albedo(paint, theta) +
            optics::dielectric_reflectance(1.0, paint.medium.ior[0], std::cos(theta));
 }
@@ -109,7 +110,7 @@ TEST(SolverEnergy, LosslessThickLayersReflectEverything) {
     for (const double ior : {1.0, 1.5}) {
         for (const double theta : {0.0, 0.5, 1.2}) {
             const SolvedPaint pigment = solve(pigment_paint(1, 1e6, 0, ior), kOneWavelength);
-            EXPECT_NEAR(with_mirror(pigment, theta), 1, 4e-6) << ior << ' ' << theta;
+            EXPECT_NEAR(with_specular(pigment, theta), 1, 4e-6) << ior << ' ' << theta;
         }
     }
 }
@@ -118,10 +119,10 @@ TEST(SolverEnergy, LosslessLayersOverWhiteReflectEverything) {
     struct Case {
         double alpha, reflectance, ior, depth, error;
     };
-    // What the project asks under a coat. Without one, grazing directions take part, in which
-    // flakes are seen edge on: nodes miss up to 7e-4 of their scattering
-    // (report.unresolved_scattering), which the matrices give back, but which the closed form of
-    // single scattering knows exactly.
+    // The project's bound under a coat. Without one, grazing directions take part, in which flakes
+    // are seen edge on: nodes miss up to 7e-4 of their scattering (report.unresolved_scattering);
+    // the matrices conserve energy all the same, but single scattering is added in its exact closed
+    // form.
     constexpr double kCoated = 1e-6, kBare = 6e-5;
     // Depth 1e4 shows what each unit of optical depth gains or loses, 1e4 times over.
     for (const Case& c : {Case{0.1, 1, 1.5, 1, kCoated},
@@ -136,7 +137,7 @@ TEST(SolverEnergy, LosslessLayersOverWhiteReflectEverything) {
         recipe.substrate_reflectance = 1.0;
         const SolvedPaint paint = solve(recipe, kOneWavelength);
         for (const double theta : {0.0, 0.6, 1.1}) {
-            EXPECT_NEAR(with_mirror(paint, theta), 1, c.error) << c.alpha << ' ' << theta;
+            EXPECT_NEAR(with_specular(paint, theta), 1, c.error) << c.alpha << ' ' << theta;
         }
     }
 }
@@ -175,7 +176,7 @@ TEST(SolverEnergy, AlbedoNeverExceedsOne) {
     for (const double theta : {0.0, 0.8, 1.4}) {
         for (const double alpha : {0.1, 0.5}) {
             const SolvedPaint paint = solve(flake_paint(alpha, 1, 0, 1e4, 1.5), kOneWavelength);
-            const double albedo = with_mirror(paint, theta);
+            const double albedo = with_specular(paint, theta);
             EXPECT_LT(albedo, 1 + 1e-5);
             EXPECT_GT(albedo, 0.999);  // opaque and lossless
         }
@@ -183,7 +184,7 @@ TEST(SolverEnergy, AlbedoNeverExceedsOne) {
 }
 
 TEST(SolverEnergy, ThinLayersScatterOnce) {
-    // f -> S1 as the depth goes to 0; the rest falls with the square of it.
+    // f -> f_single as the depth goes to 0; f_multiple falls with the square of it.
     const auto parts = [](double depth) {
         const SolvedPaint paint = solve(flake_paint(0.2, 0.6, 0, depth, 1.5), kOneWavelength);
         return std::pair(paint.brdf(0.6, 0.5, 2.9, Part::single)[0],
@@ -197,8 +198,8 @@ TEST(SolverEnergy, ThinLayersScatterOnce) {
     EXPECT_GT(multiple3, 0);
 }
 
-TEST(SolverEnergy, EmptyPaintShowsTheGround) {
-    // A layer of depth 1e-7 over a Lambertian ground under a smooth interface:
+TEST(SolverEnergy, EmptyPaintShowsTheSubstrate) {
+    // A layer of depth 1e-6 over a Lambertian substrate of reflectance g under a smooth interface:
     // f = g/pi t_i t_o/n^2 / (1 - g r_in), in closed form; r_in = 0.5963 at n = 1.5.
     paint::Recipe recipe = pigment_paint(0.5, 1e-6, 0, 1.5);
     recipe.substrate_reflectance = 0.5;
@@ -214,7 +215,7 @@ TEST(SolverEnergy, EmptyPaintShowsTheGround) {
     };
     for (const double theta : {0.0, 0.9, 1.5}) {
         const double expected = 0.5 / kPi * enter(theta) * enter(0.4) / 2.25 / (1 - 0.5 * inside);
-        // The layer takes some 3e-6 of it; 12 exit nodes resolve Fresnel to 1e-6.
+        // The layer absorbs some 3e-6 of it; 12 exit nodes resolve Fresnel to 1e-6.
         EXPECT_NEAR(paint.brdf(theta, 0.4, 1.0)[0], expected, 1e-5 * expected) << theta;
     }
 }

@@ -15,13 +15,13 @@ using test::flake_paint;
 using test::kOneWavelength;
 using test::pigment_paint;
 
-SolvedPaint over_ground(paint::Recipe recipe, double ground) {
-    recipe.substrate_reflectance = ground;
+SolvedPaint over_substrate(paint::Recipe recipe, double reflectance) {
+    recipe.substrate_reflectance = reflectance;
     return solve(recipe, kOneWavelength);
 }
 
-// Int 2 cos f_0 over both directions of the exit nodes, index-matched: the light that diffuse
-// illumination gets back.
+// Int 2 cos f_0 over both directions of the exit nodes, index-matched: the reflectance for diffuse
+// light.
 double diffuse(const std::vector<std::vector<double>>& f, const Directions& d) {
     double sum = 0;
     for (int i = 0; i < d.size(); ++i) {
@@ -32,12 +32,13 @@ double diffuse(const std::vector<std::vector<double>>& f, const Directions& d) {
     return sum;
 }
 
-// What a Lambertian ground adds to an index-matched slab is smooth and in order 0 alone:
+// A Lambertian substrate of reflectance g adds to an index-matched slab a smooth part, in order 0
+// alone:
 //     R(g) - R(0) = T t g/(1 - g r),   diffusely  r(g) - r(0) = t^2 g/(1 - g r),
-// T from the light's direction, t and r for diffuse light. Two grounds give t, then T.
+// T from the light's direction, t and r for diffuse light. Two substrates give t, then T.
 double transmittance(const paint::Recipe& recipe, double mu0) {
-    const SolvedPaint black = over_ground(recipe, 0), grey = over_ground(recipe, 0.5),
-                      white = over_ground(recipe, 1);
+    const SolvedPaint black = over_substrate(recipe, 0), grey = over_substrate(recipe, 0.5),
+                      white = over_substrate(recipe, 1);
     const Directions d =
         make_directions(1.0, static_cast<int>(black.multiple_scattering.exit_angle.size()), 0);
     const auto added = [&](const SolvedPaint& paint) {
@@ -63,7 +64,7 @@ struct Slab {
 };
 
 TEST(SolverSlab, PigmentsMatchTheTables) {
-    // The design notes [van-de-hulst-1980; prahl-1993], five to six digits.
+    // [van-de-hulst-1980; prahl-1993], five to six digits.
     constexpr Slab kTable[] = {
         {.9, 2, .75, 1, .097395, .660958},  {.99, 1, 0, .5, .486518, .491628},
         {.99, 4, .5, .5, .619959, .306051}, {1, 1, 0, 1, .341329, .658671},
@@ -99,14 +100,14 @@ TEST(SolverSlab, PigmentsMatchAnotherAddingDoublingProgram) {
 }
 
 TEST(SolverSlab, HalfSpaceUnderAnInterface) {
-    // The design notes: albedo 0.9, isotropic, n = 1.5, normal incidence, specular reflection
-    // included.
+    // Albedo 0.9, isotropic, n = 1.5, normal incidence, specular reflection included:
+    // docs/solver.md.
     const SolvedPaint paint = solve(pigment_paint(0.9, 1e4, 0, 1.5), kOneWavelength);
     EXPECT_NEAR(albedo(paint, 0) + 0.04, 0.25992, 1e-5);
 }
 
 TEST(SolverSlab, IndexMatchedFlakesMatchTheTables) {
-    // The design notes, two independent methods; R = 0.3 + 0.7 (1 - c)^5 has T = 1 - R.
+    // By adding-doubling and Monte Carlo: docs/solver.md.
     const SolvedPaint opaque = solve(flake_paint(0.1, 1, 0, 2, 1.0), kOneWavelength);
     EXPECT_NEAR(albedo(opaque, std::acos(0.8)), 0.66557, 1e-5);
 
@@ -116,7 +117,7 @@ TEST(SolverSlab, IndexMatchedFlakesMatchTheTables) {
 }
 
 TEST(SolverSlab, CoatedFlakesMatchTheTables) {
-    // The design notes, external cosines, the interface's specular reflection included.
+    // Likewise; external cosines, the interface's specular reflection included.
     const auto total = [](const SolvedPaint& paint, double mu0) {
         return albedo(paint, std::acos(mu0)) + optics::dielectric_reflectance(1.0, 1.5, mu0);
     };

@@ -14,7 +14,8 @@ using test::flake_paint;
 using test::kOneWavelength;
 using test::pigment_paint;
 
-// DESIGN section 2.4: two independent methods that agree within their error.
+// The worked example of docs/microflake.md, by two independent methods that agree within their
+// error.
 struct Worked {
     double theta_o_deg, phi_deg, total, single;
 };
@@ -34,13 +35,13 @@ TEST(Solver, MatchesTheWorkedMetallic) {
         const double total = paint.brdf(theta_i, theta_o, w.phi_deg * kDegree)[0];
         // The single part is a closed form given to three to six digits.
         EXPECT_NEAR(single, w.single, 1e-3 * w.single);
-        // 1e-4 of the peak is what the project asks of worked cases; the tail is held closer.
+        // The project's bound is 1e-4 of the peak; this one is tighter in the tail.
         EXPECT_NEAR(total, w.total, 2e-6 + 5e-5 * w.total);
     }
 }
 
 TEST(Solver, MatchesChandrasekharsHalfSpace) {
-    // Isotropic, albedo 0.9, no interface; H functions, DESIGN section 2.4.
+    // Isotropic, albedo 0.9, no interface, by H functions [chandrasekhar-1960].
     const SolvedPaint paint = solve(pigment_paint(0.9, 1e4, 0, 1.0), kOneWavelength);
     EXPECT_NEAR(paint.brdf(0, 0, 0)[0], 0.122572, 2e-6);
     EXPECT_NEAR(paint.brdf(0, 60 * kDegree, 1.0)[0], 0.137453, 2e-6);

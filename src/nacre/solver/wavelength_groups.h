@@ -22,8 +22,8 @@ WavelengthGroups group_wavelengths(const PaintMedium& medium);
 /// The medium at some of its wavelengths.
 PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>& wavelengths);
 
-/// What the solver has found for one group: values [order][pair][wavelength of distinct], pairs
-/// i >= j of exit nodes from first[order].
+/// The solution of one group: values [order][pair][wavelength of distinct], pairs i >= j of exit
+/// nodes from first[order].
 struct GroupSolution {
     int wavelength_count = 0;
     int inner_nodes = 0;
@@ -34,7 +34,7 @@ struct GroupSolution {
     double unresolved_scattering = 0, azimuthal_tail = 0;
 };
 
-/// Puts the groups together into paint.multiple scattering, paint.rough_single and paint.report.
+/// Puts the groups together into paint.multiple_scattering, paint.rough_single and paint.report.
 void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolution>& solutions,
                   double tolerance, SolvedPaint& paint);
 

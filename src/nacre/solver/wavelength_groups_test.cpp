@@ -78,8 +78,8 @@ TEST(WavelengthGroups, ADispersivePaintEqualsItsWavelengthsSolvedAlone) {
         for (const double theta : {0.1, 0.8, 1.4}) {
             for (const double phi : {0.5, kPi}) {
                 const double expected = one.brdf(0.7, theta, phi)[0];
-                // Compression allows 1e-5 of the largest coefficient, the series 1e-4 of the peak
-                // where one group ends earlier than another.
+                // Compression allows 1e-4 of the largest value of an order, the series 1e-4 of the
+                // peak where one group ends earlier than another.
                 EXPECT_NEAR(all.brdf(0.7, theta, phi)[w], expected,
                             1e-4 * one.brdf(0.7, 0.7, kPi)[0])
                     << w << ' ' << theta << ' ' << phi;

@@ -18,12 +18,12 @@ Vec3d lab_to_xyz(const Vec3d& lab, const Vec3d& white);
 /// Symmetric in its arguments.                                        [sharma-2005, eq. 2-22]
 double delta_e_2000(const Vec3d& lab1, const Vec3d& lab2);
 
-/// A vector whose length is delta_e_2000(lab1, lab2), for least squares: lightness first, then the
-/// differences along a* and b*, each as wide as CIEDE2000 sees it. It points from the first colour
-/// to the second, and bends smoothly through greys, where hue and chroma, the formula's own
-/// coordinates, have a corner. Where hues are opposite it jumps, as the formula does.
-/// [sharma-2005, eq. 22], with its cross term R_T brought to squares and the pair of chroma and hue
-/// turned by the angle from (dC', dH') to (da', db'), which changes no length.
+/// A vector whose length is delta_e_2000(lab1, lab2), for least squares: the weighted differences
+/// of lightness, then along a* and b*, from the first colour to the second. It has no corner where
+/// a colour passes grey, unlike chroma and hue, the formula's own coordinates. Where hues are
+/// opposite it jumps, as the formula does.
+/// [sharma-2005, eq. 22], its cross term R_T removed by completing the square, and the pair of
+/// chroma and hue rotated by the angle from (dC', dH') to (da', db'), which keeps the length.
 Vec3d delta_e_2000_vector(const Vec3d& lab1, const Vec3d& lab2);
 
 }  // namespace nacre::spectra

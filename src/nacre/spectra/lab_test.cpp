@@ -61,7 +61,7 @@ TEST(Lab, IsContinuousWhereItsBranchesMeet) {
     EXPECT_NEAR(above, 8, 1e-9);
 }
 
-TEST(Lab, RefusesAWhiteThatIsNone) {
+TEST(Lab, RefusesAWhiteThatIsNotPositive) {
     EXPECT_THROW(xyz_to_lab({1, 1, 1}, {1, 0, 1}), DomainError);
     EXPECT_THROW(lab_to_xyz({1, 1, 1}, {1, -1, 1}), DomainError);
     EXPECT_THROW(lab_to_xyz({1, 1, 1}, {std::nan(""), 1, 1}), DomainError);
@@ -138,9 +138,8 @@ TEST(DeltaE2000, IsTheLengthOfItsVector) {
     EXPECT_EQ(delta_e_2000_vector({50, 20, -30}, {50, 20, -30}), (Vec3d{0, 0, 0}));
 }
 
-// Chroma and hue have a corner at grey: a colour that passes by the standard at a small distance
-// turns through all hues. The vector goes straight on: here along a*, stretched by 1.5 as it is
-// near the grey axis.
+// Chroma and hue have a corner at grey: the hue turns by 180 deg as a colour passes close to the
+// standard. The vector stays linear: here along a*, stretched by 1.5 near the grey axis.
 TEST(DeltaE2000, VectorGoesThroughGreysWithoutACorner) {
     const Vec3d grey{50, 0, 0};
     for (double a = -0.3; a < 0.31; a += 0.1) {

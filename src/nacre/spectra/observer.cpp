@@ -12,7 +12,7 @@
 namespace nacre::spectra {
 namespace {
 
-// Stands for "nan" in the files: a lamp's power where the CIE publishes none.
+// What CMake writes for "nan" in the files: the power where the CIE publishes none.
 constexpr double kNotTabulated = 0;
 
 // The tables are indexed by wavelength: there must be no gap.

@@ -32,7 +32,7 @@ std::string name(Observer observer);
 
 // The tables of data/cie_*.csv as they were when this was compiled. Internal to this folder.
 
-/// Columns tabulated at first_nm, first_nm + kCieStep_nm, ...
+/// Step of the wavelengths of both tables.
 inline constexpr double kCieStep_nm = 5;
 
 struct ObserverRow {

@@ -61,7 +61,7 @@ TEST(Illuminants, AreThoseOfTheDataFolderAndZeroWhereNoneArePublished) {
     EXPECT_EQ(missing, 8);  // FL2 and FL11 at 360 to 375 nm
 }
 
-TEST(Observers, AreLinearBetweenSamplesAndBlindOutside) {
+TEST(Observers, AreLinearBetweenSamplesAndZeroOutside) {
     const Vec3d a = colour_matching(Observer::cie1931_2deg, 550);
     const Vec3d b = colour_matching(Observer::cie1931_2deg, 555);
     const Vec3d between = colour_matching(Observer::cie1931_2deg, 552);

@@ -32,11 +32,11 @@ using Rgb = Vec3f;
 
 // Colour and spectrum as linear maps of each other, for data that exist in RGB only.
 
-/// What a sample at each wavelength adds to linear Rec. 709 under D65 for the 2 degree observer:
-/// a reflectance that is linear between its samples, and constant beyond the first and the last,
-/// has the colour  rgb = sum_i weights[i] reflectance[i],  by the sums over 360-780 nm at 5 nm of
-/// reflectance_to_xyz(). Colours are relative to the white of that sum: reflectance 1 has
-/// (1, 1, 1), to rounding.
+/// Weights of the samples of a reflectance in its colour, linear Rec. 709 under D65 for the 2
+/// degree observer: a reflectance that is linear between its samples, and constant beyond the first
+/// and the last, has the colour  rgb = sum_i weights[i] reflectance[i],  by the sums over 360-780 nm
+/// at 5 nm of reflectance_to_xyz(). Colours are relative to the white of that sum: reflectance 1
+/// has (1, 1, 1), to rounding.
 /// @throws DomainError unless the wavelengths are finite and strictly increase, at least one
 std::vector<Vec3d> rec709_weights(const std::vector<double>& wavelengths_nm);
 
@@ -50,8 +50,8 @@ std::vector<Vec3d> rec709_weights(const std::vector<double>& wavelengths_nm);
 /// [0, 1]. Of all such triples on a grid of 10 nm it has the least sum of squared slopes.
 ///                                                               [mallett-yuksel-2019]
 /// Colours outside the gamut have spectra that may be negative somewhere. The product of two such
-/// spectra has not the product of the colours. The table is data/rec709_basis.csv as it was when
-/// this was compiled.
+/// spectra does not have the product of their colours. The table is data/rec709_basis.csv as it was
+/// when this was compiled.
 const std::array<Spectrum, 3>& linear_rec709_basis();
 
 inline constexpr double kRec709BasisError = 1e-12;

@@ -132,15 +132,15 @@ TEST(RgbBasis, HasTheLeastSlope) {
     EXPECT_NEAR(sum, 0.74966212040693, 1e-9);
 }
 
-// What the colours weigh is known up to six multipliers, three for red and three for green; blue has
-// its colour because white has. Moving a little of a channel's share at one wavelength to another
-// channel changes the sum of squared slopes by the difference of their potentials
+// The basis minimises the sum of squared slopes subject to b_1 + b_2 + b_3 = 1 at each wavelength,
+// b_j >= 0, and the colours of red and green; that of blue follows, since the white has its own.
+// With multipliers y_red and y_green for the colours the derivative of the Lagrangian by b_j(i) is
 //
-//     p_j(i) = 2 (2 b_j(i) - b_j(i-1) - b_j(i+1)) + y_j . w(i),     y_blue = 0:
+//     p_j(i) = 2 (2 b_j(i) - b_j(i-1) - b_j(i+1)) + y_j . w(i),     y_blue = 0.
 //
-// where several channels have a share their potentials must agree, and none may lie below. Since the
-// programme is convex, what the shares lie above the least potential bounds how far the sum of
-// squared slopes is above its minimum.                        [nocedal-wright-2006, chapter 16]
+// At the optimum p_j(i) is the same for all channels with b_j(i) > 0 and not smaller for the others
+// (Karush, Kuhn and Tucker). The programme is convex: sum_ij b_j(i) (p_j(i) - min_k p_k(i)) bounds
+// how far the sum of squared slopes is above its minimum.     [nocedal-wright-2006, chapter 16]
 TEST(RgbBasis, MeetsTheConditionsOfOptimality) {
     const auto& basis = linear_rec709_basis();
     const std::vector<Vec3d> weights = rec709_weights(basis[0].wavelengths_nm());
@@ -150,10 +150,10 @@ TEST(RgbBasis, MeetsTheConditionsOfOptimality) {
         const auto& b = basis[j].values();
         return 2 * ((i > 0 ? b[i] - b[i - 1] : 0) + (i + 1 < count ? b[i] - b[i + 1] : 0));
     };
-    // Equations p_j = p_largest wherever a second channel has a share that matters.
+    // Equations p_j = p_largest wherever a second channel is above 1e-3.
     std::vector<Eigen::Matrix<double, 1, 6>> rows;
     std::vector<double> right;
-    const auto potential_row = [&](int j, int i) {
+    const auto multiplier_row = [&](int j, int i) {
         Eigen::Matrix<double, 1, 6> row = Eigen::Matrix<double, 1, 6>::Zero();
         for (int c = 0; j < 2 && c < 3; ++c) row[3 * j + c] = weights[i][c];
         return row;
@@ -165,7 +165,7 @@ TEST(RgbBasis, MeetsTheConditionsOfOptimality) {
         }
         for (int j = 0; j < 3; ++j) {
             if (j == largest || basis[j].values()[i] < 1e-3) continue;
-            rows.push_back(potential_row(j, i) - potential_row(largest, i));
+            rows.push_back(multiplier_row(j, i) - multiplier_row(largest, i));
             right.push_back(slope(largest, i) - slope(j, i));
         }
     }
@@ -177,12 +177,12 @@ TEST(RgbBasis, MeetsTheConditionsOfOptimality) {
 
     double gap = 0;
     for (int i = 0; i < count; ++i) {
-        double potential[3], least = INFINITY;
+        double p[3], least = INFINITY;
         for (int j = 0; j < 3; ++j) {
-            potential[j] = slope(j, i) + potential_row(j, i) * y;
-            least = std::min(least, potential[j]);
+            p[j] = slope(j, i) + multiplier_row(j, i) * y;
+            least = std::min(least, p[j]);
         }
-        for (int j = 0; j < 3; ++j) gap += basis[j].values()[i] * (potential[j] - least);
+        for (int j = 0; j < 3; ++j) gap += basis[j].values()[i] * (p[j] - least);
     }
     EXPECT_GE(gap, 0);
     EXPECT_LT(gap, 1e-9);
@@ -208,7 +208,8 @@ TEST(RgbBasis, WeightsGiveTheColourOfAnySampledSpectrum) {
     EXPECT_THROW(rec709_weights({500, 400}), DomainError);
 }
 
-// What renders over 400-700 nm only, or sums there at 10 nm, sees the basis a little off.
+// Rendered, or summed at 10 nm, over 400-700 nm only, the colours of the basis change by less than
+// 0.3.
 TEST(RgbBasis, ColourHardlyDependsOnTheEndsOfTheSpectrum) {
     std::vector<double> nm;
     for (int i = 0; i <= 30; ++i) nm.push_back(400 + 10 * i);

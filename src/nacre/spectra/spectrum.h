@@ -28,7 +28,7 @@ class Spectrum {
     std::vector<double> values_;
 };
 
-/// The wavelengths of a paint of which none are asked for: 400 to 700 nm by 10.
+/// The default wavelengths at which a paint is solved and evaluated: 400 to 700 nm by 10.
 std::vector<double> default_wavelengths_nm();
 
 }  // namespace nacre::spectra

@@ -85,8 +85,9 @@ class LeastSlope {
         grey_ = {luminance, luminance, luminance};
     }
 
-    /// Newton's method finds most colours from the grey of the same luminance. Where it does not,
-    /// it goes there through colours in between, in steps as long as they succeed.
+    /// Newton's method converges for most colours from the grey of the same luminance. Where it
+    /// does not, colours in between are solved first: the stride doubles after success and halves
+    /// after failure.
     /// @throws Error if that fails too, which has not been seen
     Samples solve() {
         State start;  // solves the equations for the grey
@@ -194,8 +195,8 @@ class LeastSlope {
             dz[i] = -x[i][3] - x[i][0] * dlambda[0] - x[i][1] * dlambda[1] - x[i][2] * dlambda[2];
             largest = std::max(largest, std::abs(dz[i]));
         }
-        // At most 2 in z, over which rho goes from one end to the other; then halved until it
-        // helps. Written so that NaN counts as no help.
+        // At most 2 in z, over which rho covers most of [0, 1]; then halved until the merit falls.
+        // Written so that NaN counts as no fall.
         for (double t = largest > 2 ? 2 / largest : 1; t > 1e-3; t /= 2) {
             State next = at_;
             for (int i = 0; i < kSamples; ++i) next.z[i] += t * dz[i];
@@ -214,13 +215,13 @@ class LeastSlope {
     State at_;
 };
 
-// Any colour with a component of at least kDarkest and one of at most 1 - kDarkest.
+// LeastSlope takes colours with a component of at least kDarkest and one of at most 1 - kDarkest.
 constexpr double kDarkest = 1e-3;
 
 Samples solve_scaled(const Vec3d& rgb) {
     const double brightest = std::max({rgb.x, rgb.y, rgb.z});
     if (brightest >= kDarkest) return LeastSlope(rgb).solve();
-    // Near black z runs off to -infinity: take a lighter colour of the same ratios and darken it.
+    // Near black z tends to -infinity: solve a lighter colour of the same ratios and scale it.
     Vec3d lighter;
     for (int c = 0; c < 3; ++c) lighter[c] = rgb[c] / brightest * kDarkest;
     Samples rho = LeastSlope(lighter).solve();

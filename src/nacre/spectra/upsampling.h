@@ -12,8 +12,8 @@ namespace nacre::spectra {
 /// constant.                                                     [burns-2020, method LHTSS]
 ///
 /// Error of the colour: kUpsamplingError in each component, by the sums over 360-780 nm at 5 nm,
-/// everywhere in the cube; Delta E 2000 below 0.25 by
-/// sums over 400-700 nm at 10 nm. Takes some 0.02 ms.
+/// everywhere in the cube; Delta E 2000 below 0.25 by sums over 400-700 nm at 10 nm. Takes some
+/// 0.02 ms.
 /// @throws DomainError if a component is outside [0, 1]
 Spectrum reflectance_from_rec709(const Vec3d& linear_rgb);
 

@@ -95,7 +95,7 @@ TEST(Upsampling, IsContinuous) {
     }
 }
 
-TEST(Upsampling, AgreesWithItsOwnMirrorImage) {
+TEST(Upsampling, IsSymmetricUnderOneMinusTheReflectance) {
     // Burns' functional is symmetric under rho -> 1 - rho.
     const Spectrum a = reflectance_from_rec709({0.7, 0.2, 0.4});
     const Spectrum b = reflectance_from_rec709({0.3, 0.8, 0.6});

@@ -36,8 +36,8 @@ Vec3d white_point(Illuminant illuminant, Observer observer);
 /// The range over which pictures are rendered.
 inline constexpr double kRenderFirst_nm = 400, kRenderLast_nm = 700;
 
-/// What a radiance at each of eight wavelengths adds to X, Y, Z (2 degree observer): the weights
-/// of a Monte Carlo estimate with one uniform sample in each of eight equal strata of 400-700 nm,
+/// Weights of the radiances at eight wavelengths in X, Y, Z (2 degree observer): those of a Monte
+/// Carlo estimate with one uniform sample in each of eight equal strata of 400-700 nm,
 ///   X = sum_k weights[k][0] L(wavelengths_nm[k]),  and so on,
 /// normalised so that the expectation of Y is 1 for the equal-energy spectrum L = 1.
 /// Wavelengths outside 400-700 nm weigh nothing.

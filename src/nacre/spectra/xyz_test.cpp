@@ -85,7 +85,7 @@ TEST(ReflectanceToXyz, IsLinearAndAGreyHasTheChromaticityOfTheLight) {
 
 // The lines of FL11 fall between 10 nm samples; interpolating the reflectance, not the lamp, keeps
 // the colour. A smooth reflectance that is linear in the wavelength makes the comparison exact.
-TEST(ReflectanceToXyz, ASpectrumOnACoarseGridIsGoodUnderLineSpectra) {
+TEST(ReflectanceToXyz, ASpectrumOnACoarseGridHasTheColourOfTheFineSumsUnderLineSpectra) {
     const Spectrum coarse({360, 780}, {0.1, 0.9});
     const auto wavelengths = grid(360, 780, 5);
     std::vector<double> values;

@@ -12,7 +12,7 @@
 #include "nacre/core/random.h"
 #include "nacre/testing/directions.h"
 
-// What the tests of surfaces share.
+// Only for tests of surfaces: statistics of their samples.
 
 namespace nacre::bsdf {
 

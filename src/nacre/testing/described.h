@@ -56,7 +56,7 @@ class EveryKey final : public paint::PathVisitor {
     void path(const paint::Field& field, std::filesystem::path& value) override {
         if (found(field)) value += "x";
     }
-    /// Another kind has other keys: it stays.
+    /// Left unchanged: another kind has other keys.
     void kind(const paint::Field& field, const paint::Words&, std::size_t&) override {
         found(field);
         keys.back().is_settled = true;

@@ -14,7 +14,8 @@ using montecarlo::test::kWorstZ;
 using montecarlo::test::paint;
 using montecarlo::test::walked_albedo;
 
-/// One layer of opaque flakes of one size. Under 50 um of clearcoat: no flake is moved.
+/// One layer of opaque flakes of one size, under 50 um of clearcoat, so that draw_discs() moves no
+/// flake.
 inline paint::Recipe opaque(double depth, double thickness_um, double diameter_um,
                             double alpha = 0.1, double reflectance = 0.6) {
     paint::Layer layer = flake_layer(depth, alpha, reflectance, 0);

@@ -5,11 +5,11 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 
-// Only for tests: paints that solve fast, and what an instrument reads on them.
+// Only for tests: paints that solve fast, and readings of them by a virtual instrument.
 
 namespace nacre::fit::testing {
 
-/// A pearl of widely oriented flakes, which takes few nodes.
+/// A pearl of wide orientation (alpha = 0.25), which needs few nodes.
 inline paint::Recipe pearl(double film_nm = 80) {
     paint::FlakeSpecies flakes;
     flakes.amount = paint::VolumeFraction{0.05};
@@ -23,7 +23,7 @@ inline paint::Recipe pearl(double film_nm = 80) {
     return recipe;
 }
 
-/// Red pigment on a grey ground.
+/// Red pigment over a grey substrate.
 inline paint::Recipe solid() {
     paint::Recipe recipe;
     recipe.name = "solid";
@@ -49,7 +49,7 @@ inline measure::Measurement read(const paint::Recipe& recipe,
         paint.wavelengths_nm(), geometries, conditions);
 }
 
-/// As an instrument that reports nothing but L*a*b*.
+/// The readings of an instrument that reports XYZ and L*a*b* only.
 inline measure::Measurement without_spectra(measure::Measurement measurement) {
     measurement.wavelengths_nm.clear();
     for (measure::Reading& reading : measurement.readings) reading.reflectance_factor.clear();

@@ -14,8 +14,7 @@
 #include "nacre/solver/lane_matrix.h"
 #include "nacre/solver/solver.h"
 
-// What the tests of lane matrices share: eight Eigen matrices in, one buffer of lanes out, and
-// back.
+// Only for tests of lane matrices: eight Eigen matrices to one buffer of lanes, and back.
 
 namespace nacre::solver::test {
 
@@ -23,7 +22,7 @@ using namespace paint;
 
 using Matrices = std::array<Eigen::MatrixXd, kLanes>;
 
-/// One matrix a lane, elements uniform in [-1, 1].
+/// One matrix per lane, elements uniform in [-1, 1].
 inline Matrices random_matrices(int rows, int columns, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> element(-1, 1);
@@ -57,7 +56,7 @@ inline Matrices from_lanes(const LaneBuffer& buffer, int rows, int columns) {
     return all;
 }
 
-// What the tests of the solver share: paints written short, and the light that leaves them.
+// Only for tests of the solver: recipes, and albedos of the parts of a BRDF.
 
 inline const std::vector<double> kOneWavelength = {550.0};
 
@@ -71,7 +70,7 @@ inline FlakeSpecies flake_species(double alpha, const spectra::Spectrum& reflect
     return flake;
 }
 
-/// Flakes that reflect and pass the given fractions at all angles; c = 0.1 per um, so that a layer
+/// Flakes of the given reflectance and transmittance at all angles; c = 0.1 per um, so that a layer
 /// of 10 beta um has the dimensionless depth beta.
 inline Recipe flake_paint(double alpha, const spectra::Spectrum& reflectance,
                           const spectra::Spectrum& transmittance, double depth, double ior) {
@@ -95,7 +94,7 @@ inline Recipe pigment_paint(double albedo, double depth, double anisotropy, doub
 
 /// Light that meets exactly one flake or pigment and leaves, over the incident light from theta_i,
 /// at the first wavelength: the closed form summed over outgoing directions. One layer only, so
-/// that the kernel alone depends on azimuth and attenuation is computed once a polar angle.
+/// that the kernel alone depends on azimuth and attenuation is computed once per polar angle.
 inline double single_albedo(const SolvedPaint& paint, double theta_i) {
     constexpr int kPolar = 96, kAzimuths = 128;
     static const Quadrature polar = gauss_legendre(kPolar, 0, kPi / 2);
@@ -108,15 +107,15 @@ inline double single_albedo(const SolvedPaint& paint, double theta_i) {
         const auto kernel = [&](double phi) {
             return backscattering(medium.layers.at(0), mu_i, mu_o, phi, 0)[0];
         };
-        const double mirror = kernel(kPi);
-        if (mirror == 0) continue;  // so far off the lobe that it underflows
+        const double in_plane = kernel(kPi);
+        if (in_plane == 0) continue;  // so far off the lobe that it underflows
         double ring = 0;
         for (int k = 0; k < kAzimuths; ++k) {
             // phi = pi (1 - x^2) packs nodes around the mirror direction.
             const double x = azimuth.nodes[k];
             ring += 4 * kPi * x * azimuth.weights[k] * kernel(kPi * (1 - x * x));
         }
-        sum += polar.weights[i] * std::sin(theta) * std::cos(theta) * ring / mirror *
+        sum += polar.weights[i] * std::sin(theta) * std::cos(theta) * ring / in_plane *
                single_scattering(medium, theta_i, theta, kPi)[0];
     }
     return sum;
@@ -141,7 +140,7 @@ inline std::vector<double> multiple_by_node(const SolvedPaint& paint, double the
     return out;
 }
 
-/// Light that meets more than one, likewise; a smooth interface.
+/// The same of light that meets more than one; a smooth interface.
 inline double multiple_albedo(const SolvedPaint& paint, double theta_i) {
     const double ior = paint.medium.ior[0];
     const Directions d =

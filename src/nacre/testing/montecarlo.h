@@ -14,12 +14,12 @@
 #include "nacre/montecarlo/reference.h"
 #include "nacre/optics/material.h"
 
-// What the tests of this folder share: paints written short.
+// Only for tests of random walks: paints, and estimates by walks.
 
 namespace nacre::montecarlo::test {
 
-/// The z-score of a right walk exceeds this in one of 30000 values; seeds are fixed, so a test that passes once
-/// passes always, and the bound says how likely it was to be kept although the walk is wrong.
+/// The z-score of a right walk exceeds this in one of 30000 values. Seeds are fixed, so that a test
+/// that passes once passes always; the bound says how likely a right walk was to be refused.
 inline constexpr double kWorstZ = 4.2;
 
 inline paint::FlakeSpecies flakes(double area_density_per_um, double alpha,
@@ -62,8 +62,8 @@ inline paint::Recipe paint(double index, std::vector<paint::Layer> layers,
     return recipe;
 }
 
-/// The worked case of the design: n = 1.5, c = 0.1 per um, alpha = 0.1, R = 0.6, T = 0, H = 15 um,
-/// nothing below.
+/// The worked example of docs/microflake.md: n = 1.5, c = 0.1 per um, alpha = 0.1, R = 0.6, T = 0,
+/// H = 15 um, over black.
 inline paint::Recipe worked_paint() {
     paint::Layer layer;
     layer.thickness_um = 15;
@@ -83,8 +83,6 @@ inline double degrees_of_cosine(double cosine) {
     return std::acos(cosine) * 180 / std::numbers::pi;
 }
 
-// What the tests of this folder share: walks in numbers, and the statistics of what they bring.
-
 using montecarlo::test::flake_layer;
 using montecarlo::test::kWorstZ;
 using montecarlo::test::paint;
@@ -94,8 +92,8 @@ using montecarlo::test::worked_paint;
 /// Eight wavelengths of the grid on which films are computed, so that nothing is interpolated.
 inline constexpr bsdf::Wavelengths kOnGrid{420, 460, 500, 540, 580, 620, 660, 690};
 
-/// What a recipe may hold: flakes that let light pass, a pigment, an absorbing clearcoat, two
-/// layers and a ground; different at every wavelength.
+/// Flakes that transmit light, a pigment, an absorbing clearcoat, two layers and a substrate, whose
+/// optics differ between wavelengths.
 inline paint::Recipe pearl() {
     paint::Layer top = flake_layer(0.8, 0.15, 0, 0);
     optics::Platelet platelet;
@@ -122,7 +120,7 @@ inline Vec3f from_degrees(double theta, double phi) {
 /// Estimates of several quantities at eight wavelengths: [quantity][lane].
 using Estimates = std::vector<std::array<Estimate, kLanes>>;
 
-/// What a sample is worth for each quantity, appended as (quantity, value).
+/// Writes the value of each quantity for a sample into `values`, which are 0 before.
 using Score = std::function<void(const bsdf::BsdfSample&, std::vector<FloatLanes>& values)>;
 
 /// Means over `count` samples of `surface` from wi; walks are a function of (seed, number) alone.

@@ -12,7 +12,7 @@
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/bsdf.h"
 
-// What the tests of single flakes share.
+// Only for tests of single flakes: recipes, models and patches.
 
 namespace nacre::bsdf {
 
@@ -43,7 +43,7 @@ inline paint::Recipe paint_of(std::vector<paint::FlakeSpecies> flakes) {
     return recipe;
 }
 
-// Two layers, two species, a pigment, an absorbing clearcoat and a bright ground: every term.
+// Two layers, two species, a pigment, an absorbing clearcoat and a bright substrate: every term.
 inline paint::Recipe recipe_with_every_feature() {
     paint::Recipe recipe = paint_of({metal_flake(20, 0.6)});
     recipe.layers[0].flakes[0].diameter_spread_um = 6;
@@ -81,7 +81,8 @@ inline const SparklingModel& model_with_every_feature() {
     return model;
 }
 
-/// A turned square of this side on a plane that faces one of the axes, anywhere within 2 m.
+/// A rotated square of this side on a plane normal to one of the axes, at a random position within
+/// 2 m.
 inline Patch random_square_patch(Rng& rng, double side_mm) {
     const auto anywhere = [&] { return 2000 * rng.uniform_float() - 1000; };
     const int axis = static_cast<int>(3 * rng.uniform_float());

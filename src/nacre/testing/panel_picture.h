@@ -6,7 +6,7 @@
 #include "nacre/core/random.h"
 #include "nacre/measure/panel_picture.h"
 
-// Only for tests: pictures painted by hand.
+// Only for tests: pictures with given pixels.
 
 namespace nacre::measure {
 

@@ -6,7 +6,7 @@
 #include "nacre/bsdf/models/nacre.h"
 #include "nacre/solver/solver.h"
 
-// Only for tests: paints whose sparkle has nothing to it but places and slopes.
+// Only for tests: paints whose sparkle depends on the positions and slopes of the flakes alone.
 
 namespace nacre::models::testing {
 
@@ -15,7 +15,7 @@ struct PlainFlakes {
     double diameter_um = 20;
     double alpha = 0.1;
     double ior = 1.5;
-    double cover = 1;  ///< area of all flakes over that of the paint
+    double cover = 1;  ///< area of all flakes over that of the panel
     double reflectance = 0.6, transmittance = 0;
 };
 

@@ -14,7 +14,7 @@
 #include "nacre/render/scene.h"
 
 // Only for tests: a coated paint in a few lines, with a specular lobe, a sharp lobe whose colour
-// turns with angle, and a diffuse ground. It has all that a renderer must cope with.
+// changes with angle, and a diffuse lobe: all that a renderer must cope with.
 
 namespace nacre::render::testing {
 
@@ -115,14 +115,14 @@ inline Estimate estimate_luminance(const Scene& scene, RenderOptions options,
     return estimate_of_mean(sum, squares, seeds);
 }
 
-// Only for tests: a paint that differs from place to place, with a mean that is known.
+// Only for tests: a paint that varies with position, with a known mean.
 
-/// Glossy, times a number that depends on the place and on the half vector. It is sampled as its
-/// mean is, so that both meet the same light. Keeps what it is asked about in the memory of the
-/// patch, and counts where it finds another patch there.
+/// Glossy, times a factor that depends on the position and on the half vector. It is sampled as its
+/// mean is, so that both meet the same light. Keeps the position in the memory of the patch, and
+/// counts where it finds another there.
 class Speckled final : public bsdf::Bsdf {
  public:
-    /// Of the place at rest and the half vector, both in object space.
+    /// Of the position and the half vector, both in object space.
     using Factor = std::function<float(Vec3f position_mm, Vec3f half)>;
 
     explicit Speckled(Factor factor) : factor_(std::move(factor)) {}
@@ -133,7 +133,7 @@ class Speckled final : public bsdf::Bsdf {
     std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths& nm) const override {
         return std::make_unique<Bound>(*this, mean_.bind(nm));
     }
-    /// Patches that a memory held of which it told that it was not filled, or the other way round.
+    /// Number of calls that found another position in a patch's memory that was marked as filled.
     static inline thread_local long stale = 0;
 
  private:

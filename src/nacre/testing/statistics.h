@@ -2,16 +2,17 @@
 
 #include <cmath>
 
-// Only for tests: how far a random number may be from what is expected.
+// Only for tests: bounds for the deviation of random estimates from their expectation.
 
 namespace nacre::test {
 
-/// How many standard errors a right result may be off: one in 30000 normal values lies beyond.
-/// Seeds are fixed, so that a test that passes once passes always; the bound says how likely a
-/// right result was to be refused. An error of five standard errors is seen four times in five.
+/// Bound for the error of a right result, in standard errors: one in 30000 normal values lies
+/// beyond. Seeds are fixed, so that a test that passes once passes always; the bound says how
+/// likely a right result was to be refused. A bias of five standard errors is detected four times
+/// in five.
 inline constexpr double kWorstZ = 4.2;
 
-/// Sums of what is drawn, for its mean and the standard error of that.
+/// Sums over random values, for their mean and its standard error.
 class Sample {
  public:
     void add(double value) {

@@ -34,7 +34,7 @@ double kept_inside(double z, double half_height, double paint_um) {
     return std::clamp(z, half_height - paint_um, -half_height);
 }
 
-/// Poisson, for any mean: a generator for the standard library made of the stream's.
+/// A Poisson number of any mean.
 std::uint64_t poisson(double mean, Rng& rng) {
     return std::poisson_distribution<std::uint64_t>(mean)(rng);
 }

@@ -12,17 +12,17 @@
 
 namespace nacre::montecarlo {
 
-/// A rectangle of paint that repeats itself: its opposite edges are joined, so that it has no
-/// border, and what light sees beyond an edge is what lies at the other one.
+/// A rectangle of paint with periodic boundary conditions: light that leaves it at one edge enters
+/// it at the opposite one.
 struct Tile {
     double width_um = 0, height_um = 0;
 
-    /// Moves a place into the tile.
+    /// Moves a position into the tile.
     void wrap(double& x, double& y) const {
         x = modulo(x, width_um);
         y = modulo(y, height_um);
     }
-    /// How far a ray goes until it leaves the tile; infinite along the normal.
+    /// Distance along a ray until it leaves the tile; infinite along the normal.
     double to_edge(double x, double y, double dx, double dy) const {
         return std::min(along(x, dx, width_um), along(y, dy, height_um));
     }
@@ -42,7 +42,7 @@ struct Tile {
         return std::max(0.0, ((direction > 0 ? side : 0) - x) / direction);
     }
     static void over(double& x, double direction, double side) {
-        const double near = 1e-9 * side;  // what rounding leaves of the way to the edge
+        const double near = 1e-9 * side;  // rounding of the distance to the edge
         if (direction > 0 && x >= side - near) {
             x = 0;
         } else if (direction < 0 && x <= near) {
@@ -53,7 +53,7 @@ struct Tile {
 
 inline constexpr Range kTileSide{.lo = 0.01, .hi = 1000, .unit = "mm"};
 
-// The flakes of a paint as what they are: discs at places of their own.
+// The flakes of a paint as discs at explicit positions.
 
 /// One flake. The order of its parts is that of Embree's buffers (disc_scene.cpp).
 struct Disc {
@@ -64,23 +64,23 @@ struct Disc {
     std::uint16_t species;  ///< counted through all layers from the top down
 };
 
-/// Some 150 bytes each, with what finds them.
+/// At some 150 bytes each, Embree's acceleration structure included.
 inline constexpr double kMaxDiscs = 8e6;
 
 /// Clearcoat and layers.
 double paint_thickness_um(const paint::Recipe& recipe);
 
-/// How many discs a tile holds on average: rho H area, over all species.
+/// Mean number of discs in a tile: rho H area, summed over all species.
 double expected_discs(const paint::Recipe& recipe, const Tile& tile);
 
-/// Draws the flakes of a recipe: of each species a Poisson number, centres even over the tile and
-/// the thickness of their layer, Gaussian slopes of variance alpha^2 / 2 per component, diameters
-/// by sparkle::FlakeSizes; rho is c over the mean area.
+/// Draws the flakes of a recipe: of each species a Poisson number, centres uniform over the tile
+/// and the thickness of their layer, Gaussian slopes of variance alpha^2 / 2 per component,
+/// diameters by sparkle::FlakeSizes; rho is c over the mean area.
 ///
-/// Flakes may cut through each other, as in the equation of transfer, and reach into neighbouring
-/// layers, but not out of the paint: a flake that would stick out of the interface or into the
-/// ground is moved up or down until it does not. One that is taller than the paint is thick is
-/// centred in it, and sticks out at both ends; no light gets there.
+/// Flakes may intersect each other, as in the equation of transfer, and reach into neighbouring
+/// layers, but not out of the paint: a flake that would cross the interface or the substrate is
+/// moved up or down until it does not. One that is taller than the paint is thick is centred in it
+/// and crosses both; no light reaches its ends.
 ///
 /// @param film_counts  FlakeFilms::count() by species
 /// @throws DomainError naming the number of discs if it exceeds kMaxDiscs

@@ -16,8 +16,8 @@
 namespace nacre::montecarlo {
 namespace {
 
-/// From one disc to the next light goes at least this far. Where two discs cross, rounding can put
-/// it in front of either for ever. One flake in 1e5 that is so near is missed.
+/// Least distance from one disc to the next: where two discs cross, rounding can put the light in
+/// front of either for ever. Hits nearer than this are missed, one in 1e5.
 constexpr float kMinFlight_um = 1e-4f;
 
 }  // namespace
@@ -56,7 +56,8 @@ DiscScene::~DiscScene() = default;
 void DiscScene::add_copies() {
     const auto width = static_cast<float>(tile_.width_um);
     const auto height = static_cast<float>(tile_.height_um);
-    // How many tiles away a copy can reach in from: more than one if a flake is wider than a tile.
+    // Distance, in tiles, from which a copy can reach in: more than one if a flake is wider than a
+    // tile.
     const auto reach = [](float radius, float side) { return 1 + static_cast<int>(radius / side); };
     for (std::size_t i = 0; i < count_; ++i) {
         const Disc disc = discs_[i];

@@ -40,7 +40,7 @@ class DiscScene {
 
     const Disc& operator[](std::uint32_t disc) const { return discs_[disc]; }
     const Tile& tile() const { return tile_; }
-    /// How many flakes the tile holds.
+    /// Number of flakes in the tile.
     std::size_t count() const { return count_; }
 
  private:
@@ -48,22 +48,22 @@ class DiscScene {
 
     Tile tile_;
     std::size_t count_;
-    std::vector<Disc> discs_;  // beyond count_: those that reach over an edge, moved by a tile
+    std::vector<Disc> discs_;  // from count_ on: copies, a tile away, that reach over an edge
     std::unique_ptr<RTCDeviceTy, void (*)(RTCDeviceTy*)> device_;
     std::unique_ptr<RTCSceneTy, void (*)(RTCSceneTy*)> scene_;
 };
 
-/// How much of a flake is lit and seen: v, the fraction of its area from which straight ways lead
-/// both to the light and to the eye past all other flakes, and its moments over the flakes of a
-/// tile.
+/// The visible fraction v of a flake: that of its area from which straight paths reach both the
+/// light and the eye past all other flakes. Its moments over the flakes of a tile.
 struct Visibility {
-    double lit = 0;             ///< mean share that is lit
+    double lit = 0;             ///< mean fraction of a flake that is lit
     double lit_and_seen = 0;    ///< E[v]
-    double mean_square = 0;     ///< E[v^2], which makes the contrast of flakes seen whole
+    double mean_square = 0;     ///< E[v^2], which sets the contrast of whole flakes
     double standard_error = 0;  ///< of lit_and_seen
 };
 
-/// Estimated from two random points on each flake, whose v's have E[v^2] as their mean product.
+/// Estimated from two random points on each flake, the mean product of whose visibilities is
+/// E[v^2].
 ///
 /// @param towards_light, towards_eye  unit vectors inside the paint, z > 0
 Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f towards_eye,

@@ -46,8 +46,8 @@ TEST(DiscScene, FlakesReachOverTheEdgesOfTheTile) {
         EXPECT_TRUE(wide.intersect({x, 59, 0}, kDown, 100, DiscScene::kNone));
 }
 
-TEST(DiscScene, LightGetsAwayFromWhereDiscsCross) {
-    // At one place, so that each is in front of the other.
+TEST(DiscScene, RaysLeaveWhereDiscsCross) {
+    // At the same position, so that each is in front of the other.
     const DiscScene scene(
         {disc({50, 30, -10}, 8, {0.1f, 0, 1}), disc({50, 30, -10}, 8, {-0.1f, 0, 1})}, kTile);
     EXPECT_TRUE(scene.intersect({50, 30, -5}, kDown, 100, DiscScene::kNone));
@@ -65,23 +65,23 @@ DiscScene scene_of(const paint::Recipe& recipe, double side_um, std::uint64_t se
     return {draw_discs(recipe, tile, {1}, seed), tile};
 }
 
-/// Projected area of flakes over their area, over mu: nearly the same at all angles.
-const double kAcross = 0.995073;  // THEORY: s(1) at alpha = 0.1
+/// s(mu) / mu (paint/beckmann.h) at alpha = 0.1, nearly the same at all angles: s(1).
+const double kAcross = 0.995073;
 
 TEST(Visibility, OneWayFollowsTheLawOfTheTransferEquation) {
-    // However large the flakes: one straight way meets a Poisson number of them.
+    // Whatever the size of the flakes, one straight path meets a Poisson number of them.
     for (const double diameter : {4.0, 20.0}) {
         const double side = 250 * diameter;
         const auto v = flake_visibility(scene_of(test::opaque(2, 15, diameter), side, 1),
                                         test::from_degrees(20, 0), test::from_degrees(20, 180), 5);
         const double tau = 2 * kAcross;
-        // 160000 flakes that share their shadows: 1 % is more than 5 standard errors.
+        // 160000 flakes with shared shadows: 1 % is more than 5 standard errors.
         EXPECT_NEAR(v.lit, (1 - std::exp(-tau)) / tau, 0.01 * v.lit) << diameter;
     }
 }
 
 /// V(z) = exp(-beta [q_i z + q_o z - q Int_0^z O(delta / d)]), averaged over z in [0, 1]; O is the
-/// overlap of two discs, delta how far the two ways are apart.
+/// overlap of two discs, delta the distance between the two paths.
 double hot_spot(double depth, double spread_over_diameter) {
     constexpr int kSteps = 4000;
     double shared = 0, sum = 0;
@@ -95,9 +95,9 @@ double hot_spot(double depth, double spread_over_diameter) {
     return sum;
 }
 
-TEST(Visibility, LightFindsItsWayOutWhereItCameIn) {
-    // The hot spot of THEORY section 6: 20 um flakes in 15 um, beta 2, mirrored at 20 deg outside:
-    // 0.397 against 0.247 from the equation, which does not know the flakes' size.
+TEST(Visibility, HotSpotFollowsTheOverlapOfTheTwoPaths) {
+    // The hot spot of docs/explicit-flakes.md: 20 um flakes in 15 um, beta 2, specular at 20 deg
+    // outside: 0.397 against 0.247 by the transfer equation, for flakes of any size.
     const double inside = std::asin(std::sin(test::degrees(20)) / 1.5) / test::degrees(1);
     const auto scene = scene_of(test::opaque(2, 15, 20), 4000, 3);
     const auto v =
@@ -117,9 +117,9 @@ TEST(Visibility, LightFindsItsWayOutWhereItCameIn) {
     }
 }
 
-TEST(Visibility, FlakesAreHiddenInPart) {
-    // E[v^2] lies between that of flakes each dimmed by its mean, and that of flakes seen or hidden
-    // whole.
+TEST(Visibility, FlakesArePartlyHidden) {
+    // E[v^2] lies between that of flakes each dimmed by the mean v at its depth, and that of flakes
+    // wholly visible or hidden.
     const auto v = flake_visibility(scene_of(test::opaque(2, 15, 2), 300, 1),
                                     test::from_degrees(0, 0), test::from_degrees(50, 0), 5);
     const double tau = 4 * kAcross;

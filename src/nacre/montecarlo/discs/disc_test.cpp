@@ -41,7 +41,7 @@ TEST(Disc, NumberAreaPlaceAndNormalFollowTheRecipe) {
 
     double area = 0;
     for (const Disc& d : discs) area += M_PI * d.radius_um * d.radius_um;
-    // Of a compound Poisson sum: spread of about 1.4 of the mean area over sqrt(n).
+    // A compound Poisson sum: deviation of about 1.4 of the mean area over sqrt(n).
     EXPECT_NEAR(area / (tile.width_um * tile.height_um), 1.5, 4 * 1.5 * 1.4 / std::sqrt(expected));
 
     expect_mean(discs, tile.width_um / 2, "x", [](const Disc& d) { return d.centre_um.x; });

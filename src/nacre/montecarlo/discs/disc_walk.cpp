@@ -20,12 +20,13 @@
 namespace nacre::montecarlo {
 namespace {
 
-// Within kLast lies all but 0.3 % of the power; the rest falls off as 2 / (pi x) on average, its
-// rings being too fine to see.
+// Within kLast lies all but 0.3 % of the power; the power beyond x falls off as 2 / (pi x),
+// averaged over the rings.
 constexpr double kLast = 200;
 constexpr int kIntervals = 4096;
 
-/// x at equal steps of t, where the share is 1 - (1 - t)^2: fine where the pattern ends.
+/// x at equal steps of t, where the fraction of fraction_of_last is 1 - (1 - t)^2: dense in the
+/// tail.
 struct Table {
     std::array<double, kIntervals + 1> x;
     double fraction_of_last = encircled_power(kLast);
@@ -57,7 +58,7 @@ double AiryDisc::radius_of_fraction(double fraction) {
         // The tail 2 / (pi x), scaled to fit where it begins.
         return kLast * (1 - table.fraction_of_last) / (1 - fraction);
     }
-    // Near the centre the share is x^2 / 4, and the table's first step would be too coarse.
+    // Near the centre the fraction is x^2 / 4, and the table's first step would be too coarse.
     constexpr double kCentre = 3e-3;
     if (fraction < kCentre) return 2 * std::sqrt(fraction) * (1 + 0.25 * fraction);
     const double t = 1 - std::sqrt(1 - fraction / table.fraction_of_last);
@@ -159,8 +160,8 @@ FlakeFilms::Optics FlakeFilms::at(int film, double cosine, const WavelengthPlace
 
 namespace {
 
-/// Light that travels more nearly along the layers, one ray in a million, is turned to this cosine:
-/// it crosses the tile ten million times at most (kMinTileFraction) before it gets out of a slab
+/// The smallest cosine to the normal, to which flatter rays, one in a million, are turned: they
+/// then cross the tile ten million times at most (kMinTileFraction) before they leave a slab
 /// without flakes.
 constexpr double kGrazing = 1e-6;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -236,15 +237,15 @@ void DiscWalker::meet_disc(std::uint32_t number) {
     roulette();
 }
 
-/// The direction of the mirror image, spread by diffraction. What would leave along the disc or not
-/// at all is drawn anew: 0.4 % at perpendicular incidence on a flake of 20 um.
+/// The specular direction, spread by diffraction. Directions beyond the disc's horizon are drawn
+/// anew: 0.4 % at normal incidence on a flake of 20 um.
 Vec3d DiscWalker::spread(const Vec3d& mirrored, const Vec3d& normal, double diameter_um) {
     const double scale = paint_.wavelength_um / (index_ * std::numbers::pi * diameter_um);
     const double upright = dot(mirrored, normal);
     const Vec3d flat = mirrored - upright * normal;
     const Vec3d across = perpendicular(normal);
-    // Flakes as small as the wavelength send out most of what they mirror in any direction: after
-    // that many trials the mirror's own is as good.
+    // Flakes as small as the wavelength have most of their pattern beyond the horizon: after so
+    // many trials the specular direction is taken.
     constexpr int kTrials = 64;
     for (int i = 0; i < kTrials; ++i) {
         const auto [fraction, turn] = random_.pair();
@@ -292,7 +293,7 @@ namespace {
 
 constexpr double kUmPerMm = 1e3;
 
-/// The recipe with nothing between its pigments: flakes stand elsewhere, as discs.
+/// The recipe without flakes, which are discs of the scene.
 paint::Recipe without_flakes(paint::Recipe recipe) {
     for (paint::Layer& layer : recipe.layers) layer.flakes.clear();
     return recipe;
@@ -496,7 +497,7 @@ void ExplicitFlakesModel::lie_on(const std::string& material,
         }
         common = size;
     }
-    // On nothing that is seen: any size will do.
+    // On no shape at all: any size will do.
     std::tie(tile_width_mm, tile_height_mm) = common.value_or(std::pair{1.0, 1.0});
 }
 

@@ -25,19 +25,19 @@ namespace nacre::montecarlo {
 /// disc by which the direction differs from that of the mirror, and lambda' the wavelength in the
 /// binder: power is spread over q with a density proportional to (2 J_1(x) / x)^2.
 ///                                                   [born-wolf-1999, section 8.5.2, eq. 14 and 18]
-/// The disc is lit evenly; light that it lets pass, and light that passes beside it, go straight
-/// on. In q the pattern is round at any angle of incidence, and it is reciprocal.
+/// The disc is lit uniformly; transmitted light, and light that passes beside it, go straight on.
+/// In q the pattern is round at any angle of incidence, and it is reciprocal.
 class AiryDisc {
  public:
-    /// The x within which a share of the power lies. share in [0, 1); error below kAiryDiscError of
-    /// the lesser of the share and the rest.
+    /// The x within which this fraction of the power lies. fraction in [0, 1); error in the
+    /// fraction below kAiryDiscError min(fraction, 1 - fraction).
     static double radius_of_fraction(double fraction);
 };
 
 /// Of radius_of_fraction(), against the encircled power.
 inline constexpr double kAiryDiscError = 3e-3;
 
-/// Share of the power within x: 1 - J_0(x)^2 - J_1(x)^2.
+/// Fraction of the power within x: 1 - J_0(x)^2 - J_1(x)^2.
 ///                                                          [born-wolf-1999, section 8.5.2, eq. 18]
 double encircled_power(double x);
 
@@ -118,7 +118,7 @@ class DiscWalker : private Walker {
     std::optional<Escape> escape_;
 };
 
-// The explicit ground truth of sparkle: paint with every flake in its place.
+// The reference for sparkle: paint with every flake at an explicit position.
 // docs/explicit-flakes.md
 
 class DiscScene;
@@ -127,15 +127,15 @@ struct DiscWalkTables;
 /// A tile's sides are at least this times the thickness of the paint.
 inline constexpr double kMinTileFraction = 0.1;
 
-/// Chooses DiscWalk: the model nacre with every flake in its place, its ground truth.
+/// Chooses DiscWalk: the model nacre with every flake at an explicit position, its reference.
 struct ExplicitFlakesModel {
     /// The piece of paint that repeats itself over the panel, in kTileSide. As large as the panel:
     /// nothing repeats, and only light that crosses the panel's edge within the paint comes back at
     /// the opposite one.
     double tile_width_mm = 10, tile_height_mm = 10;
     std::uint64_t specimen = 0;  ///< which flakes there are
-    /// Whether a flake spreads what it mirrors by the Airy pattern of its disc (airy_disc.h) at the
-    /// mean of the eight wavelengths; if not, it is a perfect mirror.
+    /// Whether a flake spreads the light that it reflects by the Airy pattern of its disc
+    /// (AiryDisc) at the mean of the eight wavelengths; if not, it reflects into one direction.
     bool diffraction = true;
 
     static const bsdf::ModelInfo info;
@@ -146,17 +146,18 @@ struct ExplicitFlakesModel {
     friend bool operator==(const ExplicitFlakesModel&, const ExplicitFlakesModel&) = default;
 };
 
-/// A flat panel of paint whose flakes are discs, and whose light is followed from disc to disc:
-/// geometry instead of the equation of transfer. Flakes hide each other one by one, light finds its
-/// way out where it found its way in, and what is seen of a flake moves with its depth.
+/// A flat panel of paint whose flakes are discs, and whose light is followed from disc to disc by
+/// ray tracing instead of the equation of transfer. It includes the shadows of single flakes, the
+/// correlation between the way in and the way out (the hot spot), and the parallax of flakes at
+/// depth.
 ///
-/// Patches are read in rest space (Layout::object_space): the panel's plane must be one of z =
-/// const, and x and y tell the place. Without a patch the place is random: the mean over the panel.
-/// Only sample() and sample_on() tell what the paint looks like, as with PlaneWalk:
-/// eval() and pdf() are zero, and a renderer sees no light source without extent.
+/// Patches are read in object space (bsdf::SurfaceCoordinates::object_space): the panel's plane
+/// must be one of z = const, x and y give the position. Without a patch the position is random: the
+/// mean over the panel. Only sample() and sample_on() tell what the paint looks like, as with
+/// PlaneWalk: eval() and pdf() are zero, and a renderer sees no light source without extent.
 ///
-/// Supports all that a recipe may say. What a flake reflects and lets pass is that of its own films
-/// (flake_films.h); pigments scatter between the flakes; the interface may be rough.
+/// Supports all that a recipe may say. R and T of a flake are those of its own films (FlakeFilms);
+/// pigments scatter between the flakes; the interface may be rough.
 class DiscWalk final : public bsdf::Bsdf {
  public:
     /// @param wavelengths_nm  as for PlaneWalk

@@ -11,7 +11,7 @@
 namespace nacre::montecarlo {
 namespace {
 
-TEST(AiryDisc, DarkRingsEnclosePublishedShares) {
+TEST(AiryDisc, DarkRingsEnclosePublishedFractions) {
     // [born-wolf-1999, section 8.5.2, table 8.2]: the first three dark rings and what lies within.
     EXPECT_NEAR(encircled_power(1.220 * M_PI), 0.838, 5e-4);
     EXPECT_NEAR(encircled_power(2.233 * M_PI), 0.910, 5e-4);
@@ -32,7 +32,7 @@ TEST(AiryDisc, EncircledPowerIsTheIntegralOfThePattern) {
 TEST(AiryDisc, RadiusInvertsTheEncircledPower) {
     for (double fraction = 0; fraction < 0.996; fraction += 0.00037) {
         const double x = AiryDisc::radius_of_fraction(fraction);
-        // Flat at dark rings, where x says little: in shares, then.
+        // Compared as fractions: at dark rings x is ill-conditioned.
         EXPECT_NEAR(encircled_power(x), fraction,
                     kAiryDiscError * std::fmin(fraction, 1 - fraction) + 1e-12)
             << fraction;
@@ -86,7 +86,8 @@ TEST(FlakeFilms, MeanOverTheSetIsThatOfThePopulation) {
         }
         for (const auto& [lane, grid] : {std::pair{0, 0}, {2, 1}, {3, 2}, {4, 3}, {7, 6}}) {
             const double deviation = std::sqrt(std::max(0.0, r2[lane] - r[lane] * r[lane]));
-            // An even set does better than a random one, whose error would be a sixteenth.
+            // A stratified set errs by less than a random one, whose standard error would be
+            // deviation / 16.
             EXPECT_NEAR(r[lane], mean.reflectance[grid], deviation / 16 + 1e-3) << cosine;
             EXPECT_NEAR(r[lane] + t[lane], 1, 1e-3) << "mica and TiO2 absorb next to nothing";
             EXPECT_GT(deviation, 0.003) << "flakes differ";
@@ -164,8 +165,8 @@ TEST(DiscWalk, LosesNoLightWhereNothingAbsorbs) {
     }
 }
 
-TEST(DiscWalk, FlatFlakesMirror) {
-    // Slopes of 0.0035 and no diffraction, no interface: the flash is where geometry has it.
+TEST(DiscWalk, FlatFlakesReflectSpecularly) {
+    // Slopes of 0.0035, no diffraction, no interface: the exit is where geometry puts it.
     const auto surface =
         DiscWalk(one_mirror(), {.tile_width_mm = 1, .tile_height_mm = 1, .diffraction = false})
             .bind(kOnGrid);
@@ -174,7 +175,7 @@ TEST(DiscWalk, FlatFlakesMirror) {
     for (int i = 0; i < 500; ++i) {
         const auto sample =
             surface->sample_on(patch_at(0.002f * i, 0.5f), wi, 0.5f, {0.002f * i, 0.3f});
-        if (!sample) continue;  // into the black ground
+        if (!sample) continue;  // into the black substrate
         EXPECT_EQ(sample->exit_mm.z, 0);
         ++left;
         // Down to the flake and back up, 50 to 65 um deep.
@@ -184,11 +185,12 @@ TEST(DiscWalk, FlatFlakesMirror) {
                 way_mm < 0.13 * std::tan(test::degrees(41));
     }
     EXPECT_GT(left, 350);
-    EXPECT_GT(once, 0.97 * left) << "but for what goes to and fro between crossing flakes";
+    EXPECT_GT(once, 0.97 * left)
+        << "the others were reflected several times between crossing flakes";
 }
 
-TEST(DiscWalk, PlacesTurnWithTheFrame) {
-    // The same place and the same direction in space, told in two frames.
+TEST(DiscWalk, PositionsTurnWithTheFrame) {
+    // The same position and direction in space, given in two frames.
     const auto surface = DiscWalk(test::opaque(1, 15, 50, 0.2, 1),
                                   {.tile_width_mm = 1, .tile_height_mm = 1, .diffraction = false})
                              .bind(kOnGrid);
@@ -197,7 +199,8 @@ TEST(DiscWalk, PlacesTurnWithTheFrame) {
     int found = 0, both = 0;
     for (int i = 0; i < 200; ++i) {
         const float x = 0.005f * i, y = 0.37f;
-        // Numbers that let no lot change: opaque white flakes, a black ground, the mirror left out.
+        // Opaque white flakes over black, and u_select beyond the specular lobe: no random choice
+        // differs.
         const auto a = surface->sample_on(patch_at(x, y), wi, 0.9f, {0.1f, 0.2f});
         const Vec3f turned{c * wi.x + s * wi.y, -s * wi.x + c * wi.y, wi.z};
         const auto b = surface->sample_on(patch_at(x, y, {c, s, 0}), turned, 0.9f, {0.1f, 0.2f});
@@ -206,14 +209,14 @@ TEST(DiscWalk, PlacesTurnWithTheFrame) {
         const Vec3f back{c * b->wo.x - s * b->wo.y, s * b->wo.x + c * b->wo.y, b->wo.z};
         found += length(back - a->wo) < 1e-3f;
     }
-    // All but those that the interface has turned back, by lots of their own.
+    // All but those that the interface has reflected internally, at random.
     EXPECT_GT(both, 60);
     EXPECT_GT(found, 0.85 * both);
 }
 
-/// How much of the light of mirrors whose slopes are Gaussian goes where x of the Airy pattern is
-/// less than a radius, having turned by twice the slope; `turn` is the deviation of that on each
-/// axis, in x. Sums over evenly spread fractions of the pattern, of Rayleigh's law and of the angle
+/// Fraction of the light reflected by flat flakes of Gaussian slopes within a radius of the Airy
+/// pattern in x. Reflection turns light by twice the slope; `turn` is the deviation of that on each
+/// axis, in x. A sum over quantiles of the pattern and of Rayleigh's law, and over the angle
 /// between the two.
 double power_within(double radius, double turn) {
     constexpr int kRings = 300, kTurns = 60, kAngles = 60;
@@ -243,8 +246,8 @@ TEST(DiscWalk, DiffractionSpreadsTheMirrorImageByTheAiryPattern) {
     double mean_um = 0;
     for (double w : kOnGrid) mean_um += 1e-3 * w / kLanes;
     const double x_per_q = std::numbers::pi * kDiameter_um / mean_um;
-    // Half of the maximum, where the power within grows fastest with the radius, and the first dark
-    // ring, where it tells what the tail holds.
+    // Half of the maximum, where the enclosed power grows fastest with the radius, and the first
+    // dark ring, which tests the tail.
     constexpr std::array<double, 2> kRadii{1.6163, 3.8317};
     constexpr int kCount = 20'000;
     std::array<int, 2> within{};
@@ -258,16 +261,16 @@ TEST(DiscWalk, DiffractionSpreadsTheMirrorImageByTheAiryPattern) {
         for (std::size_t r = 0; r < kRadii.size(); ++r) within[r] += x < kRadii[r];
     }
     for (std::size_t r = 0; r < kRadii.size(); ++r) {
-        // What of the pattern lies beyond the horizon is drawn anew.
+        // The part of the pattern beyond the horizon is drawn anew.
         const double expected =
             power_within(kRadii[r], std::sqrt(2.0) * kAlpha * x_per_q) / encircled_power(x_per_q);
-        // What a thousand flakes have for slopes counts for less than the samples.
+        // The slopes of some thousand flakes fluctuate less than the samples.
         const double error = std::sqrt(expected * (1 - expected) / kCount);
         EXPECT_NEAR(static_cast<double>(within[r]) / kCount, expected, test::kWorstZ * error);
     }
 }
 
-/// The light of one direction, then of all.
+/// Power by bins of exit direction, cosine times azimuth, then in total.
 constexpr int kRings = 3, kSectors = 3, kDirections = kRings * kSectors;
 Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, int walks, std::uint64_t seed) {
     return test::estimate(
@@ -282,15 +285,15 @@ Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, int walks, std::
         });
 }
 
-/// The chance of the noise, and half a per cent of the light: what flakes of a 200th of the layer
-/// still have of a hot spot, and how some 300 000 of them have come out in one drawing.
+/// Within the noise and 0.5 % of the light: for the hot spot of flakes of 1/200 of the layer's
+/// thickness, and for the fluctuation of one specimen of some 300 000 flakes.
 void expect_same_light(const Estimate& found, const Estimate& expected) {
     EXPECT_NEAR(found.value, expected.value,
                 test::kWorstZ * std::hypot(expected.standard_error, found.standard_error) +
                     0.005 * expected.value);
 }
 
-/// Flakes so small that light meets none of them twice.
+/// Flakes so small that the light's way in and its way out are uncorrelated.
 paint::Recipe fine(paint::Recipe recipe) {
     for (paint::Layer& layer : recipe.layers) {
         for (paint::FlakeSpecies& species : layer.flakes) {
@@ -301,7 +304,7 @@ paint::Recipe fine(paint::Recipe recipe) {
     return recipe;
 }
 
-TEST(DiscWalk, SmallFlakesSendLightWhereTheTransferEquationDoes) {
+TEST(DiscWalk, SmallFlakesFollowTheTransferEquation) {
     paint::Recipe recipe = test::opaque(1.5, 15, 1, 0.2);
     recipe.layers[0].flakes[0].body =
         paint::PrescribedFlake{spectra::Spectrum({400, 700}, {0.4, 0.8}), 0.15, 0.3};
@@ -359,7 +362,7 @@ TEST(DiscWalk, LargeFlakesAreBrighterThanTheTransferEquationSays) {
     EXPECT_GT(discs[0].value, 1.1 * equation[0].value);
 }
 
-TEST(DiscWalk, OnlySamplesTellWhatItLooksLike) {
+TEST(DiscWalk, EvalAndPdfAreZeroAndTheTileRepeats) {
     const DiscWalk model(test::opaque(1, 15, 20), {});
     EXPECT_EQ(model.surface_coordinates(), bsdf::SurfaceCoordinates::object_space);
     const auto surface = model.bind(kOnGrid);
