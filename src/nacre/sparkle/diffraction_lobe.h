@@ -11,9 +11,10 @@
 
 namespace nacre::sparkle {
 
-/// How a flat flake spreads what it mirrors: diffraction at a disc, seen by the half vector.
+/// How a flat flake spreads the light that it reflects: diffraction at a disc, as a lobe of half
+/// vectors.
 ///
-/// A disc of diameter d mirrors w_i into directions w_o with the Airy pattern of
+/// A disc of diameter d reflects w_i into directions w_o with the Airy pattern of
 /// x = pi d |q| / lambda', where q is the part of w_i + w_o parallel to the disc and lambda' the
 /// wavelength in the binder [born-wolf-1999, section 8.5.2]. As w_i + w_o = 2 (w_i.h) h, that is a
 /// lobe of the half vector h about the normal m, isotropic, of an angle
@@ -23,8 +24,8 @@ namespace nacre::sparkle {
 ///     K(p) = 3 / (pi w^2) (1 - |p - p_m|^2 / w^2)^2     for |p - p_m| < w,
 ///
 /// over slopes p = (h_x, h_y) / h_z, with the radius that gives the same integral of K^2: the same
-/// contrast of the light that many flakes mirror. It takes the place of the Airy pattern at
-/// 550 nm at all wavelengths.
+/// contrast of the light that many flakes reflect. The radius is that of 550 nm at all wavelengths;
+/// the true one goes with the wavelength, 0.73 times it at 400 nm and 1.27 times at 700 nm.
 ///
 /// So that the mean over flakes whose slopes are Gaussian is exactly the distribution of slopes P,
 /// and not P blurred by K, the flakes of slope p_m count as K / (P convolved with K) instead of K /
@@ -43,7 +44,8 @@ class DiffractionLobe {
     }
 
     /// Factor from radius() to the radius for a half vector with sec2 = 1 + slope^2 and
-    /// w_i . h = cosine: solid angle is what diffraction keeps, and sec^3 slopes make one.
+    /// w_i . h = cosine: diffraction fixes the lobe's solid angle, and sec^3 is the area of slopes
+    /// per solid angle.
     float widening(float sec2, float cosine) const {
         const float sec = std::sqrt(sec2);
         return sec * std::sqrt(sec) / std::max(cosine, kMinCosine);
@@ -54,10 +56,10 @@ class DiffractionLobe {
         return min_lanes(radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine)),
                          splat(most_));
     }
-    /// Lobes end here: wider ones would mirror no differently, as P ends.
+    /// 4 alpha: beyond it P is negligible, and a wider lobe would change nothing.
     float max_radius() const { return most_; }
 
-    /// K(p) per unit square of slopes, distance2 = |p - p_m|^2 < width^2.
+    /// K(p) per unit area of slopes, distance2 = |p - p_m|^2 < width^2.
     static float density(float distance2, float width) {
         const float inverse = 1 / (width * width), t = 1 - distance2 * inverse;
         return 3 * std::numbers::inv_pi_v<float> * inverse * t * t;
@@ -68,13 +70,12 @@ class DiffractionLobe {
     /// @param width   at most max_radius()
     float blur(float slope2, float width) const;
     static constexpr double kBlurError = 1e-3;  ///< relative
-    /// P, per unit square of slopes.
+    /// P, per unit area of slopes.
     float slope_density(float slope2) const { return norm_ * std::exp(-exponent(slope2)); }
 
     float exponent(float slope2) const { return slope2 * inverse_alpha2_; }
 
-    /// Beyond this square of the slope over alpha flakes are not resolved: one in a million lies
-    /// there.
+    /// Flakes of a larger (slope / alpha)^2, one in a million, are not resolved.
     static constexpr float kMaxExponent = 14;
     bool reaches(float slope2) const { return exponent(slope2) < kMaxExponent; }
 

@@ -101,8 +101,8 @@ struct FacetField::Touched {
                 return;
             }
         }
-        // The region is two or three triangles wide and at most 9 alpha / gamma long: never so
-        // many.
+        // The region is two or three triangles wide and at most 9 alpha / gamma long, so that kMax
+        // is not reached.
         if (count == kMax) {
             fraction[count - 1] += mass;
             return;
@@ -126,10 +126,9 @@ struct FacetField::Touched {
 };
 
 // The level whose cells are a quarter to a half of the footprint's longer side. Footprints side by
-// side answer from the same cells at their border, which makes their random deviations alike there:
-// the coarser the cells, the more. Where the deviations are too small to be seen (at the peak an
-// eighth of the facets mirror into the cone, say 4000, which vary by 1.6 %), cells are twice as
-// large.
+// side share the cells at their border, which correlates their random deviations: the more, the
+// larger the cells. Where the deviations are too small to be seen (at the peak an eighth of the
+// facets reflect into the cone, say 4000, which vary by 1.6 %), cells are twice as large.
 int FacetField::coarse_level(const Footprint& footprint) const {
     constexpr double kManyFacets = 3e4;
     const double across = count_ * footprint.area() < kManyFacets ? 4 : 2;
@@ -140,7 +139,7 @@ int FacetField::coarse_level(const Footprint& footprint) const {
 
 void FacetField::count_cells(const Footprint& footprint, Vec3f wi, Vec3f wo,
                              FacetTally& tally) const {
-    // The same normals mirror wo into the cone about wi; the rule must not tell which was which.
+    // The same normals reflect wo into the cone about wi, and the count must be the same number.
     if (std::tie(wi.z, wi.x, wi.y) < std::tie(wo.z, wo.x, wo.y)) std::swap(wi, wo);
     Touched touched;
     rule_.visit(wi, wo, [&](FloatLanes x, FloatLanes y, FloatLanes z, FloatLanes fraction) {
@@ -215,8 +214,8 @@ std::uint64_t FacetField::count_node(const Touched& touched, int first, int last
 
 // Small footprints: facet by facet.
 
-// Bounds on a facet's raw bits that every normal in a cone keeps: a ring and a sector of slopes
-// about the half vector. What they let through is tested exactly.
+// Bounds on a facet's raw bits that hold for every normal in a cone: a ring and a sector of slopes
+// about the half vector. Facets within them are tested exactly.
 struct FacetField::NormalFilter {
     std::uint32_t survival_lo = 0, survival_range = 0;    // upper half: exp(-tan^2 / alpha^2)
     std::uint32_t turn_lo = 0, turn_range = 0xffffffffu;  // lower half: azimuth, wraps around

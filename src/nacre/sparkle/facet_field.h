@@ -32,12 +32,12 @@ struct Facet {
 
 /// What a query counted.
 struct FacetTally {
-    /// Of how many facets the thickness is told.
+    /// The largest number of facets whose thickness is listed.
     static constexpr int kListed = 32;
 
     std::uint64_t count = 0;
-    /// Thicknesses, as in Facet, of the first min(count, kListed) facets that were met, which says
-    /// nothing about their thickness: they stand for all.
+    /// Thicknesses, as in Facet, of the first min(count, kListed) facets that were met: a random
+    /// sample, as the order does not depend on the thickness.
     std::array<float, kListed> thickness;
     int listed = 0;
 
@@ -52,11 +52,11 @@ struct FacetTally {
 ///
 /// A fixed hierarchy of cells. Positions are split first: a quadtree, whose cells pass their facets
 /// on to their quarters by the binomial law, down to cells that expect 16 to 64 facets; there each
-/// facet is a hash of its cell and its number. Footprints that reach over many such cells are
-/// answered from larger cells, which split their facets among spherical triangles of normals, and
-/// thin out what a footprint or a cone shares with a part of them. Every random number is a hash of
-/// the seed and of the place in the tree, so that all queries, in any order and on any thread, see
-/// the same facets.
+/// facet is a hash of its cell and its number. For footprints over many such cells, larger cells
+/// split their facets among spherical triangles of normals; of a cell or a triangle that lies only
+/// partly in the footprint or the cone, a binomial number of facets counts. Every random number is
+/// a hash of the seed and of the place in the tree, so that all queries, in any order and on any
+/// thread, see the same facets.
 ///
 /// Cost is bounded for any number of facets and any footprint; queries allocate nothing.
 class FacetField {
@@ -71,9 +71,10 @@ class FacetField {
     double alpha() const { return alpha_; }
     const ConeRule& cone_rule() const { return rule_; }
 
-    /// How many facets lie in the footprint and mirror wi into the cone of half-angle gamma about
-    /// wo; unit vectors upwards. The law of the answer is that of count() independent facets, for
-    /// every footprint: its mean is count() area fraction, where fraction is the cone rule's.
+    /// How many facets lie in the footprint and reflect wi into the cone of half-angle gamma about
+    /// wo; unit vectors upwards. Its distribution is that of facets() independent facets, for every
+    /// footprint: the mean is facets() footprint.area() f with f = ConeRule::Means::projected times
+    /// ConeRule::solid_angle().
     ///
     /// Facet by facet where is_explicit(footprint). Other footprints agree with each other and with
     /// those in how many facets the larger cells hold, and not on which of these they are.

@@ -16,7 +16,7 @@ namespace {
 std::atomic<long> allocations = 0;
 }  // namespace
 
-// Counts what a query allocates: nothing.
+// Counts allocations: a query must make none.
 void* operator new(std::size_t size) {
     ++allocations;
     if (void* p = std::malloc(size)) return p;
@@ -68,7 +68,7 @@ double fraction(const FacetField& field, const Geometry& g) {
     return field.cone_rule().means(g.wi, g.wo).projected * field.cone_rule().solid_angle();
 }
 
-TEST(FacetField, QueryCountsTheFacetsOneWouldFindByLookingAtAll) {
+TEST(FacetField, CountsTheSameFacetsAsASearchThroughAll) {
     constexpr double kFacets = 30000;
     const FacetField field(kFacets, kAlpha, kGamma_deg, 5);
     std::vector<Facet> all;
@@ -121,7 +121,7 @@ TEST(FacetField, MeanAndVarianceAreThoseOfIndependentFacets) {
             }
             const double mean = sum / c.footprints;
             const double variance = squares / c.footprints - mean * mean;
-            // Footprints differ, and so do objects, in how many of their facets mirror this way.
+            // Both footprints and whole objects vary in how many facets reflect this way.
             const double objects = c.expected / (kSeeds * c.facets);
             EXPECT_NEAR(mean, 0, 4 * std::sqrt(expected * (1.0 / c.footprints + objects)))
                 << g.name << ", K " << c.facets << ", " << c.expected << " facets, mean "
@@ -227,7 +227,7 @@ TEST(FacetField, QueriesAllocateNothing) {
     EXPECT_GT(sum, 1000u);
 }
 
-TEST(FacetField, ObjectsOfNoneOneAndAMillionMillionFacets) {
+TEST(FacetField, ObjectsOfNoneOneAndATrillionFacets) {
     const Geometry& g = geometries()[0];
     const Footprint all = square(0.5, 0.5, 1);
     EXPECT_EQ(FacetField(0, kAlpha, kGamma_deg, 1).count(all, g.wi, g.wo).count, 0u);

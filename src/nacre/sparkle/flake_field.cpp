@@ -43,7 +43,7 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
 }
 
 double FlakeField::exact_side_mm() const {
-    // As level_weights() counts cells, a little less to be beyond the rounding.
+    // The side that touches full_cells_ as level_weights() counts them, less a margin for rounding.
     constexpr double kSafety = 0.999;
     const double side =
         levels_[0].cell_mm * (std::sqrt(double{full_cells_}) - 1) - 2 * double{largest_radius_mm_};
@@ -66,11 +66,11 @@ void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view) const 
         find(plane, weights, found);
         show(found, plane, outline, weights.widening, view);
     }
-    // Up to a whole vector: flakes of radius 0, which reflect nothing.
+    // Padding to a whole vector: flakes of lobe radius 0, which reflect nothing.
     store_lanes(&view.lobe_radius[view.count], FloatLanes{});
 }
 
-// A level is resolved as long as it touches few cells.
+// A level is resolved while the patch touches few of its cells.
 FlakeField::Weights FlakeField::level_weights(const PatchOutline& outline) const {
     /// Where a level has faded out, in terms of full_cells_.
     constexpr float kFaded = 2.3f;
@@ -88,14 +88,15 @@ FlakeField::Weights FlakeField::level_weights(const PatchOutline& outline) const
     const FloatLanes w = t * t;
     const float first = lane_sum(w * fraction_), second = lane_sum(w * w * fraction_);
     if (second == 0) return weights;
-    // The flakes resolved fluctuate stand_for^2 times as much as all flakes. With lobes wider by
-    // as much they do not, but a lobe must stay narrower than the distribution of slopes: what is
-    // left is made up for by background. A little is left always, for variance_correction().
+    // Scaled up to the mean of all flakes, those resolved have deviation_ratio^2 times their
+    // variance. Lobes wider by deviation_ratio undo that, but a lobe must stay narrower than the
+    // distribution of slopes: the remaining excess is removed by background. There is always some
+    // background, for variance_correction().                         [docs/nacre-model.md: k]
     constexpr float kWidest = 0.35f, kMaxResolved = 0.95f;
-    const float stand_for = std::sqrt(second) / first;
+    const float deviation_ratio = std::sqrt(second) / first;
     weights.widening =
-        std::clamp(kMaxResolved * stand_for, 1.0f, std::max(1.0f, kWidest / typical_radius_));
-    weights.resolved = std::min(weights.widening / stand_for, 1.0f);
+        std::clamp(kMaxResolved * deviation_ratio, 1.0f, std::max(1.0f, kWidest / typical_radius_));
+    weights.resolved = std::min(weights.widening / deviation_ratio, 1.0f);
     weights.by_level = w * (weights.resolved / first);
     return weights;
 }

@@ -27,7 +27,7 @@ struct FlakePopulation {
 /// patch looks through the surface at the plane that it faces; where it faces two or three about
 /// equally, each gives a fraction of the flakes, so that there is neither seam nor stretch anywhere
 /// on any shape (flake_plane.h). Flakes are divided among levels of density falling by 16: a patch
-/// resolves the flakes of those levels that have few on it, and lets them stand for the rest
+/// resolves the flakes of those levels that have few on it, scaled up to the mean of all flakes
 /// (FlakeView). Cost is bounded for any patch and any density, and memory does not depend on
 /// either.                                                            [docs/nacre-model.md]
 class FlakeField {
@@ -87,11 +87,11 @@ class FlakeField {
     FlakeSizes sizes_;
     DiffractionLobe lobe_;
     std::array<Level, kLevels> levels_;
-    // By level, beyond the last of no weight.
+    // By level; 0 in the lanes beyond the last.
     FloatLanes per_mm_{}, fraction_{};  // 1 / side of the cells; of all flakes
-    /// The probability of at most so many flakes in a cell.
+    /// [n]: the probability of at most n flakes in a cell.
     std::array<float, kMaxFlakesPerCell> at_most_;
-    /// Levels touch this many cells where they begin to fade.
+    /// A level begins to fade out where the patch touches this many of its cells.
     float full_cells_;
     float alpha_, largest_radius_mm_, smallest_radius_mm_;
     float inverse_cover_;   // 1 / (density x mean area)

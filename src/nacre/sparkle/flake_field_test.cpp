@@ -32,9 +32,9 @@ double side_of(double flakes, const FlakePopulation& population) {
     return std::sqrt(flakes / population.density_per_mm2);
 }
 
-// The answer of a patch to one half vector, relative to the mean.
-double answer(const FlakeField& field, const ObjectSpaceFootprint& patch, Vec2f slope,
-              float cosine) {
+// The light that a patch reflects for one half vector, relative to the mean over patches.
+double relative_radiance(const FlakeField& field, const ObjectSpaceFootprint& patch, Vec2f slope,
+                         float cosine) {
     static const auto view = std::make_unique<FlakeView>();
     field.look(patch, *view);
     double sum = 0;
@@ -47,7 +47,7 @@ struct Moments {
     double mean, variance, mean_error, variance_error;
 };
 
-// Over independent patches: each from a field of its own kind of place, far from the others.
+// Of `count` independent samples, with standard errors.
 template <class F>
 Moments moments(int count, F&& sample) {
     std::vector<double> x(count);
@@ -62,8 +62,8 @@ Moments moments(int count, F&& sample) {
     return {mean, second, std::sqrt(second / count), std::sqrt((fourth - second * second) / count)};
 }
 
-// Int coverage_1 coverage_2 over the place of a disc, in mm^2, of a square and of another one,
-// apart along an edge.
+// Int coverage_1 coverage_2 over the place of a disc, in mm^2: the fractions that it covers of a
+// square and of the same square moved by apart_mm along an edge.
 double place_factor(double side_mm, double diameter_mm, double apart_mm = 0) {
     const double r = diameter_mm / 2;
     if (side_mm == 0) return kPi * r * r;
@@ -98,7 +98,7 @@ double campbell(const FlakePopulation& population, const FlakeField& field, doub
     // The second slope has a lobe of nearly the same width: turns are small.
     const Vec2f other = {slope.x + turn.x, slope.y + turn.y};
     const Quadrature rule = gauss_legendre(32, 0.0, 1.0);
-    double answers = 0;
+    double lobe_integral = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         const double r = width * rule.nodes[i];
         for (int k = 0; k < 64; ++k) {
@@ -106,21 +106,21 @@ double campbell(const FlakePopulation& population, const FlakeField& field, doub
             const double x = slope.x + r * std::cos(angle), y = slope.y + r * std::sin(angle);
             const double apart2 = (x - other.x) * (x - other.x) + (y - other.y) * (y - other.y);
             if (apart2 >= width * width) continue;
-            answers += rule.weights[i] * width * r * 2 * kPi / 64 *
-                       DiffractionLobe::density(static_cast<float>(r * r), width) *
-                       DiffractionLobe::density(static_cast<float>(apart2), width) *
-                       lobe.slope_density(static_cast<float>(x * x + y * y));
+            lobe_integral += rule.weights[i] * width * r * 2 * kPi / 64 *
+                             DiffractionLobe::density(static_cast<float>(r * r), width) *
+                             DiffractionLobe::density(static_cast<float>(apart2), width) *
+                             lobe.slope_density(static_cast<float>(x * x + y * y));
         }
     }
     const auto blurred = [&](Vec2f p) {
         const float square = p.x * p.x + p.y * p.y;
         return lobe.slope_density(square) * lobe.blur(square, width);
     };
-    return place_factor(side_mm, d, apart_mm) / (area * area) * answers /
+    return place_factor(side_mm, d, apart_mm) / (area * area) * lobe_integral /
            (blurred(slope) * blurred(other)) / population.density_per_mm2;
 }
 
-TEST(FlakeField, CountsFlakesByPoissonsLaw) {
+TEST(FlakeField, NumberOfFlakesOverAPointIsPoisson) {
     const FlakeField field(kSilver, 5);
     const auto view = std::make_unique<FlakeView>();
     // All discs that touch a point: a Poisson number of mean density times area.
@@ -147,7 +147,7 @@ TEST(FlakeField, CountsFlakesByPoissonsLaw) {
 TEST(FlakeField, KeepsTheMeanAndTheVarianceOfEveryFlakeAtEveryScale) {
     const Vec2f slope = {0.06f, -0.03f};
     const float cosine = 0.9f;
-    FlakePopulation dense = kSilver;  // so many answer that the variance is soon measured
+    FlakePopulation dense = kSilver;  // so many reflect that the variance converges soon
     dense.diameter_um = 8;
     dense.density_per_mm2 = 25000;
     for (const double flakes : {0.0, 0.25, 4.0, 12.0, 40.0, 150.0, 1e3, 2e4, 1e6}) {
@@ -157,7 +157,7 @@ TEST(FlakeField, KeepsTheMeanAndTheVarianceOfEveryFlakeAtEveryScale) {
         const FlakeField field(dense, 3);
         constexpr int kPatches = 60000;
         const Moments m = moments(kPatches, [&](int i) {
-            return answer(
+            return relative_radiance(
                 field,
                 square(reach * (i % 300), reach * (i / 300.0), side, 6.28 * rng.uniform_double()),
                 slope, cosine);
@@ -166,12 +166,11 @@ TEST(FlakeField, KeepsTheMeanAndTheVarianceOfEveryFlakeAtEveryScale) {
         EXPECT_NEAR(m.mean, 1, 4 * m.mean_error) << flakes;
         EXPECT_NEAR(m.variance / expected, 1, 0.03 + 3 * m.variance_error / expected) << flakes;
         EXPECT_LT(m.variance_error, 0.05 * expected)
-            << flakes;  // the line above is worth something
+            << flakes;  // else the line above tests nothing
     }
 }
 
-// What two patches, or two directions, have in common: as Campbell's formula says.
-TEST(FlakeField, NeighboursInSpaceAndInAngleCorrelate) {
+TEST(FlakeField, CovarianceInSpaceAndInAngleFollowsCampbellsFormula) {
     FlakePopulation dense = kSilver;
     dense.diameter_um = 8;
     dense.density_per_mm2 = 25000;
@@ -190,9 +189,9 @@ TEST(FlakeField, NeighboursInSpaceAndInAngleCorrelate) {
         double product = 0, products = 0;
         for (int i = 0; i < kPairs; ++i) {
             const double x = 0.05 * (i % 500), y = 0.05 * (i / 500);
-            const double here = answer(field, square(x, y, side), slope, cosine) - 1;
-            const double there = answer(field, square(x + apart_mm, y, side),
-                                        {slope.x + turn.x, slope.y + turn.y}, cosine) -
+            const double here = relative_radiance(field, square(x, y, side), slope, cosine) - 1;
+            const double there = relative_radiance(field, square(x + apart_mm, y, side),
+                                                   {slope.x + turn.x, slope.y + turn.y}, cosine) -
                                  1;
             product += here * there / kPairs;
             products += here * there * here * there / kPairs;
@@ -200,7 +199,7 @@ TEST(FlakeField, NeighboursInSpaceAndInAngleCorrelate) {
         const double error = std::sqrt((products - product * product) / kPairs);
         const double expected = campbell(dense, field, side, slope, cosine, apart_mm, turn);
         EXPECT_NEAR(product, expected, 4 * error + 0.01 * expected) << apart_mm << ' ' << turn.x;
-        EXPECT_GT(expected, 10 * error);  // there is something to see
+        EXPECT_GT(expected, 10 * error);  // else the line above tests nothing
     }
 }
 
@@ -216,8 +215,8 @@ TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
         constexpr int kPatches = 200000;
         std::vector<double> x(kPatches);
         for (int i = 0; i < kPatches; ++i) {
-            x[i] = answer(field, square(4 * side * (i % 500), 4 * side * (i / 500), side), slope,
-                          cosine);
+            x[i] = relative_radiance(
+                field, square(4 * side * (i % 500), 4 * side * (i / 500), side), slope, cosine);
             mean += x[i] / kPatches;
         }
         for (double v : x) {
@@ -226,13 +225,13 @@ TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
         }
         // Of all flakes: W = 1/M inside large patches; K = 3 (1 - t)^2 / (pi w^2), t even in [0,
         // 1], so Int K^3 = 27/7 / (pi w^2)^2 against Int K^2 = 9/5 / (pi w^2): the skewness is
-        // (27/7) / (9/5)^(3/2) / sqrt(answering), answering = M P pi w^2; the rims of the patch and
-        // the bend of P are left out.
+        // (27/7) / (9/5)^(3/2) / sqrt(reflecting), reflecting = M P pi w^2; the rims of the patch
+        // and the bend of P are neglected.
         const DiffractionLobe& lobe = field.lobe();
         const float slope2 = slope.x * slope.x;
         const double w = lobe.radius(20.0f) * lobe.widening(1 + slope2, cosine);
-        const double answering = flakes * lobe.slope_density(slope2) * kPi * w * w;
-        const double expected = 27.0 / 7 / std::pow(1.8, 1.5) / std::sqrt(answering);
+        const double reflecting = flakes * lobe.slope_density(slope2) * kPi * w * w;
+        const double expected = 27.0 / 7 / std::pow(1.8, 1.5) / std::sqrt(reflecting);
         EXPECT_NEAR(third / std::pow(second, 1.5) / expected, 1, 0.4) << flakes;
     }
 }
@@ -247,8 +246,8 @@ TEST(FlakeField, KeepsTheMeanWhateverTheSizesAndTheLobe) {
                                  relative.y * static_cast<float>(population.alpha)};
             const double side = side_of(30, population);
             const Moments m = moments(40000, [&](int i) {
-                return answer(field, square(4 * side * (i % 200), 4 * side * (i / 200.0), side),
-                              slope, 0.8f);
+                return relative_radiance(
+                    field, square(4 * side * (i % 200), 4 * side * (i / 200.0), side), slope, 0.8f);
             });
             EXPECT_NEAR(m.mean, 1, 4 * m.mean_error + 2 * DiffractionLobe::kBlurError)
                 << population.diameter_um << ' ' << relative.x;
@@ -264,17 +263,18 @@ TEST(FlakeField, FootprintsAddUp) {
     int different = 0;
     for (int i = 0; i < 300; ++i) {
         const double x = 50 * rng.uniform_double(), y = 50 * rng.uniform_double();
-        // Wide lobes, so that most patches hold a flake that answers.
+        // Wide lobes, so that most patches hold a flake that reflects.
         const Vec2f slope = {0.02f, 0};
-        const double whole = answer(field, square(x, y, side), slope, 0.1f);
+        const double whole = relative_radiance(field, square(x, y, side), slope, 0.1f);
         double parts = 0;
         for (double dx : {-0.25, 0.25}) {
             for (double dy : {-0.25, 0.25}) {
-                parts +=
-                    answer(field, square(x + dx * side, y + dy * side, side / 2), slope, 0.1f) / 4;
+                parts += relative_radiance(field, square(x + dx * side, y + dy * side, side / 2),
+                                           slope, 0.1f) /
+                         4;
             }
         }
-        // Places are told to 1e-7 of 50 mm, discs are 0.02 mm.
+        // A float resolves 1e-7 of 50 mm, discs are 0.02 mm.
         EXPECT_NEAR(whole, parts, 2e-3 * (1 + whole));
         different += whole > 0.01;
     }
@@ -295,10 +295,10 @@ TEST(FlakeField, ResolvesEveryFlakeUpToItsExactSide) {
         field.look(square(5, 7, 4 * side), *view);
         EXPECT_GT(view->widening, 1) << density;
     }
-    // Heaps of 60 flakes, one over the other.
-    FlakePopulation heaps = kSilver;
-    heaps.density_per_mm2 = 2e5;
-    EXPECT_EQ(FlakeField(heaps, 1).exact_side_mm(), 0);
+    // 60 flakes over every point.
+    FlakePopulation overlapping = kSilver;
+    overlapping.density_per_mm2 = 2e5;
+    EXPECT_EQ(FlakeField(overlapping, 1).exact_side_mm(), 0);
 }
 
 TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
@@ -330,8 +330,7 @@ TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
     EXPECT_GT(levels_faded, 100);
 }
 
-TEST(FlakeField, IsTheSameInEveryFrame) {
-    // The tangent of a patch may point anywhere: directions told in its frame meet the same flakes.
+TEST(FlakeField, FlakesDoNotDependOnTheTangent) {
     const FlakeField field(kSilver, 1);
     const auto view = std::make_unique<FlakeView>(), turned = std::make_unique<FlakeView>();
     ObjectSpaceFootprint patch = square(7, 5, 0.02);
@@ -356,7 +355,7 @@ TEST(FlakeField, IsTheSameInEveryFrame) {
     }
 }
 
-TEST(FlakeField, HasTheSameDensityOnEverySlope) {
+TEST(FlakeField, DensityDoesNotDependOnTheOrientationOfTheSurface) {
     const FlakeField field(kSilver, 1);
     const auto view = std::make_unique<FlakeView>();
     Rng rng(8);
@@ -395,8 +394,7 @@ TEST(FlakeField, SamplesSlopesWithTheDensityItStates) {
     field.look(square(1, 2, 0.04), *view);
     ASSERT_GT(view->count, 2);
     const Vec3f wi = normalize(Vec3f{0.3f, -0.2f, 0.8f});
-    // E[1 / pdf] over what is sampled is the area of the support; cells of a grid hold what the
-    // density says.
+    // Pearson's statistic over the cells of a grid.
     constexpr int kSide = 40, kSamples = 400000;
     constexpr float kReach = 0.4f;
     std::vector<double> count(kSide * kSide), expected(kSide * kSide);

@@ -8,7 +8,7 @@
 #include "nacre/core/vec.h"
 #include "nacre/sparkle/patch_outline.h"
 
-// Through which planes a surface sees the flakes that lie on it.
+// The planes of cells onto which a surface is projected to find the flakes on it.
 
 namespace nacre::sparkle {
 

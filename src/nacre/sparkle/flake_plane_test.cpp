@@ -15,7 +15,7 @@ Vec3f direction(Rng& rng) {
 
 float component(Vec3f n, int axis) { return axis == 0 ? n.x : axis == 1 ? n.y : n.z; }
 
-TEST(Projections, ShareOutAllFlakesWithoutMoreStretchThanStated) {
+TEST(Projections, FractionsAddUpToOneAndStretchIsBounded) {
     Rng rng(1);
     float most = 0;
     for (int trial = 0; trial < 100000; ++trial) {

@@ -6,7 +6,7 @@
 namespace nacre::sparkle {
 
 /// Diameters of the flakes of a population: a normal distribution, cut off at three deviations and
-/// at a quarter of its mean and renormalised, by the middles of kSizes equal fractions.
+/// at a quarter of its mean and renormalised, as the medians of kSizes equally probable parts.
 class FlakeSizes {
  public:
     static constexpr int kSizes = 256;
@@ -17,7 +17,7 @@ class FlakeSizes {
 
     /// @param size  in [0, kSizes)
     float diameter_um(std::uint32_t size) const { return diameters_um_[size]; }
-    /// All of them, for who reads several at once.
+    /// All kSizes, for gathering several at once.
     const float* diameters_um() const { return diameters_um_.data(); }
     /// Mean of pi/4 d^2, in um^2.
     double mean_area_um2() const { return mean_area_um2_; }

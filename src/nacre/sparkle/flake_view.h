@@ -15,22 +15,21 @@ namespace nacre::sparkle {
 /// directions.
 ///
 /// Relative to the mean over all patches, a patch shows `background` and flake by flake `weight`:
-/// all of them add up to 1 in expectation. If the patch holds so many flakes that each of those
-/// resolved stands for several, their lobes are wider by `widening`, so that as many reflect as of
-/// all flakes, each as bright as one of them: the fluctuation has the variance and nearly the law
-/// of that of all flakes.
-///                                                                    [docs/nacre-model.md, levels]
+/// all of them add up to 1 in expectation. Where only some of the patch's flakes are resolved,
+/// their lobes are wider by `widening`, so that as many reflect as of all flakes, each as bright as
+/// one of them: the light has the variance and nearly the distribution of that of all flakes.
+///                                                     [docs/nacre-model.md, any number of flakes]
 struct FlakeView {
     /// The patch shows 30 flakes at most on average; a Poisson number of that mean is never larger.
     static constexpr int kMax = 128;
 
     int count = 0;
-    float background =
-        1;  ///< at the slope alpha of the half vector; for_each_answer() has the rest
+    /// For half vectors of slope alpha; for_each_answer() returns it for any other.
+    float background = 1;
     float weight_sum = 0;
     float widening = 1;
     float typical_radius = 0;  ///< lobe_radius of a flake of the mean diameter, over alpha
-    // By flake, and a vector more: up to a whole vector there are flakes of radius 0.
+    // By flake, padded to a whole vector with flakes of radius 0.
     template <class T>
     using List = std::array<T, kMax + kLanes>;
     alignas(64) List<float> weight;
@@ -49,21 +48,22 @@ struct FlakeView {
         return {to_unit_float(static_cast<std::uint32_t>(b)), static_cast<std::uint32_t>(b >> 32)};
     }
 
-    /// Calls visit(flake, fraction) for the flakes that mirror one direction into another, h being
-    /// halfway between (inside the coat), and returns the background for this h: over all patches
+    /// Calls visit(flake, fraction) for the flakes that reflect one direction into another, with
+    /// half vector h (inside the coat), and returns the background for this h: over all patches
     /// it and the fractions add up to 1 on average, for every h.
     ///
+    /// @param lobe      of the population
     /// @param slope     (h_x / h_z, h_y / h_z)
     /// @param cosine    w_i . h
-    /// @param law       of the population
     template <class Visit>
-    float for_each_answer(const DiffractionLobe& law, Vec2f slope, float cosine,
+    float for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine,
                           Visit&& visit) const;
 
-    /// Flakes that reflect are weighted by this, so that its variance is that of all flakes. The
-    /// integral of K^2 P / (P * K)^2 goes with w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...):
-    /// wider lobes lose more of it than the square of their width where P bends upwards, and less
-    /// in its middle.
+    /// Factor on the flakes that reflect, so that the variance is that of all flakes. The integral
+    /// of K^2 P / (P * K)^2 goes with w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening
+    /// keeps its leading term, and this the next.
+    /// @param exponent  DiffractionLobe::exponent() of the half vector
+    /// @param scale     DiffractionLobe::widening() of the half vector
     float variance_correction(float exponent, float scale) const {
         if (widening == 1) return 1;
         const float radius = typical_radius * scale;
@@ -75,9 +75,9 @@ struct FlakeView {
 
     /// Picks a flake by weight and a slope of the half vector near its own; u in [0, 1).
     /// Requires weight_sum > 0.
-    Vec2f sample_slope(const DiffractionLobe& law, Vec3f wi, float u_flake, Vec2f u) const;
+    Vec2f sample_slope(const DiffractionLobe& lobe, Vec3f wi, float u_flake, Vec2f u) const;
     /// The density, per unit square of slopes, with which sample_slope() draws the slope.
-    float slope_pdf(const DiffractionLobe& law, Vec3f wi, Vec2f slope) const;
+    float slope_pdf(const DiffractionLobe& lobe, Vec3f wi, Vec2f slope) const;
 };
 
 namespace detail {
@@ -89,29 +89,29 @@ inline constexpr float kSampledWidening = 1.1f;
 }  // namespace detail
 
 template <class Visit>
-float FlakeView::for_each_answer(const DiffractionLobe& law, Vec2f slope, float cosine,
+float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine,
                                  Visit&& visit) const {
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
-    const float scale = law.widening(1 + slope2, cosine);
-    const float correction = variance_correction(law.exponent(slope2), scale);
+    const float scale = lobe.widening(1 + slope2, cosine);
+    const float correction = variance_correction(lobe.exponent(slope2), scale);
     float inverse_density = 0;  // worked out with the first answer
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes dx = load_lanes(&slope_x[first]) - slope.x;
         const FloatLanes dy = load_lanes(&slope_y[first]) - slope.y;
         const FloatLanes distance2 = dx * dx + dy * dy;
         const FloatLanes width =
-            min_lanes(load_lanes(&lobe_radius[first]) * scale, splat(law.max_radius()));
+            min_lanes(load_lanes(&lobe_radius[first]) * scale, splat(lobe.max_radius()));
         for_each_set_lane(distance2 < width * width, [&](int lane) {
-            if (inverse_density == 0) inverse_density = correction / law.slope_density(slope2);
+            if (inverse_density == 0) inverse_density = correction / lobe.slope_density(slope2);
             const float w = width[lane];
-            visit(first + lane, weight[first + lane] * law.density(distance2[lane], w) *
-                                    inverse_density / law.blur(slope2, w));
+            visit(first + lane, weight[first + lane] * lobe.density(distance2[lane], w) *
+                                    inverse_density / lobe.blur(slope2, w));
         });
     }
     return 1 - (1 - background) * correction;
 }
 
-inline Vec2f FlakeView::sample_slope(const DiffractionLobe& law, Vec3f wi, float u_flake,
+inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, float u_flake,
                                      Vec2f u) const {
     float rest = u_flake * weight_sum;
     int k = 0;
@@ -119,15 +119,15 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& law, Vec3f wi, float
     const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
     const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
     // As slope_pdf() does it, in lanes: the same bits.
-    const float width = law.radius_at(splat(detail::kSampledWidening * lobe_radius[k]), splat(sec2),
-                                      splat(cosine))[0];
+    const float width = lobe.radius_at(splat(detail::kSampledWidening * lobe_radius[k]),
+                                       splat(sec2), splat(cosine))[0];
     // The inverse of 1 - (1 - r^2/w^2)^3.
     const float r = width * std::sqrt(std::max(0.0f, 1 - std::cbrt(1 - u.x)));
     const float angle = 2 * std::numbers::pi_v<float> * u.y;
     return {x + r * std::cos(angle), y + r * std::sin(angle)};
 }
 
-inline float FlakeView::slope_pdf(const DiffractionLobe& law, Vec3f wi, Vec2f slope) const {
+inline float FlakeView::slope_pdf(const DiffractionLobe& lobe, Vec3f wi, Vec2f slope) const {
     float sum = 0;
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
@@ -136,10 +136,10 @@ inline float FlakeView::slope_pdf(const DiffractionLobe& law, Vec3f wi, Vec2f sl
         const FloatLanes sec2 = 1.0f + x * x + y * y;
         const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
         const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
-        const FloatLanes width =
-            law.radius_at(detail::kSampledWidening * load_lanes(&lobe_radius[first]), sec2, cosine);
+        const FloatLanes width = lobe.radius_at(
+            detail::kSampledWidening * load_lanes(&lobe_radius[first]), sec2, cosine);
         for_each_set_lane(distance2 < width * width, [&](int lane) {
-            sum += weight[first + lane] * law.density(distance2[lane], width[lane]);
+            sum += weight[first + lane] * lobe.density(distance2[lane], width[lane]);
         });
     }
     return weight_sum > 0 ? sum / weight_sum : 0.0f;

@@ -17,7 +17,7 @@ struct Polygon {
     std::array<Corner, kMaxCorners> corners;
     int count = 0;
 
-    // Rounding can make a sliver look as if a line cut it more than twice; its area is nothing.
+    // Rounding can make a line seem to cut a sliver more than twice; its area is negligible.
     void add(Corner p) {
         if (count < kMaxCorners) corners[count++] = p;
     }
@@ -31,7 +31,7 @@ struct Polygon {
     }
 };
 
-// What of a polygon has depth(p) >= 0.
+// The part of a convex polygon with depth(p) >= 0, depth linear.
 template <class Depth>
 Polygon cut(const Polygon& polygon, Depth&& depth) {
     Polygon out;

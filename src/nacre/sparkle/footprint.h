@@ -6,9 +6,9 @@
 
 namespace nacre::sparkle {
 
-/// The piece of a surface that one sample stands for, in the millimetres of object space: of the
-/// shape before it is turned and moved, so that what lies on the shape turns and moves with it. A
-/// parallelogram about a point, tangent to the surface there.
+/// The piece of a surface over which one sample averages, in the millimetres of object space: of
+/// the shape before it is turned and moved, so that what lies on the shape turns and moves with it.
+/// A parallelogram about a point, tangent to the surface there.
 struct ObjectSpaceFootprint {
     Vec3f position_mm;
     Vec3f normal{0, 0, 1};   ///< unit; of the frame in which directions are told (shading normal)

@@ -11,7 +11,7 @@
 #include "nacre/core/lane_math.h"
 #include "nacre/core/lanes.h"
 
-// Random bits of eight facets at a time, and the slopes that they stand for.
+// Random bits of eight facets at a time, and the Gaussian slopes made of them.
 
 namespace nacre::sparkle {
 
@@ -44,7 +44,7 @@ inline SlopeLanes gaussian_slopes(BitLanes bits) {
 
 }  // namespace nacre::sparkle
 
-// Some of eight lanes.
+// 32 bits in each of eight lanes; visiting and packing those of eight lanes that a mask selects.
 
 namespace nacre::sparkle {
 
@@ -92,7 +92,7 @@ inline FloatLanes upper_half(ShortBitLanes bits) {
     return __builtin_convertvector(std::bit_cast<LaneMask>(bits >> 16), FloatLanes);
 }
 
-/// Calls visit(lane) for each lane whose bits are set; costs next to nothing where none is.
+/// Calls visit(lane) for each lane whose bits are set; one test where none is.
 template <class Mask, class Visit>
 inline void for_each_set_lane(const Mask& mask, Visit&& visit) {
     using ByteLanes = signed char __attribute__((vector_size(kLanes)));
@@ -104,8 +104,8 @@ inline void for_each_set_lane(const Mask& mask, Visit&& visit) {
     for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits) / 8);
 }
 
-/// Brings the set lanes of several vectors together at their beginning: without a branch where the
-/// processor can, as which lanes are set is not to be foretold.
+/// Moves the set lanes of several vectors together at their beginning: with AVX-512 without a
+/// branch, which would be mispredicted.
 class LanePacker {
  public:
     explicit LanePacker(const LaneMask& mask) {
@@ -118,7 +118,7 @@ class LanePacker {
     }
     int count() const { return count_; }
 
-    /// Writes eight numbers, the first count() of which mean something.
+    /// Writes count() numbers; those after them, up to eight, may be overwritten.
     void store(float* out, FloatLanes v) const {
 #ifdef __AVX512VL__
         store_lanes(out, std::bit_cast<FloatLanes>(

@@ -45,7 +45,7 @@ double rule_of_seven(Vec3d a, Vec3d b, Vec3d c, double alpha) {
 
 // Halves the triangle while D changes much over it and is not negligible.
 double integrate(Vec3f a, Vec3f b, Vec3f c, double edge, double alpha) {
-    // The triangle lies above the lower of its corners by at least as much as its edges are long.
+    // No normal of the triangle is nearer to the pole than its highest corner by more than an edge.
     const double z = std::max({a.z, b.z, c.z});
     const double sine = std::sqrt(std::max(0.0, 1 - z * z)) - edge;
     const bool negligible = sine > 0 && sine * sine / (1 - sine * sine) > 80 * alpha * alpha;
@@ -68,7 +68,7 @@ NormalTree::NormalTree(double alpha, double edge_rad) {
     nodes_.resize(nodes_above(depth_));
     masses_.resize(nodes_above(depth_ + 1));
     build(0, 0, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, alpha);
-    // The rule's error, spread over all.
+    // Spreads the rule's error over all, so that the masses of an octant add up to 1/4.
     const double scale = 0.25 / masses_[0];
     for (double& mass : masses_) mass *= scale;
 }

@@ -56,8 +56,8 @@ inline std::uint64_t half_binomial(std::uint64_t n, std::uint64_t key) {
 }
 
 /// How many of n trials, n < 2^53, succeed with probability p in [0, 1]. Exact law, by inversion,
-/// while the variance is at most kExactBinomialVariance; beyond, a bell with the exact mean and
-/// variance.
+/// while the variance is at most kExactBinomialVariance; beyond, a bell with the exact mean and a
+/// variance to kBinomialVarianceError.
 inline std::uint64_t binomial(std::uint64_t n, double p, std::uint64_t key) {
     if (n == 0 || p <= 0) return 0;
     if (p >= 1) return n;

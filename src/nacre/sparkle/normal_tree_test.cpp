@@ -39,7 +39,7 @@ void expect_binomial(const Moments& found, double n, double p, int draws) {
         << "n " << n << " p " << p;
 }
 
-TEST(Binomial, CoinsHaveTheMeanAndVarianceOfTheLaw) {
+TEST(Binomial, FairTrialsHaveTheMeanAndVarianceOfTheLaw) {
     constexpr int kDraws = 100000;
     for (const double n : {1.0, 2.0, 63.0, 64.0, 65.0, 200.0, 256.0, 257.0, 1e4, 1e9, 1e15}) {
         // Counted from half: the square of 5e14 has no digits left for the variance.
@@ -70,11 +70,11 @@ TEST(Binomial, TrialsHaveTheMeanAndVarianceOfTheLaw) {
 
 TEST(Binomial, FewTrialsFollowTheExactLaw) {
     constexpr int kDraws = 200000, kTrials = 6;
-    constexpr double kChance = 0.3;
-    std::vector<int> coins(kTrials + 1), trials(kTrials + 1);
+    constexpr double kProbability = 0.3;
+    std::vector<int> fair(kTrials + 1), biased(kTrials + 1);
     for (int i = 0; i < kDraws; ++i) {
-        ++coins[half_binomial(kTrials, hash_of(1, i))];
-        ++trials[binomial(kTrials, kChance, hash_of(2, i))];
+        ++fair[half_binomial(kTrials, hash_of(1, i))];
+        ++biased[binomial(kTrials, kProbability, hash_of(2, i))];
     }
     double choose = 1;
     for (int k = 0; k <= kTrials; ++k) {
@@ -82,8 +82,8 @@ TEST(Binomial, FewTrialsFollowTheExactLaw) {
             const double probability = choose * std::pow(p, k) * std::pow(1 - p, kTrials - k);
             EXPECT_NEAR(found, kDraws * probability, 5 * std::sqrt(kDraws * probability)) << k;
         };
-        expect(coins[k], 0.5);
-        expect(trials[k], kChance);
+        expect(fair[k], 0.5);
+        expect(biased[k], kProbability);
         choose *= static_cast<double>(kTrials - k) / (k + 1);
     }
 }

@@ -10,7 +10,7 @@
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
 
-// The facets that mirror light from one direction into a narrow cone of others. The normals that do
+// The facets that reflect light from one direction into a narrow cone of others. Their normals
 // form Omega_h, a region of the sphere with a spherical conic for a border.  [jakob-2014, section
 // 4]
 
@@ -23,9 +23,10 @@ struct ReflectionCone {
 
     ReflectionCone(Vec3f wi, Vec3f wo, float gamma_chord2) : wi(wi), wo(wo), chord2(gamma_chord2) {}
 
-    /// Whether a facet with this unit normal mirrors wi into the cone: the conic test, by mirroring
-    /// the ray. Chords keep the digits that the cosine of a small angle loses. Mirroring is an
-    /// isometry and its own inverse, so the same facets count when wi and wo change places.
+    /// Whether a facet with this unit normal reflects wi into the cone: the conic test, by
+    /// reflecting the ray. Chords keep the digits that the cosine of a small angle loses.
+    /// Reflection is an isometry and its own inverse, so the same facets count when wi and wo
+    /// change places.
     /// The normal (x, y, z) may have any length, and be numbers or lanes of them.
     template <class V>
     auto contains(V x, V y, V z) const {
@@ -38,8 +39,7 @@ struct ReflectionCone {
     bool contains(Vec3f m) const { return contains(m.x, m.y, m.z); }
 };
 
-/// A cone may be so many times as wide as the facets' roughness: ConeRule does not resolve facets
-/// that are smoother.
+/// The largest half-angle of a cone in rad over alpha: ConeRule does not resolve smoother facets.
 inline constexpr double kMaxConePerRoughness = 25;
 
 /// Error of ConeRule's means over their peaks, 1 / (pi alpha^2) and that over 4 w_i.h: for
@@ -64,19 +64,20 @@ class ConeRule {
     /// Of the rule for directions that do not graze.
     int nodes() const { return kLanes * static_cast<int>(groups_.size()); }
 
+    /// Means over the cone, in 1/sr.
     struct Means {
-        float density;  ///< mean over the cone of the Beckmann density D(m)
-        float
-            projected;  ///< mean of D(m) (m.n) / (4 wi.m): times solid_angle(), the fraction of facets
+        float density;  ///< of the Beckmann density D(m)
+        /// Of D(m) (m.n) / (4 wi.m): times solid_angle(), the fraction of facets.
+        float projected;
     };
-    /// Of the normals m that mirror wi into the directions of the cone about wo, for Beckmann
+    /// Of the normals m that reflect wi into the directions of the cone about wo, for Beckmann
     /// facets of this roughness.                                          [walter-2007, eq. 14, 25]
     Means means(Vec3f wi, Vec3f wo) const {
         return visit(wi, wo, [](FloatLanes, FloatLanes, FloatLanes, FloatLanes) {});
     }
 
-    /// The same, showing visit(x, y, z, fraction) the normals of each eight nodes and the fraction
-    /// of facets that each node stands for.
+    /// The same, calling visit(x, y, z, fraction) with the normals of each eight nodes and the
+    /// fraction of facets that is each node's part of the integral.
     template <class Visit>
     Means visit(Vec3f wi, Vec3f wo, Visit&& visit) const;
 
