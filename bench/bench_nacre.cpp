@@ -1,6 +1,6 @@
 // How long the nacre model takes to look at a patch and to evaluate and sample it, for eight
-// wavelengths on one core, by the number of flakes in the footprint; beside it the smooth model
-// that it is the mean of. bench_special_effect has the same for facets that are counted.
+// wavelengths on one core, by the number of flakes in the footprint; and how long the smooth model
+// takes, which is its mean. bench_special_effect has the same for facets that are counted.
 //
 //   ./dev bench --benchmark_filter=Nacre
 
@@ -37,7 +37,8 @@ struct Setup {
     }
 };
 
-// Squares all over a sphere of 100 mm, turned in any way, with so many flakes on average.
+// Squares at random places and angles on a sphere of radius 100 mm, that hold `flakes` flakes on
+// average.
 std::vector<Patch> patches(double flakes) {
     std::vector<Patch> out;
     Rng rng(4, 2);

@@ -15,7 +15,7 @@ namespace nacre::solver {
 using namespace paint;
 namespace {
 
-// TiO2 on mica in a binder of 1.5; c = 0.1 per um in 15 um.
+// TiO2 on mica in a binder of index 1.5; c = 0.1 per um, thickness 15 um.
 Recipe pearl(double alpha) {
     optics::Platelet platelet;
     platelet.core = {optics::find_material("mica"), 500, {60}};
@@ -62,7 +62,7 @@ void BM_SolveMediumOnly(benchmark::State& state) {
 }
 BENCHMARK(BM_SolveMediumOnly)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-// One slab on one core, eight wavelengths: flops over time is what to hold against the peak.
+// One slab on one core, eight wavelengths: compare its GFlop/s with the peak's.
 void BM_SlabImpedance(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     constexpr int kDoublings = 6;

@@ -27,7 +27,7 @@ Vec3f direction(double theta_deg, double phi_deg) {
             static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t))};
 }
 
-// Turned squares anywhere on the object, that expect so many facets.
+// Squares at random places and angles on the object, that hold `facets` facets on average.
 std::vector<Patch> patches(double facets_on_object, double facets) {
     std::vector<Patch> out;
     Rng rng(1, 2);

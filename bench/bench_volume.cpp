@@ -1,5 +1,6 @@
 // How long one walk of light takes, for eight wavelengths on one core: position-free, and through a
-// shell of paint on a sphere of 50 mm with either tracking; and what a pass of a render costs.
+// shell of paint on a sphere of 50 mm with either tracking; and how long it takes to bind a walk to
+// a set of wavelengths.
 //
 //   ./dev bench --benchmark_filter=Walk
 
@@ -35,7 +36,7 @@ Surface simpson(const paint::Recipe& recipe) {
     return ShellWalk(recipe, {.radius_mm = 50, .tracking = Tracking::simpson}).bind(kWavelengths);
 }
 
-/// From directions over the hemisphere, by etendue.
+/// From incident directions cosine-distributed over the hemisphere.
 void BM_Walk8Wavelengths(benchmark::State& state, Surface (*make)(const paint::Recipe&),
                          const std::string& name) {
     const Surface surface = make(paint(name));

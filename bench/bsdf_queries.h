@@ -10,8 +10,7 @@
 #include "nacre/core/random.h"
 #include "nacre/paint/recipe.h"
 
-// What the benchmarks of surfaces share: wavelengths, a paint, and the questions that a renderer
-// asks.
+// What the benchmarks of surfaces share: wavelengths, a paint, and the queries of a renderer.
 
 namespace nacre::bsdf {
 

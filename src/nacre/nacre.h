@@ -44,12 +44,11 @@
 // Progress and may be stopped by it (core/progress.h); what goes wrong is thrown (core/error.h):
 // InputError where a file is wrong, naming file, key, value and allowed range; SettingError, a
 // DomainError, where a setting is; Error where the work itself failed or was stopped. Units and
-// conventions:
-// docs/conventions.md.
+// conventions: docs/conventions.md.
 //
 // Link nacre::nacre (find_package(nacre COMPONENTS core)). Pictures need ray tracing, and have a
-// door of their own: nacre/render.h. What one does with a paint is a member of it, since rooms of
-// this house have those names: nacre::measure, nacre::fit and nacre::render are namespaces.
+// header of their own: nacre/render.h. Measuring and fitting are members of Paint, as
+// nacre::measure, nacre::fit and nacre::render are namespaces.
 
 namespace nacre {
 
@@ -64,8 +63,8 @@ using solver::Part;
 using spectra::Illuminant;
 using spectra::Observer;
 
-// A model is chosen by a value of its settings type; any of them is a Model. The first is what those
-// get who do not choose.
+// A model is chosen by a value of its settings type; any of them is a Model. The first is the
+// default.
 using bsdf::MicroflakeModel;
 using bsdf::Model;
 using bsdf::NacreModel;
@@ -103,7 +102,7 @@ enum class Kind {
     measured_colours  ///< of a multi-angle instrument, CSV or JSON (docs/measure.md)
 };
 
-/// What is none of the others counts as a recipe: its reader says what is wrong with it.
+/// A text that is none of the others counts as a recipe, whose reader says what is wrong with it.
 Kind kind_of(std::string_view bytes);
 
 /// How a recipe is solved.
@@ -115,17 +114,17 @@ struct SolveSettings {
     friend bool operator==(const SolveSettings&, const SolveSettings&) = default;
 };
 
-/// At most so many wavelengths are solved at once.
+/// The largest number of wavelengths that are solved at once.
 inline constexpr std::size_t kMaxSolvedWavelengths = 2000;
 
-/// Something that the solver could not resolve, so that multiple scattering is less certain.
+/// A quantity that the solver could not resolve, so that multiple scattering is less accurate.
 struct SolverWarning {
     enum class What { scattering, azimuthal_series } what;
     bool held_back = false;  ///< by SolverSettings; with 0 there, more would have been chosen
     std::string message;     ///< naming file, quantity, value and what does no harm
 };
 
-/// What a solved paint has to warn of. `file` is for the messages.
+/// The warnings about a solved paint. `file` is for the messages.
 std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
                                            const std::string& file);
 
@@ -134,33 +133,34 @@ struct BrdfSettings {
     /// None: microflake, and measured BRDFs as they are.
     std::optional<Model> model = {};
     Part part = Part::total;  ///< other than the total: of models that can tell (Capabilities)
-    /// Vacuum wavelengths, nm. Empty: those of a solved paint where it answers itself, else 400 to
-    /// 700 by 10.
+    /// Vacuum wavelengths, nm. Empty: those of the solved paint where the values are its own, else
+    /// 400 to 700 by 10.
     std::vector<double> wavelengths_nm = {};
     /// As a renderer sees the paint, in single precision, rather than exactly: a hundred times
     /// faster, off by less than bsdf::kMicroflakeError of the peak.
     bool as_rendered = false;
 };
 
-/// The BRDF of a paint by values. Where a solved paint answers itself it is exact and in double
-/// precision; else as a renderer sees the paint.
+/// The BRDF of a paint by values: those of the solved paint in double precision where the model is
+/// no more than its solution (microflake), else those that a renderer gets.
 class PaintBrdf {
  public:
     const std::vector<double>& wavelengths_nm() const { return wavelengths_nm_; }
-    /// In 1/sr at each wavelength, without the mirror of a smooth interface, the mean over the
-    /// surface; angles in rad, theta in [0, pi/2), phi = phi_o - phi_i, pi being the mirror side.
+    /// In 1/sr at each wavelength, without the specular lobe of a smooth interface, the mean over
+    /// the surface; angles in rad, theta in [0, pi/2), phi = phi_o - phi_i, pi being the mirror
+    /// side.
     /// @throws DomainError if an angle is out of range
     std::vector<double> operator()(double theta_i, double theta_o, double phi) const {
         return values_(theta_i, theta_o, phi);
     }
 
-    /// Whether, and by what, places differ: they do where single flakes show.
+    /// The coordinates by which it varies over the surface, which it does where single flakes show.
     bsdf::SurfaceCoordinates surface_coordinates() const { return coordinates_; }
-    /// What on() takes: mm on a flat panel, or shares of the object's unit square.
+    /// What on() takes: mm on a flat panel, or fractions of the object's unit square.
     Range place_range() const;
     Range side_range() const;
     /// The same on a square patch about (x, y), with its own flakes instead of their mean.
-    /// @throws DomainError if the surface is alike everywhere, or a number is out of range
+    /// @throws DomainError if the surface does not vary, or a number is out of range
     PaintBrdf on(double x, double y, double side) const;
 
  private:
@@ -171,8 +171,8 @@ class PaintBrdf {
     std::function<measure::Brdf(const bsdf::Patch&)> values_on_;
 };
 
-/// How a paint is measured. What is not given is that of measured colours, where a file holds them,
-/// or as said.
+/// How a paint is measured. A setting that is not given is that of the file, where it holds
+/// measured colours, or else the default that stands beside it.
 struct MeasureSettings {
     std::optional<Model> model = {};            ///< as in BrdfSettings
     std::optional<Illuminant> illuminant = {};  ///< D65
@@ -193,7 +193,7 @@ struct Readings {
     std::string csv() const;
 };
 
-/// The set of those who do not choose.
+/// The default set.
 inline constexpr const char* kDefaultGeometries = "byk-mac";
 
 /// A set that is built in ("byk-mac"), a file of a set (.toml), or a list as in
@@ -201,7 +201,7 @@ inline constexpr const char* kDefaultGeometries = "byk-mac";
 /// @throws DomainError if it is none of these; InputError if the file is wrong
 std::vector<Geometry> geometries(const std::string& text);
 
-/// A file to be, and how it differs from what it was made of.
+/// The bytes of a file, and its error against the values that it was made from.
 struct Exported {
     std::string bytes;
     measure::TableError error;
@@ -243,7 +243,7 @@ class Paint {
     std::string name() const;
 
     bool has_recipe() const;
-    /// Whether the file holds what was measured, a BRDF or colours: no model has a part in it.
+    /// Whether the file holds a measured BRDF or measured colours, which need no model.
     bool is_measured() const;
     /// @throws InputError naming the file if it holds none: tables and measured values
     const paint::Recipe& recipe() const;
@@ -265,8 +265,8 @@ class Paint {
     /// Of all solutions so far.
     std::vector<SolverWarning> warnings() const;
 
-    /// The paint as a model shows it, for a renderer; measured and tabulated BRDFs as they are. Made
-    /// once for all who hold it at a time.
+    /// The paint as a model shows it, for a renderer; measured and tabulated BRDFs as they are.
+    /// Made once for all who hold it at a time.
     /// @param model  none: microflake, and measured BRDFs as they are
     /// @param solve  where the model needs the paint solved
     /// @throws InputError naming the file if it lacks what the model reads, or is shown without one
@@ -289,7 +289,7 @@ class Paint {
                      const MeasureSettings& settings = {}, const Progress& progress = {}) const;
 
     /// The BRDF as the files of the RGL database hold it, or those of MERL, for other renderers.
-    /// The mirror of a smooth interface is no part of it.
+    /// The specular lobe of a smooth interface is not part of it.
     /// @param settings  as_rendered is taken as true, part as total
     /// @throws InputError, DomainError, Error as brdf() and measure/acquire.h; InputError if the
     ///         BRDF is anisotropic

@@ -41,7 +41,7 @@ struct ScenePaints {
 
 struct Picture {
     render::RenderResult result;
-    /// The scene's name, the model, the specimen and the recipes' SHA-256.
+    /// The scene's name, the model, the seed and the recipes' SHA-256.
     std::map<std::string, std::string> metadata;
 
     io::Image image() const;

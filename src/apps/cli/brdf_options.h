@@ -5,8 +5,7 @@
 
 #include "apps/cli/options.h"
 
-// What `eval` and `reference` have in common: a paint, directions, wavelengths, a part of the
-// light.
+// The options that `eval` and `reference` have in common: paint, directions, wavelengths, part.
 
 namespace nacre::cli {
 

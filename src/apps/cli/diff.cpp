@@ -35,9 +35,9 @@ void write_picture(const DiffOptions& options, const io::ImageDifference& differ
 
 /// Whether the difference stays within every bound that was given.
 bool is_within_bounds(const DiffOptions& options, const io::ImageDifference& d) {
-    const auto within = [](double value, const std::optional<double>& most, const char* name) {
-        if (!most || value <= *most) return true;
-        fmt::print(stderr, "nacre: {} = {:.6g} is more than {}\n", name, value, *most);
+    const auto within = [](double value, const std::optional<double>& bound, const char* name) {
+        if (!bound || value <= *bound) return true;
+        fmt::print(stderr, "nacre: {} = {:.6g} is more than {}\n", name, value, *bound);
         return false;
     };
     bool ok = within(d.relative_error, options.max_relative, "relative error");

@@ -29,7 +29,7 @@ struct EvalOptions : BrdfOptions {
     std::string at, footprint;
 };
 
-/// What can be said about --at and --footprint before the paint is made.
+/// Refuses wrong --at and --footprint before the paint is made, as far as possible.
 void check_patch(const EvalOptions& options, const bsdf::ModelInfo& model) {
     if (options.at.empty() && options.footprint.empty()) return;
     if (!model.can.sparkle) {
@@ -53,7 +53,7 @@ PaintBrdf on_patch(const PaintBrdf& brdf, const EvalOptions& options) {
                    parse_number("--footprint", options.footprint, brdf.side_range()));
 }
 
-/// What the command line says about the model, before any work is done.
+/// Refuses options that do not fit the model, before any work is done.
 void check_model(const EvalOptions& options) {
     const bsdf::ModelInfo& model = parse_model_settings(options.model, options.seed).info();
     check_patch(options, model);

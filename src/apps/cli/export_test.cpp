@@ -7,7 +7,7 @@
 #include "apps/cli/program_test_support.h"
 #include "nacre/io/measured_brdf_file.h"
 
-// BRDFs of paints through files of measured ones, as a user meets them.
+// `nacre export`, and measured BRDFs in the other commands.
 
 namespace nacre::cli::testing {
 namespace {
@@ -142,7 +142,7 @@ TEST_F(Program, ExportRefusesAnisotropicSurfaces) {
     EXPECT_FALSE(exists("again.bsdf"));
 }
 
-TEST_F(Program, NamesCannotSpeakToTheTerminal) {
+TEST_F(Program, ControlCharactersOfNamesAreNotPrinted) {
     write("escape.toml", "name = \"a\\u001b[31mb\"\n" + contents(folder_ / "gray.toml"));
     const Outcome info = nacre("info escape.toml");
     EXPECT_EQ(info.status, 0) << info.err;

@@ -16,8 +16,8 @@ namespace {
 
 using fit::Estimate;
 
-/// Errors of two numbers go together above this: worth a line.
-constexpr double kTogether = 0.9;
+/// The correlation of the errors of two numbers above which it is printed.
+constexpr double kMinShownCorrelation = 0.9;
 
 class Text {
  public:
@@ -87,7 +87,7 @@ void add_certainty(Text& text, const fit::Fit& fit) {
     for (std::size_t a = 0; a < fit.estimates.size(); ++a) {
         for (std::size_t b = a + 1; b < fit.estimates.size(); ++b) {
             const double c = certainty.correlation[a * fit.estimates.size() + b];
-            if (std::abs(c) < kTogether) continue;
+            if (std::abs(c) < kMinShownCorrelation) continue;
             text.line("Errors of {} and {} go {} (correlation {:.3f}).",
                       fit.estimates[a].number.bounds.key, fit.estimates[b].number.bounds.key,
                       c > 0 ? "together" : "against each other", c);

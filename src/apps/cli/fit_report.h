@@ -9,7 +9,8 @@
 
 namespace nacre::cli {
 
-/// Tables: numbers with bounds and errors, differences by angle, what the colours leave open.
+/// Tables: numbers with bounds and errors, differences by angle, numbers that the colours do not
+/// determine.
 std::string fit_text(const fit::Fit& fit);
 
 /// The same and more: correlations, other lights, alternatives, effort.

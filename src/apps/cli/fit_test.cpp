@@ -105,8 +105,7 @@ TEST_F(Program, FitRefusesWhatItCannotDo) {
     }
 }
 
-// Bounds are for `fit`: everything else reads past them.
-TEST_F(Program, OtherCommandsReadPastTheBoundsOfAFit) {
+TEST_F(Program, OtherCommandsIgnoreTheBoundsOfAFit) {
     write("start.toml", kStart);
     write("bare.toml", std::string(kStart, std::string(kStart).find("[fit]")));
     const std::string arguments = " --incident 45 --outgoing 30,180 --wavelength 550";

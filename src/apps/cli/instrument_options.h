@@ -9,7 +9,8 @@ namespace CLI {
 class App;
 }
 
-// --geometry, --illuminant, --observer and --aperture: how an instrument is held against a paint.
+// --geometry, --illuminant, --observer, --aperture and --wavelength: the instrument that measures a
+// paint.
 
 namespace nacre::cli {
 
@@ -30,7 +31,7 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& options);
 /// @throws InputError if a file of geometries is wrong
 InstrumentRequest parse_instrument(const InstrumentOptions& options);
 
-/// The light and the eye, by default where they were not given.
+/// Illuminant and observer, by default where they were not given.
 measure::Conditions parse_conditions(const InstrumentOptions& options);
 
 }  // namespace nacre::cli

@@ -33,7 +33,7 @@ std::vector<std::string> sampled_models() {
     return models_that([](const bsdf::ModelInfo& model) { return model.can.estimated_values; });
 }
 
-/// A panel, and what was read on it.
+/// A paint and the readings on it.
 struct Sample {
     Paint paint;
     std::string model;  ///< empty: measured
@@ -42,7 +42,7 @@ struct Sample {
     const Measurement& measurement() const { return readings.measurement; }
 };
 
-/// What a person wants to read at once.
+/// Flop index and colour travel, on stderr.
 void say_summary(const MeasureOptions& options, const Sample& sample) {
     const auto flop = measure::flop_index(sample.measurement());
     const measure::ColourTravel travel = measure::colour_travel(sample.measurement());

@@ -85,7 +85,7 @@ TEST_F(Program, MeasuredFilesAreReadAgainUnderAnotherLight) {
     EXPECT_THAT(nacre("measure day.csv --aperture 1,1").err, HasSubstr("half angles of 0 and 0"));
     write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
     EXPECT_EQ(nacre("measure lab.csv").status, 0);
-    // What the file does not say, somebody may know.
+    // An aperture that the file does not state may be given.
     EXPECT_EQ(measured(nacre("measure lab.csv --aperture 1,2")).conditions.aperture,
               (measure::Aperture{1, 2}));
     EXPECT_EQ(nacre("measure lab.csv --model mircoflake").status, 1);
@@ -104,7 +104,7 @@ TEST_F(Program, MeasureVersusTellsTheDifferenceAtEachAngle) {
     for (int row = 1; row <= 3; ++row) EXPECT_EQ(number(same.out, row, 14), 0);
     EXPECT_THAT(same.err, HasSubstr("mean 0.00, greatest 0.00"));
 
-    // Fewer flakes are darker at the flop; weights choose the mean.
+    // Flakes that reflect half as much are darker; weights choose the mean.
     std::string darker = contents(folder_ / "gray.toml");
     darker.replace(darker.find("0.6"), 3, "0.3");
     write("dark.toml", darker);
@@ -143,7 +143,7 @@ TEST_F(Program, MeasureByTheReferenceAgreesWithinItsStandardErrors) {
         for (std::size_t k = 0; k < 2; ++k) {
             const double error = json["readings"][i]["standard_error"][k];
             EXPECT_GT(error, 0);
-            // A share of 6e-5 of normal errors is larger than four of their standard deviation.
+            // A fraction of 6e-5 of normal errors exceeds four standard deviations.
             EXPECT_NEAR(walked.readings[i].reflectance_factor[k],
                         exact.readings[i].reflectance_factor[k], 4 * error);
         }

@@ -25,7 +25,7 @@ class UsageError : public std::runtime_error {
 // One file per command. Each adds its options to the program and hands back what to run once the
 // command line has been read.
 
-/// What the shell is told.
+/// Exit status of the program.
 enum class ExitStatus {
     ok = 0,
     usage = 1,              ///< the command line is wrong

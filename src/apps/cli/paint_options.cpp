@@ -10,12 +10,12 @@ namespace nacre::cli {
 
 namespace {
 
-/// Which options to drop.
+/// The options that limit the solver in this respect.
 const char* options_of(SolverWarning::What what) {
     return what == SolverWarning::What::scattering ? "--nodes and --inner-nodes" : "--orders";
 }
 
-/// What remains to be done about it: drop the option that held the solver back, or distrust.
+/// What the user can do: leave out the option that limited the solver, or else check the result.
 std::string advice(const SolverWarning& warning) {
     if (warning.held_back) {
         return fmt::format("solve it without {}, and they are chosen from the recipe",
@@ -30,7 +30,7 @@ std::string advice(const SolverWarning& warning) {
 
 void require_values(const bsdf::ModelInfo& model) {
     if (!model.can.reference_only) return;
-    // The reference walks through layers, in which no flake has a place.
+    // `nacre reference` has no single flakes: models that show them give pictures only.
     throw UsageError(fmt::format("{}: follows light and has no values to give; see nacre {}",
                                  choice_of(model), model.can.sparkle ? "render" : "reference"));
 }

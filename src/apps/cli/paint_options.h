@@ -8,11 +8,11 @@
 #include "apps/cli/options.h"
 #include "nacre/nacre.h"
 
-// What options mean for the paint that they are for.
+// The model options as applied to a paint.
 
 namespace nacre::cli {
 
-/// The model that the command line says to show paints with. None where all of them hold measured
+/// The model that the command line chooses for the paints. None where all of them hold measured
 /// values, which are shown as they are.
 /// @throws UsageError as parse_model_settings(), if a model was named and no paint takes one, or if
 ///         the model gives no values, only pictures, nor (where they will do) estimates
@@ -27,10 +27,10 @@ void require_values(const bsdf::ModelInfo& model);
 /// @throws InputError if the paint is a measured BRDF, where only a model will do
 void refuse_measured_brdf(const Paint& paint);
 
-/// @throws UsageError that no model has a part in what `what` names
+/// @throws UsageError always: `what` holds a measured BRDF, which takes no model
 [[noreturn]] void refuse_model(const std::string& model, const std::string& what);
 
-/// Says on stderr, unless quiet, what the solver could not resolve in a paint.
+/// Prints on stderr, unless quiet, what the solver could not resolve in a paint.
 void say_warnings(const CommonOptions& options, const Paint& paint);
 
 }  // namespace nacre::cli

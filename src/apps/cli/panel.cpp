@@ -30,7 +30,7 @@ struct PanelOptions : CommonOptions {
     InstrumentOptions instrument;
 };
 
-/// How much work goes into pictures.
+/// Sizes and samples of the pictures.
 struct Quality {
     int large_width, large_height, small_side, samples;
     measure::SparkleCamera camera;
@@ -47,7 +47,7 @@ Quality quality_of(const PanelOptions& options) {
     return quality;
 }
 
-/// Draws with a progress bar.
+/// Renders with a progress bar.
 report::Picture picture(const PanelOptions& options, const Look& look, const std::string& caption,
                         const datasheet::PictureSettings& settings) {
     ProgressBar bar(settings.scene, options.quiet);
@@ -79,7 +79,7 @@ measure::SparkleMeasurement sparkle(const PanelOptions& options, const Look& loo
     return measure_sparkle(*look, {quality.camera}, bar.callback()).measurement;
 }
 
-/// What can be said before a minute of work.
+/// Refuses wrong options before a minute of work.
 void check_choices(const PanelOptions& options) {
     if (fs::path(options.output).extension() != ".html") {
         throw UsageError(fmt::format("--output = {}: must end in .html", options.output));
@@ -103,7 +103,7 @@ Paint open_panel(const std::string& file) {
     return paint;
 }
 
-/// How the paint that the sample is held against looks; null where it has only colours.
+/// The surface of the standard; null without a standard, or where it has only colours.
 Look standard_look(const std::optional<Paint>& standard, const bsdf::Model& model) {
     if (!standard || standard->kind() == Kind::measured_colours) return nullptr;
     if (standard->is_measured()) return standard->appearance();

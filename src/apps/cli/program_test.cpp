@@ -156,7 +156,7 @@ anisotropy = 0.95
                                       "after 3 orders at "));
     EXPECT_THAT(coarse.err, HasSubstr("solve it without --orders"));
 
-    // Whoever is handed the solved file is told too, on stderr alone.
+    // Commands that read the solved file repeat the warning, on stderr alone.
     const Outcome eval = nacre("eval sharp.h5 --incident 45 --outgoing 0");
     EXPECT_THAT(eval.err, HasSubstr("nacre: warning: sharp.h5: 12 + 8 nodes miss "));
     EXPECT_THAT(eval.out, Not(HasSubstr("warning")));
@@ -259,16 +259,16 @@ thickness_spread_nm = 5
     EXPECT_EQ(nacre("eval facets.toml --model special-effect --at 0.5 --footprint 0.1" + directions)
                   .status,
               1);
-    // Patches that share out the whole square have the mean's value on average; one alone has not.
+    // A patch differs from the mean; one as large as the whole square only by its noise.
     const std::string facets = "eval facets.toml --model special-effect" + directions;
     const double mean = number(nacre(facets).out, 1, 5);
     const double patch = number(nacre(facets + "--at 0.3,0.6 --footprint 0.02").out, 1, 5);
     const double whole = number(nacre(facets + "--at 0.5,0.5 --footprint 1").out, 1, 5);
     EXPECT_NE(patch, mean);
-    // Of a million facets those answer whose normals lie within half of 3 deg of the surface's:
-    // (1.5 deg / alpha)^2 of them, and what these are worth differs little.
-    const double answering = 1e6 * std::pow(1.5 * kDegree / 0.1, 2);
-    EXPECT_NEAR(whole / mean, 1, test::kWorstZ / std::sqrt(answering));
+    // Of a million facets those reflect whose normals lie within half of 3 deg of the surface's, a
+    // fraction of (1.5 deg / alpha)^2, and their reflectances differ little.
+    const double reflecting = 1e6 * std::pow(1.5 * kDegree / 0.1, 2);
+    EXPECT_NEAR(whole / mean, 1, test::kWorstZ / std::sqrt(reflecting));
     for (const char* paint : {"facets.toml --model thin-film", "facets.toml --model special-effect",
                               "gray.toml --model walk", "gray.toml --model volume",
                               "gray.toml --model volume --tracking simpson"}) {
@@ -302,7 +302,7 @@ TEST_F(Program, SingleFlakesAreEvaluatedInMillimetresAndRendered) {
     EXPECT_THAT(patch, StartsWith("theta_i,"));
     EXPECT_EQ(patch, nacre(fan).out);
     EXPECT_NE(patch, nacre(fan + " --seed 1").out);
-    // The very flakes that lie there in the model: on a flat panel that faces +z.
+    // The flakes of the model at that place: on a flat panel that faces +z.
     const auto paint = std::make_shared<const solver::SolvedPaint>(
         solver::solve(io::read_recipe(folder_ / "gray.toml"), {550}));
     const auto surface = bsdf::Nacre(paint).bind({550, 550, 550, 550, 550, 550, 550, 550});
@@ -333,7 +333,7 @@ TEST_F(Program, SingleFlakesAreEvaluatedInMillimetresAndRendered) {
         EXPECT_EQ(render.status, 0) << render.err;
         EXPECT_THAT(nacre("info a.exr").out, HasSubstr("channel sparkle.B:")) << scene;
     }
-    // A rough clearcoat blurs what single flakes send; the model does not know how.
+    // The model has no rough clearcoat.
     std::string matte = contents(folder_ / "gray.toml");
     matte.insert(0, "clearcoat = { thickness_um = 40, roughness = 0.2 }\n");
     write("matte.toml", matte);

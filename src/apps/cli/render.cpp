@@ -28,7 +28,7 @@ constexpr int kMaxPixelsPerSide = 32768;  // as in render::RenderOptions
 struct RenderCommandOptions : CommonOptions {
     std::string scene;
     std::string paint;
-    std::string brdf;  // measured: in the place of the paint
+    std::string brdf;  // measured, instead of the paint
     ModelOptions model;
     std::string size = "512x512";
     render::RenderOptions render;
@@ -50,7 +50,7 @@ void parse_size(const std::string& text, render::RenderOptions& options) {
         fmt::format("--size = {}: must be WIDTHxHEIGHT in whole pixels, as in 512x512", text));
 }
 
-/// What --brdf names must be a measured BRDF, and no model has a part in it.
+/// --brdf, which must name a measured BRDF; none if it was not given.
 std::optional<Paint> open_brdf(const RenderCommandOptions& options) {
     if (options.brdf.empty()) return std::nullopt;
     if (!options.paint.empty()) throw UsageError("--paint and --brdf exclude each other");
@@ -98,7 +98,7 @@ Scene painted_scene(const RenderCommandOptions& options) {
     }
 }
 
-/// Where every paint is a measured BRDF, no model has a part in the picture.
+/// Refuses model options where every paint is a measured BRDF, which takes no model.
 void check_model(const RenderCommandOptions& options, const Scene& scene) {
     if (scene.paints().empty() || scene.shows_model()) return;
     if (options.model.model_given) {

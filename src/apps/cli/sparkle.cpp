@@ -35,7 +35,7 @@ struct SparkleOptions : CommonOptions {
     std::string pictures;
 };
 
-/// What a model must be able to do here.
+/// The model, which must show single flakes and have values.
 bsdf::Model parse_sparkling_model(const SparkleOptions& options) {
     const bsdf::ModelInfo& model = parse_model(options.model);
     if (!model.can.sparkle) {
@@ -52,7 +52,7 @@ bsdf::Model parse_sparkling_model(const SparkleOptions& options) {
 /// "45s", "22.5s".
 std::string lamp_name(double lamp_deg) { return fmt::format("{}s", lamp_deg); }
 
-// With fewer, numbers say little.
+// Fewer spots are warned of: the standard error of their number is above 30 % of it.
 constexpr double kFewSpots = 10;
 
 constexpr const char* kHeader =
@@ -146,7 +146,7 @@ void write_picture(const SparkleOptions& options, const std::string& name,
     io::write_png(folder / (name + ".png"), image, tone_map);
 }
 
-/// Both halves together: less noise.
+/// The mean of the two halves of the samples, for less noise.
 measure::PanelPicture mean_of(const std::vector<measure::PanelPicture>& halves) {
     measure::PanelPicture mean = halves[0];
     for (std::size_t i = 0; i < mean.xyz.size(); ++i) {

@@ -58,7 +58,7 @@ std::optional<double> equal_time_ratio(const ErrorCurve& a, const ErrorCurve& b)
     constexpr int kSteps = 32;
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {
-        // Kept from stepping over the ends by rounding.
+        // Clamped, as rounding may step beyond the ends.
         const double t =
             std::clamp(first * std::pow(last / first, i / (kSteps - 1.0)), first, last);
         sum += std::log(*error_at(a, t) / *error_at(b, t));

@@ -7,8 +7,8 @@
 
 namespace nacre::study {
 
-/// The middle of the values, or the mean of the two in the middle: one run that something else
-/// disturbed does not count.
+/// The median; of an even number, the mean of the two in the middle. One run that another program
+/// disturbed hardly changes it.
 /// @throws DomainError if there are none
 double median(std::vector<double> values);
 

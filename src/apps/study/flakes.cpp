@@ -222,7 +222,7 @@ paint::Recipe opaque_flakes(double depth, double diameter_um) {
     return recipe;
 }
 
-/// Cosine inside of a direction outside, and the unit vector.
+/// The unit vector inside the paint of a direction outside; side: 1 towards +x, -1 towards -x.
 Vec3f inside(double outer_deg, double side) {
     const double sine = std::sin(outer_deg * std::numbers::pi / 180) / kIndex;
     return {static_cast<float>(side * sine), 0, static_cast<float>(std::sqrt(1 - sine * sine))};

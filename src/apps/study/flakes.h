@@ -21,8 +21,8 @@ struct FlakesSettings {
     bool quick = false;  ///< two recipes, tiny pictures: to see that all works
 };
 
-/// The evidence for the model `nacre`: close looks at flat panels whose flakes are hashed, as in
-/// the model, and explicit, as discs (montecarlo/discs/disc_walk.h); the same camera, lamp and
+/// The evidence for the model `nacre`: close-ups of flat panels whose flakes are hashed, as in the
+/// model, and explicit, as discs (montecarlo/discs/disc_walk.h), with the same camera, lamp and
 /// recipe. Mean, contrast against the pixel's footprint, histogram and colour for the recipes of
 /// studies/flakes.
 ///
@@ -47,7 +47,7 @@ std::string name(Way way);
 /// A recipe, and the surfaces that are made of it.
 class FlakePaint {
  public:
-    /// @param file  beside each other in studies/flakes; without its ending it names pictures
+    /// @param file  of studies/flakes; its name without the extension begins those of pictures
     explicit FlakePaint(const std::string& file, std::uint64_t seed);
 
     const std::string& key() const { return key_; }
@@ -81,7 +81,7 @@ struct FlakesContext {
     nlohmann::json& results;
 };
 
-/// What came out for one recipe, for the table at the top.
+/// The results for one recipe, for the table of all recipes.
 struct FlakesVerdict {
     std::string name;
     double depth = 0, diameter_um = 0, flakes_per_mm2 = 0;
@@ -101,7 +101,7 @@ std::string flake_count(double per_mm2);
 /// Renders, measures and describes one recipe.
 FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint);
 
-/// How much of a flake is lit and seen: discs against what the equation of transfer says.
+/// The fraction of a flake that is both lit and seen: of discs, and by the equation of transfer.
 void add_hiding(FlakesContext& context);
 
 }  // namespace nacre::study

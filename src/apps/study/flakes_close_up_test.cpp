@@ -45,8 +45,8 @@ TEST(FlakesStatistics, NoiseDoesNotRaiseContrast) {
     EXPECT_GT(contrast(scene.picture(0.8, 2), scene.picture(0.8, 2)).value, 0.9) << "its own noise";
 }
 
-TEST(FlakesStatistics, JackknifeKnowsThatNeighboursShareFlakes) {
-    // Errors of the mean of many pictures against what each one claims.
+TEST(FlakesStatistics, JackknifeAllowsForNeighboursThatShareFlakes) {
+    // The standard deviation of the means of many pictures against the error that each one states.
     double claimed = 0, sum = 0, squares = 0;
     constexpr int kPictures = 200;
     for (int i = 0; i < kPictures; ++i) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Way kCompared[] = {Way::discs, Way::hashed};
 
-/// What is done at which size: discs are noisy, as light finds the lamp by chance.
+/// Pixels a side, and samples a pixel: more for discs, whose paths meet the lamp by chance.
 struct Effort {
     int pixels, disc_samples, hashed_samples;
 };
@@ -31,7 +31,7 @@ class Look {
  public:
     Look(FlakesContext& context, FlakePaint& paint) : context_(context), paint_(paint) {}
 
-    /// A picture whose pixels hold so many flakes on average.
+    /// A picture whose pixels hold `flakes_per_pixel` flakes on average.
     Pixels take(Way way, double flakes_per_pixel, const std::string& what, Effort effort,
                 std::uint64_t noise) const {
         if (context_.settings.quick) effort = kQuick;
@@ -95,7 +95,7 @@ std::string with_error(const Estimate& m) {
     return fmt::format("{} ± {}", number(m.value), number(m.standard_error, 1));
 }
 
-/// The two ways' results at one footprint, against the discs'.
+/// The results of one way over those of the discs, over all footprints.
 struct Ratios {
     double log_sum = 0, worst = 1, mean = 0, mean_variance = 0, weights = 0;
     int counted = 0;
@@ -107,7 +107,7 @@ struct Ratios {
             ++counted;
             if (std::abs(std::log(ratio)) > std::abs(std::log(worst))) worst = ratio;
         }
-        // Of all footprints, each by the area that it saw.
+        // The mean over footprints is weighted by their area.
         if (!(means[0].value > 0 && means[1].value > 0)) return;
         const double ratio = means[1].value / means[0].value;
         const double error = ratio * std::hypot(means[0].standard_error / means[0].value,
@@ -244,8 +244,8 @@ void add_histogram_and_colour(FlakesContext& context, const FlakePaint& paint, c
     context.report.table(table);
 }
 
-/// How much of the difference of the means is that of the flakes' own lobes: explicit flakes that
-/// mirror perfectly have exactly the distribution of normals that the recipe says.
+/// The part of the difference of the means that is due to diffraction: explicit flakes without it
+/// reflect exactly by the distribution of normals of the recipe.
 void add_diffraction(FlakesContext& context, const FlakePaint& paint, const Look& look,
                      FlakesVerdict& verdict) {
     constexpr double kFlakes = 64;

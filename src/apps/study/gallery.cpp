@@ -92,8 +92,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What the model needs of the paint, through the files that a user would keep: solved paints and
-/// tables are written and read back.
+/// The surface of a job, made from the files that a user would keep: solved paints and tables are
+/// written and read back.
 struct Prepared {
     std::shared_ptr<const bsdf::Bsdf> surface;
     std::size_t file_bytes = 0, data_bytes = 0;

@@ -14,8 +14,8 @@
 
 namespace nacre::study {
 
-/// The largest resident memory of this process since it was made, in MiB. Where the system cannot
-/// start counting afresh (it needs Linux's /proc/self/clear_refs): since the process began.
+/// The largest resident memory of the process since this object was made, in MiB. Where the system
+/// cannot start counting afresh (it needs Linux's /proc/self/clear_refs): since the process began.
 class PeakMemory {
  public:
     PeakMemory();
@@ -37,7 +37,7 @@ class Interrupted : public Error {
 using Stage =
     std::function<void(const std::string& label, const std::function<void(const Progress&)>& work)>;
 
-/// How a picture is asked for.
+/// All that a picture depends on.
 struct PictureJob {
     std::string key;    ///< file name, unique in the study
     std::string title;  ///< for people
@@ -72,8 +72,7 @@ struct Picture {
 class Gallery {
  public:
     /// @param folder  made if it does not exist; pictures go to its sub-folder pictures/, files
-    /// with
-    ///                tables to tables/
+    ///                with tables to tables/
     /// @param stage   runs the work
     Gallery(std::filesystem::path folder, Stage stage);
 

@@ -159,7 +159,7 @@ std::vector<io::Image> batches(const MirContext& context, const char* paint,
             fmt::format("agreement-{}-{}", name, batch),
             fmt::format("agreement: {}, batch {} of {}", name, batch + 1, kBatches), paint, model);
         job.render.width = job.render.height = std::max(16, context.settings.size / 8);
-        // Numbers of their own for each method: shared ones would make errors alike.
+        // Random numbers of its own for each method: shared ones would correlate the errors.
         job.render.seed = context.settings.seed + hash_of(std::hash<std::string>{}(name), batch);
         pictures.push_back(context.gallery.make(job).image);
     }

@@ -19,7 +19,7 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 
-// What the fourth model costs and how it errs, beside the two that it stands between.
+// Cost and error of the fourth model, compared with `microflake` and `special-effect`.
 
 namespace nacre::study {
 
@@ -73,7 +73,7 @@ namespace {
 
 constexpr const char* kPaint = "studies/mir-2022/flakes-570.toml";
 
-/// One way to paint the ball, and what its pictures have cost, round by round.
+/// One way to paint the ball, and the times of its pictures, round by round.
 struct Contender {
     std::string key, name;
     bsdf::Model model;
@@ -175,7 +175,7 @@ namespace {
 
 constexpr double kFacets = 1e9;
 
-/// One curve: a surface, and what it is asked.
+/// One curve: a surface, and the kind of query.
 struct Curve {
     std::string name;
     const QuerySubject* subject;
@@ -310,7 +310,7 @@ void add_query_costs(MirContext& context) {
 
 namespace {
 
-constexpr int kFullSize = 512;  // pixels: cases are told as they look there
+constexpr int kFullSize = 512;  // pixels: cases are stated for pictures of this size
 
 struct Case {
     const char* key;
@@ -318,7 +318,7 @@ struct Case {
     const char* light;  ///< in words
     double area_mm2;    ///< painted
     double count;       ///< flakes or facets on it, at 512 pixels; at other sizes as many a pixel
-    int patches;        ///< a pixel's side over that of the patch that a sample stands for
+    int patches;        ///< a pixel's side over that of the patch over which a sample averages
 };
 constexpr double kBallMm2 = 4 * std::numbers::pi * kBallRadius_mm * kBallRadius_mm;
 constexpr Case kCases[] = {{"ball-1e8-32", "sphere", "ball, soft boxes", kBallMm2, 1e8, 32},
@@ -327,12 +327,12 @@ constexpr Case kCases[] = {{"ball-1e8-32", "sphere", "ball, soft boxes", kBallMm
                            {"panel-1e8-4", "panel-sun", "panel, sun and sky", 150 * 100, 1e8, 4},
                            {"panel-1e8-32", "panel-sun", "panel, sun and sky", 150 * 100, 1e8, 32}};
 // In slopes inside the coat, the lobe of a flake has the effective area  1 / Int K^2 = 5/9 pi w^2,
-// w = 1.26 lambda' / (2 d)  (docs/nacre-model.md); the cone of gamma = 3 deg lets normals within
-// gamma / 2 answer. At this mean diameter, and 550 nm, the two are equal: as many flakes answer as
-// facets, and the pictures sparkle alike.
+// w = 1.26 lambda' / (2 d)  (docs/nacre-model.md); in the cone of gamma = 3 deg those facets
+// reflect whose normals lie within gamma / 2. At this mean diameter, and 550 nm, the two are equal:
+// as many flakes reflect as facets, and the pictures sparkle alike.
 constexpr double kLikeTheCone_um = 6.6;
 
-/// The two that are compared, by their number below.
+/// The two models that are compared, by index.
 bsdf::Model model_number(int m) {
     return m == 0 ? bsdf::Model(bsdf::SpecialEffectModel{}) : bsdf::NacreModel{};
 }
@@ -359,10 +359,10 @@ PictureJob job_of(const MirContext& context, const Case& c, const bsdf::Model& m
     return job;
 }
 
-/// Of the last point of a curve.
+/// Samples a pixel of the last point of a curve.
 int max_samples(const MirContext& context) { return context.settings.quick ? 16 : 64; }
 
-/// What came out for one model.
+/// The results for one model.
 struct Outcome {
     ErrorCurve relative, absolute;
     double us_per_sample = 0;

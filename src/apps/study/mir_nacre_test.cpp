@@ -49,7 +49,7 @@ class MirNacre : public ::testing::Test {
     static inline json results_;
 };
 
-TEST_F(MirNacre, TableThreeHasARowForTheModelThatDoesAll) {
+TEST_F(MirNacre, TableThreeHasOneModelWithAllCapabilities) {
     const json& row = results_.at("table_3").at("nacre");
     EXPECT_TRUE(row.at("goniochromism"));
     EXPECT_TRUE(row.at("sparkle"));

@@ -26,8 +26,8 @@ constexpr PaperPaint kPaints[] = {
     {"metallic-gray", "Metallic gray", "paints/metallic-gray.toml", "4.5 MiB", 3, false},
     {"cadmium-red", "Cadmium red", "paints/cadmium-red.toml", "5.0 MiB", 4, true}};
 
-/// The reference in two halves with numbers of their own: their mean is the reference, their
-/// difference tells its noise.
+/// The reference in two halves with independent random numbers: their mean is the reference, their
+/// difference gives its noise.
 struct Reference {
     Picture mean;
     double noise_mse = 0;  ///< variance of a value of the mean

@@ -11,7 +11,7 @@
 #include "nacre/bsdf/models/thin_film.h"
 #include "nacre/io/recipe_file.h"
 
-// Table 2 and Figure 3: what facets and flakes cost, by their number.
+// Table 2 and Figure 3: the cost of facets and flakes by their number.
 
 namespace nacre::study {
 namespace {
@@ -126,7 +126,7 @@ void add_cost_curve(MirContext& context) {
                          .series = {facets, flakes}});
 }
 
-/// Larger and fewer flakes, or smaller and more: on the ball there are so many.
+/// Flakes whose diameter is scaled so that `count` of them lie on the ball, at the same coverage.
 PictureJob flakes_job(const MirContext& context, const ParameterSet& set, double count) {
     PictureJob job = context.job(
         fmt::format("table-2-{}-nacre-{}", set.key, fmt::format("1e{:.0f}", std::log10(count))),
@@ -144,7 +144,7 @@ PictureJob facets_job(const MirContext& context, const ParameterSet& set, double
     return job;
 }
 
-/// Flakes have a size, and with it a lobe.
+/// The diameter of the flakes by their number, and the lobe that follows from it by diffraction.
 void add_flake_sizes(MirContext& context, const std::vector<double>& counts) {
     report::Table table{.caption = "Flakes of `nacre` by their number",
                         .columns = {"flakes on the ball", "mean diameter",

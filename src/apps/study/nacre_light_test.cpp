@@ -10,7 +10,7 @@
 #include "nacre/render/scene.h"
 #include "nacre/solver/solver.h"
 
-// Flakes that flash, found by sampling lights and by sampling flakes: one mean.
+// The mean light of flakes that flash does not depend on whether lights or flakes are sampled.
 
 namespace nacre::study {
 namespace {
@@ -71,7 +71,7 @@ void expect_agreement(const render::SceneDescription& description, const char* n
     EXPECT_NEAR(all.value, light.value, 4 * std::hypot(all.standard_error, light.standard_error));
     EXPECT_NEAR(all.value, surface.value,
                 4 * std::hypot(all.standard_error, surface.standard_error));
-    // That is the point of combining them.
+    // The combination is nearly as good as the better of the two.
     EXPECT_LT(all.standard_error, 1.5 * std::min(light.standard_error, surface.standard_error));
 }
 
@@ -81,8 +81,8 @@ TEST(NacreUnderLights, EstimatorsAgreeInACloseUp) {
     expect_agreement(scene, "2 deg");
 }
 
-// A panel that mirrors a sphere of the same paint, both seen flake by flake.
-TEST(NacreUnderLights, EstimatorsAgreeOnASphereMirroredInAPanel) {
+// A panel that reflects a sphere of the same paint, both seen flake by flake.
+TEST(NacreUnderLights, EstimatorsAgreeOnASphereReflectedInAPanel) {
     auto scene = close_up();
     scene.shapes.push_back(
         {render::Sphere{.radius_mm = 10}, "paint", {.translation_mm = {0, 15, 20}}});

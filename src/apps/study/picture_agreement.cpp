@@ -9,8 +9,8 @@
 namespace nacre::study {
 namespace {
 
-/// Probability that |t| exceeds x for Student's law with nu degrees of freedom, by the midpoint
-/// rule on its density after t = tan(u) sqrt(nu).
+/// Probability that |t| exceeds x for Student's t with nu degrees of freedom, by the midpoint rule
+/// on its density after t = tan(u) sqrt(nu).
 double student_two_sided(double x, double nu) {
     // The density in u is proportional to cos(u)^(nu - 1).
     constexpr int kSteps = 4000;
@@ -78,8 +78,8 @@ PictureAgreement picture_agreement(const std::vector<io::Image>& a,
         above += z2 > 9;
         ++out.pixels;
     }
-    // Between n - 1 degrees of freedom (all noise in one picture) and 2 n - 2 (shared evenly), the
-    // law of Welch's statistic; expectations are those of the smaller number.
+    // Welch's statistic has between n - 1 degrees of freedom (all noise in one picture) and 2 n - 2
+    // (the same noise in both); expectations are those of the smaller number.
     const auto nu = static_cast<double>(batches - 1);
     out.expected_mean_square_z = nu / (nu - 2);
     out.expected_share_above_3 = student_two_sided(3, nu);

@@ -32,10 +32,10 @@ std::vector<io::Image> batches(int count, double mean, double sigma, std::uint64
     return out;
 }
 
-TEST(PictureAgreement, EqualMeansShowWhatStudentsLawSays) {
+TEST(PictureAgreement, EqualMeansGiveStudentsDistribution) {
     const auto result = picture_agreement(batches(16, 1, 0.1, 1), batches(16, 1, 0.1, 2));
     EXPECT_EQ(result.pixels, 64 * 32);
-    // Evenly shared noise: 30 degrees of freedom, mean z^2 = 30 / 28 with standard error
+    // The same noise in both: 30 degrees of freedom, mean z^2 = 30 / 28 with standard error
     // sqrt(2 / 2048) = 0.03.
     EXPECT_NEAR(result.mean_square_z, 30.0 / 28, 4 * 0.035);
     EXPECT_LT(result.mean_square_z, result.expected_mean_square_z + 0.1);
@@ -50,7 +50,7 @@ TEST(PictureAgreement, SeesADifferenceOfOneStandardErrorInEachPixel) {
     EXPECT_GT(result.relative_difference, 4 * result.relative_standard_error);
 }
 
-TEST(PictureAgreement, ExpectationsAreThoseOfStudentsLaw) {
+TEST(PictureAgreement, ExpectationsAreThoseOfStudentsDistribution) {
     // SciPy 1.17: 2 * scipy.stats.t.sf(3, 15) = 0.008972737
     const auto result = picture_agreement(batches(16, 1, 0.1, 1), batches(16, 1, 0.1, 2));
     EXPECT_NEAR(result.expected_share_above_3, 0.008972737, 1e-7);

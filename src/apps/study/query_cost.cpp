@@ -64,7 +64,7 @@ QuerySubject::QuerySubject(const bsdf::Bsdf& surface, int queries)
         q.u_select = rng.uniform_float();
         q.u = {rng.uniform_float(), rng.uniform_float()};
         const auto sample = bound_->sample(q.wi, q.u_select, q.u);
-        // The specular lobe is no query: its value is not asked for.
+        // The specular lobe has no value to ask for.
         if (!sample || sample->kind != bsdf::SampleKind::density) continue;
         q.wo = sample->wo;
         queries_.push_back(q);
@@ -88,7 +88,7 @@ QueryCost QuerySubject::ask(const std::vector<bsdf::Patch>& patches, Ask what) c
         if (again) bound_->evaluate_on(places[i], queries_[i].wi, queries_[i].wo);
     }
     FloatLanes sum{};
-    // Used, so that it is worked out, and too small to count in the answer.
+    // Used, so that the compiler keeps it, and too small to change the mean.
     const auto use = [&](const std::optional<bsdf::BsdfSample>& sample) {
         if (sample) sum += 1e-9f * sample->weight;
     };

@@ -5,31 +5,32 @@
 
 #include "nacre/bsdf/bsdf.h"
 
-// What it costs to ask a surface about a patch, outside a renderer.
+// The time of evaluating and sampling a surface on a patch, outside a renderer.
 
 namespace nacre::study {
 
 /// Squares in all directions, anywhere on a ball of 50 mm and on the unit square over which one is
 /// laid out, so that surfaces of either layout can be asked.
 ///
-/// @param area_mm2  of each on the ball, above 0
-/// @param share     of the unit square, in (0, 0.25]
+/// @param area_mm2  of each on the ball, in [1e-12, 1e6]
+/// @param fraction  of the unit square, in [1e-18, 0.25]
+/// @throws DomainError naming the argument, its value and its range
 std::vector<bsdf::Patch> square_patches(double area_mm2, double fraction, int count);
 
-/// What a renderer asks about a patch.
+/// The queries of a renderer on a patch.
 enum class Ask {
     value,             ///< BRDF and density towards a light
     value_and_sample,  ///< the same, and a direction to go on in: one vertex of a path
-    value_again        ///< a further value on a patch that has been asked about
+    value_again        ///< a further value on a patch whose flakes have been found
 };
 
 struct QueryCost {
     double nanoseconds;  ///< of processor time for each query
-    double mean_answer;  ///< mean BRDF over queries and wavelengths, in 1/sr: what was asked for
+    double mean_answer;  ///< mean BRDF over queries and wavelengths, in 1/sr
 };
 
-/// A surface with the directions that a renderer would ask it about: light from all over the
-/// hemisphere, by cosine, and directions as the surface's mean sends them on. Eight wavelengths.
+/// A surface with directions as in a renderer: incident ones from all over the hemisphere, by
+/// cosine, outgoing ones sampled by the surface's mean. Eight wavelengths.
 class QuerySubject {
  public:
     /// @param queries  [1, 2^20]

@@ -32,9 +32,9 @@ TEST(QueryCost, PatchesHaveTheirAreaInBothLayoutsAndLieInside) {
     EXPECT_THROW(square_patches(area_mm2, 0.5, 1), DomainError);
 }
 
-// So that times are compared of surfaces that answer the same question: over many patches both
-// models of single reflectors give the answer of their own mean.
-TEST(QueryCost, SurfacesOfSingleReflectorsAnswerTheirMean) {
+// Over many patches both models of single reflectors have the BRDF of their own mean, so that the
+// times that are compared are those of the same computation.
+TEST(QueryCost, MeanOverPatchesIsThatOfTheSurface) {
     constexpr int kQueries = 4096;
     bsdf::ModelInput paint;
     paint.recipe = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
@@ -49,7 +49,7 @@ TEST(QueryCost, SurfacesOfSingleReflectorsAnswerTheirMean) {
         ASSERT_GT(mean, 0);
         for (Ask ask : {Ask::value, Ask::value_and_sample}) {
             const QueryCost cost = subject.ask(patches, ask);
-            // 1e4 reflectors, of which those within a lobe of one or two degrees answer, deviate
+            // 1e4 reflectors, of which those within a lobe of one or two degrees reflect, deviate
             // by some 10 % in a patch, and by 0.2 % in the mean over patches.
             EXPECT_NEAR(cost.mean_answer / mean, 1, 0.02) << model.info().name;
             EXPECT_GT(cost.nanoseconds, 0);

@@ -48,7 +48,7 @@ paint::Recipe silver_with(FlakeParameter parameter, double value) {
 measure::SparkleCamera camera_for(const paint::Recipe& recipe, double field_mm) {
     measure::SparkleCamera camera;
     camera.field_mm = field_mm;
-    // Large flakes are few and answer rarely.
+    // Large flakes are few, and reflect into the camera rarely.
     constexpr double kLarge_um = 28, kWider = 2.4, kLargePixel_um = 40;
     if (recipe.layers[0].flakes[0].diameter_um > kLarge_um) {
         camera.field_mm *= kWider;

@@ -14,7 +14,7 @@ namespace nacre::study {
 
 /// What is varied, about the paint metallic-silver.
 enum class FlakeParameter {
-    diameter,    ///< um; its spread stays a third of it, and the paint as much covered
+    diameter,    ///< um; its spread stays a third of it, and the volume fraction the same
     volume,      ///< fraction of the layer's volume
     orientation  ///< Beckmann alpha
 };

@@ -23,7 +23,7 @@ using Wavelengths = std::array<double, kLanes>;  // nm
 enum class SampleKind {
     density,         ///< from a density per solid angle, which pdf() gives as well
     specular,        ///< the specular reflection of a smooth interface: a delta distribution
-    unknown_density  ///< by a random walk, whose density nobody knows
+    unknown_density  ///< by a random walk, whose density has no closed form
 };
 
 /// One direction drawn by BoundBsdf::sample().
@@ -131,8 +131,8 @@ class Bsdf {
     bool varies_over_surface() const { return surface_coordinates() != SurfaceCoordinates::none; }
 };
 
-/// What surfaces have in common that show single flakes on small patches and, on larger ones, a few
-/// flakes that stand for all.
+/// What surfaces have in common that show single flakes on small patches and, on larger ones, some
+/// of the flakes, scaled up to the mean of all.
 class SingleFlakes {
  public:
     virtual ~SingleFlakes() = default;

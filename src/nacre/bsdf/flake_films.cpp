@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kRow = FlakeFilms::kCosineIntervals + 1;
 
-/// Which of `count` (a power of two) equal fractions of its law each flake of the set takes for the
-/// film number `film` among those that vary.
+/// Which of `count` (a power of two) equally probable ranges of thickness each flake of the set
+/// takes for the film number `film` among those that vary.
 std::vector<int> strata(int film, int count) {
     std::vector<int> order(count);
     std::iota(order.begin(), order.end(), 0);
@@ -93,7 +93,7 @@ FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material&
         mean /= static_cast<double>(sets_);
         for (std::size_t i = 0; i < sets_; ++i) {
             float& r = ratio_[i * values + v];
-            // At grazing incidence, or where indices match, there may be nothing to share out.
+            // At grazing incidence, or where indices match, all may be 0.
             r = mean > 0 ? static_cast<float>(r / mean) : 1.0f;
         }
     });

@@ -34,14 +34,14 @@ class BoundFlakeFilms {
 
 /// Reflectance of single flakes of a platelet species, as ratios to the mean over the species.
 ///
-/// A set of flakes stands for all. With one film that varies they are the quantiles of its law at
-/// the middles of kOneFilmSet equal fractions; with more, kManyFilmsSet points: two make a
-/// Hammersley set [niederreiter-1992, section 3.1], further ones follow an order of their own
-/// [mckay-1979, section 2.3]. Ratios are to the mean over the set, so that their mean is 1 at every
-/// cosine and wavelength: a sum over flakes has the mean that the solver computed, and the set only
-/// decides on its fluctuation. E[R R'] of two wavelengths is that of the law to kOneFilmError and,
-/// for cores of 500 nm whose fringes are spread over, kManyFilmsError of the geometric mean of
-/// E[R^2] and E[R'^2].
+/// A set of flakes represents the species. With one film that varies they are the medians of
+/// kOneFilmSet equally probable parts of its thickness distribution; with more, kManyFilmsSet
+/// points: two films make a Hammersley set [niederreiter-1992, section 3.1], further ones are Latin
+/// hypercube samples [mckay-1979, section 2.3]. Ratios are to the mean over the set, so that their
+/// mean is 1 at every cosine and wavelength: a sum over flakes has the mean that the solver
+/// computed, and the set determines only its fluctuation. E[R R'] of two wavelengths is that of the
+/// distribution to kOneFilmError and, for cores of 500 nm whose spread smooths their fringes, to
+/// kManyFilmsError, of the geometric mean of E[R^2] and E[R'^2].
 class FlakeFilms {
  public:
     static constexpr int kOneFilmSet = 64, kManyFilmsSet = 256;
@@ -60,7 +60,7 @@ class FlakeFilms {
 
  private:
     std::size_t sets_;
-    std::size_t stride_;  // of a row by wavelength, whose last value stands there twice
+    std::size_t stride_;  // of a row by wavelength, whose last value is stored twice
     double min_cosine_;
     std::vector<float> ratio_;  // [set][cosine][wavelength]
 };

@@ -58,12 +58,13 @@ TEST(FlakeFilms, AllBitsFindASetAndAllSetsAreFound) {
     EXPECT_EQ(found.size(), static_cast<std::size_t>(FlakeFilms::kOneFilmSet));
 }
 
-// E[R R'] of the set and of the law, each over E[R] E[R']: how films spread and how their colours
-// hang together.
+// Largest difference of E[R R'] / (E[R] E[R']) between the set and the thickness distribution, over
+// the geometric mean of that at both wavelengths: the variance of flakes and the correlation of
+// their colours.
 double worst_second_moment(const optics::Platelet& platelet, double cosine) {
     const BoundFlakeFilms films = films_of(platelet);
     const int sets = static_cast<int>(representative_platelets(platelet).size());
-    // The law by Gauss's rules.
+    // The distribution by Gauss-Legendre or Gauss-Hermite rules.
     DoubleLanes sum{};
     std::array<DoubleLanes, kLanes> products{};
     const auto core = optics::thickness_rule(platelet.core.thickness_nm, platelet.core.spread, 24);

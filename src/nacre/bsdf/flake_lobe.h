@@ -87,12 +87,12 @@ struct FluxPoint {
     std::array<float, K> density;
 };
 
-/// Probability of lobes that sample what points hold, by expectation maximisation: each round
-/// shares the flux at every point among the lobes by their densities there, and takes the sums for
-/// the new probability. It climbs to the mixture of least relative entropy.
+/// Lobe probabilities of the mixture that is nearest to the flux at points in relative entropy, by
+/// expectation maximisation: each round divides the flux at every point among the lobes by their
+/// densities there, and takes the sums for the new probabilities.
 /// [dempster-laird-rubin-1977]
-/// @param fraction  where to start, positive where a lobe may be used; comes back where nothing
-/// flows
+/// @param fraction  initial probabilities, positive where a lobe may be used; returned unchanged
+///                  where there is no flux
 template <std::size_t K>
 std::array<double, K> fit_mixture(const std::vector<FluxPoint<K>>& points,
                                   std::array<double, K> fraction, int rounds = 30) {

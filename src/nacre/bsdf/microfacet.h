@@ -66,8 +66,8 @@ float sample_visible_beckmann_slope(float cotangent, float u);
 
 inline constexpr double kVisibleSlopeError = 2e-6;
 
-// A smooth clearcoat over microfacets: light is refracted on its way to them and back, and what
-// they send below the critical angle, or what the interface throws back at them, is lost: the
+// A smooth clearcoat over microfacets: light is refracted on its way to them and back, and what the
+// interface reflects back to them, beyond the critical angle all of it, is lost: the
 // interreflection of coat and facets is neglected.
 
 /// The index that surrounds the microfacets of a recipe: 1, or under a clearcoat that of the binder
@@ -116,9 +116,9 @@ class MicrofacetCoat {
     FloatLanes depth_;  // of absorption, along the normal
 };
 
-/// What microfacets, seen through their coat, reflect of light from a direction: the mean of the
-/// weights of their own samples, tabulated over the cosine of incidence, and how often to sample
-/// the coat's specular reflection beside them.
+/// Albedo of microfacets seen through their coat: the mean of the weights of their own samples,
+/// tabulated over the cosine of incidence; and the probability with which to sample the coat's
+/// specular reflection beside them.
 class MicrofacetAlbedo {
  public:
     /// Fills the table. weight(wi, u) is the weight f cos / pdf, without the specular lobe, of the
@@ -132,12 +132,11 @@ class MicrofacetAlbedo {
             const Vec3f wi = {std::sqrt(1 - z * z), 0, z};
             FloatLanes sum{};
             for (unsigned p = 0; p < kPoints; ++p) {
-                const auto mirrored_digits = [p](unsigned base) {
+                const auto inverse = [p](unsigned base) {
                     return static_cast<float>(radical_inverse(p, base));
                 };
                 sum += weight(wi, std::array{(static_cast<float>(p) + 0.5f) / kPoints,
-                                             mirrored_digits(2) + 0.5f / kPoints,
-                                             mirrored_digits(3), mirrored_digits(5)});
+                                             inverse(2) + 0.5f / kPoints, inverse(3), inverse(5)});
             }
             lanes_[row] = sum * (1.0f / kPoints);
             means_[row] = lane_mean(lanes_[row]);

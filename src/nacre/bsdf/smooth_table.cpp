@@ -84,9 +84,9 @@ void SmoothTable::tabulate(const solver::MultipleScattering& r, double ior, int 
                 for (; p + kLanes <= weight.size(); p += kLanes) {
                     sum += load_lanes(value + p) * load_lanes(weight.data() + p);
                 }
-                float rest = lane_sum(sum);
-                for (; p < weight.size(); ++p) rest += value[p] * weight[p];
-                by_order[k * orders + l] = rest;
+                float total = lane_sum(sum);
+                for (; p < weight.size(); ++p) total += value[p] * weight[p];
+                by_order[k * orders + l] = total;
             }
             at += weight.size();
         }

@@ -24,7 +24,7 @@ NodePosition locate_between(const std::vector<float>& nodes, float x) {
     return {lower, (x - nodes[lower]) / (nodes[lower + 1] - nodes[lower])};
 }
 
-/// Last index in [0, size - 2] at which an increasing function is not above x.
+/// Largest index in [0, size - 2] at which an increasing function is at most x; 0 if there is none.
 template <class F>
 int last_not_above(int size, float x, F&& function) {
     int low = 0, high = size - 1;

@@ -8,8 +8,8 @@
 
 #include "nacre/core/vec.h"
 
-// Maps from the unit square to other domains that keep areas, and so the evenness of a sampling
-// pattern.
+// Maps from the unit square to other domains that keep relative areas, and so the uniformity of a
+// sampling pattern.
 
 namespace nacre::bsdf {
 
@@ -32,10 +32,10 @@ inline Vec3f cosine_hemisphere(Vec2f u) {
     return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
 }
 
-// Densities on the unit square that depend on two parameters, and the maps that their distribution
-// functions make: what the adaptive parameterization is built of.          [dupuy-jakob-2018]
+// Densities on the unit square that depend on two parameters, and the maps by their distribution
+// functions, of which the adaptive parameterization is made.               [dupuy-jakob-2018]
 
-/// Which slices of a table stand for an incident direction, and with which weights; at most four.
+/// The slices of a table that are mixed for an incident direction, and their weights; at most four.
 struct SliceMix {
     std::array<int, 4> slice{};
     std::array<float, 4> weight{};

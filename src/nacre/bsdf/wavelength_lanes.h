@@ -7,7 +7,8 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/spectra/rgb.h"
 
-// Functions that are known at a paint's wavelengths, at the eight that a surface is bound to.
+// Functions tabulated at a paint's wavelengths, interpolated at the eight that a surface is bound
+// to.
 
 namespace nacre::bsdf {
 

@@ -7,7 +7,8 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 
-// Who answers: a solved paint itself, a model made of it or of its recipe, a table, a measurement.
+// The surface and the values of a paint: those of the solved paint itself, of a model made from it
+// or from its recipe, of a table, or of a measured BRDF.
 
 namespace nacre {
 
@@ -132,9 +133,9 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
         throw SettingError("model", "follows light and has no values to give",
                            std::string(info.name));
     }
-    // A solved paint answers for itself where the model is no more than its solution.
-    const bool answers_itself = !measured && !has_table && info.can.parts && !model.makes_table();
-    if (settings.part != Part::total && (!answers_itself || settings.as_rendered)) {
+    // The values are those of the solved paint where the model is no more than its solution.
+    const bool has_exact_values = !measured && !has_table && info.can.parts && !model.makes_table();
+    if (settings.part != Part::total && (!has_exact_values || settings.as_rendered)) {
         throw SettingError("part",
                            fmt::format("{} {}", state_->label(),
                                        measured ? "holds a measured BRDF, which has no parts"
@@ -144,7 +145,7 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     PaintBrdf brdf;
     brdf.wavelengths_nm_ = settings.wavelengths_nm;
     SolveSettings solve;
-    if (answers_itself) {
+    if (has_exact_values) {
         solve.wavelengths_nm = settings.wavelengths_nm;
         const auto paint = solved(solve);
         if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = paint->wavelengths_nm();

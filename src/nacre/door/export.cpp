@@ -13,7 +13,7 @@ namespace nacre {
 
 namespace {
 
-/// A file asks a million times.
+/// A file takes about a million values, so that they are computed as for a renderer.
 BrdfSettings fast(BrdfSettings settings) {
     settings.part = Part::total;
     settings.as_rendered = true;
@@ -36,8 +36,8 @@ void Exported::write(const std::filesystem::path& path) const {
     write_file_atomically(path, bytes);
 }
 
-/// What is written holds one azimuth of the lamp; a surface that has more must not lose them
-/// unsaid.
+/// A written file holds one azimuth of incidence; an anisotropic surface must not lose the others
+/// silently.
 void Paint::State::require_isotropic() const {
     const auto* measured = std::get_if<MeasuredBrdf>(&contents);
     if (!measured || measured->isotropic) return;

@@ -18,7 +18,7 @@ namespace nacre {
 
 namespace {
 
-/// What is not said is as it is by default.
+/// A setting that is not given is taken from `otherwise`.
 measure::Conditions conditions_of(const MeasureSettings& settings,
                                   const measure::Conditions& otherwise = {}) {
     return {settings.illuminant.value_or(otherwise.illuminant),
@@ -31,7 +31,7 @@ std::vector<Geometry> or_default(const std::vector<Geometry>& geometries) {
                               : geometries;
 }
 
-/// Those readings of a file that were asked for.
+/// Keeps the readings of a file that were asked for.
 void pick(Measurement& measurement, const std::vector<Geometry>& geometries,
           const std::string& file) {
     constexpr double kSame_deg = 0.1;
@@ -49,7 +49,7 @@ void pick(Measurement& measurement, const std::vector<Geometry>& geometries,
     measurement.readings = std::move(picked);
 }
 
-/// States colours under the light that was asked for.
+/// Computes the colours from the spectra for the illuminant and observer that were asked for.
 void recolour(Measurement& measurement, const MeasureSettings& settings, const std::string& file) {
     const measure::Conditions conditions = conditions_of(settings, measurement.conditions);
     if (!(conditions.aperture == measurement.conditions.aperture)) {
@@ -75,8 +75,8 @@ void recolour(Measurement& measurement, const MeasureSettings& settings, const s
 Readings readings_of(const MeasuredColours& colours, const std::vector<Geometry>& geometries,
                      const MeasureSettings& settings, const std::string& file) {
     Measurement measurement = colours.measurement;
-    // Spectra can be stated under another light, but not through other cones: an aperture that is
-    // asked for stands for one that the file does not tell.
+    // The colours of spectra can be computed for another illuminant, but not for another aperture:
+    // one that is asked for is only a default where the file states none.
     if (settings.aperture && !(*settings.aperture == measurement.conditions.aperture)) {
         measure::Conditions defaults;
         defaults.aperture = *settings.aperture;
@@ -103,7 +103,7 @@ std::map<double, std::vector<std::size_t>> by_lamp(const std::vector<Geometry>& 
     return lamps;
 }
 
-/// By the reference's random walk: an answer that shares no radiative transfer with the solver.
+/// By the reference's random walk: estimates that are independent of the solver.
 Readings estimated(const std::string& name, const paint::Recipe& recipe,
                    const std::vector<Geometry>& geometries, const MeasureSettings& settings,
                    const Progress& progress) {

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Flakes so wide that they are solved in an instant.
+/// Flakes of so wide an orientation that they are solved in an instant.
 std::string pearl_toml() { return io::write_recipe(fit::testing::pearl()); }
 const SolveSettings kThree{{450, 550, 650}};
 
@@ -301,7 +301,7 @@ TEST(Appearance, RefusesWhatDoesNotFit) {
                 HasSubstr("the surface is alike everywhere"));
 }
 
-TEST(Appearance, TheSolutionAnswersInDoublePrecisionTheRendererNearlySo) {
+TEST(Appearance, ValuesAreThoseOfTheSolutionOrAsRenderedWithinAPercent) {
     const Paint paint(fit::testing::pearl());
     const PaintBrdf exact = paint.brdf(), fast = paint.brdf({.as_rendered = true});
     const auto solved = paint.solved();
@@ -327,7 +327,7 @@ TEST(Appearance, PatchesShowTheirOwnFlakes) {
 TEST(Measuring, ReadsWhatTheInstrumentReads) {
     const Readings readings = Paint(fit::testing::pearl()).measure();
     EXPECT_EQ(readings.measurement, fit::testing::read(fit::testing::pearl()));
-    // And as a file: colours that are measured again by picking them.
+    // And from a file: measured colours, of which the readings asked for are picked.
     const Paint colours = open_text(readings.csv(), "pearl.csv");
     EXPECT_EQ(colours.kind(), Kind::measured_colours);
     EXPECT_EQ(colours.measure().measurement, readings.measurement);

@@ -24,11 +24,11 @@ namespace {
 /// Two wavelengths closer than this are the same one, written in two ways.
 constexpr double kSameWavelength_nm = 1e-6;
 
-/// The beginning of a file tells whether it holds colours; others are large.
+/// Enough of the beginning of a file to tell whether it holds colours.
 constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
 
-/// The series may end somewhat above its tolerance before anybody needs to know: what follows its
-/// last orders is smaller than they are.
+/// The azimuthal series may end at this multiple of its tolerance without a warning: the orders
+/// that follow the last ones are smaller than they are.
 constexpr double kTailOverTolerance = 10;
 
 const char* name_of(Kind kind) {

@@ -61,11 +61,11 @@ BrdfGrid read_grid(hid_t file) {
 }
 
 std::vector<float> read_exactly(hid_t file, const char* name, const Hdf5Shape& shape) {
-    std::size_t most = 1;  // a black table has no terms, but its other sizes must pass
-    for (hsize_t n : shape) most *= std::max<hsize_t>(n, 1);
-    require_content(array_shape(file, name, shape.size(), most) == shape,
+    std::size_t max_values = 1;  // a black table has no terms, but its other sizes must pass
+    for (hsize_t n : shape) max_values *= std::max<hsize_t>(n, 1);
+    require_content(array_shape(file, name, shape.size(), max_values) == shape,
                     "the sizes of the arrays do not fit the grid");
-    std::vector<float> values = read_floats(file, name, shape.size(), most);
+    std::vector<float> values = read_floats(file, name, shape.size(), max_values);
     require_finite(values, "a value is not finite");
     return values;
 }

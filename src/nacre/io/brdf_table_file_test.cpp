@@ -82,7 +82,7 @@ TEST(BrdfTableFile, IsRefusedWhereverItIsCutOrABitFlips) {
     int tried = 0;
     for (std::size_t at = 0; at < bytes.size(); at += 1 + at / 10, ++tried) {
         EXPECT_THAT(error_of(bytes.substr(0, at)), HasSubstr("table.h5: ")) << at;
-        if (at >= remark && at < 512) continue;  // the end of the head is for people
+        if (at >= remark && at < 512) continue;  // a remark ends the head, and is not read
         std::string damaged = bytes;
         damaged[at] = static_cast<char>(damaged[at] ^ 4);
         EXPECT_THAT(error_of(damaged), HasSubstr("table.h5: ")) << at;

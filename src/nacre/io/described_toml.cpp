@@ -19,7 +19,7 @@ using spectra::Spectrum;
 constexpr std::size_t kMaxMaterialNameLength = 200;
 constexpr std::size_t kMaxMaterialTextLength = 2000;  // of a source, or of a path
 
-/// A description came to have a kind of value that files have no form for.
+/// For a kind of value that has no form in TOML.
 [[noreturn]] void refuse_kind(const Field& field) {
     throw std::logic_error(fmt::format("no TOML for the value of {}", field.key));
 }

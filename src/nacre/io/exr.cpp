@@ -187,7 +187,7 @@ constexpr std::array kFixedSizeTypes = {
     FixedSizeType{"v3f", 12},
     FixedSizeType{"v3i", 12},
 };
-/// Buffers of this many values are let pass however small the picture is.
+/// Buffers of this many values are allowed however small the picture is.
 constexpr std::size_t kSmallBuffer = std::size_t{1} << 22;
 
 class HeaderScan {
@@ -252,14 +252,14 @@ class HeaderScan {
             }
         }
         check_image_size(name_, width, height, channels, max_values_);
-        const std::size_t most = std::max(max_values_, kSmallBuffer);
-        if (tile_values > most / channels) fail("its tiles are too large");
-        if (static_cast<std::size_t>(width) * block_lines > most / channels) {
+        const std::size_t max_buffer = std::max(max_values_, kSmallBuffer);
+        if (tile_values > max_buffer / channels) fail("its tiles are too large");
+        if (static_cast<std::size_t>(width) * block_lines > max_buffer / channels) {
             fail("its blocks of scan lines are too large");
         }
     }
 
-    /// That OpenEXR will read the value to its end, and no further.
+    /// Refuses a value that OpenEXR would not read exactly to its end.
     void check_size(std::string_view type, std::string_view value) const {
         const auto fixed = std::ranges::find(kFixedSizeTypes, type, &FixedSizeType::name);
         bool fits = true;

@@ -72,11 +72,11 @@ void write_typed_array(hid_t parent, const char* name, const Hdf5Shape& shape, h
 }
 
 template <class T>
-std::vector<T> read_typed_array(hid_t parent, const char* name, std::size_t rank, std::size_t most,
-                                hid_t type, H5T_class_t wanted) {
+std::vector<T> read_typed_array(hid_t parent, const char* name, std::size_t rank,
+                                std::size_t max_values, hid_t type, H5T_class_t wanted) {
     const std::string action = fmt::format("read array {}", name);
     std::size_t count = 1;
-    for (hsize_t n : array_shape(parent, name, rank, most)) count *= n;
+    for (hsize_t n : array_shape(parent, name, rank, max_values)) count *= n;
     const Hdf5Handle set(H5Dopen2(parent, name, H5P_DEFAULT), action);
     const Hdf5Handle stored(H5Dget_type(set), action);
     require(H5Tget_class(stored) == wanted, action);
@@ -167,7 +167,7 @@ void require_content(bool ok, const char* what) {
     if (!ok) throw Error(what);
 }
 
-Hdf5Shape array_shape(hid_t parent, const char* name, std::size_t rank, std::size_t most) {
+Hdf5Shape array_shape(hid_t parent, const char* name, std::size_t rank, std::size_t max_values) {
     const std::string action = fmt::format("read array {}", name);
     const Hdf5Handle set(H5Dopen2(parent, name, H5P_DEFAULT), action);
     const Hdf5Handle space(H5Dget_space(set), action);
@@ -176,32 +176,36 @@ Hdf5Shape array_shape(hid_t parent, const char* name, std::size_t rank, std::siz
     }
     Hdf5Shape shape(rank);
     require(H5Sget_simple_extent_dims(space, shape.data(), nullptr) >= 0, action);
-    std::size_t room = most;
+    std::size_t remaining = max_values;
     for (hsize_t n : shape) {
-        if (n > room) throw Error(fmt::format("array {} has more than {} values", name, most));
-        if (n > 0) room /= n;
+        if (n > remaining)
+            throw Error(fmt::format("array {} has more than {} values", name, max_values));
+        if (n > 0) remaining /= n;
     }
     return shape;
 }
 
 std::vector<double> read_doubles(hid_t parent, const char* name, std::size_t rank,
-                                 std::size_t most) {
-    return read_typed_array<double>(parent, name, rank, most, H5T_NATIVE_DOUBLE, H5T_FLOAT);
+                                 std::size_t max_values) {
+    return read_typed_array<double>(parent, name, rank, max_values, H5T_NATIVE_DOUBLE, H5T_FLOAT);
 }
-std::vector<float> read_floats(hid_t parent, const char* name, std::size_t rank, std::size_t most) {
-    return read_typed_array<float>(parent, name, rank, most, H5T_NATIVE_FLOAT, H5T_FLOAT);
+std::vector<float> read_floats(hid_t parent, const char* name, std::size_t rank,
+                               std::size_t max_values) {
+    return read_typed_array<float>(parent, name, rank, max_values, H5T_NATIVE_FLOAT, H5T_FLOAT);
 }
-std::vector<int> read_ints(hid_t parent, const char* name, std::size_t rank, std::size_t most) {
-    return read_typed_array<int>(parent, name, rank, most, H5T_NATIVE_INT, H5T_INTEGER);
+std::vector<int> read_ints(hid_t parent, const char* name, std::size_t rank,
+                           std::size_t max_values) {
+    return read_typed_array<int>(parent, name, rank, max_values, H5T_NATIVE_INT, H5T_INTEGER);
 }
 
-std::string read_text(hid_t parent, const char* name, std::size_t most) {
+std::string read_text(hid_t parent, const char* name, std::size_t max_bytes) {
     const std::string action = fmt::format("read text {}", name);
     const Hdf5Handle set(H5Dopen2(parent, name, H5P_DEFAULT), action);
     const Hdf5Handle stored(H5Dget_type(set), action);
     const std::size_t size = H5Tget_size(stored);
-    require(H5Tget_class(stored) == H5T_STRING && H5Tis_variable_str(stored) == 0 && size <= most,
-            action);
+    require(
+        H5Tget_class(stored) == H5T_STRING && H5Tis_variable_str(stored) == 0 && size <= max_bytes,
+        action);
     std::string text(size, '\0');
     require(H5Dread(set, text_type(size), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) >= 0, action);
     text.resize(text.find_last_not_of('\0') + 1);
@@ -210,7 +214,7 @@ std::string read_text(hid_t parent, const char* name, std::size_t most) {
 
 namespace {
 
-constexpr std::size_t kUserBlockBytes = 512;  // the smallest that HDF5 looks behind
+constexpr std::size_t kUserBlockBytes = 512;  // the smallest user block that HDF5 allows
 
 /// Lines that a person reads with `head -c 512`, filled up with zeros.
 std::string user_block(const SealedFormat& format, std::string_view body) {
@@ -268,8 +272,8 @@ std::string hdf5_image(hid_t file) {
     return bytes;
 }
 
-/// HDF5 wants a name even for a file in memory, and refuses that of a file that exists: this
-/// cannot.
+/// HDF5 wants a name even for a file in memory, and refuses that of a file that exists: one of this
+/// name cannot.
 constexpr const char* kNoFile = "/dev/null/sealed";
 
 /// Access to a file that lives in memory only, seeded with `image` unless that is empty.

@@ -61,13 +61,15 @@ void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const i
 void write_text(hid_t parent, const char* name, const std::string& text, const char* meaning);
 
 /// Shape of an array of `rank` dimensions.
-/// @throws Error if it is not there, has another rank or more than `most` values
-Hdf5Shape array_shape(hid_t parent, const char* name, std::size_t rank, std::size_t most);
+/// @throws Error if it is not there, has another rank or more than `max_values` values
+Hdf5Shape array_shape(hid_t parent, const char* name, std::size_t rank, std::size_t max_values);
 std::vector<double> read_doubles(hid_t parent, const char* name, std::size_t rank,
-                                 std::size_t most);
-std::vector<float> read_floats(hid_t parent, const char* name, std::size_t rank, std::size_t most);
-std::vector<int> read_ints(hid_t parent, const char* name, std::size_t rank, std::size_t most);
-std::string read_text(hid_t parent, const char* name, std::size_t most);
+                                 std::size_t max_values);
+std::vector<float> read_floats(hid_t parent, const char* name, std::size_t rank,
+                               std::size_t max_values);
+std::vector<int> read_ints(hid_t parent, const char* name, std::size_t rank,
+                           std::size_t max_values);
+std::string read_text(hid_t parent, const char* name, std::size_t max_bytes);
 
 /// What a file says must make sense. @throws Error `what`
 void require_content(bool ok, const char* what);

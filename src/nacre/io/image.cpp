@@ -246,7 +246,7 @@ Image parse_png(std::string_view bytes, const std::string& name, std::size_t max
             image.channels[i % 3].pixels[i / 3] = decode(pixels[i]);
         }
     };
-    // Files of 16 bits keep their depth. What is transparent is laid over the zeros in the buffer.
+    // Files of 16 bits keep their depth. Transparency is blended with the zeros in the buffer.
     if (png.format & PNG_FORMAT_FLAG_LINEAR) {
         png.format = PNG_FORMAT_LINEAR_RGB;
         std::vector<std::uint16_t> pixels(values);
@@ -274,8 +274,8 @@ void write_png(const std::filesystem::path& path, const Image& image, const Tone
 }
 
 // Radiance's picture format: a header of text lines, then scan lines of shared-exponent pixels
-// (RGBE), run-length coded in one of two ways [ward-1991]. A mantissa stands for the middle of its
-// step, as in Radiance's own programs.
+// (RGBE), run-length coded in one of two ways [ward-1991]. A mantissa m is read as m + 1/2, the
+// middle of its step, as by Radiance's own programs.
 
 namespace {
 

@@ -21,7 +21,7 @@ Image flat(int width, int height, float r, float g, float b) {
             {}};
 }
 
-TEST(ImageDifference, OfAPictureAndItselfIsNothing) {
+TEST(ImageDifference, OfAPictureAndItselfIsZero) {
     const Image image = flat(4, 4, 0.2f, 0.4f, 3.0f);
     const ImageDifference d = image_difference(image, image, "a", "a");
     EXPECT_EQ(d.mean_square_error, 0);

@@ -107,7 +107,7 @@ TEST(RadianceHdr, ReadsSharedExponents) {
     const Image image = parse_image(kHdrHeader + kHdrPixels, "a.hdr");
     ASSERT_EQ(image.pixel_count(), 4u);
     const std::vector<float>& red = image.find("R")->pixels;
-    // (128 + 1/2) / 256 * 2^(exponent - 128): the middle of what the mantissa stands for.
+    // (128 + 1/2) / 256 * 2^(exponent - 128): the middle of the mantissa's step.
     EXPECT_FLOAT_EQ(red[0], 128.5f / 128);
     EXPECT_FLOAT_EQ(red[1], 128.5f / 256);
     EXPECT_EQ(red[2], 0);

@@ -80,7 +80,7 @@ struct TensorField {
     std::string name;
     TensorType type = TensorType::uint8;
     std::vector<std::uint64_t> shape;  ///< empty: one number
-    std::string bytes;                 ///< as they stand in the file
+    std::string bytes;                 ///< as in the file
 
     friend bool operator==(const TensorField&, const TensorField&) = default;
 };
@@ -92,7 +92,7 @@ bool looks_like_tensor_file(std::string_view bytes);
 
 /// @param name  of the file, for messages
 /// @throws InputError naming file, field, value and what is allowed. Sizes are compared with the
-/// bytes that are there before anything is made of them
+/// number of bytes before anything is allocated
 std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::string& name);
 
 /// The bytes of such a file; arrays begin at multiples of 8.
@@ -134,8 +134,8 @@ void write_rgl(const std::filesystem::path& path, const bsdf::RglTable& table);
 // blue cells, phi_difference running fastest. Little-endian, without a mark at the start.
 //                                                                        [matusik-2003]
 
-/// Whether three sizes in the allowed range stand at the start and the bytes have the length that
-/// follows from them: all that the format has to be recognised by.
+/// Whether the bytes start with three sizes in the allowed range and have the length that follows
+/// from them: the format has no other mark.
 bool looks_like_merl(std::string_view bytes);
 
 /// Other numbers of cells than the database's are read too, as long as the file's length fits.

@@ -133,7 +133,7 @@ void expect_refused(const std::string& bytes, const std::string& message) {
     }
 }
 
-TEST(RglFile, MeansWhatMitsubaMakesOfIt) {
+TEST(RglFile, EvaluatesAsInMitsuba) {
     const bsdf::Wavelengths wavelengths = {400, 470, 555, 610, 400, 470, 555, 610};
     for (const MitsubaValue& v : kMitsuba) {
         SCOPED_TRACE(fmt::format("{} parts, theta_i {}", v.parts, v.theta_i));
@@ -155,9 +155,9 @@ TEST(RglFile, MeansWhatMitsubaMakesOfIt) {
     }
 }
 
-// Mitsuba's values above hold eval() and pdf(); these hold sample() to them, in all the parts of
-// the circle that a table is turned into.
-TEST(RglFile, SamplesOfEverySymmetryCarryWhatEvalHas) {
+// eval() and pdf() are compared with Mitsuba's above, and here with sample(), in every part of the
+// circle to which a symmetry extends the table.
+TEST(RglFile, SamplesOfEverySymmetryAgreeWithEval) {
     const bsdf::Wavelengths wavelengths = {400, 470, 555, 610, 400, 470, 555, 610};
     for (const int parts : {0, 1, 2, 4}) {
         const auto bound = bsdf::MeasuredRgl(random_table(parts, false)).bind(wavelengths);
@@ -304,7 +304,7 @@ TEST(RglFile, ErrorsNameFieldValueAndWhatIsAllowed) {
                    "field luminance has 1 x 25 points: must be square");
 }
 
-TEST(RglFile, MoreWavelengthsThanAnAlbedoCanBeFoundForAreRefused) {
+TEST(RglFile, TooManyWavelengthsAreRefused) {
     bsdf::RglTable table = random_table(0, false);
     table.wavelengths.clear();
     for (std::size_t i = 0; i <= bsdf::kMaxRglWavelengths; ++i) {
@@ -316,9 +316,9 @@ TEST(RglFile, MoreWavelengthsThanAnAlbedoCanBeFoundForAreRefused) {
                     HasSubstr("wavelengths has 4097 values: must have at most 4096")));
 }
 
-TEST(RglFile, SizesThatNoFileCanHoldAreRefusedBeforeAnythingIsMade) {
+TEST(RglFile, SizesThatNoFileCanHoldAreRefusedBeforeAnythingIsAllocated) {
     const std::string bytes = rgl_bytes(random_table(0, true));
-    // The first size of the first field stands behind its name, rank, type and offset.
+    // The first size of the first field follows its name, rank, type and offset.
     const std::size_t at = 18 + 2 + std::strlen("description") + 2 + 1 + 8;
     for (const std::uint64_t size :
          {std::uint64_t{1} << 62, ~std::uint64_t{0}, std::uint64_t{1} << 30}) {
@@ -344,8 +344,8 @@ bsdf::MerlTable random_table(int half, int difference, int azimuths) {
     return table;
 }
 
-/// What an independent program makes of the bytes of sine_table(): numpy 2.4.6 and scipy 1.17.1,
-/// half and difference angles by rotation matrices as the database's reading code has them
+/// Values of sine_table() by an independent program: numpy 2.4.6 and scipy 1.17.1, half and
+/// difference angles by rotation matrices as the database's reading code has them
 /// [matusik-2003; rusinkiewicz-1998], then
 ///     scipy.interpolate.RegularGridInterpolator((half + 1/2, difference + 1/2, azimuth + 1/2),
 ///     ...)

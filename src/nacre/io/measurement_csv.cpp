@@ -21,7 +21,7 @@ namespace {
 
 // ------------------------------------------------------------------------------- the columns
 
-/// What a column may be called, in small letters; the first name is the one that we write.
+/// The names that a column may have, in small letters.
 const std::map<std::string, std::vector<std::string>>& column_names() {
     static const std::map<std::string, std::vector<std::string>> names = {
         {"geometry", {"geometry"}},
@@ -114,8 +114,8 @@ class MeasurementTable {
                            entry.second.end();
                 });
             if (found == column_names().end()) {
-                // Exporters add dates and comments, which are passed over; a slip of the hand in a
-                // name that we know must not be.
+                // Exporters add dates and comments, which are ignored; a misspelt name of a known
+                // column must not be.
                 const auto meant = closest_match(heading, known);
                 if (meant && meant->size() > 2) {
                     throw InputError(fmt::format("{}unknown column '{}'{}", place(header[i]),
@@ -231,7 +231,7 @@ class MeasurementTable {
         });
     }
 
-    /// What a column says of the whole file.
+    /// The value of a column that concerns the whole file.
     template <class Value, class Parse>
     Value same_in_all_rows(const std::string& column, Value fallback, const Parse& parse) const {
         const CsvCell* first = nullptr;

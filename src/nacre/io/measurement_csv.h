@@ -12,7 +12,8 @@ namespace nacre::io {
 measure::Measurement parse_measurement_csv(std::string_view text, const std::string& filename,
                                            const measure::Conditions& defaults);
 
-/// Whether the first line that says something has a column of geometries or of lamps.
+/// Whether the first line that is neither empty nor a comment has a column of geometries,
+/// aspecular angles or angles of incidence.
 bool has_measurement_header(std::string_view text);
 
 }  // namespace nacre::io

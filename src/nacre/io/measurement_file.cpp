@@ -24,8 +24,8 @@ namespace {
 
 // Exporters round angles to a tenth of a degree.
 constexpr double kSameAngle_deg = 0.1;
-// What tables of weights and intervals make of the same spectrum differs by less than 1, a wrong
-// light or scale makes far more.
+// Delta E 2000. Colours of one spectrum by other tables of weights and other wavelength steps
+// differ by less than 1, those under a wrong light or on a wrong scale by far more.
 constexpr double kMaxColourError = 5;
 
 [[noreturn]] void fail(const MeasurementRow& row, const std::string& why) {
@@ -161,7 +161,7 @@ using nlohmann::json;
 
 constexpr const char* kMeasurementFormat = "nacre-measurement";
 
-/// An object and where it stands, for messages.
+/// A JSON object and its place in the file, for messages.
 class Member {
  public:
     Member(const json& object, std::string place, std::string path)
@@ -276,7 +276,7 @@ MeasurementRow read_reading(const Member& reading, std::size_t wavelengths) {
 
 measure::Measurement parse_measurement_json(std::string_view text, const std::string& filename,
                                             const measure::Conditions& defaults) {
-    // Our own need 4; who adds members may nest them, but not until memory or the stack is full.
+    // Nacre's own files need 4; members that others add may be nested deeper.
     constexpr int kMaxDepth = 64;
     const auto limit_depth = [&](int depth, json::parse_event_t, const json&) {
         if (depth <= kMaxDepth) return true;

@@ -37,13 +37,13 @@ measure::Measurement assemble_measurement(std::string name, const measure::Condi
                                           std::vector<double> wavelengths_nm,
                                           const std::vector<MeasurementRow>& rows);
 
-// The JSON of io/measurement_file.h. Internal to this folder.
+// The JSON below. Internal to this folder.
 
 measure::Measurement parse_measurement_json(std::string_view text, const std::string& filename,
                                             const measure::Conditions& defaults);
 
 // Multi-angle colour as CSV and JSON: what Nacre writes, and what instruments' software exports.
-// Which columns and keys there are, and what is taken where something is missing: docs/measure.md.
+// The columns and keys, and the defaults where one is missing: docs/measure.md.
 
 inline constexpr std::size_t kMaxReadings = 100'000;
 inline constexpr int kMeasurementFormatVersion = 1;

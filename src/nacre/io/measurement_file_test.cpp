@@ -151,7 +151,7 @@ TEST(MeasurementFile, RefusalsNameLineAndColumn) {
     EXPECT_THAT(refusal("geometry,L,a,b\n45as15,1e7,0,0\n"), HasSubstr("[-1000000, 1000000]"));
 }
 
-TEST(MeasurementFile, RefusesSpectraThatAreNone) {
+TEST(MeasurementFile, RefusesInvalidSpectra) {
     EXPECT_THAT(refusal("geometry,R400,R500,R700\n45as15,1,1,1\n"), HasSubstr("unequal steps"));
     EXPECT_THAT(refusal("geometry,R400\n45as15,1\n"), HasSubstr("2 wavelengths"));
     EXPECT_THAT(refusal("geometry,R500,R400\n45as15,1,1\n"), HasSubstr("must be above"));
@@ -203,8 +203,8 @@ TEST(MeasurementFile, JsonRefusalsNameTheMember) {
     EXPECT_THAT(with("/readings", nlohmann::json::array()), HasSubstr("readings"));
 }
 
-// Files made to fill the memory, or the stack of who prints them by recursion.
-TEST(MeasurementFile, RefusesDepthAndCellsWithoutEnd) {
+// Files made to exhaust the memory, or the stack of a recursive reader.
+TEST(MeasurementFile, RefusesExcessiveDepthAndNumbersOfCells) {
     const std::string deep =
         R"({"format": "nacre-measurement", "lab": )" + std::string(500'000, '[');
     EXPECT_THAT(refusal(deep), HasSubstr("m.csv: lists and objects are nested deeper than 64"));

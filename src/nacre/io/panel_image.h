@@ -12,8 +12,8 @@ namespace nacre::io {
 /// same light. The metadata are those given.
 Image image_of(const measure::PanelPicture& picture, std::map<std::string, std::string> metadata);
 
-/// The exposure that shows the panel's mean luminance as 0.25 of white, leaving room for what
-/// flashes. 0 for a black panel.
+/// The exposure in stops that shows the panel's mean luminance as 0.25 of white, leaving room for
+/// flakes that flash. 0 for a black panel.
 double display_stops(const measure::PanelPicture& picture);
 
 }  // namespace nacre::io

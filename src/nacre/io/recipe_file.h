@@ -24,8 +24,8 @@ paint::Recipe read_recipe(const std::filesystem::path& path);
 paint::Recipe parse_recipe(std::string_view text, const std::string& filename,
                            const std::filesystem::path& base_directory);
 
-/// A recipe and what its file says beside it: between which bounds a fit may seek its numbers, the
-/// table [fit], in the order of paint::recipe_parameters(). The bounds are no part of the paint.
+/// A recipe and the bounds of its numbers in a fit, from the table [fit] of its file, in the order
+/// of paint::recipe_parameters(). The bounds are not part of the paint.
 struct RecipeFile {
     paint::Recipe recipe;
     std::vector<paint::ParameterBounds> bounds;

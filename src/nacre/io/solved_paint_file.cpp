@@ -50,12 +50,12 @@ void write_solver_report(hid_t file, const solver::SolverReport& report) {
     write_attribute(group, "azimuthal_tail", report.azimuthal_tail);
 }
 
-/// Where the tensors stand, and what their meaning says before the formula.
+/// The HDF5 group of a tensor, and the beginning of its attribute "meaning".
 struct TensorGroup {
     const char* name;
     const char* meaning;
 };
-constexpr TensorGroup kRemainder = {
+constexpr TensorGroup kMultipleScattering = {
     "remainder", "multiple scattering, without its Fresnel factors if the interface is smooth"};
 constexpr TensorGroup kRoughSingle = {"rough_single", "single scattering under a rough interface"};
 
@@ -151,7 +151,7 @@ solver::SolvedPaint read_contents(hid_t file, const std::string& name) {
                         read_double_attribute(group, "azimuthal_tail")};
     }
     paint.medium = solver::make_medium(paint.recipe, wavelengths);
-    paint.multiple_scattering = read_tensor(file, kRemainder, wavelengths.size());
+    paint.multiple_scattering = read_tensor(file, kMultipleScattering, wavelengths.size());
     if (paint.medium.roughness > 0) {
         paint.rough_single = read_tensor(file, kRoughSingle, wavelengths.size());
         require_content(paint.rough_single.exit_angle == paint.multiple_scattering.exit_angle,
@@ -177,7 +177,7 @@ std::string solved_paint_bytes(const solver::SolvedPaint& paint) {
                     paint.wavelengths_nm().data(), "nm", "vacuum wavelengths");
         write_settings(file, paint.settings);
         write_solver_report(file, paint.report);
-        write_tensor(file, kRemainder, paint.multiple_scattering);
+        write_tensor(file, kMultipleScattering, paint.multiple_scattering);
         if (paint.medium.roughness > 0) write_tensor(file, kRoughSingle, paint.rough_single);
     });
 }

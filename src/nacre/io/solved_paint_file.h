@@ -22,9 +22,9 @@
 //   /remainder/coefficient   [k][pair], 1/sr
 //   /rough_single            under a rough interface only: single scattering, in the same arrays
 //
-// Under a smooth interface the single scattering and everything else is worked out from the recipe
-// when the file is read. The checksum is verified before HDF5 sees a byte: its library is not made
-// for damaged files.
+// /remainder is the multiple scattering. Under a smooth interface the single scattering and
+// everything else is computed from the recipe when the file is read. The checksum is verified
+// before HDF5 sees a byte: its library is not made for damaged files.
 
 namespace nacre::io {
 

@@ -59,7 +59,7 @@ std::string error_of(const std::string& bytes) {
     return "accepted";
 }
 
-/// The bytes with a head that fits them again: what somebody does who edits a file knowingly.
+/// The bytes with a new head that fits them, as of a file that was edited on purpose.
 std::string resealed(const std::string& bytes) {
     const std::string body = bytes.substr(512);
     std::string head = "nacre solved paint\nversion 2\nbytes " + std::to_string(body.size()) +
@@ -167,7 +167,7 @@ TEST(SolvedPaintFile, IsRefusedWhicheverBitFlips) {
     ASSERT_LT(remark, 200u);
     int flips = 0;
     for (std::size_t at = 0; at < bytes.size(); at += 1 + at / 10) {
-        // The end of the head is for people.
+        // A remark ends the head, and is not read.
         if (at >= remark && at < 512) continue;
         std::string damaged = bytes;
         damaged[at] = static_cast<char>(damaged[at] ^ 4);

@@ -47,7 +47,7 @@ std::string with_keys(const std::vector<std::string>& allowed) {
 }
 
 /// " (did you mean 'x'?)". A missing unit, as in "thickness" for "thickness_um", is the likeliest
-/// slip: it goes before spelling.
+/// mistake and is looked for before misspellings.
 std::string suggestion(std::string_view unknown, const std::vector<std::string>& allowed) {
     for (const std::string& key : allowed) {
         if (key.starts_with(std::string(unknown) + "_")) {

@@ -25,7 +25,7 @@ namespace nacre::io {
 inline constexpr std::size_t kMaxTextBytes = 1 << 20;
 
 /// A parsed TOML text: its name for messages, the folder that its relative paths start from, and
-/// where each key stands.
+/// the place of each key.
 class TomlDocument {
  public:
     /// @throws InputError with file, line and column if the text is not TOML, or is too large

@@ -12,7 +12,7 @@ namespace nacre::models {
 
 /// All but those that trace rays (models/traced/traced_models.h).
 std::span<const bsdf::ModelInfo* const> all_models();
-/// What users get who do not choose: the first of them.
+/// The first of them.
 bsdf::Model default_model();
 /// Null if there is none of that name.
 const bsdf::ModelInfo* find_model(std::string_view name);

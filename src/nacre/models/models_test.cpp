@@ -21,7 +21,7 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 
-// What the list of models claims (Table 3 of the 2022 comparison) is measured here.
+// The capabilities that the list of models states (Table 3 of Mir et al. 2022) are measured here.
 
 namespace nacre::models {
 namespace {
@@ -43,8 +43,8 @@ Vec3f direction(double theta_deg) {
             static_cast<float>(std::cos(theta_deg * kDegree))};
 }
 
-/// Mean light by wavelength that leaves other than by the mirror, and the share of it that leaves
-/// more than 60 deg from the mirror direction, by sampling: all models can do that.
+/// Albedo by wavelength without the specular lobe, and the fraction of it that leaves more than
+/// 60 deg from the mirror direction, by sampling: all models can do that.
 struct Reflected {
     FloatLanes mean{};
     double far_fraction = 0;
@@ -56,8 +56,8 @@ Reflected reflected(const bsdf::BoundBsdf& surface, double theta_deg) {
     Reflected out;
     double far = 0, all = 0;
     for (int i = 0; i < kSamples; ++i) {
-        const float lobe = rng.uniform_float();
-        const auto s = surface.sample(wi, lobe, {rng.uniform_float(), rng.uniform_float()});
+        const float u_select = rng.uniform_float();
+        const auto s = surface.sample(wi, u_select, {rng.uniform_float(), rng.uniform_float()});
         if (!s || dot(s->wo, mirror) > 1 - 1e-5f) continue;
         out.mean += s->weight;
         all += lane_mean(s->weight);
@@ -81,7 +81,7 @@ TEST(Models, GoniochromismIsAsListed) {
     for (const ModelInfo* model : all_models()) {
         const auto surface = pearl(model)->bind(visible());
         const FloatLanes steep = reflected(*surface, 5).mean, flat = reflected(*surface, 75).mean;
-        // Change of the spectrum's shape: correlation of the two, both scaled to mean 1.
+        // Change of the spectrum's shape: mean difference of the two, both scaled to mean 1.
         double change = 0;
         for (int i = 0; i < kLanes; ++i) {
             change += std::abs(steep[i] / lane_mean(steep) - flat[i] / lane_mean(flat)) / kLanes;
@@ -116,8 +116,8 @@ TEST(Models, SparkleIsAsListed) {
 }
 
 TEST(Models, MultipleScatteringIsAsListed) {
-    // Flakes of alpha 0.1 send light at most some 20 deg off the mirror direction at once, that is
-    // 30 deg outside the coat; what leaves farther has met several.
+    // One reflection off flakes of alpha 0.1 sends light at most some 20 deg off the mirror
+    // direction, 30 deg outside the coat; light that leaves farther has met several.
     for (const ModelInfo* model : all_models()) {
         const auto surface = pearl(model)->bind(visible());
         const double far = reflected(*surface, 30).far_fraction;
@@ -167,10 +167,10 @@ TEST(Models, EachEntrySaysWhatItIs) {
         EXPECT_FALSE(model->source.empty());
         EXPECT_EQ(&model->standard().info(), model);
         EXPECT_EQ(model->standard(), model->standard());
-        // What estimates its values is a reference; what knows parts is solved.
+        // A model with estimated values is a reference; one with parts needs a solved paint.
         EXPECT_TRUE(model->can.reference_only || !model->can.estimated_values);
         EXPECT_TRUE(model->solution != bsdf::Solution::none || !model->can.parts);
-        // Only what renders from a table makes one.
+        // With default settings no model renders from a table.
         EXPECT_FALSE(model->standard().makes_table());
     }
 }

@@ -14,8 +14,8 @@
 #include "nacre/sparkle/flake_field.h"
 #include "nacre/testing/plain_flakes.h"
 
-// A painted panel on a turntable, in pictures: flakes flash for as long as their lobes and the
-// pixels' patches say, and nothing flickers beyond that.
+// Pictures of a painted panel on a turntable: flakes flash for as long as the widths of their lobes
+// and of the pixels' patches imply, and nothing flickers beyond that.
 
 namespace nacre::models {
 namespace {
@@ -31,8 +31,8 @@ using Turn = std::array<double, kFrames>;  // by frame, by lag, or by frequency
 using Frames = std::array<std::vector<float>, kFrames>;
 
 /// The light of single flakes in each pixel and frame of a turn about the panel's normal, under a
-/// camera that looks down it. One sample a pixel and light from one direction: nothing is left to
-/// chance but the flakes.
+/// camera that looks down it. With one sample a pixel and light from one direction, only the flakes
+/// are random.
 Frames film(const paint::Recipe& recipe, double diameter_um, std::uint64_t seed) {
     const double pitch_mm = 1e-3 * kPitch * diameter_um;
     const render::PaintTable paints{{"paint", testing::nacre_surface(recipe, seed)}};
@@ -74,8 +74,8 @@ double lens(double distance) {
 /// Campbell's theorem for the same pixel at two moments: the flakes that its patch shows at both,
 /// which have moved on by an angle about the axis.                  [docs/nacre-model.md]
 ///
-/// That the square has turned as well, against what lies below, is left out: after 6 deg it makes
-/// 0.2 %, and after 45 deg no lobe answers any more.
+/// That the square has turned as well is neglected: after 6 deg it makes 0.2 %, and after 45 deg
+/// all lobes have passed.
 /// @param place  in diameters
 double shared_places(Vec2f place, double angle) {
     const double step = 2 * std::sin(angle / 2);
@@ -95,17 +95,17 @@ double shared_places(Vec2f place, double angle) {
     return sum;
 }
 
-/// The same for slopes: flakes whose lobes, wider than a flake's own by a factor where few flakes
-/// stand for many, hold both half vectors, which lie at the same tilt, an angle apart about the
-/// normal.
+/// The same for slopes: flakes whose lobes (`widening` times as wide as their own,
+/// FlakeView::widening) contain both half vectors, which lie at the same tilt, an angle apart about
+/// the normal.
 double shared_slopes(double diameter_um, double widening, double angle) {
-    const sparkle::DiffractionLobe law(kAlpha, kIor);
-    // In the paint: Snell's law, then half way between the normal and the light.
+    const sparkle::DiffractionLobe lobe(kAlpha, kIor);
+    // In the paint: Snell's law, then half way between the normal and the light, in rad.
     const double tilt = std::asin(std::sin(kLight_deg * kPi / 180) / kIor) / 2;
     const auto slope = static_cast<float>(std::tan(tilt));
     const float width =
-        law.radius_at(splat(static_cast<float>(widening * law.radius(diameter_um))),
-                      splat(1 + slope * slope), splat(static_cast<float>(std::cos(tilt))))[0];
+        lobe.radius_at(splat(static_cast<float>(widening * lobe.radius(diameter_um))),
+                       splat(1 + slope * slope), splat(static_cast<float>(std::cos(tilt))))[0];
     const auto x2 = static_cast<float>(slope * std::cos(angle));
     const auto y2 = static_cast<float>(slope * std::sin(angle));
     constexpr int kSteps = 60;
@@ -117,8 +117,8 @@ double shared_slopes(double diameter_um, double widening, double angle) {
             const float first = (x - slope) * (x - slope) + y * y;
             const float second = (x - x2) * (x - x2) + (y - y2) * (y - y2);
             if (first >= width * width || second >= width * width) continue;
-            sum += double{law.slope_density(x * x + y * y)} * law.density(first, width) *
-                   law.density(second, width);
+            sum += double{lobe.slope_density(x * x + y * y)} * lobe.density(first, width) *
+                   lobe.density(second, width);
         }
     }
     return sum;
@@ -159,7 +159,7 @@ Turn measured(const Frames& frames, const Ring& ring) {
         ++pixels;
         for (int a = 0; a < kFrames; ++a) {
             for (int lag = 0; lag < kFrames; ++lag) {
-                // Sparkle has mean 0 (sparkle_test.cpp): none is taken off. Green stands for all.
+                // Sparkle has mean 0 (sparkle_test.cpp), so none is subtracted. Green only.
                 correlation[lag] +=
                     double{frames[a][3 * p + 1]} * frames[(a + lag) % kFrames][3 * p + 1] / kFrames;
             }
@@ -169,7 +169,7 @@ Turn measured(const Frames& frames, const Ring& ring) {
     return correlation;
 }
 
-/// The same as Campbell's theorem has it, up to one factor.
+/// The same by Campbell's theorem, up to one factor.
 Turn predicted(const Ring& ring, double diameter_um, double widening) {
     constexpr int kPlacesPerPixel = 8;
     Turn correlation{};
@@ -198,22 +198,22 @@ Turn predicted(const Ring& ring, double diameter_um, double widening) {
 constexpr int kSeeds = 6;
 constexpr std::array<Ring, 3> kRings{{{0, 5}, {25.0 / 3, 12.5}, {50.0 / 3, 65.0 / 3}}};
 
-/// Of what a patch shows, and how: what it tells apart must not change while it passes.
+/// One case for each way in which a patch shows its flakes (sparkle/flake_view.h).
 struct Paint {
     const char* name;
     double diameter_um, cover;
-    double min_widening, max_widening;  ///< of lobes: what few that stand for many have
+    double min_widening, max_widening;  ///< FlakeView::widening must lie between them
 };
 
 // One patch shows 11 flakes at a cover of 1, without rims 5.
 constexpr Paint kPaints[] = {
-    {"EachFlakeToldApart", 6, 1, 1, 1},
-    // 450 faint ones. Their lobes are as wide as lobes get; all but few are in the background.
+    {"EveryFlakeResolved", 6, 1, 1, 1},
+    // 450 faint ones. Their lobes are as wide as lobes get; most are in the background.
     {"MostInTheBackground", 6, 40, 1, 1},
-    // Levels of 15 flakes in 16 have nearly faded out.
-    {"SomeStandForOthers", 20, 1.4, 1.8, 2.6},
-    // They have: one flake stands for 9, and what is left is in the background.
-    {"FewStandForMany", 20, 10, 3, 3.1},
+    // The level of 15 flakes in 16 has nearly faded out.
+    {"DensestLevelFading", 20, 1.4, 1.8, 2.6},
+    // It has: lobes are 3 times as wide, and the remaining variance is in the background.
+    {"DensestLevelFaded", 20, 10, 3, 3.1},
 };
 
 class Turntable : public ::testing::TestWithParam<Paint> {
@@ -240,7 +240,7 @@ class Turntable : public ::testing::TestWithParam<Paint> {
     }
 };
 
-/// How much wider than their own the lobes are that a patch shows.
+/// FlakeView::widening on a patch of the pictures.
 double widening_of(const Paint& paint) {
     const double radius_mm = 0.5e-3 * paint.diameter_um;
     const sparkle::FlakeField field({.density_per_mm2 = paint.cover / (kPi * radius_mm * radius_mm),
@@ -269,7 +269,7 @@ Fraction fraction_of_variance(const std::array<Turn, kSeeds>& turns, Part&& part
     return {a / b, std::sqrt(squares * (kSeeds - 1) / kSeeds)};
 }
 
-TEST_P(Turntable, FlakesFlashForAsLongAsTheirLobesLastAndNothingFlickers) {
+TEST_P(Turntable, CorrelationOverTimeFollowsCampbellsFormulaWithoutFlicker) {
     const double widening = widening_of(GetParam());
     ASSERT_GE(widening, GetParam().min_widening);
     ASSERT_LE(widening, GetParam().max_widening);
@@ -286,9 +286,9 @@ TEST_P(Turntable, FlakesFlashForAsLongAsTheirLobesLastAndNothingFlickers) {
         const Turn expected = predicted(kRings[r], GetParam().diameter_um, widening);
         for (int lag = 1; lag <= kFrames / 2; ++lag) {
             const Fraction s = fraction_of_variance(all[r], [&](const Turn& t) { return t[lag]; });
-            // Four standard errors, which are themselves known from six seeds: Student's law of 5
-            // degrees of freedom exceeds four once in a hundred. Where hardly anything correlates
-            // some come out much too small by chance; a few hundredths tell nothing there.
+            // Four standard errors, which are themselves estimated from six seeds: Student's t with
+            // 5 degrees of freedom exceeds four once in a hundred. Where the correlation is nearly
+            // 0 some estimates are much too small by chance: hence the slack.
             const double slack = lag == 1 ? 0.005 : 0.02;
             EXPECT_NEAR(s.value, expected[lag] / expected[0], 4 * s.error + slack) << lag;
         }

@@ -49,7 +49,7 @@ struct Moments {
 };
 
 TEST(NacreOnShapes, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
-    // Where one axis of object space serves, where two share the flakes, and where three do.
+    // Where one, two and three of the planes of object space give the flakes.
     struct Region {
         const char* name;
         bool (*holds)(const std::array<float, 3>& squares);  // of the normal's parts, ascending
@@ -66,7 +66,7 @@ TEST(NacreOnShapes, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
     const auto bound = surface->bind({550, 550, 550, 550, 550, 550, 550, 550});
     const Vec3f wi = direction(30, 20), wo = direction(24, 205);
     const double mean = bound->eval(wi, wo)[0];
-    // A few flakes, and so many that the levels share them.
+    // A few flakes, and so many that only some levels are resolved.
     for (float side_mm : {0.015f, 0.15f}) {
         Rng rng(5, 1);
         const auto values = [&](auto&& normal) {
@@ -123,8 +123,8 @@ double luminance(const render::RenderResult& r, std::size_t pixel) {
 }
 
 TEST(NacreOnShapes, FlakesTurnWithTheirShape) {
-    // One sample a pixel and light from one direction: nothing is left to chance. Ball, lamp and
-    // camera turned alike show the same flakes.
+    // With one sample a pixel and light from one direction there is no noise. Ball, lamp and camera
+    // turned alike show the same flakes.
     const render::PaintTable paints{
         {"paint", testing::nacre_surface(testing::recipe_of({.diameter_um = 20}), 1)}};
     const auto picture = [&](const render::Transform& turn) {
@@ -161,15 +161,14 @@ TEST(NacreOnShapes, FlakesTurnWithTheirShape) {
     EXPECT_LT(difference, 0.01 * contrast);    // and the same ones: but for rounding
 }
 
-// Four standard errors over 16 seeds. Lights are resolved by how much of a flake's lobe they
-// fill: a studio all around, a window, and a lamp as small as the sun. Surfaces alone hardly find
-// that one.
+// Four standard errors over 16 seeds. Lights that fill different parts of a flake's lobe: a studio
+// all around, a window, and a lamp as small as the sun, which surface sampling alone hardly finds.
 TEST(NacreOnShapes, EstimatorsOfDirectLightAgree) {
     struct Case {
         std::string name;
         render::SceneDescription scene;
         double side_mm;  // of a lamp at 100 mm
-        int samples;     // the fewer flakes answer, the more
+        int samples;     // the fewer flakes reflect, the more
         bool surface_alone;
     };
     std::vector<Case> cases{{"studio", ball(), 0, 8, true},
@@ -204,9 +203,9 @@ TEST(NacreOnShapes, EstimatorsOfDirectLightAgree) {
     }
 }
 
-// The light of single flakes averages out over many paints of one kind, seen directly and in the
-// mirror of a clearcoated panel: three standard errors.
-TEST(NacreOnShapes, SparkleIsZeroOnAverageAlsoInAMirror) {
+// The light of single flakes averages to 0 over many specimens of a paint, seen directly and in the
+// specular reflection of a clearcoated panel: three standard errors.
+TEST(NacreOnShapes, SparkleIsZeroOnAverageAlsoInSpecularReflection) {
     constexpr int kPaints = 16;
     const paint::Recipe recipe = testing::recipe_of({.diameter_um = 20});
     std::array<std::vector<double>, 2> means;
@@ -227,7 +226,7 @@ TEST(NacreOnShapes, SparkleIsZeroOnAverageAlsoInAMirror) {
                             .sparkle = true});
         std::array<double, 2> sums{};
         for (std::size_t p = 0; p < picture.alpha.size(); ++p) {
-            // Below, the panel with the ball's mirror image; above, the ball.
+            // Below, the panel that reflects the ball; above, the ball.
             sums[p < picture.alpha.size() / 2] += picture.sparkle[3 * p + 1] / 512;
             light += picture.rgb[3 * p + 1] / 1024 / kPaints;
         }

@@ -67,7 +67,7 @@ SceneDescription speed_shape_scene() {
 
 /// Two millimetres of a panel under a microscope's lamp, 8 deg wide and so placed that flakes
 /// tilted by some 4 deg inside the paint send it to the camera: they are seen as discs, 5 pixels
-/// across in 512 for 20 um. The others mirror dim surroundings.
+/// across in 512 for 20 um. The others reflect dim surroundings.
 SceneDescription macro_scene() {
     SceneDescription scene = with_paint();
     scene.environment = StudioEnvironment{
@@ -85,7 +85,7 @@ SceneDescription macro_scene() {
 }
 
 /// A panel held at arm's length in the sun, which stands 11 deg from where the clearcoat would
-/// mirror it into the camera. In 512 pixels each is an arc minute, what an eye resolves: 0.17 mm.
+/// reflect it into the camera. In 512 pixels each is an arc minute, what an eye resolves: 0.17 mm.
 SceneDescription panel_sun_scene() {
     SceneDescription scene = with_paint();
     scene.environment =

@@ -6,8 +6,8 @@
 namespace nacre::render {
 
 /// Where the rays of the neighbouring pixels run, to first order: how origin and direction change
-/// from one pixel to the next across and down the picture. It tells how much of a surface one
-/// sample of the picture stands for.                                              [igehy-1999]
+/// from one pixel to the next across and down the picture. It gives the piece of a surface over
+/// which one sample of the picture averages.                                      [igehy-1999]
 ///
 /// It is followed through specular reflections as if the surface were flat. After any other
 /// reflection neighbouring paths have nothing in common, and it is gone.

@@ -102,7 +102,7 @@ TEST(DirectionTable, SamplesFollowThePdf) {
     EXPECT_LT(statistic, cells - 1 + 5 * std::sqrt(2.0 * (cells - 1)));
 }
 
-TEST(DirectionTable, BlackEnvironmentIsSampledEvenly) {
+TEST(DirectionTable, BlackEnvironmentIsSampledUniformly) {
     const DirectionTable t(8, 4, [](Vec3f) { return 0.0f; });
     EXPECT_EQ(t.mean_brightness(), 0);
     const DirectionSample s = t.sample({0.3f, 0.7f});

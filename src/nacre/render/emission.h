@@ -29,9 +29,9 @@ XyzWeights film_xyz_weights(const bsdf::Wavelengths& wavelengths_nm);
 /// Luminance of a spectral radiance on the same scale, by 1 nm steps over the film's range.
 double film_luminance(const spectra::Spectrum& radiance);
 
-// Spectra of light. Whatever shines in a scene shines in a linear combination of a few basis
-// spectra with coefficients that depend on direction alone, so a pass evaluates each of them once
-// at its eight wavelengths, and a look-up into a sky or a picture costs three multiplications.
+// Spectra of light. The light of every emitter is a linear combination of a few basis spectra with
+// coefficients that depend on direction alone, so a pass evaluates each of them once at its eight
+// wavelengths, and a look-up into a sky or a picture costs three multiplications.
 
 /// The basis spectra of one scene.
 class EmissionBasis {

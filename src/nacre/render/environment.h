@@ -24,8 +24,8 @@ class EnvironmentRadiance {
 /// A disk of constant radiance at infinity: the sun.
 struct DistantDisk {
     Vec3f direction;
-    /// Squared chord between its middle and its rim, 2 (1 - cos radius): as a cosine, a float
-    /// would keep but three digits of the sun's size. Its solid angle is pi times this.
+    /// Squared chord between its middle and its rim, 2 (1 - cos radius): a cosine would keep only
+    /// three digits of the sun's size in a float. Its solid angle is pi times this.
     float chord_squared = 0;
     float radiance = 0;  ///< times the basis spectrum
     int spectrum = 0;    ///< in the EmissionBasis
@@ -37,7 +37,7 @@ struct DistantDisk {
 struct CompiledEnvironment {
     std::unique_ptr<const EnvironmentRadiance> radiance;
     std::optional<DistantDisk> sun;
-    int table_columns = 1, table_rows = 1;  ///< resolution worth sampling it with
+    int table_columns = 1, table_rows = 1;  ///< size of the DirectionTable that samples it
 };
 
 CompiledEnvironment compile_environment(const Environment& description, EmissionBasis& basis);

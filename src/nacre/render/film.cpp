@@ -132,8 +132,8 @@ RenderResult Film::develop() const {
     for (int b = 0; b < bins_; ++b) {
         result.bin_centres_nm.push_back(kFilmFirst_nm +
                                         (b + 0.5) * (kFilmLast_nm - kFilmFirst_nm) / bins_);
-        // With fewer wavelengths than bins some bins have seen none: they take after the nearest
-        // one that has.
+        // With fewer wavelengths than bins some bins have none: they take the value of the nearest
+        // bin that has one.
         int source = b;
         for (int step = 1; bin_weights_[source] <= 0 && step < bins_; ++step) {
             if (b - step >= 0 && bin_weights_[b - step] > 0) source = b - step;

@@ -11,7 +11,7 @@
 #include "nacre/testing/montecarlo.h"
 #include "nacre/testing/render.h"
 
-// Surfaces that vary: which piece of them each sample of a picture is asked about.
+// Surfaces that vary: over which piece of them each sample of a picture averages.
 
 namespace nacre::render {
 namespace {
@@ -75,9 +75,9 @@ SceneDescription seen_at_45_deg(Geometry geometry) {
 constexpr RenderOptions kOptions{
     .width = 96, .height = 96, .samples_per_pixel = 16, .footprint_pixels = 0.25};
 
-TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
-    // The whole panel once: each sample stands for its part of its pixel. Random are only the
-    // samples at the outline, some 1000 of 30 000.
+TEST(Footprint, AreasOfSamplesAddUpToTheSurface) {
+    // The whole panel once: the footprint of each sample is its part of its pixel. Only the samples
+    // at the outline are random, some 1000 of 30 000.
     const auto recorder = std::make_shared<Recorder>();
     const Scene scene(seen_at_45_deg(FlatPanel{.width_mm = 200, .height_mm = 150}),
                       {{"paint", recorder}});
@@ -100,7 +100,7 @@ TEST(Footprint, SamplesOfAPictureShareOutTheSurfaceThatItShows) {
     EXPECT_NEAR(recorder->area, 16, 0.16);
 }
 
-TEST(Footprint, AtRestIsAsLargeAsTheScaledShape) {
+TEST(Footprint, InObjectSpaceIsAsLargeAsTheScaledShape) {
     SceneDescription scene = seen_at_45_deg(FlatPanel{.width_mm = 100, .height_mm = 75});
     scene.shapes[0].transform = {.scale = 2, .rotation_deg = {0, 0, 25}};
     const auto recorder = std::make_shared<Recorder>(bsdf::SampleKind::density,
@@ -110,7 +110,8 @@ TEST(Footprint, AtRestIsAsLargeAsTheScaledShape) {
 }
 
 TEST(Footprint, HalfASphereIsSeen) {
-    // From afar the visible half: its outline is seen edge on, where few samples stand for much.
+    // From afar the visible half: its outline is seen edge on, where few samples cover a large
+    // area.
     SceneDescription description = seen_at_45_deg(Sphere{.radius_mm = 100});
     description.camera.position_mm = {0, -7000, 7000};
     description.camera.vertical_fov_deg = 1.4;
@@ -134,7 +135,7 @@ SceneDescription seen_by_reflection() {
     return scene;
 }
 
-TEST(Footprint, OfWhatAMirrorShowsIsAsFarAwayAsItsImage) {
+TEST(Footprint, IsFollowedThroughSpecularReflection) {
     const auto mirror = std::make_shared<Recorder>(bsdf::SampleKind::specular),
                paint = std::make_shared<Recorder>();
     render(Scene(seen_by_reflection(), {{"below", mirror}, {"paint", paint}}), kOptions);
@@ -144,7 +145,7 @@ TEST(Footprint, OfWhatAMirrorShowsIsAsFarAwayAsItsImage) {
 }
 
 TEST(Footprint, AfterARoughReflectionTheMeanIsTaken) {
-    // The inside of a hollow body: two panels face to face, neither a mirror.
+    // The inside of a hollow body: two panels face to face, neither specular.
     SceneDescription scene = seen_at_45_deg(FlatPanel{.width_mm = 200, .height_mm = 150});
     scene.shapes.push_back({FlatPanel{.width_mm = 2000, .height_mm = 2000},
                             "paint",
@@ -156,9 +157,9 @@ TEST(Footprint, AfterARoughReflectionTheMeanIsTaken) {
 }
 
 TEST(Footprint, AfterALightPathThroughAPaintTheMeanIsTaken) {
-    // The reference walks do not know the density of the directions in which light leaves; that
-    // does not make the paint a mirror. Without a step of the index at the surface, all light that
-    // returns comes from the white ground.
+    // The reference walks do not know the density of the directions in which light leaves, which is
+    // not specular for that. Without a step of the index at the surface, all light that returns
+    // comes from the white substrate.
     const auto diffuse = std::make_shared<montecarlo::PlaneWalk>(
         montecarlo::test::paint(1.0, {montecarlo::test::pigment_layer(0.5, 0.1, 0)}, 0.9));
     const auto paint = std::make_shared<Recorder>();
@@ -194,10 +195,11 @@ TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
     render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}), kOptions);
     EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's fraction of the square
 
-    const auto at_rest = std::make_shared<Recorder>(bsdf::SampleKind::density,
-                                                    bsdf::SurfaceCoordinates::object_space);
-    render(Scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", at_rest}}), kOptions);
-    EXPECT_NEAR(at_rest->area / 5000, 1, 0.04);  // half of 100 mm x 100 mm, in 10 pixels' outline
+    const auto in_object_space = std::make_shared<Recorder>(bsdf::SampleKind::density,
+                                                            bsdf::SurfaceCoordinates::object_space);
+    render(Scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", in_object_space}}), kOptions);
+    EXPECT_NEAR(in_object_space->area / 5000, 1,
+                0.04);  // half of 100 mm x 100 mm, in 10 pixels' outline
 }
 
 }  // namespace

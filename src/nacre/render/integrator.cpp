@@ -26,13 +26,13 @@ struct VertexNumbers {
           roulette(u[6]) {}
 };
 
-/// Light, or the fraction of it that a surface sends on: as it is, and with the mean over its
-/// places in place of every surface that varies. The second counts only where it was asked for.
+/// Radiance or throughput: as it is, and with the mean over its area in place of every surface that
+/// varies. The second is valid only where it was asked for.
 struct WithMean {
     FloatLanes shown{}, smooth{};
 };
 
-/// A surface at a hit: where it varies, the patch that the sample stands for.
+/// A surface at a hit: where it varies, with the patch over which the sample averages.
 struct LocalSurface {
     const bsdf::BoundBsdf& bsdf;
     std::optional<bsdf::Patch> patch;
@@ -74,9 +74,10 @@ bool all_finite(const RayDifferential::Edges& edges) {
     return std::isfinite(sum.x + sum.y + sum.z);
 }
 
-/// Whether a throughput is carried on: not if it is black, nor, under Russian roulette, with the
-/// probability by which it is darker than 1, for which the others make up. Each throughput of a
-/// path plays for itself with the same number, so that asking for another changes none.
+/// Whether a throughput survives: not if it is black, nor, under Russian roulette, with the
+/// probability 1 - brightness; those that survive are divided by brightness. Each throughput of a
+/// path is decided on its own with the same number, so that asking for the second does not change
+/// the first.
 bool survives(FloatLanes& throughput, bool roulette, float number) {
     const float brightness = lane_max(throughput);
     const bool lost = !(brightness > 0) || (roulette && number >= brightness);
@@ -108,7 +109,7 @@ Pass::Pass(const CompiledScene& scene, std::uint32_t index)
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
                      const CameraRay& camera_ray, const PathOptions& options,
                      bsdf::PatchMemory& memory) {
-    // Surfaces whose throughput may already end the path.
+    // The first surface, counted from 1, at which Russian roulette may end the path.
     constexpr int kRouletteFrom = 4;
     const FloatLanes* emission = pass.emission.data();
     PathLight path;
@@ -119,9 +120,9 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
         path.radiance += throughput.shown * shown;
         if (options.smooth) path.smooth += throughput.smooth * smooth;
     };
-    // Density with which the last surface sampled the ray, if there is one. At the camera, after a
-    // specular reflection and after a random walk no light sample could have done the same, or
-    // nobody knows how likely: what the ray meets counts in full.
+    // Density with which the last surface sampled the ray, if there is one. At the camera and after
+    // a specular reflection no light sample could have found the ray, and after a random walk the
+    // density is unknown: the light that the ray meets counts in full.
     float surface_pdf = 0;
     bool weighable = false;
     const auto weight = [&](float light_pdf) {
@@ -167,7 +168,7 @@ PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSam
         };
         if (differential && scene.materials[hit->material]->varies_over_surface()) {
             const RayDifferential::Edges edges = footprint();
-            // Seen edge on it takes in all of the surface, of which there is the mean.
+            // Edge on the footprint is not bounded; the mean takes its place.
             if (all_finite(edges)) {
                 surface.patch = scene.patch(*hit, options.footprint_pixels * edges.edge_mm[0],
                                             options.footprint_pixels * edges.edge_mm[1]);

@@ -33,8 +33,8 @@ struct Pass {
 
 struct PathLight {
     FloatLanes radiance{};
-    /// What the same path would carry if every surface that varies showed the mean over its places
-    /// instead: the rest of `radiance` is the light of single flakes. Only if asked for.
+    /// What the same path would carry if every surface that varies showed its mean over the area
+    /// instead: radiance - smooth is the light of single flakes. Only if asked for.
     FloatLanes smooth{};
     bool met_surface = false;  ///< by the camera ray
     Vec3f normal;              ///< of the surface that it met
@@ -46,7 +46,7 @@ struct PathOptions {
     DirectLight direct_light = DirectLight::combined;
     bool albedo = false;
     bool smooth = false;  ///< PathLight::smooth is asked for
-    /// Side of the patch that one sample stands for where a surface varies, in pixels.
+    /// Side of the patch over which one sample averages where a surface varies, in pixels.
     float footprint_pixels = 1;
 };
 

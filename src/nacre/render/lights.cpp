@@ -45,7 +45,7 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
     for (const Light& light : lights) {
         if (const auto* area = std::get_if<RectangleLight>(&light)) {
             const CompiledRectangle r = compile(*area, basis);
-            // Distance from the scene's rim rather than its middle: a light inside is still finite.
+            // At least the scene's radius, so that the estimate of a light inside is finite.
             const float distance = std::max(length(area->center_mm - center_mm), radius_mm);
             add(Kind::rectangle, static_cast<int>(rectangles_.size()),
                 r.radiance * r.area_mm2 / (distance * distance));
@@ -63,12 +63,12 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
 }
 
 void LightSet::add(Kind kind, int index, double estimate) {
-    // A black light is never worth a ray.
+    // Black lights are never sampled.
     if (estimate > 0) entries_.push_back({kind, index, static_cast<float>(estimate), 0});
 }
 
 void LightSet::normalise() {
-    // A tenth is shared out evenly: the estimate may be far off for a given point.
+    // A tenth of the probability is uniform: the estimate may be far off for a given point.
     constexpr double kEvenFraction = 0.1;
     double total = 0;
     for (const Entry& e : entries_) total += e.probability;

@@ -31,7 +31,7 @@ struct CompiledRectangle {
 
 class LightSet {
  public:
-    /// @param center_mm, radius_mm  a sphere about what the lights are to light
+    /// @param center_mm, radius_mm  a sphere about the shapes of the scene
     LightSet(const std::vector<Light>& lights, const std::optional<Environment>& environment,
              Vec3f center_mm, float radius_mm, EmissionBasis& basis);
 
@@ -42,8 +42,8 @@ class LightSet {
     std::optional<LightSample> sample(Vec3f point_mm, float u_light, Vec2f u,
                                       const FloatLanes* basis) const;
 
-    /// Radiance of what lies behind everything, weighted by `weight(pdf)` for each light there:
-    /// pdf is that with which sample() finds this direction from that light.
+    /// Radiance from infinity, of environment and sun, each weighted by `weight(pdf)`, where pdf is
+    /// the density with which sample() draws this direction from that light.
     template <class Weight>
     FloatLanes escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const;
 

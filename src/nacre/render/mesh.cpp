@@ -182,7 +182,7 @@ void append(const aiMesh& part, const MeshFile& file, Mesh& mesh) {
             refuse(file, fmt::format("vertex {} of '{}' is not finite", i, part.mName.C_Str()));
         }
         mesh.positions_mm.push_back(scale * turn(part.mVertices[i]));
-        // A vertex of degenerate triangles alone has no normal; it is never seen, any will do.
+        // A vertex of degenerate triangles alone has no normal; it is never seen.
         const bool usable =
             part.HasNormals() && is_finite(part.mNormals[i]) && part.mNormals[i].SquareLength() > 0;
         mesh.normals.push_back(usable ? normalize(turn(part.mNormals[i])) : Vec3f{0, 0, 1});

@@ -145,7 +145,7 @@ TEST_F(MeshFileTest, RefusesWhatIsNoMeshAndNamesTheFile) {
     }
 }
 
-TEST(CompiledSceneRays, MeshSphereAndAnalyticSphereAreHitAlike) {
+TEST(CompiledSceneRays, HitAndAreOccludedByAScaledAndMovedSphere) {
     SceneDescription description;
     description.materials["m"] = DiffuseMaterial{};
     description.shapes.push_back(

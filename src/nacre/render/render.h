@@ -17,8 +17,8 @@ struct RenderOptions {
     int samples_per_pixel = 64;  ///< [1, 2^24]
     std::uint64_t seed = 0;
     int max_depth = 8;  ///< surface reflections along a path, [1, 1000]
-    /// Side of the piece of surface that a sample stands for where single flakes show, [0, 1000]
-    /// pixels; 0: default_footprint_pixels().
+    /// Side of the piece of surface over which a sample averages where single flakes show,
+    /// [0, 1000] pixels; 0: default_footprint_pixels().
     double footprint_pixels = 0;
     bool sparkle = false;   ///< RenderResult::sparkle is asked for
     int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
@@ -43,10 +43,9 @@ struct RenderResult {
     std::vector<float> albedo;  ///< 3 per pixel: albedo of the first surface under D65; 0: none
     std::vector<float> normal;  ///< 3 per pixel: mean shading normal of the first surface
     std::vector<float> alpha;   ///< 1 per pixel: fraction of the samples that met a surface
-    /// 3 per pixel, linear Rec. 709; empty unless asked for. The part of rgb that single flakes
-    /// make: what they send less what all of them would on average, so that it is negative where
-    /// they are few or turned away, and 0 on average. rgb - sparkle is the smooth rest, which a
-    /// denoiser may smooth further without wiping out what this holds.
+    /// 3 per pixel, linear Rec. 709; empty unless asked for. The light of single flakes less that
+    /// of their mean, so that it is negative where they are few or turned away, and 0 on average.
+    /// rgb - sparkle is the picture of the mean, which may be denoised without loss of flakes.
     std::vector<float> sparkle;
     std::vector<float> spectral;  ///< bins per pixel: mean spectral radiance about each centre
     std::vector<double> bin_centres_nm;

@@ -14,7 +14,7 @@
 #include "nacre/spectra/spectrum.h"
 
 // What a picture is taken of, as plain values: independent of any file format
-// (render/scene_file.h reads one) and of how it is rendered (scene.h compiles it).
+// (render/scene_file.h reads one) and of how it is rendered (render/compiled_scene.h).
 //
 // World: right-handed, z up, lengths in mm. Angles in degrees. Azimuth turns from +x to +y;
 // elevation rises from the horizon to +z. Light: a scale of 1 is a luminance of 1 in the picture
@@ -161,7 +161,7 @@ struct RectangleLight {
     double width_mm = 500;
     double height_mm = 500;
     Emitter radiance{};
-    bool visible = true;  ///< to the camera and in the mirror of a clearcoat
+    bool visible = true;  ///< to the camera and in the specular reflection of a clearcoat
 
     friend bool operator==(const RectangleLight&, const RectangleLight&) = default;
 };
@@ -190,7 +190,7 @@ struct SoftBox {
     double elevation_deg = 45;
     double width_deg = 40;   ///< (0, 170)
     double height_deg = 40;  ///< (0, 170)
-    double softness = 0.15;  ///< share of the half width over which the edge fades, [0, 1]
+    double softness = 0.15;  ///< fraction of the half width over which the edge fades, [0, 1]
     double scale = 5;        ///< luminance at its middle, times StudioEnvironment::radiance.scale
 
     friend bool operator==(const SoftBox&, const SoftBox&) = default;

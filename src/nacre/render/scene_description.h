@@ -4,8 +4,8 @@
 #include "nacre/render/scene.h"
 
 // Every key of a scene, once (paint/description.h). To add a key, add a member to its struct
-// (render/scene.h) and a line to its description; the reader and the checks follow, and a test says
-// how docs/scene.md must.
+// (render/scene.h) and a line to its description; the reader and the checks follow, and a test
+// fails until docs/scene.md has the key.
 
 namespace nacre::render {
 

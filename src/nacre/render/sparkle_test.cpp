@@ -8,7 +8,7 @@
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/testing/render.h"
 
-// The part of a picture that single flakes make, kept apart from the smooth rest.
+// RenderResult::sparkle: the light of single flakes, apart from that of their mean.
 
 namespace nacre::render {
 namespace {
@@ -28,8 +28,7 @@ std::shared_ptr<const bsdf::Bsdf> speckles(std::uint64_t seed = 0) {
     });
 }
 
-/// A ball of paint over a panel under a clearcoat that mirrors it, close enough to light each
-/// other.
+/// A ball of paint over a panel with a specular clearcoat, close enough to light each other.
 SceneDescription ball_over_mirror() {
     SceneDescription scene;
     scene.materials = {{"paint", PaintMaterial{}}, {"mirror", PaintMaterial{}}};
@@ -51,7 +50,7 @@ Scene mirrored(std::shared_ptr<const bsdf::Bsdf> ball) {
 constexpr RenderOptions kOptions{
     .width = 48, .height = 48, .samples_per_pixel = 8, .sparkle = true};
 
-TEST(Sparkle, IsWhatIsLeftOfThePictureAfterThatOfTheMean) {
+TEST(Sparkle, IsThePictureMinusThatOfTheMean) {
     // The ball of speckles and that of their mean are sampled alike: with the same seed every path
     // is the same one. Also seen in the mirror, and after several reflections between the two.
     const RenderResult speckled = render(mirrored(speckles()), kOptions);
@@ -77,7 +76,7 @@ TEST(Sparkle, IsSeenDirectlyAndInAMirror) {
     }
     EXPECT_GT(on_ball, 200);
     EXPECT_GT(in_mirror, 100);
-    EXPECT_LT(in_mirror, on_panel);  // what is not mirrored there meets the ball's mean
+    EXPECT_LT(in_mirror, on_panel);  // after a diffuse reflection paths meet the ball's mean
 }
 
 TEST(Sparkle, IsZeroOnAverage) {
@@ -111,7 +110,7 @@ TEST(Sparkle, AskingForItChangesNothingElse) {
     EXPECT_EQ(plain.albedo, split.albedo);
 }
 
-TEST(Sparkle, SurfacesThatAreAlikeEverywhereHaveNone) {
+TEST(Sparkle, IsZeroOnSurfacesThatDoNotVary) {
     const RenderResult r = render(mirrored(std::make_shared<Glossy>()), kOptions);
     EXPECT_EQ(r.sparkle, std::vector<float>(r.rgb.size(), 0.0f));
 }
@@ -123,7 +122,7 @@ TEST(Sparkle, SameBitsForAnyNumberOfThreads) {
         const ThreadLimit limit(1);
         Speckled::stale = 0;
         one = render(scene, kOptions);
-        EXPECT_EQ(Speckled::stale, 0);  // no patch was answered with what another had found out
+        EXPECT_EQ(Speckled::stale, 0);  // no patch got the memory of another
     }
     {
         const ThreadLimit limit(2);
@@ -135,8 +134,8 @@ TEST(Sparkle, SameBitsForAnyNumberOfThreads) {
 
 TEST(Sparkle, TurnsAndMovesWithTheShape) {
     // A smooth pattern of place and direction. The lamp, the camera and the ball, turned alike,
-    // show the same picture. One sample, all light from one direction and no second reflection:
-    // nothing is left to chance.
+    // show the same picture: with one sample, all light from one direction and no second
+    // reflection, without any noise.
     const auto paint = std::make_shared<Speckled>([](Vec3f p, Vec3f h) {
         return 1 +
                0.5f * std::sin(0.4f * p.x + 0.7f * p.y - 0.5f * p.z) * std::sin(9 * h.x + 5 * h.y);

@@ -16,8 +16,8 @@ namespace nacre::render {
 /// @return   (u, v) in [0, 1]
 std::array<double, 2> octahedral_square(Vec3f n);
 
-// Where a point of a shape lies in the unit square over which the shape is laid out or in the
-// shape's object space, and what becomes of a small parallelogram about it.
+// Where a point of a shape, and a small parallelogram about it, lie in the unit square over which
+// the shape is laid out or in the shape's object space.
 
 /// On a sphere of radius 1, by octahedral_square() with its pole towards -y, where cameras stand.
 ///
@@ -35,8 +35,8 @@ bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycen
 
 /// A piece of a surface in object space, from the world.
 ///
-/// What a surface shows is told in the frame of its shading normal, which on a mesh is not that of
-/// the facet on which the parallelogram lies. The parallelogram is turned from one to the other
+/// A surface is evaluated in the frame of its shading normal, which on a mesh is not that of the
+/// facet on which the parallelogram lies. The parallelogram is turned from one to the other
 /// the shortest way and so keeps its area, that of the true surface: seen along either normal
 /// instead, it would shrink or grow by the cosine between them, and with it the number of flakes.
 ///

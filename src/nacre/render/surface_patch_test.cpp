@@ -99,7 +99,7 @@ TEST(SurfacePatch, IsLinearOnATriangle) {
     EXPECT_NEAR(patch.edge_2.y, 0.02, 1e-8);
 }
 
-TEST(SurfacePatch, AtRestKeepsItsAreaAndLiesAcrossTheShadingNormal) {
+TEST(SurfacePatch, InObjectSpaceKeepsItsAreaAndLiesAcrossTheShadingNormal) {
     const AffineMap map({.scale = 3, .rotation_deg = {40, 50, -60}, .translation_mm = {7, 8, 9}});
     const Vec3f geometric = normalize(Vec3f{0.2f, -0.7f, 0.6f});
     const Frame facet = Frame::around(geometric);
@@ -108,10 +108,11 @@ TEST(SurfacePatch, AtRestKeepsItsAreaAndLiesAcrossTheShadingNormal) {
     for (float tilt : {0.0f, 0.1f, 0.5f, 1.5f}) {
         const Vec3f shading =
             normalize(geometric + std::tan(tilt) * facet.to_world({0.6f, 0.8f, 0}));
-        const Vec3f at_rest{0.5f, 2, -1};
+        const Vec3f in_object_space{0.5f, 2, -1};
         const sparkle::ObjectSpaceFootprint p = object_space_footprint(
-            map, map.point((1 / 3.0f) * at_rest), geometric, shading, edge_1, edge_2);
-        EXPECT_LT(length(p.position_mm - at_rest), 4e-6f);  // lengths at rest are true lengths
+            map, map.point((1 / 3.0f) * in_object_space), geometric, shading, edge_1, edge_2);
+        EXPECT_LT(length(p.position_mm - in_object_space),
+                  4e-6f);  // object space has the scaled lengths
         EXPECT_NEAR(length(cross(p.edge_mm[0], p.edge_mm[1])), 0.06, 1e-6);
         for (Vec3f v : {p.edge_mm[0], p.edge_mm[1], p.tangent})
             EXPECT_NEAR(dot(v, p.normal), 0, 1e-6);
@@ -134,7 +135,7 @@ TEST(RayDifferential, FootprintOnAPlaneIsWhereTheNeighbouringRaysHit) {
     EXPECT_NEAR(edges.edge_mm[1].z, 0, 1e-5);
 }
 
-TEST(RayDifferential, AFlatMirrorIsAWindow) {
+TEST(RayDifferential, IsThatOfTheImageBehindAFlatMirror) {
     // By way of a mirror in z = 0 to a plane at z = 50 is as far as straight on to z = -50.
     const Vec3f direction = normalize(Vec3f{0.3f, 0.6f, -0.8f});
     const RayDifferential d{{}, {{0.01f, 0, 0}, {0, 0.01f, 0}}};

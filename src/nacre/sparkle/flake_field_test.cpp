@@ -34,7 +34,7 @@ double side_of(double flakes, const FlakePopulation& population) {
 
 // The light that a patch reflects for one half vector, relative to the mean over patches.
 double relative_radiance(const FlakeField& field, const ObjectSpaceFootprint& patch, Vec2f slope,
-              float cosine) {
+                         float cosine) {
     static const auto view = std::make_unique<FlakeView>();
     field.look(patch, *view);
     double sum = 0;
@@ -107,9 +107,9 @@ double campbell(const FlakePopulation& population, const FlakeField& field, doub
             const double apart2 = (x - other.x) * (x - other.x) + (y - other.y) * (y - other.y);
             if (apart2 >= width * width) continue;
             lobe_integral += rule.weights[i] * width * r * 2 * kPi / 64 *
-                       DiffractionLobe::density(static_cast<float>(r * r), width) *
-                       DiffractionLobe::density(static_cast<float>(apart2), width) *
-                       lobe.slope_density(static_cast<float>(x * x + y * y));
+                             DiffractionLobe::density(static_cast<float>(r * r), width) *
+                             DiffractionLobe::density(static_cast<float>(apart2), width) *
+                             lobe.slope_density(static_cast<float>(x * x + y * y));
         }
     }
     const auto blurred = [&](Vec2f p) {
@@ -191,7 +191,7 @@ TEST(FlakeField, CovarianceInSpaceAndInAngleFollowsCampbellsFormula) {
             const double x = 0.05 * (i % 500), y = 0.05 * (i / 500);
             const double here = relative_radiance(field, square(x, y, side), slope, cosine) - 1;
             const double there = relative_radiance(field, square(x + apart_mm, y, side),
-                                        {slope.x + turn.x, slope.y + turn.y}, cosine) -
+                                                   {slope.x + turn.x, slope.y + turn.y}, cosine) -
                                  1;
             product += here * there / kPairs;
             products += here * there * here * there / kPairs;
@@ -215,8 +215,8 @@ TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
         constexpr int kPatches = 200000;
         std::vector<double> x(kPatches);
         for (int i = 0; i < kPatches; ++i) {
-            x[i] = relative_radiance(field, square(4 * side * (i % 500), 4 * side * (i / 500), side), slope,
-                          cosine);
+            x[i] = relative_radiance(
+                field, square(4 * side * (i % 500), 4 * side * (i / 500), side), slope, cosine);
             mean += x[i] / kPatches;
         }
         for (double v : x) {
@@ -246,8 +246,8 @@ TEST(FlakeField, KeepsTheMeanWhateverTheSizesAndTheLobe) {
                                  relative.y * static_cast<float>(population.alpha)};
             const double side = side_of(30, population);
             const Moments m = moments(40000, [&](int i) {
-                return relative_radiance(field, square(4 * side * (i % 200), 4 * side * (i / 200.0), side),
-                              slope, 0.8f);
+                return relative_radiance(
+                    field, square(4 * side * (i % 200), 4 * side * (i / 200.0), side), slope, 0.8f);
             });
             EXPECT_NEAR(m.mean, 1, 4 * m.mean_error + 2 * DiffractionLobe::kBlurError)
                 << population.diameter_um << ' ' << relative.x;
@@ -263,14 +263,15 @@ TEST(FlakeField, FootprintsAddUp) {
     int different = 0;
     for (int i = 0; i < 300; ++i) {
         const double x = 50 * rng.uniform_double(), y = 50 * rng.uniform_double();
-        // Wide lobes, so that most patches hold a flake that lobe_integral.
+        // Wide lobes, so that most patches hold a flake that reflects.
         const Vec2f slope = {0.02f, 0};
         const double whole = relative_radiance(field, square(x, y, side), slope, 0.1f);
         double parts = 0;
         for (double dx : {-0.25, 0.25}) {
             for (double dy : {-0.25, 0.25}) {
-                parts +=
-                    relative_radiance(field, square(x + dx * side, y + dy * side, side / 2), slope, 0.1f) / 4;
+                parts += relative_radiance(field, square(x + dx * side, y + dy * side, side / 2),
+                                           slope, 0.1f) /
+                         4;
             }
         }
         // A float resolves 1e-7 of 50 mm, discs are 0.02 mm.

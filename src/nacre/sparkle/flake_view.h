@@ -15,9 +15,9 @@ namespace nacre::sparkle {
 /// directions.
 ///
 /// Relative to the mean over all patches, a patch shows `background` and flake by flake `weight`:
-/// all of them add up to 1 in expectation. Where only some of the patch's flakes are resolved, their
-/// lobes are wider by `widening`, so that as many reflect as of all flakes, each as bright as one of
-/// them: the light has the variance and nearly the distribution of that of all flakes.
+/// all of them add up to 1 in expectation. Where only some of the patch's flakes are resolved,
+/// their lobes are wider by `widening`, so that as many reflect as of all flakes, each as bright as
+/// one of them: the light has the variance and nearly the distribution of that of all flakes.
 ///                                                     [docs/nacre-model.md, any number of flakes]
 struct FlakeView {
     /// The patch shows 30 flakes at most on average; a Poisson number of that mean is never larger.
@@ -119,8 +119,8 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
     const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
     const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
     // As slope_pdf() does it, in lanes: the same bits.
-    const float width = lobe.radius_at(splat(detail::kSampledWidening * lobe_radius[k]), splat(sec2),
-                                      splat(cosine))[0];
+    const float width = lobe.radius_at(splat(detail::kSampledWidening * lobe_radius[k]),
+                                       splat(sec2), splat(cosine))[0];
     // The inverse of 1 - (1 - r^2/w^2)^3.
     const float r = width * std::sqrt(std::max(0.0f, 1 - std::cbrt(1 - u.x)));
     const float angle = 2 * std::numbers::pi_v<float> * u.y;
@@ -136,8 +136,8 @@ inline float FlakeView::slope_pdf(const DiffractionLobe& lobe, Vec3f wi, Vec2f s
         const FloatLanes sec2 = 1.0f + x * x + y * y;
         const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
         const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
-        const FloatLanes width =
-            lobe.radius_at(detail::kSampledWidening * load_lanes(&lobe_radius[first]), sec2, cosine);
+        const FloatLanes width = lobe.radius_at(
+            detail::kSampledWidening * load_lanes(&lobe_radius[first]), sec2, cosine);
         for_each_set_lane(distance2 < width * width, [&](int lane) {
             sum += weight[first + lane] * lobe.density(distance2[lane], width[lane]);
         });

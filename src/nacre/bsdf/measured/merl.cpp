@@ -50,7 +50,7 @@ HalfDifference half_difference(Vec3f wi, Vec3f wo) {
     const Vec3f h = normalize(wi + wo);
     const float sine = std::sqrt(h.x * h.x + h.y * h.y);
     const float cos_phi = sine > 0 ? h.x / sine : 1.0f, sin_phi = sine > 0 ? h.y / sine : 0.0f;
-    // The frame about h whose first axis points away from the normal's side.
+    // The frame about h whose first axis lies in the plane of h and the normal, pointing down.
     const Vec3f first = {h.z * cos_phi, h.z * sin_phi, -sine}, second = {-sin_phi, cos_phi, 0};
     const float x = dot(wi, first), y = dot(wi, second), z = dot(wi, h);
     double phi = std::atan2(y, x);
@@ -71,13 +71,14 @@ namespace {
 using spectra::Rgb;
 
 constexpr float kPiF = std::numbers::pi_v<float>;
-/// Lobes to sample from: from a polished metal to a matte plastic, and at last a cosine.
+/// Roughness of the lobes to sample from: a polished metal to a matte plastic; a cosine lobe
+/// comes last.
 const std::array<FlakeLobe, 4> kLobes = {FlakeLobe(0.01f), FlakeLobe(0.04f), FlakeLobe(0.15f),
                                          FlakeLobe(0.5f)};
 constexpr std::size_t kStrategies = kLobes.size() + 1;
 using Probability = std::array<float, kStrategies>;
-constexpr int kRows =
-    33;  // incident angles at which probability and albedo are known, even over 90 deg
+/// Incident angles at which probability and albedo are tabulated, equally spaced over 90 deg.
+constexpr int kRows = 33;
 
 struct Row {
     Probability probability{};
@@ -210,8 +211,8 @@ Row MeasuredMerl::Tables::fit_row(float theta_i) const {
     std::array<double, kStrategies> fraction;
     fraction.fill(1.0 / kStrategies);
     fraction = fit_mixture(points, fraction);
-    // A fiftieth, at least, goes everywhere and as much to the widest lobe: that bounds the
-    // weights.
+    // A fiftieth, at least, goes to the cosine lobe and as much to the widest other: that bounds
+    // the weights.
     constexpr double kMin = 0.02;
     double all = 0;
     for (std::size_t k = kStrategies - 2; k < kStrategies; ++k)

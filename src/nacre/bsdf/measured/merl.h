@@ -24,7 +24,7 @@ struct HalfDifference {
 /// along theta_difference and phi_difference at (pi/2) (k + 1/2)/n and pi (k + 1/2)/n.
 struct MerlTable {
     static constexpr int kHalf = 90, kDifference = 90, kAzimuths = 180;
-    /// Red, green, blue: what turns a number of the file into 1/sr. [the database's reading code]
+    /// Red, green, blue: factors from a number of the file to 1/sr. [the database's reading code]
     static constexpr std::array<double, 3> kScale = {1.0 / 1500, 1.15 / 1500, 1.66 / 1500};
 
     int half = kHalf, difference = kDifference, azimuths = kAzimuths;
@@ -41,7 +41,7 @@ struct MerlTable {
     friend bool operator==(const MerlTable&, const MerlTable&) = default;
 };
 
-/// Most cells along a direction, and fewest.
+/// Cells along one of the angles.
 inline constexpr int kMaxMerlCells = 1024, kMinMerlCells = 2;
 
 /// @throws DomainError naming what is wrong: a size out of range, values that do not fit the sizes

@@ -28,7 +28,7 @@ struct SquareTable {
 /// The incident direction (phi_i, theta_i) chooses a slice; between slices everything is linear,
 /// beyond the first and the last it is constant.
 ///
-/// A point of the unit square stands for a half vector m through the inverse of the distribution
+/// A point of the unit square corresponds to a half vector m by the inverse of the distribution
 /// function of `vndf`, rows first. There the file holds the measurement
 ///
 ///     spectra = f cos(theta_o) 4 sigma(w_i) / D(m)        (jacobian set)
@@ -92,7 +92,7 @@ struct RglIncident {
     SliceMix mix;
 };
 
-/// A half vector, or the point of the square that stands for it.
+/// A half vector and the point of the square that corresponds to it.
 struct RglPoint {
     Vec2f sample;   ///< where the measurement is read
     Vec2f half;     ///< theta and phi of the half vector in the square of ndf and vndf
@@ -109,7 +109,7 @@ class RglMap {
     RglPoint towards(const RglIncident& i, Vec3f wo) const;
     /// The half vector for a point at which the measurement is read.
     RglPoint at(const RglIncident& i, Vec2f sample) const;
-    /// What turns a value of the table into f cos(theta_o).
+    /// Factor from a value of the table to f cos(theta_o).
     float scale(const RglIncident& i, const RglPoint& point) const;
     /// Density per solid angle of wo, if `sample` is uniform.
     float solid_angle_density(const RglIncident& i, const RglPoint& point) const;

@@ -74,8 +74,8 @@ void MicroflakeModel::require_kind(const BrdfTable& read, const std::string& fil
     }
 }
 
-// Directional-hemispherical reflectance by the model's own sampling, at the points of a Hammersley
-// set: deterministic, and within 1e-3 as weights hardly vary.
+// Directional-hemispherical reflectance by the model's own sampling at 512 low-discrepancy points:
+// deterministic, and within 5e-3 (microflake_test.cpp).
 void tabulate_albedo(
     Microflake::Tables& tables,
     const std::function<std::unique_ptr<const BoundBsdf>(const Wavelengths&)>& bind) {
@@ -100,8 +100,8 @@ void tabulate_albedo(
                 unsigned bits = p * 0x9E3779B9u;  // Weyl sequence for the third coordinate
                 float radical = 0, base = 0.5f;
                 for (unsigned q = p; q; q >>= 1, base *= 0.5f) radical += (q & 1) * base;
-                const float lobe = static_cast<float>(bits >> 8) * 0x1p-24f;
-                if (const auto s = bound->sample(wi, lobe, {(p + 0.5f) / kPoints, radical})) {
+                const float u_select = static_cast<float>(bits >> 8) * 0x1p-24f;
+                if (const auto s = bound->sample(wi, u_select, {(p + 0.5f) / kPoints, radical})) {
                     sum += s->weight;
                 }
             }
@@ -144,8 +144,8 @@ double narrowest_alpha(const solver::PaintMedium& medium) {
     for (const auto& layer : medium.layers) {
         for (const auto& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
     }
-    // Under a rough interface the table holds single scattering too, narrower by the square root
-    // of three, and weighs all of the peak.
+    // Under a rough interface the table holds single scattering too, whose lobe is narrower by
+    // sqrt(3) and makes up the peak: a third keeps kMicroflakeRoughError (microflake_test.cpp).
     return medium.roughness > 0 ? alpha / 3 : alpha;
 }
 
@@ -166,8 +166,8 @@ double mean(const std::vector<double>& v) {
     return sum / static_cast<double>(v.size());
 }
 
-// Share of the incident flux that the flakes of the paint return after one reflection, roughly:
-// as if the outgoing cosine were the incident one.
+// Fraction of the incident flux that leaves the paint after one reflection at a flake, roughly: as
+// if the outgoing cosine were the incident one. theta outside the coat, rad.
 double single_scattering_fraction(const solver::PaintMedium& medium, double theta) {
     const double ior = mean(medium.ior);
     const double mu = solver::inside_cosine(ior, theta);
@@ -246,7 +246,8 @@ void Microflake::Tables::choose_lobes() {
     }
     const bool has_flakes = weight > 0;
     if (has_flakes) flake_alpha = static_cast<float>(sum / weight);
-    // Facets of slope m refract as half a flake of that slope reflects, roughly.
+    // A facet of slope m turns refracted light by about half as much as a flake of that slope turns
+    // reflected light.
     if (rough) flake_alpha = static_cast<float>(std::hypot(flake_alpha, 0.5 * medium.roughness));
     // Three reflections off Gaussian slopes spread like sqrt(3); five and more, wider still.
     wide_alpha = 2 * flake_alpha;
@@ -262,11 +263,11 @@ void Microflake::Tables::choose_lobes() {
         const double interface =
             rough ? solver::rough_interface(ior, medium.roughness)->albedo(theta_i)
                   : optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
-        // Energy of the multiple scattering, and what it would be if its dark side were all there
-        // is.
+        // Albedo of the multiple scattering, and twice its part on the side of the incident light,
+        // away from the lobe of the flakes: an estimate of its diffuse part.
         const solver::MultipleScatteringSlice slice(paint->multiple_scattering, theta_i);
         std::vector<double> coefficient(paint->multiple_scattering.rank());
-        double energy = 0, dark = 0;
+        double energy = 0, diffuse_part = 0;
         for (std::size_t t = 0; t < polar.nodes.size(); ++t) {
             const double theta_o = polar.nodes[t];
             const double fresnel =
@@ -286,14 +287,14 @@ void Microflake::Tables::choose_lobes() {
                                     polar.weights[t] * std::sin(theta_o) * std::cos(theta_o) * 2 *
                                     std::numbers::pi / kAzimuths;
                 energy += flux;
-                if (phi < std::numbers::pi / 2) dark += 2 * flux;
+                if (phi < std::numbers::pi / 2) diffuse_part += 2 * flux;
             }
         }
         const double single = has_flakes ? single_scattering_fraction(medium, theta_i) : 0.0;
         const double total = interface + single + energy + 1e-6;
-        // A tenth of the multiple scattering at least, and a hundredth of all, goes everywhere:
-        // that bounds the weights.
-        double diffuse = std::max(std::min(dark, energy), 0.1 * energy) / total + 0.01;
+        // A tenth of the multiple scattering at least, and a hundredth of all, is sampled by the
+        // cosine lobe: that bounds the weights.
+        double diffuse = std::max(std::min(diffuse_part, energy), 0.1 * energy) / total + 0.01;
         double wide = has_flakes ? std::max(energy / total + 0.01 - diffuse, 0.01) : 0.0;
         double flake = single / total + (has_flakes ? 0.01 : 0.0);
         const double sum_all = interface / total + flake + wide + diffuse;
@@ -372,7 +373,7 @@ void BoundMicroflake::bind_layers() {
         for (const FloatLanes& extinction : layer.extinction) {
             thinnest = std::min(thinnest, -lane_max(-extinction) * layer.thickness_um);
         }
-        layer.thick = thinnest > 0.1f;  // cosines only make it deeper
+        layer.thick = thinnest > 0.1f;  // along the normal; slant paths are deeper
         layer.buried = n > 0 || lane_max(clearcoat_depth_) > 0;
         for (const solver::FlakeMedium& flake : medium.flakes) {
             const float alpha2 = static_cast<float>(flake.alpha * flake.alpha);

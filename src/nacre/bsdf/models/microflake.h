@@ -24,10 +24,10 @@ namespace nacre::bsdf {
 struct MicroflakeModel {
     /// In which form the BRDF of a solved paint is kept for rendering.
     enum class Table {
-        split,  ///< ours: interface, single scattering in closed form, a low-rank multiple
-                ///< scattering; spectral
-        raw,    ///< as the paper tabulates it: angles times angles, RGB     [ergun-2016; mir-2022]
-        svd     ///< the same after its singular value decomposition
+        split,  ///< Nacre's own: interface, single scattering in closed form, a low-rank table of
+                ///< the multiple scattering; spectral
+        raw,    ///< as the papers tabulate it: angles times angles, RGB    [ergun-2016; mir-2022]
+        svd     ///< its truncated singular value decomposition
     };
     Table table = Table::split;
     BrdfTableSettings table_size = {};     ///< raw and svd
@@ -87,9 +87,9 @@ struct Microflake::Tables {
     float mean_ior;  ///< of the binder over the paint's wavelengths
     bool rough;      ///< the interface: its lobe takes the place of the specular one
     SmoothTable smooth;
-    /// Roughness of the sampled lobes inside the coat: flakes (area-weighted mean) and what they
-    /// scatter again.
-    float flake_alpha = 0.1f, wide_alpha = 0.2f;  // the second always twice the first
+    /// Roughness of the sampled lobes inside the coat: of single scattering (area-weighted mean of
+    /// the flakes) and, twice that, of multiple scattering.
+    float flake_alpha = 0.1f, wide_alpha = 0.2f;
     /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
     std::vector<std::vector<float>> extinction;
     std::vector<LobeProbabilities> probability;  ///< by direction
@@ -155,9 +155,9 @@ struct Ray {
 
 /// Which flakes scatter once: all of them, as their mean.
 ///
-/// Stands for any class with this function: the factor by which the single scattering of a species
-/// differs from its mean, for the `flake`-th species of a layer whose optical depth along both
-/// directions together is `depth`, at eight wavelengths.
+/// Any class with this function may take its place: the factor by which the single scattering of a
+/// species differs from its mean, for the `flake`-th species of a layer whose optical depth along
+/// both directions together is `depth`, at eight wavelengths.
 struct MeanFlakes {
     FloatLanes factor(std::size_t /*layer*/, std::size_t /*flake*/,
                       const FloatLanes& /*depth*/) const {
@@ -187,13 +187,12 @@ class BoundMicroflake : public BoundBsdf {
     const LobeProbabilities& probabilities_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these probabilities.
     float density(const LobeProbabilities& probability, const Ray& i, const Ray& o) const;
-    /// Whether u_select, in [0, sum of the probabilities), stands for the specular lobe of a smooth
+    /// Whether u_select, in [0, sum of the probabilities), selects the specular lobe of a smooth
     /// interface.
     bool draws_specular(const LobeProbabilities& probability, float u_select) const {
         return u_select < probability.interface && !rough_;
     }
-    /// By the lobe that u_select stands for, not the specular one; not upwards where nothing
-    /// leaves.
+    /// By the lobe that u_select selects, not the specular one; not upwards where no light leaves.
     Vec3f draw(const LobeProbabilities& probability, const Ray& i, float u_select, Vec2f u) const;
     /// The specular reflection of a smooth interface, chosen with this probability.
     BsdfSample specular_sample(Vec3f wi, float probability) const;
@@ -230,8 +229,8 @@ class BoundMicroflake : public BoundBsdf {
     FlakeLobe flake_lobe_, wide_lobe_;  // the second twice as rough
     /// By direction: transmittance of a smooth interface over the cosine, finite at grazing.
     std::vector<FloatLanes> transmittance_over_cosine_;
-    /// A rough interface: its facets, and by direction the masking over the cosine and what is
-    /// masked and given back diffusely.
+    /// A rough interface: its facets, and by direction the masking over the cosine and the fraction
+    /// that is masked, which solver::RoughInterface returns diffusely.
     struct Rough {
         FlakeLobe lobe;
         float inverse_alpha2;

@@ -25,7 +25,7 @@ paint::Recipe metallic(double alpha, double reflectance) {
     return recipe;
 }
 
-// Two layers, two species, a pigment, an absorbing clearcoat and a bright ground: every term.
+// Two layers, two species, a pigment, an absorbing clearcoat and a bright substrate: every term.
 paint::Recipe everything() {
     paint::Recipe recipe = metallic(0.1, 0.6);
     optics::Platelet platelet;
@@ -206,8 +206,8 @@ TEST(Microflake, WeightsStayBoundedUpToGrazing) {
                 if (s) largest = std::max(largest, static_cast<double>(lane_max(s->weight)));
             }
             EXPECT_GT(largest, 0.3);
-            // The tenth of the multiple scattering that is drawn evenly bounds the weight by about
-            // ten.
+            // The tenth of the multiple scattering that the cosine lobe samples bounds the weight
+            // by about ten.
             EXPECT_LT(largest, 10) << "alpha " << alpha << ", theta_i " << theta_i;
         }
     }

@@ -38,7 +38,8 @@ sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
 // cos(w_i.h) of any two directions that the interface lets through, each within the critical angle.
 double min_half_cosine(double ior) { return std::sqrt(std::max(0.0, 1 - 1 / (ior * ior))); }
 
-// Light sent back at perpendicular incidence, in the mean over the wavelengths, by each species.
+// Single scattering of each species at normal incidence, summed over the wavelengths: roughly, as
+// orientation is neglected, and up to a common factor.
 std::vector<double> returned_light(const Microflake::Tables& tables) {
     const solver::PaintMedium& medium = tables.paint->medium;
     const int count = medium.wavelength_count();
@@ -46,7 +47,7 @@ std::vector<double> returned_light(const Microflake::Tables& tables) {
     std::vector<double> depth(count, 0.0);
     for (std::size_t l = 0; l < medium.layers.size(); ++l) {
         const solver::LayerMedium& layer = medium.layers[l];
-        std::vector<double> seen(count);  // depth that is seen, in um
+        std::vector<double> seen(count);  // thickness weighted by the attenuation both ways, um
         for (int w = 0; w < count; ++w) {
             const double here = 2 * tables.extinction[l][w] * layer.thickness_um;
             seen[w] = layer.thickness_um * std::exp(-depth[w]) *
@@ -123,7 +124,7 @@ std::unique_ptr<const BoundBsdf> Nacre::bind(const Wavelengths& wavelengths_nm) 
 
 namespace {
 
-// Int O is in proportion to the area times the diameter of each flake.
+// The mean of d weighted by the area of the flakes: Int O dz of a flake goes with area times d.
 float mean_diameter_um(const paint::FlakeSpecies& species) {
     const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
     double square = 0, cube = 0;
@@ -209,7 +210,7 @@ void HotSpot::Pair::for_each_species(std::size_t layer, Add&& add) const {
     const HotSpot& h = *hot_spot_;
     for (const Species& s : h.species_) {
         if (s.layer > layer) break;
-        // Heights at which the species lies, from the flake upwards.
+        // Heights between which the species lies, from the flake upwards, in um.
         const float over_top = h.top_um_[layer] - h.top_um_[s.layer];
         const float within = s.layer == layer ? 0.0f : h.thickness_um_[s.layer];
         const float step = spread_ / s.diameter_um;
@@ -255,16 +256,16 @@ FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const
 
 namespace {
 
-// Of the light that a patch's flakes are expected to send back, at least this part is looked for
-// where the mean has it: what is scattered again follows the flakes too, and it bounds the weights
-// of directions that no single flake is sampled for.
+// On a patch the flake lobe of the mean keeps at least this fraction of its probability: multiple
+// scattering follows that lobe too, and it bounds the weights of directions for which no single
+// flake is sampled.
 constexpr float kMinMeanProbability = 0.1f;
 
 // The half vector inside, as the flakes see it.
 struct HalfVector {
     Vec2f slope;
     float slope2, cosine;   // cosine: w_i . h
-    float per_solid_angle;  // squares of slopes per solid angle of the direction w_o
+    float per_solid_angle;  // area of slopes per solid angle of w_o
 
     HalfVector(const Ray& i, const Ray& o) {
         const Vec3f sum = i.inside + o.inside;
@@ -273,14 +274,14 @@ struct HalfVector {
         slope2 = slope.x * slope.x + slope.y * slope.y;
         const float sec2 = 1 + slope2;
         cosine = std::min(1.0f, 0.5f * sum.z * std::sqrt(sec2));
-        // sec^3 squares of slopes make a solid angle of h, 4 (w_i.h) of them one of w_o.
+        // sec^3 / (4 w_i.h): area of slopes per solid angle of h over solid angle of w_o per that.
         per_solid_angle = 0.5f * inverse * sec2;
     }
 };
 
 }  // namespace
 
-// In place of MeanFlakes: all flakes, with the gaps between them.
+// In place of MeanFlakes: the mean of all flakes, with the hot spot.
 class BoundNacre::MeanHotSpot {
  public:
     MeanHotSpot(const HotSpot& hot_spot, const Ray& i, const Ray& o) : pair_(hot_spot, i, o) {}
@@ -305,7 +306,7 @@ class BoundNacre::FlakesOfPatch {
         const sparkle::DiffractionLobe& lobe = surface_.tables_->species[at].field.lobe();
         if (!lobe.reaches(half_.slope2)) return pair_ ? pair_->mean(layer, depth) : splat(1.0f);
         const sparkle::FlakeView& view = look_[at];
-        FloatLanes answers{};
+        FloatLanes reflected{};
         bool any = false;
         const float background =
             view.for_each_answer(lobe, half_.slope, half_.cosine, [&](int k, float fraction) {
@@ -313,16 +314,16 @@ class BoundNacre::FlakesOfPatch {
                 const sparkle::FlakeView::Body body = view.body(k);
                 FloatLanes exponent = -body.depth * depth;
                 if (pair_) exponent += pair_->gain(layer, body.depth);
-                FloatLanes answer = fraction * exp_lanes(exponent);
+                FloatLanes of_flake = fraction * exp_lanes(exponent);
                 const BoundFlakeFilms& films = surface_.films_[at];
-                if (films.vary()) answer *= films.ratio(half_.cosine, body.film);
-                answers += answer;
+                if (films.vary()) of_flake *= films.ratio(half_.cosine, body.film);
+                reflected += of_flake;
             });
         FloatLanes sum = splat(background);
         if (pair_ && background > 0) sum *= pair_->mean(layer, depth);
         if (any) {
             const FloatLanes safe = max_lanes(depth, splat(1e-20f));
-            sum += answers * (safe / one_minus_exp_lanes(safe));
+            sum += reflected * (safe / one_minus_exp_lanes(safe));
         }
         return sum;
     }

@@ -17,7 +17,7 @@ namespace nacre::bsdf {
 
 /// Chooses the model Nacre.
 struct NacreModel {
-    std::uint64_t specimen = 0;  ///< which flakes there are
+    std::uint64_t specimen = 0;  ///< which panel of the batch: the seed of its flakes
     /// Large flakes: light that has come in between the flakes finds the same gaps on its way out
     /// (HotSpotTables). Then the mean is no longer that of the solver.
     bool hot_spot = false;
@@ -31,18 +31,18 @@ struct NacreModel {
 /// The micro-flake model with single flakes: colour travel, sparkle and multiple scattering at
 /// once.
 ///
-/// Light that met exactly one flake is a sum over those of the patch that is looked at, each with
-/// its own place, size, slope, depth and films (sparkle/flake_field.h); the interface and what is
-/// scattered again are those of Microflake. Without a patch it is Microflake: that is the mean over
-/// all patches, exactly. A patch is read from Patch::rest, in millimetres; which flakes there are
+/// Single scattering is a sum over the flakes of the patch that is looked at, each with its own
+/// place, size, slope, depth and films (sparkle/flake_field.h); the interface and multiple
+/// scattering are those of Microflake. Without a patch it is Microflake: that is the mean over all
+/// patches, exactly. A patch is read from Patch::rest, in millimetres; which flakes there are
 /// depends on the specimen alone.                                      [docs/nacre-model.md]
 ///
-/// Under a binder whose index depends on the wavelength, which flakes answer is decided with the
+/// Under a binder whose index depends on the wavelength, which flakes reflect is decided with the
 /// mean index; the mean of each wavelength stays its own.
 class Nacre final : public Bsdf, public SingleFlakes {
  public:
-    /// @throws DomainError if the paint's clearcoat is rough, or its flakes are such as no
-    ///         FlakeField takes
+    /// @throws DomainError if the paint's clearcoat is rough, or its flakes are outside the range
+    ///         of FlakeField
     explicit Nacre(std::shared_ptr<const solver::SolvedPaint> paint,
                    const NacreModel& settings = {});
     ~Nacre() override;
@@ -133,8 +133,8 @@ class HotSpot {
 struct NacreSpecies {
     sparkle::FlakeField field;
     std::optional<FlakeFilms> films;  ///< empty: all alike
-    /// Fraction of all singly scattered light that it sends back, seen from above, roughly: how
-    /// often its flakes are sampled. The fractions add up to 1.
+    /// Fraction of all singly scattered light at normal incidence that it reflects, roughly: the
+    /// probability with which its flakes are sampled. The fractions add up to 1.
     float fraction;
 };
 
@@ -169,7 +169,7 @@ class BoundNacre final : public BoundMicroflake {
     class MeanHotSpot;
     class FlakesOfPatch;
 
-    // The flakes of a patch, by species: in its memory or, where it has none, in one of our own.
+    // The flakes of a patch, by species: in its memory or, where it has none, in one of its own.
     class Look {
      public:
         Look(const BoundNacre& surface, const Patch& patch);
@@ -185,7 +185,7 @@ class BoundNacre final : public BoundMicroflake {
     struct Probability {
         LobeProbabilities lobes;
         float flakes;       // all resolved
-        float per_species;  // times share times weight_sum: of those of one species
+        float per_species;  // times NacreSpecies::fraction times weight_sum: those of one species
     };
     Probability probability_on(const Look& look, const Ray& i) const;
     std::optional<Vec3f> draw_flake(const Look& look, const Probability& probability, const Ray& i,

@@ -16,7 +16,7 @@
 namespace nacre::bsdf {
 namespace {
 
-// Turning both directions together turns the half vector, which finds other flakes: eight turns
+// Turning both directions together turns the half vector, so that other flakes reflect: eight turns
 // make eight values of each patch.
 constexpr int kTurns = 8;
 
@@ -67,7 +67,7 @@ TEST(Nacre, MeanOverPatchesIsTheMicroflakeModel) {
     }
 }
 
-// Which flakes answer is decided for the mean index, what they weigh by each wavelength's own.
+// Which flakes reflect is decided with the mean index, their light with that of each wavelength.
 TEST(Nacre, MeanOverPatchesHoldsForABinderThatDisperses) {
     paint::Recipe recipe = paint_of({pearl_flake(20)});
     recipe.binder = optics::Material("crown", {400, 700}, {{1.56, 0}, {1.48, 0}});
@@ -117,8 +117,8 @@ TEST(Nacre, WithoutAPatchIsTheMicroflakeModel) {
     }
 }
 
-// What Campbell's theorem says of one species of flakes of one diameter, and nothing of the code
-// that is tested: Var X = nu Int W^2 dx  Int P K^2/(P*K)^2 dp  E[r^2] E[v^2].
+// Campbell's theorem for one species of flakes of one diameter, independent of the code under test:
+// Var X = nu Int W^2 dx  Int P K^2/(P*K)^2 dp  E[r^2] E[v^2].
 struct Campbell {
     double ior = 1.5, alpha = 0.1, diameter_um, flakes_per_mm2;
 
@@ -168,12 +168,11 @@ struct Campbell {
         return twice / (once * once);
     }
 
-    // E[v^2] for v = x e^(-u x) / (1 - e^-x), u even in [0, 1].
+    // E[v^2] for v = x e^(-u x) / (1 - e^-x), u uniform in [0, 1].
     static double depth(double x) { return x / 2 * (1 + std::exp(-x)) / -std::expm1(-x); }
 };
 
-// X of the first species, the only one of the paint: what single scattering on the patch is over
-// its mean.
+// X of the only species of the paint: single scattering on the patch over its mean.
 class Factor {
  public:
     Factor(const SparklingModel& model, double theta_i, double theta_o, double phi)
@@ -239,8 +238,8 @@ Vec3f inside(Vec3f w) {
     return {x, y, std::sqrt(1 - x * x - y * y)};
 }
 
-// From a point to a million flakes. 250 000 patches, each with eight times a chance of some 8 %
-// that any flake answers, give the variance to 1 %.
+// From a point to a million flakes. 250 000 patches, each at eight turns with a probability of some
+// 8 % that any flake reflects, give the variance to 1 %.
 TEST(Nacre, VarianceIsThatOfACompoundPoissonProcess) {
     const SparklingModel model(paint_of({metal_flake(10, 0.6)}));
     const Campbell campbell{.diameter_um = 10, .flakes_per_mm2 = model.flakes_per_mm2()};
@@ -269,7 +268,7 @@ TEST(Nacre, FilmsAddTheirOwnVariance) {
     const Factor x(model, 45, 35, 180);
     const double cosine = 0.5 * length(inside(x.wi()) + inside(x.wo()));
     const auto& flake = std::get<optics::Platelet>(model.paint->recipe.layers[0].flakes[0].body);
-    // The law itself, by a thousand of its quantiles.
+    // The thickness distribution itself, by a thousand of its quantiles.
     DoubleLanes sum{}, squares{};
     constexpr int kFilms = 1000;
     for (int i = 0; i < kFilms; ++i) {
@@ -298,7 +297,7 @@ TEST(Nacre, FilmsAddTheirOwnVariance) {
     EXPECT_GT(most, 1.3 * least);
 }
 
-// The same hash gives flakes of X to each species whatever the others reflect.
+// The flakes of a species do not depend on what the others reflect.
 TEST(Nacre, SpeciesAdd) {
     const auto difference = [](double first, double second) {
         const SparklingModel model(paint_of({metal_flake(20, first), metal_flake(9, second, 0.2)}));

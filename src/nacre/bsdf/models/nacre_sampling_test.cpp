@@ -10,13 +10,13 @@
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/nacre_model.h"
 
-// Sampling of the nacre model on a patch, and what a patch's memory may and may not change.
+// Sampling of the nacre model on a patch, with and without a patch's memory.
 
 namespace {
 std::atomic<long> allocations = 0;
 }  // namespace
 
-// Counts what a query allocates: nothing.
+// Counts allocations: a query must make none.
 [[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
     if (void* p = std::malloc(size)) return p;
@@ -28,7 +28,7 @@ std::atomic<long> allocations = 0;
 namespace nacre::bsdf {
 namespace {
 
-// What the patch shows, as a surface that is alike everywhere.
+// One patch of a surface, as a surface that does not vary.
 class OnPatch final : public BoundBsdf {
  public:
     OnPatch(const BoundBsdf& surface, const Patch& patch)
@@ -130,7 +130,7 @@ TEST(NacreSampling, MeanWeightIsTheIntegralOverThePatch) {
         const double found = sum / kSamples;
         const double error = std::sqrt((squares / kSamples - found * found) / kSamples);
         EXPECT_NEAR(found, integral, 4 * error + 0.003 * integral) << flakes << " flakes";
-        // A weight is about the light of the whole patch, whatever was found.
+        // The standard deviation of a weight is below the albedo of the patch.
         EXPECT_LT(error * std::sqrt(kSamples), found) << flakes << " flakes";
         differ += std::abs(integral - mean) > 0.05 * mean;
     }
@@ -218,7 +218,7 @@ TEST(NacrePatch, PartsAverageToTheWhole) {
     double change = 0;
     for (int n = 0; n < 200; ++n) {
         Patch whole = random_square_patch(rng, 0.012);
-        // Where single precision tells places to a thousandth of the side.
+        // Near the origin, where single precision resolves a thousandth of the side.
         whole.rest.position_mm = 0.05f * whole.rest.position_mm;
         for (const int edge : {0, 1}) {
             double sum = 0;
@@ -238,7 +238,7 @@ TEST(NacrePatch, PartsAverageToTheWhole) {
     EXPECT_GT(change, 10);
 }
 
-TEST(NacrePatch, AnswersTheSameWithAndWithoutMemoryInAnyOrder) {
+TEST(NacrePatch, IsTheSameWithAndWithoutMemoryInAnyOrder) {
     const SparklingModel& model = model_with_every_feature();
     Rng rng(7);
     for (int n = 0; n < 100; ++n) {
@@ -289,7 +289,7 @@ TEST(NacrePatch, QueriesWithMemoryAllocateNothing) {
     delete another;
 }
 
-TEST(NacrePatch, SeedsAndLayersHaveFlakesOfTheirOwn) {
+TEST(NacrePatch, SpecimensHaveFlakesOfTheirOwn) {
     paint::Recipe recipe = paint_of({metal_flake(20, 0.6)});
     const SparklingModel one(recipe, {.specimen = 1}), other(recipe, {.specimen = 2}),
         again(recipe, {.specimen = 1});

@@ -176,8 +176,8 @@ class BoundSpecialEffect final : public BoundBsdf {
                (static_cast<float>(fraction) * inverse_solid_angle_) * geometry(p);
     }
 
-    // A direction that visible facets mirror to, turned within the cone; empty where it does not
-    // leave.
+    // A direction into which visible facets reflect, turned within the cone; empty where it does
+    // not leave.
     std::optional<Ray> draw(const Ray& i, Vec2f u, Vec2f u_cone) const {
         const Vec3f m = facets_.sample_visible(i.inside, u);
         const Vec3f mirrored = 2 * dot(i.inside, m) * m - i.inside;
@@ -250,7 +250,7 @@ SpecialEffect::Tables make_tables(const paint::Recipe& recipe, std::uint64_t see
         throw DomainError(fmt::format("microfacet.facets.count = {} is not a whole number in {}",
                                       m.facets->count, sparkle::kFacetCountRange.text()));
     }
-    // An even law from -w to w has the standard deviation w / sqrt 3.
+    // The uniform distribution from -w to w has the standard deviation w / sqrt 3.
     const double reach_nm = std::numbers::sqrt3 * m.facets->thickness_spread_nm;
     if (reach_nm > m.film_thickness_nm) {
         throw DomainError(fmt::format(

@@ -14,7 +14,7 @@ namespace nacre::bsdf {
 
 /// Chooses the model SpecialEffect.
 struct SpecialEffectModel {
-    std::uint64_t specimen = 0;  ///< which facets there are
+    std::uint64_t specimen = 0;  ///< which panel of the batch: the seed of its facets
 
     static const ModelInfo info;
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
@@ -22,7 +22,8 @@ struct SpecialEffectModel {
     friend bool operator==(const SpecialEffectModel&, const SpecialEffectModel&) = default;
 };
 
-/// Films of thicknesses spread evenly over a range, at eight wavelengths: each, and on average.
+/// Films of thicknesses uniformly distributed over a range, at eight wavelengths: each, and on
+/// average.
 class SpreadFilm {
  public:
     SpreadFilm(const optics::AiryFilm& film, double film_ior, optics::ThicknessRange range,
@@ -33,11 +34,12 @@ class SpreadFilm {
     FloatLanes mean(float cosine) const { return mean(film_.at(cosine)); }
 
     /// The sum of R over the facets counted. Up to FacetTally::kListed of them: each with its own
-    /// thickness. Of more, M = kListed stand for all N: with their mean R_M,
+    /// thickness. Of more, M = kListed represent all N: with their mean R_M,
     ///   N (E + sqrt(M/N) (R_M - E)),
     /// whose mean N E_d[R] and variance N Var_d[R] are those of the sum, and so are its covariances
     /// between wavelengths, including those between calls; it stays between 0 and N. Guo et al.
-    /// draw a Gaussian of that mean and variance, which does neither.          [guo-2018]
+    /// draw a Gaussian of that mean and variance at each wavelength, which keeps neither the
+    /// covariances nor the bounds.                                             [guo-2018]
     FloatLanes sum(float cosine, const sparkle::FacetTally& facets) const;
 
  private:
@@ -61,10 +63,10 @@ inline constexpr double kSpreadFilmError = 5e-5;
 ///
 ///   f = (w_i.h) G2 / (A |Omega| (w_i.n) (w_o.n) (h.n))  (1/K) sum over facets of R(w_i.h, d_k)
 ///
-/// summed over the facets in a patch of area A, as a share of the object, that mirror w_i into the
-/// cone of half-angle gamma about w_o, whose solid angle is |Omega| = 2 pi (1 - cos gamma). R is
-/// the Airy reflectance, d_k even in d0 -+ sqrt(3) thickness_spread_nm. Reciprocal, as the cone
-/// holds the same facets when w_i and w_o change places.
+/// summed over the facets in a patch, A its area as a fraction of the object's, that reflect w_i
+/// into the cone of half-angle gamma about w_o, whose solid angle is |Omega| = 2 pi (1 - cos
+/// gamma). R is the Airy reflectance, d_k uniform in d0 -+ sqrt(3) thickness_spread_nm. Reciprocal,
+/// as the cone holds the same facets when w_i and w_o change places.
 ///
 /// - evaluate_on(), sample_on(): the facets of a patch. A patch without area within the unit
 ///   square holds no facets to count: it gives the mean, as without a patch. The caller must

@@ -78,7 +78,7 @@ TEST(SpecialEffect, MeanOverPatchesIsTheSmoothMean) {
     }
 }
 
-// A narrow cone blurs little, and a single thickness is no average: what is left is ThinFilm.
+// For a narrow cone and a single thickness the mean is ThinFilm.
 TEST(SpecialEffect, MeanIsTheThinFilmModelAveragedOverConeAndThickness) {
     paint::Recipe recipe = pigment(1e6, true);
     recipe.microfacet->alpha = 0.2;
@@ -112,7 +112,7 @@ TEST(SpecialEffect, IsReciprocal) {
             const FloatLanes mean_back = bound->eval(sample->wo, wi);
             for (int k = 0; k < kLanes; ++k) {
                 EXPECT_NEAR(there[k], back[k], 1e-4 * there[k]);
-                // The cone rule lies about one direction or the other.
+                // The rule's nodes lie about one direction or about the other.
                 EXPECT_NEAR(mean[k], mean_back[k], 1e-3 * mean[k]);
             }
             lit += there[0] > 0;
@@ -163,7 +163,7 @@ TEST(SpecialEffect, LosesButNeverGainsLight) {
                 const double tolerance = kSpecialEffectAlbedoError + 4 * 0.5 / std::sqrt(kSamples);
                 EXPECT_NEAR(sum[k] / kSamples, albedo[k], tolerance) << theta;
                 EXPECT_LE(albedo[k], 1);
-                // 30 facets a patch: the same light, in more random amounts.
+                // 30 facets a patch: the same mean, with more variance.
                 EXPECT_NEAR(on_patches[k] / kSamples, albedo[k], 2 * tolerance) << theta;
             }
         }
@@ -230,7 +230,7 @@ TEST(SpecialEffect, SamplesFollowTheirDensity) {
     }
 }
 
-// What is estimated with samples is the integral of the BRDF of that patch, facet by facet.
+// The mean weight is the integral of the BRDF of that patch, facet by facet.
 TEST(SpecialEffect, SamplingAPatchIsUnbiased) {
     const auto bound = SpecialEffect(pigment(1e6), 6).bind(kVisible);
     const Patch patch{0.37, 0.61, {3e-3f, 0}, {0, 4e-3f}};  // 12 facets
@@ -295,7 +295,7 @@ TEST(SpecialEffect, StaysFiniteForAnyPatchAndDirection) {
     }
 }
 
-TEST(SpecialEffect, OneFacetAndAMillionMillion) {
+TEST(SpecialEffect, OneFacetAndATrillion) {
     const Vec3f wi = direction(30, 0), wo = direction(30, 180);
     const Patch all{0.5, 0.5, {1, 0}, {0, 1}};
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

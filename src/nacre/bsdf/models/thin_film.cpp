@@ -12,7 +12,7 @@
 #include "nacre/optics/antialiased.h"
 #include "nacre/spectra/rgb.h"
 
-// F of the thin-film model.
+// The reflectance F of the thin-film model.
 
 namespace nacre::bsdf {
 
@@ -169,7 +169,7 @@ class BoundThinFilm final : public BoundBsdf {
         return reflectance_(p.cosine) * geometry * coat_.transfer(p.i, p.o);
     }
 
-    // A direction that visible facets mirror to; empty where it does not leave.
+    // A direction into which visible facets reflect; empty where it does not leave.
     std::optional<Ray> draw(const Ray& i, Vec2f u) const {
         const Vec3f h = facets_.sample_visible(i.inside, u);
         const Vec3f inside = 2 * dot(i.inside, h) * h - i.inside;

@@ -113,7 +113,7 @@ TEST(ThinFilm, VanishesSmoothlyIntoTheBareBase) {
         const Vec3f wi = direction(40, 0), wo = direction(44, 180);
         recipe.microfacet->film_thickness_nm = 0;
         const FloatLanes none = bind(recipe, colour)->eval(wi, wo);
-        // A film of air has no thickness that counts.
+        // A film of air changes nothing.
         paint::Recipe air = violet();
         air.microfacet->film_ior = 1;
         const FloatLanes bare = bind(air)->eval(wi, wo);
@@ -201,8 +201,8 @@ TEST(ThinFilm, LosesNoMoreLightThanSmithsMaskingSays) {
 }
 
 TEST(ThinFilm, SmoothFacetsUnderACoatKeepTheEnergyOfOneBounce) {
-    // t_i t_o (nothing absorbed, one reflection) and the coat's own: less than 1 by what would
-    // bounce.
+    // The coat's reflectance plus t_i t_o for one lossless reflection below: less than 1 by the
+    // interreflection, which is neglected.
     paint::Recipe recipe = mirror(FacetDistribution::beckmann, 0.002);
     recipe.clearcoat = paint::Clearcoat{40, 0.0, 0};
     const auto bound = bind(recipe);

@@ -115,8 +115,8 @@ BrdfTableRows::Workspace BrdfTableRows::make_workspace(int i) const {
     return work;
 }
 
-// g / f times what the tensors and the single scattering of the group leave out: its own Fresnel
-// factors, which differ from those of the mean index if the binder is dispersive.
+// g / f times the Fresnel factors of the group's own index, which the tensors and single scattering
+// do not contain, and which differ from those of the mean index if the binder is dispersive.
 double BrdfTableRows::scale(const Group& group, double theta_i, double theta_o) const {
     const double all = 1 / grid_.factor(theta_i, theta_o);
     if (grid_.roughness > 0) return all;
@@ -183,7 +183,8 @@ void BrdfTableRows::add_tensors(Workspace& work, double theta_o) const {
     }
 }
 
-// The closed form of solver::single_scattering, the depth integral once a pair of nodes.
+// The closed form of solver::single_scattering, with the integral over depth once per pair of polar
+// nodes.
 void BrdfTableRows::add_single(const Group& group, double scale, Workspace& work, int o) const {
     const double mu_i = solver::inside_cosine(group.ior, work.theta_i);
     const double mu_o = solver::inside_cosine(group.ior, grid_.angle(o));

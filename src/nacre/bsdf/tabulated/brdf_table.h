@@ -169,9 +169,9 @@ class BrdfTableRows {
     std::vector<Group> groups_;
 };
 
-// The BRDF of a solved paint as one big table of RGB values, and as its singular value
-// decomposition: the two representations that Mir et al. 2022 compare [mir-2022]. Their sizes are
-// the paper's; the nodes are ours (brdf_table_grid.h, docs/tables.md).
+// The BRDF of a solved paint as one big table of RGB values, which compression.h turns into its
+// singular value decomposition: the two representations that Mir et al. 2022 compare [mir-2022].
+// The sizes are the paper's; the nodes are Nacre's own (BrdfGrid, docs/tables.md).
 
 /// Every value: n^2 m of them per channel, 96 MiB for n = 256 and m = 128.
 struct RawBrdfTable {

@@ -22,7 +22,7 @@ optics::Platelet titania_on_mica() {
     return platelet;
 }
 
-// Pearl over opaque flakes, a pigment, an absorbing clearcoat, a ground.
+// Pearl over opaque flakes, a pigment, an absorbing clearcoat, a substrate.
 paint::Recipe everything(double roughness) {
     paint::Recipe recipe = solver::test::flake_paint(
         0.15, spectra::Spectrum({400.0, 700.0}, {0.4, 0.8}), 0.1, 1.5, 1.5);
@@ -171,7 +171,7 @@ const RawBrdfTable& pearl_table() {
     return table;
 }
 
-TEST(BrdfTableSvd, ErrorFallsWithRankAsTheSingularValuesSay) {
+TEST(BrdfTableSvd, EachRankAtLeastHalvesTheError) {
     double last = 1;
     for (int r = 1; r <= 5; ++r) {
         const double error = relative_error(compress(pearl_table(), {r, 0.5}), pearl_table());

@@ -19,7 +19,7 @@
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/fresnel.h"
 
-// What the tabulated model works out once a table, before any wavelength is chosen.
+// What the tabulated model computes once per table, before any wavelength is chosen.
 
 namespace nacre::bsdf {
 
@@ -56,7 +56,7 @@ struct Tabulated::Tables {
     std::array<float, 4> densities(const TableRay& i, const TableRay& o) const;
 
  private:
-    float leave(const TableRay& o) const;
+    float solid_angle_ratio(const TableRay& o) const;
     void fit_row(int row);
 };
 
@@ -101,8 +101,9 @@ BrdfGrid checked_grid(const Tabulated::Tables::Data& data) {
         data);
 }
 
-// Roughness of the flakes' lobe inside the coat. Under a rough interface facets of slope m refract
-// as half a flake of that slope reflects, roughly; the grid knows the narrowest lobe only.
+// Roughness of the flakes' lobe inside the coat; the grid knows the narrowest lobe only. A facet of
+// a rough interface of slope m turns refracted light by about half as much as a flake of that slope
+// turns reflected light.
 float flake_roughness(const BrdfGrid& grid) {
     return static_cast<float>(std::min(1.0, std::hypot(grid.lobe_alpha, 0.5 * grid.roughness)));
 }
@@ -172,21 +173,21 @@ const LobeProbabilities& Tabulated::Tables::probabilities_at(Vec3f wi) const {
 }
 
 // Solid angle inside over solid angle outside.
-float Tabulated::Tables::leave(const TableRay& o) const {
+float Tabulated::Tables::solid_angle_ratio(const TableRay& o) const {
     return o.outside.z / o.inside.z * (inverse_ior * inverse_ior);
 }
 
 std::array<float, 4> Tabulated::Tables::densities(const TableRay& i, const TableRay& o) const {
     return {interface ? interface->pdf(i.outside, o.outside) : 0.0f,
-            leave(o) * flakes.mixed_pdf(i.inside, o.inside, 1, 0),
-            leave(o) * flakes.mixed_pdf(i.inside, o.inside, 0, 1),
+            solid_angle_ratio(o) * flakes.mixed_pdf(i.inside, o.inside, 1, 0),
+            solid_angle_ratio(o) * flakes.mixed_pdf(i.inside, o.inside, 0, 1),
             o.outside.z * std::numbers::inv_pi_v<float>};
 }
 
 float Tabulated::Tables::density(const LobeProbabilities& p, const TableRay& i,
                                  const TableRay& o) const {
     const float facets = interface ? p.interface * interface->pdf(i.outside, o.outside) : 0.0f;
-    return facets + leave(o) * flakes.mixed_pdf(i.inside, o.inside, p.flakes, p.wide) +
+    return facets + solid_angle_ratio(o) * flakes.mixed_pdf(i.inside, o.inside, p.flakes, p.wide) +
            o.outside.z * (p.diffuse * std::numbers::inv_pi_v<float>);
 }
 
@@ -224,8 +225,8 @@ void Tabulated::Tables::fit_row(int row) {
 
     std::array<double, 4> fraction =
         fit_mixture(points, std::array<double, 4>{interface ? 0.25 : 0.0, 0.25, 0.25, 0.25});
-    // The specular lobe by its energy; a fiftieth of the rest, at least, goes everywhere, and as
-    // much to the wide lobe: that bounds the weights.
+    // The specular lobe by its energy; of the others, the cosine lobe has at least a fiftieth, and
+    // so has the wide lobe: that bounds the weights.
     const double specular =
         interface ? 0.0 : optics::dielectric_reflectance(1.0, grid.ior, std::cos(theta_i));
     const double p_specular = specular > 0 ? specular / (specular + energy + 1e-6) : 0.0;

@@ -44,7 +44,7 @@ const Model& gold() {
     return model;
 }
 
-// What the model should give at eight wavelengths: the colour of the solved spectrum, in the basis.
+// The colour of the solved spectrum, as a spectrum by the basis at eight wavelengths.
 FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double theta_o, double phi) {
     const auto f = paint.brdf(theta_i * kDegree, theta_o * kDegree, phi * kDegree);
     const auto weights = spectra::rec709_weights(paint.wavelengths_nm());
@@ -61,7 +61,7 @@ FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double the
     });
 }
 
-// Largest difference to that over the peak of each incident direction.
+// Largest difference to expected() over the peak of each incident direction.
 template <class Table>
 double worst_error(const solver::SolvedPaint& paint, std::shared_ptr<const Table> table,
                    double step_deg = 4.3) {
@@ -198,7 +198,7 @@ TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
     }
     EXPECT_GT(specular, 100);
     EXPECT_GT(others, 2000);
-    // A fiftieth of all samples goes everywhere, and the lobes fit: weights stay bounded.
+    // A fiftieth of all samples is drawn from the cosine lobe, which bounds the weights.
     EXPECT_LT(largest, 8);
 }
 
