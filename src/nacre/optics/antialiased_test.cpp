@@ -70,8 +70,8 @@ TEST(ObserverTransform, HasFallenBelowTheTailWhereTheTableEnds) {
     for (const auto s : observer_transform(ObserverTransform::table, 1e9)) EXPECT_EQ(s, 0.0);
 }
 
-// The fit of [belcour-barla-2017], integrated numerically over wave numbers: an observer under equal
-// energy with four Gaussian lobes in wave number. The numbers are those of the listing in the
+// The fit of [belcour-barla-2017], integrated numerically over wave numbers: an observer under
+// equal energy with four Gaussian lobes in wave number. The numbers are those of the listing in the
 // paper's supplement, evalSensitivity(), whose "var" is half of a variance: it multiplies
 // exp(-var phase^2), and the Fourier transform of a Gaussian is exp(-variance phase^2 / 2).
 struct Lobe {

@@ -34,7 +34,7 @@ using Rgb = Vec3f;
 
 /// Weights of the samples of a reflectance in its colour, linear Rec. 709 under D65 for the 2
 /// degree observer: a reflectance that is linear between its samples, and constant beyond the first
-/// and the last, has the colour  rgb = sum_i weights[i] reflectance[i],  by the sums over 360-780 nm
+/// and the last, has the colour rgb = sum_i weights[i] reflectance[i], by the sums over 360-780 nm
 /// at 5 nm of reflectance_to_xyz(). Colours are relative to the white of that sum: reflectance 1
 /// has (1, 1, 1), to rounding.
 /// @throws DomainError unless the wavelengths are finite and strictly increase, at least one
