@@ -14,9 +14,9 @@
 
 namespace nacre::sparkle {
 
-/// Counts up to which half_binomial() is the exact law.
+/// Counts up to which half_binomial() has the exact distribution.
 inline constexpr std::uint64_t kExactHalfBinomial = 256;
-/// Variance n p (1 - p) up to which binomial() is the exact law.
+/// Variance n p (1 - p) up to which binomial() has the exact distribution.
 inline constexpr double kExactBinomialVariance = 16;
 /// Beyond, by how much the variance may be off, in counts squared; the mean is exact.
 inline constexpr double kBinomialVarianceError = 1e-2;
@@ -25,12 +25,11 @@ namespace detail {
 
 inline constexpr std::uint64_t kNextBits = 0x9e3779b97f4a7c15u;
 
-// Rounds a bell-shaped number of this mean and variance to one of its two neighbours, with the
-// probabilities that keep the mean; the rounding adds 1/6 to the variance, which the bell leaves
-// out. The bell is the binomial law of 64 fair trials, interpolated linearly: a popcount plus the
-// difference of two uniforms, of variance 16 + 1/6. Its fourth moment is that of a binomial of 64,
-// where that of large counts is that of a Gaussian: 3 - 1/32 instead of 3. It ends at eight
-// standard deviations.
+// Rounds a nearly Gaussian number of this mean and variance to one of its two neighbours, with the
+// probabilities that keep the mean; the rounding adds 1/6 to the variance, which is subtracted
+// before. The distribution is the binomial one of 64 fair trials, interpolated linearly: a popcount
+// plus the difference of two uniforms, of variance 16 + 1/6. Its kurtosis is that of a binomial of
+// 64, 3 - 1/32, where a Gaussian has 3. It ends at eight standard deviations.
 inline double rounded_bell(double mean, double variance, std::uint64_t key) {
     const std::uint64_t spread = mix_bits(key + kNextBits);
     const double heads = std::popcount(mix_bits(key)) - 32;
@@ -42,8 +41,8 @@ inline double rounded_bell(double mean, double variance, std::uint64_t key) {
 
 }  // namespace detail
 
-/// How many of n fair trials, n < 2^53, succeed. Exact law up to kExactHalfBinomial trials (their
-/// bits are counted); beyond, a bell with the exact mean n/2 and variance n/4.
+/// How many of n fair trials, n < 2^53, succeed. Exact distribution up to kExactHalfBinomial trials
+/// (their bits are counted); beyond, nearly Gaussian with the exact mean n/2 and variance n/4.
 inline std::uint64_t half_binomial(std::uint64_t n, std::uint64_t key) {
     if (n > kExactHalfBinomial) {
         const double x = static_cast<double>(n);
@@ -55,16 +54,16 @@ inline std::uint64_t half_binomial(std::uint64_t n, std::uint64_t key) {
     return heads;
 }
 
-/// How many of n trials, n < 2^53, succeed with probability p in [0, 1]. Exact law, by inversion,
-/// while the variance is at most kExactBinomialVariance; beyond, a bell with the exact mean and a
-/// variance to kBinomialVarianceError.
+/// How many of n trials, n < 2^53, succeed with probability p in [0, 1]. Exact distribution, by
+/// inversion, while the variance is at most kExactBinomialVariance; beyond, nearly Gaussian with
+/// the exact mean and a variance to kBinomialVarianceError.
 inline std::uint64_t binomial(std::uint64_t n, double p, std::uint64_t key) {
     if (n == 0 || p <= 0) return 0;
     if (p >= 1) return n;
     if (p > 0.5) return n - binomial(n, 1 - p, key);
     const double trials = static_cast<double>(n), variance = trials * p * (1 - p);
     if (variance > kExactBinomialVariance) {
-        // The bell ends at 8 standard deviations; less than 2^-60 of it lies outside [0, n].
+        // It ends at 8 standard deviations; a probability below 2^-60 lies outside [0, n].
         return static_cast<std::uint64_t>(
             std::clamp(detail::rounded_bell(trials * p, variance, key), 0.0, trials));
     }
