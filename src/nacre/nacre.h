@@ -261,7 +261,12 @@ class Paint {
     /// @throws InputError as recipe(), if the recipe cannot be solved, or if the file holds the
     ///         solution at other wavelengths
     /// @throws DomainError if the settings are out of range; Error as solver::solve()
-    std::shared_ptr<const solver::SolvedPaint> solved(const SolveSettings& settings = {}) const;
+    std::shared_ptr<const solver::SolvedPaint> solved(const SolveSettings& settings = {},
+                                                      const Progress& progress = {}) const;
+    /// The memory in bytes that solving it takes, about: solver::memory_to_solve(). 0 where the
+    /// file holds a solution.
+    /// @throws as solved()
+    std::size_t memory_to_solve(const SolveSettings& settings = {}) const;
     /// Of all solutions so far.
     std::vector<SolverWarning> warnings() const;
 
@@ -298,7 +303,8 @@ class Paint {
     Exported export_merl(const MerlSettings& merl = {}, const BrdfSettings& settings = {},
                          const Progress& progress = {}) const;
     /// The bytes of a file of the solved paint. @throws as solved() and io::solved_paint_bytes()
-    std::string export_solved(const SolveSettings& settings = {}) const;
+    std::string export_solved(const SolveSettings& settings = {},
+                              const Progress& progress = {}) const;
     /// The bytes of a file of the table that a model renders from.
     /// @throws as solved() and Model::make_table(); DomainError if the model makes no table
     std::string export_table(const Model& model, const SolveSettings& solve = {},

@@ -121,7 +121,10 @@ ExitStatus run(const PanelOptions& options) {
     const InterruptHandler interrupt;
     const Stopwatch watch;
 
-    const Look look = paint.appearance(model);
+    const Look look = [&] {
+        ProgressBar bar("solve", options.quiet);
+        return paint.appearance(model, {}, bar.callback());
+    }();
     say_warnings(options, paint);
     if (!paint.has_recipe()) {
         throw InputError(

@@ -23,6 +23,9 @@ struct SolveOptions : CommonOptions {
     ModelOptions model;  // only --table: of the default model
 };
 
+/// Bytes, from which on a solve says beforehand how much memory it takes.
+constexpr std::size_t kMemoryToSay = 1'000'000'000;
+
 /// The solved paint, or (--table raw or svd) the RGB table that is made of it.
 std::string solution_bytes(const SolveOptions& options, const bsdf::Model& model,
                            const Paint& paint, const SolveSettings& settings) {
@@ -40,7 +43,14 @@ ExitStatus run(const SolveOptions& options) {
         parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength),
         options.settings};
     const Paint paint = open(options.recipe);
-    const auto solved = paint.solved(settings);
+    if (const std::size_t bytes = paint.memory_to_solve(settings); bytes > kMemoryToSay) {
+        say(options, fmt::format("{}: takes about {:.1f} GB of memory", options.recipe,
+                                 static_cast<double>(bytes) / 1e9));
+    }
+    const auto solved = [&] {
+        ProgressBar bar("solve", options.quiet);
+        return paint.solved(settings, bar.callback());
+    }();
     say_warnings(options, paint);
     const double solve_s = watch.seconds();
     const std::string bytes = solution_bytes(options, model, paint, settings);

@@ -170,7 +170,10 @@ ExitStatus run(SparkleOptions options) {
     const Stopwatch watch;
     const Paint paint = open(options.recipe);
     refuse_measured_brdf(paint);
-    const auto look = paint.appearance(model);
+    const auto look = [&] {
+        ProgressBar bar("solve", options.quiet);
+        return paint.appearance(model, {}, bar.callback());
+    }();
     say_warnings(options, paint);
     const double solved_s = watch.seconds();
     measure::PanelPictures pictures;

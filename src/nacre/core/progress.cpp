@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "nacre/core/error.h"
+
 namespace nacre {
 namespace {
 
@@ -29,6 +31,30 @@ extern "C" void on_signal(int signal_number) {
 }
 
 }  // namespace
+
+void WorkCounter::report() {
+    last_asked_ = Clock::now();
+    if (!stopped_ && !progress_(std::min(1.0, done_ / total_))) stopped_ = true;
+}
+
+void WorkCounter::add(double done) {
+    if (!progress_) return;
+    const std::scoped_lock lock(mutex_);
+    done_ += done;
+    report();
+}
+
+bool WorkCounter::ask() {
+    constexpr std::chrono::milliseconds kInterval{50};
+    if (!progress_ || stopped_) return !stopped_;
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (lock.owns_lock() && Clock::now() - last_asked_ >= kInterval) report();
+    return !stopped_;
+}
+
+void WorkCounter::require_going(const char* what) {
+    if (!ask()) throw Error(fmt::format("{} was stopped", what));
+}
 
 InterruptHandler::InterruptHandler() : active_(!installed.exchange(true)) {
     if (!active_) return;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
+#include <mutex>
 #include <string>
 
 // The library is silent: long work reports through a callback and asks it whether to go on. The
@@ -13,6 +15,37 @@ namespace nacre {
 /// Called now and then, from one thread at a time, with the fraction done in [0, 1].
 /// Returning false asks the work to stop at the next safe point.
 using Progress = std::function<bool(double fraction)>;
+
+/// Progress of work that several threads do in pieces: counts the pieces and asks the caller, from
+/// one thread at a time, whether to go on.
+class WorkCounter {
+ public:
+    /// @param progress  may be empty; outlives the counter
+    /// @param total     of what add() counts, > 0
+    WorkCounter(const Progress& progress, double total) : progress_(progress), total_(total) {}
+
+    /// Counts what is done and reports it.
+    void add(double done = 1);
+    /// Asks without counting, for loops inside of long pieces: at most every 50 ms, and never
+    /// waiting for another thread that asks. @return false if the caller asked to stop
+    bool ask();
+    /// Whether the caller asked to stop; threads begin no further piece.
+    bool stopped() const { return stopped_; }
+    /// Asks, as above, and ends a loop of threads if it must stop.
+    /// @throws Error "`what` was stopped"
+    void require_going(const char* what);
+
+ private:
+    using Clock = std::chrono::steady_clock;
+
+    void report();
+
+    const Progress& progress_;
+    double total_, done_ = 0;
+    Clock::time_point last_asked_{};
+    std::mutex mutex_;
+    std::atomic<bool> stopped_ = false;
+};
 
 /// While it lives, the first SIGINT or SIGTERM only sets a flag; the second ends the program at
 /// once, by that signal. The destructor puts back what was there before and clears the flag.

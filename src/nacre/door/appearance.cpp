@@ -115,7 +115,9 @@ std::shared_ptr<const bsdf::Bsdf> Paint::appearance(const std::optional<Model>& 
         }
         input.table = *table;
     } else {
-        if (shown.info().solution != bsdf::Solution::none) input.solved = solved(solve);
+        if (shown.info().solution != bsdf::Solution::none) {
+            input.solved = solved(solve, only_asking(progress));
+        }
         input.recipe = recipe();
     }
     auto look = state_->naming_file([&] { return shown.make(input, progress); });
@@ -147,7 +149,7 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     SolveSettings solve;
     if (has_exact_values) {
         solve.wavelengths_nm = settings.wavelengths_nm;
-        const auto paint = solved(solve);
+        const auto paint = solved(solve, only_asking(progress));
         if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = paint->wavelengths_nm();
         if (!settings.as_rendered) {
             std::vector<std::size_t> positions;

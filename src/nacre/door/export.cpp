@@ -65,13 +65,13 @@ Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settin
             measure::table_error(bsdf::MeasuredMerl(table), values, values.wavelengths_nm(), true)};
 }
 
-std::string Paint::export_solved(const SolveSettings& settings) const {
-    return io::solved_paint_bytes(*solved(settings));
+std::string Paint::export_solved(const SolveSettings& settings, const Progress& progress) const {
+    return io::solved_paint_bytes(*solved(settings, progress));
 }
 
 std::string Paint::export_table(const Model& model, const SolveSettings& solve,
                                 const Progress& progress) const {
-    const auto table = model.make_table(*solved(solve), progress);
+    const auto table = model.make_table(*solved(solve, only_asking(progress)), progress);
     if (!table) {
         throw SettingError("model", "renders from no table, as chosen",
                            std::string(model.info().name));

@@ -208,7 +208,22 @@ Paint Paint::with(std::string_view key, double value) const {
     return Paint(std::make_shared<const State>(std::move(changed), state_->file));
 }
 
-std::shared_ptr<const solver::SolvedPaint> Paint::solved(const SolveSettings& settings) const {
+namespace {
+
+/// @throws InputError as Paint::recipe(), or naming the file if the recipe has no layers
+const paint::Recipe& recipe_to_solve(const Paint& paint, const std::string& label) {
+    const paint::Recipe& recipe = paint.recipe();
+    if (recipe.layers.empty()) {
+        throw InputError(fmt::format(
+            "{}: layer: is missing; solving a paint needs at least one [[layer]]", label));
+    }
+    return recipe;
+}
+
+}  // namespace
+
+std::shared_ptr<const solver::SolvedPaint> Paint::solved(const SolveSettings& settings,
+                                                         const Progress& progress) const {
     if (const auto* stored =
             std::get_if<std::shared_ptr<const solver::SolvedPaint>>(&state_->contents)) {
         for (double wavelength_nm : settings.wavelengths_nm) {
@@ -216,12 +231,7 @@ std::shared_ptr<const solver::SolvedPaint> Paint::solved(const SolveSettings& se
         }
         return *stored;
     }
-    const paint::Recipe& paint = recipe();
-    if (paint.layers.empty()) {
-        throw InputError(
-            fmt::format("{}: layer: is missing; solving a paint needs at least one [[layer]]",
-                        state_->label()));
-    }
+    const paint::Recipe& paint = recipe_to_solve(*this, state_->label());
     const std::shared_ptr<State::Solution> solution = state_->solution(in_order(settings));
     const std::lock_guard lock(solution->mutex);
     if (!solution->paint) {
@@ -229,12 +239,21 @@ std::shared_ptr<const solver::SolvedPaint> Paint::solved(const SolveSettings& se
         // caller's meanwhile, which might ask for it again and wait for itself.
         tbb::this_task_arena::isolate([&] {
             state_->naming_file([&] {
-                solution->paint = std::make_shared<const solver::SolvedPaint>(solver::solve(
-                    paint, solution->settings.wavelengths_nm, solution->settings.resolution));
+                solution->paint = std::make_shared<const solver::SolvedPaint>(
+                    solver::solve(paint, solution->settings.wavelengths_nm,
+                                  solution->settings.resolution, nullptr, progress));
             });
         });
     }
     return solution->paint;
+}
+
+std::size_t Paint::memory_to_solve(const SolveSettings& settings) const {
+    if (kind() == Kind::solved_paint) return 0;
+    const paint::Recipe& paint = recipe_to_solve(*this, state_->label());
+    const SolveSettings ordered = in_order(settings);
+    return state_->naming_file(
+        [&] { return solver::memory_to_solve(paint, ordered.wavelengths_nm, ordered.resolution); });
 }
 
 std::vector<SolverWarning> Paint::warnings() const {

@@ -49,8 +49,11 @@ void require_effect(const FreeNumbers& numbers) {
 }
 
 /// With the default settings of the solver, without the reduced accuracy of the search.
-measure::Measurement colours_of(const Target& target, const paint::Recipe& recipe) {
-    return target.read(solver::solve(recipe, target.wavelengths_nm(Detail::fine)), Detail::fine);
+measure::Measurement colours_of(const Target& target, const paint::Recipe& recipe,
+                                WorkCounter& work) {
+    return target.read(solver::solve(recipe, target.wavelengths_nm(Detail::fine), {}, nullptr,
+                                     [&](double) { return work.ask(); }),
+                       Detail::fine);
 }
 
 std::vector<double> values_at(const FreeNumbers& numbers, const std::vector<double>& x) {
@@ -115,7 +118,8 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     const Target target(standard, options.target);
     paint::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
     require_effect(numbers);
-    ColourModel model(numbers, target);
+    WorkCounter work(progress, 1);
+    ColourModel model(numbers, target, work);
 
     Fit out;
     out.standard = target.standard();
@@ -123,15 +127,16 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
         return measure::difference(target.standard(), sample, options.target.weights);
     };
     // Errors of the recipe are thrown here.
-    out.at_start = compare(colours_of(target, numbers.start()));
+    out.at_start = compare(colours_of(target, numbers.start(), work));
 
     SearchEffort effort;
     const std::vector<Descent> minima =
-        search(model, numbers.start_point(), options.starts, options.seed, progress, effort);
+        search(model, numbers.start_point(), options.starts, options.seed, work, effort);
     const Descent& best = minima[0];
     const auto at_best = model.evaluate(best.x, Detail::fine);
     const auto jacobian =
         at_best ? model.central_jacobian(best.x, *at_best, Detail::fine) : std::nullopt;
+    if (work.stopped()) throw Error(kStopped);
     if (!jacobian) throw Error(model.first_failure());
     out.certainty = certainty(at_best->residuals, *jacobian, numbers.size(),
                               {options.noise_delta_e, 3 * target.geometry_count(),
@@ -142,7 +147,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
 
     out.recipe = numbers.at(best.x);
     out.estimates = estimates_at(numbers, best.x, out.certainty);
-    out.colours = colours_of(target, out.recipe);
+    out.colours = colours_of(target, out.recipe, work);
     out.difference = compare(out.colours);
     out.converged = best.converged;
     out.ended = best.ended;
@@ -162,14 +167,15 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
         }
     }
     for (std::size_t i = 1; i < minima.size(); ++i) {
-        const measure::Difference there = compare(colours_of(target, numbers.at(minima[i].x)));
+        const measure::Difference there =
+            compare(colours_of(target, numbers.at(minima[i].x), work));
         if (there.mean_delta_e_2000 > out.difference.mean_delta_e_2000 + options.equal_delta_e) {
             continue;
         }
         out.alternatives.push_back({values_at(numbers, minima[i].x), there.mean_delta_e_2000,
                                     there.max_delta_e_2000, minima[i].converged, minima[i].ended});
     }
-    if (progress) progress(1.0);
+    work.add();
     out.effort = {model.solves(),
                   static_cast<int>(model.films()),
                   effort.points,

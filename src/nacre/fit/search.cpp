@@ -164,29 +164,27 @@ constexpr std::size_t kMaxFineStarts = 3;
 constexpr double kScreeningFraction = 0.15, kShortFraction = 0.25, kCoarseFraction = 0.3,
                  kFineFraction = 0.25;
 
-/// Sums the progress of all threads and reports it to the caller, one call at a time.
+/// Progress in phases, each of which is a fraction of the work, whatever its units.
 class Meter {
  public:
-    Meter(ColourModel& model, const Progress& progress) : model_(model), progress_(progress) {}
+    explicit Meter(WorkCounter& work) : work_(work) {}
 
     void begin(double fraction, double units) {
-        base_ += fraction_;
-        fraction_ = fraction;
-        units_ = units;
-        done_ = 0;
+        work_.add(left_);
+        left_ = fraction;
+        unit_ = fraction / units;
     }
     void add(double units) {
         const std::lock_guard lock(mutex_);
-        done_ = std::min(done_ + units, units_);
-        if (!progress_ || model_.stopped()) return;
-        if (!progress_(std::min(1.0, base_ + fraction_ * done_ / units_))) model_.stop();
+        const double done = std::min(units * unit_, left_);
+        left_ -= done;
+        work_.add(done);
     }
 
  private:
-    ColourModel& model_;
-    const Progress& progress_;
+    WorkCounter& work_;
     std::mutex mutex_;
-    double base_ = 0, fraction_ = 0, units_ = 1, done_ = 0;
+    double left_ = 0, unit_ = 0;  // of the phase
 };
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
@@ -196,7 +194,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 void require_going(const ColourModel& model) {
-    if (model.stopped()) throw Error("the fit was stopped before it was done");
+    if (model.stopped()) throw Error(kStopped);
 }
 
 struct Candidate {
@@ -273,9 +271,9 @@ std::vector<Descent> distinct(const std::vector<Descent>& ends) {
 
 }  // namespace
 
-std::vector<Descent> search(ColourModel& model, const std::vector<double>& start, int starts,
-                            std::uint64_t seed, const Progress& progress, SearchEffort& effort) {
-    Meter meter(model, progress);
+std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,
+                            std::uint64_t seed, WorkCounter& work, SearchEffort& effort) {
+    Meter meter(work);
     std::vector<std::vector<double>> points = {start};
     for (auto& point :
          halton_points(static_cast<std::size_t>(starts - 1) * points_per_start(start.size()),

@@ -45,9 +45,9 @@ struct SearchEffort {
 /// coarse ones ended. Interference colours repeat with the order, so that there are several minima,
 /// and the nearest one need not be the right one.
 ///
-/// @param progress  told the fraction done; where it returns false the model is stopped
-/// @throws Error if there is no paint at the start, or progress asked to stop
-std::vector<Descent> search(ColourModel& model, const std::vector<double>& start, int starts,
-                            std::uint64_t seed, const Progress& progress, SearchEffort& effort);
+/// @param work  of total 1: told the fraction done, up to 0.95
+/// @throws Error if there is no paint at the start, or the work is stopped
+std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,
+                            std::uint64_t seed, WorkCounter& work, SearchEffort& effort);
 
 }  // namespace nacre::fit

@@ -168,9 +168,10 @@ constexpr std::size_t kFilmsKept = 64;
 
 }  // namespace
 
-ColourModel::ColourModel(const FreeNumbers& numbers, const Target& target)
+ColourModel::ColourModel(const FreeNumbers& numbers, const Target& target, WorkCounter& work)
     : numbers_(numbers),
       target_(target),
+      work_(work),
       films_{solver::FilmCache{kFilmsKept, kCosines[0]}, solver::FilmCache{kFilmsKept, kCosines[1]},
              solver::FilmCache{kFilmsKept, kCosines[2]}} {}
 
@@ -187,15 +188,15 @@ std::string ColourModel::first_failure() const {
 
 std::optional<ColourModel::Evaluation> ColourModel::evaluate(
     std::span<const double> x, Detail detail, const solver::SolverSettings* settings) const {
-    if (stopped_) return std::nullopt;
+    if (stopped()) return std::nullopt;
     try {
         solver::SolverSettings chosen;
         if (settings) chosen = *settings;
         chosen.tolerance = kTolerance[static_cast<int>(detail)];
         ++solves_;
-        const solver::SolvedPaint paint =
-            solver::solve(numbers_.at(x), target_.wavelengths_nm(detail), chosen,
-                          &films_[static_cast<int>(detail)]);
+        const solver::SolvedPaint paint = solver::solve(
+            numbers_.at(x), target_.wavelengths_nm(detail), chosen,
+            &films_[static_cast<int>(detail)], [this](double) { return work_.ask(); });
         chosen.exit_nodes = paint.report.exit_nodes;
         chosen.inner_nodes = paint.report.inner_nodes;
         chosen.max_orders = paint.report.orders;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "nacre/core/progress.h"
 #include "nacre/fit/free_numbers.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/solver/film_cache.h"
@@ -78,6 +79,9 @@ class Target {
 measure::Measurement restated(const measure::Measurement& measurement,
                               const measure::Conditions& conditions);
 
+/// What a fit says that was stopped.
+inline constexpr const char* kStopped = "the fit was stopped before it was done";
+
 /// From a point of the unit cube to the residuals, whose sum of squares the fit minimises. Safe to
 /// call from several threads at once.
 class ColourModel {
@@ -89,7 +93,8 @@ class ColourModel {
         solver::SolverSettings settings;
     };
 
-    ColourModel(const FreeNumbers& numbers, const Target& target);
+    /// @param work  asked, while paints are solved, whether to go on
+    ColourModel(const FreeNumbers& numbers, const Target& target, WorkCounter& work);
 
     const FreeNumbers& numbers() const { return numbers_; }
     const Target& target() const { return target_; }
@@ -111,8 +116,8 @@ class ColourModel {
                                                         const Evaluation& at_x,
                                                         Detail detail) const;
 
-    void stop() { stopped_ = true; }
-    bool stopped() const { return stopped_; }
+    /// Whether the caller asked to stop.
+    bool stopped() const { return work_.stopped(); }
     int solves() const { return solves_; }
     std::size_t films() const;
     std::string first_failure() const;
@@ -130,9 +135,9 @@ class ColourModel {
 
     const FreeNumbers& numbers_;
     const Target& target_;
+    WorkCounter& work_;
     mutable std::array<solver::FilmCache, 3> films_;  // by detail
     mutable std::atomic<int> solves_ = 0;
-    std::atomic<bool> stopped_ = false;
     mutable std::mutex mutex_;
     mutable std::string first_failure_;
 };

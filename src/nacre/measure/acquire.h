@@ -1,7 +1,5 @@
 #pragma once
 
-#include <atomic>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -27,16 +25,13 @@ inline void require_table_size(double bytes) {
 /// @throws Error if `progress` asks to stop
 template <class Body>
 void for_each_row(int rows, const Progress& progress, const Body& body) {
-    std::atomic<bool> stop = false;
-    int done = 0;
-    std::mutex report;
+    WorkCounter counter(progress, rows);
     parallel_for(0, static_cast<std::size_t>(rows), [&](std::size_t row) {
-        if (stop) return;
+        if (counter.stopped()) return;
         body(static_cast<int>(row));
-        const std::lock_guard lock(report);
-        if (progress && !progress(static_cast<double>(++done) / rows)) stop = true;
+        counter.add();
     });
-    if (stop) throw Error("measuring the BRDF was stopped");
+    if (counter.stopped()) throw Error("measuring the BRDF was stopped");
 }
 
 /// Cells of a table over half and difference angles, [2, 1024] each. Reading code of the database

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/spectra/rgb.h"
 
@@ -154,19 +153,14 @@ Measurement measure(const std::string& name, const Brdf& brdf,
     Measurement measurement{name, conditions, wavelengths_nm, {}};
     measurement.readings.resize(geometries.size());
     const Instrument instrument(brdf, wavelengths_nm.size(), conditions.aperture);
-    std::mutex mutex;
-    std::atomic<bool> stopped = false;
-    std::size_t done = 0;
+    WorkCounter counter(progress, static_cast<double>(geometries.size()));
     parallel_for(0, geometries.size(), [&](std::size_t i) {
-        if (stopped) return;
+        if (counter.stopped()) return;
         measurement.readings[i] =
             coloured(geometries[i], wavelengths_nm, instrument.read(geometries[i]), conditions);
-        if (!progress) return;
-        const std::scoped_lock lock(mutex);
-        ++done;
-        if (!stopped && !progress(static_cast<double>(done) / geometries.size())) stopped = true;
+        counter.add();
     });
-    if (stopped) throw Error("the measurement was stopped before all angles were read");
+    if (counter.stopped()) throw Error("the measurement was stopped before all angles were read");
     return measurement;
 }
 

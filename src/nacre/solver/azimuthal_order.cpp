@@ -43,7 +43,7 @@ LaneBuffer balanced_extinction(const LayerMedium& layer, const FourierKernel& ke
 }  // namespace
 
 PaintBlock make_block(const PaintMedium& medium, const Directions& d, const ActiveNodes& active,
-                      int lit, int block) {
+                      int lit, int block, WorkCounter* work) {
     const int n = d.size();
     PaintBlock out;
     out.substrate = block_lanes(medium.substrate_reflectance, block);
@@ -57,7 +57,7 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d, const Acti
     }
     LaneBuffer depth(lit, DoubleLanes{});  // above the layer, one way
     for (const LayerMedium& layer : medium.layers) {
-        FourierKernel kernel(layer, d, active, block);
+        FourierKernel kernel(layer, d, active, block, work);
         LaneBuffer total = balanced_extinction(layer, kernel, d, block, out.unresolved);
         DoubleLanes deepest{};
         for (int i = 0; i < n; ++i) {

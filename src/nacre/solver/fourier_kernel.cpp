@@ -97,7 +97,7 @@ ActiveNodes::ActiveNodes(const Directions& d, double alpha, int orders) {
 }
 
 FourierKernel::FourierKernel(const LayerMedium& layer, const Directions& d,
-                             const ActiveNodes& active, int block) {
+                             const ActiveNodes& active, int block, WorkCounter* work) {
     std::size_t total = 0;
     for (int l = 0; l < active.orders(); ++l) {
         offset_.push_back(total);
@@ -105,13 +105,22 @@ FourierKernel::FourierKernel(const LayerMedium& layer, const Directions& d,
     }
     same_.assign(total, FloatLanes{});
     opposite_.assign(total, FloatLanes{});
-    for (const FlakeMedium& flake : layer.flakes) add_flakes(flake, d, active, block);
-    for (const PigmentMedium& pigment : layer.pigments) add_pigment(pigment, d, active, block);
+    for (const FlakeMedium& flake : layer.flakes) add_flakes(flake, d, active, block, work);
+    for (const PigmentMedium& pigment : layer.pigments) {
+        add_pigment(pigment, d, active, block, work);
+    }
+}
+
+std::size_t FourierKernel::bytes(const Directions& d, const ActiveNodes& active) {
+    std::size_t total = 0;
+    for (int l = 0; l < active.orders(); ++l) total += triangle(d.size() - active.first(l));
+    return 2 * total * sizeof(FloatLanes);
 }
 
 void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
-                               const ActiveNodes& active, int block) {
+                               const ActiveNodes& active, int block, WorkCounter* work) {
     tbb::parallel_for(0, d.size(), [&](int i) {
+        if (work) work->require_going(kSolving);
         thread_local PairScratch scratch;
         const double s_i = std::sqrt((1 - d.mu[i]) * (1 + d.mu[i]));
         for (int j = 0; j <= i; ++j) {
@@ -131,7 +140,7 @@ void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
 }
 
 void FourierKernel::add_pigment(const PigmentMedium& pigment, const Directions& d,
-                                const ActiveNodes& active, int block) {
+                                const ActiveNodes& active, int block, WorkCounter* work) {
     // sum over n >= l of (2n + 1)/(4 pi) g^n Lambda_n^l(mu_i) Lambda_n^l(mu_j), Lambda the Legendre
     // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
     const double g = pigment.anisotropy;
@@ -142,6 +151,7 @@ void FourierKernel::add_pigment(const PigmentMedium& pigment, const Directions& 
     const DoubleLanes scattering = block_lanes(pigment.scattering_per_um, block);
     const int orders = std::min(active.orders(), degrees);
     tbb::parallel_for(0, orders, [&](int l) {
+        if (work) work->require_going(kSolving);
         const int first = active.first(l), m = d.size() - first;
         const int terms = degrees - l;
         std::vector<double> lambda(static_cast<std::size_t>(m) * terms);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "nacre/core/lanes.h"
+#include "nacre/core/progress.h"
 #include "nacre/solver/directions.h"
 #include "nacre/solver/medium.h"
 
@@ -15,6 +16,9 @@
 // of travel, "opposite" changes it.
 
 namespace nacre::solver {
+
+/// What the message of a solver that was stopped calls its work.
+inline constexpr const char* kSolving = "solving the paint";
 
 /// Number of elements of a packed lower triangle, and so where row `rows` begins.
 constexpr std::size_t triangle(std::size_t rows) { return rows * (rows + 1) / 2; }
@@ -40,8 +44,12 @@ class ActiveNodes {
 /// solver takes extinction from the sums of these very numbers, so that rounding costs no energy.
 class FourierKernel {
  public:
+    /// @throws Error if `work`, where given, is stopped
     FourierKernel(const LayerMedium& layer, const Directions& directions, const ActiveNodes& active,
-                  int block);
+                  int block, WorkCounter* work = nullptr);
+
+    /// Memory that one takes, in bytes.
+    static std::size_t bytes(const Directions& directions, const ActiveNodes& active);
 
     /// Rows i >= j of order l, both counted from active.first(l): element i (i + 1)/2 + j.
     const FloatLanes* same(int l) const { return same_.data() + offset_[l]; }
@@ -49,9 +57,9 @@ class FourierKernel {
 
  private:
     void add_flakes(const FlakeMedium& flake, const Directions& d, const ActiveNodes& active,
-                    int block);
+                    int block, WorkCounter* work);
     void add_pigment(const PigmentMedium& pigment, const Directions& d, const ActiveNodes& active,
-                     int block);
+                     int block, WorkCounter* work);
 
     std::vector<std::size_t> offset_;
     std::vector<FloatLanes> same_, opposite_;

@@ -39,7 +39,9 @@ std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::Vector
         ++pair;
     });
     scale.reserve(pair);
-    for_each_pair(r, [&](int i, int j) { scale.push_back(std::max(std::min(by_node[i], by_node[j]), kBlackBrdf)); });
+    for_each_pair(r, [&](int i, int j) {
+        scale.push_back(std::max(std::min(by_node[i], by_node[j]), kBlackBrdf));
+    });
     return scale;
 }
 

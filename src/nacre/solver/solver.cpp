@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "nacre/core/error.h"
+#include "nacre/core/memory.h"
 #include "nacre/solver/azimuthal_order.h"
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/wavelength_groups.h"
@@ -21,8 +22,9 @@ namespace {
 // Solves wavelengths that share one index of the binder.
 class GroupSolver {
  public:
-    GroupSolver(const PaintMedium& medium, const Resolution& resolution)
-        : directions_(
+    GroupSolver(const PaintMedium& medium, const Resolution& resolution, WorkCounter& work)
+        : work_(work),
+          directions_(
               make_directions(medium.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
           active_(directions_, resolution.lobe_alpha, resolution.orders),
           wavelengths_(medium.wavelength_count()) {
@@ -31,7 +33,8 @@ class GroupSolver {
         const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(paint::block_count(wavelengths_));
         tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
-            blocks_[b] = make_block(medium, directions_, active_, lit, static_cast<int>(b));
+            blocks_[b] = make_block(medium, directions_, active_, lit, static_cast<int>(b), &work_);
+            work_.add(kBlockWork);
         });
         set_peaks(medium);
     }
@@ -58,6 +61,7 @@ class GroupSolver {
             const int count = std::min(kChunk, active_.orders() - from);
             std::vector<LaneBuffer> values(static_cast<std::size_t>(count) * blocks);
             tbb::parallel_for(0, count * blocks, [&](int task) {
+                work_.require_going(kSolving);
                 const int order = from + task / blocks;
                 const int rows = directions_.exit_count - active_.first(order);
                 if (rows <= 0) return;
@@ -72,6 +76,7 @@ class GroupSolver {
                 } else {
                     solve_order(block, directions_, active_, order, work, at);
                 }
+                work_.add();
             });
             double chunk = 0;
             for (int c = 0; c < count; ++c) {
@@ -87,7 +92,15 @@ class GroupSolver {
         return out;
     }
 
+    // Of a group of `wavelengths`, in units of one order of one block.
+    static double work(int wavelengths, const Resolution& resolution) {
+        return paint::block_count(wavelengths) * (kBlockWork + resolution.orders);
+    }
+
  private:
+    // Making a block takes the time of about so many of its orders.
+    static constexpr int kBlockWork = 10;
+
     // The scale of the tolerance: the BRDF in the specular direction of each exit node, by single
     // scattering alone, a lower bound.
     void set_peaks(const PaintMedium& medium) {
@@ -162,6 +175,7 @@ class GroupSolver {
         return size;
     }
 
+    WorkCounter& work_;
     Directions directions_;
     ActiveNodes active_;
     std::optional<RoughInterfaceOperators> interface_;  // if rough
@@ -170,10 +184,50 @@ class GroupSolver {
     LaneBuffer peak_;
 };
 
+// The peak of the memory that a solution takes, in bytes: the kernels of the group that is being
+// solved, and the values of all groups three times (by group, together, and the residual of their
+// compression).
+std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
+                      const Resolution& resolution) {
+    const auto wavelengths = static_cast<std::size_t>(medium.wavelength_count());
+    std::size_t kernels = 0, pairs = 0;
+    for (const WavelengthGroup& group : groups) {
+        const Directions d = make_directions(medium.ior[group.members[0]], resolution.exit_nodes,
+                                             resolution.inner_nodes);
+        const ActiveNodes active(d, resolution.lobe_alpha, resolution.orders);
+        kernels =
+            std::max(kernels, FourierKernel::bytes(d, active) * medium.layers.size() *
+                                  paint::block_count(static_cast<int>(group.distinct.size())));
+        std::size_t here = 0;
+        for (int l = 0; l < active.orders(); ++l) {
+            here += triangle(std::max(0, d.exit_count - active.first(l)));
+        }
+        pairs = std::max(pairs, here);
+    }
+    const std::size_t tensors = medium.roughness > 0 ? 2 : 1;
+    return std::max(kernels, 2 * tensors * pairs * wavelengths * sizeof(double)) +
+           tensors * pairs * wavelengths * sizeof(double);
+}
+
+// @throws Error if the machine has less memory than a solution takes
+void require_memory(const PaintMedium& medium, const WavelengthGroups& groups,
+                    const Resolution& resolution) {
+    constexpr double kGigabyte = 1e9;
+    const std::size_t needed = memory_of(medium, groups, resolution);
+    const std::size_t available = available_memory();
+    if (needed <= available) return;
+    throw Error(fmt::format(
+        "solving {} wavelengths with {} + {} nodes and {} azimuthal orders takes {:.1f} GB of "
+        "memory, and {:.1f} GB are free: solve fewer wavelengths at a time, or set fewer nodes and "
+        "orders",
+        medium.wavelength_count(), resolution.exit_nodes, resolution.inner_nodes, resolution.orders,
+        needed / kGigabyte, available / kGigabyte));
+}
+
 }  // namespace
 
 SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
-                  const SolverSettings& settings, FilmCache* films) {
+                  const SolverSettings& settings, FilmCache* films, const Progress& progress) {
     SolvedPaint paint;
     paint.recipe = recipe;
     paint.settings = settings;
@@ -183,10 +237,16 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
     std::vector<GroupSolution> solutions;
     double unresolved, tail;
     do {
+        require_memory(paint.medium, groups, resolution);
+        double total = 0;
+        for (const WavelengthGroup& group : groups) {
+            total += GroupSolver::work(static_cast<int>(group.distinct.size()), resolution);
+        }
+        WorkCounter work(progress, total);
         solutions.clear();
         unresolved = tail = 0;
         for (const WavelengthGroup& group : groups) {
-            GroupSolver solver(select_wavelengths(paint.medium, group.distinct), resolution);
+            GroupSolver solver(select_wavelengths(paint.medium, group.distinct), resolution, work);
             solutions.push_back(solver.run(settings.tolerance));
             unresolved = std::max(unresolved, solutions.back().unresolved_scattering);
             tail = std::max(tail, solutions.back().azimuthal_tail);
@@ -194,6 +254,12 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
     } while (refine(resolution, settings, unresolved, tail));
     merge_groups(groups, solutions, settings.tolerance, paint);
     return paint;
+}
+
+std::size_t memory_to_solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                            const SolverSettings& settings) {
+    const PaintMedium medium = make_medium(recipe, wavelengths_nm, nullptr);
+    return memory_of(medium, group_wavelengths(medium), choose_resolution(medium, settings));
 }
 
 }  // namespace nacre::solver

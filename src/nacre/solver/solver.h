@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "nacre/core/progress.h"
 #include "nacre/solver/medium.h"
 #include "nacre/solver/solved_paint.h"
 
@@ -10,10 +12,20 @@
 
 namespace nacre::solver {
 
-/// @param films  cache of the flakes' tables; null: none
+/// @param films     cache of the flakes' tables; null: none
+/// @param progress  asked several times a second; the fraction may jump ahead, as the series of
+///                  azimuthal orders ends where it has converged
 /// @throws DomainError as validate() does; Error if the recipe cannot be resolved with the nodes
-/// and orders that the settings allow (the message says which and what to do)
+/// and orders that the settings allow, if the machine has not the memory that it takes (the message
+/// says which and what to do), or if stopped by `progress`
 SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
-                  const SolverSettings& settings = {}, FilmCache* films = nullptr);
+                  const SolverSettings& settings = {}, FilmCache* films = nullptr,
+                  const Progress& progress = {});
+
+/// The memory in bytes that solve() allocates at its peak with the nodes and orders that it starts
+/// with; more where it finds that they do not resolve the paint.
+/// @throws as solve()
+std::size_t memory_to_solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                            const SolverSettings& settings = {});
 
 }  // namespace nacre::solver

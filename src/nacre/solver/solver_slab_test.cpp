@@ -139,10 +139,10 @@ TEST(SolverSlab, FlatFlakesWithoutAbsorptionFollowKubelkaAndMunk) {
     }
 }
 
-// The ground alone under a smooth interface, by the light that goes back and forth between them:
-// T(i) T(o)/n^2 g/pi / (1 - g r), r the interface's reflectance of diffuse light from inside.
+// The substrate alone under a smooth interface, by the light that goes back and forth between them:
+// T(i) T(o)/n^2 s/pi / (1 - s r), r the interface's reflectance of diffuse light from inside.
 //                                                                              [saunderson-1942]
-double bare_ground(double ground, double ior, double theta_i, double theta_o) {
+double bare_substrate(double substrate, double ior, double theta_i, double theta_o) {
     double inside = 0;  // Int 2 mu F d mu, 1 beyond the critical angle
     const double critical = std::sqrt(1 - 1 / (ior * ior));
     const Quadrature rule = gauss_legendre(64, 0, kPi / 2);
@@ -155,7 +155,8 @@ double bare_ground(double ground, double ior, double theta_i, double theta_o) {
     const auto enter = [&](double theta) {
         return 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta));
     };
-    return enter(theta_i) * enter(theta_o) / (ior * ior) * ground / kPi / (1 - ground * inside);
+    return enter(theta_i) * enter(theta_o) / (ior * ior) * substrate / kPi /
+           (1 - substrate * inside);
 }
 
 // What a layer without extinction is, in each way that a recipe can state it.
@@ -166,36 +167,35 @@ std::vector<paint::Recipe> empty_layers(double ior) {
     among_others.layers.insert(among_others.layers.end(), 2, among_others.layers[0]);
     paint::Recipe clear_pigment = pigment_paint(0, 1, 0, ior);
     clear_pigment.layers[0].pigments[0].absorption_per_mm = 0.0;
-    return {binder_alone, among_others, flake_paint(0.1, 0, 1, 2, ior),
-            clear_pigment};
+    return {binder_alone, among_others, flake_paint(0.1, 0, 1, 2, ior), clear_pigment};
 }
 
-TEST(SolverSlab, WithoutExtinctionTheGroundShows) {
+TEST(SolverSlab, WithoutExtinctionTheSubstrateShows) {
     for (const double ior : {1.0, 1.5}) {
-        for (const double ground : {0.0, 0.5, 1.0}) {
+        for (const double substrate : {0.0, 0.5, 1.0}) {
             for (const paint::Recipe& recipe : empty_layers(ior)) {
-                const SolvedPaint paint = over_ground(recipe, ground);
+                const SolvedPaint paint = over_substrate(recipe, substrate);
                 for (const double theta_o : {0.0, 0.5, 1.2}) {
-                    const double expected = bare_ground(ground, ior, 0.8, theta_o);
+                    const double expected = bare_substrate(substrate, ior, 0.8, theta_o);
                     // Coefficients are kept to the tolerance; order 0 to a 64th of it.
                     EXPECT_NEAR(paint.brdf(0.8, theta_o, 2.0)[0], expected, 2e-6 * expected + 1e-12)
-                        << "n = " << ior << ", ground " << ground;
+                        << "n = " << ior << ", substrate " << substrate;
                 }
             }
         }
     }
 }
 
-TEST(SolverSlab, ThinLayersApproachTheGround) {
+TEST(SolverSlab, ThinLayersApproachTheSubstrate) {
     // Whatever a layer does is of first order in its optical depth.
     for (const double ior : {1.0, 1.5}) {
         for (double depth = 1e-30; depth < 1e-5; depth *= 10) {
             const paint::Recipe pigment = pigment_paint(0.5, depth, 0.3, ior);
             const paint::Recipe flakes = flake_paint(0.1, 0.5, 0.2, depth, ior);
             for (const paint::Recipe& recipe : {pigment, flakes}) {
-                const double expected = bare_ground(0.5, ior, 0.8, 0.5);
+                const double expected = bare_substrate(0.5, ior, 0.8, 0.5);
                 // A narrow lobe of density 1/(pi alpha^2) near the specular direction.
-                EXPECT_NEAR(over_ground(recipe, 0.5).brdf(0.8, 0.5, 2.0)[0], expected,
+                EXPECT_NEAR(over_substrate(recipe, 0.5).brdf(0.8, 0.5, 2.0)[0], expected,
                             2e-6 * expected + 20 * depth)
                     << "n = " << ior << ", depth " << depth;
             }
@@ -210,8 +210,8 @@ TEST(SolverSlab, ALayerMayBeEmptyAtSomeWavelengths) {
     recipe.layers[0].pigments[0].absorption_per_mm = spectra::Spectrum({500, 600}, {0, 0.1});
     recipe.substrate_reflectance = 0.5;
     const std::vector<double> f = solve(recipe, {400, 500, 600, 700}).brdf(0.8, 0.5, 2.0);
-    const double bare = bare_ground(0.5, 1.5, 0.8, 0.5);
-    const double covered = over_ground(grey, 0.5).brdf(0.8, 0.5, 2.0)[0];
+    const double bare = bare_substrate(0.5, 1.5, 0.8, 0.5);
+    const double covered = over_substrate(grey, 0.5).brdf(0.8, 0.5, 2.0)[0];
     // The spectral basis and the coefficients are kept to 1e-4 of the peak, order 0 to less.
     EXPECT_NEAR(f[0], bare, 1e-5 * bare);
     EXPECT_NEAR(f[1], bare, 1e-5 * bare);
@@ -219,14 +219,14 @@ TEST(SolverSlab, ALayerMayBeEmptyAtSomeWavelengths) {
     EXPECT_NEAR(f[3], covered, 1e-5 * covered);
 }
 
-TEST(SolverSlab, ARoughCoatOverNothingShowsTheGround) {
-    // Without extinction and at a roughness that hardly turns light, the ground's light as under a
+TEST(SolverSlab, ARoughCoatOverNothingShowsTheSubstrate) {
+    // Without extinction and at a roughness that hardly turns light, the substrate's light as under a
     // smooth interface, away from the interface's own lobe.
     paint::Recipe recipe = empty_layers(1.5)[0];
     recipe.clearcoat = paint::Clearcoat{45, 0.0, 0.02};
     recipe.substrate_reflectance = 0.5;
     const SolvedPaint paint = solve(recipe, kOneWavelength);
-    const double expected = bare_ground(0.5, 1.5, 0.8, 0.2);
+    const double expected = bare_substrate(0.5, 1.5, 0.8, 0.2);
     // Fresnel's factors change by the square of the slopes.
     EXPECT_NEAR(paint.brdf(0.8, 0.2, 1.0)[0], expected, 2e-3 * expected);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "nacre/solver/fourier_kernel.h"
+
 namespace nacre::solver {
 
 namespace {
@@ -53,7 +55,10 @@ std::vector<double> collect(const WavelengthGroups& groups,
     int count = 0;
     for (const WavelengthGroup& group : groups) count += static_cast<int>(group.members.size());
     const int exits = static_cast<int>(solutions[0].exit_angle.size());
+    std::size_t pairs = 0;
+    for (int f : first) pairs += triangle(exits - f);
     std::vector<double> all;
+    all.reserve(pairs * count);
     std::vector<const double*> next;  // by group
     for (const GroupSolution& s : solutions) next.push_back((s.*values).data());
     for (std::size_t l = 0; l < first.size(); ++l) {

@@ -1,14 +1,13 @@
 #include "nacre/bsdf/tabulated/brdf_table.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 #include <numeric>
 
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
 #include "nacre/spectra/rgb.h"
@@ -269,11 +268,9 @@ RawBrdfTable make_raw_table(const solver::SolvedPaint& paint, const BrdfTableSet
     const std::size_t n = table.grid.angles, line = 3 * table.grid.azimuths;
     const BrdfTableRows rows(paint, table.grid);
 
-    std::atomic<bool> go_on = true;
-    std::mutex mutex;
-    std::size_t done = 0;  // pairs
+    WorkCounter counter(progress, static_cast<double>(n * (n + 1) / 2));  // of pairs
     parallel_for_ranges(0, n, 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t step = first; step < last && go_on; ++step) {
+        for (std::size_t step = first; step < last && !counter.stopped(); ++step) {
             const std::size_t i = n - 1 - step;  // long rows first
             BrdfTableRows::Workspace work = rows.make_workspace(static_cast<int>(i));
             for (std::size_t o = 0; o <= i; ++o) {
@@ -281,15 +278,10 @@ RawBrdfTable make_raw_table(const solver::SolvedPaint& paint, const BrdfTableSet
                 rows.evaluate(work, static_cast<int>(o), out);
                 if (o != i) std::copy_n(out, line, table.values.data() + (o * n + i) * line);
             }
-            if (!progress) continue;
-            const std::scoped_lock lock(mutex);
-            done += i + 1;
-            if (!progress(2.0 * static_cast<double>(done) / static_cast<double>(n * (n + 1)))) {
-                go_on = false;
-            }
+            counter.add(static_cast<double>(i + 1));
         }
     });
-    if (!go_on) throw Error("making the BRDF table was stopped");
+    if (counter.stopped()) throw Error("making the BRDF table was stopped");
     return table;
 }
 
