@@ -6,6 +6,9 @@
 
 #include <limits>
 
+#include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
+
 namespace nacre {
 namespace {
 
@@ -91,6 +94,49 @@ TEST(ProgressBar, IsSilentWhenStderrIsNoTerminal) {
         bar.callback()(0.5);
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(WorkCounter, TellsFromOneThreadAtATimeWhatAllHaveDone) {
+    int calls = 0;  // no lock of its own
+    double last = 0;
+    const Progress progress = [&](double fraction) {
+        ++calls;
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return true;
+    };
+    WorkCounter work(progress, 2000);
+    parallel_for(0, 1000, [&](std::size_t) {
+        work.add(2);
+        work.ask();
+    });
+    EXPECT_GE(calls, 1000);
+    EXPECT_EQ(last, 1.0);
+    EXPECT_FALSE(work.stopped());
+    EXPECT_NO_THROW(work.require_going("counting"));
+}
+
+TEST(WorkCounter, RemembersThatItWasAskedToStop) {
+    int calls = 0;
+    const Progress progress = [&](double) { return ++calls < 3; };
+    WorkCounter work(progress, 10);
+    for (int i = 0; i < 10; ++i) work.add();
+    EXPECT_EQ(calls, 3);  // nobody is asked again
+    EXPECT_TRUE(work.stopped());
+    EXPECT_FALSE(work.ask());
+    try {
+        work.require_going("counting");
+        FAIL() << "went on";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "counting was stopped");
+    }
+}
+
+TEST(WorkCounter, NeedsNobodyToTell) {
+    const Progress nobody;
+    WorkCounter work(nobody, 1);
+    work.add();
+    EXPECT_TRUE(work.ask());
 }
 
 }  // namespace

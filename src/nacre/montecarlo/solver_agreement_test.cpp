@@ -183,6 +183,15 @@ TEST(SolverAgreement, MultipleScatteringMatchesTheRandomWalk) {
 TEST(SolverAgreement, TotalMatchesTheRandomWalk) {
     compare_all(cases(), kOutgoing, solver::Part::total, Part::total, 5'000, 350);
 }
+// From nothing, through layers so thin that their Z_a nearly overflows, to opaque ones.
+TEST(SolverAgreement, AnyExtinctionMatchesTheRandomWalk) {
+    std::vector<Case> all;
+    for (const double depth : {0.0, 1e-14, 1e-9, 1e-6, 1e-4, 1e-2, .1, 1., 10., 100., 1000.}) {
+        all.push_back({fmt::format("pigment, depth {}", depth),
+                       test::paint(1.5, {test::pigment_layer(.9, depth, .3)}, 0.5)});
+    }
+    compare_all(all, kOutgoing, solver::Part::total, Part::total, 10'000, 300);
+}
 TEST(SolverAgreement, RoughInterfacesMatchTheRandomWalk) {
     compare_all(rough_cases(), kRoughOutgoing, solver::Part::total, Part::total, 4'000, 25);
 }

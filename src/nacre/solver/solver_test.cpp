@@ -1,8 +1,11 @@
 #include "nacre/solver/solver.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "nacre/core/error.h"
 #include "nacre/testing/layers.h"
@@ -126,6 +129,54 @@ TEST(Solver, RefusesWhatTheRecipeForbids) {
     none.layers.clear();
     EXPECT_THROW(solve(none, kOneWavelength), DomainError);
     EXPECT_THROW(solve(flake_paint(0.1, 0.6, 0.5, 1, 1.5), kOneWavelength), DomainError);
+}
+
+TEST(Solver, StopsWhenAskedTo) {
+    const paint::Recipe recipe = flake_paint(0.1, 0.6, 0, 1, 1.5);
+    for (int last = 1; last < 40; last *= 3) {
+        int calls = 0;
+        const Progress progress = [&](double) { return ++calls < last; };
+        try {
+            solve(recipe, kOneWavelength, {}, nullptr, progress);
+            FAIL() << "went on after " << calls << " calls";
+        } catch (const Error& error) {
+            EXPECT_STREQ(error.what(), "solving the paint was stopped");
+        }
+        EXPECT_EQ(calls, last);
+    }
+}
+
+TEST(Solver, TellsWhatMemoryItTakes) {
+    const paint::Recipe wide = flake_paint(0.1, 0.6, 0, 1, 1.5);
+    const paint::Recipe narrow = flake_paint(0.01, 0.6, 0, 1, 1.5);
+    std::vector<double> many;
+    for (int i = 0; i < 300; ++i) many.push_back(400 + i);
+    EXPECT_GT(memory_to_solve(narrow, kOneWavelength), 50 * memory_to_solve(wide, kOneWavelength));
+    // All wavelengths are alike: they are solved once and stored three hundred times.
+    EXPECT_GT(memory_to_solve(wide, many), memory_to_solve(wide, kOneWavelength));
+    paint::Recipe coloured = wide;
+    coloured.substrate_reflectance = spectra::Spectrum({400, 700}, {0.1, 0.9});
+    EXPECT_GT(memory_to_solve(coloured, many), 5 * memory_to_solve(coloured, kOneWavelength));
+}
+
+TEST(Solver, RefusesWhatTheMemoryCannotHold) {
+    paint::Recipe recipe = flake_paint(0.005, 0.6, 0, 1, 1.5);
+    recipe.substrate_reflectance = spectra::Spectrum({400, 700}, {0.1, 0.9});
+    std::vector<double> many;
+    for (int i = 0; i < 301; ++i) many.push_back(400 + i);
+    const auto solve_in_little_memory = [&] {
+        const rlimit little{4'000'000'000, 4'000'000'000};
+        setrlimit(RLIMIT_AS, &little);
+        try {
+            solve(recipe, many);
+        } catch (const Error& error) {
+            std::fputs(error.what(), stderr);
+            std::_Exit(7);
+        }
+        std::_Exit(0);
+    };
+    EXPECT_EXIT(solve_in_little_memory(), testing::ExitedWithCode(7),
+                "solving 301 wavelengths with .* GB of memory");
 }
 
 }  // namespace
