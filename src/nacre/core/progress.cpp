@@ -32,19 +32,19 @@ extern "C" void on_signal(int signal_number) {
 
 }  // namespace
 
-void WorkCounter::report() {
+void SharedProgress::report() {
     last_asked_ = Clock::now();
     if (!stopped_ && !progress_(std::min(1.0, done_ / total_))) stopped_ = true;
 }
 
-void WorkCounter::add(double done) {
+void SharedProgress::add(double done) {
     if (!progress_) return;
     const std::scoped_lock lock(mutex_);
     done_ += done;
     report();
 }
 
-bool WorkCounter::ask() {
+bool SharedProgress::ask() {
     constexpr std::chrono::milliseconds kInterval{50};
     if (!progress_ || stopped_) return !stopped_;
     const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -52,7 +52,7 @@ bool WorkCounter::ask() {
     return !stopped_;
 }
 
-void WorkCounter::require_going(const char* what) {
+void SharedProgress::require_going(const char* what) {
     if (!ask()) throw Error(fmt::format("{} was stopped", what));
 }
 

@@ -18,11 +18,11 @@ using Progress = std::function<bool(double fraction)>;
 
 /// Progress of work that several threads do in pieces: counts the pieces and asks the caller, from
 /// one thread at a time, whether to go on.
-class WorkCounter {
+class SharedProgress {
  public:
     /// @param progress  may be empty; outlives the counter
     /// @param total     of what add() counts, > 0
-    WorkCounter(const Progress& progress, double total) : progress_(progress), total_(total) {}
+    SharedProgress(const Progress& progress, double total) : progress_(progress), total_(total) {}
 
     /// Counts what is done and reports it.
     void add(double done = 1);

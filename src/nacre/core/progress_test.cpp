@@ -96,7 +96,7 @@ TEST(ProgressBar, IsSilentWhenStderrIsNoTerminal) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(WorkCounter, TellsFromOneThreadAtATimeWhatAllHaveDone) {
+TEST(SharedProgress, TellsFromOneThreadAtATimeWhatAllHaveDone) {
     int calls = 0;  // no lock of its own
     double last = 0;
     const Progress progress = [&](double fraction) {
@@ -105,7 +105,7 @@ TEST(WorkCounter, TellsFromOneThreadAtATimeWhatAllHaveDone) {
         last = fraction;
         return true;
     };
-    WorkCounter work(progress, 2000);
+    SharedProgress work(progress, 2000);
     parallel_for(0, 1000, [&](std::size_t) {
         work.add(2);
         work.ask();
@@ -116,10 +116,10 @@ TEST(WorkCounter, TellsFromOneThreadAtATimeWhatAllHaveDone) {
     EXPECT_NO_THROW(work.require_going("counting"));
 }
 
-TEST(WorkCounter, RemembersThatItWasAskedToStop) {
+TEST(SharedProgress, RemembersThatItWasAskedToStop) {
     int calls = 0;
     const Progress progress = [&](double) { return ++calls < 3; };
-    WorkCounter work(progress, 10);
+    SharedProgress work(progress, 10);
     for (int i = 0; i < 10; ++i) work.add();
     EXPECT_EQ(calls, 3);  // nobody is asked again
     EXPECT_TRUE(work.stopped());
@@ -132,9 +132,9 @@ TEST(WorkCounter, RemembersThatItWasAskedToStop) {
     }
 }
 
-TEST(WorkCounter, NeedsNobodyToTell) {
+TEST(SharedProgress, NeedsNobodyToTell) {
     const Progress nobody;
-    WorkCounter work(nobody, 1);
+    SharedProgress work(nobody, 1);
     work.add();
     EXPECT_TRUE(work.ask());
 }

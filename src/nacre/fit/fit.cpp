@@ -50,7 +50,7 @@ void require_effect(const FreeNumbers& numbers) {
 
 /// With the default settings of the solver, without the reduced accuracy of the search.
 measure::Measurement colours_of(const Target& target, const paint::Recipe& recipe,
-                                WorkCounter& work) {
+                                SharedProgress& work) {
     return target.read(solver::solve(recipe, target.wavelengths_nm(Detail::fine), {}, nullptr,
                                      [&](double) { return work.ask(); }),
                        Detail::fine);
@@ -118,7 +118,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     const Target target(standard, options.target);
     paint::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
     require_effect(numbers);
-    WorkCounter work(progress, 1);
+    SharedProgress work(progress, 1);
     ColourModel model(numbers, target, work);
 
     Fit out;

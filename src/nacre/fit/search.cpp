@@ -167,7 +167,7 @@ constexpr double kScreeningFraction = 0.15, kShortFraction = 0.25, kCoarseFracti
 /// Progress in phases, each of which is a fraction of the work, whatever its units.
 class Meter {
  public:
-    explicit Meter(WorkCounter& work) : work_(work) {}
+    explicit Meter(SharedProgress& work) : work_(work) {}
 
     void begin(double fraction, double units) {
         work_.add(left_);
@@ -182,7 +182,7 @@ class Meter {
     }
 
  private:
-    WorkCounter& work_;
+    SharedProgress& work_;
     std::mutex mutex_;
     double left_ = 0, unit_ = 0;  // of the phase
 };
@@ -272,7 +272,7 @@ std::vector<Descent> distinct(const std::vector<Descent>& ends) {
 }  // namespace
 
 std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,
-                            std::uint64_t seed, WorkCounter& work, SearchEffort& effort) {
+                            std::uint64_t seed, SharedProgress& work, SearchEffort& effort) {
     Meter meter(work);
     std::vector<std::vector<double>> points = {start};
     for (auto& point :

@@ -48,6 +48,6 @@ struct SearchEffort {
 /// @param work  of total 1: told the fraction done, up to 0.95
 /// @throws Error if there is no paint at the start, or the work is stopped
 std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,
-                            std::uint64_t seed, WorkCounter& work, SearchEffort& effort);
+                            std::uint64_t seed, SharedProgress& work, SearchEffort& effort);
 
 }  // namespace nacre::fit

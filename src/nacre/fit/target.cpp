@@ -168,7 +168,7 @@ constexpr std::size_t kFilmsKept = 64;
 
 }  // namespace
 
-ColourModel::ColourModel(const FreeNumbers& numbers, const Target& target, WorkCounter& work)
+ColourModel::ColourModel(const FreeNumbers& numbers, const Target& target, SharedProgress& work)
     : numbers_(numbers),
       target_(target),
       work_(work),

@@ -94,7 +94,7 @@ class ColourModel {
     };
 
     /// @param work  asked, while paints are solved, whether to go on
-    ColourModel(const FreeNumbers& numbers, const Target& target, WorkCounter& work);
+    ColourModel(const FreeNumbers& numbers, const Target& target, SharedProgress& work);
 
     const FreeNumbers& numbers() const { return numbers_; }
     const Target& target() const { return target_; }
@@ -135,7 +135,7 @@ class ColourModel {
 
     const FreeNumbers& numbers_;
     const Target& target_;
-    WorkCounter& work_;
+    SharedProgress& work_;
     mutable std::array<solver::FilmCache, 3> films_;  // by detail
     mutable std::atomic<int> solves_ = 0;
     mutable std::mutex mutex_;

@@ -25,7 +25,7 @@ inline void require_table_size(double bytes) {
 /// @throws Error if `progress` asks to stop
 template <class Body>
 void for_each_row(int rows, const Progress& progress, const Body& body) {
-    WorkCounter counter(progress, rows);
+    SharedProgress counter(progress, rows);
     parallel_for(0, static_cast<std::size_t>(rows), [&](std::size_t row) {
         if (counter.stopped()) return;
         body(static_cast<int>(row));

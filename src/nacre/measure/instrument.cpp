@@ -153,7 +153,7 @@ Measurement measure(const std::string& name, const Brdf& brdf,
     Measurement measurement{name, conditions, wavelengths_nm, {}};
     measurement.readings.resize(geometries.size());
     const Instrument instrument(brdf, wavelengths_nm.size(), conditions.aperture);
-    WorkCounter counter(progress, static_cast<double>(geometries.size()));
+    SharedProgress counter(progress, static_cast<double>(geometries.size()));
     parallel_for(0, geometries.size(), [&](std::size_t i) {
         if (counter.stopped()) return;
         measurement.readings[i] =

@@ -43,7 +43,7 @@ LaneBuffer balanced_extinction(const LayerMedium& layer, const FourierKernel& ke
 }  // namespace
 
 PaintBlock make_block(const PaintMedium& medium, const Directions& d, const ActiveNodes& active,
-                      int lit, int block, WorkCounter* work) {
+                      int lit, int block, SharedProgress* work) {
     const int n = d.size();
     PaintBlock out;
     out.substrate = block_lanes(medium.substrate_reflectance, block);

@@ -97,7 +97,7 @@ ActiveNodes::ActiveNodes(const Directions& d, double alpha, int orders) {
 }
 
 FourierKernel::FourierKernel(const LayerMedium& layer, const Directions& d,
-                             const ActiveNodes& active, int block, WorkCounter* work) {
+                             const ActiveNodes& active, int block, SharedProgress* work) {
     std::size_t total = 0;
     for (int l = 0; l < active.orders(); ++l) {
         offset_.push_back(total);
@@ -118,7 +118,7 @@ std::size_t FourierKernel::bytes(const Directions& d, const ActiveNodes& active)
 }
 
 void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
-                               const ActiveNodes& active, int block, WorkCounter* work) {
+                               const ActiveNodes& active, int block, SharedProgress* work) {
     tbb::parallel_for(0, d.size(), [&](int i) {
         if (work) work->require_going(kSolving);
         thread_local PairScratch scratch;
@@ -140,7 +140,7 @@ void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
 }
 
 void FourierKernel::add_pigment(const PigmentMedium& pigment, const Directions& d,
-                                const ActiveNodes& active, int block, WorkCounter* work) {
+                                const ActiveNodes& active, int block, SharedProgress* work) {
     // sum over n >= l of (2n + 1)/(4 pi) g^n Lambda_n^l(mu_i) Lambda_n^l(mu_j), Lambda the Legendre
     // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
     const double g = pigment.anisotropy;

@@ -46,7 +46,7 @@ class FourierKernel {
  public:
     /// @throws Error if `work`, where given, is stopped
     FourierKernel(const LayerMedium& layer, const Directions& directions, const ActiveNodes& active,
-                  int block, WorkCounter* work = nullptr);
+                  int block, SharedProgress* work = nullptr);
 
     /// Memory that one takes, in bytes.
     static std::size_t bytes(const Directions& directions, const ActiveNodes& active);
@@ -57,9 +57,9 @@ class FourierKernel {
 
  private:
     void add_flakes(const FlakeMedium& flake, const Directions& d, const ActiveNodes& active,
-                    int block, WorkCounter* work);
+                    int block, SharedProgress* work);
     void add_pigment(const PigmentMedium& pigment, const Directions& d, const ActiveNodes& active,
-                     int block, WorkCounter* work);
+                     int block, SharedProgress* work);
 
     std::vector<std::size_t> offset_;
     std::vector<FloatLanes> same_, opposite_;

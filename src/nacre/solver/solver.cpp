@@ -22,7 +22,7 @@ namespace {
 // Solves wavelengths that share one index of the binder.
 class GroupSolver {
  public:
-    GroupSolver(const PaintMedium& medium, const Resolution& resolution, WorkCounter& work)
+    GroupSolver(const PaintMedium& medium, const Resolution& resolution, SharedProgress& work)
         : work_(work),
           directions_(
               make_directions(medium.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
@@ -175,7 +175,7 @@ class GroupSolver {
         return size;
     }
 
-    WorkCounter& work_;
+    SharedProgress& work_;
     Directions directions_;
     ActiveNodes active_;
     std::optional<RoughInterfaceOperators> interface_;  // if rough
@@ -242,7 +242,7 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
         for (const WavelengthGroup& group : groups) {
             total += GroupSolver::work(static_cast<int>(group.distinct.size()), resolution);
         }
-        WorkCounter work(progress, total);
+        SharedProgress work(progress, total);
         solutions.clear();
         unresolved = tail = 0;
         for (const WavelengthGroup& group : groups) {

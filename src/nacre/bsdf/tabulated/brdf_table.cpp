@@ -268,7 +268,7 @@ RawBrdfTable make_raw_table(const solver::SolvedPaint& paint, const BrdfTableSet
     const std::size_t n = table.grid.angles, line = 3 * table.grid.azimuths;
     const BrdfTableRows rows(paint, table.grid);
 
-    WorkCounter counter(progress, static_cast<double>(n * (n + 1) / 2));  // of pairs
+    SharedProgress counter(progress, static_cast<double>(n * (n + 1) / 2));  // of pairs
     parallel_for_ranges(0, n, 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t step = first; step < last && !counter.stopped(); ++step) {
             const std::size_t i = n - 1 - step;  // long rows first
