@@ -29,12 +29,12 @@ template <class Real>
 struct LaneSeries;
 template <>
 struct LaneSeries<float> {
-    static constexpr int kExpTerms = 7, kDecayTerms = 7;
+    static constexpr int kExpTerms = 7, kCosSinTerms = 5, kDecayTerms = 7;
     static constexpr float kLn2High = 0.693359375f, kLn2Low = -2.12194440e-4f;
 };
 template <>
 struct LaneSeries<double> {
-    static constexpr int kExpTerms = 14, kDecayTerms = 15;
+    static constexpr int kExpTerms = 14, kCosSinTerms = 9, kDecayTerms = 15;
     static constexpr double kLn2High = 0x1.62e42feep-1, kLn2Low = 0x1.a39ef35793c76p-33;
 };
 
@@ -167,80 +167,59 @@ inline ComplexLanes splat_complex(std::complex<double> a) {
     return {nacre::splat(a.real()), nacre::splat(a.imag())};
 }
 
-/// Absolute error of cis_lanes() for |x| <= 1e5.
-inline constexpr double kSinCosLanesError = 4e-16;
-
-/// cos x + i sin x.
-inline ComplexLanes cis_lanes(const DoubleLanes& x) {
-    // x = k pi/2 + r, |r| <= pi/4, with pi/2 in three parts so that r keeps its digits; the Taylor
-    // remainders after r^17 and r^16 are below 1e-17.
-    constexpr double half_pi_1 = 0x1.921fb544p+0, half_pi_2 = 0x1.0b4611a6p-34,
-                     half_pi_3 = 0x1.3198a2e037073p-69;
-    static constexpr std::array sine = {1.0,
-                                        -1.0 / 6,
-                                        1.0 / 120,
-                                        -1.0 / 5040,
-                                        1.0 / 362880,
-                                        -1.0 / 39916800,
-                                        1.0 / 6227020800,
-                                        -1.0 / 1307674368000,
-                                        1.0 / 355687428096000};
-    static constexpr std::array cosine = {1.0,
-                                          -1.0 / 2,
-                                          1.0 / 24,
-                                          -1.0 / 720,
-                                          1.0 / 40320,
-                                          -1.0 / 3628800,
-                                          1.0 / 479001600,
-                                          -1.0 / 87178291200,
-                                          1.0 / 20922789888000};
-    // Adding 1.5 * 2^52 pushes the fraction out of a double.
-    constexpr double kRoundingShift = 0x1.8p52;
-    const DoubleLanes shifted = x * (2 * std::numbers::inv_pi) + kRoundingShift;
-    const DoubleLanes k = shifted - kRoundingShift;
-    const DoubleLanes r = ((x - k * half_pi_1) - k * half_pi_2) - k * half_pi_3;
-    const DoubleLanes r2 = r * r;
-    const DoubleLanes s = r * detail::horner(r2, sine), c = detail::horner(r2, cosine);
-    const auto quadrant = __builtin_convertvector(k, detail::IntegerLanes<DoubleLanes>);
-    const auto swapped = (quadrant & 1) != 0;
-    const auto s_negative = (quadrant & 2) != 0, c_negative = ((quadrant + 1) & 2) != 0;
-    const DoubleLanes sin_x = swapped ? c : s, cos_x = swapped ? s : c;
-    return {c_negative ? -cos_x : cos_x, s_negative ? -sin_x : sin_x};
-}
-
-/// e^(i z) for Im z >= 0.
-inline ComplexLanes exp_i(const ComplexLanes& z) { return exp_lanes(-z.im) * cis_lanes(z.re); }
-
-/// Absolute error of cos_sin_turns().
-template <class V>
-inline constexpr double kTurnsLanesError = std::is_same_v<V, FloatLanes> ? 4e-7 : 1e-15;
-
 template <class V>
 struct CosineSine {
     V cosine, sine;
 };
 
-/// cos and sin of 2 pi times `turns`, by rounding to the nearest half turn and Taylor's series on
-/// [-pi/2, pi/2]; the sine keeps its relative accuracy near 0. Branch-free.
-/// @param turns  magnitude below 2^21 for float, 2^50 for double; beyond, the phase is lost anyway
+/// Error of the cosines and sines below: absolute, and relative of the sine near 0.
 template <class V>
-inline CosineSine<V> cos_sin_turns(V turns) {
+inline constexpr double kCosSinLanesError = std::is_same_v<V, FloatLanes> ? 2e-7 : 4e-16;
+
+namespace detail {
+/// cos and sin of r + `quadrants` pi/2, |r| <= pi/4.
+template <class V>
+inline CosineSine<V> cos_sin_of_quadrant(const V& r, const IntegerLanes<V>& quadrants) {
     using Real = LaneScalar<V>;
-    constexpr int terms = std::is_same_v<V, FloatLanes> ? 6 : 11;
-    const V half_turns = detail::nearest_integer<V>(turns * Real(2)).value;
-    const V x = (turns - half_turns * Real(0.5)) * Real(6.283185307179586476925);
-    const V x2 = x * x;
-    V cosine = V{} + Real(1), sine = V{} + Real(1);
-    for (int k = terms; k >= 1; --k) {
-        cosine = Real(1) - cosine * x2 * Real(1.0 / ((2 * k) * (2 * k - 1)));
-        sine = Real(1) - sine * x2 * Real(1.0 / ((2 * k) * (2 * k + 1)));
-    }
-    sine *= x;
-    // An odd number of half turns reverses both.
-    const V odd = half_turns - detail::nearest_integer<V>(half_turns * Real(0.5)).value * Real(2);
-    const V sign = Real(1) - Real(2) * odd * odd;
-    return {sign * cosine, sign * sine};
+    constexpr int n = LaneSeries<Real>::kCosSinTerms;
+    static constexpr auto cosine = taylor_coefficients<Real, n>(-1, 0, 2);
+    static constexpr auto sine = taylor_coefficients<Real, n>(-1, 1, 2);
+    const V r2 = r * r;
+    const V s = r * horner(r2, sine), c = horner(r2, cosine);
+    const auto swapped = (quadrants & 1) != 0;
+    const auto s_negative = (quadrants & 2) != 0, c_negative = ((quadrants + 1) & 2) != 0;
+    const V sin_x = swapped ? c : s, cos_x = swapped ? s : c;
+    return {c_negative ? -cos_x : cos_x, s_negative ? -sin_x : sin_x};
 }
+}  // namespace detail
+
+// Turns and radians reach that interval in different ways: multiples of a quarter of a turn are
+// exact numbers, and so is what is left over them; multiples of pi/2 are not, and are subtracted in
+// parts, which bounds the argument.
+
+/// cos and sin of 2 pi times `turns`.
+/// @param turns  magnitude below 2^20 for float, 2^49 for double; beyond, the phase is lost anyway
+template <class V>
+inline CosineSine<V> cos_sin_turns(const V& turns) {
+    using Real = LaneScalar<V>;
+    const auto quarters = detail::nearest_integer<V>(turns * Real(4));
+    const V left = turns - quarters.value * Real(0.25);
+    return detail::cos_sin_of_quadrant<V>(left * (2 * std::numbers::pi_v<Real>), quarters.bits);
+}
+
+/// cos x + i sin x for |x| <= 1e5.
+inline ComplexLanes cis_lanes(const DoubleLanes& x) {
+    // In three parts, the first two so short that their products with the quadrants are exact.
+    constexpr double half_pi_1 = 0x1.921fb544p+0, half_pi_2 = 0x1.0b4611a6p-34,
+                     half_pi_3 = 0x1.3198a2e037073p-69;
+    const auto k = detail::nearest_integer<DoubleLanes>(x * (2 * std::numbers::inv_pi));
+    const DoubleLanes r = ((x - k.value * half_pi_1) - k.value * half_pi_2) - k.value * half_pi_3;
+    const auto wave = detail::cos_sin_of_quadrant(r, k.bits);
+    return {wave.cosine, wave.sine};
+}
+
+/// e^(i z) for Im z >= 0.
+inline ComplexLanes exp_i(const ComplexLanes& z) { return exp_lanes(-z.im) * cis_lanes(z.re); }
 
 /// Relative error of decay().
 template <class V>

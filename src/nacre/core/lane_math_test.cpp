@@ -89,9 +89,11 @@ TEST(ComplexLanes, CosineAndSineOfRadiansMatchLongDouble) {
     for (int i = -20000; i <= 20000; ++i) {
         const double x = i % 2 == 0 ? i * 5.0 : i * 1e-3;
         const ComplexLanes found = cis_lanes(nacre::splat(x));
-        EXPECT_NEAR(found.re[0], static_cast<double>(std::cos((long double)x)), kSinCosLanesError)
+        EXPECT_NEAR(found.re[0], static_cast<double>(std::cos((long double)x)),
+                    kCosSinLanesError<DoubleLanes>)
             << x;
-        EXPECT_NEAR(found.im[0], static_cast<double>(std::sin((long double)x)), kSinCosLanesError)
+        EXPECT_NEAR(found.im[0], static_cast<double>(std::sin((long double)x)),
+                    kCosSinLanesError<DoubleLanes>)
             << x;
     }
 }
@@ -136,8 +138,8 @@ double worst_turns_error() {
 }
 
 TEST(LaneMath, CosineAndSineOfTurnsKeepTheirErrorBound) {
-    EXPECT_LT(worst_turns_error<FloatLanes>(), kTurnsLanesError<FloatLanes>);
-    EXPECT_LT(worst_turns_error<DoubleLanes>(), kTurnsLanesError<DoubleLanes>);
+    EXPECT_LT(worst_turns_error<FloatLanes>(), kCosSinLanesError<FloatLanes>);
+    EXPECT_LT(worst_turns_error<DoubleLanes>(), kCosSinLanesError<DoubleLanes>);
 }
 
 template <class V>
@@ -147,7 +149,7 @@ void expect_digits_of_small_sine() {
         const long double expected =
             std::sin(2 * std::numbers::pi_v<long double> * static_cast<long double>(turns));
         const V found = cos_sin_turns(nacre::splat(turns)).sine;
-        EXPECT_NEAR(static_cast<double>(found[5] / expected), 1, kTurnsLanesError<V>) << turns;
+        EXPECT_NEAR(static_cast<double>(found[5] / expected), 1, kCosSinLanesError<V>) << turns;
     }
 }
 
