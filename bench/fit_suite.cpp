@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
             double worst = 0;  // error as a fraction of the bounds
             for (std::size_t i = 0; i < numbers.size(); ++i) {
                 worst = std::max(
-                    worst, std::abs(numbers[i].to_unit(found.estimates[i].value) - hidden[i]));
+                    worst, std::abs(numbers[i].to_unit(found.parameters[i].value) - hidden[i]));
             }
             means.push_back(found.difference.mean_delta_e_2000);
             seconds.push_back(found.effort.seconds);

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
                 .coats[0]
                 .thickness_nm;
         const auto match = standard.with(key, 0.9 * truth).fit(readings.measurement, {key});
-        for (const auto& found : match.estimates) {
+        for (const auto& found : match.parameters) {
             std::printf("%s: %.3f (of the standard: %.3f)\n", found.number.bounds.key.c_str(),
                         found.value, truth);
         }

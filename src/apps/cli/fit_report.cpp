@@ -14,7 +14,7 @@ namespace nacre::cli {
 
 namespace {
 
-using fit::Estimate;
+using fit::FittedParameter;
 
 /// The correlation of the errors of two numbers above which it is printed.
 constexpr double kMinShownCorrelation = 0.9;
@@ -33,25 +33,27 @@ class Text {
     std::string text_;
 };
 
-std::string remark(const Estimate& estimate) {
+std::string remark(const FittedParameter& parameter) {
     std::string text;
-    if (estimate.at_lower_bound) text = "at its lower bound";
-    if (estimate.at_upper_bound) text = "at its upper bound";
-    if (!estimate.standard_error)
+    if (parameter.at_lower_bound) text = "at its lower bound";
+    if (parameter.at_upper_bound) text = "at its upper bound";
+    if (!parameter.standard_error)
         text += (text.empty() ? "" : "; ") + std::string("not determined");
     return text;
 }
 
 void add_numbers(Text& text, const fit::Fit& fit) {
     std::size_t width = 6;
-    for (const Estimate& e : fit.estimates) width = std::max(width, e.number.bounds.key.size());
+    for (const FittedParameter& fitted : fit.parameters)
+        width = std::max(width, fitted.number.bounds.key.size());
     text.line("{:<{}}  {:>10}  {:>10}  {:>9}  {:>20}", "number", width, "start", "fitted", "+-",
               "bounds");
-    for (const Estimate& e : fit.estimates) {
-        const auto& [key, lo, hi] = e.number.bounds;
-        text.line("{:<{}}  {:>10.4g}  {:>10.5g}  {:>9}  {:>20}  {}", key, width, e.number.start,
-                  e.value, e.standard_error ? fmt::format("{:.2g}", *e.standard_error) : "-",
-                  fmt::format("[{:.4g}, {:.4g}]", lo, hi), remark(e));
+    for (const FittedParameter& fitted : fit.parameters) {
+        const auto& [key, lo, hi] = fitted.number.bounds;
+        text.line("{:<{}}  {:>10.4g}  {:>10.5g}  {:>9}  {:>20}  {}", key, width,
+                  fitted.number.start, fitted.value,
+                  fitted.standard_error ? fmt::format("{:.2g}", *fitted.standard_error) : "-",
+                  fmt::format("[{:.4g}, {:.4g}]", lo, hi), remark(fitted));
     }
 }
 
@@ -84,12 +86,12 @@ void add_certainty(Text& text, const fit::Fit& fit) {
     } else {
         text.line("No error can be told: not more measured values than numbers; give --noise.");
     }
-    for (std::size_t a = 0; a < fit.estimates.size(); ++a) {
-        for (std::size_t b = a + 1; b < fit.estimates.size(); ++b) {
-            const double c = certainty.correlation[a * fit.estimates.size() + b];
+    for (std::size_t a = 0; a < fit.parameters.size(); ++a) {
+        for (std::size_t b = a + 1; b < fit.parameters.size(); ++b) {
+            const double c = certainty.correlation[a * fit.parameters.size() + b];
             if (std::abs(c) < kMinShownCorrelation) continue;
             text.line("Errors of {} and {} go {} (correlation {:.3f}).",
-                      fit.estimates[a].number.bounds.key, fit.estimates[b].number.bounds.key,
+                      fit.parameters[a].number.bounds.key, fit.parameters[b].number.bounds.key,
                       c > 0 ? "together" : "against each other", c);
         }
     }
@@ -106,9 +108,9 @@ void add_certainty(Text& text, const fit::Fit& fit) {
 void add_alternatives(Text& text, const fit::Fit& fit) {
     for (const fit::Minimum& minimum : fit.alternatives) {
         std::string values;
-        for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
+        for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
             values += fmt::format("{}{} = {:.5g}", i > 0 ? ", " : "",
-                                  fit.estimates[i].number.bounds.key, minimum.values[i]);
+                                  fit.parameters[i].number.bounds.key, minimum.values[i]);
         }
         text.line("As good within {:g} (mean {:.3f}, greatest {:.3f}): {}.", fit.equal_delta_e,
                   minimum.mean_delta_e_2000, minimum.max_delta_e_2000, values);
@@ -142,15 +144,16 @@ std::string fit_text(const fit::Fit& fit) {
 
 nlohmann::json fit_json(const fit::Fit& fit) {
     nlohmann::json document;
-    for (const Estimate& e : fit.estimates) {
-        document["numbers"].push_back({{"key", e.number.bounds.key},
-                                       {"start", e.number.start},
-                                       {"value", e.value},
-                                       {"standard_error", optional_number(e.standard_error)},
-                                       {"bounds", {e.number.bounds.lo, e.number.bounds.hi}},
-                                       {"bounds_given", e.number.bounds_given},
-                                       {"at_lower_bound", e.at_lower_bound},
-                                       {"at_upper_bound", e.at_upper_bound}});
+    for (const FittedParameter& fitted : fit.parameters) {
+        document["numbers"].push_back(
+            {{"key", fitted.number.bounds.key},
+             {"start", fitted.number.start},
+             {"value", fitted.value},
+             {"standard_error", optional_number(fitted.standard_error)},
+             {"bounds", {fitted.number.bounds.lo, fitted.number.bounds.hi}},
+             {"bounds_given", fitted.number.bounds_given},
+             {"at_lower_bound", fitted.at_lower_bound},
+             {"at_upper_bound", fitted.at_upper_bound}});
     }
     document["difference"] = difference_json(fit.difference);
     document["difference_at_start"] = difference_json(fit.at_start);
@@ -163,7 +166,7 @@ nlohmann::json fit_json(const fit::Fit& fit) {
     document["noise_delta_e"] = optional_number(fit.certainty.noise_delta_e);
     document["noise_given"] = fit.noise_given;
     document["degrees_of_freedom"] = fit.certainty.degrees_of_freedom;
-    const std::size_t count = fit.estimates.size();
+    const std::size_t count = fit.parameters.size();
     for (std::size_t a = 0; a < count; ++a) {
         const auto row = fit.certainty.correlation.begin() + static_cast<std::ptrdiff_t>(a * count);
         document["correlation"].push_back(

@@ -420,8 +420,8 @@ TEST(Fit, FindsThePaintThatTheStandardWasMeasuredOn) {
     FitSettings settings;
     settings.starts = 1;
     const Match match = start.fit(standard, {}, settings);
-    ASSERT_EQ(match.estimates.size(), 1u);
-    EXPECT_NEAR(match.estimates[0].value, 110, 0.1);
+    ASSERT_EQ(match.parameters.size(), 1u);
+    EXPECT_NEAR(match.parameters[0].value, 110, 0.1);
     EXPECT_EQ(match.paint.recipe(), match.recipe);
     EXPECT_EQ(match.paint.bounds(), start.bounds());
     EXPECT_EQ(start.free_keys({"*thickness_nm"}).size(), 2u);

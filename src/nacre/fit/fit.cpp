@@ -62,18 +62,18 @@ std::vector<double> values_at(const FreeNumbers& numbers, const std::vector<doub
     return values;
 }
 
-std::vector<Estimate> estimates_at(const FreeNumbers& numbers, const std::vector<double>& x,
-                                   const Certainty& certainty) {
-    std::vector<Estimate> estimates;
+std::vector<FittedParameter> parameters_at(const FreeNumbers& numbers, const std::vector<double>& x,
+                                           const Certainty& certainty) {
+    std::vector<FittedParameter> parameters;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        Estimate estimate{
+        FittedParameter parameter{
             numbers[i], numbers[i].from_unit(x[i]), {}, x[i]<kAtBound, x[i]> 1 - kAtBound};
         if (const auto& error = certainty.standard_error[i]) {
-            estimate.standard_error = *error * numbers[i].slope(x[i]);
+            parameter.standard_error = *error * numbers[i].slope(x[i]);
         }
-        estimates.push_back(std::move(estimate));
+        parameters.push_back(std::move(parameter));
     }
-    return estimates;
+    return parameters;
 }
 
 /// Empty where the bounds leave no room along the direction.
@@ -146,7 +146,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     out.equal_delta_e = options.equal_delta_e;
 
     out.recipe = numbers.at(best.x);
-    out.estimates = estimates_at(numbers, best.x, out.certainty);
+    out.parameters = parameters_at(numbers, best.x, out.certainty);
     out.colours = colours_of(target, out.recipe, work);
     out.difference = compare(out.colours);
     out.converged = best.converged;

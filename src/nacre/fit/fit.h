@@ -33,7 +33,7 @@ struct FitOptions {
 };
 
 /// The fitted value of a free number.
-struct Estimate {
+struct FittedParameter {
     FreeNumber number;
     double value = 0;
     std::optional<double> standard_error;  ///< none: not determined (Certainty::standard_error)
@@ -67,7 +67,7 @@ struct Effort {
 
 struct Fit {
     paint::Recipe recipe;
-    std::vector<Estimate> estimates;
+    std::vector<FittedParameter> parameters;
     measure::Measurement standard, colours;  ///< wanted and reached
     measure::Difference difference;
     measure::Difference at_start;

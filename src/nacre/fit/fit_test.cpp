@@ -45,9 +45,9 @@ TEST(Fit, FindsAFilmAcrossInterferenceColours) {
     const Fit found = fit(read(pearl(131)), FreeNumbers(pearl(70), {kFilm}, {}), with_starts(3));
     EXPECT_GT(found.at_start.mean_delta_e_2000, 10);
     EXPECT_LT(found.difference.mean_delta_e_2000, kExact_delta_e);
-    EXPECT_NEAR(found.estimates[0].value, 131, 0.05);
+    EXPECT_NEAR(found.parameters[0].value, 131, 0.05);
     EXPECT_TRUE(found.converged) << found.ended;
-    EXPECT_FALSE(found.estimates[0].at_lower_bound || found.estimates[0].at_upper_bound);
+    EXPECT_FALSE(found.parameters[0].at_lower_bound || found.parameters[0].at_upper_bound);
     EXPECT_EQ(found.recipe.layers[0].thickness_um, 15);  // not free: unchanged
     // Equal spectra match under any light.
     ASSERT_THAT(found.other_lights, SizeIs(2));
@@ -61,9 +61,9 @@ TEST(Fit, FindsFilmOrientationAndAmountTogether) {
     const FreeNumbers numbers(pearl(80), {kFilm, kAlpha, kAmount}, {});
     const Fit found = fit(read(hidden), numbers, with_starts(2));
     EXPECT_LT(found.difference.mean_delta_e_2000, kExact_delta_e);
-    EXPECT_NEAR(found.estimates[0].value, 105, 0.05);
-    EXPECT_NEAR(found.estimates[1].value, 0.32, 1e-3);
-    EXPECT_NEAR(found.estimates[2].value, 0.03, 1e-4);
+    EXPECT_NEAR(found.parameters[0].value, 105, 0.05);
+    EXPECT_NEAR(found.parameters[1].value, 0.32, 1e-3);
+    EXPECT_NEAR(found.parameters[2].value, 0.03, 1e-4);
 }
 
 // Instruments that report L*a*b* alone are matched as well, through the same aperture.
@@ -75,7 +75,7 @@ TEST(Fit, TakesColoursWithoutSpectraThroughAnAperture) {
     const measure::Measurement standard =
         testing::without_spectra(read(pearl(90), angles, conditions));
     const Fit found = fit(standard, FreeNumbers(pearl(80), {kFilm}, {}), with_starts(1));
-    EXPECT_NEAR(found.estimates[0].value, 90, 0.05);
+    EXPECT_NEAR(found.parameters[0].value, 90, 0.05);
     EXPECT_EQ(found.colours.conditions.aperture, conditions.aperture);
     EXPECT_THAT(found.other_lights, IsEmpty());
 }
@@ -87,7 +87,7 @@ TEST(Fit, TakesSpectraAtSomeAnglesOnly) {
     measure::Measurement standard = read(pearl(90), angles);
     standard.readings[1].reflectance_factor.clear();
     const Fit found = fit(standard, FreeNumbers(pearl(80), {kFilm}, {}), with_starts(1));
-    EXPECT_NEAR(found.estimates[0].value, 90, 0.05);
+    EXPECT_NEAR(found.parameters[0].value, 90, 0.05);
     EXPECT_THAT(found.other_lights, IsEmpty());
 }
 
@@ -101,8 +101,8 @@ TEST(Fit, FindsAmountsOfPigmentUnderSeveralLights) {
     by_day.observer = spectra::Observer::cie1931_2deg;
     const Fit found = fit(read(hidden, testing::six_angles(), by_day),
                           FreeNumbers(solid(), {kScattering, kAbsorption}, {}), options);
-    EXPECT_NEAR(found.estimates[0].value, 180, 0.5);
-    EXPECT_NEAR(found.estimates[1].value, 35, 0.1);
+    EXPECT_NEAR(found.parameters[0].value, 180, 0.5);
+    EXPECT_NEAR(found.parameters[1].value, 35, 0.1);
     EXPECT_EQ(found.standard.conditions.observer, spectra::Observer::cie1931_2deg);
 }
 
@@ -113,8 +113,8 @@ TEST(Fit, SaysWhatColoursCannotTell) {
     const FreeNumbers numbers(solid(), {thickness, kScattering, kAbsorption}, {});
     const Fit found = fit(read(solid()), numbers, with_starts(1));
     EXPECT_LT(found.difference.mean_delta_e_2000, kExact_delta_e);
-    for (const Estimate& estimate : found.estimates) {
-        EXPECT_FALSE(estimate.standard_error) << estimate.number.bounds.key;
+    for (const FittedParameter& parameter : found.parameters) {
+        EXPECT_FALSE(parameter.standard_error) << parameter.number.bounds.key;
     }
     ASSERT_FALSE(found.tradeoffs.empty());
     const Tradeoff& tradeoff = found.tradeoffs[0];
@@ -135,7 +135,7 @@ TEST(Fit, AStandardOutOfReachLeavesItsResidual) {
     const FreeNumbers numbers(solid(), {kAbsorption}, {{kAbsorption, 30, 90}});
     const Fit found = fit(read(green), numbers, with_starts(2));
     EXPECT_GT(found.difference.mean_delta_e_2000, 10);
-    EXPECT_TRUE(found.estimates[0].at_lower_bound);  // the least red
+    EXPECT_TRUE(found.parameters[0].at_lower_bound);  // the least red
     EXPECT_FALSE(found.ended.empty());
     EXPECT_GT(*found.certainty.noise_delta_e, 5);
 }
@@ -150,7 +150,7 @@ TEST(Fit, FollowsTheWeights) {
         options.target.weights[standard.readings[i].geometry.name] = 0;
     }
     const Fit found = fit(standard, FreeNumbers(pearl(85), {kFilm}, {}), options);
-    EXPECT_NEAR(found.estimates[0].value, 80, 0.05);
+    EXPECT_NEAR(found.parameters[0].value, 80, 0.05);
     EXPECT_EQ(found.certainty.degrees_of_freedom, 3 * 3 - 1);  // three geometries of weight 0
 }
 
@@ -162,7 +162,7 @@ TEST(Fit, DoesNotDependOnThreads) {
     const auto values = [&](int threads) {
         const ThreadLimit limit(threads);
         const Fit found = fit(standard, numbers, with_starts(2));
-        return std::pair{found.estimates[0].value, found.estimates[1].value};
+        return std::pair{found.parameters[0].value, found.parameters[1].value};
     };
     EXPECT_EQ(values(1), values(2));
 }
@@ -245,10 +245,10 @@ TEST(FitNoise, NumbersScatterAsTheirStandardErrorsSay) {
         const double seen = found.certainty.noise_delta_e.value();
         variance += seen * seen / kFits;
         for (int p = 0; p < 2; ++p) {
-            const Estimate& e = found.estimates[p];
+            const FittedParameter& fitted = found.parameters[p];
             // The reported error is by the estimated noise; scale it to the true one.
-            const double error = e.standard_error.value() * kSigma / seen;
-            squares[p] += std::pow((e.value - e.number.start) / error, 2);
+            const double error = fitted.standard_error.value() * kSigma / seen;
+            squares[p] += std::pow((fitted.value - fitted.number.start) / error, 2);
         }
     }
     for (double sum : squares) {
