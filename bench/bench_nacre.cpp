@@ -51,7 +51,7 @@ std::vector<Patch> patches(double flakes) {
         const float turn = 2 * std::numbers::pi_v<float> * rng.uniform_float();
         const float c = side * std::cos(turn), d = side * std::sin(turn);
         Patch patch;
-        patch.rest = {
+        patch.footprint = {
             100.0f * n, n, frame.s, {c * frame.s + d * frame.t, c * frame.t - d * frame.s}};
         out.push_back(patch);
     }
@@ -141,7 +141,7 @@ void BM_NacreLook(benchmark::State& state) {
     std::size_t i = 0;
     double found = 0;
     for (auto _ : state) {
-        field.look(all[i].rest, view);
+        field.look(all[i].footprint, view);
         benchmark::DoNotOptimize(view);
         found += view.count;
         i = (i + 1) % all.size();

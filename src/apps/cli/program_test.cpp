@@ -308,7 +308,7 @@ TEST_F(Program, SingleFlakesAreEvaluatedInMillimetresAndRendered) {
     const auto surface = bsdf::Nacre(paint).bind({550, 550, 550, 550, 550, 550, 550, 550});
     const Frame frame = Frame::around({0, 0, 1});
     bsdf::Patch patch_of_fan;
-    patch_of_fan.rest = {{7, 3.3f, 0}, {0, 0, 1}, frame.s, {0.1f * frame.s, 0.1f * frame.t}};
+    patch_of_fan.footprint = {{7, 3.3f, 0}, {0, 0, 1}, frame.s, {0.1f * frame.s, 0.1f * frame.t}};
     int row = 0, single = 0;
     for (int theta = 0; theta <= 60; ++theta) {
         for (int phi = 150; phi <= 210; phi += 5) {

@@ -44,7 +44,7 @@ std::vector<bsdf::Patch> square_patches(double area_mm2, double fraction, int co
         const auto edge = static_cast<float>(side);
         patch.edge_1 = {edge * c, edge * s};
         patch.edge_2 = {-edge * s, edge * c};
-        patch.rest = {
+        patch.footprint = {
             kRadius_mm * normal,
             normal,
             frame.s,

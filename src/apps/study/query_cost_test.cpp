@@ -19,10 +19,11 @@ namespace {
 TEST(QueryCost, PatchesHaveTheirAreaInBothLayoutsAndLieInside) {
     const double area_mm2 = 0.02, fraction = 0.04;
     for (const bsdf::Patch& p : square_patches(area_mm2, fraction, 100)) {
-        EXPECT_NEAR(length(cross(p.rest.edge_mm[0], p.rest.edge_mm[1])), area_mm2, 1e-6);
+        EXPECT_NEAR(length(cross(p.footprint.edge_mm[0], p.footprint.edge_mm[1])), area_mm2, 1e-6);
         EXPECT_NEAR(p.edge_1.x * p.edge_2.y - p.edge_1.y * p.edge_2.x, fraction, 1e-6);
-        EXPECT_NEAR(length(p.rest.position_mm), 50, 1e-4);
-        for (const Vec3f& edge : p.rest.edge_mm) EXPECT_NEAR(dot(edge, p.rest.normal), 0, 1e-6);
+        EXPECT_NEAR(length(p.footprint.position_mm), 50, 1e-4);
+        for (const Vec3f& edge : p.footprint.edge_mm)
+            EXPECT_NEAR(dot(edge, p.footprint.normal), 0, 1e-6);
         const double u_reach = 0.5 * (std::abs(p.edge_1.x) + std::abs(p.edge_2.x));
         const double v_reach = 0.5 * (std::abs(p.edge_1.y) + std::abs(p.edge_2.y));
         EXPECT_LE(std::abs(p.u - 0.5) + u_reach, 0.5 + 1e-6);

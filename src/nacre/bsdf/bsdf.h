@@ -77,7 +77,7 @@ struct Patch {
     double u = 0, v = 0;
     Vec2f edge_1, edge_2;
     /// The same in the millimetres of object space.
-    sparkle::ObjectSpaceFootprint rest{};
+    sparkle::ObjectSpaceFootprint footprint{};
     /// Null: nothing is kept after a call.
     PatchMemory* memory = nullptr;
 };

@@ -38,7 +38,7 @@ bsdf::Patch square_mm(double x, double y, float side) {
     const Vec3f position_mm{static_cast<float>(x), static_cast<float>(y), 0}, normal{0, 0, 1};
     const Frame frame = Frame::around(normal);
     bsdf::Patch patch;
-    patch.rest = {position_mm, normal, frame.s, {side * frame.s, side * frame.t}};
+    patch.footprint = {position_mm, normal, frame.s, {side * frame.s, side * frame.t}};
     return patch;
 }
 

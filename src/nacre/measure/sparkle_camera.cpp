@@ -183,10 +183,10 @@ class Photographer {
         const auto side = static_cast<float>(side_mm);
         bsdf::Patch patch;
         patch.memory = &memory;
-        patch.rest = {{static_cast<float>(x), static_cast<float>(y), 0},
-                      {0, 0, 1},
-                      {1, 0, 0},
-                      {{side, 0, 0}, {0, side, 0}}};
+        patch.footprint = {{static_cast<float>(x), static_cast<float>(y), 0},
+                           {0, 0, 1},
+                           {1, 0, 0},
+                           {{side, 0, 0}, {0, side, 0}}};
         if (unit_square_) {
             const auto fraction = static_cast<float>(side_mm / camera_.unit_square_mm);
             patch.u = 0.5 + x / camera_.unit_square_mm;

@@ -104,8 +104,8 @@ TEST(Models, SparkleIsAsListed) {
                                    .v = v,
                                    .edge_1 = {1e-3f, 0},
                                    .edge_2 = {0, 1e-3f},
-                                   .rest = {.position_mm = {mm(u), mm(v), 0},
-                                            .edge_mm = {{0.1f, 0, 0}, {0, 0.1f, 0}}}};
+                                   .footprint = {.position_mm = {mm(u), mm(v), 0},
+                                                 .edge_mm = {{0.1f, 0, 0}, {0, 0.1f, 0}}}};
             };
             const bsdf::Patch a = patch(0.3), b = patch(0.7);
             differs |= bound->evaluate_on(a, wi, wo).f[3] != bound->evaluate_on(b, wi, wo).f[3];

@@ -27,7 +27,7 @@ bsdf::Patch square(Vec3f n, float side_mm, double turn) {
     const Frame frame = Frame::around(n);
     const Vec3f along = frame.to_world(direction(90, turn));
     bsdf::Patch patch;
-    patch.rest = {500.0f * n, n, frame.s, {side_mm * along, side_mm * cross(n, along)}};
+    patch.footprint = {500.0f * n, n, frame.s, {side_mm * along, side_mm * cross(n, along)}};
     return patch;
 }
 
@@ -85,7 +85,7 @@ TEST(NacreOnShapes, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
         std::vector<double> v(kPatches);
         for (double& value : v) {
             bsdf::Patch patch = square({0, 0, 1}, side_mm, 360 * rng.uniform_float());
-            patch.rest.position_mm = {500 * rng.uniform_float(), 500 * rng.uniform_float(), 0};
+            patch.footprint.position_mm = {500 * rng.uniform_float(), 500 * rng.uniform_float(), 0};
             value = bound->evaluate_on(patch, wi, wo).f[0] / mean;
         }
         const Moments panel(v);

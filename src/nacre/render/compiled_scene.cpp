@@ -216,8 +216,8 @@ bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_m
     const Surface& surface = surfaces_[hit.surface];
     if (materials[hit.material]->surface_coordinates() == bsdf::SurfaceCoordinates::object_space) {
         bsdf::Patch patch;
-        patch.rest = object_space_footprint(surface.map, hit.position_mm, hit.geometric_normal,
-                                            hit.shading_normal, edge_1_mm, edge_2_mm);
+        patch.footprint = object_space_footprint(surface.map, hit.position_mm, hit.geometric_normal,
+                                                 hit.shading_normal, edge_1_mm, edge_2_mm);
         return patch;
     }
     if (surface.sphere_radius_mm > 0) {

@@ -32,7 +32,7 @@ class Recorder final : public bsdf::Bsdf {
         }
         std::optional<bsdf::BsdfSample> sample_on(const bsdf::Patch& patch, Vec3f wi, float,
                                                   Vec2f) const override {
-            const Vec3f* edges = patch.rest.edge_mm;
+            const Vec3f* edges = patch.footprint.edge_mm;
             owner_.area += owner_.coordinates_ == bsdf::SurfaceCoordinates::unit_square
                                ? std::abs(double{patch.edge_1.x} * patch.edge_2.y -
                                           double{patch.edge_1.y} * patch.edge_2.x)

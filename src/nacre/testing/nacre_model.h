@@ -93,10 +93,10 @@ inline Patch random_square_patch(Rng& rng, double side_mm) {
     const float c = static_cast<float>(side_mm) * std::cos(turn);
     const float d = static_cast<float>(side_mm) * std::sin(turn);
     Patch patch;
-    patch.rest = {{anywhere(), anywhere(), anywhere()},
-                  n,
-                  frame.s,
-                  {c * frame.s + d * frame.t, c * frame.t - d * frame.s}};
+    patch.footprint = {{anywhere(), anywhere(), anywhere()},
+                       n,
+                       frame.s,
+                       {c * frame.s + d * frame.t, c * frame.t - d * frame.s}};
     return patch;
 }
 

@@ -164,15 +164,16 @@ class Speckled final : public bsdf::Bsdf {
 
      private:
         float factor(const bsdf::Patch& patch, Vec3f wi, Vec3f wo) const {
-            const sparkle::ObjectSpaceFootprint& rest = patch.rest;
+            const sparkle::ObjectSpaceFootprint& footprint = patch.footprint;
             auto& kept = *reinterpret_cast<Vec3f*>(patch.memory->data());
-            if (!patch.memory->filled) kept = rest.position_mm;
+            if (!patch.memory->filled) kept = footprint.position_mm;
             patch.memory->filled = true;
-            stale += kept != rest.position_mm;
+            stale += kept != footprint.position_mm;
             const Vec3f h = normalize(wi + wo);
-            return owner_.factor_(
-                rest.position_mm,
-                h.x * rest.tangent + h.y * cross(rest.normal, rest.tangent) + h.z * rest.normal);
+            return owner_.factor_(footprint.position_mm,
+                                  h.x * footprint.tangent +
+                                      h.y * cross(footprint.normal, footprint.tangent) +
+                                      h.z * footprint.normal);
         }
 
         const Speckled& owner_;

@@ -344,7 +344,7 @@ BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch)
     if (memory.filled) return;
     const std::vector<NacreSpecies>& species = surface.tables_->species;
     for (std::size_t s = 0; s < species.size(); ++s) {
-        species[s].field.look(patch.rest, *new (views + s) FlakeView);
+        species[s].field.look(patch.footprint, *new (views + s) FlakeView);
     }
     memory.filled = true;
 }

@@ -219,14 +219,15 @@ TEST(NacrePatch, PartsAverageToTheWhole) {
     for (int n = 0; n < 200; ++n) {
         Patch whole = random_square_patch(rng, 0.012);
         // Near the origin, where single precision resolves a thousandth of the side.
-        whole.rest.position_mm = 0.05f * whole.rest.position_mm;
+        whole.footprint.position_mm = 0.05f * whole.footprint.position_mm;
         for (const int edge : {0, 1}) {
             double sum = 0;
             std::vector<double> halves;
             for (const float side : {-0.25f, 0.25f}) {
                 Patch half = whole;
-                half.rest.edge_mm[edge] = 0.5f * whole.rest.edge_mm[edge];
-                half.rest.position_mm = whole.rest.position_mm + side * whole.rest.edge_mm[edge];
+                half.footprint.edge_mm[edge] = 0.5f * whole.footprint.edge_mm[edge];
+                half.footprint.position_mm =
+                    whole.footprint.position_mm + side * whole.footprint.edge_mm[edge];
                 halves.push_back(model.bound->evaluate_on(half, wi, wo).f[3]);
                 sum += halves.back() / 2;
             }
@@ -315,7 +316,7 @@ TEST(NacrePatch, StaysFiniteForAnyPatchAndDirection) {
         for (const float a : numbers) {
             for (const float b : numbers) {
                 Patch patch;
-                patch.rest = {{at, -at, 0}, {0, 0, 1}, {1, 0, 0}, {{a, b, 0}, {-b, a, 0}}};
+                patch.footprint = {{at, -at, 0}, {0, 0, 1}, {1, 0, 0}, {{a, b, 0}, {-b, a, 0}}};
                 for (const Vec3f wi : directions) {
                     for (const Vec3f wo : directions) {
                         const auto value = model.bound->evaluate_on(patch, wi, wo);

@@ -32,8 +32,8 @@ TEST(Nacre, WithoutFlakesNothingSparkles) {
     const SparklingModel model(recipe);
     EXPECT_EQ(model.bound->patch_memory_bytes(), 0u);
     Patch patch;
-    patch.rest.edge_mm[0] = {0.01f, 0, 0};
-    patch.rest.edge_mm[1] = {0, 0.01f, 0};
+    patch.footprint.edge_mm[0] = {0.01f, 0, 0};
+    patch.footprint.edge_mm[1] = {0, 0.01f, 0};
     const Vec3f wi = direction(30, 0), wo = direction(40, 100);
     const BsdfValue on = model.bound->evaluate_on(patch, wi, wo),
                     mean = model.bound->evaluate(wi, wo);

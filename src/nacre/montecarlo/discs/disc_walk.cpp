@@ -407,7 +407,7 @@ class BoundDiscWalk final : public BoundWalk {
             const double y = tile.height_um * random.uniform();
             return walker.run(x, y, entry.travel, entry.weight);
         }
-        const sparkle::ObjectSpaceFootprint& patch = entry.patch->rest;
+        const sparkle::ObjectSpaceFootprint& patch = entry.patch->footprint;
         const TileFrame frame(patch);
         auto escape =
             walker.run(kUmPerMm * patch.position_mm.x, kUmPerMm * frame.place_y(patch.position_mm),

@@ -131,8 +131,8 @@ using test::kOnGrid;
 
 bsdf::Patch patch_at(float x_mm, float y_mm, Vec3f tangent = {1, 0, 0}) {
     bsdf::Patch patch;
-    patch.rest.position_mm = {x_mm, y_mm, 0};
-    patch.rest.tangent = tangent;
+    patch.footprint.position_mm = {x_mm, y_mm, 0};
+    patch.footprint.tangent = tangent;
     return patch;
 }
 
