@@ -8,11 +8,11 @@ namespace nacre::montecarlo {
 namespace {
 
 /// Observer that adds the contributions of a walk to a tally.
-class Gatherer {
+class NextEventObserver {
  public:
-    Gatherer(const Medium& medium, const AirInterface& interface,
-             std::span<const Connection> connections, Part part, RandomStream& random,
-             WalkTally& tally)
+    NextEventObserver(const Medium& medium, const AirInterface& interface,
+                      std::span<const Connection> connections, Part part, RandomStream& random,
+                      WalkTally& tally)
         : medium_(medium),
           interface_(interface),
           connections_(connections),
@@ -20,13 +20,15 @@ class Gatherer {
           random_(random),
           tally_(tally) {}
 
-    bool follows(const WalkState& state) const { return part_ != Part::single || state.untouched; }
+    bool follows(const WalkState& state) const {
+        return part_ != Part::single || state.unscattered;
+    }
 
     /// Next-event estimation with a forced candidate: a position on the flight is drawn from the
     /// law of the first candidate given that there is one, weighted with the probability of that,
     /// so that thin layers are no noisier than thick ones.
-    void flies(const WalkState& state, const Slab& slab, double to_edge, double rate) {
-        if (!(rate > 0) || !counts(state.untouched ? Part::single : Part::multiple)) return;
+    void on_flight(const WalkState& state, const Slab& slab, double to_edge, double rate) {
+        if (!(rate > 0) || !counts(state.unscattered ? Part::single : Part::multiple)) return;
         const double probability = -std::expm1(-rate * to_edge);
         const double place = -std::log1p(-random_.uniform() * probability) / rate;
         const double depth =
@@ -42,11 +44,11 @@ class Gatherer {
         }
     }
 
-    void lands(const Lanes& weight) {
+    void on_substrate(const Lanes& weight) {
         tally_.absorbed_by_substrate += weight * (1 - medium_.substrate_reflectance);
     }
 
-    bool lifts(const Lanes& weight) {
+    bool on_substrate_reflection(const Lanes& weight) {
         if (part_ == Part::single) return false;
         for (std::size_t j = 0; j < connections_.size(); ++j)
             tally_.radiance[j] +=
@@ -54,7 +56,7 @@ class Gatherer {
         return true;
     }
 
-    void surfaces(WalkState& state) {
+    void at_interface(WalkState& state) {
         const AirInterface::Weighted reflection = interface_.reflect_inside(state.travel, random_);
         tally_.reflected += (1 - reflection.weight) * state.weight;
         state.weight *= reflection.weight;
@@ -109,8 +111,8 @@ void walk(const Medium& medium, const AirInterface& interface, const Vec3d& towa
         weight[i] = entry.weight;
         tally.reflected[i] += 1 - entry.weight;
     }
-    Gatherer gatherer(medium, interface, connections, part, random, tally);
-    DepthWalk(medium, random, gatherer).run(entry.travel, weight);
+    NextEventObserver observer(medium, interface, connections, part, random, tally);
+    DepthWalk(medium, random, observer).run(entry.travel, weight);
 }
 
 }  // namespace nacre::montecarlo

@@ -10,18 +10,18 @@
 #include "nacre/montecarlo/walker.h"
 
 // The random walk in depth alone: the paint is the same everywhere along its plane. An observer
-// decides what is recorded: that of depth_walk.cpp sums contributions to given eyes, that of
+// decides what is recorded: that of depth_walk.cpp sums contributions to given detectors, that of
 // plane_walk.cpp follows one packet of light out of the paint.
 
 namespace nacre::montecarlo {
 
 /// Observer:
 ///     bool follows(const WalkState&)      whether the walk is worth another flight
-///     void flies(const WalkState&, const Slab&, double to_edge_um, double rate_per_um)
+///     void on_flight(const WalkState&, const Slab&, double to_edge_um, double rate_per_um)
 ///                                         before it is known where the flight ends
-///     void lands(const Lanes& weight)     on the substrate
-///     bool lifts(const Lanes& weight)     off the substrate; false ends the walk
-///     void surfaces(WalkState&)           at the top, going up: turns the light or ends the walk
+///     void on_substrate(const Lanes& weight)
+///     bool on_substrate_reflection(const Lanes& weight)   false ends the walk
+///     void at_interface(WalkState&)       from inside: turns the light or ends the walk
 template <class Observer>
 class DepthWalk : private Walker {
  public:
@@ -48,7 +48,7 @@ class DepthWalk : private Walker {
         const double to_edge =
             (down ? slab.thickness_um - state_.depth_um : state_.depth_um) / cosine;
         const double rate = slab.candidate_rate_per_um();
-        observer_.flies(state_, slab, to_edge, rate);
+        observer_.on_flight(state_, slab, to_edge, rate);
 
         const double free_path = rate > 0 ? random_.exponential() / rate : to_edge;
         const bool collides = free_path < to_edge;
@@ -70,18 +70,18 @@ class DepthWalk : private Walker {
         double choice = random_.uniform() * rate;
         for (const Flakes& species : slab.flakes) {
             choice -= species.area_density_per_um;
-            if (choice < 0) return meet_candidate(species);
+            if (choice < 0) return collide_with_candidate(species);
         }
-        meet_pigment(slab);
+        collide_with_pigment(slab);
     }
 
-    void meet_candidate(const Flakes& species) {
+    void collide_with_candidate(const Flakes& species) {
         const Vec3d normal = sample_beckmann_normal(species.alpha, random_);
         const double projection = dot(state_.travel, normal);
         const double cosine = std::abs(projection);
         if (random_.uniform() >= cosine) return;  // not a real flake
-        meet_flake(species.optics.reflectance(cosine), species.optics.transmittance(cosine),
-                   projection, normal);
+        collide_with_flake(species.optics.reflectance(cosine), species.optics.transmittance(cosine),
+                           projection, normal);
         roulette();
     }
 
@@ -91,9 +91,9 @@ class DepthWalk : private Walker {
             state_.depth_um = 0;
             return;
         }
-        observer_.lands(state_.weight);
-        if (!leave_substrate()) return;
-        if (!observer_.lifts(state_.weight)) {
+        observer_.on_substrate(state_.weight);
+        if (!reflect_off_substrate()) return;
+        if (!observer_.on_substrate_reflection(state_.weight)) {
             state_.alive = false;
             return;
         }
@@ -108,18 +108,19 @@ class DepthWalk : private Walker {
             state_.depth_um = slab().thickness_um;
             return;
         }
-        observer_.surfaces(state_);
+        observer_.at_interface(state_);
         state_.depth_um = 0;
-        state_.untouched = false;
+        state_.unscattered = false;
         roulette();
     }
 
     Observer& observer_;
 };
 
-// One random walk with its contributions to the eyes. The estimators: docs/reference.md.
+// One random walk with its contributions to the detectors. The estimators: docs/reference.md.
 
-/// A connection from inside the paint to an eye: the inner direction and the attenuation along it.
+/// A connection from inside the paint to a detector: the inner direction and the attenuation along
+/// it.
 class Connection {
  public:
     Connection(const AirInterface::Weighted& inner, const Medium& medium);

@@ -114,23 +114,23 @@ inline Vec3d sample_lambert(RandomStream& random) {
     return {sine * c, sine * s, std::sqrt(1 - sine_sq)};
 }
 
-enum class FlakeEvent { reflected, passed, absorbed };
+enum class FlakeEvent { reflected, transmitted, absorbed };
 
 /// Light meets a flake of this R and T: it is reflected or goes straight on, at random; absorption
 /// reduces the weight. The weight is of no use after `absorbed`.
 inline FlakeEvent draw_flake_event(const Lanes& reflectance, const Lanes& transmittance,
                                    Lanes& weight, RandomStream& random) {
     const Lanes reflected = weight * reflectance;
-    const Lanes passed = weight * transmittance;
-    const double sum_reflected = lane_sum(reflected), sum_passed = lane_sum(passed);
-    const double sum = sum_reflected + sum_passed;
+    const Lanes transmitted = weight * transmittance;
+    const double sum_reflected = lane_sum(reflected), sum_transmitted = lane_sum(transmitted);
+    const double sum = sum_reflected + sum_transmitted;
     if (sum <= 0) return FlakeEvent::absorbed;
     if (random.uniform() * sum < sum_reflected) {
         weight = reflected * (sum / sum_reflected);
         return FlakeEvent::reflected;
     }
-    weight = passed * (sum / sum_passed);
-    return FlakeEvent::passed;
+    weight = transmitted * (sum / sum_transmitted);
+    return FlakeEvent::transmitted;
 }
 /// The same for a flake met under this cosine.
 inline FlakeEvent draw_flake_event(const FlakeOptics& optics, double cosine, Lanes& weight,
@@ -140,7 +140,7 @@ inline FlakeEvent draw_flake_event(const FlakeOptics& optics, double cosine, Lan
 }
 
 /// The direction of light after specular reflection; `projection` is travel.normal.
-inline Vec3d mirrored(const Vec3d& travel, double projection, const Vec3d& normal) {
+inline Vec3d specular_direction(const Vec3d& travel, double projection, const Vec3d& normal) {
     return normalize(travel - 2 * projection * normal);
 }
 

@@ -25,13 +25,13 @@ class SmoothInterface final : public AirInterface {
                 optics::dielectric_reflectance(index_, 1.0, travel.z)};
     }
 
-    Passage meet_from_outside(const Vec3d& towards_light, RandomStream& random) const override {
+    Passage sample_from_outside(const Vec3d& towards_light, RandomStream& random) const override {
         if (random.uniform() < transmittance(towards_light.z))
             return {-refract_inwards(towards_light), true};
         return {{-towards_light.x, -towards_light.y, towards_light.z}, false};
     }
 
-    Passage meet_from_inside(const Vec3d& travel, RandomStream& random) const override {
+    Passage sample_from_inside(const Vec3d& travel, RandomStream& random) const override {
         if (random.uniform() < optics::dielectric_reflectance(index_, 1.0, travel.z))
             return {{travel.x, travel.y, -travel.z}, true};
         const double x = travel.x * index_, y = travel.y * index_;
@@ -40,8 +40,9 @@ class SmoothInterface final : public AirInterface {
 
     // Radiance over index squared is conserved up to Fresnel's transmittance: the projected solid
     // angle of a cone outside is n^2 times that of its image inside.
-    Weighted connect(const Vec3d& towards_eye, RandomStream&) const override {
-        return {refract_inwards(towards_eye), transmittance(towards_eye.z) / (index_ * index_)};
+    Weighted connect(const Vec3d& towards_detector, RandomStream&) const override {
+        return {refract_inwards(towards_detector),
+                transmittance(towards_detector.z) / (index_ * index_)};
     }
 
     bool scatters() const override { return false; }
@@ -111,33 +112,35 @@ class RoughAirInterface final : public AirInterface {
         return {ray.inside ? ray.away : flipped(travel), ray.inside ? 1.0 : 0.0};
     }
 
-    Passage meet_from_outside(const Vec3d& towards_light, RandomStream& random) const override {
+    Passage sample_from_outside(const Vec3d& towards_light, RandomStream& random) const override {
         const Ray ray = scatter({towards_light, false}, random);
         return {ray.away, ray.inside};
     }
 
-    Passage meet_from_inside(const Vec3d& travel, RandomStream& random) const override {
+    Passage sample_from_inside(const Vec3d& travel, RandomStream& random) const override {
         const Ray ray = scatter({-travel, true}, random);
         return {ray.away, ray.inside};
     }
 
-    // The kernel between basic radiances is symmetric: the light that an eye sees comes from the
-    // directions to which light from the eye would go. 1/n^2 turns radiance inside into basic.
-    Weighted connect(const Vec3d& towards_eye, RandomStream& random) const override {
-        const Ray ray = scatter({towards_eye, false}, random);
+    // The kernel between basic radiances is symmetric: the light that a detector gets comes from
+    // the directions to which light from the detector would go. 1/n^2 turns radiance inside into
+    // basic.
+    Weighted connect(const Vec3d& towards_detector, RandomStream& random) const override {
+        const Ray ray = scatter({towards_detector, false}, random);
         if (!ray.inside) return {{0, 0, 1}, 0};
         return {-ray.away, 1 / (index_ * index_)};
     }
 
     bool scatters() const override { return true; }
 
-    double reflect_outside(const Vec3d& towards_light, const Vec3d& towards_eye,
+    double reflect_outside(const Vec3d& towards_light, const Vec3d& towards_detector,
                            RandomStream& random) const override {
-        double sum = facet_brdf(towards_light, towards_eye);
-        // m(light) m(eye) / Int m: the masked fractions by chance; the number of directions,
+        double sum = facet_brdf(towards_light, towards_detector);
+        // m(light) m(detector) / Int m: the masked fractions by chance; the number of directions,
         // uniform in etendue, that it takes to find one whose light is masked has the mean
         // total / Int m.
-        if (is_masked({towards_light, false}, random) && is_masked({towards_eye, false}, random)) {
+        if (is_masked({towards_light, false}, random) &&
+            is_masked({towards_detector, false}, random)) {
             std::uint64_t trials = 1;
             while (!is_masked(uniform_in_etendue(random), random)) ++trials;
             sum += static_cast<double>(trials) / (std::numbers::pi * (1 + index_ * index_));
@@ -214,14 +217,15 @@ class RoughAirInterface final : public AirInterface {
     }
 
     /// Light that met one facet.                                            [walter-2007, eq. 20]
-    double facet_brdf(const Vec3d& light, const Vec3d& eye) const {
-        const Vec3d h = normalize(light + eye);
+    double facet_brdf(const Vec3d& light, const Vec3d& detector) const {
+        const Vec3d h = normalize(light + detector);
         const double cos_sq = h.z * h.z;
         const double density = std::exp((1 - 1 / cos_sq) / (alpha_ * alpha_)) /
                                (std::numbers::pi * alpha_ * alpha_ * cos_sq * cos_sq);
         const double cosine = std::min(1.0, dot(light, h));
         return optics::dielectric_reflectance(1.0, index_, cosine) * density *
-               smith_g1(light.z, alpha_) * smith_g1(eye.z, alpha_) / (4 * light.z * eye.z);
+               smith_g1(light.z, alpha_) * smith_g1(detector.z, alpha_) /
+               (4 * light.z * detector.z);
     }
 
     double index_, alpha_;

@@ -6,8 +6,8 @@
 #include "nacre/montecarlo/medium.h"
 
 // The boundary between air and the paint, as a random walk uses it: light is sent in from outside,
-// meets the boundary from inside, and is connected from inside to an eye outside. One object per
-// binder index; all functions may be called from several threads.
+// meets the boundary from inside, and is connected from inside to a detector outside. One object
+// per binder index; all functions may be called from several threads.
 
 namespace nacre::montecarlo {
 
@@ -38,21 +38,21 @@ class AirInterface {
 
     /// The same two at random: all of the light goes one way, reflected or through.
     /// @param towards_light  unit vector outside, z > 0
-    virtual Passage meet_from_outside(const Vec3d& towards_light, RandomStream& random) const = 0;
+    virtual Passage sample_from_outside(const Vec3d& towards_light, RandomStream& random) const = 0;
     /// @param travel  inside, z > 0
-    virtual Passage meet_from_inside(const Vec3d& travel, RandomStream& random) const = 0;
+    virtual Passage sample_from_inside(const Vec3d& travel, RandomStream& random) const = 0;
 
-    /// Connects the inside with an eye. @param towards_eye  unit vector outside, z > 0
+    /// Connects the inside with a detector. @param towards_detector  unit vector outside, z > 0
     /// @return a direction of travel inside (z > 0) and a weight such that the radiance that leaves
-    ///         towards the eye is the mean of  weight * (radiance inside along travel)
-    virtual Weighted connect(const Vec3d& towards_eye, RandomStream& random) const = 0;
+    ///         towards the detector is the mean of  weight * (radiance inside along travel)
+    virtual Weighted connect(const Vec3d& towards_detector, RandomStream& random) const = 0;
 
     /// Whether connect() draws at random, so that each walk needs connections of its own.
     virtual bool scatters() const = 0;
 
     /// Unbiased estimate of the BRDF of the interface by itself, in 1/sr, without specular
     /// reflection.
-    virtual double reflect_outside(const Vec3d& towards_light, const Vec3d& towards_eye,
+    virtual double reflect_outside(const Vec3d& towards_light, const Vec3d& towards_detector,
                                    RandomStream& random) const = 0;
 };
 

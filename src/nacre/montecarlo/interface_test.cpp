@@ -87,11 +87,11 @@ TEST(SmoothInterface, SampledEventsHaveTheMeansOfTheWeightedOnes) {
         const auto reflection = interface->reflect_inside(travel, random);
         int entered = 0, reflected = 0;
         for (int i = 0; i < kMeetings; ++i) {
-            const auto in = interface->meet_from_outside(outside, random);
-            const Vec3d mirrored(-outside.x, -outside.y, outside.z);
-            EXPECT_LT(length(in.travel - (in.inside ? entry.travel : mirrored)), 1e-14);
+            const auto in = interface->sample_from_outside(outside, random);
+            const Vec3d specular(-outside.x, -outside.y, outside.z);
+            EXPECT_LT(length(in.travel - (in.inside ? entry.travel : specular)), 1e-14);
             entered += in.inside;
-            const auto out = interface->meet_from_inside(travel, random);
+            const auto out = interface->sample_from_inside(travel, random);
             if (out.inside) {
                 EXPECT_LT(length(out.travel - reflection.travel), 1e-14);
             } else {

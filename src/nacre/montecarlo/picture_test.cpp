@@ -156,8 +156,8 @@ TEST(Picture, ThreeModelsOfAPearlAgree) { expect_one_picture(test::pearl()); }
 namespace {
 
 /// Between two powers of ten.
-double by_magnitude(Rng& rng, double least, double most) {
-    return least * std::pow(most / least, rng.uniform_double());
+double by_magnitude(Rng& rng, double lo, double hi) {
+    return lo * std::pow(hi / lo, rng.uniform_double());
 }
 
 /// A paint at the limits of what a recipe may say, except for depths of hundreds without

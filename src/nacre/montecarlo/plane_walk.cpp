@@ -105,7 +105,7 @@ std::optional<Escape> BoundWalk::enter_and_follow(const Vec3d& wi, const Packet&
 
 std::optional<Escape> BoundWalk::meet_rough(const Vec3d& wi, const Packet& packet,
                                             RandomStream& random) const {
-    const auto passage = interface(packet.lane).meet_from_outside(wi, random);
+    const auto passage = interface(packet.lane).sample_from_outside(wi, random);
     if (!passage.inside) return Escape{.direction = passage.travel, .weight = packet.weight};
     return follow({passage.travel, packet.weight, packet.lane, packet.patch}, random);
 }
@@ -164,11 +164,11 @@ class EscapeObserver {
         : interface_(interface), random_(random) {}
 
     bool follows(const WalkState&) const { return true; }
-    void flies(const WalkState&, const Slab&, double, double) const {}
-    void lands(const Lanes&) const {}
-    bool lifts(const Lanes&) const { return true; }
-    void surfaces(WalkState& state) {
-        const auto passage = interface_.meet_from_inside(state.travel, random_);
+    void on_flight(const WalkState&, const Slab&, double, double) const {}
+    void on_substrate(const Lanes&) const {}
+    bool on_substrate_reflection(const Lanes&) const { return true; }
+    void at_interface(WalkState& state) {
+        const auto passage = interface_.sample_from_inside(state.travel, random_);
         state.travel = passage.travel;
         if (passage.inside) return;
         state.alive = false;

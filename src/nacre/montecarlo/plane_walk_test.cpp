@@ -77,22 +77,22 @@ TEST(PlaneWalk, PowerIntoASolidAngleIsTheIntegralOfTheReferencesBrdf) {
     for (std::size_t b = 0; b < bins.size(); ++b) {
         const Quadrature theta = gauss_legendre(kNodes, bins[b].theta_from, bins[b].theta_to);
         const Quadrature phi = gauss_legendre(kNodes, bins[b].phi_from, bins[b].phi_to);
-        std::vector<Direction> eyes;
+        std::vector<Direction> detectors;
         std::vector<double> weights;
         for (int i = 0; i < kNodes; ++i) {
             for (int j = 0; j < kNodes; ++j) {
-                eyes.push_back({theta.nodes[i], phi.nodes[j]});
+                detectors.push_back({theta.nodes[i], phi.nodes[j]});
                 const double t = theta.nodes[i] * kDegree;
                 weights.push_back(theta.weights[i] * phi.weights[j] * kDegree * kDegree *
                                   std::sin(t) * std::cos(t));
             }
         }
-        const auto brdf = reference_brdf(recipe, std::vector<Direction>{{theta_i, 0}}, eyes,
+        const auto brdf = reference_brdf(recipe, std::vector<Direction>{{theta_i, 0}}, detectors,
                                          kOnGrid, {.samples = 20'000});
         for (int lane = 0; lane < kLanes; ++lane) {
             // Eyes share walks: their errors add up, if fully correlated.
             Estimate expected;
-            for (std::size_t j = 0; j < eyes.size(); ++j) {
+            for (std::size_t j = 0; j < detectors.size(); ++j) {
                 expected.value += weights[j] * brdf[j * kLanes + lane].value;
                 expected.standard_error += weights[j] * brdf[j * kLanes + lane].standard_error;
             }

@@ -5,10 +5,8 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <mutex>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -24,47 +22,28 @@ namespace nacre::montecarlo {
 /// Sums of what walks contributed, and of its square.
 class Moments {
  public:
-    explicit Moments(std::size_t eye_count);
+    explicit Moments(std::size_t detector_count);
 
     void add(const WalkTally& tally);
     void add(const Moments& other);
 
-    std::size_t eye_count() const { return sum_.size() - 2; }
-    Estimate radiance(std::size_t eye, int lane, std::uint64_t samples) const {
-        return estimate(eye, lane, samples);
+    std::size_t detector_count() const { return sum_.size() - 2; }
+    Estimate radiance(std::size_t detector, int lane, std::uint64_t samples) const {
+        return estimate(detector, lane, samples);
     }
     Estimate reflected(int lane, std::uint64_t samples) const {
-        return estimate(eye_count(), lane, samples);
+        return estimate(detector_count(), lane, samples);
     }
     Estimate absorbed_by_substrate(int lane, std::uint64_t samples) const {
-        return estimate(eye_count() + 1, lane, samples);
+        return estimate(detector_count() + 1, lane, samples);
     }
 
  private:
     void add(std::size_t i, const Lanes& x);
     Estimate estimate(std::size_t i, int lane, std::uint64_t samples) const;
 
-    // Of the radiance per eye, then of the power reflected, then of that absorbed below.
+    // Of the radiance per detector, then of the power reflected, then of that absorbed below.
     std::vector<Lanes> sum_, sum_of_squares_;
-};
-
-/// Counts blocks and asks the caller whether to go on.
-class Ticker {
- public:
-    Ticker(const Progress& progress, double total) : progress_(progress), total_(total) {}
-
-    void tick() {
-        if (!progress_) return;
-        const std::scoped_lock lock(mutex_);
-        if (!stopped_ && !progress_(++done_ / total_)) stopped_ = true;
-    }
-    bool stopped() const { return stopped_; }
-
- private:
-    const Progress& progress_;
-    double total_, done_ = 0;
-    std::mutex mutex_;
-    std::atomic<bool> stopped_ = false;
 };
 
 /// The walks of one incident direction at one batch of wavelengths.
@@ -72,8 +51,8 @@ struct Experiment {
     const Medium& medium;
     const AirInterface& interface;
     Vec3d towards_light;
-    std::span<const Vec3d> towards_eyes;
-    std::span<const Connection> connections;  ///< one per eye if the interface is smooth, else none
+    std::span<const Vec3d> towards_detectors;
+    std::span<const Connection> connections;  ///< one per detector; none if the interface scatters
     ReferenceSettings settings;
     std::uint64_t number;  ///< among the experiments of one call
 
@@ -81,8 +60,8 @@ struct Experiment {
     /// but the number of walks.
     static std::uint64_t block_count(std::uint64_t samples);
 
-    /// All walks; a part of them if `ticker` is stopped. Ticks once for each block.
-    Moments run(Ticker& ticker) const;
+    /// All walks; a part of them if `blocks` is stopped. Reports each block.
+    Moments run(SharedProgress& blocks) const;
 
  private:
     void run_block(std::uint64_t block, Moments& moments) const;
@@ -90,8 +69,8 @@ struct Experiment {
 
 namespace {
 
-// More eyes than this are served by walks of their own, to bound memory.
-constexpr std::size_t kMaxEyesPerWalk = 1024;
+// More detectors than this are served by walks of their own, to bound memory.
+constexpr std::size_t kMaxDetectorsPerWalk = 1024;
 
 Vec3d unit_vector(const Direction& direction) {
     const double theta = direction.theta_deg * std::numbers::pi / 180;
@@ -143,7 +122,7 @@ struct Outcome {
     const Moments& moments;
 };
 
-/// Runs an experiment for each batch of wavelengths, group of eyes and incident direction.
+/// Runs an experiment for each batch of wavelengths, group of detectors and incident direction.
 template <class Sink>
 void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
              std::span<const Direction> outgoing, std::span<const double> wavelengths_nm,
@@ -151,38 +130,39 @@ void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
     check(incident, "incident");
     check(outgoing, "outgoing");
     check(recipe, wavelengths_nm, settings);
-    std::vector<Vec3d> eyes;
-    for (const Direction& direction : outgoing) eyes.push_back(unit_vector(direction));
+    std::vector<Vec3d> detectors;
+    for (const Direction& direction : outgoing) detectors.push_back(unit_vector(direction));
 
     const auto all_batches = batches(recipe, wavelengths_nm);
-    const std::size_t groups =
-        std::max<std::size_t>(1, (eyes.size() + kMaxEyesPerWalk - 1) / kMaxEyesPerWalk);
-    Ticker ticker(progress, static_cast<double>(all_batches.size() * groups * incident.size() *
-                                                Experiment::block_count(settings.samples)));
+    const std::size_t groups = std::max<std::size_t>(
+        1, (detectors.size() + kMaxDetectorsPerWalk - 1) / kMaxDetectorsPerWalk);
+    SharedProgress blocks(progress,
+                          static_cast<double>(all_batches.size() * groups * incident.size() *
+                                              Experiment::block_count(settings.samples)));
     std::uint64_t number = 0;
     for (const std::span<const double>& batch : all_batches) {
         const Medium medium(recipe, batch);
         const auto interface = make_air_interface(recipe, medium.index);
         for (std::size_t group = 0; group < groups; ++group) {
-            const std::size_t first_eye = group * kMaxEyesPerWalk;
-            const auto own_eyes = std::span(eyes).subspan(
-                first_eye, std::min(kMaxEyesPerWalk, eyes.size() - first_eye));
+            const std::size_t first_detector = group * kMaxDetectorsPerWalk;
+            const auto own_detectors = std::span(detectors).subspan(
+                first_detector, std::min(kMaxDetectorsPerWalk, detectors.size() - first_detector));
             std::vector<Connection> connections;
             if (!interface->scatters()) {
                 RandomStream unused(0, 0, 0);
-                for (const Vec3d& eye : own_eyes)
-                    connections.emplace_back(interface->connect(eye, unused), medium);
+                for (const Vec3d& detector : own_detectors)
+                    connections.emplace_back(interface->connect(detector, unused), medium);
             }
             for (std::size_t i = 0; i < incident.size(); ++i) {
-                const Experiment experiment{medium,   *interface,  unit_vector(incident[i]),
-                                            own_eyes, connections, settings,
+                const Experiment experiment{medium,        *interface,  unit_vector(incident[i]),
+                                            own_detectors, connections, settings,
                                             number++};
-                const Moments moments = experiment.run(ticker);
-                if (ticker.stopped())
+                const Moments moments = experiment.run(blocks);
+                if (blocks.stopped())
                     throw Error("the reference was stopped before its random walks were done");
                 const auto first_wavelength =
                     static_cast<std::size_t>(batch.data() - wavelengths_nm.data());
-                sink(Outcome{i, first_eye, first_wavelength, medium, moments});
+                sink(Outcome{i, first_detector, first_wavelength, medium, moments});
             }
         }
     }
@@ -197,7 +177,7 @@ std::vector<Estimate> reference_brdf(const paint::Recipe& recipe,
                                      const ReferenceSettings& settings, const Progress& progress) {
     std::vector<Estimate> result(incident.size() * outgoing.size() * wavelengths_nm.size());
     run_all(recipe, incident, outgoing, wavelengths_nm, settings, progress, [&](const Outcome& o) {
-        for (std::size_t j = 0; j < o.moments.eye_count(); ++j) {
+        for (std::size_t j = 0; j < o.moments.detector_count(); ++j) {
             const std::size_t row = o.incident * outgoing.size() + o.first_outgoing + j;
             for (int lane = 0; lane < o.medium.lane_count; ++lane) {
                 result[row * wavelengths_nm.size() + o.first_wavelength + lane] =
@@ -232,12 +212,13 @@ constexpr std::uint64_t kWalksPerBlock = 256;
 
 }  // namespace
 
-Moments::Moments(std::size_t eye_count) : sum_(eye_count + 2), sum_of_squares_(eye_count + 2) {}
+Moments::Moments(std::size_t detector_count)
+    : sum_(detector_count + 2), sum_of_squares_(detector_count + 2) {}
 
 void Moments::add(const WalkTally& tally) {
-    for (std::size_t j = 0; j < eye_count(); ++j) add(j, tally.radiance[j]);
-    add(eye_count(), tally.reflected);
-    add(eye_count() + 1, tally.absorbed_by_substrate);
+    for (std::size_t j = 0; j < detector_count(); ++j) add(j, tally.radiance[j]);
+    add(detector_count(), tally.reflected);
+    add(detector_count() + 1, tally.absorbed_by_substrate);
 }
 
 void Moments::add(const Moments& other) {
@@ -263,7 +244,7 @@ std::uint64_t Experiment::block_count(std::uint64_t samples) {
 void Experiment::run_block(std::uint64_t block, Moments& moments) const {
     RandomStream random(settings.seed, number, block);
     WalkTally tally;
-    tally.radiance.resize(towards_eyes.size());
+    tally.radiance.resize(towards_detectors.size());
     std::vector<Connection> own_connections;
     const std::uint64_t blocks = block_count(settings.samples);
     const std::uint64_t count =
@@ -272,15 +253,15 @@ void Experiment::run_block(std::uint64_t block, Moments& moments) const {
         tally.clear();
         if (interface.scatters()) {
             own_connections.clear();
-            for (const Vec3d& eye : towards_eyes)
-                own_connections.emplace_back(interface.connect(eye, random), medium);
+            for (const Vec3d& detector : towards_detectors)
+                own_connections.emplace_back(interface.connect(detector, random), medium);
         }
         walk(medium, interface, towards_light, interface.scatters() ? own_connections : connections,
              settings.part, random, tally);
         if (interface.scatters() && settings.part == Part::total) {
-            for (std::size_t j = 0; j < towards_eyes.size(); ++j) {
+            for (std::size_t j = 0; j < towards_detectors.size(); ++j) {
                 tally.radiance[j] +=
-                    interface.reflect_outside(towards_light, towards_eyes[j], random);
+                    interface.reflect_outside(towards_light, towards_detectors[j], random);
             }
         }
         moments.add(tally);
@@ -288,15 +269,15 @@ void Experiment::run_block(std::uint64_t block, Moments& moments) const {
 }
 
 // The tree of partial sums is fixed by the number of blocks, and so is the rounding.
-Moments Experiment::run(Ticker& ticker) const {
+Moments Experiment::run(SharedProgress& blocks) const {
     using Range = tbb::blocked_range<std::uint64_t>;
     return tbb::parallel_deterministic_reduce(
-        Range(0, block_count(settings.samples), 1), Moments(towards_eyes.size()),
+        Range(0, block_count(settings.samples), 1), Moments(towards_detectors.size()),
         [&](const Range& range, Moments moments) {
             for (std::uint64_t block = range.begin(); block < range.end(); ++block) {
-                if (ticker.stopped()) break;
+                if (blocks.stopped()) break;
                 run_block(block, moments);
-                ticker.tick();
+                blocks.add();
             }
             return moments;
         },

@@ -128,12 +128,12 @@ void ShellWalker::collide(const Slab& slab, double choice) {
     const double cosine = dot(state_.travel, normal());
     for (const Flakes& species : slab.flakes) {
         choice -= species.area_density_per_um * candidate_area(cosine, species.alpha);
-        if (choice < 0) return meet_candidate(species);
+        if (choice < 0) return collide_with_candidate(species);
     }
-    meet_pigment(slab);
+    collide_with_pigment(slab);
 }
 
-void ShellWalker::meet_candidate(const Flakes& species) {
+void ShellWalker::collide_with_candidate(const Flakes& species) {
     const Vec3d up = normal();
     const double cosine_up = dot(state_.travel, up);
     const Vec3d across_up = state_.travel - cosine_up * up;
@@ -148,8 +148,8 @@ void ShellWalker::meet_candidate(const Flakes& species) {
     const Vec3d flake = upright * (up - slopes.along * along - slopes.across * cross(up, along));
     const double projection = dot(state_.travel, flake);
     const double cosine = std::abs(projection);
-    if (meet_flake(species.optics.reflectance(cosine), species.optics.transmittance(cosine),
-                   projection, flake) == FlakeEvent::absorbed)
+    if (collide_with_flake(species.optics.reflectance(cosine), species.optics.transmittance(cosine),
+                           projection, flake) == FlakeEvent::absorbed)
         return;
     roulette();
 }
@@ -162,7 +162,7 @@ void ShellWalker::descend() {
         return;
     }
     state_.depth_um = slab().thickness_um;
-    if (!leave_substrate()) return;
+    if (!reflect_off_substrate()) return;
     const Vec3d up = normal(), local = sample_lambert(random_);
     const Vec3d across = perpendicular(up);
     state_.travel = normalize(local.x * across + local.y * cross(up, across) + local.z * up);
@@ -180,7 +180,7 @@ void ShellWalker::ascend() {
     const Vec3d up = normal();
     const double cosine = std::max(0.0, dot(state_.travel, up));
     if (random_.uniform() < optics::dielectric_reflectance(index_, 1.0, cosine)) {
-        state_.travel = mirrored(state_.travel, cosine, up);
+        state_.travel = specular_direction(state_.travel, cosine, up);
         return;
     }
     const Vec3d tangential = index_ * (state_.travel - cosine * up);

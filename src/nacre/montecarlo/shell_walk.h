@@ -88,7 +88,7 @@ class ShellWalker : private Walker {
  private:
     void fly();
     void collide(const Slab& slab, double choice);
-    void meet_candidate(const Flakes& species);
+    void collide_with_candidate(const Flakes& species);
     void descend();
     void ascend();
     Vec3d normal() const;

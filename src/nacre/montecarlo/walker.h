@@ -14,7 +14,7 @@ struct WalkState {
     std::size_t slab = 0;
     double depth_um = 0;  ///< below the top of the slab; not used among discs
     Lanes weight{};
-    bool untouched = true;  ///< no flake, pigment, substrate or inner reflection so far
+    bool unscattered = true;  ///< no flake, pigment, substrate or inner reflection so far
     bool alive = true;
 };
 
@@ -39,13 +39,13 @@ class Walker {
     }
 
     /// Light meets a flake with this unit normal, of which `projection` is travel.normal.
-    FlakeEvent meet_flake(const Lanes& reflectance, const Lanes& transmittance, double projection,
-                          const Vec3d& normal) {
+    FlakeEvent collide_with_flake(const Lanes& reflectance, const Lanes& transmittance,
+                                  double projection, const Vec3d& normal) {
         const FlakeEvent event =
             draw_flake_event(reflectance, transmittance, state_.weight, random_);
         if (event == FlakeEvent::reflected) {
-            state_.travel = mirrored(state_.travel, projection, normal);
-            state_.untouched = false;
+            state_.travel = specular_direction(state_.travel, projection, normal);
+            state_.unscattered = false;
         }
         if (event == FlakeEvent::absorbed) state_.alive = false;
         return event;
@@ -53,18 +53,18 @@ class Walker {
 
     /// A candidate of slab.pigment_rate_per_um. There are none where rounding leaves a random
     /// number at the very end of the flakes of a slab without pigments.
-    void meet_pigment(const Slab& slab) {
+    void collide_with_pigment(const Slab& slab) {
         if (slab.pigments.empty()) return;
         if (const Pigment* pigment = draw_pigment(slab, state_.weight, random_)) {
             state_.travel = sample_henyey_greenstein(state_.travel, pigment->anisotropy, random_);
-            state_.untouched = false;
+            state_.unscattered = false;
         }
     }
 
     /// Reflection by the substrate. @return whether any light is left
-    bool leave_substrate() {
+    bool reflect_off_substrate() {
         state_.weight *= medium_.substrate_reflectance;
-        state_.untouched = false;
+        state_.unscattered = false;
         state_.alive = !is_dark(state_.weight);
         return state_.alive;
     }

@@ -134,7 +134,7 @@ struct Sums {
 
 }  // namespace
 
-Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f towards_eye,
+Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f towards_detector,
                             std::uint64_t seed) {
     constexpr std::size_t kBlock = 4096;
     const std::size_t count = scene.count(), blocks = (count + kBlock - 1) / kBlock;
@@ -152,7 +152,7 @@ Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f t
                 const Vec3f point =
                     disc.centre_um + r * std::cos(phi) * frame.s + r * std::sin(phi) * frame.t;
                 const bool lit = is_free(scene, point, towards_light, number);
-                visible = lit && is_free(scene, point, towards_eye, number);
+                visible = lit && is_free(scene, point, towards_detector, number);
                 sums[b].lit += 0.5 * lit;
             }
             sums[b].both += 0.5 * (v[0] + v[1]);

@@ -54,7 +54,7 @@ class DiscScene {
 };
 
 /// The visible fraction v of a flake: that of its area from which straight paths reach both the
-/// light and the eye past all other flakes. Its moments over the flakes of a tile.
+/// light and the detector past all other flakes. Its moments over the flakes of a tile.
 struct Visibility {
     double lit = 0;             ///< mean fraction of a flake that is lit
     double lit_and_seen = 0;    ///< E[v]
@@ -65,8 +65,8 @@ struct Visibility {
 /// Estimated from two random points on each flake, the mean product of whose visibilities is
 /// E[v^2].
 ///
-/// @param towards_light, towards_eye  unit vectors inside the paint, z > 0
-Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f towards_eye,
+/// @param towards_light, towards_detector  unit vectors inside the paint, z > 0
+Visibility flake_visibility(const DiscScene& scene, Vec3f towards_light, Vec3f towards_detector,
                             std::uint64_t seed);
 
 }  // namespace nacre::montecarlo

@@ -210,7 +210,7 @@ void DiscWalker::fly() {
     if (!state_.alive) return;
     if (hit) {
         position_.z = std::clamp(position_.z, bottom, slab_top_);
-        meet_disc(hit->disc);
+        collide_with_disc(hit->disc);
     } else if (to_slab <= std::min(to_edge, to_pigment)) {
         down ? descend() : ascend();
     } else if (to_edge <= to_pigment) {
@@ -218,11 +218,11 @@ void DiscWalker::fly() {
         leaving_ = DiscScene::kNone;
     } else {
         leaving_ = DiscScene::kNone;
-        meet_pigment(slab);
+        collide_with_pigment(slab);
     }
 }
 
-void DiscWalker::meet_disc(std::uint32_t number) {
+void DiscWalker::collide_with_disc(std::uint32_t number) {
     const Disc& disc = paint_.discs[number];
     leaving_ = number;
     const Vec3d normal = normalize(Vec3d{disc.normal.x, disc.normal.y, disc.normal.z});
@@ -230,7 +230,7 @@ void DiscWalker::meet_disc(std::uint32_t number) {
     const auto optics =
         paint_.films[disc.species].at(disc.film, std::abs(projection), paint_.places);
     const FlakeEvent event =
-        meet_flake(optics.reflectance, optics.transmittance, projection, normal);
+        collide_with_flake(optics.reflectance, optics.transmittance, projection, normal);
     if (event == FlakeEvent::absorbed) return;
     if (event == FlakeEvent::reflected && paint_.diffraction)
         state_.travel = spread(state_.travel, normal, 2.0 * disc.radius_um);
@@ -239,10 +239,10 @@ void DiscWalker::meet_disc(std::uint32_t number) {
 
 /// The specular direction, spread by diffraction. Directions beyond the disc's horizon are drawn
 /// anew: 0.4 % at normal incidence on a flake of 20 um.
-Vec3d DiscWalker::spread(const Vec3d& mirrored, const Vec3d& normal, double diameter_um) {
+Vec3d DiscWalker::spread(const Vec3d& specular, const Vec3d& normal, double diameter_um) {
     const double scale = paint_.wavelength_um / (index_ * std::numbers::pi * diameter_um);
-    const double upright = dot(mirrored, normal);
-    const Vec3d flat = mirrored - upright * normal;
+    const double upright = dot(specular, normal);
+    const Vec3d flat = specular - upright * normal;
     const Vec3d across = perpendicular(normal);
     // Flakes as small as the wavelength have most of their pattern beyond the horizon: after so
     // many trials the specular direction is taken.
@@ -257,7 +257,7 @@ Vec3d DiscWalker::spread(const Vec3d& mirrored, const Vec3d& normal, double diam
         if (rest > 0)
             return normalize(tangential + std::copysign(std::sqrt(rest), upright) * normal);
     }
-    return mirrored;
+    return specular;
 }
 
 void DiscWalker::descend() {
@@ -267,7 +267,7 @@ void DiscWalker::descend() {
         ++state_.slab;
         return;
     }
-    if (!leave_substrate()) return;
+    if (!reflect_off_substrate()) return;
     leaving_ = DiscScene::kNone;
     state_.travel = sample_lambert(random_);
     roulette();
@@ -281,7 +281,7 @@ void DiscWalker::ascend() {
         return;
     }
     leaving_ = DiscScene::kNone;
-    const auto passage = interface_.meet_from_inside(state_.travel, random_);
+    const auto passage = interface_.sample_from_inside(state_.travel, random_);
     state_.travel = passage.travel;
     if (passage.inside) return;
     state_.alive = false;
@@ -325,13 +325,13 @@ Tile checked_tile(const ExplicitFlakesModel& settings, const paint::Recipe& reci
     };
     const Tile tile{side_um(settings.tile_width_mm, "tile_width_mm"),
                     side_um(settings.tile_height_mm, "tile_height_mm")};
-    const double least = kMinTileFraction * paint_thickness_um(recipe);
-    if (std::min(tile.width_um, tile.height_um) < least) {
+    const double min_side_um = kMinTileFraction * paint_thickness_um(recipe);
+    if (std::min(tile.width_um, tile.height_um) < min_side_um) {
         throw DomainError(fmt::format(
             "a tile of {} mm x {} mm is too narrow for a paint of {} um: each side must be at "
             "least {} mm",
             settings.tile_width_mm, settings.tile_height_mm, paint_thickness_um(recipe),
-            least / kUmPerMm));
+            min_side_um / kUmPerMm));
     }
     return tile;
 }

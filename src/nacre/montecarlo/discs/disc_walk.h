@@ -103,8 +103,8 @@ class DiscWalker : private Walker {
 
  private:
     void fly();
-    void meet_disc(std::uint32_t disc);
-    Vec3d spread(const Vec3d& mirrored, const Vec3d& normal, double diameter_um);
+    void collide_with_disc(std::uint32_t disc);
+    Vec3d spread(const Vec3d& specular, const Vec3d& normal, double diameter_um);
     void descend();
     void ascend();
 
