@@ -150,12 +150,12 @@ void describe_merl(Facts& facts, const std::string& bytes, const std::string& na
               100.0 * static_cast<double>(missing) / static_cast<double>(table.values.size()));
     for (int c = 0; c < 3; ++c) {
         const auto first = table.values.begin() + static_cast<std::ptrdiff_t>(c * table.cells());
-        const double most =
+        const double largest =
             *std::max_element(first, first + static_cast<std::ptrdiff_t>(table.cells()));
         facts.add(std::string("largest ") + (c == 0   ? "red"
                                              : c == 1 ? "green"
                                                       : "blue"),
-                  "{:.6g} per sr", most * bsdf::MerlTable::kScale[c]);
+                  "{:.6g} per sr", largest * bsdf::MerlTable::kScale[c]);
     }
 }
 
@@ -165,17 +165,17 @@ void describe_image(Facts& facts, const std::string& bytes, const std::string& n
     facts.add("bytes", "{}", bytes.size());
     facts.add("size", "{} x {} pixels", image.width, image.height);
     for (const io::Channel& channel : image.channels) {
-        double sum = 0, least = INFINITY, most = -INFINITY;
+        double sum = 0, smallest = INFINITY, largest = -INFINITY;
         std::size_t finite = 0;
         for (float v : channel.pixels) {
             if (!std::isfinite(v)) continue;
             ++finite;
             sum += v;
-            least = std::min<double>(least, v);
-            most = std::max<double>(most, v);
+            smallest = std::min<double>(smallest, v);
+            largest = std::max<double>(largest, v);
         }
         facts.add("channel " + channel.name, "mean {:.6g}, from {:.6g} to {:.6g}, {} not finite",
-                  sum / static_cast<double>(std::max<std::size_t>(finite, 1)), least, most,
+                  sum / static_cast<double>(std::max<std::size_t>(finite, 1)), smallest, largest,
                   channel.pixels.size() - finite);
     }
     for (const auto& [key, value] : image.metadata) facts.add(key, "{}", value);

@@ -171,10 +171,10 @@ void label_points(report::Plot& plot, report::Series& series, const std::vector<
     // Two lines of text, as shares of the axes in a picture of half a page, whose scales are equal.
     constexpr double kFractionOfWidth = 0.06, kFractionOfHeight = 0.1;
     const report::Extents ends = extents(plot);
-    const double least = std::max(kFractionOfWidth * (ends.x.hi - ends.x.lo),
-                                  kFractionOfHeight * (ends.y.hi - ends.y.lo));
+    const double min_distance = std::max(kFractionOfWidth * (ends.x.hi - ends.x.lo),
+                                         kFractionOfHeight * (ends.y.hi - ends.y.lo));
     const auto groups = gathered(positions(angles.size()), [&](std::size_t a, std::size_t b) {
-        return std::hypot(series.x[a] - series.x[b], series.y[a] - series.y[b]) <= least;
+        return std::hypot(series.x[a] - series.x[b], series.y[a] - series.y[b]) <= min_distance;
     });
     series.point_labels.resize(angles.size());
     for (const auto& group : groups) {
@@ -233,7 +233,7 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
     report::Plot plot{.title = "Reflectance factor by aspecular angle",
                       .x = {.label = "wavelength, nm"},
                       .y = {.label = "reflectance factor (perfect diffuser: 1)"}};
-    double least = 0, greatest = 0;
+    double smallest = 0, greatest = 0;
     double first_nm = 0, last_nm = 0;
     std::size_t first = 0;  // series of the sample, which is the last
     std::vector<double> angles;
@@ -248,7 +248,7 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
                                   .colour = line_colour(reading->lab),
                                   .dashed = panel.is_standard};
             const double peak = largest(*reading);
-            if (peak > 0) least = least > 0 ? std::min(least, peak) : peak;
+            if (peak > 0) smallest = smallest > 0 ? std::min(smallest, peak) : peak;
             greatest = std::max(greatest, peak);
             first_nm = first_nm > 0 ? std::min(first_nm, wavelengths.front()) : wavelengths.front();
             last_nm = std::max(last_nm, wavelengths.back());
@@ -256,7 +256,7 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
         }
     }
     constexpr double kWide = 10;
-    plot.y.logarithmic = greatest > kWide * least;
+    plot.y.logarithmic = greatest > kWide * smallest;
     if (!plot.y.logarithmic) plot.y.lo = 0;
     label_curves(plot, first, angles);
     if (first_nm < last_nm) {

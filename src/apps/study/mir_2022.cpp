@@ -203,8 +203,9 @@ void add_agreement(MirContext& context) {
              report::number_cell(fmt::format("{}", agreement.pixels)),
              report::number_cell(fmt::format("{:.3f}", agreement.mean_square_z)),
              report::number_cell(fmt::format("{:.3f}", agreement.expected_mean_square_z)),
-             report::number_cell(fmt::format("{:.2f} %", 100 * agreement.share_above_3)),
-             report::number_cell(fmt::format("{:.2f} %", 100 * agreement.expected_share_above_3)),
+             report::number_cell(fmt::format("{:.2f} %", 100 * agreement.fraction_above_3)),
+             report::number_cell(
+                 fmt::format("{:.2f} %", 100 * agreement.expected_fraction_above_3)),
              report::number_cell(fmt::format("{:+.4f} ± {:.4f} %",
                                              100 * agreement.relative_difference,
                                              100 * agreement.relative_standard_error))});
@@ -212,7 +213,7 @@ void add_agreement(MirContext& context) {
             {"pixels", agreement.pixels},
             {"mean_square_z", agreement.mean_square_z},
             {"expected_mean_square_z", agreement.expected_mean_square_z},
-            {"share_above_3", agreement.share_above_3},
+            {"share_above_3", agreement.fraction_above_3},
             {"relative_difference", agreement.relative_difference},
             {"relative_standard_error", agreement.relative_standard_error}};
     }

@@ -133,7 +133,7 @@ void add_cost_by_number(MirContext& context) {
         context.settings.samples));
     report::Table table{.columns = {"flakes on the ball", "model", "time of all rounds",
                                     "times `microflake`", "from round to round", "peak memory"}};
-    double least = 1e9, most = 0;
+    double smallest = 1e9, largest = 0;
     for (const Contender& contender : all) {
         double seconds = 0;
         for (double s : contender.seconds) seconds += s;
@@ -141,8 +141,8 @@ void add_cost_by_number(MirContext& context) {
         const auto [lo, hi] = std::minmax_element(contender.ratio.begin(), contender.ratio.end());
         const bool flakes = contender.count > 0;
         if (flakes) {
-            least = std::min(least, ratio);
-            most = std::max(most, ratio);
+            smallest = std::min(smallest, ratio);
+            largest = std::max(largest, ratio);
         }
         table.rows.push_back(
             {report::number_cell(flakes ? power_of_ten(contender.count) : "their mean"),
@@ -157,8 +157,8 @@ void add_cost_by_number(MirContext& context) {
             {"ratio_of_rounds", contender.ratio},
             {"peak_mib", contender.peak_mib}};
     }
-    context.results["nacre"]["largest_ratio_to_microflake"] = most;
-    context.results["nacre"]["dearest_over_cheapest_number"] = most / least;
+    context.results["nacre"]["largest_ratio_to_microflake"] = largest;
+    context.results["nacre"]["dearest_over_cheapest_number"] = largest / smallest;
     report.table(table);
     report.paragraph(fmt::format(
         "The dearest number of flakes takes {:.2f} times as long as their mean (the goal: at "
@@ -166,7 +166,7 @@ void add_cost_by_number(MirContext& context) {
         "that of the whole process: the picture, the scene, the solved paint; none of it grows "
         "with the flakes. Ratios are medians over the rounds, of processor time, which other "
         "programs disturb less.",
-        most, 100 * (most / least - 1)));
+        largest, 100 * (largest / smallest - 1)));
 }
 
 // Time of one query against the number of flakes or facets in its footprint.
@@ -371,7 +371,7 @@ struct Outcome {
 
 /// Both models in turn, by growing sample counts.
 std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
-    const int most = max_samples(context), converged_at = 16 * most;
+    const int max_count = max_samples(context), converged_at = 16 * max_count;
     std::array<Outcome, 2> out;
     std::array<std::vector<double>, 2> samples, seconds_per_sample;
     const auto picture = [&](int m, int count, std::uint64_t seed) {
@@ -390,7 +390,7 @@ std::array<Outcome, 2> measure(const MirContext& context, const Case& c) {
         converged[m] = picture(m, converged_at, 1);
         out[m].converged_png = converged[m].png;
     }
-    for (int count = 1; count <= most; count *= 4) {
+    for (int count = 1; count <= max_count; count *= 4) {
         for (int m : {0, 1}) {
             const Picture made = picture(m, count, 0);
             samples[m].push_back(count);

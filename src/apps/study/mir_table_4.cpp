@@ -159,7 +159,7 @@ void add_convergence(MirContext& context) {
             "are the same at every number of samples.",
         .x = {.label = "samples per pixel", .logarithmic = true},
         .y = {.label = "error", .logarithmic = true}};
-    const int most = context.settings.quick ? 8 : 256;
+    const int max_samples = context.settings.quick ? 8 : 256;
     std::vector<bsdf::Model> models = all_four();
     models.push_back(montecarlo::VolumeModel{.radius_mm = kBallRadius_mm});
     for (const bsdf::Model& model : models) {
@@ -174,9 +174,9 @@ void add_convergence(MirContext& context) {
             job.render.seed = context.settings.seed + seed;
             return context.gallery.make(job).image;
         };
-        const io::Image converged = picture(4 * most, 1);
+        const io::Image converged = picture(4 * max_samples, 1);
         report::Series series{.name = name, .dots = true};
-        for (int samples = 1; samples <= most; samples *= 4) {
+        for (int samples = 1; samples <= max_samples; samples *= 4) {
             series.x.push_back(samples);
             series.y.push_back(root_mean_square_error(picture(samples, 0), converged));
         }

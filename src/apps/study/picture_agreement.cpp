@@ -82,10 +82,10 @@ PictureAgreement picture_agreement(const std::vector<io::Image>& a,
     // (the same noise in both); expectations are those of the smaller number.
     const auto nu = static_cast<double>(batches - 1);
     out.expected_mean_square_z = nu / (nu - 2);
-    out.expected_share_above_3 = student_two_sided(3, nu);
+    out.expected_fraction_above_3 = student_two_sided(3, nu);
     if (out.pixels > 0) {
         out.mean_square_z = square_sum / out.pixels;
-        out.share_above_3 = static_cast<double>(above) / out.pixels;
+        out.fraction_above_3 = static_cast<double>(above) / out.pixels;
     }
     const auto whole = [&](const std::vector<std::vector<double>>& y) {
         return moments(batches, [&](std::size_t i) {

@@ -15,8 +15,8 @@ struct PictureAgreement {
     double mean_square_z =
         0;  ///< 1 for known standard errors, expected_mean_square_z for estimated
     double expected_mean_square_z = 0;  ///< of Student's t with the same number of batches
-    double share_above_3 = 0;           ///< fraction of the pixels with |z| > 3
-    double expected_share_above_3 = 0;
+    double fraction_above_3 = 0;        ///< fraction of the pixels with |z| > 3
+    double expected_fraction_above_3 = 0;
     /// Difference of the pictures' mean luminance over that luminance, and its standard error.
     double relative_difference = 0, relative_standard_error = 0;
 };

@@ -39,7 +39,7 @@ TEST(PictureAgreement, EqualMeansGiveStudentsDistribution) {
     // sqrt(2 / 2048) = 0.03.
     EXPECT_NEAR(result.mean_square_z, 30.0 / 28, 4 * 0.035);
     EXPECT_LT(result.mean_square_z, result.expected_mean_square_z + 0.1);
-    EXPECT_LT(result.share_above_3, result.expected_share_above_3);
+    EXPECT_LT(result.fraction_above_3, result.expected_fraction_above_3);
     EXPECT_LT(std::abs(result.relative_difference), 4 * result.relative_standard_error);
 }
 
@@ -53,7 +53,7 @@ TEST(PictureAgreement, SeesADifferenceOfOneStandardErrorInEachPixel) {
 TEST(PictureAgreement, ExpectationsAreThoseOfStudentsDistribution) {
     // SciPy 1.17: 2 * scipy.stats.t.sf(3, 15) = 0.008972737
     const auto result = picture_agreement(batches(16, 1, 0.1, 1), batches(16, 1, 0.1, 2));
-    EXPECT_NEAR(result.expected_share_above_3, 0.008972737, 1e-7);
+    EXPECT_NEAR(result.expected_fraction_above_3, 0.008972737, 1e-7);
     EXPECT_DOUBLE_EQ(result.expected_mean_square_z, 15.0 / 13);
 }
 

@@ -20,12 +20,13 @@ bool ends_with(const std::string& key, std::string_view end) { return key.ends_w
 
 paint::ParameterBounds spread_bounds(const paint::Recipe& recipe,
                                      const paint::RecipeParameter& spread) {
-    double most = kFactor * spread.value;
+    double upper = kFactor * spread.value;
     const std::string film = spread.key.substr(0, spread.key.rfind('.') + 1);
     for (const paint::RecipeParameter& other : paint::recipe_parameters(recipe)) {
-        if (other.key == film + "thickness_nm") most = std::max(most, kSpreadOfFilm * other.value);
+        if (other.key == film + "thickness_nm")
+            upper = std::max(upper, kSpreadOfFilm * other.value);
     }
-    return {spread.key, 0, std::min(most, spread.range.hi)};
+    return {spread.key, 0, std::min(upper, spread.range.hi)};
 }
 
 }  // namespace

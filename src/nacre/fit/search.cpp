@@ -188,9 +188,9 @@ class Meter {
 };
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
 }
 
 void require_going(const ColourModel& model) {
@@ -222,13 +222,13 @@ std::vector<Candidate> screen(const ColourModel& model, std::vector<std::vector<
 
 /// The first one, and the best of the others that are kMinStartDistance apart.
 std::vector<std::vector<double>> choose_starts(std::vector<Candidate> candidates,
-                                               std::size_t most) {
+                                               std::size_t max_count) {
     std::vector<std::vector<double>> chosen = {candidates[0].x};
     std::stable_sort(
         candidates.begin(), candidates.end(),
         [](const Candidate& a, const Candidate& b) { return a.rms_delta_e < b.rms_delta_e; });
     for (const Candidate& candidate : candidates) {
-        if (chosen.size() >= most || !std::isfinite(candidate.rms_delta_e)) break;
+        if (chosen.size() >= max_count || !std::isfinite(candidate.rms_delta_e)) break;
         if (std::all_of(chosen.begin(), chosen.end(), [&](const auto& other) {
                 return distance(candidate.x, other) >= kMinStartDistance;
             })) {

@@ -188,12 +188,12 @@ class Member {
         const json* found = find(key);
         return found ? std::optional(as_number(*found, key, range)) : std::nullopt;
     }
-    std::vector<double> numbers(const char* key, const Range& range, std::size_t most) const {
+    std::vector<double> numbers(const char* key, const Range& range, std::size_t max_size) const {
         std::vector<double> values;
         const json* found = find(key);
         if (!found) return values;
-        if (!found->is_array() || found->size() > most) {
-            fail(key, fmt::format("must be an array of at most {} numbers", most));
+        if (!found->is_array() || found->size() > max_size) {
+            fail(key, fmt::format("must be an array of at most {} numbers", max_size));
         }
         for (const json& value : *found) values.push_back(as_number(value, key, range));
         return values;

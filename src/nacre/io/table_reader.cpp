@@ -190,20 +190,21 @@ double TableReader::number_or(std::string_view key, double fallback, const Range
     return has(key) ? number(key, range) : fallback;
 }
 
-std::string TableReader::text(std::string_view key, std::size_t longest) const {
-    const std::string what = fmt::format("text of 1 to {} characters", longest);
+std::string TableReader::text(std::string_view key, std::size_t max_length) const {
+    const std::string what = fmt::format("text of 1 to {} characters", max_length);
     const auto* text = require(key, what).as_string();
-    if (!text || text->get().empty() || text->get().size() > longest) fail(key, "must be " + what);
+    if (!text || text->get().empty() || text->get().size() > max_length)
+        fail(key, "must be " + what);
     return text->get();
 }
 
 std::string TableReader::text_or(std::string_view key, std::string fallback,
-                                 std::size_t longest) const {
+                                 std::size_t max_length) const {
     const toml::node* node = find(key);
     if (!node) return fallback;
     const auto* text = node->as_string();
-    if (!text || text->get().size() > longest) {
-        fail(key, fmt::format("must be text of at most {} characters", longest));
+    if (!text || text->get().size() > max_length) {
+        fail(key, fmt::format("must be text of at most {} characters", max_length));
     }
     return text->get();
 }
@@ -216,12 +217,13 @@ bool TableReader::flag_or(std::string_view key, bool fallback) const {
 }
 
 std::vector<double> TableReader::numbers(std::string_view key, const Range& range,
-                                         std::size_t fewest, std::size_t most) const {
+                                         std::size_t min_size, std::size_t max_size) const {
     const std::string what =
-        fewest == most ? fmt::format("{} numbers in {}", most, range.text())
-                       : fmt::format("{} to {} numbers in {}", fewest, most, range.text());
+        min_size == max_size
+            ? fmt::format("{} numbers in {}", max_size, range.text())
+            : fmt::format("{} to {} numbers in {}", min_size, max_size, range.text());
     const toml::array* array = require(key, "a list of " + what).as_array();
-    if (!array || array->size() < fewest || array->size() > most) {
+    if (!array || array->size() < min_size || array->size() > max_size) {
         fail(key, "must be a list of " + what);
     }
     std::vector<double> values;
@@ -255,13 +257,13 @@ std::optional<TableReader> TableReader::table_if_present(std::string_view key,
     return table(key, allowed);
 }
 
-std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t most,
+std::vector<TableReader> TableReader::tables(std::string_view key, std::size_t max_size,
                                              const Keys& allowed) const {
     const toml::node* node = find(key);
     if (!node) return {};
     const toml::array* array = node->as_array();
-    if (!array || array->empty() || array->size() > most) {
-        fail(key, fmt::format("must be a list of 1 to {} tables [[{}]]{}", most, path_of(key),
+    if (!array || array->empty() || array->size() > max_size) {
+        fail(key, fmt::format("must be a list of 1 to {} tables [[{}]]{}", max_size, path_of(key),
                               with_keys(allowed)));
     }
     std::vector<TableReader> readers;

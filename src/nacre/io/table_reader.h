@@ -68,20 +68,20 @@ class TableReader {
     /// A finite number in the range.
     double number(std::string_view key, const Range& range) const;
     double number_or(std::string_view key, double fallback, const Range& range) const;
-    /// Text of 1 to `longest` characters (0 to `longest` for text_or).
-    std::string text(std::string_view key, std::size_t longest) const;
-    std::string text_or(std::string_view key, std::string fallback, std::size_t longest) const;
+    /// Text of 1 to `max_length` characters (0 to `max_length` for text_or).
+    std::string text(std::string_view key, std::size_t max_length) const;
+    std::string text_or(std::string_view key, std::string fallback, std::size_t max_length) const;
     bool flag_or(std::string_view key, bool fallback) const;
-    /// Numbers in the range, between `fewest` and `most` of them.
-    std::vector<double> numbers(std::string_view key, const Range& range, std::size_t fewest,
-                                std::size_t most) const;
+    /// Numbers in the range, between `min_size` and `max_size` of them.
+    std::vector<double> numbers(std::string_view key, const Range& range, std::size_t min_size,
+                                std::size_t max_size) const;
     /// One of the given words; returns which.
     std::size_t choice(std::string_view key, const std::vector<std::string>& words) const;
 
     TableReader table(std::string_view key, const Keys& allowed) const;
     std::optional<TableReader> table_if_present(std::string_view key, const Keys& allowed) const;
     /// The entries of an array of tables; empty if the key is absent.
-    std::vector<TableReader> tables(std::string_view key, std::size_t most,
+    std::vector<TableReader> tables(std::string_view key, std::size_t max_size,
                                     const Keys& allowed) const;
 
     bool is_table(std::string_view key) const;

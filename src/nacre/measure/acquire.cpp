@@ -156,8 +156,8 @@ void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf) {
     }
 }
 
-void require_setting(const char* name, int value, int least, int most) {
-    require_in_range(value, least, most, name);
+void require_setting(const char* name, int value, int lo, int hi) {
+    require_in_range(value, lo, hi, name);
 }
 
 }  // namespace

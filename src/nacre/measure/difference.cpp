@@ -28,7 +28,7 @@ std::vector<Pair> common_readings(const Measurement& standard, const Measurement
     std::vector<Pair> pairs;
     for (const Reading& reading : standard.readings) {
         const Reading* nearest = nullptr;
-        double least = kSameGeometry_deg;
+        double nearest_deg = kSameGeometry_deg;
         for (const Reading& other : sample.readings) {
             // Quick test by the polar angles, a lower bound: goniometers make many pairs.
             if (far_apart(reading.geometry.theta_i_deg, other.geometry.theta_i_deg) ||
@@ -36,9 +36,9 @@ std::vector<Pair> common_readings(const Measurement& standard, const Measurement
                 continue;
             }
             const double separation = separation_deg(reading.geometry, other.geometry);
-            if (separation <= least && (!nearest || separation < least)) {
+            if (separation <= nearest_deg && (!nearest || separation < nearest_deg)) {
                 nearest = &other;
-                least = separation;
+                nearest_deg = separation;
             }
         }
         if (nearest) pairs.push_back({&reading, nearest});

@@ -47,7 +47,7 @@ double wrapped_deg(double degrees) {
 
 Vec3d lamp(const Geometry& geometry) { return direction(geometry.theta_i_deg, 0); }
 Vec3d view(const Geometry& geometry) { return direction(geometry.theta_o_deg, geometry.phi_deg); }
-Vec3d mirror(double theta_i_deg) { return direction(theta_i_deg, 180); }
+Vec3d specular_direction(double theta_i_deg) { return direction(theta_i_deg, 180); }
 
 }  // namespace
 
@@ -98,7 +98,8 @@ Geometry towards(double theta_i_deg, double theta_o_deg, double phi_deg) {
     if (phi == 180 || theta_o_deg == 0) return in_plane(theta_i_deg, theta_i_deg - theta_o_deg);
     if (phi == 0) return in_plane(theta_i_deg, theta_i_deg + theta_o_deg);
     return {fmt::format("{}to{},{}", theta_i_deg, theta_o_deg, phi), theta_i_deg,
-            angle_deg(direction(theta_o_deg, phi), mirror(theta_i_deg)), theta_o_deg, phi};
+            angle_deg(direction(theta_o_deg, phi), specular_direction(theta_i_deg)), theta_o_deg,
+            phi};
 }
 
 bool is_in_plane(const Geometry& geometry) {

@@ -126,8 +126,8 @@ TEST(Instrument, ConvolvesALobeWithBothCones) {
         for (int j = 0; j < kRings * kSteps; ++j) {
             Vector out = node(35 * kDegree, b, j / kSteps, j % kSteps);
             out = {-out.x, out.y, out.z};  // on the mirror side
-            const Vector mirrored{-in.x, -in.y, in.z};
-            sum += in.z * out.z * std::exp(k * (dot(out, mirrored) - 1));
+            const Vector specular{-in.x, -in.y, in.z};
+            sum += in.z * out.z * std::exp(k * (dot(out, specular) - 1));
             weights += in.z * out.z;
         }
     }

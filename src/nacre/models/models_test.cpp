@@ -51,17 +51,17 @@ struct Reflected {
 };
 Reflected reflected(const bsdf::BoundBsdf& surface, double theta_deg) {
     constexpr int kSamples = 20000;
-    const Vec3f wi = direction(theta_deg), mirror{-wi.x, -wi.y, wi.z};
+    const Vec3f wi = direction(theta_deg), specular{-wi.x, -wi.y, wi.z};
     Rng rng(11, 3);
     Reflected out;
     double far = 0, all = 0;
     for (int i = 0; i < kSamples; ++i) {
         const float u_select = rng.uniform_float();
         const auto s = surface.sample(wi, u_select, {rng.uniform_float(), rng.uniform_float()});
-        if (!s || dot(s->wo, mirror) > 1 - 1e-5f) continue;
+        if (!s || dot(s->wo, specular) > 1 - 1e-5f) continue;
         out.mean += s->weight;
         all += lane_mean(s->weight);
-        if (dot(s->wo, mirror) < 0.5f) far += lane_mean(s->weight);
+        if (dot(s->wo, specular) < 0.5f) far += lane_mean(s->weight);
     }
     out.mean *= 1.0f / kSamples;
     out.far_fraction = far / all;

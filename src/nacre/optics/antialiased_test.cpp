@@ -127,7 +127,7 @@ TEST(ObserverTransform, OfThePaperIsNearlyThatOfTheObserverUnderEqualEnergy) {
     const Vec3d d65 = spectra::linear_rec709_to_xyz({1, 1, 1});
     Vec3d area{};
     for (const Lobe& lobe : kSupplement) area[lobe.channel] += lobe.area();
-    Vec3d observed{}, most{};
+    Vec3d observed{}, worst{};
     for (int nm = 360; nm <= 830; nm += 5) {
         const auto xyz = spectra::colour_matching(spectra::Observer::cie1931_2deg, nm);
         for (int c = 0; c < 3; ++c) observed[c] += 5e-9 * xyz[c];
@@ -149,11 +149,11 @@ TEST(ObserverTransform, OfThePaperIsNearlyThatOfTheObserverUnderEqualEnergy) {
             spectra::linear_rec709_to_xyz({rgb[0].imag(), rgb[1].imag(), rgb[2].imag()});
         for (int c = 0; c < 3; ++c) {
             const std::complex<double> found(re[c] / d65[c], im[c] / d65[c]);
-            most[c] = std::max(most[c], std::abs(found - expected[c]));
+            worst[c] = std::max(worst[c], std::abs(found - expected[c]));
         }
     }
     // Half or twice a variance would make it 0.2, a centre that is off by a hundredth 0.1.
-    for (int c = 0; c < 3; ++c) EXPECT_LT(most[c], 0.07) << c;
+    for (int c = 0; c < 3; ++c) EXPECT_LT(worst[c], 0.07) << c;
 }
 
 TEST(AntialiasedRgb, OfThePaperIsWhatItsObserverSeesOfTheTransferMatrix) {

@@ -33,7 +33,7 @@ struct SampledFunction {
 /// by halving intervals; f is taken to be smooth on the scale of a 64th of the range.
 /// @throws DomainError if that takes more than `most` samples; whatever f throws
 SampledFunction sample_smooth(const std::function<double(double)>& f, double first_nm,
-                              double last_nm, double error, std::size_t most);
+                              double last_nm, double error, std::size_t max_values);
 
 /// Refuses YAML with anchors, aliases or deep nesting, which a page of data does not need and with
 /// which a small file can expand without limit. It reads the parser's events, before any tree is
@@ -53,7 +53,7 @@ double SampledFunction::at(double wavelength_nm) const {
 }
 
 SampledFunction sample_smooth(const std::function<double(double)>& f, double first_nm,
-                              double last_nm, double error, std::size_t most) {
+                              double last_nm, double error, std::size_t max_values) {
     // The error of a smooth function is largest in the middle of an interval; asking for a quarter
     // of it there leaves room for intervals that are not yet quite parabolic.
     const double allowed = error / 4;
@@ -81,11 +81,11 @@ SampledFunction sample_smooth(const std::function<double(double)>& f, double fir
         const double f_middle = f(middle_nm);
         const bool divisible = middle_nm > interval.left_nm && middle_nm < interval.right_nm;
         if (divisible && std::abs(f_middle - (interval.f_left + interval.f_right) / 2) > allowed) {
-            if (open.size() + result.values.size() > most) {
+            if (open.size() + result.values.size() > max_values) {
                 throw DomainError(fmt::format(
                     "the function changes so fast near {} nm that {} samples do not follow it; is "
                     "there a pole in the range?",
-                    middle_nm, most));
+                    middle_nm, max_values));
             }
             open.push_back({middle_nm, interval.right_nm, f_middle, interval.f_right});
             open.push_back({interval.left_nm, middle_nm, interval.f_left, f_middle});

@@ -157,8 +157,8 @@ class PlateletAverage {
                 std::complex<double> q = normal_wavevector(binder_[j], n, cosine);
                 // Exactly at the critical angle both waves in the film are the same, and the sums
                 // below would be 0/0; moving q by 1e-9 changes R and T by as little.
-                constexpr double least = 1e-9;
-                if (std::abs(q) < least) q = least;
+                constexpr double lower_bound = 1e-9;
+                if (std::abs(q) < lower_bound) q = lower_bound;
                 const auto below_s = q, below_p = q / (n * n);
                 set(lanes.interface[0][count - 1 - f], l, (y_s - below_s) / (y_s + below_s));
                 set(lanes.interface[1][count - 1 - f], l, (y_p - below_p) / (y_p + below_p));
@@ -267,9 +267,10 @@ class PlateletAverage {
             // amplifies. Where the difference is below rounding, the bound replaces it; where tt =
             // 0, the quotient is multiplied by 0 and any positive number will do.
             constexpr double tiny = 1e-300;
-            const DoubleLanes least = sqrt_lanes(norm(coat.tt)) * (1.0 + norm(coat.r_in)) + tiny;
+            const DoubleLanes lower_bound =
+                sqrt_lanes(norm(coat.tt)) * (1.0 + norm(coat.r_in)) + tiny;
             const DoubleLanes kernel =
-                (1.0 + 2.0 * (p * mean).re) / max_lanes(1.0 - norm(p), least);
+                (1.0 + 2.0 * (p * mean).re) / max_lanes(1.0 - norm(p), lower_bound);
             r += weight * (norm(coat.r_out) + 2.0 * (conj(coat.r_out) * through * mean).re +
                            norm(through) * kernel);
             t += weight * norm(coat.tt) * kernel;

@@ -87,8 +87,8 @@ void RangeCheck::number(const Field& field, double& value) {
 }
 
 void RangeCheck::spectrum(const Field& field, spectra::Spectrum& value) {
-    double least = value.min(), largest = value.max();
-    number(field, least);
+    double smallest = value.min(), largest = value.max();
+    number(field, smallest);
     number(field, largest);
     if (value.values().size() > kMaxSpectrumSamples) {
         throw DomainError(fmt::format("{}: has {} samples; at most {} are allowed", path_of(field),

@@ -143,9 +143,9 @@ FlakeTable FlakeTable::of_platelet(const optics::Platelet& platelet, const optic
         const std::vector<double> all = chebyshev_cosines(count);
         std::vector<double> added;
         for (int i = 1; i < count; i += 2) added.push_back(all[i]);
-        const auto between = optics::platelet_table(platelet, binder, added, wavelengths_nm);
-        table.reflectance = interleave(wavelengths, table.reflectance, between.reflectance);
-        table.transmittance = interleave(wavelengths, table.transmittance, between.transmittance);
+        const auto midpoints = optics::platelet_table(platelet, binder, added, wavelengths_nm);
+        table.reflectance = interleave(wavelengths, table.reflectance, midpoints.reflectance);
+        table.transmittance = interleave(wavelengths, table.transmittance, midpoints.transmittance);
     }
     return from_chebyshev(count, wavelengths, table.reflectance, table.transmittance);
 }

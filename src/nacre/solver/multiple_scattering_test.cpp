@@ -31,9 +31,9 @@ struct Example {
         }
     }
     double peak() const {
-        double most = 0;
-        for (double v : values) most = std::max(most, std::abs(v));
-        return most;
+        double largest = 0;
+        for (double v : values) largest = std::max(largest, std::abs(v));
+        return largest;
     }
 };
 

@@ -17,8 +17,8 @@ constexpr double kSharpestPigment = 0.97;
 
 int round_up_to_tile(double x) { return kTile * static_cast<int>(std::ceil(x / kTile)); }
 
-void check_nodes(int value, int most, const char* what) {
-    require_in_range(value, 0, most, what);
+void check_nodes(int value, int max_value, const char* what) {
+    require_in_range(value, 0, max_value, what);
     if (value % kTile != 0) {
         throw DomainError(fmt::format("{} = {} is not a multiple of {}", what, value, kTile));
     }
@@ -49,8 +49,8 @@ void choose_rough(double alpha, double roughness, double n, const SolverSettings
 bool refine(Resolution& resolution, const SolverSettings& settings, double unresolved,
             double azimuthal_tail) {
     bool refined = false;
-    const auto raise = [&](int& value, int wanted, int most, bool fixed) {
-        const int next = std::min(wanted, most);
+    const auto raise = [&](int& value, int wanted, int max_value, bool fixed) {
+        const int next = std::min(wanted, max_value);
         if (fixed || next <= value) return;
         value = next;
         refined = true;

@@ -50,7 +50,7 @@ DiffractionLobe::DiffractionLobe(double alpha, double ior) {
     inverse_alpha2_ = static_cast<float>(1 / (alpha * alpha));
     norm_ = std::numbers::inv_pi_v<float> * inverse_alpha2_;
     inverse_alpha_ = static_cast<float>(1 / alpha);
-    most_ = static_cast<float>(kMaxWidth * alpha);
+    max_radius_ = static_cast<float>(kMaxWidth * alpha);
     // Half, as the half vector turns by half; |q| = 2 (w_i.h) |h - m|.
     radius_um_ = static_cast<float>(0.5 * kAiryRadius * kWavelength_um / ior);
     blur_table_ = blur_table();

@@ -54,10 +54,10 @@ class DiffractionLobe {
     FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine) const {
         const FloatLanes sec = sqrt_lanes(sec2);
         return min_lanes(radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine)),
-                         splat(most_));
+                         splat(max_radius_));
     }
     /// 4 alpha: beyond it P is negligible, and a wider lobe would change nothing.
-    float max_radius() const { return most_; }
+    float max_radius() const { return max_radius_; }
 
     /// K(p) per unit area of slopes, distance2 = |p - p_m|^2 < width^2.
     static float density(float distance2, float width) {
@@ -88,7 +88,7 @@ class DiffractionLobe {
     /// At grazing incidence, which a clearcoat rules out, the lobe stops growing.
     static constexpr float kMinCosine = 0.1f;
 
-    float inverse_alpha_, inverse_alpha2_, norm_, most_, radius_um_;
+    float inverse_alpha_, inverse_alpha2_, norm_, max_radius_, radius_um_;
     std::shared_ptr<const std::vector<float>> blur_table_;
 };
 

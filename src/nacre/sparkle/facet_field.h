@@ -180,7 +180,7 @@ void FacetField::for_each_cell(const Footprint& footprint, int level, Visit&& vi
     const auto classify = [&](Cell& cell) {
         if (cell.inside) return true;
         const Overlap overlap = footprint.overlap(cell.box());
-        cell.inside = overlap == Overlap::whole;
+        cell.inside = overlap == Overlap::full;
         return overlap != Overlap::none;
     };
     const std::uint32_t start = std::min(level, table_level_);

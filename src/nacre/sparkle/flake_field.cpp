@@ -27,7 +27,7 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     double probability = std::exp(-kFlakesPerCell), sum = 0;
     for (int n = 0; n < kMaxFlakesPerCell; ++n) {
         sum += probability;
-        at_most_[n] = static_cast<float>(sum);
+        cumulative_[n] = static_cast<float>(sum);
         probability *= kFlakesPerCell / (n + 1);
     }
 
@@ -144,7 +144,7 @@ inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
     const float across[2] = {strip[0].u * corner_mm.x + strip[0].v * corner_mm.y,
                              strip[1].u * corner_mm.x + strip[1].v * corner_mm.y};
     for (int first = 0;; first += kLanes) {
-        const FloatLanes probability = load_lanes(&at_most_[first]);
+        const FloatLanes probability = load_lanes(&cumulative_[first]);
         const ShortBitLanes step = (static_cast<std::uint32_t>(first) + kNumber) * kShortGolden;
         const ShortBitLanes place = mix_short_lanes(static_cast<std::uint32_t>(key) + step);
         const ShortBitLanes kind = mix_short_lanes(static_cast<std::uint32_t>(key >> 32) + step);
@@ -162,7 +162,7 @@ inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
         store_lanes(&found.grain[k], splat(grain_mm));
         store_lanes(&found.weight[k], splat(weights.by_level[cell.level]));
         found.count = std::min(k + here.count(), FlakeView::kMax);
-        if (first + kLanes >= kMaxFlakesPerCell || draw < at_most_[first + kLanes - 1]) return;
+        if (first + kLanes >= kMaxFlakesPerCell || draw < cumulative_[first + kLanes - 1]) return;
     }
 }
 

@@ -90,7 +90,7 @@ class FlakeField {
     // By level; 0 in the lanes beyond the last.
     FloatLanes per_mm_{}, fraction_{};  // 1 / side of the cells; of all flakes
     /// [n]: the probability of at most n flakes in a cell.
-    std::array<float, kMaxFlakesPerCell> at_most_;
+    std::array<float, kMaxFlakesPerCell> cumulative_;
     /// A level begins to fade out where the patch touches this many of its cells.
     float full_cells_;
     float alpha_, largest_radius_mm_, smallest_radius_mm_;

@@ -308,7 +308,7 @@ TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
     // over a factor of 2.3 in cells, rims of discs over the patch's own size.
     constexpr double kStep = 1.01, kMaxChange = 0.15;
     std::map<std::uint64_t, double> before;
-    double background = 1, most = 0;
+    double background = 1, worst = 0;
     int levels_faded = 0;
     for (double side = 1e-3; side < 20; side *= kStep) {
         field.look(square(3.3, 4.4, side), *view);
@@ -321,12 +321,12 @@ TEST(FlakeField, ChangesWithoutJumpsFromACloseUpToADistantView) {
         for (const auto& [flake, weight] : before) {
             if (!now.contains(flake)) change += weight;
         }
-        if (side > 1e-3) most = std::max(most, change);
+        if (side > 1e-3) worst = std::max(worst, change);
         levels_faded += view->background > 0 && view->background < 0.999;
         before = now;
         background = view->background;
     }
-    EXPECT_LT(most, kMaxChange);
+    EXPECT_LT(worst, kMaxChange);
     EXPECT_GT(levels_faded, 100);
 }
 

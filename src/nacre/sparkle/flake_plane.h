@@ -34,10 +34,11 @@ inline constexpr float kMaxStretch = 1.5811388f;  // 1 / sqrt((1 + 2 kProjection
 inline Projections projections_of(Vec3f n) {
     const std::array<float, 3> component = {n.x, n.y, n.z};
     std::array<float, 3> weight;
-    float most = 0, sum = 0;
-    for (float c : component) most = std::max(most, c * c);
+    float largest = 0, sum = 0;
+    for (float c : component) largest = std::max(largest, c * c);
     for (int axis = 0; axis < 3; ++axis) {
-        weight[axis] = std::max(0.0f, component[axis] * component[axis] - most + kProjectionBlend);
+        weight[axis] =
+            std::max(0.0f, component[axis] * component[axis] - largest + kProjectionBlend);
         sum += weight[axis];
     }
     Projections out;

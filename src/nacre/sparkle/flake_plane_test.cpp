@@ -17,7 +17,7 @@ float component(Vec3f n, int axis) { return axis == 0 ? n.x : axis == 1 ? n.y : 
 
 TEST(Projections, FractionsAddUpToOneAndStretchIsBounded) {
     Rng rng(1);
-    float most = 0;
+    float largest = 0;
     for (int trial = 0; trial < 100000; ++trial) {
         const Vec3f n = direction(rng);
         const Projections p = projections_of(n);
@@ -27,12 +27,12 @@ TEST(Projections, FractionsAddUpToOneAndStretchIsBounded) {
             const float c = component(n, p.list[i].side / 2);
             EXPECT_EQ(p.list[i].side % 2, c < 0);
             sum += p.list[i].fraction;
-            most = std::max(most, p.list[i].fraction / std::abs(c));
+            largest = std::max(largest, p.list[i].fraction / std::abs(c));
         }
         EXPECT_NEAR(sum, 1, 1e-6);
     }
-    EXPECT_LE(most, kMaxStretch);
-    EXPECT_GT(most, 0.98f * kMaxStretch);
+    EXPECT_LE(largest, kMaxStretch);
+    EXPECT_GT(largest, 0.98f * kMaxStretch);
 }
 
 TEST(Projections, ChangeContinuously) {

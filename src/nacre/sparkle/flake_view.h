@@ -68,9 +68,9 @@ struct FlakeView {
         if (widening == 1) return 1;
         const float radius = typical_radius * scale;
         const float bend = (exponent - 1) * radius * radius * (1.0f / 3);
-        const float most = background < 1 ? 1 / (1 - background) : 1;
-        return std::min(most, std::sqrt(std::max(1 - bend, 0.25f) /
-                                        std::max(1 - widening * widening * bend, 0.25f)));
+        const float upper_bound = background < 1 ? 1 / (1 - background) : 1;
+        return std::min(upper_bound, std::sqrt(std::max(1 - bend, 0.25f) /
+                                               std::max(1 - widening * widening * bend, 0.25f)));
     }
 
     /// Picks a flake by weight and a slope of the half vector near its own; u in [0, 1).

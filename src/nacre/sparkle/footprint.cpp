@@ -58,12 +58,12 @@ Polygon corners_of(double u, double v, Vec2f a, Vec2f b) {
     Polygon out;
     const double sum_x = 0.5 * (static_cast<double>(a.x) + b.x);
     const double sum_y = 0.5 * (static_cast<double>(a.y) + b.y);
-    const double rest_x = 0.5 * (static_cast<double>(a.x) - b.x);
-    const double rest_y = 0.5 * (static_cast<double>(a.y) - b.y);
+    const double difference_x = 0.5 * (static_cast<double>(a.x) - b.x);
+    const double difference_y = 0.5 * (static_cast<double>(a.y) - b.y);
     out.add({u - sum_x, v - sum_y});
-    out.add({u + rest_x, v + rest_y});
+    out.add({u + difference_x, v + difference_y});
     out.add({u + sum_x, v + sum_y});
-    out.add({u - rest_x, v - rest_y});
+    out.add({u - difference_x, v - difference_y});
     return out;
 }
 
@@ -81,8 +81,9 @@ Footprint::Footprint(double u, double v, Vec2f edge_1, Vec2f edge_2)
     const double reach_v = 0.5 * (std::abs(b) + std::abs(d));
     bounds_ = {std::max(0.0, u - reach_u), std::max(0.0, v - reach_v), std::min(1.0, u + reach_u),
                std::min(1.0, v + reach_v)};
-    const bool whole = u - reach_u >= 0 && v - reach_v >= 0 && u + reach_u <= 1 && v + reach_v <= 1;
-    const double area = whole ? std::abs(twist) : shared_area({0, 0, 1, 1});
+    const bool inside =
+        u - reach_u >= 0 && v - reach_v >= 0 && u + reach_u <= 1 && v + reach_v <= 1;
+    const double area = inside ? std::abs(twist) : shared_area({0, 0, 1, 1});
     area_ = std::isfinite(area) ? area : 0;
 }
 

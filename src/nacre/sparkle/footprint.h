@@ -24,7 +24,7 @@ struct Box {
 };
 
 /// How a box lies to a footprint.
-enum class Overlap { none, partial, whole };
+enum class Overlap { none, partial, full };
 
 /// The parallelogram about (u, v) spanned by two edges, cut at the border of the unit square: what
 /// a pixel sees of an object. Holds the points  centre + s edge_1 + t edge_2  with s and t in
@@ -92,8 +92,8 @@ inline Overlap Footprint::overlap(const Box& box) const {
     const double reach_t = std::abs(t_.du) * half_u + std::abs(t_.dv) * half_v;
     constexpr double kSlack = 1e-12;
     if (s > 0.5 + reach_s + kSlack || t > 0.5 + reach_t + kSlack) return Overlap::none;
-    const bool whole = s + reach_s < 0.5 - kSlack && t + reach_t < 0.5 - kSlack;
-    return whole ? Overlap::whole : Overlap::partial;
+    const bool full = s + reach_s < 0.5 - kSlack && t + reach_t < 0.5 - kSlack;
+    return full ? Overlap::full : Overlap::partial;
 }
 
 }  // namespace nacre::sparkle

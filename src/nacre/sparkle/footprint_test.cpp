@@ -47,7 +47,7 @@ TEST(Footprint, BoxesShareItsWholeArea) {
                 const Overlap overlap = footprint.overlap(box);
                 if (overlap == Overlap::none) {
                     EXPECT_NEAR(shared, 0, 1e-12);
-                } else if (overlap == Overlap::whole) {
+                } else if (overlap == Overlap::full) {
                     EXPECT_NEAR(shared, 1.0 / 64, 1e-12);
                 }
                 sum += shared;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t nodes_above(int level) { return ((1u << (2 * level)) - 1) / 3; }
 
-Vec3f between(Vec3f a, Vec3f b) { return normalize(a + b); }
+Vec3f midpoint(Vec3f a, Vec3f b) { return normalize(a + b); }
 
 // Int D(m) (m.n) dm over a spherical triangle, by the seven-point rule of degree 5 on the flat
 // triangle below it; solid angle = det(a, b, c) / |p|^3 per unit of barycentric area.
@@ -52,7 +52,7 @@ double integrate(Vec3f a, Vec3f b, Vec3f c, double edge, double alpha) {
     if (edge <= 0.6 * alpha || negligible) {
         return rule_of_seven(to_double(a), to_double(b), to_double(c), alpha);
     }
-    const Vec3f ab = between(a, b), bc = between(b, c), ca = between(c, a);
+    const Vec3f ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
     const double half = 0.5 * edge;
     return integrate(a, ab, ca, half, alpha) + integrate(ab, b, bc, half, alpha) +
            integrate(ca, bc, c, half, alpha) + integrate(ab, bc, ca, half, alpha);
@@ -78,7 +78,7 @@ void NormalTree::build(std::uint32_t node, int level, Vec3f a, Vec3f b, Vec3f c,
         masses_[node] = integrate(a, b, c, 0.5 * std::numbers::pi / (1 << level), alpha);
         return;
     }
-    const Vec3f ab = between(a, b), bc = between(b, c), ca = between(c, a);
+    const Vec3f ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
     build(4 * node + 1, level + 1, a, ab, ca, alpha);
     build(4 * node + 2, level + 1, ab, b, bc, alpha);
     build(4 * node + 3, level + 1, ca, bc, c, alpha);

@@ -176,8 +176,8 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
 }
 
 double disc_overlap_integral(double x) {
-    constexpr double kWhole = 4 / (3 * std::numbers::pi);
-    if (x >= 1) return kWhole;
+    constexpr double kFullOverlap = 4 / (3 * std::numbers::pi);
+    if (x >= 1) return kFullOverlap;
     const double chord2 = 1 - x * x, chord = std::sqrt(chord2);
     return 2 * std::numbers::inv_pi * (x * std::acos(x) - chord + chord * chord2 / 3 + 2.0 / 3);
 }

@@ -283,18 +283,18 @@ TEST(Nacre, FilmsAddTheirOwnVariance) {
         squares += r * r;
     }
     const DoubleLanes found = variance(x, model, 0, 250000, 9);
-    double least = INFINITY, most = 0;
+    double smallest = INFINITY, largest = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
         const double films = squares[lane] * kFilms / (sum[lane] * sum[lane]);
         const double expected = model.flakes_per_mm2() * campbell.place(0) *
                                 campbell.slope(inside(x.wi()), inside(x.wo())) * films *
                                 Campbell::depth(optical_depth(model, 45, 35, lane));
         EXPECT_NEAR(found[lane], expected, 0.03 * expected) << lane;
-        least = std::min(least, films);
-        most = std::max(most, films);
+        smallest = std::min(smallest, films);
+        largest = std::max(largest, films);
     }
-    EXPECT_GT(least, 1.05);  // films matter, and not everywhere alike
-    EXPECT_GT(most, 1.3 * least);
+    EXPECT_GT(smallest, 1.05);  // films matter, and not everywhere alike
+    EXPECT_GT(largest, 1.3 * smallest);
 }
 
 // The flakes of a species do not depend on what the others reflect.

@@ -180,8 +180,8 @@ class BoundSpecialEffect final : public BoundBsdf {
     // not leave.
     std::optional<Ray> draw(const Ray& i, Vec2f u, Vec2f u_cone) const {
         const Vec3f m = facets_.sample_visible(i.inside, u);
-        const Vec3f mirrored = 2 * dot(i.inside, m) * m - i.inside;
-        const Vec3f inside = rule_.sample(mirrored, u_cone);
+        const Vec3f specular = 2 * dot(i.inside, m) * m - i.inside;
+        const Vec3f inside = rule_.sample(specular, u_cone);
         if (inside.z <= 0) return std::nullopt;
         const auto outside = coat_.leave(inside);
         if (!outside || outside->z <= 0) return std::nullopt;

@@ -324,7 +324,7 @@ TEST(ThinFilm, ColourModesShowTheColourOfTheAntialiasedReflectance) {
     // Rendered as a spectrum and seen under D65 again, the colour is that of the film.
     const paint::Recipe recipe = violet();
     const optics::AiryFilm film(1, 1.8, 1.08, 0.51);
-    const Vec3f w = direction(30, 0), mirrored = direction(30, 180);
+    const Vec3f w = direction(30, 0), specular = direction(30, 180);
     paint::Recipe white = mirror(FacetDistribution::beckmann, 0.07);
     for (const auto colour : {ThinFilmColour::table, ThinFilmColour::paper}) {
         std::vector<double> wavelengths_nm;
@@ -334,8 +334,8 @@ TEST(ThinFilm, ColourModesShowTheColourOfTheAntialiasedReflectance) {
         for (std::size_t first = 0; first < wavelengths_nm.size(); first += kLanes) {
             Wavelengths nm;
             for (int i = 0; i < kLanes; ++i) nm[i] = wavelengths_nm[first + i];
-            const FloatLanes f = ThinFilm(recipe, colour).bind(nm)->eval(w, mirrored);
-            const FloatLanes one = ThinFilm(white).bind(nm)->eval(w, mirrored);
+            const FloatLanes f = ThinFilm(recipe, colour).bind(nm)->eval(w, specular);
+            const FloatLanes one = ThinFilm(white).bind(nm)->eval(w, specular);
             for (int i = 0; i < kLanes; ++i) ratio.push_back(f[i] / one[i]);
         }
         const auto weights = spectra::rec709_weights(wavelengths_nm);

@@ -15,14 +15,14 @@ namespace nacre::bsdf {
 namespace {
 
 // Rows (i, 0 ... angles - 1) of one channel, values below `least` raised to it.
-RowMajorMatrix slab(const RawBrdfTable& raw, int channel, std::size_t i, double least) {
+RowMajorMatrix slab(const RawBrdfTable& raw, int channel, std::size_t i, double min_value) {
     const int n = raw.grid.angles, m = raw.grid.azimuths;
     const float* at = raw.values.data() + 3 * i * n * m + channel;
     using Strided = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, 1>, 0,
                                Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
     return Strided(at, n, m, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>(3 * m, 3))
         .cast<double>()
-        .cwiseMax(least);
+        .cwiseMax(min_value);
 }
 
 // Largest value by polar node, over the other node, azimuth and channel.
@@ -43,10 +43,10 @@ double weight(const std::vector<double>& peak, std::size_t i, std::size_t o) {
     return product > 0 ? 1 / product : 0.0;
 }
 
-double largest(const RawBrdfTable& raw, int channel, double least) {
+double largest(const RawBrdfTable& raw, int channel, double min_value) {
     double peak = 0;
     for (std::size_t at = channel; at < raw.values.size(); at += 3) {
-        peak = std::max(peak, std::abs(std::max<double>(raw.values[at], least)));
+        peak = std::max(peak, std::abs(std::max<double>(raw.values[at], min_value)));
     }
     return peak;
 }
@@ -58,11 +58,11 @@ struct Spectrum {
 };
 
 Spectrum decompose(const RawBrdfTable& raw, const std::vector<double>& peak, int channel,
-                   double least) {
+                   double min_value) {
     const int m = raw.grid.azimuths;
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(m, m);
     for (int i = 0; i < raw.grid.angles; ++i) {
-        RowMajorMatrix rows = slab(raw, channel, i, least);
+        RowMajorMatrix rows = slab(raw, channel, i, min_value);
         for (int o = 0; o < raw.grid.angles; ++o) rows.row(o) *= std::sqrt(weight(peak, i, o));
         gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
     }
@@ -98,14 +98,15 @@ CompressedBrdfTable compress(const RawBrdfTable& raw, const CompressionSettings&
     if (!(settings.tolerance > 0 && settings.tolerance < 1)) {
         throw DomainError(fmt::format("tolerance = {} is outside (0, 1)", settings.tolerance));
     }
-    const double least = settings.clip_to_gamut ? 0.0 : -std::numeric_limits<double>::infinity();
+    const double min_value =
+        settings.clip_to_gamut ? 0.0 : -std::numeric_limits<double>::infinity();
     std::array<double, 3> peak;
-    for (int c = 0; c < 3; ++c) peak[c] = largest(raw, c, least);
+    for (int c = 0; c < 3; ++c) peak[c] = largest(raw, c, min_value);
     const double brightest = *std::max_element(peak.begin(), peak.end());
     const std::vector<double> scale = peaks(raw);
     std::array<Spectrum, 3> channels;
     parallel_for(0, 3, [&](std::size_t c) {
-        channels[c] = decompose(raw, scale, static_cast<int>(c), least);
+        channels[c] = decompose(raw, scale, static_cast<int>(c), min_value);
     });
 
     const int r = settings.rank > 0 ? settings.rank : choose_rank(channels, settings.tolerance);
@@ -131,7 +132,7 @@ CompressedBrdfTable compress(const RawBrdfTable& raw, const CompressionSettings&
             }
         }
         parallel_for(0, k > 0 ? n : 0, [&](std::size_t i) {
-            const RowMajorMatrix projected = slab(raw, c, i, least) * basis;
+            const RowMajorMatrix projected = slab(raw, c, i, min_value) * basis;
             for (int o = 0; o < n; ++o) {
                 float* row = out.left.data() + (i * n + o) * all + first;
                 for (int t = 0; t < k; ++t) row[t] = static_cast<float>(projected(o, t));
