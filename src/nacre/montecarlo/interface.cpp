@@ -210,10 +210,8 @@ class RoughAirInterface final : public AirInterface {
 
     Ray uniform_in_etendue(RandomStream& random) const {
         const bool inside = random.uniform() * (1 + index_ * index_) >= 1;
-        const double sine_sq = random.uniform();
-        const auto [c, s] = random.cos_sin();
-        const double sine = std::sqrt(sine_sq), height = std::sqrt(1 - sine_sq);
-        return {{sine * c, sine * s, inside ? -height : height}, inside};
+        const Vec3d up = sample_lambert(random);
+        return {inside ? flipped(up) : up, inside};
     }
 
     /// Light that met one facet.                                            [walter-2007, eq. 20]

@@ -215,10 +215,8 @@ TEST(ExtremeRecipes, WalksAreFiniteAtTheLimitsOfRecipes) {
     int left = 0;
     for (int i = 0; i < 60; ++i) {
         const paint::Recipe recipe = extreme_paint(rng);
-        double thickness_um = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
-        for (const paint::Layer& layer : recipe.layers) thickness_um += layer.thickness_um;
         // From nearly solid paint to nearly flat.
-        const double radius_mm = 1e-3 * thickness_um * (1 + by_magnitude(rng, 1e-5, 1e12));
+        const double radius_mm = 1e-3 * recipe.thickness_um() * (1 + by_magnitude(rng, 1e-5, 1e12));
         const auto tracking = i % 2 == 0 ? Tracking::delta : Tracking::simpson;
         expect_sound_samples(PlaneWalk(recipe), rng, left);
         expect_sound_samples(ShellWalk(recipe, {radius_mm, tracking}), rng, left);

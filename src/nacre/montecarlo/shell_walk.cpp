@@ -50,8 +50,7 @@ void check(const paint::Recipe& recipe, const VolumeModel& settings) {
                         "interfaces only; the position-free walk knows rough ones",
                         recipe.clearcoat->roughness));
     }
-    double thickness_um = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
-    for (const paint::Layer& layer : recipe.layers) thickness_um += layer.thickness_um;
+    const double thickness_um = recipe.thickness_um();
     // The substrate's radius must be above 0: a millionth of the outer one keeps its digits.
     constexpr double kMaxFraction = 1 - 1e-6;
     if (!(thickness_um < kMaxFraction * kUmPerMm * settings.radius_mm)) {

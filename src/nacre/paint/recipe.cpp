@@ -113,6 +113,12 @@ double FlakeSpecies::area_density_per_um() const {
     return std::get<VolumeFraction>(amount).value / thickness_um();
 }
 
+double Recipe::thickness_um() const {
+    double sum = clearcoat ? clearcoat->thickness_um : 0;
+    for (const Layer& layer : layers) sum += layer.thickness_um;
+    return sum;
+}
+
 void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
     for (double wavelength : wavelengths_nm) {
         if (!limits::kWavelength.contains(wavelength)) {

@@ -119,6 +119,8 @@ struct Recipe {
     spectra::Spectrum substrate_reflectance;
     std::optional<Microfacet> microfacet;
 
+    double thickness_um() const;  ///< of clearcoat and layers
+
     friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 

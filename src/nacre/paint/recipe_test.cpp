@@ -43,6 +43,14 @@ TEST(FlakeSpecies, AreaDensityIsVolumeFractionOverThickness) {
     EXPECT_DOUBLE_EQ(species.area_density_per_um(), 0.1);
 }
 
+TEST(Recipe, ThicknessIsThatOfClearcoatAndLayers) {
+    Recipe recipe = pearl();
+    recipe.layers.push_back(Layer{8, {}, {}});
+    EXPECT_EQ(recipe.thickness_um(), 45 + 15 + 8);
+    recipe.clearcoat.reset();
+    EXPECT_EQ(recipe.thickness_um(), 15 + 8);
+}
+
 TEST(ValidateRecipe, AcceptsAPaintAtTheEdgesOfItsRanges) {
     EXPECT_NO_THROW(validate(pearl(), {400, 700}));
     Recipe recipe = pearl();

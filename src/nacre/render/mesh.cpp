@@ -11,7 +11,6 @@
 #include <fstream>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -53,7 +52,6 @@ Mesh mesh_of_surface(int columns, int rows,
 
 AffineMap::AffineMap(const Transform& transform)
     : translation_(transform.translation_mm), scale_(static_cast<float>(transform.scale)) {
-    constexpr double kDegree = std::numbers::pi / 180;
     const double cx = std::cos(transform.rotation_deg.x * kDegree);
     const double sx = std::sin(transform.rotation_deg.x * kDegree);
     const double cy = std::cos(transform.rotation_deg.y * kDegree);

@@ -41,12 +41,6 @@ std::uint64_t poisson(double mean, Rng& rng) {
 
 }  // namespace
 
-double paint_thickness_um(const paint::Recipe& recipe) {
-    double sum = recipe.clearcoat ? recipe.clearcoat->thickness_um : 0;
-    for (const paint::Layer& layer : recipe.layers) sum += layer.thickness_um;
-    return sum;
-}
-
 double expected_discs(const paint::Recipe& recipe, const Tile& tile) {
     double sum = 0;
     for_each_species(recipe, [&](const auto& layer, const auto& species, double) {
@@ -66,7 +60,7 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
     }
     std::vector<Disc> discs;
     discs.reserve(static_cast<std::size_t>(expected + 6 * std::sqrt(expected) + 16));
-    const double paint_um = paint_thickness_um(recipe);
+    const double paint_um = recipe.thickness_um();
     std::uint16_t index = 0;
     for_each_species(recipe, [&](const auto& layer, const auto& species, double z_top_um) {
         const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);

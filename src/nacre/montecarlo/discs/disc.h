@@ -67,9 +67,6 @@ struct Disc {
 /// At some 150 bytes each, Embree's acceleration structure included.
 inline constexpr double kMaxDiscs = 8e6;
 
-/// Clearcoat and layers.
-double paint_thickness_um(const paint::Recipe& recipe);
-
 /// Mean number of discs in a tile: rho H area, summed over all species.
 double expected_discs(const paint::Recipe& recipe, const Tile& tile);
 

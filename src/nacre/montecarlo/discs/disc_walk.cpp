@@ -325,12 +325,12 @@ Tile checked_tile(const ExplicitFlakesModel& settings, const paint::Recipe& reci
     };
     const Tile tile{side_um(settings.tile_width_mm, "tile_width_mm"),
                     side_um(settings.tile_height_mm, "tile_height_mm")};
-    const double min_side_um = kMinTileFraction * paint_thickness_um(recipe);
+    const double min_side_um = kMinTileFraction * recipe.thickness_um();
     if (std::min(tile.width_um, tile.height_um) < min_side_um) {
         throw DomainError(fmt::format(
             "a tile of {} mm x {} mm is too narrow for a paint of {} um: each side must be at "
             "least {} mm",
-            settings.tile_width_mm, settings.tile_height_mm, paint_thickness_um(recipe),
+            settings.tile_width_mm, settings.tile_height_mm, recipe.thickness_um(),
             min_side_um / kUmPerMm));
     }
     return tile;
