@@ -11,7 +11,7 @@ namespace {
 // Of a slab, in units of which a mode's half depth F x is at least: an empty slab, or one that is
 // empty at some of the wavelengths, has F = 0 and no Z_a. Far below rounding of the results, and
 // its inverse far from the largest number.
-constexpr double kLeastDepth = 1e-30;
+constexpr double kMinDepth = 1e-30;
 
 void copy(DoubleLanes* to, const DoubleLanes* from, int count) {
     std::memcpy(to, from, sizeof(DoubleLanes) * count);
@@ -37,7 +37,7 @@ void slab_impedance(DoubleLanes* e, DoubleLanes* f, double thickness, int doubli
     DoubleLanes *factor = work.a.data(), *solved = work.b.data();
 
     // Z_a = (F x)^-1 + E x/3,  Z_s = E x - (E x) Z_a^-1 (E x)/3: tanh x = x/(1 + x^2/3).
-    for (int i = 0; i < n; ++i) f[i * n + i] += splat(kLeastDepth / x);
+    for (int i = 0; i < n; ++i) f[i * n + i] += splat(kMinDepth / x);
     invert_spd(f, solved, n);
     for (int i = 0; i < count; ++i) {
         e[i] *= x;
