@@ -173,6 +173,13 @@ ExitStatus run(const AtlasOptions& options, const CLI::App& command) {
     return ExitStatus::ok;
 }
 
+/// Films and the binder may be files of optical constants.
+std::vector<std::string> inputs(const AtlasOptions& options) {
+    std::vector<std::string> all = options.outer;
+    all.insert(all.end(), {options.film, options.core, options.ior, options.recipe});
+    return all;
+}
+
 }  // namespace
 
 Command add_atlas(CLI::App& program) {
@@ -224,7 +231,8 @@ Command add_atlas(CLI::App& program) {
         "  nacre atlas --film TiO2_anatase --core mica:500:60 --thickness 20:200:5 -o atlas.svg\n"
         "  nacre atlas --recipe paints/tio2-mica-80.toml --key 'coats[0].thickness_nm' \\\n"
         "              --values 40:160:20 -o paint.png");
-    return {command, [options, command] { return run(*options, *command); }};
+    return {command, [options] { return files_of(*options, inputs(*options)); },
+            [options, command] { return run(*options, *command); }};
 }
 
 }  // namespace nacre::cli

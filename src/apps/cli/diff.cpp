@@ -20,16 +20,20 @@ struct DiffOptions : CommonOptions {
     std::optional<double> min_psnr, max_relative, max_delta_e_mean, max_delta_e_95th;
 };
 
+bool is_exr_name(const std::string& output) {
+    const std::string extension = std::filesystem::path(output).extension();
+    if (extension == ".exr") return true;
+    if (extension == ".png") return false;
+    throw UsageError(fmt::format("--output = {}: must end in .exr or .png", output));
+}
+
 /// The difference picture: signed numbers in an EXR, a heat map of Delta E in a PNG.
 void write_picture(const DiffOptions& options, const io::ImageDifference& difference) {
     if (options.output.empty()) return;
-    const std::string extension = std::filesystem::path(options.output).extension();
-    if (extension == ".exr") {
+    if (is_exr_name(options.output)) {
         io::write_exr(options.output, difference.picture);
-    } else if (extension == ".png") {
-        io::write_png(options.output, io::difference_heat_map(difference, options.heat_full_scale));
     } else {
-        throw UsageError(fmt::format("--output = {}: must end in .exr or .png", options.output));
+        io::write_png(options.output, io::difference_heat_map(difference, options.heat_full_scale));
     }
 }
 
@@ -37,30 +41,31 @@ void write_picture(const DiffOptions& options, const io::ImageDifference& differ
 bool is_within_bounds(const DiffOptions& options, const io::ImageDifference& d) {
     const auto within = [](double value, const std::optional<double>& bound, const char* name) {
         if (!bound || value <= *bound) return true;
-        fmt::print(stderr, "nacre: {} = {:.6g} is more than {}\n", name, value, *bound);
+        print_message(fmt::format("nacre: {} = {:.6g} is more than {}", name, value, *bound));
         return false;
     };
     bool ok = within(d.relative_error, options.max_relative, "relative error");
     ok &= within(d.delta_e_mean, options.max_delta_e_mean, "mean Delta E 2000");
     ok &= within(d.delta_e_95th, options.max_delta_e_95th, "95th percentile of Delta E 2000");
     if (options.min_psnr && d.psnr_db < *options.min_psnr) {
-        fmt::print(stderr, "nacre: PSNR = {:.6g} dB is less than {}\n", d.psnr_db,
-                   *options.min_psnr);
+        print_message(
+            fmt::format("nacre: PSNR = {:.6g} dB is less than {}", d.psnr_db, *options.min_psnr));
         ok = false;
     }
     return ok;
 }
 
 ExitStatus run(const DiffOptions& options) {
+    if (!options.output.empty()) is_exr_name(options.output);  // before any work
     const io::ImageDifference d = io::image_difference(
         io::read_image(options.a), io::read_image(options.b), options.a, options.b);
     write_picture(options, d);
-    fmt::print(
-        "quantity,value\nmse,{:.9g}\npsnr_db,{:.6g}\nrelative_error,{:.9g}\n"
-        "delta_e_2000_mean,{:.6g}\ndelta_e_2000_95th_percentile,{:.6g}\n"
-        "delta_e_2000_max,{:.6g}\n",
-        d.mean_square_error, d.psnr_db, d.relative_error, d.delta_e_mean, d.delta_e_95th,
-        d.delta_e_max);
+    print_data(
+        fmt::format("quantity,value\nmse,{:.9g}\npsnr_db,{:.6g}\nrelative_error,{:.9g}\n"
+                    "delta_e_2000_mean,{:.6g}\ndelta_e_2000_95th_percentile,{:.6g}\n"
+                    "delta_e_2000_max,{:.6g}\n",
+                    d.mean_square_error, d.psnr_db, d.relative_error, d.delta_e_mean,
+                    d.delta_e_95th, d.delta_e_max));
     const bool ok = is_within_bounds(options, d);
     nlohmann::json report = {{"a", options.a},
                              {"b", options.b},
@@ -102,7 +107,11 @@ Command add_diff(CLI::App& program) {
         "CIEDE2000 under D65, white being the perfect diffuser. Exit status 4 if a bound given is\n"
         "broken.\n\n"
         "Example:\n  nacre diff new.exr approved.exr --max-delta-e-mean 1 -o difference.png");
-    return {diff, [options] { return run(*options); }};
+    return {diff,
+            [options] {
+                return files_of(*options, {options->a, options->b});
+            },
+            [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

@@ -140,7 +140,8 @@ Command add_eval(CLI::App& program) {
         "Example: the flop of a pearl, lit from 45 deg\n"
         "  nacre eval paints/tio2-mica-80.toml --incident 45 --outgoing 0:75:5,180 \\\n"
         "             --wavelength 450,550,650");
-    return {eval, [options] { return run(*options); }};
+    return {eval, [options] { return files_of(*options, {options->recipe}); },
+            [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

@@ -144,7 +144,8 @@ Command add_export(CLI::App& program) {
         "a coat of the binder's index. Says on stderr by how much the file misses the BRDF.\n\n"
         "Example: for Mitsuba's plugin \"measured\"\n"
         "  nacre export paints/red-gold.toml -o red-gold.bsdf");
-    return {command, [options] { return run(*options); }};
+    return {command, [options] { return files_of(*options, {options->paint}); },
+            [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

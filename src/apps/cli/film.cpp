@@ -81,6 +81,13 @@ std::string film_table(const FilmOptions& options) {
     return table;
 }
 
+/// Media and films may be files of optical constants.
+std::vector<std::string> inputs(const FilmOptions& options) {
+    std::vector<std::string> all = options.layers;
+    all.insert(all.end(), {options.ambient, options.substrate});
+    return all;
+}
+
 }  // namespace
 
 Command add_film(CLI::App& program) {
@@ -112,7 +119,8 @@ Command add_film(CLI::App& program) {
         "Example: titania on a mica platelet in resin, seen at 30 deg\n"
         "  nacre film --ambient 1.5 --layer TiO2_anatase:80 --layer mica:500 \\\n"
         "             --layer TiO2_anatase:80 --substrate 1.5 --angle 30 --wavelength 400:700:10");
-    return {film, [options] {
+    return {film, [options] { return files_of(*options, inputs(*options)); },
+            [options] {
                 emit(*options, film_table(*options));
                 return ExitStatus::ok;
             }};

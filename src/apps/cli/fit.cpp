@@ -172,7 +172,12 @@ Command add_fit(CLI::App& program) {
         "Example: how thick the film of a pearl is\n"
         "  nacre fit paints/tio2-mica-110.toml --start paints/tio2-mica-80.toml \\\n"
         "            --free 'coats[0].thickness_nm' -o fitted.toml");
-    return {command, [options] { return run(*options); }};
+    return {command,
+            [options] {
+                return files_of(*options,
+                                {options->standard, options->start, options->instrument.geometry});
+            },
+            [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

@@ -245,7 +245,8 @@ Command add_info(CLI::App& program) {
         "Checks the file on the way: a solved paint against its checksum, a recipe or a scene "
         "key by key.\n\n"
         "Example:\n  nacre info gold.h5");
-    return {info, [options] {
+    return {info, [options] { return files_of(*options, {options->file}); },
+            [options] {
                 emit(*options, describe(options->file));
                 return ExitStatus::ok;
             }};

@@ -1,8 +1,12 @@
-#include <fmt/core.h>
+#include <fcntl.h>
+#include <signal.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,18 +19,54 @@ namespace {
 
 using nacre::cli::ExitStatus;
 
-ExitStatus run(const std::vector<nacre::cli::Command>& commands) {
-    const auto complain = [](const char* what) { fmt::print(stderr, "nacre: {}\n", what); };
+void complain(const std::string& what) { nacre::cli::print_message("nacre: " + what); }
+
+/// Files must not become standard input, output or error because these were closed: data would
+/// get mixed into them. What stands in for standard output refuses data, so that their loss shows.
+void reserve_standard_streams() {
+    for (int fd = 0; fd <= 2; ++fd) {
+        if (::fcntl(fd, F_GETFD) != -1 || errno != EBADF) continue;
+        // Takes the lowest number that is free: fd.
+        (void)::open("/dev/null", fd == 1 ? O_RDONLY : O_RDWR);
+    }
+}
+
+/// What the program would otherwise be killed by in the middle of a file or for a message: a reader
+/// that has gone, a file beyond the limit on sizes. Both come back as errors of writing.
+class SignalsAsErrors {
+ public:
+    SignalsAsErrors() : pipe_(::signal(SIGPIPE, SIG_IGN)) { ::signal(SIGXFSZ, SIG_IGN); }
+    /// Ends the program as a closed pipe does, where the caller of the program has not chosen that
+    /// it be ignored.
+    void raise_pipe() const {
+        ::signal(SIGPIPE, pipe_);
+        ::raise(SIGPIPE);
+    }
+
+ private:
+    void (*pipe_)(int);
+};
+
+ExitStatus run_command(const std::vector<nacre::cli::Command>& commands) {
+    for (const nacre::cli::Command& command : commands) {
+        if (!command.options->parsed()) continue;
+        nacre::cli::check_names(*command.options);
+        nacre::cli::check_files(command.files());
+        return command.run();
+    }
+    return ExitStatus::usage;
+}
+
+/// The status of `work`, or of what it throws, which is printed.
+template <class Work>
+ExitStatus run(const Work& work) {
     try {
-        for (const nacre::cli::Command& command : commands) {
-            if (command.options->parsed()) return command.run();
-        }
-        return ExitStatus::usage;
+        return work();
     } catch (const nacre::cli::UsageError& error) {
         complain(error.what());
         return ExitStatus::usage;
     } catch (const nacre::SettingError& error) {  // options are called like the settings
-        complain((std::string("--") + error.what()).c_str());
+        complain(std::string("--") + error.what());
         return ExitStatus::usage;
     } catch (const nacre::InputError& error) {
         complain(error.what());
@@ -35,7 +75,7 @@ ExitStatus run(const std::vector<nacre::cli::Command>& commands) {
         complain(error.what());
         return ExitStatus::bad_input;
     } catch (const std::bad_alloc&) {
-        complain("out of memory");
+        std::fputs("nacre: out of memory\n", stderr);  // needs none
         return ExitStatus::failure;
     } catch (const std::exception& error) {
         complain(error.what());
@@ -46,6 +86,8 @@ ExitStatus run(const std::vector<nacre::cli::Command>& commands) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    reserve_standard_streams();
+    const SignalsAsErrors signals;
     CLI::App program{
         "Nacre predicts and renders the look of special-effect coatings from their composition.",
         "nacre"};
@@ -62,11 +104,25 @@ int main(int argc, char** argv) {
         nacre::cli::add_info(program),    nacre::cli::add_measure(program),
         nacre::cli::add_atlas(program),   nacre::cli::add_export(program),
         nacre::cli::add_panel(program),   nacre::cli::add_fit(program)};
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        // exit() prints help, version or the complaint, and returns 0 for the first two.
-        return static_cast<int>(program.exit(error) == 0 ? ExitStatus::ok : ExitStatus::usage);
+    ExitStatus status = run([&] {
+        try {
+            program.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            // exit() prints help, version or the complaint, and returns 0 for the first two.
+            std::ostringstream out, err;
+            const bool ok = program.exit(error, out, err) == 0;
+            nacre::cli::print_data(out.str());
+            if (const std::string text = err.str(); !text.empty()) {
+                nacre::cli::print_message(text.substr(0, text.find_last_not_of('\n') + 1));
+            }
+            return ok ? ExitStatus::ok : ExitStatus::usage;
+        }
+        return run_command(commands);
+    });
+    if (std::ferror(stdout) != 0 && status == ExitStatus::ok) {
+        signals.raise_pipe();
+        complain("cannot write to standard output: its reader has gone");
+        status = ExitStatus::failure;
     }
-    return static_cast<int>(run(commands));
+    return static_cast<int>(status);
 }

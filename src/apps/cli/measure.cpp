@@ -147,6 +147,13 @@ ExitStatus run(const MeasureOptions& options) {
                    sample_of(versus, std::move(standard)), watch);
 }
 
+CommandFiles files(const MeasureOptions& options) {
+    CommandFiles files =
+        files_of(options, {options.sample, options.versus, options.instrument.geometry});
+    files.folders = {{"--plots", options.plots}};
+    return files;
+}
+
 }  // namespace
 
 Command add_measure(CLI::App& program) {
@@ -194,7 +201,7 @@ Command add_measure(CLI::App& program) {
         "  nacre measure paints/tio2-mica-80.toml --geometry byk-mac\n"
         "  nacre measure paints/tio2-mica-80.toml --versus paints/tio2-mica-110.toml \\\n"
         "                --geometry 45as15,45as45,45as110 --illuminant A --observer 2");
-    return {command, [options] { return run(*options); }};
+    return {command, [options] { return files(*options); }, [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

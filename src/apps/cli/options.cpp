@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
@@ -42,10 +44,23 @@ void emit(const CommonOptions& options, const std::string& data) {
         write_file_atomically(options.output, data);
         return;
     }
-    if (std::fwrite(data.data(), 1, data.size(), stdout) != data.size() ||
-        std::fflush(stdout) != 0) {
-        throw Error("cannot write to standard output");
+    print_data(data);
+}
+
+void print_data(const std::string& data) {
+    errno = 0;
+    if (std::fwrite(data.data(), 1, data.size(), stdout) == data.size() &&
+        std::fflush(stdout) == 0) {
+        return;
     }
+    if (errno == EPIPE) return;
+    throw Error(
+        fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
+}
+
+void print_message(const std::string& line) {
+    const std::string text = line + "\n";  // one write, so that lines of two programs do not mix
+    (void)std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 void write_report(const CommonOptions& options, const std::string& command, nlohmann::json report) {
@@ -59,7 +74,7 @@ void write_report(const CommonOptions& options, const std::string& command, nloh
 }
 
 void say(const CommonOptions& options, const std::string& line) {
-    if (!options.quiet) fmt::print(stderr, "{}\n", line);
+    if (!options.quiet) print_message(line);
 }
 
 double parse_number(std::string_view option, std::string_view text, const Range& range) {

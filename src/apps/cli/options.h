@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/cli/files.h"
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
 #include "nacre/montecarlo/reference.h"
@@ -36,6 +37,7 @@ enum class ExitStatus {
 
 struct Command {
     CLI::App* options = nullptr;
+    std::function<CommandFiles()> files;  ///< what it reads and writes, checked before it runs
     std::function<ExitStatus()> run;
 };
 
@@ -92,6 +94,14 @@ void add_seed(CLI::App& command, CommonOptions& options);
 /// Data to the output file, whole or not at all, or to stdout.
 /// @throws Error if they cannot be written
 void emit(const CommonOptions& options, const std::string& data);
+
+/// Data to stdout. A reader that has gone, as in `nacre ... | head -1`, wants no more: the command
+/// goes on, so that its files are written, and main() ends the program.
+/// @throws Error if they cannot be written for another reason, such as a full disk
+void print_data(const std::string& data);
+
+/// A line on stderr. What cannot be written there is lost without an error: the work is worth more.
+void print_message(const std::string& line);
 
 /// Writes the report, if one was asked for, with "command" and "version" added to it.
 void write_report(const CommonOptions& options, const std::string& command, nlohmann::json report);

@@ -84,10 +84,6 @@ void check_choices(const PanelOptions& options) {
     if (fs::path(options.output).extension() != ".html") {
         throw UsageError(fmt::format("--output = {}: must end in .html", options.output));
     }
-    const fs::path folder = fs::path(options.output).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder)) {
-        throw InputError(fmt::format("{}: there is no such folder", folder.string()));
-    }
     render::builtin_scene(options.scene);  // throws if there is none
 }
 
@@ -205,7 +201,12 @@ Command add_panel(CLI::App& program) {
         "number means.\n\n"
         "Example:\n"
         "  nacre panel paints/tio2-mica-80.toml -o gold.html --versus paints/red-gold.toml");
-    return {command, [options] { return run(*options); }};
+    return {command,
+            [options] {
+                return files_of(*options,
+                                {options->recipe, options->versus, options->instrument.geometry});
+            },
+            [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

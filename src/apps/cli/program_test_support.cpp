@@ -39,6 +39,15 @@ Outcome Program::nacre(const std::string& arguments) const {
     return {WEXITSTATUS(code), contents(folder_ / ".out"), contents(folder_ / ".err")};
 }
 
+Outcome Program::shell(const std::string& script) const {
+    write(".script", script);
+    const std::string command = "cd '" + (folder_ / "").string() +
+                                "' && NACRE='" NACRE_PROGRAM "' sh .script > .out 2> .err";
+    const int code = std::system(command.c_str());
+    EXPECT_TRUE(WIFEXITED(code)) << script << " was ended by a signal";
+    return {WEXITSTATUS(code), contents(folder_ / ".out"), contents(folder_ / ".err")};
+}
+
 void Program::write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
 }

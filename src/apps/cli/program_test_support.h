@@ -24,6 +24,8 @@ class Program : public ::testing::Test {
 
     /// Runs `nacre ARGUMENTS` in the test's folder.
     Outcome nacre(const std::string& arguments) const;
+    /// Runs a shell script there, in which $NACRE is the program.
+    Outcome shell(const std::string& script) const;
     void write(const std::string& name, const std::string& text) const;
     bool exists(const std::string& name) const;
 

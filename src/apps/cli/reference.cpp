@@ -94,7 +94,8 @@ Command add_reference(CLI::App& program) {
         "Example:\n"
         "  nacre reference paints/metallic-gray.toml --incident 45 --outgoing 45,180 \\\n"
         "                  --wavelength 550 --samples 1000000");
-    return {command, [options] { return run(*options); }};
+    return {command, [options] { return files_of(*options, {options->recipe}); },
+            [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

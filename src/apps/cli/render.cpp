@@ -116,11 +116,7 @@ ExitStatus run(RenderCommandOptions options) {
     parse_model_settings(options.model, options.seed);  // before any work
     parse_size(options.size, options.render);
     options.render.seed = options.seed;
-    const fs::path exr = options.output;
-    if (exr.extension() != ".exr") {
-        throw UsageError(fmt::format("--output = {}: must end in .exr", options.output));
-    }
-    const fs::path png = fs::path(exr).replace_extension(".png");
+    const fs::path exr = options.output, png = io::png_beside(exr);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
@@ -135,9 +131,7 @@ ExitStatus run(RenderCommandOptions options) {
     }();
     const render::RenderResult& result = picture.result;
     picture.metadata["nacre:scene"] = options.scene;
-    const io::Image image = picture.image();
-    io::write_exr(exr, image);
-    io::write_png(png, image, options.tone_map);
+    io::write_exr_and_png(exr, picture.image(), options.tone_map);
 
     const double samples = static_cast<double>(result.samples) * result.width * result.height;
     const double msamples_per_s = samples / result.seconds / 1e6;
@@ -160,6 +154,16 @@ ExitStatus run(RenderCommandOptions options) {
                   {"msamples_per_s", msamples_per_s},
                   {"total_s", watch.seconds()}});
     return result.complete ? ExitStatus::ok : ExitStatus::failure;
+}
+
+CommandFiles files(const RenderCommandOptions& options) {
+    const fs::path exr = options.output;
+    if (exr.extension() != ".exr") {
+        throw UsageError(fmt::format("--output = {}: must end in .exr", options.output));
+    }
+    CommandFiles files = files_of(options, {options.scene, options.paint, options.brdf});
+    files.files.push_back({"--output", io::png_beside(exr).string(), true});
+    return files;
 }
 
 std::string joined_scene_names() {
@@ -232,7 +236,7 @@ Command add_render(CLI::App& program) {
         "it as partial and ends with status 3.\n\n"
         "Example:\n"
         "  nacre render sphere --paint paints/red-gold.toml --spp 256 --size 512x512 -o red.exr");
-    return {command, [options] { return run(*options); }};
+    return {command, [options] { return files(*options); }, [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

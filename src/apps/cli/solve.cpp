@@ -116,7 +116,8 @@ Command add_solve(CLI::App& program) {
     solve->footer(
         "Everything that takes a recipe takes the solved file too, and is then faster.\n\n"
         "Example:\n  nacre solve paints/tio2-mica-80.toml -o gold.h5");
-    return {solve, [options] { return run(*options); }};
+    return {solve, [options] { return files_of(*options, {options->recipe}); },
+            [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

@@ -135,15 +135,13 @@ json json_of(const SparkleOptions& options, const Paint& paint,
 void write_picture(const SparkleOptions& options, const std::string& name,
                    const measure::PanelPicture& picture) {
     const io::ToneMap tone_map{io::display_stops(picture)};
-    const io::Image image = io::image_of(
+    io::Image image = io::image_of(
         picture, {{"nacre:recipe", options.recipe},
                   {"nacre:model", options.model.model},
                   {"nacre:geometry", name},
                   {"nacre:pixel_um", fmt::format("{}", 1e3 * picture.pixel_mm)},
                   {"nacre:png_stops", fmt::format("{:.4g}", tone_map.exposure_stops)}});
-    const fs::path folder = options.pictures;
-    io::write_exr(folder / (name + ".exr"), image);
-    io::write_png(folder / (name + ".png"), image, tone_map);
+    io::write_exr_and_png(fs::path(options.pictures) / (name + ".exr"), std::move(image), tone_map);
 }
 
 /// The mean of the two halves of the samples, for less noise.
@@ -155,14 +153,33 @@ measure::PanelPicture mean_of(const std::vector<measure::PanelPicture>& halves) 
     return mean;
 }
 
+std::vector<double> parse_lamps(const SparkleOptions& options) {
+    std::vector<double> lamps_deg = parse_numbers("--lamp", options.lamps, {0, 85, "deg"});
+    if (lamps_deg.size() > 16) {
+        throw UsageError(
+            fmt::format("--lamp: {} lamps are too many: at most 16", lamps_deg.size()));
+    }
+    return lamps_deg;
+}
+
+CommandFiles files(const SparkleOptions& options) {
+    CommandFiles files = files_of(options, {options.recipe});
+    files.folders = {{"--pictures", options.pictures}};
+    if (!fs::is_directory(options.pictures)) return files;  // nothing in it yet
+    std::vector<std::string> names = {"diffuse"};
+    for (double lamp_deg : parse_lamps(options)) names.push_back(lamp_name(lamp_deg));
+    for (const std::string& name : names) {
+        const fs::path exr = fs::path(options.pictures) / (name + ".exr");
+        files.files.push_back({"--pictures", exr.string()});
+        files.files.push_back({"--pictures", io::png_beside(exr).string(), true});
+    }
+    return files;
+}
+
 ExitStatus run(SparkleOptions options) {
     const bsdf::Model model = parse_sparkling_model(options);
     options.camera.seed = options.seed;
-    options.camera.lamps_deg = parse_numbers("--lamp", options.lamps, {0, 85, "deg"});
-    if (options.camera.lamps_deg.size() > 16) {
-        throw UsageError(fmt::format("--lamp: {} lamps are too many: at most 16",
-                                     options.camera.lamps_deg.size()));
-    }
+    options.camera.lamps_deg = parse_lamps(options);
     measure::check(options.camera);
     measure::check(options.viewing);
     const ThreadLimit threads(options.threads);
@@ -275,7 +292,7 @@ Command add_sparkle(CLI::App& program) {
         "docs/sparkle.md defines them. Instruments' own scales are not public: do not compare.\n\n"
         "Examples:\n  nacre sparkle paints/metallic-silver.toml\n"
         "  nacre sparkle paints/glitter-100um.toml --lamp 15:75:15 --pictures seen -o sparkle.csv");
-    return {sparkle, [options] { return run(*options); }};
+    return {sparkle, [options] { return files(*options); }, [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

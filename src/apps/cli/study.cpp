@@ -161,7 +161,11 @@ Command add_study(CLI::App& program) {
         "the\nsame command goes on.\n\n"
         "Examples:\n  nacre study mir-2022 -o out/mir-2022 --spp 64\n"
         "  nacre study flakes -o out/flakes\n  nacre study sparkle -o out/sparkle");
-    return {study, [options] { return run(*options); }};
+    return {study,
+            [options] {
+                return CommandFiles{.folders = {{"--output", options->output}}};
+            },
+            [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

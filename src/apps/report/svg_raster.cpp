@@ -1,11 +1,18 @@
 #include "apps/report/svg_raster.h"
 
 #include <cairo.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <librsvg/rsvg.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <memory>
+#include <system_error>
+#include <vector>
 
 #include "nacre/core/error.h"
 
@@ -46,10 +53,8 @@ void require_success(cairo_status_t status) {
     throw Error(fmt::format("a picture cannot be drawn: {}", cairo_status_to_string(status)));
 }
 
-}  // namespace
-
-std::string png_of_svg(std::string_view svg, double scale) {
-    require_in_range(scale, 0.01, 100, "scale of a picture");
+/// The drawing on a surface of 32-bit pixels: `scale` of them for one px.
+Owned<cairo_surface_t> draw(std::string_view svg, double scale) {
     const Owned<RsvgHandle> handle = parse(svg);
     double width_px = 0, height_px = 0;
     if (!rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width_px, &height_px)) {
@@ -60,18 +65,83 @@ std::string png_of_svg(std::string_view svg, double scale) {
         throw DomainError(fmt::format("a picture of {} x {} pixels: must have 1 to {}", width,
                                       height, kMaxRasterPixels));
     }
-    const Owned<cairo_surface_t> surface(cairo_image_surface_create(
+    Owned<cairo_surface_t> surface(cairo_image_surface_create(
         CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height)));
     require_success(cairo_surface_status(surface.get()));
-    {
-        const Owned<cairo_t> context(cairo_create(surface.get()));
-        const RsvgRectangle whole{0, 0, width, height};
-        GError* error = nullptr;
-        if (!rsvg_handle_render_document(handle.get(), context.get(), &whole, &error)) {
-            throw Error("a picture cannot be drawn: " + message_of(error));
-        }
-        require_success(cairo_status(context.get()));
+    const Owned<cairo_t> context(cairo_create(surface.get()));
+    const RsvgRectangle whole{0, 0, width, height};
+    GError* error = nullptr;
+    if (!rsvg_handle_render_document(handle.get(), context.get(), &whole, &error)) {
+        throw Error("a picture cannot be drawn: " + message_of(error));
     }
+    require_success(cairo_status(context.get()));
+    return surface;
+}
+
+/// Fontconfig reads its nested configuration with several files open at once, and passes over what
+/// it cannot open: letters would look otherwise.
+void require_free_descriptors() {
+    constexpr std::size_t kNeeded = 8;
+    std::vector<int> open;
+    while (open.size() < kNeeded) {
+        const int fd = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+        if (fd < 0) break;
+        open.push_back(fd);
+    }
+    const int error_number = errno;
+    for (const int fd : open) ::close(fd);
+    if (open.size() == kNeeded) return;
+    throw Error(fmt::format(
+        "a picture cannot be drawn: its letters need {} open files, of which {} can be had: {}",
+        kNeeded, open.size(), std::generic_category().message(error_number)));
+}
+
+/// Columns of a letter's picture that are not empty.
+int inked_columns(char letter, const char* weight) {
+    const Owned<cairo_surface_t> surface =
+        draw(fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"48\" height=\"32\">"
+                         "<text x=\"8\" y=\"24\" font-family=\"sans-serif\" font-size=\"20\" "
+                         "font-weight=\"{}\">{}</text></svg>",
+                         weight, letter),
+             1);
+    cairo_surface_flush(surface.get());
+    const unsigned char* const data = cairo_image_surface_get_data(surface.get());
+    const int width = cairo_image_surface_get_width(surface.get());
+    const int height = cairo_image_surface_get_height(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    int columns = 0;
+    for (int x = 0; x < width; ++x) {
+        bool inked = false;
+        for (int y = 0; y < height; ++y) {
+            std::uint32_t argb = 0;
+            std::memcpy(&argb, data + y * stride + 4 * x, sizeof argb);
+            inked |= argb != 0;
+        }
+        columns += inked;
+    }
+    return columns;
+}
+
+/// librsvg leaves letters out for which it finds no font, or draws the same box for each: a narrow
+/// letter and a wide one tell that from writing.
+void require_fonts() {
+    require_free_descriptors();
+    for (const char* weight : {"normal", "bold"}) {
+        const int narrow = inked_columns('l', weight), wide = inked_columns('W', weight);
+        if (narrow > 0 && wide > narrow) continue;
+        throw Error(
+            fmt::format("a picture cannot be drawn: no font for its letters (sans-serif, {}) was "
+                        "found; see what `fc-match sans-serif` says",
+                        weight));
+    }
+}
+
+}  // namespace
+
+std::string png_of_svg(std::string_view svg, double scale) {
+    require_in_range(scale, 0.01, 100, "scale of a picture");
+    if (svg.find("<text") != std::string_view::npos) require_fonts();
+    const Owned<cairo_surface_t> surface = draw(svg, scale);
     std::string png;
     require_success(cairo_surface_write_to_png_stream(surface.get(), append, &png));
     return png;

@@ -12,7 +12,7 @@ inline constexpr int kMaxRasterPixels = 100'000'000;
 /// of the fonts on this machine.
 /// @throws DomainError if the text is no SVG, has no size in px, the scale is outside [0.01, 100],
 ///         or the picture would have no or more than kMaxRasterPixels pixels
-/// @throws Error if it cannot be drawn
+/// @throws Error if it cannot be drawn, or it has letters and there is no font for them
 std::string png_of_svg(std::string_view svg, double scale = 1);
 
 }  // namespace nacre::report

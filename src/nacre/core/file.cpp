@@ -69,6 +69,79 @@ int read_all(int fd, std::uintmax_t max_bytes, std::string& bytes) {
     return 0;
 }
 
+[[noreturn]] void refuse(const fs::path& path, const std::string& why) {
+    throw InputError(fmt::format("cannot write '{}': {}", path.string(), why));
+}
+
+// Whether the permissions of a file or folder that exists, or its file system, forbid writing.
+// The superuser is asked for permission by nobody; bits that let nobody write are a wish all the
+// same.
+bool is_write_protected(const fs::path& path) {
+    struct stat status {};
+    return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0 ||
+           (::stat(path.c_str(), &status) == 0 && (status.st_mode & 0222) == 0);
+}
+
+// Throws unless files can be made in the folder.
+void check_folder(const fs::path& path, const fs::path& folder) {
+    std::error_code ec;
+    if (!fs::exists(folder, ec)) {
+        refuse(path, fmt::format("there is no folder '{}'", folder.string()));
+    }
+    if (!fs::is_directory(folder, ec)) {
+        refuse(path, fmt::format("'{}' is no folder", folder.string()));
+    }
+    if (is_write_protected(folder)) {
+        refuse(path, fmt::format("the folder '{}' is write-protected", folder.string()));
+    }
+}
+
+bool is_dangling_link(const fs::path& path) {
+    std::error_code ec;
+    return fs::is_symlink(fs::symlink_status(path, ec)) && !fs::exists(fs::status(path, ec));
+}
+
+// Names of open files. A regular file behind them belongs to whoever opened it, who may append to
+// it: `nacre ... -o /dev/stdout >> log`.
+bool is_open_file(const fs::path& path) {
+    const std::string text = path.lexically_normal().string();
+    return text == "/dev/stdout" || text == "/dev/stderr" || text.starts_with("/dev/fd/") ||
+           text.starts_with("/proc/self/fd/");
+}
+
+fs::path folder_of(const fs::path& path) {
+    const fs::path folder = path.parent_path();
+    return folder.empty() ? "." : folder;
+}
+
+// Where and how the bytes for a path go.
+struct Target {
+    fs::path path;
+    bool replace = true;  // false: append to what is there
+};
+
+Target checked_target(const fs::path& path) {
+    std::error_code ec;
+    const fs::file_status status = fs::status(path, ec);
+    if (!path.has_filename() || fs::is_directory(status)) {
+        refuse(path, "the name of a file is expected");
+    }
+    if (is_dangling_link(path)) refuse(path, "is a symbolic link that leads nowhere");
+    if (!fs::exists(status)) {
+        check_folder(path, folder_of(path));
+        return {path};
+    }
+    if (!fs::is_regular_file(status) && !fs::is_character_file(status) && !fs::is_fifo(status)) {
+        refuse(path, "is neither a regular file, a character device nor a pipe");
+    }
+    if (is_write_protected(path)) refuse(path, "is write-protected");
+    if (!fs::is_regular_file(status) || is_open_file(path)) return {path, false};
+    const fs::path target = fs::canonical(path, ec);
+    if (ec) refuse(path, ec.message());
+    check_folder(path, target.parent_path());
+    return {target};
+}
+
 // Creates a file under a name that did not exist, with the permissions of the user's umask.
 fs::path create_temporary(const fs::path& folder, const fs::path& name, const fs::path& path) {
     static const std::uint64_t start = [] {
@@ -94,34 +167,39 @@ fs::path create_temporary(const fs::path& folder, const fs::path& name, const fs
 }  // namespace
 
 std::string read_file(const fs::path& path, std::uintmax_t max_bytes) {
-    const auto refuse = [&](const std::string& why) {
+    const auto refuse_input = [&](const std::string& why) {
         throw InputError(fmt::format("cannot read '{}': {}", path.string(), why));
     };
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.is_open()) refuse(reason(errno));
+    if (!file.is_open()) refuse_input(reason(errno));
     std::string bytes;
     if (const int error_number = read_all(file.get(), max_bytes, bytes))
-        refuse(reason(error_number));
-    if (bytes.size() > max_bytes) refuse(fmt::format("longer than {} bytes", max_bytes));
+        refuse_input(reason(error_number));
+    if (bytes.size() > max_bytes) refuse_input(fmt::format("longer than {} bytes", max_bytes));
     return bytes;
 }
 
-AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
+void check_output_file(const fs::path& path) { checked_target(path); }
+
+void check_output_folder(const fs::path& path) {
+    if (path.empty()) refuse(path, "the name of a folder is expected");
     std::error_code ec;
-    target_ = fs::canonical(path_, ec);  // fails if there is no such file yet
-    if (ec) target_ = path_;
-    const fs::file_status status = fs::status(target_, ec);
-    if (path_.empty() || !path_.has_filename() || fs::is_directory(status)) {
-        throw InputError(
-            fmt::format("cannot write '{}': the name of a file is expected", path_.string()));
+    for (fs::path part = path;; part = folder_of(part)) {
+        if (is_dangling_link(part)) {
+            refuse(path, fmt::format("'{}' is a symbolic link that leads nowhere", part.string()));
+        }
+        // Ends at the root or at the working folder, which exist.
+        if (fs::exists(part, ec) || part == folder_of(part)) return check_folder(path, part);
     }
-    replace_ = !fs::exists(status) || fs::is_regular_file(status);
-    fs::path folder = replace_ ? target_.parent_path() : fs::temp_directory_path(ec);
-    if (folder.empty()) folder = replace_ ? "." : "/tmp";
-    if (!fs::is_directory(folder, ec)) {
-        throw InputError(fmt::format("cannot write '{}': there is no folder '{}'", path_.string(),
-                                     folder.string()));
-    }
+}
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
+    const Target target = checked_target(path_);
+    target_ = target.path;
+    replace_ = target.replace;
+    std::error_code ec;
+    fs::path folder = replace_ ? folder_of(target_) : fs::temp_directory_path(ec);
+    if (folder.empty()) folder = "/tmp";
     temporary_ = create_temporary(folder, target_.filename(), path_);
 }
 
@@ -129,11 +207,17 @@ AtomicFile::~AtomicFile() {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
+void AtomicFile::write(std::string_view bytes) {
+    const Descriptor out(::open(temporary_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (!out.is_open()) fail(path_, errno);
+    if (const int error_number = write_all(out.get(), bytes)) fail(path_, error_number);
+}
+
 void AtomicFile::commit() {
     if (!replace_) {
         std::string bytes;
         const Descriptor from(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
-        const Descriptor to(::open(target_.c_str(), O_WRONLY | O_CLOEXEC));
+        const Descriptor to(::open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
         if (!from.is_open() || !to.is_open()) fail(path_, errno);
         int error_number = read_all(from.get(), UINTMAX_MAX - (1 << 16), bytes);
         if (!error_number) error_number = write_all(to.get(), bytes);
@@ -161,11 +245,7 @@ void AtomicFile::commit() {
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
     AtomicFile file(path);
-    {
-        const Descriptor out(::open(file.temporary_path().c_str(), O_WRONLY | O_CLOEXEC));
-        if (!out.is_open()) fail(path, errno);
-        if (const int error_number = write_all(out.get(), bytes)) fail(path, error_number);
-    }
+    file.write(bytes);
     file.commit();
 }
 

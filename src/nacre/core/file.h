@@ -18,16 +18,28 @@ inline constexpr std::uintmax_t kMaxTextFileBytes = std::uintmax_t{64} << 20;
 std::string read_file(const std::filesystem::path& path,
                       std::uintmax_t max_bytes = kMaxTextFileBytes);
 
-/// A file under construction: write to temporary_path(), then commit(). Until then `path` keeps
-/// its old contents, and afterwards it has all of the new ones. Meant for libraries that open files
-/// by name (HDF5, OpenEXR).
+/// Refuses a file that AtomicFile could not write, as far as that shows before there is anything
+/// to write: a program calls this before work that takes long. Nothing is made or changed.
+/// @throws InputError naming `path` and the reason: no name of a file, a folder, a symbolic link
+///         that leads nowhere, what is neither a regular file, a character device nor a pipe, a
+///         folder that does not exist, a write-protected file or folder. Permission bits that let
+///         nobody write protect from the superuser too.
+void check_output_file(const std::filesystem::path& path);
+
+/// The same for a folder that files are to be written into; where it is missing, for making it.
+/// @throws InputError naming `path` and the reason
+void check_output_folder(const std::filesystem::path& path);
+
+/// A file under construction: write(), or write to temporary_path(), then commit(). Until then
+/// `path` keeps its old contents, and afterwards it has all of the new ones.
 ///
 /// The temporary stands in the same folder, with the same extension. A symbolic link is followed.
-/// When `path` is a device or a pipe, such as /dev/null, commit() copies into it instead.
+/// When `path` is a device, a pipe, such as /dev/null, or an open file of this process, such as
+/// /dev/stdout, commit() appends to it instead.
 class AtomicFile {
  public:
     /// Creates the temporary, empty.
-    /// @throws InputError if the folder does not exist or `path` is a folder
+    /// @throws InputError as check_output_file()
     /// @throws Error if the temporary cannot be created
     explicit AtomicFile(std::filesystem::path path);
     /// Removes the temporary unless it was committed.
@@ -36,6 +48,10 @@ class AtomicFile {
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     const std::filesystem::path& temporary_path() const { return temporary_; }
+
+    /// Appends to the temporary.
+    /// @throws Error naming the file and the reason, such as a full disk
+    void write(std::string_view bytes);
 
     /// Puts the temporary in the place of `path`, flushed to the disk first.
     /// @throws Error naming the file and the reason; the old file is then as it was

@@ -93,6 +93,50 @@ TEST_F(AtomicFileTest, ADeviceIsWrittenToAndNotReplaced) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST_F(AtomicFileTest, RefusesBeforehandWhatItCouldNotReplace) {
+    fs::create_symlink("nowhere", folder_ / "dangling");
+    write_file_atomically(folder_ / "locked", "old");
+    ASSERT_EQ(::chmod((folder_ / "locked").c_str(), 0444), 0);
+    fs::create_directory(folder_ / "sealed");
+    ASSERT_EQ(::chmod((folder_ / "sealed").c_str(), 0555), 0);
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0666), 0);
+    const auto refused = [&](const char* name, const char* why) {
+        const fs::path path = folder_ / name;
+        EXPECT_THAT([&] { check_output_file(path); },
+                    ThrowsMessage<InputError>(AllOf(
+                        HasSubstr("cannot write '" + path.string() + "': "), HasSubstr(why))));
+        EXPECT_THROW(AtomicFile file(path), InputError) << name;
+    };
+    refused("dangling", "leads nowhere");
+    refused("locked", "write-protected");
+    refused("sealed/new", "write-protected");
+    refused("locked/new", "is no folder");
+    refused("none/new", "there is no folder");
+    refused("sealed", "the name of a file");
+    EXPECT_THROW(check_output_file(""), InputError);
+    EXPECT_NO_THROW(check_output_file(folder_ / "new"));
+    EXPECT_NO_THROW(check_output_file(folder_ / "pipe"));  // without waiting for a reader
+    EXPECT_NO_THROW(check_output_file("/dev/null"));
+    EXPECT_FALSE(fs::exists(folder_ / "new"));
+    EXPECT_EQ(read_file(folder_ / "locked"), "old");
+}
+
+TEST_F(AtomicFileTest, FoldersAreCheckedUpToTheOneThatExists) {
+    fs::create_symlink("nowhere", folder_ / "dangling");
+    fs::create_directory(folder_ / "sealed");
+    ASSERT_EQ(::chmod((folder_ / "sealed").c_str(), 0555), 0);
+    write_file_atomically(folder_ / "file", "");
+    for (const char* good : {"", "a", "a/b/c"}) {
+        EXPECT_NO_THROW(check_output_folder(folder_ / good)) << good;
+    }
+    EXPECT_NO_THROW(check_output_folder("."));
+    for (const char* bad : {"sealed", "sealed/a", "file", "file/a", "dangling", "dangling/a"}) {
+        EXPECT_THROW(check_output_folder(folder_ / bad), InputError) << bad;
+    }
+    EXPECT_THROW(check_output_folder(""), InputError);
+    EXPECT_EQ(files(), 3);
+}
+
 TEST_F(AtomicFileTest, LongNamesWork) {
     const fs::path path = folder_ / (std::string(250, 'n') + ".h5");
     write_file_atomically(path, "x");

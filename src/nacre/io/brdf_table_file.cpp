@@ -26,15 +26,13 @@ void write_head(hid_t file, const std::string& paint, const BrdfGrid& grid, cons
     write_attribute(file, "kind", std::string(kind));
     write_attribute(file, "colour",
                     std::string("linear Rec. 709 under D65, 2 degree observer, white = (1, 1, 1)"));
-    const Hdf5Handle group(H5Gcreate2(file, "grid", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                           "make group grid");
-    write_attribute(
-        group, "meaning",
-        std::string("f = g t_i t_o / (ior^2 (mu_i + mu_o)) with Fresnel transmittances t and "
+    const Hdf5Handle group =
+        write_group(file, "grid",
+                    "f = g t_i t_o / (ior^2 (mu_i + mu_o)) with Fresnel transmittances t and "
                     "cosines mu inside; roughness > 0: f = g / (mu_i + mu_o), cosines outside. "
                     "Polar nodes even in tan(theta/2), azimuths in sqrt(ln(1 + b v^2/a^2)/"
                     "ln(1 + b/a^2)), v = sin of half the azimuth from the mirror side, "
-                    "b = 4 s_i s_o/(mu_i + mu_o)^2, a = lobe_alpha"));
+                    "b = 4 s_i s_o/(mu_i + mu_o)^2, a = lobe_alpha");
     write_attribute(group, "angles", grid.angles);
     write_attribute(group, "azimuths", grid.azimuths);
     write_attribute(group, "ior", grid.ior);

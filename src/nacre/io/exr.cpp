@@ -59,6 +59,29 @@ class MemoryStream : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
+/// OpenEXR writes into memory. Its own files report errors while it closes them, in a destructor that
+/// drops them; a picture that a full disk had cut short would pass for whole.
+class MemoryOutput : public Imf::OStream {
+ public:
+    explicit MemoryOutput(const std::string& name) : Imf::OStream(name.c_str()) {}
+
+    void write(const char c[], int n) override {
+        const std::string_view more(c, static_cast<std::size_t>(n));
+        bytes_.replace(at_, std::min(more.size(), bytes_.size() - at_), more);
+        at_ += more.size();
+    }
+    uint64_t tellp() override { return at_; }
+    void seekp(uint64_t pos) override {
+        if (pos > bytes_.size()) throw std::runtime_error("an offset beyond the end of the file");
+        at_ = static_cast<std::size_t>(pos);
+    }
+    std::string take() { return std::move(bytes_); }
+
+ private:
+    std::string bytes_;
+    std::size_t at_ = 0;
+};
+
 Imf::Slice slice_of(std::vector<float>& pixels, const Imath::Box2i& window, std::size_t width) {
     return Imf::Slice::Make(Imf::FLOAT, pixels.data(), window, sizeof(float),
                             sizeof(float) * width);
@@ -111,7 +134,7 @@ Image parse_exr(std::string_view bytes, const std::string& name, std::size_t max
     }
 }
 
-void write_exr(const std::filesystem::path& path, const Image& image) {
+std::string encode_exr(const Image& image, const std::string& name) {
     if (image.width < 1 || image.height < 1) {
         throw DomainError(fmt::format("picture of {} x {} pixels", image.width, image.height));
     }
@@ -133,15 +156,19 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
     for (const auto& [key, value] : image.metadata) {
         header.insert(key, Imf::StringAttribute(value));
     }
-    AtomicFile target(path);
+    MemoryOutput stream(name);
     try {
-        Imf::OutputFile file(target.temporary_path().c_str(), header);
+        Imf::OutputFile file(stream, header);
         file.setFrameBuffer(frame);
         file.writePixels(image.height);
     } catch (const std::exception& error) {
-        throw Error(fmt::format("cannot write '{}': {}", path.string(), error.what()));
+        throw Error(fmt::format("cannot write '{}': {}", name, error.what()));
     }
-    target.commit();
+    return stream.take();
+}
+
+void write_exr(const std::filesystem::path& path, const Image& image) {
+    write_file_atomically(path, encode_exr(image, path.string()));
 }
 
 // Layout of the file: magic and version, four bytes each; then a header of attributes (name, 0,

@@ -28,6 +28,14 @@ Hdf5Handle text_type(std::size_t size) {
     return type;
 }
 
+/// Properties of a new object. HDF5 would note when it was made: files of the same contents would
+/// differ from one second to the next.
+Hdf5Handle creation_properties(hid_t kind) {
+    Hdf5Handle properties(H5Pcreate(kind), "set up HDF5");
+    require(H5Pset_obj_track_times(properties, false) >= 0, "set up HDF5");
+    return properties;
+}
+
 void write_scalar_attribute(hid_t object, const char* name, hid_t type, const void* value) {
     const std::string action = fmt::format("write attribute {}", name);
     const Hdf5Handle space(H5Screate(H5S_SCALAR), action);
@@ -55,7 +63,7 @@ void write_typed_array(hid_t parent, const char* name, const Hdf5Shape& shape, h
     for (hsize_t n : shape) bytes *= n;
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                            action);
-    const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), action);
+    const Hdf5Handle properties = creation_properties(H5P_DATASET_CREATE);
     if (bytes >= kWorthCompressing) {
         require(H5Pset_chunk(properties, static_cast<int>(shape.size()), shape.data()) >= 0 &&
                     H5Pset_shuffle(properties) >= 0 &&
@@ -140,6 +148,14 @@ int read_int_attribute(hid_t object, const char* name) {
     return read_scalar_attribute<int>(object, name, H5T_NATIVE_INT, H5T_INTEGER);
 }
 
+Hdf5Handle write_group(hid_t parent, const char* name, const char* meaning) {
+    const Hdf5Handle properties = creation_properties(H5P_GROUP_CREATE);
+    Hdf5Handle group(H5Gcreate2(parent, name, H5P_DEFAULT, properties, H5P_DEFAULT),
+                     fmt::format("make group {}", name));
+    write_attribute(group, "meaning", std::string(meaning));
+    return group;
+}
+
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const double* values,
                  const char* unit, const char* meaning) {
     write_typed_array(parent, name, shape, H5T_NATIVE_DOUBLE, values, unit, meaning);
@@ -157,8 +173,9 @@ void write_text(hid_t parent, const char* name, const std::string& text, const c
     const std::string action = fmt::format("write text {}", name);
     const Hdf5Handle type = text_type(text.size());
     const Hdf5Handle space(H5Screate(H5S_SCALAR), action);
+    const Hdf5Handle properties = creation_properties(H5P_DATASET_CREATE);
     const Hdf5Handle set(
-        H5Dcreate2(parent, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), action);
+        H5Dcreate2(parent, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT), action);
     require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0, action);
     write_attribute(set, "meaning", std::string(meaning));
 }
@@ -298,7 +315,8 @@ bool is_sealed_as(const SealedFormat& format, std::string_view bytes) {
 std::string sealed_bytes(const SealedFormat& format, const std::function<void(hid_t)>& write) {
     const Hdf5Silence silence;
     const Hdf5Handle access = memory_access({});
-    const Hdf5Handle file(H5Fcreate(kNoFile, H5F_ACC_TRUNC, H5P_DEFAULT, access),
+    const Hdf5Handle properties = creation_properties(H5P_FILE_CREATE);  // of the root group
+    const Hdf5Handle file(H5Fcreate(kNoFile, H5F_ACC_TRUNC, properties, access),
                           "make an HDF5 file");
     write_attribute(file, "format", std::string(format.name));
     write_attribute(file, "format_version", format.version);

@@ -51,6 +51,8 @@ std::string read_text_attribute(hid_t object, const char* name);
 double read_double_attribute(hid_t object, const char* name);
 int read_int_attribute(hid_t object, const char* name);
 
+/// Makes a group with `meaning` as its attribute.
+Hdf5Handle write_group(hid_t parent, const char* name, const char* meaning);
 /// Writes an array with `unit` and `meaning` as its attributes; compressed where that pays.
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const double* values,
                  const char* unit, const char* meaning);

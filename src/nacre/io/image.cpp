@@ -14,6 +14,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/version.h"
 #include "nacre/spectra/colour.h"
 
 namespace nacre::io {
@@ -271,6 +272,50 @@ std::string encode_png(const Image& image, const std::string& name, const ToneMa
 
 void write_png(const std::filesystem::path& path, const Image& image, const ToneMap& tone_map) {
     write_file_atomically(path, encode_png(image, path.string(), tone_map));
+}
+
+std::filesystem::path png_beside(const std::filesystem::path& exr) {
+    return std::filesystem::path(exr).replace_extension(".png");
+}
+
+namespace {
+
+constexpr std::string_view kOwnKey = "nacre:";
+
+bool is_own_png(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path, kMaxImageFileBytes);
+    if (!looks_like_png(bytes)) return false;
+    for (const auto& [key, value] : texts(chunks(bytes, path.string()))) {
+        if (key.starts_with(kOwnKey)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void check_png_beside(const std::filesystem::path& png) {
+    if (!std::filesystem::is_regular_file(png)) return;
+    bool own = false;
+    try {
+        own = is_own_png(png);
+    } catch (const InputError&) {  // too large or damaged: not as Nacre writes them
+    }
+    if (own) return;
+    throw InputError(
+        fmt::format("cannot write '{}' beside the EXR: there is such a file, which Nacre did not "
+                    "make; rename or remove it, or give the EXR another name",
+                    png.string()));
+}
+
+void write_exr_and_png(const std::filesystem::path& exr, Image image, const ToneMap& tone_map) {
+    image.metadata.emplace("nacre:version", version());
+    const std::filesystem::path png = png_beside(exr);
+    check_png_beside(png);
+    AtomicFile exr_file(exr), png_file(png);
+    exr_file.write(encode_exr(image, exr.string()));
+    png_file.write(encode_png(image, png.string(), tone_map));
+    exr_file.commit();
+    png_file.commit();
 }
 
 // Radiance's picture format: a header of text lines, then scan lines of shared-exponent pixels

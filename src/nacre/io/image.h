@@ -63,6 +63,10 @@ std::vector<float> interleaved_rgb(const Image& image, const std::string& name);
 /// @throws Error if the file cannot be written
 void write_exr(const std::filesystem::path& path, const Image& image);
 
+/// The bytes that write_exr() writes; `name` is for messages.
+/// @throws DomainError if channel sizes do not fit the picture
+std::string encode_exr(const Image& image, const std::string& name);
+
 /// How linear light becomes eight bits.
 struct ToneMap {
     double exposure_stops = 0;  ///< light is first multiplied by 2 to this power
@@ -75,6 +79,20 @@ void write_png(const std::filesystem::path& path, const Image& image, const Tone
 /// The bytes that write_png() writes; `name` is for messages.
 /// @throws InputError as interleaved_rgb()
 std::string encode_png(const Image& image, const std::string& name, const ToneMap& tone_map = {});
+
+/// The name of the PNG that is put beside an EXR to look at.
+std::filesystem::path png_beside(const std::filesystem::path& exr);
+
+/// Refuses to replace a picture of the user's: the PNG beside an EXR is named by nobody. It may be
+/// replaced if Nacre wrote it, which shows in a text chunk whose keyword begins with "nacre:".
+/// @throws InputError naming the file if there is one that Nacre did not write
+void check_png_beside(const std::filesystem::path& png);
+
+/// Writes an EXR as write_exr() and the PNG beside it as write_png(), with the text chunk
+/// "nacre:version" added to the metadata of both if it is missing. Neither file is replaced before
+/// both are on the disk.
+/// @throws InputError as check_png_beside(); what write_exr() and write_png() throw
+void write_exr_and_png(const std::filesystem::path& exr, Image image, const ToneMap& tone_map = {});
 
 /// Name of the channel of a spectral radiance at a wavelength, as in "S0.550,000000nm".
 ///                                                                   [fichet-2021, section 3]

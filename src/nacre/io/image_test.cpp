@@ -80,6 +80,30 @@ TEST_F(ImageFiles, PngKeepsLightBelowTheShoulderToHalfAStep) {
     EXPECT_GT(compared, 3 * 200);
 }
 
+TEST_F(ImageFiles, ThePngBesideAnExrIsReplacedOnlyIfItIsOneOfOurs) {
+    const std::filesystem::path exr = folder_ / "a.b.exr", png = folder_ / "a.b.png";
+    EXPECT_EQ(png_beside(exr), png);
+    EXPECT_NO_THROW(check_png_beside(png));  // none
+    Image image = example();
+    image.metadata = {{"comments", "no word of Nacre"}};
+    write_exr_and_png(exr, image);
+    EXPECT_EQ(read_image(png).metadata.count("nacre:version"), 1u);
+    EXPECT_EQ(read_image(exr).metadata, read_image(png).metadata);
+    write_exr_and_png(exr, image);  // over its own
+
+    write_png(png, image);  // as another program may write it
+    const std::string foreign = read_file(png), old = read_file(exr);
+    image.channels[0].pixels[0] += 1;
+    EXPECT_THAT([&] { write_exr_and_png(exr, image); },
+                ::testing::ThrowsMessage<InputError>(HasSubstr(png.string())));
+    EXPECT_EQ(read_file(png), foreign);
+    EXPECT_EQ(read_file(exr), old);
+    for (const std::string& bytes : {std::string(), foreign.substr(0, 20), std::string("text")}) {
+        write_file_atomically(png, bytes);
+        EXPECT_THROW(check_png_beside(png), InputError);
+    }
+}
+
 TEST(ToneMap, IsTheIdentityThenBendsSmoothlyAndNeverBurnsOut) {
     EXPECT_EQ(soft_shoulder(0), 0);
     EXPECT_EQ(soft_shoulder(0.5), 0.5);

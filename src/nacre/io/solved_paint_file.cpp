@@ -25,16 +25,9 @@ constexpr std::size_t kMaxExitNodes = 4'096;
 
 // ---------------------------------------------------------------------------------- writing
 
-Hdf5Handle make_group(hid_t parent, const char* name, const char* meaning) {
-    Hdf5Handle group(H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                     fmt::format("make group {}", name));
-    write_attribute(group, "meaning", std::string(meaning));
-    return group;
-}
-
 void write_settings(hid_t file, const solver::SolverSettings& settings) {
     const Hdf5Handle group =
-        make_group(file, "settings", "how finely to solve; 0: chosen from the recipe");
+        write_group(file, "settings", "how finely to solve; 0: chosen from the recipe");
     write_attribute(group, "exit_nodes", settings.exit_nodes);
     write_attribute(group, "inner_nodes", settings.inner_nodes);
     write_attribute(group, "most_orders", settings.max_orders);
@@ -42,7 +35,7 @@ void write_settings(hid_t file, const solver::SolverSettings& settings) {
 }
 
 void write_solver_report(hid_t file, const solver::SolverReport& report) {
-    const Hdf5Handle group = make_group(file, "report", "what the solver found out about itself");
+    const Hdf5Handle group = write_group(file, "report", "what the solver found out about itself");
     write_attribute(group, "exit_nodes", report.exit_nodes);
     write_attribute(group, "inner_nodes", report.inner_nodes);
     write_attribute(group, "orders", report.orders);
@@ -65,7 +58,7 @@ void write_tensor(hid_t file, const TensorGroup& where, const solver::MultipleSc
         "basis[k][wavelength] coefficient[k][pair(l, i, j)]; pairs by order l, then rows i >= j "
         "from node first[l]; phi = phi_o - phi_i",
         where.meaning);
-    const Hdf5Handle group = make_group(file, where.name, meaning.c_str());
+    const Hdf5Handle group = write_group(file, where.name, meaning.c_str());
     const auto size = [](const auto& v) { return static_cast<hsize_t>(v.size()); };
     const hsize_t rank = static_cast<hsize_t>(r.rank());
     const hsize_t pairs = rank > 0 ? size(r.coefficient) / rank : 0;

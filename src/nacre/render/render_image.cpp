@@ -46,7 +46,6 @@ io::Image image_of(const RenderResult& result, std::map<std::string, std::string
     }
     image.metadata["nacre:version"] = version();
     image.metadata["nacre:samples_per_pixel"] = fmt::format("{}", result.samples);
-    image.metadata["nacre:seconds"] = fmt::format("{:.3f}", result.seconds);
     image.metadata["nacre:state"] = result.complete ? "complete" : "partial";
     return image;
 }

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+// The files that a command reads and writes. They are checked in one place, before the work: a
+// result must not replace what it was made from, and hours of work must not end at a folder that
+// is not there.
+
+namespace CLI {
+class App;
+}
+
+namespace nacre::cli {
+
+struct CommonOptions;
+
+/// A file or folder to be written, by the option that says so; an empty name: none.
+struct Output {
+    std::string option;  ///< for messages, as in "--output"
+    std::string name;
+    /// A PNG beside an EXR: nobody named it, so that only one of Nacre's own may be replaced.
+    bool beside = false;
+};
+
+struct CommandFiles {
+    /// As on the command line. Numbers may follow, as in "film.csv:80", and what names no file is
+    /// passed over: a built-in scene, a shipped material.
+    std::vector<std::string> inputs;
+    std::vector<Output> files;
+    std::vector<Output> folders;
+};
+
+/// What a command with --output and --report reads and writes.
+CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs);
+
+/// Checks that each output can be written, as far as that shows beforehand, and that none is an
+/// input, a file that an input (recipe, scene) names, or another output: by name, or the same file
+/// through links.
+/// @throws UsageError naming both where an output is an input or another output
+/// @throws InputError as check_output_file(), check_output_folder() and io::check_png_beside()
+void check_files(const CommandFiles& files);
+
+/// Refuses options for files and folders that were given an empty name.
+/// @throws UsageError naming the option
+void check_names(const CLI::App& command);
+
+}  // namespace nacre::cli

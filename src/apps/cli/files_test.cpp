@@ -1,0 +1,380 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/cli/program_test_support.h"
+
+// What the program writes: never over its inputs, never half, and never with success when it is
+// lost.
+
+namespace nacre::cli::testing {
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const std::string kEval = "eval gray.toml --incident 45 --outgoing 0 --wavelength 550 ";
+const std::string kRender = "render sphere --paint gray.toml --spp 1 --size 2x2 --quiet ";
+const std::string kAtlas = "atlas --film mica --thickness 100,200 --quiet ";
+
+class Files : public Program {
+ protected:
+    void SetUp() override {
+        Program::SetUp();
+        write("glass.csv", "wavelength_nm,n,k\n380,1.5,0\n780,1.51,0\n");
+        write("glass.toml",
+              "ior = \"glass.csv\"\n[[layer]]\nthickness_um = 15\n[[layer.pigment]]\n"
+              "scattering_per_mm = 200\n");
+    }
+
+    /// The names in the test's folder that a command left there half made.
+    std::vector<std::string> partial_files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder_ / "")) {
+            const std::string name = entry.path().filename().string();
+            if (name.find(".partial") != std::string::npos) names.push_back(name);
+        }
+        return names;
+    }
+
+    /// Runs `nacre ARGUMENTS` where no file may hold a byte, as on a full disk. Its output goes
+    /// through a pipe.
+    Outcome nacre_without_space(const std::string& arguments) const {
+        return shell("{ (ulimit -f 0; \"$NACRE\" " + arguments +
+                     "); echo $? > .status; } 2>&1 | cat; exit $(cat .status)");
+    }
+};
+
+TEST_F(Files, AnOutputIsNoInput) {
+    write("set.toml", "name = \"set\"\n");
+    write("a.png", "any");
+    write("b.exr", "any");
+    write("any.bsdf", "any");
+    write("any.html", "any");
+    write("ball.obj", "any");
+    fs::create_directory(folder_ / "below");
+    write("below/scene.toml",
+          "[[shapes]]\ntype = \"mesh\"\npath = \"../mesh.exr\"\nmaterial = \"paint\"\n"
+          "[materials.paint]\nrecipe = \"../glass.toml\"\n[environment]\npath = \"../b.exr\"\n");
+    write("mesh.exr", "any");
+    fs::create_symlink("gray.toml", folder_ / "link.csv");
+    fs::create_hard_link(folder_ / "gray.toml", folder_ / "same.csv");
+    const std::string walk = " --incident 45 --outgoing 0 --samples 2 ";
+    for (const std::string arguments :
+         {"solve gray.toml -o gray.toml",
+          "solve gray.toml -o ./gray.toml",
+          "solve gray.toml -o link.csv",
+          "solve gray.toml -o same.csv",
+          "solve link.csv -o gray.toml",
+          "solve gray.toml -o x.h5 --report gray.toml",
+          "solve glass.toml -o glass.csv",
+          "info gray.toml -o gray.toml",
+          "eval gray.toml --incident 45 --outgoing 0 -o gray.toml",
+          "eval gray.toml --incident 45 --outgoing 0 --report gray.toml",
+          "measure gray.toml -o gray.toml",
+          "measure gray.toml --versus glass.toml -o glass.toml",
+          "measure gray.toml --versus glass.toml -o glass.csv",
+          "measure gray.toml --geometry set.toml -o set.toml",
+          "diff a.png b.exr -o a.png",
+          "diff a.png b.exr -o b.exr",
+          "fit gray.toml --start glass.toml -o glass.toml",
+          "fit gray.toml --start glass.toml -o gray.toml",
+          "export any.bsdf -o any.bsdf",
+          "panel gray.toml --versus any.html -o any.html",
+          "sparkle gray.toml -o gray.toml",
+          "film --layer glass.csv:80 -o glass.csv",
+          "film --ambient glass.csv -o glass.csv",
+          "atlas --film glass.csv -o glass.csv",
+          "atlas --film mica --core glass.csv:500:60 -o "
+          "glass.csv",
+          "render below/scene.toml -o b.exr",
+          "render below/scene.toml -o mesh.exr",
+          "render below/scene.toml -o x.exr --report glass.toml",
+          "render below/scene.toml -o x.exr --report glass.csv",
+          "render sphere --paint gray.toml -o x.exr --report gray.toml"}) {
+        const std::string recipe = contents(folder_ / "gray.toml");
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("would replace an input, '")) << arguments;
+        EXPECT_THAT(outcome.out, IsEmpty());
+        EXPECT_EQ(contents(folder_ / "gray.toml"), recipe) << arguments;
+    }
+    const Outcome reference = nacre("reference gray.toml" + walk + "-o gray.toml");
+    EXPECT_EQ(reference.status, 1) << reference.err;
+    const Outcome piped = shell("\"$NACRE\" info /dev/stdin -o gray.toml < gray.toml");
+    EXPECT_EQ(piped.status, 1) << piped.err;
+    for (const char* name : {"a.png", "b.exr", "any.bsdf", "any.html", "mesh.exr"}) {
+        EXPECT_EQ(contents(folder_ / name), "any");
+    }
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.csv"));
+    EXPECT_THAT(nacre("solve glass.toml -o glass.csv").err,
+                HasSubstr("--output = glass.csv: would replace an input, 'glass.csv', which "
+                          "'glass.toml' names"));
+    // Devices and pipes may be both.
+    EXPECT_EQ(shell("\"$NACRE\" info gray.toml -o /dev/stdout | cat").status, 0);
+}
+
+TEST_F(Files, TwoOutputsAreTwoFiles) {
+    fs::create_directory(folder_ / "d");
+    fs::create_directory_symlink("d", folder_ / "link");
+    for (const std::string& arguments :
+         {kEval + "-o x.csv --report x.csv", kEval + "-o x.csv --report ./d/../x.csv",
+          kEval + "-o d/x.csv --report link/x.csv", kRender + "-o k.exr --report k.exr",
+          kRender + "-o k.exr --report k.png"}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("is the same file as --")) << arguments;
+    }
+    for (const char* name : {"x.csv", "d/x.csv", "k.exr", "k.png"}) EXPECT_FALSE(exists(name));
+    EXPECT_EQ(nacre(kEval + "-o x.csv --report x.json").status, 0);
+    EXPECT_EQ(nacre(kEval + "-o /dev/null --report /dev/null").status, 0);
+}
+
+TEST_F(Files, ThePictureBesideAnExrIsReplacedOnlyIfItIsOneOfOurs) {
+    ASSERT_EQ(nacre(kRender + "-o k.exr").status, 0);
+    ASSERT_EQ(nacre(kRender + "-o k.exr").status, 0);  // over its own
+    // A picture of another program: the same without its text chunks.
+    const std::string own = contents(folder_ / "k.png");
+    const std::size_t text = own.find("tEXt") - 4;
+    ASSERT_LT(text, own.size());
+    const std::string foreign = own.substr(0, text) + own.substr(own.find("IDAT") - 4);
+    for (const std::string& picture : {foreign, std::string("no picture"), std::string()}) {
+        write("k.png", picture);
+        const std::string exr = contents(folder_ / "k.exr");
+        const Outcome outcome = nacre(kRender + "-o k.exr");
+        EXPECT_EQ(outcome.status, 2) << outcome.err;
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("cannot write 'k.png' beside the EXR"),
+                                       HasSubstr("rename or remove it")));
+        EXPECT_EQ(contents(folder_ / "k.png"), picture);
+        EXPECT_EQ(contents(folder_ / "k.exr"), exr);
+    }
+    EXPECT_EQ(nacre("info k.exr").status, 0);
+    // The same for pictures in a folder; here before the recipe is even read.
+    fs::create_directory(folder_ / "seen");
+    write("seen/diffuse.png", "mine");
+    const Outcome sparkle = nacre("sparkle no-such.toml --pictures seen");
+    EXPECT_EQ(sparkle.status, 2);
+    EXPECT_THAT(sparkle.err, HasSubstr("seen/diffuse.png"));
+}
+
+/// Every command, with an input that is not there: whoever complains of its output has looked at
+/// that before any work. %o stands for what is written.
+const char* const kWriters[] = {
+    "solve none.toml -o %o.h5",
+    "eval none.toml --incident 45 --outgoing 0 -o %o.csv",
+    "eval none.toml --incident 45 --outgoing 0 --report %o.json",
+    "reference none.toml --incident 45 --outgoing 0 -o %o.csv",
+    "render none.toml -o %o.exr",
+    "render none.toml -o x.exr --report %o.json",
+    "diff none.exr none.exr -o %o.exr",
+    "sparkle none.toml -o %o.csv",
+    "sparkle none.toml --report %o.json",
+    "info none.toml -o %o.txt",
+    "measure none.toml -o %o.csv",
+    "atlas --film none.csv -o %o.svg",
+    "panel none.toml -o %o.html",
+    "export none.toml -o %o.bsdf",
+    "fit none.toml --start none.toml -o %o.toml",
+    "film --layer none.csv:80 -o %o.csv",
+};
+
+std::string with_output(std::string arguments, const std::string& output) {
+    return arguments.replace(arguments.find("%o"), 2, output);
+}
+
+TEST_F(Files, OutputsAreCheckedBeforeTheWork) {
+    fs::create_directory(folder_ / "locked");
+    ASSERT_EQ(::chmod((folder_ / "locked").c_str(), 0555), 0);
+    write("file", "");
+    for (const char* writer : kWriters) {
+        for (const char* folder : {"nowhere", "locked", "file"}) {
+            const Outcome outcome = nacre(with_output(writer, std::string(folder) + "/x"));
+            EXPECT_EQ(outcome.status, 2) << writer << '\n' << outcome.err;
+            EXPECT_THAT(outcome.err,
+                        HasSubstr("nacre: cannot write '" + std::string(folder) + "/x"))
+                << writer;
+        }
+    }
+    for (const char* writer : {"measure none.toml --plots %o", "sparkle none.toml --pictures %o",
+                               "study flakes -o %o"}) {
+        for (const char* folder : {"locked/x/y", "file", "file/x"}) {
+            const Outcome outcome = nacre(with_output(writer, folder));
+            EXPECT_EQ(outcome.status, 2) << writer << '\n' << outcome.err;
+            EXPECT_THAT(outcome.err, HasSubstr(std::string("nacre: cannot write '") + folder))
+                << writer;
+        }
+    }
+    EXPECT_THAT(nacre(kEval + "-o nowhere/x").err, HasSubstr("there is no folder 'nowhere'"));
+    EXPECT_THAT(nacre(kEval + "-o locked/x").err,
+                HasSubstr("the folder 'locked' is write-protected"));
+    EXPECT_TRUE(fs::is_empty(folder_ / "locked"));
+}
+
+TEST_F(Files, WhatCannotBeReplacedIsRefused) {
+    fs::create_symlink("gone.csv", folder_ / "dangling.csv");
+    write("locked.csv", "old");
+    ASSERT_EQ(::chmod((folder_ / "locked.csv").c_str(), 0444), 0);
+    fs::create_directory(folder_ / "folder.csv");
+    for (const auto& [name, reason] : {std::pair{"dangling.csv", "a symbolic link that leads"},
+                                       {"locked.csv", "is write-protected"},
+                                       {"folder.csv", "the name of a file is expected"},
+                                       {"none/", "the name of a file is expected"}}) {
+        const Outcome outcome = nacre(kEval + "-o " + name);
+        EXPECT_EQ(outcome.status, 2) << name;
+        EXPECT_THAT(outcome.err,
+                    AllOf(HasSubstr("cannot write '" + std::string(name)), HasSubstr(reason)));
+    }
+    EXPECT_TRUE(fs::is_symlink(folder_ / "dangling.csv"));
+    EXPECT_FALSE(exists("gone.csv"));
+    EXPECT_EQ(contents(folder_ / "locked.csv"), "old");
+    for (const std::string& arguments :
+         {kEval + "-o ''", kEval + "--report ''", std::string("solve gray.toml -o ''"),
+          kRender + "-o ''", std::string("study flakes -o ''"),
+          std::string("measure gray.toml --plots ''"),
+          std::string("sparkle gray.toml --pictures ''")}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.err;
+        EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
+    }
+}
+
+TEST_F(Files, AFullDiskLeavesTheOldFile) {
+    ASSERT_EQ(nacre(kRender + "-o a.exr").status, 0);
+    for (const auto& [name, arguments] :
+         {std::pair<std::string, std::string>{"k.exr", kRender + "-o k.exr"},
+          {"d.exr", "diff a.exr a.exr -o d.exr"},
+          {"d.png", "diff a.exr a.exr -o d.png"},
+          {"s.h5", "solve gray.toml --wavelength 550 -o s.h5"},
+          {"e.csv", kEval + "-o e.csv"},
+          {"r.json", kEval + "--report r.json"},
+          {"m.svg", kAtlas + "-o m.svg"},
+          {"m.png", kAtlas + "-o m.png"}}) {
+        write(name, "old");
+        const Outcome outcome = nacre_without_space(arguments);
+        EXPECT_EQ(outcome.status, 3) << arguments << '\n' << outcome.out;
+        EXPECT_EQ(contents(folder_ / name), "old") << arguments;
+        EXPECT_THAT(outcome.out,
+                    AllOf(HasSubstr("nacre: cannot write '"), HasSubstr("': File too large")))
+            << arguments;
+        EXPECT_THAT(partial_files(), IsEmpty()) << arguments;
+    }
+    for (const char* extension : {"exr", "png"}) {
+        const std::string name = std::string("full.") + extension;
+        fs::create_symlink("/dev/full", folder_ / name);
+        const Outcome outcome = nacre("diff a.exr a.exr -o " + name);
+        EXPECT_EQ(outcome.status, 3) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("cannot write '" + name + "': No space left on device"));
+    }
+}
+
+TEST_F(Files, PlotsNeedTheirLetters) {
+    write("fonts.conf",
+          "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\">"
+          "<fontconfig></fontconfig>");
+    const Outcome fonts =
+        shell("FONTCONFIG_FILE=\"$PWD/fonts.conf\" \"$NACRE\" " + kAtlas + "-o m.png");
+    EXPECT_EQ(fonts.status, 3);
+    EXPECT_THAT(fonts.err, HasSubstr("no font for its letters"));
+    const Outcome files = shell("ulimit -n 4; \"$NACRE\" " + kAtlas + "-o m.png");
+    EXPECT_EQ(files.status, 3);
+    EXPECT_THAT(files.err, HasSubstr("its letters need 8 open files"));
+    EXPECT_FALSE(exists("m.png"));
+    EXPECT_EQ(nacre(kAtlas + "-o m.png").status, 0);
+    EXPECT_TRUE(exists("m.png"));
+}
+
+TEST_F(Files, TheSameInputGivesTheSameBytesAtAnyTime) {
+    const std::string solve = "solve gray.toml --wavelength 500,600 --quiet ";
+    const std::string bands = "solve gray.toml --wavelength 400:700:20 --quiet ";
+    const std::vector<std::pair<std::string, std::string>> writers = {
+        {solve + "-o ", ".h5"},
+        {bands + "--table raw -o ", "_raw.h5"},
+        {bands + "--table svd -o ", "_svd.h5"},
+        {kRender + "-o ", ".exr"},
+        {kAtlas + "-o ", "_atlas.png"},
+        {kAtlas + "-o ", ".svg"},
+        {kEval + "-o ", ".csv"}};
+    for (const char* name : {"one", "two"}) {
+        for (const auto& [arguments, extension] : writers) {
+            const Outcome outcome = nacre(arguments + name + extension);
+            ASSERT_EQ(outcome.status, 0) << arguments << '\n' << outcome.err;
+        }
+        shell("sleep 1.1");  // HDF5 counts seconds
+    }
+    for (const auto& [arguments, extension] : writers) {
+        EXPECT_TRUE(contents(folder_ / ("one" + extension)) ==
+                    contents(folder_ / ("two" + extension)))
+            << arguments << "differs";
+    }
+    EXPECT_TRUE(contents(folder_ / "one.png") == contents(folder_ / "two.png"));
+    EXPECT_FALSE(contents(folder_ / "one.png").empty());
+}
+
+TEST_F(Files, MessagesThatNobodyCanReadEndNothing) {
+    for (const char* sink : {"2>&-", "2>/dev/full"}) {
+        const auto status = [&](const std::string& arguments) {
+            return shell("\"$NACRE\" " + arguments + " " + sink).status;
+        };
+        EXPECT_EQ(status("info none.toml"), 2) << sink;
+        EXPECT_EQ(status("nonsense"), 1) << sink;
+        EXPECT_EQ(status("solve gray.toml --wavelength 550 -o s.h5"), 0) << sink;
+        EXPECT_EQ(nacre("info s.h5").status, 0) << sink;  // no message went into it
+        ASSERT_EQ(nacre(kRender + "-o a.exr").status, 0);
+        EXPECT_EQ(status("diff a.exr a.exr --min-psnr 1 --max-relative -1"), 4) << sink;
+    }
+    EXPECT_EQ(shell("\"$NACRE\" solve gray.toml -o s.h5 --wavelength 550 <&- >&- 2>&-").status, 0);
+    EXPECT_EQ(nacre("info s.h5").status, 0);
+}
+
+TEST_F(Files, DataThatAreLostAreAnError) {
+    ASSERT_EQ(nacre(kRender + "-o a.exr").status, 0);
+    for (const std::string& arguments :
+         {kEval, std::string("info gray.toml"), std::string("film"), kAtlas,
+          std::string("diff a.exr a.exr"), std::string("--help"), std::string("--version"),
+          std::string("eval --help")}) {
+        const Outcome full = shell("\"$NACRE\" " + arguments + " > /dev/full");
+        EXPECT_EQ(full.status, 3) << arguments;
+        EXPECT_EQ(full.err, "nacre: cannot write to standard output: No space left on device\n");
+        const Outcome closed = shell("\"$NACRE\" " + arguments + " >&-");
+        EXPECT_EQ(closed.status, 3) << arguments;
+        EXPECT_EQ(closed.err, "nacre: cannot write to standard output: Bad file descriptor\n");
+    }
+}
+
+TEST_F(Files, AReaderThatHasGoneEndsTheProgramSilentlyOnceItsFilesAreWritten) {
+    // A pipe, open for writing as 4, whose reader has gone.
+    const std::string pipe = "mkfifo pipe; (exec 3< pipe) & exec 4> pipe; wait; ";
+    const Outcome data =
+        shell(pipe + "\"$NACRE\" " + kEval + "--report r.json >&4; echo $?; rm pipe");
+    EXPECT_EQ(data.out, "141\n");  // 128 + SIGPIPE, as of any program
+    EXPECT_THAT(data.err, Not(HasSubstr("nacre:")));
+    EXPECT_TRUE(exists("r.json"));
+    const Outcome ignored =
+        shell(pipe + "trap '' PIPE; \"$NACRE\" " + kEval + ">&4; echo $?; rm pipe");
+    EXPECT_EQ(ignored.out, "3\n");
+    EXPECT_THAT(ignored.err, HasSubstr("cannot write to standard output"));
+    // Of messages, the program goes on.
+    const Outcome messages =
+        shell(pipe + "\"$NACRE\" solve gray.toml --wavelength 550 -o s.h5 2>&4; echo $?; rm pipe");
+    EXPECT_EQ(messages.out, "0\n");
+    EXPECT_EQ(nacre("info s.h5").status, 0);
+}
+
+TEST_F(Files, AnOpenFileIsAppendedTo) {
+    const Outcome outcome =
+        shell("echo old > log; \"$NACRE\" " + kEval + "-o /dev/stdout >> log; echo $?");
+    EXPECT_EQ(outcome.out, "0\n");
+    EXPECT_THAT(contents(folder_ / "log"), AllOf(HasSubstr("old\ntheta_i"), HasSubstr("\n45,")));
+}
+
+}  // namespace
+
+}  // namespace nacre::cli::testing
