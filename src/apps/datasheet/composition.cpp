@@ -5,85 +5,150 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <utility>
 
 #include "apps/report/plot_frame.h"
 #include "nacre/core/text.h"
+#include "nacre/paint/recipe_description.h"
 
 namespace nacre::datasheet {
 
 namespace {
 
-std::string plus_minus(double value, double spread, const char* unit) {
-    return spread > 0 ? fmt::format("{:.4g} ± {:.3g} {}", value, spread, unit)
-                      : fmt::format("{:.4g} {}", value, unit);
+using paint::Field;
+
+std::string number_text(double value) {
+    const double size = std::abs(value);
+    return size >= 1e4 || (size > 0 && size < 1e-3) ? report::tick_text(value, size / 1000)
+                                                    : fmt::format("{:.4g}", value);
 }
 
-std::string film_text(const optics::FilmPopulation& film) {
-    return material_text(film.material) + ", " +
-           plus_minus(film.thickness_nm, film.spread.standard_deviation_nm, "nm");
-}
-
-/// "0.05", "0.02 to 0.6" over the wavelengths.
-std::string range_text(const spectra::Spectrum& spectrum, double scale = 1) {
-    const double lo = scale * spectrum.min(), hi = scale * spectrum.max();
-    return lo == hi ? fmt::format("{:.4g}", lo) : fmt::format("{:.3g} to {:.3g}", lo, hi);
-}
-
-std::string percent_text(const spectra::Spectrum& fraction) {
-    return range_text(fraction, 100) + " %";
-}
-
-std::string amount_text(const paint::FlakeSpecies& flakes, const paint::Layer& layer) {
-    const double cover = flakes.area_density_per_um() * layer.thickness_um;
-    const auto* volume = std::get_if<paint::VolumeFraction>(&flakes.amount);
-    const std::string area = fmt::format("flakes of {:.3g} times the area painted", cover);
-    return volume ? fmt::format("{:.3g} % by volume, {}", 100 * volume->value, area) : area;
-}
-
-/// "mica, 500 nm; on both sides TiO₂ (anatase), 80 nm".
-std::string build_text(const paint::FlakeSpecies& flakes) {
-    if (const auto* given = std::get_if<paint::PrescribedFlake>(&flakes.body)) {
-        return fmt::format("reflects {}, transmits {}", percent_text(given->reflectance),
-                           percent_text(given->transmittance));
-    }
-    const auto& platelet = std::get<optics::Platelet>(flakes.body);
-    std::string text = film_text(platelet.core);
-    for (std::size_t i = 0; i < platelet.coats.size(); ++i) {
-        text += (i == 0 ? "; on both sides " : "; then ") + film_text(platelet.coats[i]);
-    }
+/// A unit as it stands behind a number: " µm", " /mm", "°".
+std::string unit_text(std::string_view unit) {
+    if (unit.empty()) return {};
+    if (unit == "deg") return "°";
+    if (unit.starts_with("1/")) unit.remove_prefix(1);
+    std::string text = " " + std::string(unit);
+    if (unit.ends_with("um")) text.replace(text.size() - 2, 1, "µ");
     return text;
 }
 
-std::string size_text(const paint::FlakeSpecies& flakes) {
-    return plus_minus(flakes.diameter_um, flakes.diameter_spread_um, "µm") +
-           fmt::format(" across, {:.3g} µm thick", flakes.thickness_um());
+/// What the keys of an object say, in their order and in the words of their description. Tables and
+/// lists that have words are told with what they hold, others are left to the caller.
+class Told final : public paint::Visitor {
+ public:
+    explicit Told(const paint::Described& object) { object.accept(*this); }
+    template <class T>
+    explicit Told(const T& object) : Told(paint::Described::to_inspect(object)) {}
+
+    /// What some keys say, in the order asked for; rest() does not say it again.
+    std::string take(std::initializer_list<std::string_view> keys, const char* joint = ", ") {
+        std::vector<std::string> texts;
+        for (const std::string_view key : keys) {
+            const auto is_it = [&](const Phrase& p) { return p.key == key; };
+            for (const Phrase& p : phrases_) {
+                if (is_it(p)) texts.push_back(p.text);
+            }
+            std::erase_if(phrases_, is_it);
+        }
+        return fmt::format("{}", fmt::join(texts, joint));
+    }
+
+    std::string rest(const char* joint = ", ") const {
+        std::vector<std::string> texts;
+        for (const Phrase& p : phrases_) texts.push_back(p.text);
+        return fmt::format("{}", fmt::join(texts, joint));
+    }
+
+    void number(const Field& field, double& value) override {
+        if (!field.spread_of) {
+            say(field, value == 0, number_text(scale(field) * value));
+            return;
+        }
+        if (value == 0) return;
+        for (Phrase& p : phrases_) {
+            if (p.key == field.spread_of) p.text.insert(p.value_end, " ± " + number_text(value));
+        }
+    }
+    void spectrum(const Field& field, spectra::Spectrum& value) override {
+        const double lo = value.min(), hi = value.max();
+        std::string text = number_text(scale(field) * hi);
+        if (lo != hi) text = number_text(scale(field) * lo) + " to " + text;
+        say(field, hi == 0, text);
+    }
+    void material(const Field& field, optics::Material& value) override {
+        say(field, false, material_text(value));
+    }
+    void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
+        say(field, index == 0, words[index]);
+    }
+    void table(const Field& field, paint::Described object) override {
+        if (field.words) say(field, false, Told(object).rest());
+    }
+    void list(const Field& field, paint::List& list) override {
+        if (!field.words || list.size() == 0) return;
+        std::vector<std::string> texts;
+        for (std::size_t i = 0; i < list.size(); ++i) texts.push_back(Told(list.at(i)).rest());
+        say(field, false, fmt::format("{}", fmt::join(texts, "; then ")));
+    }
+
+ private:
+    struct Phrase {
+        std::string key, text;
+        std::size_t value_end;
+    };
+
+    static bool in_percent(const Field& field) {
+        return field.words && std::string_view(field.words).find("{%}") != std::string_view::npos;
+    }
+    static double scale(const Field& field) { return in_percent(field) ? 100 : 1; }
+
+    void say(const Field& field, bool zero, const std::string& value) {
+        const char* words = zero && field.zero_words ? field.zero_words : field.words;
+        std::string text = words ? words : "";
+        if (text.empty()) return;
+        const std::size_t open = std::min(text.find('{'), text.size());
+        if (open < text.size()) {
+            text.replace(open, text.find('}') + 1 - open,
+                         value + (in_percent(field) ? " %" : unit_text(field.range.unit)));
+        }
+        phrases_.push_back({field.key, text, std::min(open + value.size(), text.size())});
+    }
+
+    std::vector<Phrase> phrases_;
+};
+
+/// A species of flakes.
+struct FlakeWords {
+    std::string name, amount, size, build;
+};
+
+FlakeWords flake_words(const paint::FlakeSpecies& flakes, const paint::Layer& layer) {
+    Told told(flakes);
+    FlakeWords words{.name = flakes.name.empty() ? "flakes" : flakes.name,
+                     .amount = told.take({"volume_fraction"}),
+                     .size = {},
+                     .build = told.take({"core", "coats", "reflectance", "transmittance"}, "; ")};
+    words.amount +=
+        fmt::format("{}flakes of {:.3g} times the area painted", words.amount.empty() ? "" : ", ",
+                    flakes.area_density_per_um() * layer.thickness_um);
+    words.size =
+        fmt::format("{}, {:.3g} µm thick, half of them within {:.2g}° of flat", told.rest(),
+                    flakes.thickness_um(), median_tilt_deg(flakes.orientation));
+    return words;
 }
 
-std::string tilt_text(const paint::FlakeSpecies& flakes) {
-    return fmt::format("half of them within {:.2g}° of flat", median_tilt_deg(flakes.orientation));
-}
+struct ClearcoatWords {
+    std::string thickness, surface, tint;
+};
 
-std::string name_or(const std::string& name, const char* otherwise) {
-    return name.empty() ? otherwise : name;
-}
-
-std::string pigment_text(const paint::Pigment& pigment) {
-    return fmt::format("scatters {} /mm, absorbs {} /mm, g = {:.3g}",
-                       range_text(pigment.scattering_per_mm), range_text(pigment.absorption_per_mm),
-                       pigment.anisotropy);
-}
-
-std::string tint_text(const paint::Clearcoat& coat) {
-    return coat.absorption_per_mm.max() > 0
-               ? "absorbs " + range_text(coat.absorption_per_mm) + " /mm"
-               : "clear";
-}
-
-std::string surface_text(double roughness) {
-    return roughness > 0 ? fmt::format("matte surface (roughness {:.3g})", roughness)
-                         : "smooth surface";
+ClearcoatWords clearcoat_words(const paint::Clearcoat& coat) {
+    Told told(coat);
+    ClearcoatWords words{told.take({"thickness_um"}), told.take({"roughness"}), {}};
+    words.tint = told.rest();
+    return words;
 }
 
 report::Cell cell(std::string text) { return {.text = std::move(text)}; }
@@ -117,35 +182,31 @@ double median_tilt_deg(const paint::Orientation& orientation) {
 
 std::vector<std::string> layers_in_words(const paint::Recipe& recipe) {
     std::vector<std::string> sentences;
-    const double roughness = recipe.clearcoat ? recipe.clearcoat->roughness : 0;
     if (recipe.clearcoat) {
-        sentences.push_back(fmt::format("On top a clear coat of {:.4g} µm with a {}; it {}.",
-                                        recipe.clearcoat->thickness_um, surface_text(roughness),
-                                        recipe.clearcoat->absorption_per_mm.max() > 0
-                                            ? tint_text(*recipe.clearcoat)
-                                            : "is clear"));
+        const ClearcoatWords coat = clearcoat_words(*recipe.clearcoat);
+        sentences.push_back(fmt::format("On top a clear coat of {} with a {}: {}.", coat.thickness,
+                                        coat.surface, coat.tint));
     }
     for (const paint::Layer& layer : recipe.layers) {
-        std::string text =
-            fmt::format("{} a layer of {:.4g} µm", sentences.empty() ? "On top" : "Below it",
-                        layer.thickness_um);
+        std::string text = fmt::format(
+            "{} a layer of {}", sentences.empty() ? "On top" : "Below it", Told(layer).rest());
         if (layer.flakes.empty() && layer.pigments.empty()) text += " of binder alone";
         const char* joint = " with ";
         for (const paint::FlakeSpecies& flakes : layer.flakes) {
-            text += joint + name_or(flakes.name, "flakes") + " (" + build_text(flakes) + "), " +
-                    size_text(flakes) + ", " + amount_text(flakes, layer) + ", " +
-                    tilt_text(flakes);
+            const FlakeWords words = flake_words(flakes, layer);
+            text += fmt::format("{}{} ({}), {}, {}", joint, words.name, words.build, words.size,
+                                words.amount);
             joint = "; with ";
         }
         for (const paint::Pigment& pigment : layer.pigments) {
-            text += joint + ("a pigment that " + pigment_text(pigment));
+            text += joint + ("a pigment that " + Told(pigment).rest());
             joint = "; with ";
         }
         sentences.push_back(text + ".");
     }
-    sentences.push_back(fmt::format("The ground reflects {}. The binder has {}.",
-                                    percent_text(recipe.substrate_reflectance),
-                                    material_text(recipe.binder)));
+    Told whole(recipe);
+    const std::string ground = whole.take({"substrate"});
+    sentences.push_back(fmt::format("The ground {}. {}.", ground, whole.rest(". ")));
     return sentences;
 }
 
@@ -157,42 +218,34 @@ report::Table layers_table(const paint::Recipe& recipe) {
         table.rows.push_back({cell(layer), cell(holds), cell(amount), cell(size), cell(built)});
     };
     if (recipe.clearcoat) {
-        add(fmt::format("Clear coat, {:.4g} µm", recipe.clearcoat->thickness_um),
-            tint_text(*recipe.clearcoat), "", surface_text(recipe.clearcoat->roughness),
+        const ClearcoatWords coat = clearcoat_words(*recipe.clearcoat);
+        add("Clear coat, " + coat.thickness, coat.tint, "", coat.surface,
             "binder, " + material_text(recipe.binder));
     }
     for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
         const paint::Layer& layer = recipe.layers[i];
-        std::string name = fmt::format("Layer {}, {:.4g} µm", i + 1, layer.thickness_um);
+        std::string name = fmt::format("Layer {}, {}", i + 1, Told(layer).rest());
         const auto named = [&] { return std::exchange(name, std::string()); };
         for (const paint::FlakeSpecies& flakes : layer.flakes) {
-            add(named(), name_or(flakes.name, "flakes"), amount_text(flakes, layer),
-                size_text(flakes) + "; " + tilt_text(flakes), build_text(flakes));
+            const FlakeWords words = flake_words(flakes, layer);
+            add(named(), words.name, words.amount, words.size, words.build);
         }
         for (const paint::Pigment& pigment : layer.pigments) {
-            add(named(), "pigment", "", "", pigment_text(pigment));
+            add(named(), "pigment", "", "", Told(pigment).rest());
         }
         if (!name.empty()) add(named(), "binder alone", "", "", material_text(recipe.binder));
     }
-    add("Ground", "reflects " + percent_text(recipe.substrate_reflectance), "", "", "");
+    add("Ground", Told(recipe).take({"substrate"}), "", "", "");
     return table;
 }
 
-std::vector<std::string> facets_in_words(const paint::Microfacet& facets) {
+std::vector<std::string> facets_in_words(const paint::Microfacet& microfacet) {
+    Told told(microfacet);
+    const std::string facets = told.take({"distribution", "alpha"});
+    const std::string film = told.take({"film_thickness_nm", "film_ior"}, " ");
     std::vector<std::string> sentences = {fmt::format(
-        "A rough surface of mirror facets ({}, roughness {:.3g}) under a film of {:.4g} nm with n "
-        "= "
-        "{:.4g}, on a base with n = {:.4g}{}.",
-        facets.distribution == paint::FacetDistribution::beckmann ? "Beckmann" : "GGX",
-        facets.alpha, facets.film_thickness_nm, facets.film_ior, facets.base_ior,
-        facets.base_extinction > 0 ? fmt::format(" and k = {:.4g}", facets.base_extinction) : "")};
-    if (facets.facets) {
-        sentences.push_back(fmt::format(
-            "{} facets over the whole object, their films varying by {:.3g} nm, each seen "
-            "within {:.3g}° of its mirror direction.",
-            report::tick_text(facets.facets->count, facets.facets->count / 100),
-            facets.facets->thickness_spread_nm, facets.facets->cone_deg));
-    }
+        "A rough surface of mirror facets ({}) under {}, {}.", facets, film, told.rest())};
+    if (microfacet.facets) sentences.push_back(Told(*microfacet.facets).rest() + ".");
     return sentences;
 }
 

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "nacre/io/recipe_file.h"
+#include "nacre/paint/recipe_description.h"
+#include "nacre/testing/described.h"
+#include "nacre/testing/recipe.h"
 
 namespace nacre::datasheet {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 paint::Recipe recipe(const std::string& text) { return io::parse_recipe(text, "test.toml", {}); }
 
@@ -73,7 +76,7 @@ TEST(Composition, TheTableHasARowForEachIngredient) {
         first.push_back(row[0].text);
         second.push_back(row[1].text);
     }
-    using testing::ElementsAre;
+    using ::testing::ElementsAre;
     EXPECT_THAT(first,
                 ElementsAre("Clear coat, 45 µm", "Layer 1, 15 µm", "", "Layer 2, 30 µm", "Ground"));
     EXPECT_THAT(second,
@@ -96,6 +99,66 @@ TEST(Composition, FacetsAreDescribedByFilmAndBase) {
     facets.facets = paint::MicrofacetFacets{1e7, 3, 5};
     ASSERT_EQ(facets_in_words(facets).size(), 2u);
     EXPECT_THAT(facets_in_words(facets)[1], HasSubstr("10⁷ facets"));
+}
+
+/// All that a data sheet says of a composition.
+std::string sheet(const paint::Recipe& recipe) {
+    std::string words;
+    for (const std::string& sentence : layers_in_words(recipe)) words += sentence + "\n";
+    for (const std::string& sentence : facets_in_words(*recipe.microfacet))
+        words += sentence + "\n";
+    return words;
+}
+
+std::string sheet_table(const paint::Recipe& recipe) {
+    std::string words;
+    for (const auto& row : layers_table(recipe).rows) {
+        for (const report::Cell& cell : row) words += cell.text + "|";
+    }
+    return words;
+}
+
+// The recipe has a value for every key that there is: RecipeFile.EveryDescribedKeyIsWrittenAndRead.
+TEST(Composition, EveryKeyIsTold) {
+    const paint::Recipe recipe = nacre::testing::full_recipe();
+    nacre::testing::EveryKey all;
+    paint::Described::to_inspect(recipe).accept(all);
+    int told = 0;
+    for (const nacre::testing::KeyOfObject& key : all.keys) {
+        const bool deliberately_not = key.field.words && !*key.field.words;
+        if (key.is_settled || deliberately_not) continue;
+        paint::Recipe changed = recipe;
+        nacre::testing::EveryKey change(key.path);
+        describe(change, changed);
+        ASSERT_EQ(change.changes, 1) << key.path;
+        EXPECT_TRUE(sheet(changed) != sheet(recipe)) << key.path << " is not told";
+        if (!key.path.starts_with("microfacet")) {  // these have no table
+            EXPECT_TRUE(sheet_table(changed) != sheet_table(recipe)) << key.path;
+        }
+        ++told;
+    }
+    EXPECT_GE(told, 40);
+}
+
+TEST(Composition, NumbersUnitsAndChoicesAreWrittenAsPeopleDo) {
+    paint::Recipe recipe = nacre::testing::full_recipe();
+    recipe.layers[0].pigments[0].absorption_per_mm = 2e-5;
+    auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
+    platelet.coats[0].spread.law = optics::ThicknessSpread::Law::uniform;
+    platelet.coats.push_back(platelet.coats[0]);
+    recipe.microfacet->film_thickness_nm = 12345;
+    recipe.microfacet->distribution = paint::FacetDistribution::ggx;
+    const std::string words = sheet(recipe);
+    for (const char* part :
+         {"40 µm with a matte surface (roughness 0.1): absorbs 2 to 8 /mm",
+          "500 ± 30 nm; on both sides n = 2.5, 80 ± 5 nm, uniformly spread; then n = 2.5, 80 ± 5",
+          "(reflects 60 %; transmits 20 %)", "scatters 20 /mm, absorbs 2·10⁻⁵ /mm, g = 0.3",
+          "(GGX, roughness 0.1) under a film of 12345 nm", "within 3° of its mirror direction"}) {
+        EXPECT_THAT(words, HasSubstr(part));
+    }
+    recipe.clearcoat->roughness = 0;
+    recipe.clearcoat->absorption_per_mm = 0.0;
+    EXPECT_THAT(sheet(recipe), HasSubstr("with a smooth surface: clear."));
 }
 
 }  // namespace

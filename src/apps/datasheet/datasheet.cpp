@@ -208,7 +208,7 @@ std::string readings_html(const PanelReport& report) {
 }
 
 std::string plots_html(const PanelReport& report) {
-    constexpr report::SvgSize kHalf{.width_px = 470, .height_px = 315};
+    constexpr report::SvgSize kHalf{.width_px = 470, .height_px = 270};
     // The page has said whose curves these are.
     Measurement sample = report.sample;
     sample.name = report.standard ? "sample" : "";
@@ -219,7 +219,7 @@ std::string plots_html(const PanelReport& report) {
     }
     std::string html = "<div class=\"two\">\n";
     for (const NamedPlot& named : measurement_plots(sample, standard ? &*standard : nullptr)) {
-        html += report::static_plot_html(named.plot, kHalf);
+        html += report::plot_html(named.plot, kHalf);
     }
     return html + readings_html(report) + "</div>\n";
 }
@@ -311,7 +311,7 @@ std::string panel_report_html(const PanelReport& report) {
     body += fmt::format(
         "<footer>nacre {} · model {}{}</footer>\n", version(), report.model->name,
         report.recipe_sha256.empty() ? "" : " · recipe SHA-256 " + report.recipe_sha256);
-    return report::page_html(report.title, "Virtual panel report", {}, body, false, panel_css());
+    return report::page_html(report.title, "Virtual panel report", {}, body, panel_css());
 }
 
 }  // namespace nacre::datasheet

@@ -41,22 +41,6 @@ bool is_forbidden(std::uint32_t code) {
            (code >= 0x7F && code < 0xA0) || code == 0xFFFE || code == 0xFFFF;
 }
 
-// Puts `insert` after the first character of each `what`, whatever the case of its letters.
-std::string split_every(std::string_view source, std::string_view what, char insert) {
-    std::string result;
-    result.reserve(source.size() + 16);
-    for (std::size_t i = 0; i < source.size(); ++i) {
-        result += source[i];
-        std::size_t matched = 0;
-        while (matched < what.size() && i + matched < source.size() &&
-               std::tolower(static_cast<unsigned char>(source[i + matched])) == what[matched]) {
-            ++matched;
-        }
-        if (matched == what.size()) result += insert;
-    }
-    return result;
-}
-
 }  // namespace
 
 std::string clean_utf8(std::string_view text) {
@@ -96,23 +80,6 @@ std::string escape_html(std::string_view text) {
                 break;
             default:
                 escaped += c;
-        }
-    }
-    return escaped;
-}
-
-std::string escape_script(std::string_view source) {
-    return split_every(split_every(source, "</script", '\\'), "<!--", '\\');
-}
-
-std::string escape_json(std::string_view json) {
-    std::string escaped;
-    escaped.reserve(json.size());
-    for (const char c : json) {
-        if (c == '<') {
-            escaped += "\\u003c";
-        } else {
-            escaped += c;
         }
     }
     return escaped;

@@ -15,14 +15,6 @@ std::string clean_utf8(std::string_view text);
 /// attributes.
 std::string escape_html(std::string_view text);
 
-/// A script's source such that it cannot end the <script> element that it stands in. What it does
-/// stays the same as long as "</script" and "<!--" occur in strings and regular expressions only,
-/// where a backslash before / or ! means nothing.
-std::string escape_script(std::string_view source);
-
-/// JSON such that it cannot end the <script> element that it stands in: < becomes \u003c.
-std::string escape_json(std::string_view json);
-
 /// Bytes as base64 with padding and without line breaks.     [rfc-4648-2006, section 4]
 std::string base64(std::string_view bytes);
 

@@ -29,12 +29,6 @@ TEST(Escape, ReplacesWhatIsNoUtf8) {
     EXPECT_EQ(clean_utf8("\0a\x1B[31m\x7F\xC2\x85"s), r + "a" + r + "[31m" + r + r);  // controls
 }
 
-TEST(Escape, LetsNoScriptEndItsElement) {
-    EXPECT_EQ(escape_script("a='</script>'; b='</ScRiPt x'; c='<!--'; d='</style>'"),
-              "a='<\\/script>'; b='<\\/ScRiPt x'; c='<\\!--'; d='</style>'");
-    EXPECT_EQ(escape_json("{\"a\":\"</script><!--\"}"), "{\"a\":\"\\u003c/script>\\u003c!--\"}");
-}
-
 TEST(Base64, GivesTheTestVectorsOfTheStandard) {
     // [rfc-4648-2006, section 10]
     EXPECT_EQ(base64(""), "");

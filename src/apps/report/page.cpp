@@ -4,7 +4,6 @@
 #include <cctype>
 
 #include "apps/report/markup.h"
-#include "nacre/core/file.h"
 
 namespace nacre::report {
 
@@ -14,11 +13,6 @@ namespace {
 constexpr std::string_view kSecurityPolicy =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action "
     "'none'";
-constexpr std::string_view kOwnScripts = "; script-src 'unsafe-inline'";
-
-std::string script_element(std::string_view source) {
-    return "<script>\n" + escape_script(clean_utf8(source)) + "</script>\n";
-}
 
 }  // namespace
 
@@ -55,26 +49,13 @@ std::string contents_html(const std::vector<Heading>& headings) {
     return "<nav aria-label=\"Contents\">\n<p>Contents</p>\n<ul>\n" + items + "</ul>\n</nav>\n";
 }
 
-std::string plotting_scripts() {
-    const auto read = [](const char* name) {
-        return read_file(data_file(std::string("web/") + name));
-    };
-    // The licences ask to be in every copy. No "*/" of theirs may end the comment.
-    std::string notice = read("NOTICE.txt");
-    for (std::size_t at; (at = notice.find("*/")) != std::string::npos;)
-        notice.insert(at + 1, 1, ' ');
-    return script_element("/*\n" + notice + "*/\n" + read("d3.min.js")) +
-           script_element(read("plot.umd.min.js")) + script_element(plots_js());
-}
-
 std::string page_html(const std::string& title, const std::string& subtitle,
                       const std::vector<Heading>& headings, const std::string& body,
-                      bool with_plots, std::string_view more_css) {
+                      std::string_view more_css) {
     std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
     page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
     page += "<meta http-equiv=\"Content-Security-Policy\" content=\"";
     page += kSecurityPolicy;
-    if (with_plots) page += kOwnScripts;
     page += "\">\n<link rel=\"icon\" href=\"data:,\">\n";  // else browsers ask the server for one
     page += "<title>" + escape_html(title) + "</title>\n<style>\n";
     page += page_css();
@@ -84,7 +65,6 @@ std::string page_html(const std::string& title, const std::string& subtitle,
         page += "<p class=\"subtitle\">" + markup_to_html(subtitle) + "</p>\n";
     }
     page += "</header>\n" + contents_html(headings) + "<main>\n" + body + "</main>\n";
-    if (with_plots) page += plotting_scripts();
     return page + "</body>\n</html>\n";
 }
 

@@ -18,12 +18,19 @@ std::string table_html(const Table& table, int number);
 std::string pictures_html(const std::vector<Picture>& pictures, int columns,
                           const std::string& caption);
 
-/// The plot's legend, its place, its numbers as a table that unfolds, and its data for plots.js.
+/// How large a plot is drawn where it has the width of the text to itself.
 /// @throws DomainError as check(plot)
-std::string plot_html(const Plot& plot, int number);
+SvgSize page_size(const Plot& plot);
 
-/// The plot drawn, in a figure with its caption.
+/// The plot's title, legend, drawing and caption. The drawing follows the width of the page; where
+/// its letters would become too small to be read it scrolls instead (page.css).
+/// @param size   of the drawing alone
+/// @param after  HTML at the end of the figure
 /// @throws DomainError as plot_svg()
-std::string static_plot_html(const Plot& plot, const SvgSize& size);
+std::string plot_html(const Plot& plot, const SvgSize& size, const std::string& after = {});
+
+/// The numbers of a plot as a table that unfolds.
+/// @throws DomainError as check(plot)
+std::string numbers_html(const Plot& plot);
 
 }  // namespace nacre::report

@@ -6,11 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "apps/report/markup.h"
-#include "apps/report/plot_frame.h"
-#include "apps/report/plot_svg.h"
 #include "nacre/core/error.h"
 
 namespace nacre::report {
@@ -25,8 +21,6 @@ void require_colour(std::string_view colour, const std::string& where) {
 }
 
 namespace {
-
-using nlohmann::json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -74,7 +68,8 @@ struct Range {
     }
 };
 
-Extent extent(const Axis& axis, Range range) {
+/// @param end_at_zero  whether the margins stop at a zero that the data do not cross
+Extent extent(const Axis& axis, Range range, bool end_at_zero) {
     if (!(range.lo <= range.hi)) {  // nothing to show
         range = axis.logarithmic ? Range{1, 10} : Range{0, 1};
     }
@@ -95,70 +90,14 @@ Extent extent(const Axis& axis, Range range) {
         }
     } else {
         const double margin = 0.03 * (hi - lo);
-        if (!axis.lo) lo -= margin;
-        if (!axis.hi) hi += margin;
+        const auto moved = [&](double end, double by) {
+            return end_at_zero && !axis.logarithmic && end * (end + by) <= 0 ? 0 : end + by;
+        };
+        if (!axis.lo) lo = moved(lo, -margin);
+        if (!axis.hi) hi = moved(hi, margin);
     }
     return {axis.lo.value_or(from(lo)), axis.hi.value_or(from(hi)),
             !axis.logarithmic && !axis.lo && !axis.hi};
-}
-
-json axis_json(const Axis& axis, const Extent& extent) {
-    return {{"label", clean_utf8(axis.label)},
-            {"log", axis.logarithmic},
-            {"domain", {extent.lo, extent.hi}},
-            {"round", extent.round}};
-}
-
-json point_json(const Plot& plot, const Series& series, std::size_t i) {
-    json point = {{"x", nullptr}, {"y", nullptr}};
-    if (!can_be_shown(plot, series.x[i], series.y[i])) return point;
-    point["x"] = series.x[i];
-    point["y"] = series.y[i];
-    if (const auto bar = error_bar(plot, series, i)) {
-        if (bar->low) point["low"] = *bar->low;
-        point["high"] = bar->high;
-        point["error"] = series.y_error[i];
-    }
-    if (!series.point_colours.empty()) point["colour"] = series.point_colours[i];
-    return point;
-}
-
-json points_json(const Plot& plot, const Extents& ends, const Series& series) {
-    json points = json::array();
-    for (std::size_t i = 0; i < series.x.size(); ++i) points.push_back(point_json(plot, series, i));
-    if (series.point_labels.empty()) return points;
-    const std::vector<int> sides = label_sides(plot, ends, series);
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-        if (sides[i] < 0) continue;
-        points[i]["label"] = clean_utf8(series.point_labels[i]);
-        points[i]["side"] = sides[i];
-    }
-    return points;
-}
-
-json style_json() {
-    return {
-        {"paper", style::kPaper},
-        {"text", style::kText},
-        {"faintText", style::kFaintText},
-        {"pointLabel", style::kPointLabel},
-        {"grid", style::kGrid},
-        {"gridOpacity", style::kGridOpacity},
-        {"frame", style::kFrame},
-        {"zero", style::kZero},
-        {"lineWidth", style::kLineWidth},
-        {"dashes", style::kDashes},
-        {"barWidth", style::kBarWidth},
-        {"barOpacity", style::kBarOpacity},
-        {"dotRadius", style::kDotRadius},
-        {"ownDotRadius", style::kOwnDotRadius},
-        {"ownDotEdge", style::kOwnDotEdge},
-        {"tickFont", style::kTickFont},
-        {"labelFont", style::kLabelFont},
-        {"labelDistance", style::kLabelDistance},
-        {"margins",
-         {style::kMarginTop, style::kMarginRight, style::kMarginBottom, style::kMarginLeft}},
-        {"tickSpacing", {style::kTickSpacingX, style::kTickSpacingY, style::kTickSpacingEqual}}};
 }
 
 }  // namespace
@@ -191,7 +130,7 @@ Extents extents(const Plot& plot) {
         x.add(plot.x, 0);
         y.add(plot.y, 0);
     }
-    Extents result{extent(plot.x, x), extent(plot.y, y)};
+    Extents result{extent(plot.x, x, !plot.equal_scale), extent(plot.y, y, !plot.equal_scale)};
     if (plot.equal_scale) {
         // The picture's height follows from its width: keep it between half of it and all of it.
         const double width = result.x.hi - result.x.lo, height = result.y.hi - result.y.lo;
@@ -231,29 +170,6 @@ Look look_of(const Series& series, std::size_t index) {
     constexpr std::size_t colours = std::size(kPalette), symbols = std::size(kSymbols);
     return {series.colour.empty() ? std::string(kPalette[index % colours]) : series.colour,
             kSymbols[(index + index / colours) % symbols]};
-}
-
-std::string plot_json(const Plot& plot) {
-    check(plot);
-    const Extents ends = extents(plot);
-    json series_list = json::array();
-    for (std::size_t s = 0; s < plot.series.size(); ++s) {
-        const Series& series = plot.series[s];
-        const Look look = look_of(series, s);
-        series_list.push_back({{"name", clean_utf8(series.name)},
-                               {"colour", look.colour},
-                               {"symbol", look.symbol},
-                               {"line", series.line},
-                               {"dots", series.dots},
-                               {"dashed", series.dashed},
-                               {"points", points_json(plot, ends, series)}});
-    }
-    const json whole = {{"x", axis_json(plot.x, ends.x)},
-                        {"y", axis_json(plot.y, ends.y)},
-                        {"equal", plot.equal_scale},
-                        {"style", style_json()},
-                        {"series", std::move(series_list)}};
-    return whole.dump();
 }
 
 }  // namespace nacre::report

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-// What a plot shows. How it is drawn: plots.js.
+// What a plot shows. How it is drawn: plot_svg.h.
 
 namespace nacre::report {
 
@@ -64,8 +64,7 @@ void check(const Plot& plot);
 /// page's style attributes
 void require_colour(std::string_view colour, const std::string& where);
 
-// From a plot's description to what plots.js and plot_svg.cpp draw. All decisions are made here,
-// where tests can reach them; the script only draws.
+// What follows from a plot's description before anything is drawn.
 
 /// Where an axis begins and ends.
 struct Extent {
@@ -103,10 +102,5 @@ struct Look {
 /// The look of series number `index`. Its colour is its own or one that readers with any colour
 /// vision can tell from its neighbours [okabe-ito-2008]; 32 looks differ.
 Look look_of(const Series& series, std::size_t index);
-
-/// The plot as JSON for plots.js, which documents the form. A point that cannot be shown has null
-/// for x and y.
-/// @throws DomainError as check(plot)
-std::string plot_json(const Plot& plot);
 
 }  // namespace nacre::report

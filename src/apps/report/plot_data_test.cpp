@@ -4,15 +4,12 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "nacre/core/error.h"
 
 namespace nacre::report {
 namespace {
-
-using nlohmann::json;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -23,11 +20,10 @@ Plot plot_of(std::vector<double> x, std::vector<double> y) {
 
 TEST(PlotData, LeavesOutPointsThatAreNotFinite) {
     const Plot plot = plot_of({0, kNan, 2, kInf, 4, 1e200}, {0, 1, kNan, 3, -kInf, 1});
-    const json points = json::parse(plot_json(plot))["series"][0]["points"];
-    ASSERT_EQ(points.size(), 6u);  // they stay as gaps of the line
-    EXPECT_EQ(points[0]["x"], 0);
-    for (int i = 1; i < 6; ++i) {
-        EXPECT_TRUE(points[i]["x"].is_null() && points[i]["y"].is_null()) << i;
+    const Series& series = plot.series[0];
+    ASSERT_EQ(series.x.size(), 6u);
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(can_be_shown(plot, series.x[i], series.y[i]), i == 0) << i;
     }
     EXPECT_LT(extents(plot).x.hi, 1);
 }
@@ -36,12 +32,12 @@ TEST(PlotData, LeavesOutWhatALogarithmicAxisCannotShow) {
     Plot plot = plot_of({1, 2, 3, 4}, {1, 0, -1, 100});
     plot.y.logarithmic = true;
     plot.series[0].y_error = {2, 0, 0, 50};
-    const json points = json::parse(plot_json(plot))["series"][0]["points"];
-    EXPECT_TRUE(points[1]["y"].is_null());
-    EXPECT_TRUE(points[2]["y"].is_null());
-    EXPECT_FALSE(points[0].contains("low"));  // 1 - 2 < 0: the bar goes down to the axis
-    EXPECT_EQ(points[0]["high"], 3);
-    EXPECT_EQ(points[3]["low"], 50);
+    EXPECT_FALSE(can_be_shown(plot, 2, 0));
+    EXPECT_FALSE(can_be_shown(plot, 3, -1));
+    const auto bar = [&](std::size_t i) { return error_bar(plot, plot.series[0], i).value(); };
+    EXPECT_FALSE(bar(0).low.has_value());  // 1 - 2 < 0: the bar goes down to the axis
+    EXPECT_EQ(bar(0).high, 3);
+    EXPECT_EQ(bar(3).low, 50);
     const Extent y = extents(plot).y;
     EXPECT_GT(y.lo, 0);
     EXPECT_LE(y.lo, 1);
@@ -55,6 +51,19 @@ TEST(PlotData, AxesHoldEveryPointAndBar) {
     EXPECT_TRUE(ends.x.lo <= -3 && ends.x.hi >= 5);
     EXPECT_TRUE(ends.y.lo <= 6 && ends.y.hi >= 20);
     EXPECT_TRUE(ends.x.round && ends.y.round);
+}
+
+TEST(PlotData, AxesOfOneSignEndAtZero) {
+    const Extents positive = extents(plot_of({0, 100}, {0.1, 50}));
+    EXPECT_EQ(positive.x.lo, 0);
+    EXPECT_EQ(positive.y.lo, 0);
+    const Extents negative = extents(plot_of({-100, 0}, {-50, -0.1}));
+    EXPECT_EQ(negative.x.hi, 0);
+    EXPECT_EQ(negative.y.hi, 0);
+    const Extents far = extents(plot_of({50, 100}, {-1, 1}));
+    EXPECT_GT(far.x.lo, 0);
+    EXPECT_LT(far.y.lo, -1);
+    EXPECT_GT(far.y.hi, 1);
 }
 
 TEST(PlotData, AxesEndWhereTheCallerSays) {
@@ -104,7 +113,7 @@ TEST(PlotData, EqualScaleShowsTheZerosAndKeepsThePictureInShape) {
 TEST(PlotData, NamesWhatIsWrong) {
     const auto message = [](const Plot& plot) -> std::string {
         try {
-            plot_json(plot);
+            check(plot);
         } catch (const DomainError& error) {
             return error.what();
         }

@@ -101,7 +101,10 @@ std::vector<Tick> linear_ticks(double lo, double hi, double count) {
 std::vector<Tick> logarithmic_ticks(double lo, double hi, double count) {
     const double decades = std::log10(hi) - std::log10(lo);
     if (decades < 1) return linear_ticks(lo, hi, count);
-    const int every = std::max(1, static_cast<int>(std::ceil(decades / std::max(1.0, count))));
+    // A reader counts in decades: each has its number even if they stand somewhat closer than
+    // other ticks.
+    const int every =
+        decades <= 1.6 * count ? 1 : static_cast<int>(std::ceil(decades / std::max(1.0, count)));
     const bool numbered_2_and_5 = decades * 3 <= count * 1.5;
     std::vector<Tick> ticks;
     const auto add = [&](int exponent, int digit, bool numbered) {
@@ -159,31 +162,6 @@ std::vector<int> label_sides(std::span<const Pixel> points) {
         sides.push_back(static_cast<int>((eighth + kSides) % kSides));
     }
     return sides;
-}
-
-std::vector<int> label_sides(const Plot& plot, const Extents& ends, const Series& series) {
-    // A picture of usual shape: how large it will be is not known yet.
-    const Box box{0, 0, 640,
-                  plot.equal_scale ? 640 * (ends.y.hi - ends.y.lo) / (ends.x.hi - ends.x.lo) : 360};
-    const PlotFrame frame(plot, ends, box);
-    std::vector<int> sides(series.x.size(), -1);
-    std::vector<Pixel> pixels;
-    std::vector<std::size_t> shown;
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-        if (!can_be_shown(plot, series.x[i], series.y[i])) continue;
-        pixels.push_back(frame.at(series.x[i], series.y[i]));
-        shown.push_back(i);
-    }
-    const std::vector<int> of_shown = label_sides(pixels);
-    for (std::size_t k = 0; k < shown.size(); ++k) sides[shown[k]] = of_shown[k];
-    if (labels_only_its_end(series) && sides.back() >= 0) sides.back() = 0;
-    return sides;
-}
-
-bool labels_only_its_end(const Series& series) {
-    const auto& labels = series.point_labels;
-    return labels.size() > 1 && std::all_of(labels.begin(), labels.end() - 1,
-                                            [](const std::string& text) { return text.empty(); });
 }
 
 PlotFrame::PlotFrame(const Plot& plot, const Extents& ends, const Box& box)

@@ -6,7 +6,7 @@
 
 #include "apps/report/plot_data.h"
 
-// Where an axis carries lines and numbers when no script is there to decide it.
+// Where the axes of a plot lie, and where they carry lines and numbers.
 
 namespace nacre::report {
 
@@ -45,13 +45,6 @@ struct Pixel {
 /// in steps of 45 deg from the right, clockwise on the screen. Straight and single points have it
 /// above.
 std::vector<int> label_sides(std::span<const Pixel> points);
-
-/// The same for the points of a series, about as they will lie in a picture; -1 for those that
-/// cannot be shown. A label that only the last point has names the line: it stands to its right.
-std::vector<int> label_sides(const Plot& plot, const Extents& ends, const Series& series);
-
-/// Whether no point but the last has a label.
-bool labels_only_its_end(const Series& series);
 
 /// The direction of a side: (cos, sin) of its angle, y downwards.
 Pixel side_direction(int side);

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/report/markup.h"
 #include "apps/report/parts.h"
 #include "apps/report/plot_data.h"
 #include "apps/report/plot_svg.h"
-#include "nacre/core/error.h"
 
 namespace nacre::report {
 
@@ -22,7 +23,38 @@ std::string legend_html(const Plot& plot) {
     return items.empty() ? items : "<ul class=\"legend\">\n" + items + "</ul>\n";
 }
 
+}  // namespace
+
+SvgSize page_size(const Plot& plot) {
+    check(plot);
+    if (!plot.equal_scale) return {.width_px = 560, .height_px = 320};
+    // As high as the data ask; their own ends may ask for a tower or a ribbon.
+    constexpr double kWidth = 460;
+    const Extents ends = extents(plot);
+    const double ratio = (ends.y.hi - ends.y.lo) / (ends.x.hi - ends.x.lo);
+    return {.width_px = kWidth,
+            .height_px =
+                std::clamp(ratio, 0.5, 1.0) * (kWidth - style::kNumbers - style::kMarginRight) +
+                style::kMarginTop + style::kMarginBottom};
+}
+
+std::string plot_html(const Plot& plot, const SvgSize& size, const std::string& after) {
+    const std::string drawing = plot_svg(plot, size, TitleAndLegend::around);
+    std::string html = "<figure class=\"plot\">\n";
+    if (!plot.title.empty()) {
+        html += "<p class=\"plot-title\">" + markup_to_html(plot.title) + "</p>\n";
+    }
+    html += legend_html(plot);
+    html += fmt::format("<div class=\"drawing\" tabindex=\"0\" style=\"--width:{}\">\n{}</div>\n",
+                        svg_number(size.width_px), drawing);
+    if (!plot.caption.empty()) {
+        html += "<figcaption>" + markup_to_html(plot.caption) + "</figcaption>\n";
+    }
+    return html + after + "</figure>\n";
+}
+
 std::string numbers_html(const Plot& plot) {
+    check(plot);
     std::string html =
         "<details><summary>Numbers</summary>\n<div class=\"scroll\" tabindex=\"0\"><table>\n";
     for (const Series& series : plot.series) {
@@ -42,34 +74,6 @@ std::string numbers_html(const Plot& plot) {
         html += "</tbody>\n";
     }
     return html + "</table></div></details>\n";
-}
-
-}  // namespace
-
-std::string plot_html(const Plot& plot, int number) {
-    const std::string data = plot_json(plot);
-    std::string html = fmt::format("<figure class=\"plot\" id=\"plot_{}\">\n", number);
-    if (!plot.title.empty()) {
-        html += "<p class=\"plot-title\">" + markup_to_html(plot.title) + "</p>\n";
-    }
-    html += legend_html(plot);
-    html += fmt::format("<div class=\"canvas{}\" role=\"img\" aria-label=\"{}\"></div>\n",
-                        plot.equal_scale ? " equal" : "", escape_html(markup_to_plain(plot.title)));
-    html += "<noscript><p>JavaScript draws this plot; its numbers stand below.</p></noscript>\n";
-    if (!plot.caption.empty()) {
-        html += "<figcaption>" + markup_to_html(plot.caption) + "</figcaption>\n";
-    }
-    html += numbers_html(plot);
-    return html + "<script type=\"application/json\">" + escape_json(data) +
-           "</script>\n</figure>\n";
-}
-
-std::string static_plot_html(const Plot& plot, const SvgSize& size) {
-    std::string html = "<figure class=\"plot static\">\n" + plot_svg(plot, size);
-    if (!plot.caption.empty()) {
-        html += "<figcaption>" + markup_to_html(plot.caption) + "</figcaption>\n";
-    }
-    return html + "</figure>\n";
 }
 
 }  // namespace nacre::report

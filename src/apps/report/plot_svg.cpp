@@ -150,7 +150,7 @@ std::string axes_svg(const Plot& plot, const PlotFrame& frame) {
     }
     svg += numbers;
     svg += text((box.left + box.right) / 2, box.bottom + 38, "middle", plot.x.label);
-    svg += text(std::max(4.0, box.left - 48), box.top - 12, "start", plot.y.label);
+    svg += text(box.left - style::kNumbers, box.top - 12, "start", plot.y.label);
     return svg;
 }
 
@@ -195,22 +195,72 @@ std::string lines_svg(const Plot& plot, const PlotFrame& frame, const Series& se
     return svg;
 }
 
+/// What the pointer shows at a point.
+std::string reading(const Plot& plot, const Series& series, std::size_t i) {
+    std::vector<std::string> names, lines;
+    if (!series.name.empty()) names.push_back(series.name);
+    if (!series.point_labels.empty() && !series.point_labels[i].empty()) {
+        names.push_back(series.point_labels[i]);
+    }
+    if (!names.empty()) lines.push_back(fmt::format("{}", fmt::join(names, ", ")));
+    const auto add = [&](const Axis& axis, const std::string& number) {
+        lines.push_back(axis.label.empty() ? number : axis.label + ": " + number);
+    };
+    add(plot.x, fmt::format("{:.4g}", series.x[i]));
+    const bool bar = error_bar(plot, series, i).has_value();
+    add(plot.y, fmt::format("{:.4g}", series.y[i]) +
+                    (bar ? fmt::format(" ± {:.2g}", series.y_error[i]) : ""));
+    return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+/// Dots on the points of a series, in their own colours if it has some.
+/// @param look  attributes of all of them
 std::string dots_svg(const Plot& plot, const PlotFrame& frame, const Series& series,
-                     const Look& look) {
-    if (!series.dots) return {};
-    const bool own = !series.point_colours.empty();
-    const std::string outline =
-        symbol_path(look.symbol, own ? style::kOwnDotRadius : style::kDotRadius);
-    std::string svg;
+                     const std::string& outline, const std::string& look) {
+    std::string dots;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
         const double x = series.x[i], y = series.y[i];
         if (!can_be_shown(plot, x, y) || !frame.contains(x, y)) continue;
-        svg += fmt::format(
-            "<path transform=\"translate({} {})\" d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n",
-            num(frame.x(x)), num(frame.y(y)), outline, own ? series.point_colours[i] : look.colour,
-            own ? style::kOwnDotEdge : style::kPaper);
+        dots += fmt::format(
+            "<path transform=\"translate({} {})\" d=\"{}\"{}><title>{}</title></path>\n",
+            num(frame.x(x)), num(frame.y(y)), outline,
+            series.dots && !series.point_colours.empty()
+                ? fmt::format(" fill=\"{}\"", series.point_colours[i])
+                : "",
+            escape_html(reading(plot, series, i)));
+    }
+    return dots.empty() ? dots : "<g " + look + ">\n" + dots + "</g>\n";
+}
+
+std::string visible_dots_svg(const Plot& plot, const PlotFrame& frame, const Series& series,
+                             const Look& look) {
+    if (!series.dots) return {};
+    const bool own = !series.point_colours.empty();
+    return dots_svg(plot, frame, series,
+                    symbol_path(look.symbol, own ? style::kOwnDotRadius : style::kDotRadius),
+                    fmt::format("fill=\"{}\" stroke=\"{}\"", look.colour,
+                                own ? style::kOwnDotEdge : style::kPaper));
+}
+
+/// Dots to be found by the pointer alone, on the points of series that have no others.
+std::string invisible_dots_svg(const Plot& plot, const PlotFrame& frame) {
+    std::size_t count = 0;
+    for (const Series& series : plot.series) count += series.dots ? 0 : series.x.size();
+    if (count > kMaxInvisibleDots) return {};
+    std::string svg;
+    for (const Series& series : plot.series) {
+        if (series.dots) continue;
+        svg += dots_svg(plot, frame, series, symbol_path("circle", style::kInvisibleDotRadius),
+                        "fill=\"none\" pointer-events=\"all\"");
     }
     return svg;
+}
+
+/// Whether no point but the last has a label.
+bool labels_only_its_end(const Series& series) {
+    const auto& labels = series.point_labels;
+    return labels.size() > 1 && std::all_of(labels.begin(), labels.end() - 1,
+                                            [](const std::string& text) { return text.empty(); });
 }
 
 std::string labels_svg(const Plot& plot, const PlotFrame& frame, const Series& series) {
@@ -223,6 +273,7 @@ std::string labels_svg(const Plot& plot, const PlotFrame& frame, const Series& s
         shown.push_back(i);
     }
     std::vector<int> sides = label_sides(pixels);
+    // It names the line: to the right of its end.
     if (labels_only_its_end(series) && !sides.empty()) sides.back() = 0;
     // A white outline, drawn first, keeps the words readable on lines.
     const std::string look = fmt::format(
@@ -256,19 +307,28 @@ std::string clipped(const Box& box, const std::string& contents) {
         num(box.left), num(box.top), num(box.width()), num(box.height()), place, contents);
 }
 
+/// As in "Lightness: L* against aspecular angle, degrees".
+std::string spoken_title(const Plot& plot, const std::string& title) {
+    const std::string axes = plot.y.label + " against " + plot.x.label;
+    return title.empty() ? axes : title + ": " + axes;
+}
+
 }  // namespace
 
-std::string plot_svg(const Plot& plot, const SvgSize& size) {
+std::string plot_svg(const Plot& plot, const SvgSize& size, TitleAndLegend words) {
     check(plot);
     const std::string where = fmt::format("plot '{}'", plot.title);
     require_in_range(size.width_px, kMinSvg, kMaxSvg, (where + ": width in px").c_str());
     require_in_range(size.height_px, kMinSvg, kMaxSvg, (where + ": height in px").c_str());
 
+    const bool alone = words == TitleAndLegend::inside;
     const std::string title = clean_utf8(markup_to_plain(plot.title));
-    const double title_height = title.empty() ? 0 : 26;
-    const Legend legend = legend_svg(plot, {style::kMarginLeft - 48, title_height + 6},
-                                     size.width_px - style::kMarginRight);
-    Box box{style::kMarginLeft, title_height + legend.height + style::kMarginTop,
+    const double indent = alone ? style::kIndent : 0;
+    const double title_height = alone && !title.empty() ? 26 : 0;
+    const Legend legend =
+        alone ? legend_svg(plot, {indent, title_height + 6}, size.width_px - style::kMarginRight)
+              : Legend{};
+    Box box{indent + style::kNumbers, title_height + legend.height + style::kMarginTop,
             size.width_px - style::kMarginRight, size.height_px - style::kMarginBottom};
     // However much stands above it, some of the plot remains.
     box.bottom = std::max(box.bottom, box.top + 40);
@@ -281,7 +341,7 @@ std::string plot_svg(const Plot& plot, const SvgSize& size) {
         const Look look = look_of(series, i);
         inside += lines_svg(plot, frame, series, look);
         labels += labels_svg(plot, frame, series);
-        dots += dots_svg(plot, frame, series, look);
+        dots += visible_dots_svg(plot, frame, series, look);
         for (std::size_t p = 0; p < series.x.size(); ++p) {
             empty = empty && !can_be_shown(plot, series.x[p], series.y[p]);
         }
@@ -290,17 +350,25 @@ std::string plot_svg(const Plot& plot, const SvgSize& size) {
     const double height = std::max(size.height_px, box.bottom + style::kMarginBottom);
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-        "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"{2}\" fill=\"{3}\">\n",
+        "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"{2}\" fill=\"{3}\" "
+        "role=\"img\"",
         num(size.width_px), num(height), style::kTickFont, style::kText);
-    svg += "<title>" + escape_html(title) + "</title>\n";
-    if (!plot.caption.empty()) {
-        svg += "<desc>" + escape_html(markup_to_plain(plot.caption)) + "</desc>\n";
+    if (alone) {
+        svg += ">\n<title>" + escape_html(title) + "</title>\n";
+        if (!plot.caption.empty()) {
+            svg += "<desc>" + escape_html(markup_to_plain(plot.caption)) + "</desc>\n";
+        }
+    } else {
+        // A <title> would show wherever the pointer is.
+        svg += " aria-label=\"" + escape_html(spoken_title(plot, title)) + "\">\n";
     }
     svg += fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", num(size.width_px),
                        num(height), style::kPaper);
-    svg +=
-        text(style::kMarginLeft - 48, 20, "start", title, "font-size=\"15\" font-weight=\"bold\"");
-    svg += legend.svg + axes_svg(plot, frame) + clipped(frame.box(), inside) + labels + dots;
+    if (alone) {
+        svg += text(indent, 20, "start", title, "font-size=\"15\" font-weight=\"bold\"");
+    }
+    svg += legend.svg + axes_svg(plot, frame) + clipped(frame.box(), inside) + labels +
+           invisible_dots_svg(plot, frame) + dots;
     if (empty) {
         const Box& b = frame.box();
         svg += text((b.left + b.right) / 2, (b.top + b.bottom) / 2, "middle",

@@ -6,8 +6,7 @@
 #include "apps/report/plot_data.h"
 #include "apps/report/plot_frame.h"
 
-// How every plot looks, whoever draws it: plots.js in a browser gets these with its data, and
-// plot_svg.cpp uses them as they are.
+// How every plot looks, in pages and in files.
 
 namespace nacre::report::style {
 
@@ -28,12 +27,17 @@ inline constexpr double kDotRadius = 4;
 /// Dots in colours of their own are larger, so that the colour can be seen, and have a dark edge.
 inline constexpr double kOwnDotRadius = 7;
 inline constexpr const char* kOwnDotEdge = "#333333";
+inline constexpr double kInvisibleDotRadius = 7;
 
 inline constexpr double kTickFont = 13;
 inline constexpr double kLabelFont = 12;      ///< of points
 inline constexpr double kLabelDistance = 10;  ///< from a point to its label
 
-inline constexpr double kMarginTop = 32, kMarginRight = 28, kMarginBottom = 48, kMarginLeft = 62;
+inline constexpr double kMarginTop = 32, kMarginRight = 28, kMarginBottom = 48;
+/// Left of the title and of the label of y, where the title is drawn.
+inline constexpr double kIndent = 14;
+/// Left of the axes, for the numbers of y.
+inline constexpr double kNumbers = 48;
 inline constexpr double kTickSpacingX = 80, kTickSpacingY = 50, kTickSpacingEqual = 60;
 
 }  // namespace nacre::report::style
@@ -66,7 +70,7 @@ struct Legend {
 /// The names of the series with their keys, in rows from `corner` to the right edge.
 Legend legend_svg(const Plot& plot, Pixel corner, double right);
 
-// A plot as a picture that needs no script: for print, for mail, for a paper.
+// A plot as a picture: for pages, for print, for a paper.
 
 struct SvgSize {
     double width_px = 720;
@@ -77,10 +81,19 @@ struct SvgSize {
 
 inline constexpr double kMinSvg = 120, kMaxSvg = 10'000;  // px a side
 
-/// The plot as SVG 1.1: valid XML, drawn the way plots.js does, with its title and a legend above
-/// it, text as text in the viewer's sans-serif font. It has no scripts, styles, links or ids, so
-/// that it can stand in a page as often as wanted; the caption becomes its description.
+/// Where the title and the legend stand, with the caption as description: in the picture, or in the
+/// page around it, which sets them better.
+enum class TitleAndLegend { inside, around };
+
+/// Lines without dots have an invisible one on each point, so that the pointer can read it off,
+/// unless a plot would have more of them than this.
+inline constexpr std::size_t kMaxInvisibleDots = 500;
+
+/// The plot as SVG 1.1: valid XML, text as text in the viewer's sans-serif font. Browsers show the
+/// series, label and numbers of a dot under the pointer. It has no scripts, styles, links or ids,
+/// so that it can stand in a page as often as wanted.
 /// @throws DomainError as check(plot), or if a side is outside [kMinSvg, kMaxSvg]
-std::string plot_svg(const Plot& plot, const SvgSize& size = {});
+std::string plot_svg(const Plot& plot, const SvgSize& size = {},
+                     TitleAndLegend words = TitleAndLegend::inside);
 
 }  // namespace nacre::report

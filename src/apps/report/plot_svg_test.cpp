@@ -7,9 +7,7 @@
 #include <regex>
 
 #include "apps/report/plot_frame.h"
-#include "apps/report/report.h"
 #include "apps/report/svg_raster.h"
-#include "apps/report/test_support.h"
 #include "nacre/core/error.h"
 
 namespace nacre::report {
@@ -165,18 +163,84 @@ TEST(PlotSvg, RefusesWhatCannotBeDrawn) {
     EXPECT_THROW(plot_svg({.series = {{.x = {1}}}}), DomainError);
 }
 
-TEST(Report, StaticPlotsNeedNoScript) {
-    const std::string attack = "</svg></figure><script>evil()</script>";
-    Report report("t");
-    report.static_plot(full_plot("plain"));
-    report.static_plot(full_plot(attack), {400, 300});
-    const std::string html = report.html();
-    const test::Scan page = test::scan(html);
-    EXPECT_EQ(page.error, "");
-    EXPECT_EQ(page.count("script"), 0);
-    EXPECT_EQ(page.count("figure"), 2);
-    EXPECT_THAT(html, Not(HasSubstr("script-src")));
-    EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+/// What the pointer shows: the titles of paths, in their order.
+std::vector<std::string> readings(const std::string& svg) {
+    std::vector<std::string> texts;
+    const std::regex dot("<path [^>]*><title>([^<]*)</title></path>");
+    for (std::sregex_iterator p(svg.begin(), svg.end(), dot), end; p != end; ++p) {
+        texts.push_back((*p)[1]);
+    }
+    return texts;
+}
+
+TEST(PlotSvg, EveryPointCanBeReadUnderThePointer) {
+    Plot plot{.x = {.label = "angle, degrees", .lo = 0, .hi = 100},
+              .y = {.label = "L*"},
+              .series = {{.name = "gold",
+                          .x = {15, 25, 45, 110},
+                          .y = {60.12345, kNan, 30, 1},
+                          .y_error = {0.123, 0, kInf, 0},
+                          .point_labels = {"near", "", "", ""},
+                          .dots = true},
+                         {.x = {20}, .y = {2e-7}}}};
+    // Not what is cut off, at 110, nor what is no number.
+    const std::vector<std::string> expected = {
+        "angle, degrees: 20\nL*: 2e-07",
+        "gold, near\nangle, degrees: 15\nL*: 60.12 ± 0.12",
+        "gold\nangle, degrees: 45\nL*: 30",
+    };
+    EXPECT_EQ(readings(plot_svg(plot)), expected);
+    plot.series[0].dots = false;  // now they are invisible, but there
+    EXPECT_EQ(readings(plot_svg(plot)).size(), 3u);
+    EXPECT_THAT(plot_svg(plot), HasSubstr("fill=\"none\" pointer-events=\"all\""));
+}
+
+TEST(PlotSvg, LongLinesHaveNoInvisibleDots) {
+    Plot plot{.series = {{}, {.x = {1}, .y = {1}, .dots = true}}};
+    for (const std::size_t count : {kMaxInvisibleDots, kMaxInvisibleDots + 1}) {
+        plot.series[0].x = plot.series[0].y = std::vector<double>(count, 2.0);
+        EXPECT_EQ(readings(plot_svg(plot)).size(), count <= kMaxInvisibleDots ? count + 1 : 1u);
+    }
+}
+
+TEST(PlotSvg, InvisibleDotsDoNotShow) {
+    Plot plot{.x = {.lo = 0, .hi = 10}, .y = {.lo = 0, .hi = 4}, .series = {{.x = {5}, .y = {3}}}};
+    plot.series[0].line = false;
+    const std::string with = plot_svg(plot);
+    plot.series.clear();
+    ASSERT_EQ(readings(with).size(), 1u);
+    const std::string without = plot_svg(plot);
+    EXPECT_EQ(png_of_svg(with),
+              png_of_svg(std::regex_replace(without, std::regex("No point can be shown"), "")));
+}
+
+TEST(PlotSvg, TheNameOfALineStandsRightOfItsEnd) {
+    Plot plot{.x = {.lo = 0, .hi = 10},
+              .y = {.lo = 0, .hi = 4},
+              .series = {{.x = {0, 1, 5}, .y = {0, 1, 3}, .point_labels = {"", "", "c"}}}};
+    const SvgSize size{.width_px = 490, .height_px = 280};
+    // (5, 3) is at (262, 82); the label stands kLabelDistance beside it, on the same height.
+    EXPECT_THAT(plot_svg(plot, size),
+                HasSubstr("<text x=\"272\" y=\"86.2\" text-anchor=\"start\""));
+    plot.series[0].point_labels[0] = "a";
+    EXPECT_THAT(plot_svg(plot, size), Not(HasSubstr("<text x=\"272\" y=\"86.2\"")));
+}
+
+TEST(PlotSvg, LeavesTitleAndLegendToThePage) {
+    const Plot plot{.title = "a *title*",
+                    .caption = "a caption",
+                    .x = {.label = "a*"},
+                    .y = {.label = "b*"},
+                    .series = {{.name = "gold", .x = {1}, .y = {1}}}};
+    const std::string alone = plot_svg(plot);
+    EXPECT_THAT(alone, HasSubstr("<title>a title</title>\n<desc>a caption</desc>"));
+    EXPECT_THAT(alone, HasSubstr(">a title</text>"));
+    EXPECT_THAT(alone, HasSubstr(">gold</text>"));
+    const std::string around = plot_svg(plot, {}, TitleAndLegend::around);
+    EXPECT_THAT(around, HasSubstr("role=\"img\" aria-label=\"a title: b* against a*\""));
+    EXPECT_THAT(around, Not(HasSubstr(">a title</text>")));
+    EXPECT_THAT(around, Not(HasSubstr(">gold</text>")));
+    EXPECT_THAT(around, Not(HasSubstr("<title>a title")));
 }
 
 }  // namespace

@@ -82,16 +82,9 @@ void Report::pictures(const std::vector<Picture>& pictures, int columns,
 }
 
 void Report::plot(const Plot& plot) {
-    body_ += plot_html(plot, plots_ + 1);
-    ++plots_;
+    body_ += plot_html(plot, page_size(plot), numbers_html(plot));
 }
 
-void Report::static_plot(const Plot& plot, const SvgSize& size) {
-    body_ += static_plot_html(plot, size);
-}
-
-std::string Report::html() const {
-    return page_html(title_, subtitle_, headings_, body_, plots_ > 0);
-}
+std::string Report::html() const { return page_html(title_, subtitle_, headings_, body_); }
 
 }  // namespace nacre::report

@@ -6,10 +6,9 @@
 
 #include "apps/report/page.h"
 #include "apps/report/plot_data.h"
-#include "apps/report/plot_svg.h"
 
 // A report for people: headings, text, tables, pictures and plots in one HTML page that needs no
-// other file and no network. Everything but the plots is static HTML, readable without JavaScript.
+// other file, no network and no script.
 //
 // Text is UTF-8. Fields described as "text" may carry a little markup, as in Markdown: `code`,
 // *emphasis* and [words](address), the address being http, https, mailto, #anchor or a relative
@@ -90,13 +89,7 @@ class Report {
     /// @throws DomainError as check(const Plot&)
     void plot(const Plot& plot);
 
-    /// The same as a drawing that needs no script, without the numbers: for pages that are printed
-    /// or mailed.
-    /// @throws DomainError as plot_svg()
-    void static_plot(const Plot& plot, const SvgSize& size = {});
-
-    /// The whole page. A report with plots holds the plotting scripts too, about 0.5 MB.
-    /// @throws InputError if there are plots and the scripts are not in the data folder (data/web)
+    /// The whole page.
     std::string html() const;
 
  private:
@@ -105,7 +98,6 @@ class Report {
     std::vector<Heading> headings_;
     std::set<std::string> anchors_;
     std::string body_;
-    int plots_ = 0;
     int tables_ = 0;
 };
 

@@ -28,7 +28,7 @@ struct Scan {
 /// Reads a page more strictly than browsers do: attributes must be quoted and occur once, every
 /// element must close but those that HTML leaves empty, no bare < or & may stand in the text.
 inline Scan scan(std::string_view page) {
-    static const std::set<std::string> kVoid = {"meta", "link", "img", "input", "path"};
+    static const std::set<std::string> kVoid = {"meta", "link", "img", "input"};
     Scan result;
     std::vector<std::string> open;
     std::size_t at = 0;

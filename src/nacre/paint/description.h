@@ -37,10 +37,14 @@ struct Field {
     const char* also = nullptr;       ///< what else must hold, checked by the struct's validate()
     const char* otherwise = nullptr;  ///< for the documentation: the default in words
     const char* spread_of = nullptr;  ///< the number is the standard deviation of this other key
-    std::size_t max_size = 0;         ///< characters of a text, entries of a list
-    bool colour = false;              ///< a spectrum that may be stated as [r, g, b]
-    bool real = false;                ///< a material that does not absorb
-    bool in_line = false;             ///< tables: written as { key = value, ... }
+    /// On a data sheet, {} for the value with its unit and {%} for it in percent: "{} across". If
+    /// empty, it is deliberately not told there.
+    const char* words = nullptr;
+    const char* zero_words = nullptr;  ///< the same of a 0 and of the first choice; else as `words`
+    std::size_t max_size = 0;          ///< characters of a text, entries of a list
+    bool colour = false;               ///< a spectrum that may be stated as [r, g, b]
+    bool real = false;                 ///< a material that does not absorb
+    bool in_line = false;              ///< tables: written as { key = value, ... }
 };
 
 /// More samples than any instrument gives.

@@ -18,12 +18,16 @@ constexpr Range kFraction{0, 1};
 // fail, not unusual paints.
 
 void describe(Visitor& visit, Recipe& recipe) {
-    visit({.key = "name", .meaning = "what people call it", .max_size = kMaxNameLength},
+    visit({.key = "name",
+           .meaning = "what people call it",
+           .words = "",  // the title of the sheet
+           .max_size = kMaxNameLength},
           recipe.name);
     visit({.key = "ior",
            .range = limits::kBinderIndex,
            .meaning = "refractive index of binder and clearcoat",
            .required = true,
+           .words = "The binder has {}",
            .real = true},
           recipe.binder);
     visit({.key = "clearcoat", .meaning = "a clear layer on top; without it the air meets layer 1"},
@@ -35,7 +39,8 @@ void describe(Visitor& visit, Recipe& recipe) {
     Substrate substrate{recipe.substrate_reflectance};
     visit.table({.key = "substrate",
                  .meaning = "what lies below, a Lambertian surface inside the binder",
-                 .otherwise = "black"},
+                 .otherwise = "black",
+                 .words = "{}"},
                 Described(substrate));
     visit({.key = "microfacet", .meaning = "another description, for the microfacet models"},
           recipe.microfacet);
@@ -43,10 +48,13 @@ void describe(Visitor& visit, Recipe& recipe) {
 }
 
 void describe(Visitor& visit, Clearcoat& coat) {
-    visit({.key = "thickness_um", .range = {0, 1e6, "um"}, .required = true}, coat.thickness_um);
+    visit({.key = "thickness_um", .range = {0, 1e6, "um"}, .required = true, .words = "{}"},
+          coat.thickness_um);
     visit({.key = "absorption_per_mm",
            .range = kPerMillimetre,
-           .meaning = "absorption coefficient, for tinted clear coats"},
+           .meaning = "absorption coefficient, for tinted clear coats",
+           .words = "absorbs {}",
+           .zero_words = "clear"},
           coat.absorption_per_mm);
     // Below 0.01 the reflected lobe is narrower than about 1 deg, and a smooth interface is the
     // better model: it is solved faster and to more digits, and the walks of montecarlo/ need some
@@ -54,12 +62,14 @@ void describe(Visitor& visit, Clearcoat& coat) {
     visit({.key = "roughness",
            .range = {0.01, 1},
            .meaning = "Beckmann alpha of the air interface; 0 is smooth, a mirror",
-           .zero = "a smooth interface"},
+           .zero = "a smooth interface",
+           .words = "matte surface (roughness {})",
+           .zero_words = "smooth surface"},
           coat.roughness);
 }
 
 void describe(Visitor& visit, Layer& layer) {
-    visit({.key = "thickness_um", .range = {0, 1e6, "um", true}, .required = true},
+    visit({.key = "thickness_um", .range = {0, 1e6, "um", true}, .required = true, .words = "{}"},
           layer.thickness_um);
     visit({.key = "flakes", .meaning = "species of flakes", .max_size = kMaxSpeciesPerLayer},
           layer.flakes);
@@ -77,7 +87,9 @@ constexpr Field kVolumeFraction{
     .meaning =
         "fraction of the layer's volume that these flakes fill; all species of a layer "
         "together at most 1",
-    .required = true};
+    .required = true,
+    .words = "{%} by volume"};
+// A data sheet tells it as the area of the flakes over the area painted.
 constexpr Field kAreaDensity{.key = "area_density_per_um",
                              .range = {0, 1e6, "1/um", true},
                              .meaning = "in place of `volume_fraction`: flake area per volume, c",
@@ -98,7 +110,8 @@ void describe(Visitor& visit, FlakeSpecies& species) {
           species.amount);
     visit({.key = "diameter_um",
            .range = {0, 1e4, "um", true},
-           .meaning = "of the disc; matters only where single flakes show"},
+           .meaning = "of the disc; matters only where single flakes show",
+           .words = "{} across"},
           species.diameter_um);
     visit({.key = "diameter_spread_um",
            .range = {0, 1e4, "um"},
@@ -120,6 +133,7 @@ void describe(Visitor& visit, Orientation& orientation) {
            .meaning = "law of the flakes' normals: Gaussian slopes",
            .required = true},
           {"beckmann"}, distribution);
+    // A data sheet tells it as the median tilt.
     visit({.key = "alpha",
            .range = {0.005, 1},
            .meaning = "sqrt(2) times the standard deviation of a slope component: 0.1 is 4 deg",
@@ -131,10 +145,12 @@ void describe(Visitor& visit, optics::Platelet& platelet) {
     visit.table({.key = "core",
                  .meaning = "the platelet, a film (below)",
                  .required = true,
+                 .words = "{}",
                  .in_line = true},
                 Described(platelet.core));
     visit({.key = "coats",
            .meaning = "films from the core outwards, alike on both sides",
+           .words = "on both sides {}",
            .max_size = 64,
            .in_line = true},
           platelet.coats);
@@ -144,12 +160,14 @@ void describe(Visitor& visit, optics::FilmPopulation& film) {
     visit({.key = "material",
            .range = optics::kRefractiveIndexRange,
            .meaning = "see below",
-           .required = true},
+           .required = true,
+           .words = "{}"},
           film.material);
     visit({.key = "thickness_nm",
            .range = limits::kFilmThickness,
            .meaning = "mean thickness",
-           .required = true},
+           .required = true,
+           .words = "{}"},
           film.thickness_nm);
     visit({.key = "spread_nm",
            .range = limits::kFilmSpread,
@@ -158,7 +176,9 @@ void describe(Visitor& visit, optics::FilmPopulation& film) {
           film.spread.standard_deviation_nm);
     visit({.key = "distribution",
            .meaning = "law of the thickness; normal is cut off at three deviations and at zero, "
-                      "and renormalised; uniform has the same standard deviation"},
+                      "and renormalised; uniform has the same standard deviation",
+           .words = "uniformly spread",
+           .zero_words = ""},
           {"normal", "uniform"}, film.spread.law);
 }
 
@@ -167,14 +187,17 @@ void describe(Visitor& visit, PrescribedFlake& flake) {
            .range = kFraction,
            .meaning = "in place of `core` and `coats`: R, the same at all angles",
            .required = true,
+           .words = "reflects {%}",
            .colour = true},
           flake.reflectance);
     visit({.key = "transmittance",
            .range = kFraction,
            .meaning = "with `reflectance` only",
            .also = "R + T <= 1",
+           .words = "transmits {%}",
            .colour = true},
           flake.transmittance);
+    // A data sheet tells it as the thickness of the flakes, which those with a core have too.
     visit({.key = "thickness_um",
            .range = {0, 1e3, "um", true},
            .meaning = "with `reflectance` only; required with `volume_fraction`",
@@ -183,16 +206,21 @@ void describe(Visitor& visit, PrescribedFlake& flake) {
 }
 
 void describe(Visitor& visit, Pigment& pigment) {
-    visit(
-        {.key = "scattering_per_mm", .range = kPerMillimetre, .meaning = "scattering coefficient"},
-        pigment.scattering_per_mm);
-    visit(
-        {.key = "absorption_per_mm", .range = kPerMillimetre, .meaning = "absorption coefficient"},
-        pigment.absorption_per_mm);
+    visit({.key = "scattering_per_mm",
+           .range = kPerMillimetre,
+           .meaning = "scattering coefficient",
+           .words = "scatters {}"},
+          pigment.scattering_per_mm);
+    visit({.key = "absorption_per_mm",
+           .range = kPerMillimetre,
+           .meaning = "absorption coefficient",
+           .words = "absorbs {}"},
+          pigment.absorption_per_mm);
     visit({.key = "anisotropy",
            .range = {-1, 1, "", true, true},
            .meaning = "g, the mean cosine of the angle by which light is turned "
-                      "[henyey-greenstein-1941]"},
+                      "[henyey-greenstein-1941]",
+           .words = "g = {}"},
           pigment.anisotropy);
 }
 
@@ -201,6 +229,7 @@ void describe(Visitor& visit, Substrate& substrate) {
            .range = kFraction,
            .meaning = "of the surface under the last layer",
            .required = true,
+           .words = "reflects {%}",
            .colour = true},
           substrate.reflectance);
 }
@@ -210,28 +239,37 @@ void describe(Visitor& visit, Microfacet& m) {
     visit({.key = "alpha",
            .range = limits::kMicrofacetAlpha,
            .meaning = "roughness",
-           .required = true},
+           .required = true,
+           .words = "roughness {}"},
           m.alpha);
-    visit({.key = "distribution", .meaning = "law of the facets' normals"}, {"beckmann", "ggx"},
-          m.distribution);
+    visit({.key = "distribution",
+           .meaning = "law of the facets' normals",
+           .words = "GGX",
+           .zero_words = "Beckmann"},
+          {"beckmann", "ggx"}, m.distribution);
     visit({.key = "film_ior",
            .range = optics::kAiryIndexRange,
            .meaning = "index of the film, eta_2",
-           .required = true},
+           .required = true,
+           .words = "with n = {}"},
           m.film_ior);
     visit({.key = "film_thickness_nm",
            .range = {0, 1e5, "nm"},
            .meaning = "thickness d; the paper's P_inc is 2 eta_2 d",
-           .required = true},
+           .required = true,
+           .words = "a film of {}"},
           m.film_thickness_nm);
     visit({.key = "base_ior",
            .range = optics::kAiryIndexRange,
            .meaning = "n of the base, eta_3",
-           .required = true},
+           .required = true,
+           .words = "on a base with n = {}"},
           m.base_ior);
     visit({.key = "base_extinction",
            .range = optics::kAiryExtinctionRange,
-           .meaning = "k of the base, kappa_3: k itself, not k / n"},
+           .meaning = "k of the base, kappa_3: k itself, not k / n",
+           .words = "k = {}",
+           .zero_words = ""},
           m.base_extinction);
     visit({.key = "facets", .meaning = "for `special-effect` only"}, m.facets);
 }
@@ -240,16 +278,19 @@ void describe(Visitor& visit, MicrofacetFacets& facets) {
     visit({.key = "count",
            .range = {1, 1e15},
            .meaning = "K, over the whole object",
-           .required = true},
+           .required = true,
+           .words = "{} facets over the whole object"},
           facets.count);
     visit({.key = "cone_deg",
            .range = {0.05, 30, "deg"},
            .meaning = "gamma, half-angle of the query cone",
-           .required = true},
+           .required = true,
+           .words = "each seen within {} of its mirror direction"},
           facets.cone_deg);
     visit({.key = "thickness_spread_nm",
            .range = limits::kFilmSpread,
-           .meaning = "standard deviation of d"},
+           .meaning = "standard deviation of d",
+           .words = "their films varying by {}"},
           facets.thickness_spread_nm);
 }
 
