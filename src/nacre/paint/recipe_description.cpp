@@ -233,7 +233,7 @@ void describe(Visitor& visit, Microfacet& m) {
            .range = optics::kAiryExtinctionRange,
            .meaning = "k of the base, kappa_3: k itself, not k / n"},
           m.base_extinction);
-    visit({.key = "facets", .meaning = "for `special-effect` only"}, m.facets);
+    visit({.key = "facets", .meaning = "for models that show single facets"}, m.facets);
 }
 
 void describe(Visitor& visit, MicrofacetFacets& facets) {
