@@ -59,8 +59,6 @@ TEST(FlakesStatistics, JackknifeAllowsForNeighboursThatShareFlakes) {
     const double actual = kPictures * std::pow(means.error(), 2), expected = 0.25 / 256;
     // The means are nearly normal: N of them know their variance to sqrt(2 / N), 2 %.
     const double relative_error = std::sqrt(2.0 / kPictures);
-    printf("ZZ %g %g %g %g\n", actual / expected - 1, claimed.mean() / expected - 1,
-           claimed.error() / expected, relative_error);
     EXPECT_NEAR(actual / expected, 1, test::kWorstZ * relative_error) << "of 256 flakes";
     EXPECT_NEAR(claimed.mean() / expected, 1, test::kWorstZ * claimed.error() / expected);
 }

@@ -189,7 +189,7 @@ TEST(SolverAgreement, AnyExtinctionMatchesTheRandomWalk) {
     std::vector<Case> all;
     for (const double depth : {0.0, 1e-14, 1e-9, 1e-6, 1e-4, 1e-2, .1, 1., 10., 100., 1000.}) {
         all.push_back({fmt::format("pigment, depth {}", depth),
-                       test::paint(1.5, {test::pigment_layer(.9, depth, .3)}, 0.5)});
+                       test::paint_of(1.5, {test::pigment_layer(.9, depth, .3)}, 0.5)});
     }
     compare_all(all, kOutgoing, solver::Part::total, Part::total, 10'000, 300);
 }
