@@ -16,9 +16,10 @@ target_compile_features(nacre_options INTERFACE cxx_std_20)
 target_compile_options(nacre_options INTERFACE
   $<BUILD_INTERFACE:-Wall -Wextra -Wpedantic -ffp-contract=fast -fno-math-errno
                     -fno-trapping-math>)
-# GCC 12 sees std::string's operator+(const char*, string) copy over itself (GCC bug 105651).
-target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>>)
+# GCC 12, and no other, sees std::string copy over itself where "text" + string is inlined in C++20:
+# anywhere, as the optimiser likes (https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651 and 105329).
+set(gcc_12 $<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,12>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>)
+target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:$<${gcc_12}:-Wno-restrict>>)
 # Vectors of lanes are passed in registers whose width depends on the processor, so that a program
 # that uses the installed libraries must be compiled for the same one: -march is exported. GCC 12
 # takes its own AVX-512 headers for uninitialised variables (GCC bug 105593).

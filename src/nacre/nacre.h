@@ -130,7 +130,7 @@ std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
 
 /// Which values of a BRDF are wanted.
 struct BrdfSettings {
-    /// None: microflake, and measured BRDFs as they are.
+    /// None: models::default_model(), and measured BRDFs as they are.
     std::optional<Model> model = {};
     Part part = Part::total;  ///< other than the total: of models that can tell (Capabilities)
     /// Vacuum wavelengths, nm. Empty: those of the solved paint where the values are its own, else
@@ -272,7 +272,7 @@ class Paint {
 
     /// The paint as a model shows it, for a renderer; measured and tabulated BRDFs as they are.
     /// Made once for all who hold it at a time.
-    /// @param model  none: microflake, and measured BRDFs as they are
+    /// @param model  none: models::default_model(), and measured BRDFs as they are
     /// @param solve  where the model needs the paint solved
     /// @throws InputError naming the file if it lacks what the model reads, or is shown without one
     /// @throws SettingError if the file holds another kind of table than the model makes

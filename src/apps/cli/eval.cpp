@@ -118,19 +118,18 @@ Command add_eval(CLI::App& program) {
     add_brdf_options(*eval, *options);
     add_model_options(*eval, options->model);
     eval->add_option("--at", options->at,
-                     "Middle of a patch that shows its single flakes; nacre: X,Y in mm on a flat "
-                     "panel; special-effect: U,V in the object's unit square. Without it, the mean "
-                     "over the object");
-    eval->add_option("--footprint", options->footprint,
-                     "Side of that patch; nacre: in mm; special-effect: as a share of the unit "
-                     "square's");
+                     fmt::format("Middle of a patch that shows its single flakes; {}. Without it, "
+                                 "the mean over the object",
+                                 by_coordinates("X,Y in mm on a flat panel",
+                                                "U,V in the object's unit square")));
+    eval->add_option(
+        "--footprint", options->footprint,
+        "Side of that patch; " + by_coordinates("in mm", "as a share of the unit square's"));
     add_seed(*eval, *options);
     eval->add_option("--wavelength", options->wavelengths,
                      "Vacuum wavelengths, nm [those of a solved paint, else 400:700:10]");
     add_output(*eval, *options);
-    add_threads(*eval, *options);
-    add_quiet(*eval, *options);
-    add_report(*eval, *options);
+    add_run_options(*eval, *options);
     eval->footer(
         "phi_o - phi_i = 180 is the mirror side; theta and phi may be first:last:step. Writes "
         "CSV:\n"

@@ -136,9 +136,7 @@ Command add_export(CLI::App& program) {
          options->only_merl)
         ->capture_default_str();
     add_seed(*command, *options);
-    add_threads(*command, *options);
-    add_quiet(*command, *options);
-    add_report(*command, *options);
+    add_run_options(*command, *options);
     command->footer(
         "The mirror of a smooth interface is not part of a BRDF: add it in the other renderer as\n"
         "a coat of the binder's index. Says on stderr by how much the file misses the BRDF.\n\n"

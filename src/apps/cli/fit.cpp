@@ -162,9 +162,7 @@ Command add_fit(CLI::App& program) {
         ->type_name("FILE");
     add_model_options(*command, options->model);
     add_seed(*command, *options);
-    add_threads(*command, *options);
-    add_quiet(*command, *options);
-    add_report(*command, *options);
+    add_run_options(*command, *options);
     command->footer(
         "Bounds come from the table [fit] of the starting recipe; without them a third to three\n"
         "times the start (docs/fit.md). --model is what a STANDARD that is a recipe is seen by.\n"

@@ -187,9 +187,7 @@ Command add_measure(CLI::App& program) {
         ->type_name("DIR");
     add_output(*command, *options);
     add_seed(*command, *options);
-    add_threads(*command, *options);
-    add_quiet(*command, *options);
-    add_report(*command, *options);
+    add_run_options(*command, *options);
     command->footer(
         "Writes CSV: geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z, a column R<nm> a wavelength, "
         "and\n"

@@ -41,7 +41,12 @@ std::string default_text(const Owned& owned) {
     return option_text(owned.model->standard(), *owned.option);
 }
 
-std::string text_of(const ModelOption& option, const ModelOptions::Value& value) {
+/// The value of an option, as set_option() takes it; its default unless it was given.
+std::string value_of(const ModelOptions& options, const Owned& owned) {
+    const auto given = options.values.find(std::string(owned.option->flag));
+    if (given == options.values.end()) return default_text(owned);
+    const ModelOption& option = *owned.option;
+    const ModelOptions::Value& value = given->second;
     if (!option.names.empty()) return value.name;
     if (option.range) return fmt::format("{}", value.number);
     return value.on ? "on" : "off";
@@ -95,15 +100,6 @@ Model with_alternative(Model model, const ModelOptions& options) {
 
 }  // namespace
 
-std::string ModelOptions::value(const std::string& flag) const {
-    for (const Owned& owned : all_options()) {
-        if (owned.option->flag != flag) continue;
-        const auto given = values.find(flag);
-        return given == values.end() ? default_text(owned) : text_of(*owned.option, given->second);
-    }
-    throw DomainError(fmt::format("{}: is no option of a model", flag));
-}
-
 void add_solution_options(CLI::App& command, ModelOptions& options) {
     for (const Owned& owned : all_options()) {
         if (owned.option->of_solution) add_option(command, options, owned);
@@ -139,7 +135,7 @@ Model parse_model_settings(const ModelOptions& options, std::uint64_t seed) {
     const ModelInfo& info = parse_model(options);
     std::vector<std::pair<const ModelOption*, std::string>> chosen;
     for (const Owned& owned : all_options()) {
-        const std::string value = options.value(std::string(owned.option->flag));
+        const std::string value = value_of(options, owned);
         if (value == default_text(owned)) continue;
         require_owner(owned.option->flag, *owned.model, info);
         chosen.emplace_back(owned.option, value);
@@ -165,6 +161,22 @@ std::string choice_of(const ModelInfo& model) {
                : fmt::format("--model = {}", model.name);
 }
 
+std::vector<std::string> solution_flags() {
+    std::vector<std::string> flags;
+    for (const Owned& owned : all_options()) {
+        if (owned.option->of_solution) flags.emplace_back(owned.option->flag);
+    }
+    return flags;
+}
+
+std::string choice_of_table(const Model& model) {
+    for (const ModelOption& option : model.info().options) {
+        if (!option.of_solution) continue;
+        return fmt::format("{} = {}", option.flag, option_text(model, option));
+    }
+    return choice_of(model.info());  // a model of nothing but tables
+}
+
 std::vector<std::string> models_that(bool (*condition)(const ModelInfo&)) {
     std::vector<std::string> names;
     for (const ModelInfo* model : models::all_models()) {
@@ -182,6 +194,25 @@ std::vector<std::string> sparkling_models() {
         names.push_back(name);
     }
     return names;
+}
+
+std::vector<std::string> unit_square_models() {
+    return models_that([](const ModelInfo& model) {
+        return model.coordinates == bsdf::SurfaceCoordinates::unit_square;
+    });
+}
+
+std::string by_coordinates(const std::string& in_object_space, const std::string& in_unit_square) {
+    const auto object_space_models = models_that([](const ModelInfo& model) {
+        return model.coordinates == bsdf::SurfaceCoordinates::object_space;
+    });
+    std::vector<std::string> meanings;
+    for (const auto& [models, meaning] : {std::pair{object_space_models, in_object_space},
+                                          std::pair{unit_square_models(), in_unit_square}}) {
+        if (models.empty()) continue;
+        meanings.push_back(fmt::format("{}: {}", fmt::join(models, ", "), meaning));
+    }
+    return fmt::format("{}", fmt::join(meanings, "; "));
 }
 
 }  // namespace nacre::cli

@@ -19,9 +19,6 @@ struct ModelOptions {
     std::string model{models::default_model().info().name};
     bool model_given = false;  ///< --model was on the command line
 
-    /// The value of an option, as set_option() takes it; its default unless it was given.
-    std::string value(const std::string& flag) const;
-
     /// What the command line writes to.
     struct Value {
         std::string name;
@@ -46,9 +43,21 @@ bsdf::Model parse_model_settings(const ModelOptions& options, std::uint64_t seed
 /// What the command line said to choose this model, as in "--model = volume".
 std::string choice_of(const bsdf::ModelInfo& model);
 
+/// The options of models that say in which form a solution is kept.
+std::vector<std::string> solution_flags();
+/// What the command line said to have a model make a table, as in "--table = svd".
+std::string choice_of_table(const bsdf::Model& model);
+
 /// The names of all models that satisfy a condition.
 std::vector<std::string> models_that(bool (*condition)(const bsdf::ModelInfo&));
 /// Those that show single flakes, the one that shows most first.
 std::vector<std::string> sparkling_models();
+
+/// What something means, for help: to the models whose surfaces vary by the millimetres of object
+/// space, and to those whose surfaces vary by shares of a unit square, as in "this: in mm; that:
+/// as a share".
+std::string by_coordinates(const std::string& in_object_space, const std::string& in_unit_square);
+/// The models of the second kind.
+std::vector<std::string> unit_square_models();
 
 }  // namespace nacre::cli

@@ -39,6 +39,12 @@ void add_seed(CLI::App& command, CommonOptions& options) {
     command.add_option("--seed", options.seed, "Seed of the random numbers")->capture_default_str();
 }
 
+void add_run_options(CLI::App& command, CommonOptions& options) {
+    add_threads(command, options);
+    add_quiet(command, options);
+    add_report(command, options);
+}
+
 void emit(const CommonOptions& options, const std::string& data) {
     if (!options.output.empty()) {
         write_file_atomically(options.output, data);

@@ -90,6 +90,8 @@ void add_quiet(CLI::App& command, CommonOptions& options);
 void add_report(CLI::App& command, CommonOptions& options);
 void add_threads(CLI::App& command, CommonOptions& options);
 void add_seed(CLI::App& command, CommonOptions& options);
+/// Of commands that compute: --threads, --quiet and --report.
+void add_run_options(CLI::App& command, CommonOptions& options);
 
 /// Data to the output file, whole or not at all, or to stdout.
 /// @throws Error if they cannot be written

@@ -1,6 +1,7 @@
 #include "apps/cli/paint_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -39,8 +40,8 @@ void refuse_measured_brdf(const Paint& paint) {
     if (paint.kind() != Kind::measured_brdf) return;
     throw InputError(
         fmt::format("{}: holds a measured BRDF, which is shown as it was measured: it takes "
-                    "neither --model nor --table",
-                    paint.file()));
+                    "neither --model nor {}",
+                    paint.file(), fmt::join(solution_flags(), " nor ")));
 }
 
 void refuse_model(const std::string& model, const std::string& what) {

@@ -192,9 +192,7 @@ Command add_panel(CLI::App& program) {
     add_model_options(*command, options->model);
     add_instrument_options(*command, options->instrument);
     add_seed(*command, *options);
-    add_threads(*command, *options);
-    add_quiet(*command, *options);
-    add_report(*command, *options);
+    add_run_options(*command, *options);
     command->footer(
         "Writes one HTML file without scripts that needs no other file and prints to A4. Sparkle\n"
         "and graininess are on it if the model shows single flakes. docs/panel.md says what each\n"

@@ -15,25 +15,19 @@ std::string contents(const std::filesystem::path& path) {
 }
 
 void Program::SetUp() {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("nacre_program_test_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-    std::ofstream(folder_ / "gray.toml") << R"(ior = 1.5
+    write("gray.toml", R"(ior = 1.5
 [[layer]]
 thickness_um = 15
 [[layer.flakes]]
 area_density_per_um = 0.1
 orientation = { distribution = "beckmann", alpha = 0.2 }
 reflectance = 0.6
-)";
+)");
 }
 
-void Program::TearDown() { std::filesystem::remove_all(folder_); }
-
 Outcome Program::nacre(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + folder_.string() + "' && '" NACRE_PROGRAM "' " + arguments + " > .out 2> .err";
+    const std::string command = "cd '" + folder_.path().string() + "' && '" NACRE_PROGRAM "' " +
+                                arguments + " > .out 2> .err";
     const int code = std::system(command.c_str());
     EXPECT_TRUE(WIFEXITED(code)) << arguments << " was ended by a signal";
     return {WEXITSTATUS(code), contents(folder_ / ".out"), contents(folder_ / ".err")};
@@ -49,7 +43,7 @@ Outcome Program::shell(const std::string& script) const {
 }
 
 void Program::write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
+    folder_.write(name, text);
 }
 
 bool Program::exists(const std::string& name) const {

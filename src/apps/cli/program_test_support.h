@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "nacre/testing/files.h"
+
 // Only for tests: the program, run in a folder of its own.
 
 namespace nacre::cli::testing {
@@ -18,9 +20,8 @@ std::string contents(const std::filesystem::path& path);
 
 class Program : public ::testing::Test {
  protected:
-    /// Makes the folder, with a paint in it: gray.toml.
+    /// Puts a paint into the folder: gray.toml.
     void SetUp() override;
-    void TearDown() override;
 
     /// Runs `nacre ARGUMENTS` in the test's folder.
     Outcome nacre(const std::string& arguments) const;
@@ -29,7 +30,7 @@ class Program : public ::testing::Test {
     void write(const std::string& name, const std::string& text) const;
     bool exists(const std::string& name) const;
 
-    std::filesystem::path folder_;
+    test::TempFolder folder_;
 };
 
 /// Cell of a CSV text, row 0 being the header.

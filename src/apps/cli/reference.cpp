@@ -84,9 +84,7 @@ Command add_reference(CLI::App& program) {
         ->capture_default_str();
     add_output(*command, *options);
     add_seed(*command, *options);
-    add_threads(*command, *options);
-    add_quiet(*command, *options);
-    add_report(*command, *options);
+    add_run_options(*command, *options);
     command->footer(
         "Writes CSV: theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf,stderr; stderr is the "
         "standard\n"

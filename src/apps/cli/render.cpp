@@ -104,11 +104,12 @@ void check_model(const RenderCommandOptions& options, const Scene& scene) {
     if (options.model.model_given) {
         refuse_model(options.model.model, "every material of the scene " + options.scene);
     }
-    if (parse_model_settings(options.model, options.seed).makes_table()) {
+    const bsdf::Model model = parse_model_settings(options.model, options.seed);
+    if (model.makes_table()) {
         throw UsageError(
-            fmt::format("--table = {}: every material of the scene {} holds a measured BRDF; "
+            fmt::format("{}: every material of the scene {} holds a measured BRDF; "
                         "tables are made of recipes",
-                        options.model.value("--table"), options.scene));
+                        choice_of_table(model), options.scene));
     }
 }
 
@@ -224,9 +225,7 @@ Command add_render(CLI::App& program) {
         ->required()
         ->type_name("FILE");
     add_seed(*command, *options);
-    add_threads(*command, *options);
-    add_quiet(*command, *options);
-    add_report(*command, *options);
+    add_run_options(*command, *options);
     command->footer(
         "The EXR holds linear Rec. 709 (1 is the perfect diffuser in full light), albedo and "
         "normal\n"

@@ -20,13 +20,13 @@ struct SolveOptions : CommonOptions {
     std::string recipe;
     std::string wavelengths = "400:700:10";
     solver::SolverSettings settings;
-    ModelOptions model;  // only --table: of the default model
+    ModelOptions model;  // only what add_solution_options() offers: of the default model
 };
 
 /// Bytes, from which on a solve says beforehand how much memory it takes.
 constexpr std::size_t kMemoryToSay = 1'000'000'000;
 
-/// The solved paint, or (--table raw or svd) the RGB table that is made of it.
+/// The solved paint, or the table that the model makes of it.
 std::string solution_bytes(const SolveOptions& options, const bsdf::Model& model,
                            const Paint& paint, const SolveSettings& settings) {
     if (!model.makes_table()) return paint.export_solved(settings);
@@ -60,20 +60,23 @@ ExitStatus run(const SolveOptions& options) {
         fmt::format("{}: {} wavelengths, {} + {} nodes, {} orders, {:.0f} ms, {} bytes",
                     options.output, solved->wavelengths_nm().size(), report.exit_nodes,
                     report.inner_nodes, report.orders, 1000 * watch.seconds(), bytes.size()));
-    write_report(options, "solve",
-                 {{"recipe", options.recipe},
-                  {"recipe_sha256", paint.recipe_sha256()},
-                  {"output", options.output},
-                  {"table", options.model.value("--table")},
-                  {"bytes", bytes.size()},
-                  {"wavelengths_nm", solved->wavelengths_nm()},
-                  {"exit_nodes", report.exit_nodes},
-                  {"inner_nodes", report.inner_nodes},
-                  {"orders", report.orders},
-                  {"unresolved_scattering", report.unresolved_scattering},
-                  {"azimuthal_tail", report.azimuthal_tail},
-                  {"solve_s", solve_s},
-                  {"total_s", watch.seconds()}});
+    nlohmann::json about = {{"recipe", options.recipe},
+                            {"recipe_sha256", paint.recipe_sha256()},
+                            {"output", options.output},
+                            {"bytes", bytes.size()},
+                            {"wavelengths_nm", solved->wavelengths_nm()},
+                            {"exit_nodes", report.exit_nodes},
+                            {"inner_nodes", report.inner_nodes},
+                            {"orders", report.orders},
+                            {"unresolved_scattering", report.unresolved_scattering},
+                            {"azimuthal_tail", report.azimuthal_tail},
+                            {"solve_s", solve_s},
+                            {"total_s", watch.seconds()}};
+    for (const bsdf::ModelOption& option : model.info().options) {  // "--table" as "table"
+        if (option.of_solution)
+            about[std::string(option.flag.substr(2))] = option_text(model, option);
+    }
+    write_report(options, "solve", std::move(about));
     return ExitStatus::ok;
 }
 
@@ -110,9 +113,7 @@ Command add_solve(CLI::App& program) {
         ->check(CLI::Range(1e-9, 0.1))
         ->capture_default_str();
     add_solution_options(*solve, options->model);
-    add_threads(*solve, *options);
-    add_quiet(*solve, *options);
-    add_report(*solve, *options);
+    add_run_options(*solve, *options);
     solve->footer(
         "Everything that takes a recipe takes the solved file too, and is then faster.\n\n"
         "Example:\n  nacre solve paints/tio2-mica-80.toml -o gold.h5");

@@ -268,7 +268,8 @@ Command add_sparkle(CLI::App& program) {
         ->capture_default_str();
     sparkle
         ->add_option("--panel", options->camera.unit_square_mm,
-                     "special-effect: side of the panel over which the recipe's facets lie, mm")
+                     fmt::format("{}: side of the panel over which the recipe's facets lie, mm",
+                                 fmt::join(unit_square_models(), ", ")))
         ->capture_default_str();
     sparkle->add_option("--format", options->format, "csv or json")
         ->check(CLI::IsMember({"csv", "json"}))
@@ -280,9 +281,7 @@ Command add_sparkle(CLI::App& program) {
         ->type_name("DIR");
     add_output(*sparkle, *options);
     add_seed(*sparkle, *options);
-    add_threads(*sparkle, *options);
-    add_quiet(*sparkle, *options);
-    add_report(*sparkle, *options);
+    add_run_options(*sparkle, *options);
     sparkle->footer(
         "The camera looks along the normal of a flat panel. One row a lamp (15s, 45s, 75s) and "
         "one\n"

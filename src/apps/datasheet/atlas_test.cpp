@@ -10,9 +10,12 @@
 #include "nacre/core/error.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/optics/thin_film.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::datasheet {
 namespace {
+
+using nacre::test::message_of;
 
 constexpr double kDeg = std::numbers::pi / 180;
 
@@ -151,37 +154,31 @@ TEST(RecipeAtlas, ChangesOnlyTheNumberThatIsNamed) {
 }
 
 TEST(Atlas, NamesWhatIsWrong) {
-    const auto message = [](const auto& work) -> std::string {
-        try {
-            work();
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "accepted";
-    };
     const std::vector geometries = {measure::in_plane(45, 25)};
-    EXPECT_THAT(message([&] { flake_atlas(titania_on_mica(), {}, geometries, wavelengths()); }),
-                testing::HasSubstr("at least one thickness"));
-    EXPECT_THAT(message([&] {
+    EXPECT_THAT(
+        message_of<Error>([&] { flake_atlas(titania_on_mica(), {}, geometries, wavelengths()); }),
+        testing::HasSubstr("at least one thickness"));
+    EXPECT_THAT(message_of<Error>([&] {
                     flake_atlas(titania_on_mica(), std::vector<double>(100'001, 80.0), geometries,
                                 wavelengths());
                 }),
                 testing::HasSubstr("at most 100000"));
-    EXPECT_THAT(message([&] { flake_atlas(titania_on_mica(), {-5}, geometries, wavelengths()); }),
-                testing::HasSubstr("-5"));
+    EXPECT_THAT(
+        message_of<Error>([&] { flake_atlas(titania_on_mica(), {-5}, geometries, wavelengths()); }),
+        testing::HasSubstr("-5"));
     AtlasFlake dark = titania_on_mica();
     dark.binder = optics::Material(5.0);
-    EXPECT_THAT(message([&] { flake_atlas(dark, {80}, geometries, wavelengths()); }),
+    EXPECT_THAT(message_of<Error>([&] { flake_atlas(dark, {80}, geometries, wavelengths()); }),
                 testing::HasSubstr("index of the binder = 5"));
-    EXPECT_THAT(message([&] {
+    EXPECT_THAT(message_of<Error>([&] {
                     recipe_atlas(pearl(), "layer[0].glitter", {80}, geometries, wavelengths());
                 }),
                 testing::HasSubstr("layer[0].glitter"));
-    EXPECT_THAT(message([&] {
+    EXPECT_THAT(message_of<Error>([&] {
                     recipe_atlas(pearl(), kCoat, {80, -1}, geometries, wavelengths());
                 }),
                 testing::HasSubstr("-1"));
-    EXPECT_EQ(message([&] {
+    EXPECT_EQ(message_of<Error>([&] {
                   flake_atlas(titania_on_mica(), {80}, geometries, wavelengths(), {},
                               [](double) { return false; });
               }),

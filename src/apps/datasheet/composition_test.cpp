@@ -3,40 +3,28 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "nacre/io/recipe_file.h"
 #include "nacre/paint/recipe_description.h"
 #include "nacre/testing/described.h"
-#include "nacre/testing/recipe.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::datasheet {
 namespace {
 
 using ::testing::HasSubstr;
 
-paint::Recipe recipe(const std::string& text) { return io::parse_recipe(text, "test.toml", {}); }
-
 paint::Recipe pearl() {
-    return recipe(R"(ior = 1.5
-[clearcoat]
-thickness_um = 45
-[[layer]]
-thickness_um = 15
-[[layer.flakes]]
-name = "TiO2 on mica"
-volume_fraction = 0.05
-diameter_um = 18
-diameter_spread_um = 6
-orientation = { distribution = "beckmann", alpha = 0.1 }
-core = { material = "mica", thickness_nm = 500, spread_nm = 100 }
-coats = [{ material = "TiO2_anatase", thickness_nm = 80, spread_nm = 5 }]
-[[layer.pigment]]
-scattering_per_mm = 200.0
-absorption_per_mm = 50.0
-[[layer]]
-thickness_um = 30
-[substrate]
-reflectance = 0.03
-)");
+    paint::FlakeSpecies flakes;
+    flakes.name = "TiO2 on mica";
+    flakes.amount = paint::VolumeFraction{0.05};
+    flakes.diameter_um = 18;
+    flakes.diameter_spread_um = 6;
+    flakes.orientation.beckmann_alpha = 0.1;
+    flakes.body = optics::Platelet{{optics::find_material("mica"), 500, {100}},
+                                   {{optics::find_material("TiO2_anatase"), 80, {5}}}};
+    paint::Recipe recipe =
+        test::paint_of(1.5, {{15, {flakes}, {{200.0, 50.0, 0}}}, {30, {}, {}}}, 0.03);
+    recipe.clearcoat = paint::Clearcoat{45, 0.0, 0};
+    return recipe;
 }
 
 TEST(Composition, NamesMaterialsAsChemistsWriteThem) {
@@ -120,7 +108,7 @@ std::string sheet_table(const paint::Recipe& recipe) {
 
 // The recipe has a value for every key that there is: RecipeFile.EveryDescribedKeyIsWrittenAndRead.
 TEST(Composition, EveryKeyIsTold) {
-    const paint::Recipe recipe = nacre::testing::full_recipe();
+    const paint::Recipe recipe = nacre::test::full_recipe();
     nacre::testing::EveryKey all;
     paint::Described::to_inspect(recipe).accept(all);
     int told = 0;
@@ -141,7 +129,7 @@ TEST(Composition, EveryKeyIsTold) {
 }
 
 TEST(Composition, NumbersUnitsAndChoicesAreWrittenAsPeopleDo) {
-    paint::Recipe recipe = nacre::testing::full_recipe();
+    paint::Recipe recipe = nacre::test::full_recipe();
     recipe.layers[0].pigments[0].absorption_per_mm = 2e-5;
     auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
     platelet.coats[0].spread.law = optics::ThicknessSpread::Law::uniform;

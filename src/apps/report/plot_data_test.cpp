@@ -7,9 +7,12 @@
 #include <set>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::report {
 namespace {
+
+using nacre::test::message_of;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -112,12 +115,7 @@ TEST(PlotData, EqualScaleShowsTheZerosAndKeepsThePictureInShape) {
 
 TEST(PlotData, NamesWhatIsWrong) {
     const auto message = [](const Plot& plot) -> std::string {
-        try {
-            check(plot);
-        } catch (const DomainError& error) {
-            return error.what();
-        }
-        return "accepted";
+        return message_of<DomainError>([&] { check(plot); });
     };
     EXPECT_EQ(message(plot_of({1, 2}, {1})), "plot 't', series 's': 1 y for 2 x");
     Plot plot = plot_of({1, 2}, {1, 2});

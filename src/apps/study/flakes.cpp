@@ -7,8 +7,6 @@
 #include <numbers>
 
 #include "apps/study/mir_2022.h"
-#include "nacre/bsdf/models/microflake.h"
-#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/core/version.h"
@@ -185,10 +183,12 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
     auto& made = way == Way::hashed ? hashed_ : way == Way::hot_spot ? hot_spot_ : smooth_;
     if (!made) {
         if (way == Way::smooth) {
-            made = std::make_shared<const bsdf::Microflake>(solved_);
+            made = models::named_model("microflake").make({recipe_, solved_});
         } else {
-            made = std::make_shared<const bsdf::Nacre>(
-                solved_, bsdf::NacreModel{.specimen = seed_, .hot_spot = way == Way::hot_spot});
+            bsdf::Model model =
+                models::named_model("nacre", {{"--hot-spot", way == Way::hot_spot ? "on" : "off"}});
+            model.set_specimen(seed_);
+            made = model.make({recipe_, solved_});
         }
     }
     return made;

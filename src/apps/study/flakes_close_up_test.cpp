@@ -7,6 +7,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::study {
 namespace {
@@ -46,20 +47,20 @@ TEST(FlakesStatistics, NoiseDoesNotRaiseContrast) {
 }
 
 TEST(FlakesStatistics, JackknifeAllowsForNeighboursThatShareFlakes) {
-    // The standard deviation of the means of many pictures against the error that each one states.
-    double claimed = 0, sum = 0, squares = 0;
-    constexpr int kPictures = 200;
+    // The variance of the means of many pictures against the one that each states.
+    test::Sample means, claimed;
+    constexpr int kPictures = 4000;
     for (int i = 0; i < kPictures; ++i) {
         const Pixels p = Scene(32, 0.5, 100 + i).picture(0, 0);
         const Estimate m = mean_luminance(p, p);
-        claimed += m.standard_error / kPictures;
-        sum += m.value / kPictures;
-        squares += m.value * m.value / kPictures;
+        means.add(m.value);
+        claimed.add(m.standard_error * m.standard_error);
     }
-    const double actual = std::sqrt(squares - sum * sum);
-    EXPECT_NEAR(actual, 0.5 / 16, 0.2 * actual) << "of 256 flakes";
-    // Twenty percent: 200 pictures know a deviation to 5 %, and 16 pieces bias it little.
-    EXPECT_NEAR(claimed / actual, 1, 0.2);
+    const double actual = kPictures * std::pow(means.error(), 2), expected = 0.25 / 256;
+    // The means are nearly normal: N of them know their variance to sqrt(2 / N), 2 %.
+    const double relative_error = std::sqrt(2.0 / kPictures);
+    EXPECT_NEAR(actual / expected, 1, test::kWorstZ * relative_error) << "of 256 flakes";
+    EXPECT_NEAR(claimed.mean() / expected, 1, test::kWorstZ * claimed.error() / expected);
 }
 
 TEST(FlakesStatistics, HistogramHoldsEveryPixel) {

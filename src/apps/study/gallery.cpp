@@ -10,10 +10,6 @@
 #include <optional>
 #include <string>
 
-#include "nacre/bsdf/models/microflake.h"
-#include "nacre/bsdf/models/nacre.h"
-#include "nacre/bsdf/models/special_effect.h"
-#include "nacre/bsdf/models/thin_film.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
@@ -23,7 +19,6 @@
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/montecarlo/discs/disc.h"
-#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/render/render_image.h"
 #include "nacre/solver/solver.h"
@@ -53,33 +48,13 @@ using nlohmann::json;
 
 constexpr std::uintmax_t kMaxRecordBytes = 1 << 20;
 
-/// The settings of one model, or its defaults where the job has another.
-template <class M>
-M settings_of(const PictureJob& job) {
-    const M* settings = job.model.get<M>();
-    return settings ? *settings : M{};
-}
-
 json description(const PictureJob& job) {
     const render::RenderOptions& r = job.render;
-    const auto microflake = settings_of<bsdf::MicroflakeModel>(job);
-    const auto volume = settings_of<montecarlo::VolumeModel>(job);
     return {{"version", version()},
             {"scene", job.scene},
             {"scene_scale", job.scene_scale},
-            {"model", job.model.info().name},
+            {"model", job.model.text()},
             {"recipe_sha256", io::recipe_hash(recipe_of(job))},
-            {"table", option_text(microflake, bsdf::MicroflakeModel::info.options.front())},
-            {"table_angles", microflake.table_size.angles},
-            {"table_azimuths", microflake.table_size.azimuths},
-            {"compression_rank", microflake.compression.rank},
-            {"compression_clip", microflake.compression.clip_to_gamut},
-            {"compression_tolerance", microflake.compression.tolerance},
-            {"colour", static_cast<int>(settings_of<bsdf::ThinFilmModel>(job).colour)},
-            {"tracking", static_cast<int>(volume.tracking)},
-            {"simpson_panels", volume.simpson_panels},
-            {"surface_seed", settings_of<bsdf::SpecialEffectModel>(job).specimen +
-                                 settings_of<bsdf::NacreModel>(job).specimen},
             {"width", r.width},
             {"height", r.height},
             {"samples_per_pixel", r.samples_per_pixel},
@@ -99,15 +74,38 @@ struct Prepared {
     std::size_t file_bytes = 0, data_bytes = 0;
 };
 
-Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& progress) {
+/// The names of the materials that take the paint.
+std::vector<std::string> painted_materials(const render::SceneDescription& scene) {
+    std::vector<std::string> names;
+    for (const auto& [name, material] : scene.materials) {
+        if (std::holds_alternative<render::PaintMaterial>(material)) names.push_back(name);
+    }
+    return names;
+}
+
+/// The model of a job, told what the paint lies on.
+bsdf::Model model_on(const render::SceneDescription& scene, const PictureJob& job) {
+    std::vector<bsdf::PaintedShape> shapes;
+    for (const std::string& material : painted_materials(scene)) {
+        for (const bsdf::PaintedShape& shape : render::painted_shapes(scene, material)) {
+            shapes.push_back(shape);
+        }
+    }
+    bsdf::Model model = job.model;
+    model.lie_on("of the scene " + job.scene, shapes);
+    return model;
+}
+
+Prepared prepare(const PictureJob& job, const bsdf::Model& model, const fs::path& tables,
+                 const Progress& progress) {
     bsdf::ModelInput paint{.recipe = recipe_of(job)};
     Prepared out;
-    if (job.model.info().solution != bsdf::Solution::none) {
+    if (model.info().solution != bsdf::Solution::none) {
         const solver::SolvedPaint solved =
             solver::solve(paint.recipe, spectra::default_wavelengths_nm(), {});
         fs::create_directories(tables);
         const fs::path file = tables / (job.key + ".h5");
-        if (const auto table = job.model.make_table(solved, progress)) {
+        if (const auto table = model.make_table(solved, progress)) {
             std::visit(
                 [&](const auto& t) {
                     io::write_brdf_table(file, *t);
@@ -122,7 +120,7 @@ Prepared prepare(const PictureJob& job, const fs::path& tables, const Progress& 
         out.file_bytes = fs::file_size(file);
         if (!paint.table) out.data_bytes = out.file_bytes;
     }
-    out.surface = job.model.make(paint, progress);
+    out.surface = model.make(paint, progress);
     return out;
 }
 
@@ -222,14 +220,10 @@ Picture Gallery::make(const PictureJob& job) const {
     stage_(job.title, [&](const Progress& progress) {
         const PeakMemory memory;
         const auto start = std::chrono::steady_clock::now();
-        const Prepared prepared = prepare(job, folder_ / "tables", progress);
         const render::SceneDescription scene = scene_of(job);
+        const Prepared prepared = prepare(job, model_on(scene, job), folder_ / "tables", progress);
         render::PaintTable paints;
-        for (const auto& [name, material] : scene.materials) {
-            if (std::holds_alternative<render::PaintMaterial>(material)) {
-                paints[name] = prepared.surface;
-            }
-        }
+        for (const std::string& name : painted_materials(scene)) paints[name] = prepared.surface;
         const render::Scene compiled(scene, paints);
         const double prepare_s = seconds_since(start);
         const std::clock_t before = std::clock();

@@ -56,8 +56,9 @@ TEST(Gallery, WhateverChangesThePictureChangesItsFingerprint) {
     add([](PictureJob& job) { job.scene = "panel-sun"; });
     add([](PictureJob& job) { job.model = bsdf::MicroflakeModel{}; });
     add([](PictureJob& job) { job.model = bsdf::NacreModel{.specimen = 2}; });
+    add([](PictureJob& job) { job.model = bsdf::NacreModel{.hot_spot = true}; });
     add([](PictureJob& job) { job.render.footprint_pixels = 0.5; });
-    EXPECT_EQ(prints.size(), 7u);
+    EXPECT_EQ(prints.size(), 8u);
 }
 
 TEST(Gallery, FacetsCannotBeSetWhereThereAreNone) {

@@ -10,14 +10,11 @@
 #include <thread>
 
 #include "apps/study/picture_agreement.h"
-#include "nacre/bsdf/models/microflake.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/progress.h"
 #include "nacre/core/random.h"
 #include "nacre/core/version.h"
-#include "nacre/montecarlo/plane_walk.h"
-#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/optics/antialiased.h"
 
 namespace nacre::study {
@@ -91,8 +88,6 @@ PictureJob MirContext::job(std::string key, std::string title, const std::string
     job.title = std::move(title);
     job.paint = shipped_file(paint);
     job.model = std::move(model);
-    auto* microflake = job.model.get<bsdf::MicroflakeModel>();
-    if (settings.quick && microflake) microflake->table_size = {.angles = 32, .azimuths = 32};
     job.render.width = job.render.height = settings.size;
     job.render.samples_per_pixel = settings.samples;
     job.render.seed = settings.seed;
@@ -178,14 +173,11 @@ void add_agreement(MirContext& context) {
                     "over its standard error.",
                     kBatches));
     const char* paint = "paints/metallic-gray.toml";
-    using montecarlo::Tracking, montecarlo::VolumeModel;
-    const auto solved = batches(context, paint, bsdf::MicroflakeModel{}, "microflake");
-    const auto walk = batches(context, paint, montecarlo::WalkModel{}, "walk");
-    const auto shell =
-        batches(context, paint, VolumeModel{.radius_mm = kBallRadius_mm}, "volume-delta");
-    const auto simpson = batches(
-        context, paint, VolumeModel{.radius_mm = kBallRadius_mm, .tracking = Tracking::simpson},
-        "volume-simpson");
+    const auto solved = batches(context, paint, named_model("microflake"), "microflake");
+    const auto walk = batches(context, paint, named_model("walk"), "walk");
+    const auto shell = batches(context, paint, named_model("volume"), "volume-delta");
+    const auto simpson = batches(context, paint, named_model("volume", {{"--tracking", "simpson"}}),
+                                 "volume-simpson");
     struct Pair {
         const char* name;
         const std::vector<io::Image>&a, &b;

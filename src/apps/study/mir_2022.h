@@ -46,6 +46,8 @@ std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& sta
 
 inline constexpr double kBallRadius_mm = 50;  ///< of the built-in scene
 
+using models::named_model;
+
 struct MirContext {
     const MirSettings& settings;
     const Gallery& gallery;

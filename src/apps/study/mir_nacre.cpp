@@ -10,9 +10,6 @@
 #include "apps/study/equal_time.h"
 #include "apps/study/mir_2022.h"
 #include "apps/study/query_cost.h"
-#include "nacre/bsdf/models/microflake.h"
-#include "nacre/bsdf/models/nacre.h"
-#include "nacre/bsdf/models/special_effect.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/montecarlo/discs/disc.h"
@@ -105,12 +102,12 @@ PictureJob job_of(const MirContext& context, const Contender& contender, int rou
 void add_cost_by_number(MirContext& context) {
     report::Report& report = context.report;
     const int rounds = context.settings.quick ? 2 : 8;
-    std::vector<Contender> all = {{"microflake", "microflake", bsdf::MicroflakeModel{}, 0}};
+    std::vector<Contender> all = {{"microflake", "microflake", named_model("microflake"), 0}};
     for (int power :
          context.settings.quick ? std::vector{7, 12} : std::vector{7, 8, 9, 10, 11, 12}) {
         const double count = std::pow(10.0, power);
         all.push_back({fmt::format("1e{}", power),
-                       fmt::format("nacre, {} flakes", power_of_ten(count)), bsdf::NacreModel{},
+                       fmt::format("nacre, {} flakes", power_of_ten(count)), named_model("nacre"),
                        count});
     }
     for (int round = 0; round < rounds; ++round) {
@@ -196,9 +193,13 @@ Surfaces make_surfaces(std::uint64_t seed) {
     const auto solved = std::make_shared<const solver::SolvedPaint>(
         solver::solve(flakes, spectra::default_wavelengths_nm(), {}));
     constexpr double kUmPerMm = 1e3;
-    return {std::make_shared<const bsdf::SpecialEffect>(facets, seed),
-            std::make_shared<const bsdf::Nacre>(solved, bsdf::NacreModel{.specimen = seed}),
-            std::make_shared<const bsdf::Microflake>(solved),
+    const auto surface = [&](const char* name, const paint::Recipe& recipe) {
+        bsdf::Model model = named_model(name);
+        model.set_specimen(seed);
+        return model.make({recipe, solved});
+    };
+    return {surface("special-effect", facets), surface("nacre", flakes),
+            surface("microflake", flakes),
             montecarlo::expected_discs(flakes, {kUmPerMm, kUmPerMm})};
 }
 
@@ -333,12 +334,10 @@ constexpr Case kCases[] = {{"ball-1e8-32", "sphere", "ball, soft boxes", kBallMm
 constexpr double kLikeTheCone_um = 6.6;
 
 /// The two models that are compared, by index.
-bsdf::Model model_number(int m) {
-    return m == 0 ? bsdf::Model(bsdf::SpecialEffectModel{}) : bsdf::NacreModel{};
-}
+bsdf::Model model_number(int m) { return named_model(m == 0 ? "special-effect" : "nacre"); }
 
 PictureJob job_of(const MirContext& context, const Case& c, const bsdf::Model& model) {
-    const bool flakes = model.get<bsdf::NacreModel>();
+    const bool flakes = model.info().ingredients == bsdf::Ingredients::layers;
     PictureJob job = context.job(
         {}, {}, flakes ? "studies/mir-2022/flakes-570.toml" : "studies/mir-2022/facets-570.toml",
         model);

@@ -1,14 +1,12 @@
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "apps/study/mir_2022.h"
 #include "nacre/core/file.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::study {
 namespace {
@@ -26,25 +24,21 @@ void for_each_number(const json& value, const Visit& visit) {
 
 class MirNacre : public ::testing::Test {
  protected:
-    // Once for all tests of a process: some seconds. In a folder of its own, as others may run at
-    // the same time.
+    // Once for all tests of a process: some seconds.
     void SetUp() override {
         if (!html_.empty()) return;
-        folder_ = std::filesystem::path(::testing::TempDir()) /
-                  fmt::format("nacre-mir-nacre-test-{}", ::getpid());
+        const test::TempFolder folder;
         const auto page = run_mir_2022(
-            {.folder = folder_,
+            {.folder = folder.path(),
              .size = 16,
              .samples = 8,
              .quick = true,
              .parts = {MirPart::table_3, MirPart::nacre}},
             [](const std::string&, const std::function<void(const Progress&)>& work) { work({}); });
         html_ = read_file(page);
-        results_ = json::parse(read_file(folder_ / "results.json"));
+        results_ = json::parse(read_file(folder / "results.json"));
     }
-    static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
 
-    static inline std::filesystem::path folder_;
     static inline std::string html_;
     static inline json results_;
 };

@@ -7,7 +7,6 @@
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/core/file.h"
 #include "nacre/io/image_difference.h"
-#include "nacre/montecarlo/shell_walk.h"
 
 // Table 1 and Figure 2: what tabulating and compressing the solved BRDF costs.
 
@@ -36,7 +35,7 @@ struct Reference {
 Reference make_reference(const MirContext& context, const PaperPaint& paint) {
     PictureJob job = context.job(fmt::format("table-1-{}-reference-a", paint.key),
                                  fmt::format("{}: reference, first half", paint.name), paint.file,
-                                 montecarlo::VolumeModel{.radius_mm = kBallRadius_mm});
+                                 named_model("volume"));
     job.render.samples_per_pixel /= 2;
     const Picture a = context.gallery.make(job);
     job.key.back() = 'b';
@@ -91,7 +90,10 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
     results["reference"] = {{"render_s", reference.mean.render_s},
                             {"noise_psnr_db", psnr_db(reference.noise_mse)}};
 
+    // What is compared are the settings of one model, hence by their own type.
     using Table = bsdf::MicroflakeModel::Table;
+    const bsdf::BrdfTableSettings size =
+        context.settings.quick ? bsdf::BrdfTableSettings{32, 32} : bsdf::BrdfTableSettings{};
     struct Kind {
         Table table;
         const char* id;
@@ -115,6 +117,7 @@ void add_paint(MirContext& context, const PaperPaint& paint, report::Table& tabl
             fmt::format("{}: {}", paint.name, kind.name), paint.file,
             bsdf::MicroflakeModel{
                 .table = kind.table,
+                .table_size = size,
                 .compression = {.rank = paint.rank, .clip_to_gamut = kind.clip_to_gamut}});
         const Picture picture = context.gallery.make(job);
         const io::ImageDifference difference =

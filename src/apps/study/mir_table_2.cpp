@@ -5,10 +5,6 @@
 #include <numbers>
 
 #include "apps/study/mir_2022.h"
-#include "nacre/bsdf/models/microflake.h"
-#include "nacre/bsdf/models/nacre.h"
-#include "nacre/bsdf/models/special_effect.h"
-#include "nacre/bsdf/models/thin_film.h"
 #include "nacre/io/recipe_file.h"
 
 // Table 2 and Figure 3: the cost of facets and flakes by their number.
@@ -68,7 +64,7 @@ void add_parameters(MirContext& context) {
                                     "thickness spread"}};
     for (const ParameterSet& set : kSets) {
         const paint::Microfacet m =
-            *io::read_recipe(context.job("", "", set.facets, bsdf::SpecialEffectModel{}).paint)
+            *io::read_recipe(context.job("", "", set.facets, named_model("special-effect")).paint)
                  .microfacet;
         table.rows.push_back(
             {{set.name},
@@ -94,7 +90,7 @@ void add_cost_curve(MirContext& context) {
                 fmt::format("cost-{}-1e{}", is_flakes ? "flakes" : "facets", power),
                 fmt::format("cost of {} {}", power_of_ten(count), is_flakes ? "flakes" : "facets"),
                 is_flakes ? kSets[0].flakes : kSets[0].facets,
-                is_flakes ? bsdf::Model(bsdf::NacreModel{}) : bsdf::SpecialEffectModel{});
+                named_model(is_flakes ? "nacre" : "special-effect"));
             if (is_flakes) {
                 job.scene_scale = std::sqrt(count / flakes_on_ball(recipe_of(job), kBallRadius_mm));
             } else {
@@ -131,7 +127,7 @@ PictureJob flakes_job(const MirContext& context, const ParameterSet& set, double
     PictureJob job = context.job(
         fmt::format("table-2-{}-nacre-{}", set.key, fmt::format("1e{:.0f}", std::log10(count))),
         fmt::format("{}: {} flakes", set.name, power_of_ten(count)), set.flakes,
-        bsdf::NacreModel{});
+        named_model("nacre"));
     job.flake_scale = std::sqrt(flakes_on_ball(recipe_of(job), kBallRadius_mm) / count);
     return job;
 }
@@ -139,7 +135,7 @@ PictureJob flakes_job(const MirContext& context, const ParameterSet& set, double
 PictureJob facets_job(const MirContext& context, const ParameterSet& set, double count) {
     PictureJob job = context.job(fmt::format("table-2-{}-1e{:.0f}", set.key, std::log10(count)),
                                  fmt::format("{}: {} facets", set.name, power_of_ten(count)),
-                                 set.facets, bsdf::SpecialEffectModel{});
+                                 set.facets, named_model("special-effect"));
     job.facet_count = count;
     return job;
 }
@@ -186,7 +182,7 @@ void add_table_2(MirContext& context) {
             const Picture smooth = context.gallery.make(context.job(
                 fmt::format("table-2-{}-{}smooth", set.key, is_flakes ? "nacre-" : ""),
                 fmt::format("{}: without {}", set.name, is_flakes ? "flakes" : "facets"), file,
-                is_flakes ? bsdf::Model(bsdf::MicroflakeModel{}) : bsdf::ThinFilmModel{}));
+                named_model(is_flakes ? "microflake" : "thin-film")));
             for (double count : counts) {
                 const PictureJob job = (is_flakes ? flakes_job : facets_job)(context, set, count);
                 const std::string model{job.model.info().name};

@@ -4,16 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/study/mir_2022.h"
-#include "nacre/bsdf/models/microflake.h"
-#include "nacre/bsdf/models/nacre.h"
-#include "nacre/bsdf/models/special_effect.h"
-#include "nacre/bsdf/models/thin_film.h"
 #include "nacre/core/file.h"
 #include "nacre/io/image_difference.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/models/spectral_brdf.h"
-#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 
@@ -31,8 +26,8 @@ constexpr Pearl kPearls[] = {{"tio2-80", "80 nm of TiO₂", "paints/tio2-mica-80
                              {"tio2-110", "110 nm of TiO₂", "paints/tio2-mica-110.toml"}};
 
 std::vector<bsdf::Model> all_four() {
-    return {bsdf::MicroflakeModel{}, bsdf::ThinFilmModel{}, bsdf::SpecialEffectModel{},
-            bsdf::NacreModel{}};
+    return {named_model("microflake"), named_model("thin-film"), named_model("special-effect"),
+            named_model("nacre")};
 }
 
 void add_pictures(MirContext& context) {
@@ -53,7 +48,7 @@ void add_pictures(MirContext& context) {
                                   report::number_cell(duration(picture.render_s)),
                                   report::number_cell(number(picture.msamples_per_s)),
                                   report::number_cell(number(picture.peak_mib) + " MiB"),
-                                  {model.get<bsdf::NacreModel>() ? "not in the paper" : "—"}});
+                                  {name == "nacre" ? "not in the paper" : "—"}});
             pictures.push_back({fmt::format("{}, `{}`", pearl.name, name), picture.png});
             context.results["table_4"][pearl.key][name] = {
                 {"prepare_s", picture.prepare_s},
@@ -114,16 +109,16 @@ void add_colours(MirContext& context) {
     };
     std::vector<Group> groups = {
         {"Metallic gray and cadmium red",
-         {{"metallic gray", "paints/metallic-gray.toml", bsdf::MicroflakeModel{}},
-          {"cadmium red", "paints/cadmium-red.toml", bsdf::MicroflakeModel{}}}},
+         {{"metallic gray", "paints/metallic-gray.toml", named_model("microflake")},
+          {"cadmium red", "paints/cadmium-red.toml", named_model("microflake")}}},
         {"Facets of Table 2",
-         {{"570 nm", "studies/mir-2022/facets-570.toml", bsdf::ThinFilmModel{}},
-          {"665 nm", "studies/mir-2022/facets-665.toml", bsdf::ThinFilmModel{}}}}};
+         {{"570 nm", "studies/mir-2022/facets-570.toml", named_model("thin-film")},
+          {"665 nm", "studies/mir-2022/facets-665.toml", named_model("thin-film")}}}};
     for (const Pearl& pearl : kPearls) {
         groups.push_back(
             {pearl.name,
-             {{fmt::format("{}, microflake", pearl.name), pearl.file, bsdf::MicroflakeModel{}},
-              {fmt::format("{}, thin-film", pearl.name), pearl.file, bsdf::ThinFilmModel{}}}});
+             {{fmt::format("{}, microflake", pearl.name), pearl.file, named_model("microflake")},
+              {fmt::format("{}, thin-film", pearl.name), pearl.file, named_model("thin-film")}}});
     }
     for (const Group& group : groups) {
         report::Plot travel{.title = std::string(group.title) + ": colour travel",
@@ -161,7 +156,7 @@ void add_convergence(MirContext& context) {
         .y = {.label = "error", .logarithmic = true}};
     const int max_samples = context.settings.quick ? 8 : 256;
     std::vector<bsdf::Model> models = all_four();
-    models.push_back(montecarlo::VolumeModel{.radius_mm = kBallRadius_mm});
+    models.push_back(named_model("volume"));
     for (const bsdf::Model& model : models) {
         const std::string name{model.info().name};
         PictureJob job = context.job({}, {}, kPearls[0].file, model);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/core/random.h"
@@ -169,6 +172,109 @@ class MicrofacetAlbedo {
 
     std::array<FloatLanes, kIntervals + 1> lanes_{};
     std::array<float, kIntervals + 1> means_{};
+};
+
+// A surface of microfacets that scatter once, under their coat.
+
+/// What the models of such surfaces do alike, at eight wavelengths. `Model` derives from it, names
+/// it a friend, and has
+///
+///     struct Pair;                                 two directions, and what the next two share
+///         Pair(const Model&, const Ray& i, const Ray& o);   with members i and o
+///     FloatLanes mean_value(const Pair&) const;    the BRDF without the specular lobe
+///     float facet_density(const Pair&) const;      of draw(), per solid angle outside
+///     std::optional<Ray> draw(const Ray& i, Vec2f u, Vec2f v) const;
+///                                                  a direction that facets send light to, by four
+///                                                  numbers; empty where none leaves
+template <class Model>
+class BoundMicrofacets : public BoundBsdf {
+ public:
+    FloatLanes eval(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+        return model().mean_value(pair(wi, wo));
+    }
+    float pdf(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return 0;
+        return density(pair(wi, wo));
+    }
+    BsdfValue evaluate(Vec3f wi, Vec3f wo) const override {
+        if (wi.z <= 0 || wo.z <= 0) return {};
+        const auto p = pair(wi, wo);
+        return {model().mean_value(p), density(p)};
+    }
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
+        return sample_by(wi, u_select, u, [&](const auto& p) { return model().mean_value(p); });
+    }
+    FloatLanes albedo(Vec3f wi) const override {
+        if (wi.z <= 0) return FloatLanes{};
+        const FloatLanes specular = splat(coat_.specular_reflectance(coat_.refract(wi)));
+        return min_lanes(specular + albedo_.at(wi.z), splat(1.0f));
+    }
+
+ protected:
+    using Ray = MicrofacetCoat::Ray;
+
+    BoundMicrofacets(const paint::Recipe& recipe, const MicrofacetDistribution& facets,
+                     const Wavelengths& wavelengths_nm)
+        : facets_(facets), coat_(recipe, wavelengths_nm) {}
+    /// For the end of the model's constructor.
+    void tabulate_albedo() {
+        albedo_.tabulate([&](Vec3f wi, std::array<float, 4> u) -> FloatLanes {
+            const Ray i = coat_.refract(wi);
+            const auto o = model().draw(i, {u[0], u[1]}, {u[2], u[3]});
+            if (!o) return FloatLanes{};
+            const typename Model::Pair p(model(), i, *o);
+            const float density = model().facet_density(p);
+            if (!(density > 0)) return FloatLanes{};
+            return model().mean_value(p) * (o->outside.z / density);
+        });
+    }
+
+    const MicrofacetDistribution& facets() const { return facets_; }
+    const MicrofacetCoat& coat() const { return coat_; }
+    auto pair(Vec3f wi, Vec3f wo) const {
+        return typename Model::Pair(model(), coat_.refract(wi), coat_.refract(wo));
+    }
+    /// Of sample(), the specular lobe aside.
+    template <class Pair>
+    float density(const Pair& p) const {
+        return (1 - albedo_.specular_probability(coat_, p.i)) * model().facet_density(p);
+    }
+    /// The ray of a direction inside; empty where it does not leave.
+    std::optional<Ray> leave(Vec3f inside) const {
+        if (inside.z <= 0) return std::nullopt;
+        const auto outside = coat_.leave(inside);
+        if (!outside || outside->z <= 0) return std::nullopt;
+        return coat_.refract(*outside);
+    }
+    /// sample() with another BRDF than the mean.
+    template <class Value>
+    std::optional<BsdfSample> sample_by(Vec3f wi, float u_select, Vec2f u, Value&& value) const {
+        if (wi.z <= 0) return std::nullopt;
+        const Ray i = coat_.refract(wi);
+        const float p_specular = albedo_.specular_probability(coat_, i);
+        if (u_select < p_specular) return coat_.specular_sample(i, p_specular);
+        // Two more numbers than the caller gives: a hash of the three.
+        const std::uint64_t bits =
+            hash_of(std::bit_cast<std::uint32_t>(u.x), std::bit_cast<std::uint32_t>(u.y),
+                    std::bit_cast<std::uint32_t>(u_select));
+        const auto o = model().draw(i, u,
+                                    {to_unit_float(static_cast<std::uint32_t>(bits >> 32)),
+                                     to_unit_float(static_cast<std::uint32_t>(bits))});
+        if (!o) return std::nullopt;
+        const typename Model::Pair p(model(), i, *o);
+        const float pdf = density(p);
+        if (!(pdf > 0)) return std::nullopt;
+        return BsdfSample{
+            .wo = o->outside, .weight = value(p) * (o->outside.z / pdf), .pdf = pdf, .exit_mm = {}};
+    }
+
+ private:
+    const Model& model() const { return static_cast<const Model&>(*this); }
+
+    MicrofacetDistribution facets_;
+    MicrofacetCoat coat_;
+    MicrofacetAlbedo albedo_;
 };
 
 }  // namespace nacre::bsdf

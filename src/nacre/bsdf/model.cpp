@@ -93,6 +93,10 @@ void Model::require_kind(const BrdfTable& table, const std::string& file) const 
     if (operations_->require_kind) operations_->require_kind(settings_, table, file);
 }
 
+std::string Model::text() const {
+    return fmt::format("{} {}", info().name, operations_->text(settings_));
+}
+
 std::string option_text(const Model& model, const ModelOption& option) {
     const int value = option.get(model);
     if (!option.names.empty()) return std::string(option.names[static_cast<std::size_t>(value)]);

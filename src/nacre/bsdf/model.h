@@ -25,6 +25,7 @@
 //
 //     static const ModelInfo info;
 //     std::shared_ptr<const Bsdf> make(const ModelInput&, const Progress&) const;
+//     std::string text() const;  every setting, as in "specimen=1 hot_spot=false"
 //
 // and, where they mean something,
 //
@@ -110,6 +111,8 @@ struct ModelInfo {
     Ingredients ingredients;
     Solution solution;
     Capabilities can;
+    /// By what its surfaces vary: Bsdf::surface_coordinates().
+    SurfaceCoordinates coordinates = SurfaceCoordinates::none;
     Model (*standard)();  ///< the model with its default settings
     std::span<const ModelOption> options = {};
     const Alternative* alternative = nullptr;  ///< null: chosen by its own name
@@ -175,6 +178,10 @@ class Model {
     /// @throws DomainError if another kind of table was chosen than this one
     void require_kind(const BrdfTable& table, const std::string& file) const;
 
+    /// The model's name and every setting, for records and fingerprints: alike for equal models
+    /// alone.
+    std::string text() const;
+
     friend bool operator==(const Model& a, const Model& b) {
         return a.operations_ == b.operations_ && a.operations_->equal(a.settings_, b.settings_);
     }
@@ -184,6 +191,7 @@ class Model {
         const ModelInfo* info;
         std::shared_ptr<const Bsdf> (*make)(const std::any&, const ModelInput&, const Progress&);
         bool (*equal)(const std::any&, const std::any&);
+        std::string (*text)(const std::any&);
         void (*set_specimen)(std::any&, std::uint64_t);
         void (*lie_on)(std::any&, const std::string&, std::span<const PaintedShape>);
         bool (*makes_table)(const std::any&);
@@ -209,6 +217,7 @@ class Model {
             return as<M>(s).make(input, progress);
         };
         all.equal = [](const std::any& a, const std::any& b) { return as<M>(a) == as<M>(b); };
+        all.text = [](const std::any& s) { return as<M>(s).text(); };
         if constexpr (requires(M m) { m.specimen; }) {
             all.set_specimen = [](std::any& s, std::uint64_t n) { as<M>(s).specimen = n; };
         }

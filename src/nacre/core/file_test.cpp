@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/files.h"
 
 namespace nacre {
 namespace {
@@ -22,19 +23,12 @@ using testing::ThrowsMessage;
 // A folder of its own for each test.
 class AtomicFileTest : public testing::Test {
  protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "nacre_atomic_XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     int files() const {
         return static_cast<int>(
             std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
     }
 
-    fs::path folder_;
+    nacre::test::TempFolder folder_;
 };
 
 TEST_F(AtomicFileTest, WritesNewFilesAndReplacesOldOnes) {
@@ -148,7 +142,7 @@ TEST_F(AtomicFileTest, ErrorsNameTheFileAndTheReason) {
     EXPECT_THAT([&] { write_file_atomically(missing, ""); },
                 ThrowsMessage<InputError>(AllOf(HasSubstr(missing.string()), HasSubstr("folder"))));
     EXPECT_THAT([&] { write_file_atomically(folder_, ""); },
-                ThrowsMessage<InputError>(HasSubstr(folder_.string())));
+                ThrowsMessage<InputError>(HasSubstr(folder_.path().string())));
     EXPECT_THROW(write_file_atomically("", ""), InputError);
     EXPECT_THAT([&] { write_file_atomically("/proc/nacre", ""); },
                 ThrowsMessage<Error>(HasSubstr("cannot write '/proc/nacre': ")));

@@ -14,12 +14,15 @@
 #include "nacre/core/parallel.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 #include "nacre/testing/fit.h"
 
 namespace nacre {
 namespace {
 
 namespace fs = std::filesystem;
+using test::message_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -55,32 +58,13 @@ const std::vector<Sample>& samples() {
     return all;
 }
 
-template <class Exception>
-std::string message_of(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const Exception& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << "nothing of the expected type was thrown";
-    return "";
-}
-
 class Files : public ::testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = fs::path(::testing::TempDir()) /
-                  (std::string("nacre_door_test_") +
-                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
     fs::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-        return folder_ / name;
+        return folder_.write(name, text);
     }
 
-    fs::path folder_;
+    test::TempFolder folder_;
 };
 
 TEST_F(Files, EveryKindIsToldByItsContents) {
@@ -111,7 +95,7 @@ TEST_F(Files, GarbageIsRefusedByName) {
         const fs::path path = write(name, bytes);
         EXPECT_THAT(message_of<InputError>([&] { open(path); }), HasSubstr(path.string())) << name;
     }
-    EXPECT_THAT(message_of<InputError>([&] { open(folder_); }), HasSubstr(folder_.string()));
+    EXPECT_THAT(message_of<InputError>([&] { open(folder_); }), HasSubstr(folder_.path().string()));
     const fs::path missing = folder_ / "missing.toml";
     EXPECT_THAT(message_of<InputError>([&] { open(missing); }), HasSubstr(missing.string()));
 }

@@ -11,11 +11,13 @@
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/spectra/lab.h"
+#include "nacre/testing/errors.h"
 #include "nacre/testing/fit.h"
 
 namespace nacre::fit {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::pearl;
@@ -169,12 +171,10 @@ TEST(Fit, DoesNotDependOnThreads) {
 
 TEST(Fit, RefusesNumbersThatColoursDoNotShow) {
     const std::string diameter = "layer[0].flakes[0].diameter_um";
-    try {
-        fit(read(pearl()), FreeNumbers(pearl(), {kFilm, diameter}, {}));
-        FAIL();
-    } catch (const DomainError& error) {
-        EXPECT_THAT(error.what(), HasSubstr(diameter + ": does not change the colours"));
-    }
+    EXPECT_THAT(message_of<DomainError>([&] {
+                    fit(read(pearl()), FreeNumbers(pearl(), {kFilm, diameter}, {}));
+                }),
+                HasSubstr(diameter + ": does not change the colours"));
 }
 
 TEST(Fit, RefusesWhatTheStandardCannotTell) {

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
 #include "nacre/testing/fit.h"
 
 namespace nacre::fit {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 const std::string kFilm = "layer[0].flakes[0].coats[0].";
@@ -55,13 +57,9 @@ TEST(FreeNumbers, ASizeOfZeroHasNoDefaultBounds) {
     paint::Recipe recipe = testing::solid();
     recipe.layers[0].pigments[0].scattering_per_mm = 0.0;
     const std::string key = "layer[0].pigment[0].scattering_per_mm";
-    try {
-        default_bounds(recipe, key);
-        FAIL();
-    } catch (const DomainError& error) {
-        EXPECT_THAT(error.what(), HasSubstr(key + " = 0: has no size"));
-        EXPECT_THAT(error.what(), HasSubstr("[fit]"));
-    }
+    const std::string message = message_of<DomainError>([&] { default_bounds(recipe, key); });
+    EXPECT_THAT(message, HasSubstr(key + " = 0: has no size"));
+    EXPECT_THAT(message, HasSubstr("[fit]"));
     EXPECT_NO_THROW(FreeNumbers(recipe, {key}, {{key, 0, 100}}));
 }
 

@@ -9,22 +9,21 @@
 #include "nacre/core/error.h"
 #include "nacre/io/hdf5_file.h"
 #include "nacre/solver/solver.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::io {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 const bsdf::RawBrdfTable& raw() {
     static const bsdf::RawBrdfTable table = [] {
-        paint::FlakeSpecies flake;
-        flake.amount = paint::AreaDensity{0.1};
-        flake.orientation.beckmann_alpha = 0.3;
-        flake.body =
-            paint::PrescribedFlake{spectra::Spectrum({400.0, 700.0}, {0.3, 0.8}), 0.0, 0.3};
-        paint::Recipe recipe;
+        paint::Recipe recipe =
+            nacre::test::metallic(0.3, spectra::Spectrum({400.0, 700.0}, {0.3, 0.8}));
         recipe.name = "copper";
-        recipe.layers.push_back({10, {flake}, {}});
         return bsdf::make_raw_table(solver::solve(recipe, {450, 550, 650}), {12, 10});
     }();
     return table;
@@ -36,12 +35,7 @@ const bsdf::CompressedBrdfTable& compressed() {
 }
 
 std::string error_of(const std::string& bytes) {
-    try {
-        parse_brdf_table(bytes, "table.h5");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return message_of<InputError>([&] { parse_brdf_table(bytes, "table.h5"); });
 }
 
 TEST(BrdfTableFile, GivesBackTheSameTable) {
@@ -65,8 +59,8 @@ TEST(BrdfTableFile, KeepsABlackTable) {
 }
 
 TEST(BrdfTableFile, GoesThroughTheDisk) {
-    const std::filesystem::path path =
-        std::filesystem::path(::testing::TempDir()) / "nacre_brdf_table_file_test.h5";
+    const nacre::test::TempFolder folder;
+    const std::filesystem::path path = folder / "table.h5";
     write_brdf_table(path, compressed());
     EXPECT_EQ(std::get<bsdf::CompressedBrdfTable>(read_brdf_table(path)), compressed());
     write_brdf_table(path, raw());

@@ -4,21 +4,18 @@
 #include <gtest/gtest.h>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::io {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 std::string refusal(const std::string& text) {
-    try {
-        parse_geometry_set(text, "set.toml");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing was refused";
+    return message_of<InputError>([&] { parse_geometry_set(text, "set.toml"); });
 }
 
 TEST(GeometryFile, ReadsViewsInThePlaneTurnedAndAnywhere) {

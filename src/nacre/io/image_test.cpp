@@ -9,23 +9,18 @@
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/spectra/colour.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::io {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 class ImageFiles : public ::testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = std::filesystem::path(::testing::TempDir()) /
-                  (std::string("nacre_image_test_") +
-                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    std::filesystem::path folder_;
+    nacre::test::TempFolder folder_;
 };
 
 /// 5 x 3 pixels, every value different, beyond [0, 1] too.
@@ -169,12 +164,10 @@ TEST_F(ImageFiles, CutAnywhereIsRefusedAndNamed) {
         // PNG: the last chunk ends the file and holds nothing; without it the pixels are whole.
         const std::size_t essential = bytes.size() - (bytes[1] == 'P' ? 16 : 0);
         for (std::size_t size = 0; size < essential; size += 1 + size / 40) {
-            try {
-                parse_image(bytes.substr(0, size), "cut.img");
-                ADD_FAILURE() << "accepted " << size << " of " << bytes.size() << " bytes";
-            } catch (const InputError& error) {
-                EXPECT_THAT(error.what(), HasSubstr("cut.img"));
-            }
+            EXPECT_THAT(
+                message_of<InputError>([&] { parse_image(bytes.substr(0, size), "cut.img"); }),
+                HasSubstr("cut.img"))
+                << size;
         }
     }
 }
@@ -219,13 +212,8 @@ TEST_F(ImageFiles, AnExrCannotHideAnAttributeInTheValueOfAnother) {
     const std::string hidden("b\0string\0\0\0\0\x40", 13);
     bytes.at(size_at) = static_cast<char>(4 + hidden.size());
     bytes.insert(size_at + 8, hidden);
-    try {
-        parse_image(bytes, "x");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("'float' has the wrong size"), std::string::npos)
-            << error.what();
-    }
+    EXPECT_THAT(message_of<InputError>([&] { parse_image(bytes, "x"); }),
+                ::testing::HasSubstr("'float' has the wrong size"));
 }
 
 TEST_F(ImageFiles, APngCannotAskForMoreMemoryThanItsSizeJustifies) {

@@ -20,11 +20,15 @@
 #include "nacre/measure/acquire.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/bsdf.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::io {
 namespace {
 
 using bsdf::direction;
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 /// A table of random numbers, the same everywhere, that no measurement would give: whatever is
@@ -124,13 +128,8 @@ std::string changed(std::vector<TensorField> fields, const std::string& name,
 }
 
 void expect_refused(const std::string& bytes, const std::string& message) {
-    try {
-        parse_rgl(bytes, "broken.bsdf");
-        ADD_FAILURE() << "accepted; expected: " << message;
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), ::testing::StartsWith("broken.bsdf: "));
-        EXPECT_THAT(error.what(), HasSubstr(message));
-    }
+    EXPECT_THAT(message_of<InputError>([&] { parse_rgl(bytes, "broken.bsdf"); }),
+                AllOf(::testing::StartsWith("broken.bsdf: "), HasSubstr(message)));
 }
 
 TEST(RglFile, EvaluatesAsInMitsuba) {
@@ -229,7 +228,8 @@ TEST(RglFile, WriteReadWriteGivesTheSameBytes) {
 }
 
 TEST(RglFile, IsWrittenWholeAndReadByItsName) {
-    const auto path = std::filesystem::path(::testing::TempDir()) / "nacre_rgl_file_test.bsdf";
+    const nacre::test::TempFolder folder;
+    const auto path = folder / "paint.bsdf";
     const bsdf::RglTable table = random_table(0, true);
     write_rgl(path, table);
     EXPECT_EQ(read_rgl(path), table);
@@ -395,12 +395,8 @@ TEST(MerlFile, IsLookedUpAsAnIndependentProgramDoes) {
 
 void expect_merl_refused(const std::string& bytes, const std::string& message) {
     EXPECT_FALSE(looks_like_merl(bytes) && message.find("must") == std::string::npos);
-    try {
-        parse_merl(bytes, "broken.binary");
-        ADD_FAILURE() << "accepted; expected: " << message;
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), ::testing::HasSubstr("broken.binary: " + message));
-    }
+    EXPECT_THAT(message_of<InputError>([&] { parse_merl(bytes, "broken.binary"); }),
+                ::testing::HasSubstr("broken.binary: " + message));
 }
 
 TEST(MerlFile, WriteReadWriteGivesTheSameBytes) {
@@ -453,12 +449,8 @@ struct Paint {
 };
 
 Paint gold(double alpha) {
-    paint::FlakeSpecies flake;
-    flake.amount = paint::AreaDensity{0.1};
-    flake.orientation.beckmann_alpha = alpha;
-    flake.body = paint::PrescribedFlake{spectra::Spectrum({450.0, 650.0}, {0.3, 0.8}), 0.0, 0.3};
-    paint::Recipe recipe;
-    recipe.layers.push_back({20, {flake}, {}});
+    const paint::Recipe recipe =
+        nacre::test::metallic(alpha, spectra::Spectrum({450.0, 650.0}, {0.3, 0.8}));
     Paint paint;
     const auto solved =
         std::make_shared<const solver::SolvedPaint>(solver::solve(recipe, paint.wavelengths_nm));

@@ -9,10 +9,12 @@
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/measure/measurement.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::io {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -35,12 +37,7 @@ measure::Measurement example() {
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        parse_measurement(text, "m.csv");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "nothing was refused";
+    return message_of<InputError>([&] { parse_measurement(text, "m.csv"); });
 }
 
 TEST(MeasurementFile, CsvComesBackBitForBit) {

@@ -13,11 +13,15 @@
 #include "nacre/io/table_reader.h"
 #include "nacre/paint/recipe_description.h"
 #include "nacre/testing/described.h"
-#include "nacre/testing/recipe.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::io {
 namespace {
 
+using nacre::test::message_of;
+using nacre::test::replaced;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -83,18 +87,7 @@ thickness_spread_nm = 10.0
 paint::Recipe parse(const std::string& text) { return parse_recipe(text, "paint.toml", ""); }
 
 std::string error_of(const std::string& text) {
-    try {
-        parse(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << "the test looks for text that is not there: " << from;
-    return text.replace(at, from.size(), to);
+    return message_of<InputError>([&] { parse(text); });
 }
 
 TEST(RecipeFile, ReadsEveryKeyWithItsUnit) {
@@ -198,17 +191,17 @@ TEST(RecipeFile, BoundsOfAFitStandBesideTheRecipe) {
 // Each key that a description names is written, and what is written is read: the value that was
 // changed comes back.
 TEST(RecipeFile, EveryDescribedKeyIsWrittenAndRead) {
-    paint::Recipe recipe = nacre::testing::full_recipe();
+    paint::Recipe recipe = nacre::test::full_recipe();
     recipe.layers[0].flakes[0].orientation.beckmann_alpha = 0.125;
-    nacre::testing::EveryKey all;
+    nacre::test::EveryKey all;
     paint::describe(all, recipe);
     std::set<std::string> seen;
     int changes = 0;
-    for (const nacre::testing::KeyOfObject& key : all.keys) {
-        seen.insert(nacre::testing::last_key(key.path));
+    for (const nacre::test::KeyOfObject& key : all.keys) {
+        seen.insert(nacre::test::last_key(key.path));
         if (key.is_settled) continue;
         paint::Recipe changed = recipe;
-        nacre::testing::EveryKey change(key.path);
+        nacre::test::EveryKey change(key.path);
         paint::describe(change, changed);
         EXPECT_EQ(change.changes, 1) << key.path;
         EXPECT_NE(changed, recipe) << key.path;
@@ -236,15 +229,15 @@ TEST(RecipeFile, EveryDescribedKeyIsWrittenAndRead) {
 }
 
 TEST(RecipeFile, EveryNumberOutsideItsRangeIsRefused) {
-    const paint::Recipe recipe = nacre::testing::full_recipe();
-    nacre::testing::EveryKey all;
+    const paint::Recipe recipe = nacre::test::full_recipe();
+    nacre::test::EveryKey all;
     paint::Described::to_inspect(recipe).accept(all);
     int refused = 0;
-    for (const nacre::testing::KeyOfObject& key : all.keys) {
+    for (const nacre::test::KeyOfObject& key : all.keys) {
         if (!key.is_number) continue;
-        for (const double value : nacre::testing::values_outside(key.field.range)) {
+        for (const double value : nacre::test::values_outside(key.field.range)) {
             paint::Recipe wrong = recipe;
-            nacre::testing::EveryKey change(key.path, value);
+            nacre::test::EveryKey change(key.path, value);
             paint::describe(change, wrong);
             EXPECT_THAT(error_of(write_recipe(wrong)),
                         AllOf(HasSubstr("paint.toml:"),
@@ -481,22 +474,15 @@ TEST(RecipeFile, RefusesAbsurdSizes) {
 }
 
 TEST(RecipeFile, NamesAFileThatIsNotThere) {
-    try {
-        read_recipe("no/such/paint.toml");
-        FAIL() << "read a file that does not exist";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("'no/such/paint.toml'"));
-    }
+    EXPECT_THAT(message_of<InputError>([&] { read_recipe("no/such/paint.toml"); }),
+                HasSubstr("'no/such/paint.toml'"));
 }
 
 TEST(RecipeFile, LooksForMaterialsBesideTheRecipe) {
-    const std::filesystem::path folder =
-        std::filesystem::path(::testing::TempDir()) / "nacre_recipe_file_test";
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / "glass.csv") << "wavelength_nm,n,k\n400,1.6,0\n700,1.5,0\n";
-    std::ofstream(folder / "paint.toml") << replaced(kViolet, "\"mica\"", "\"glass.csv\"");
-    const paint::Recipe recipe = read_recipe(folder / "paint.toml");
-    std::filesystem::remove_all(folder);
+    const nacre::test::TempFolder folder;
+    folder.write("glass.csv", "wavelength_nm,n,k\n400,1.6,0\n700,1.5,0\n");
+    const paint::Recipe recipe =
+        read_recipe(folder.write("paint.toml", replaced(kViolet, "\"mica\"", "\"glass.csv\"")));
     const auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
     EXPECT_DOUBLE_EQ(platelet.core.material.index(550).real(), 1.55);
 }

@@ -15,10 +15,13 @@
 #include "nacre/io/recipe_file.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::io {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 /// Silver flakes over white at three wavelengths: quick to solve, with every kind of data.
@@ -51,12 +54,7 @@ const solver::SolvedPaint& satin() {
 }
 
 std::string error_of(const std::string& bytes) {
-    try {
-        parse_solved_paint(bytes, "paint.h5");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return message_of<InputError>([&] { parse_solved_paint(bytes, "paint.h5"); });
 }
 
 /// The bytes with a new head that fits them, as of a file that was edited on purpose.
@@ -89,8 +87,8 @@ TEST(SolvedPaintFile, GivesBackTheSingleScatteringUnderARoughInterface) {
 }
 
 TEST(SolvedPaintFile, GoesThroughTheDisk) {
-    const std::filesystem::path path =
-        std::filesystem::path(::testing::TempDir()) / "nacre_solved_paint_file_test.h5";
+    const nacre::test::TempFolder folder;
+    const std::filesystem::path path = folder / "paint.h5";
     write_solved_paint(path, silver());
     EXPECT_EQ(read_solved_paint(path), silver());
     std::filesystem::remove(path);
@@ -100,16 +98,8 @@ TEST(SolvedPaintFile, GoesThroughTheDisk) {
 /// Glass flakes, their material taken from a user's file in a folder of its own.
 class SolvedPaintOfAUsersMaterial : public ::testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = std::filesystem::path(::testing::TempDir()) /
-                  (std::string("nacre_solved_") +
-                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     void write_material(const std::string& rows) const {
-        std::ofstream(folder_ / "glass.csv") << "wavelength_nm,n,k\n" << rows;
+        folder_.write("glass.csv", "wavelength_nm,n,k\n" + rows);
     }
     solver::SolvedPaint solved() const {
         return solver::solve(parse_recipe(R"(
@@ -125,7 +115,7 @@ core = { material = "glass.csv", thickness_nm = 400 }
                              {450, 650});
     }
 
-    std::filesystem::path folder_;
+    nacre::test::TempFolder folder_;
 };
 
 TEST_F(SolvedPaintOfAUsersMaterial, NeedsItsFileNoMore) {
@@ -134,7 +124,7 @@ TEST_F(SolvedPaintOfAUsersMaterial, NeedsItsFileNoMore) {
     const std::string bytes = solved_paint_bytes(paint);
     write_material("400,1.1,0\n700,1.1,0\n");  // another file of that name
     EXPECT_EQ(parse_solved_paint(bytes, "paint.h5"), paint);
-    std::filesystem::remove_all(folder_);
+    std::filesystem::remove_all(folder_.path());
     EXPECT_EQ(parse_solved_paint(bytes, "elsewhere/paint.h5"), paint);
 }
 
@@ -142,13 +132,9 @@ TEST_F(SolvedPaintOfAUsersMaterial, IsNotWrittenIfItCouldNotBeReadBack) {
     std::string rows;
     for (int i = 0; i <= 10'000; ++i) rows += std::to_string(400 + 0.03 * i) + ",1.9,0\n";
     write_material(rows);
-    try {
-        solved_paint_bytes(solved());
-        FAIL() << "written";
-    } catch (const Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("a solved file cannot keep this paint: recipe:"));
-        EXPECT_THAT(error.what(), HasSubstr("1 to 10000 numbers"));
-    }
+    const std::string message = message_of<Error>([&] { solved_paint_bytes(solved()); });
+    EXPECT_THAT(message, HasSubstr("a solved file cannot keep this paint: recipe:"));
+    EXPECT_THAT(message, HasSubstr("1 to 10000 numbers"));
 }
 
 TEST(SolvedPaintFile, IsRefusedWhereverItIsCut) {

@@ -14,10 +14,13 @@
 #include "nacre/core/parallel.h"
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/solver/solver.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::measure {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 struct Panel {
@@ -33,14 +36,9 @@ struct Panel {
 // Gray mirrors, so that colour does not matter.
 paint::Recipe mirrors(double diameter_um, double depth, double alpha = 0.12) {
     constexpr double kThickness_um = 20;
-    paint::FlakeSpecies flake;
-    flake.amount = paint::AreaDensity{depth / kThickness_um};
+    paint::FlakeSpecies flake = test::flakes(depth / kThickness_um, alpha, 0.8);
     flake.diameter_um = diameter_um;
-    flake.orientation.beckmann_alpha = alpha;
-    flake.body = paint::PrescribedFlake{0.8, 0.0, 0.3};
-    paint::Recipe recipe;
-    recipe.layers.push_back({kThickness_um, {flake}, {}});
-    return recipe;
+    return test::paint_of(1.5, {{kThickness_um, {flake}, {}}});
 }
 
 SparkleCamera small_camera() { return {.pixel_um = 25, .field_mm = 3}; }
@@ -196,12 +194,7 @@ TEST(SparkleCamera, StopsWhenAsked) {
 
 TEST(SparkleCamera, NumbersOutOfRangeAreRefusedByName) {
     const auto complaint = [](const SparkleCamera& camera) {
-        try {
-            check(camera);
-        } catch (const DomainError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
+        return message_of<DomainError>([&] { check(camera); });
     };
     EXPECT_THAT(complaint({.pixel_um = 0.1}), HasSubstr("pixel in um = 0.1"));
     EXPECT_THAT(complaint({.field_mm = 500}), HasSubstr("field of the camera in pixels = 20000"));
@@ -209,7 +202,7 @@ TEST(SparkleCamera, NumbersOutOfRangeAreRefusedByName) {
     EXPECT_THAT(complaint({.lamps_deg = {15, 90}}), HasSubstr("angle of a lamp in deg = 90"));
     EXPECT_THAT(complaint({.lamp_half_angle_deg = 5}), HasSubstr("half-angle"));
     EXPECT_THAT(complaint({.diffuse_samples = 3}), HasSubstr("must be even"));
-    EXPECT_EQ(complaint({}), "");
+    EXPECT_EQ(complaint({}), "accepted");
 }
 
 }  // namespace

@@ -8,10 +8,13 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
 #include "nacre/testing/panel_picture.h"
 
 namespace nacre::measure {
 namespace {
+
+using nacre::test::message_of;
 
 // colour-science 0.4.7, contrast_sensitivity_function_Barten1999(u, sigma, X_0, E) with sigma and E
 // from pupil_diameter_Barten1999(L, X_0), sigma_Barten1999(0.5/60, 0.08/60, d) and
@@ -185,12 +188,7 @@ TEST(Sparkle, StandardErrorIsTheScatterOfRepeatedPanels) {
 
 TEST(Sparkle, WhatCannotBeReadIsRefused) {
     const auto complaint = [](const PanelPicture& picture, const Viewing& viewing) {
-        try {
-            sparkle(picture, viewing);
-        } catch (const DomainError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
+        return message_of<DomainError>([&] { sparkle(picture, viewing); });
     };
     EXPECT_THAT(complaint(uniform_picture(400, 0.2, 1), kViewing), HasSubstr("smaller pixels"));
     EXPECT_THAT(complaint(uniform_picture(32, kPixel_mm, 1), kViewing), HasSubstr("larger field"));

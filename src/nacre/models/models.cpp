@@ -1,11 +1,16 @@
 #include "nacre/models/models.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <vector>
 
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/nacre.h"
 #include "nacre/bsdf/models/special_effect.h"
 #include "nacre/bsdf/models/thin_film.h"
+#include "nacre/core/error.h"
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/montecarlo/shell_walk.h"
 
@@ -25,6 +30,29 @@ const bsdf::ModelInfo* find_model(std::string_view name) {
     const auto found =
         std::find_if(models.begin(), models.end(), [&](const auto* m) { return m->name == name; });
     return found == models.end() ? nullptr : *found;
+}
+
+bsdf::Model named_model(
+    std::string_view name,
+    std::initializer_list<std::pair<std::string_view, std::string_view>> options) {
+    const bsdf::ModelInfo* info = find_model(name);
+    if (!info) {
+        std::vector<std::string_view> names;
+        for (const bsdf::ModelInfo* model : all_models()) names.push_back(model->name);
+        throw DomainError(
+            fmt::format("model = {}: is no model; there are: {}", name, fmt::join(names, ", ")));
+    }
+    bsdf::Model model = info->standard();
+    for (const auto& [flag, value] : options) {
+        const auto option = std::find_if(info->options.begin(), info->options.end(),
+                                         [&](const auto& o) { return o.flag == flag; });
+        if (option == info->options.end()) {
+            throw DomainError(
+                fmt::format("{} = {}: the model {} has no such option", flag, value, name));
+        }
+        set_option(model, *option, value);
+    }
+    return model;
 }
 
 }  // namespace nacre::models

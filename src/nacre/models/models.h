@@ -1,7 +1,9 @@
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "nacre/bsdf/model.h"
 
@@ -16,5 +18,11 @@ std::span<const bsdf::ModelInfo* const> all_models();
 bsdf::Model default_model();
 /// Null if there is none of that name.
 const bsdf::ModelInfo* find_model(std::string_view name);
+
+/// A model by its name, with such options: named_model("volume", {{"--tracking", "simpson"}}).
+/// @throws DomainError if there is no such model or option; as bsdf::set_option()
+bsdf::Model named_model(
+    std::string_view name,
+    std::initializer_list<std::pair<std::string_view, std::string_view>> options = {});
 
 }  // namespace nacre::models

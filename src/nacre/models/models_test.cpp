@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
@@ -20,6 +21,8 @@
 #include "nacre/montecarlo/shell_walk.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
+#include "nacre/testing/directions.h"
+#include "nacre/testing/errors.h"
 
 // The capabilities that the list of models states (Table 3 of Mir et al. 2022) are measured here.
 
@@ -28,19 +31,15 @@ namespace {
 
 using bsdf::Ingredients;
 using bsdf::ModelInfo;
+using test::direction;
+using test::kOnGrid;
+using test::message_of;
 
 std::shared_ptr<const bsdf::Bsdf> pearl(const ModelInfo* model) {
     static const paint::Recipe recipe = io::read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     static const auto solved = std::make_shared<const solver::SolvedPaint>(
         solver::solve(recipe, spectra::default_wavelengths_nm(), {}));
     return model->standard().make({recipe, solved, {}});
-}
-
-bsdf::Wavelengths visible() { return {420, 460, 500, 540, 580, 620, 660, 690}; }
-
-Vec3f direction(double theta_deg) {
-    return {static_cast<float>(std::sin(theta_deg * kDegree)), 0,
-            static_cast<float>(std::cos(theta_deg * kDegree))};
 }
 
 /// Albedo by wavelength without the specular lobe, and the fraction of it that leaves more than
@@ -77,9 +76,32 @@ TEST(Models, NamesAreFoundAndUnknownOnesAreNot) {
     EXPECT_EQ(find_model("no-such-model"), nullptr);
 }
 
+/// What named_model() says to such a request.
+std::string refusal(std::string_view name,
+                    std::initializer_list<std::pair<std::string_view, std::string_view>> options) {
+    return message_of<DomainError>([&] { named_model(name, options); });
+}
+
+TEST(Models, AreMadeByTheirNamesAndOptions) {
+    ASSERT_FALSE(all_models().empty());
+    for (const ModelInfo* model : all_models()) {
+        EXPECT_EQ(named_model(model->name), model->standard());
+    }
+    EXPECT_EQ(
+        named_model("volume", {{"--tracking", "simpson"}, {"--simpson-panels", "3"}}),
+        (montecarlo::VolumeModel{.tracking = montecarlo::Tracking::simpson, .simpson_panels = 3}));
+    EXPECT_EQ(refusal("pearl", {}),
+              "model = pearl: is no model; there are: microflake, thin-film, special-effect, "
+              "nacre, walk, volume");
+    EXPECT_EQ(refusal("nacre", {{"--tracking", "simpson"}}),
+              "--tracking = simpson: the model nacre has no such option");
+    EXPECT_EQ(refusal("volume", {{"--tracking", "x"}}),
+              "--tracking = x: must be one of delta, simpson");
+}
+
 TEST(Models, GoniochromismIsAsListed) {
     for (const ModelInfo* model : all_models()) {
-        const auto surface = pearl(model)->bind(visible());
+        const auto surface = pearl(model)->bind(kOnGrid);
         const FloatLanes steep = reflected(*surface, 5).mean, flat = reflected(*surface, 75).mean;
         // Change of the spectrum's shape: mean difference of the two, both scaled to mean 1.
         double change = 0;
@@ -93,7 +115,7 @@ TEST(Models, GoniochromismIsAsListed) {
 TEST(Models, SparkleIsAsListed) {
     for (const ModelInfo* model : all_models()) {
         const auto surface = pearl(model);
-        const auto bound = surface->bind(visible());
+        const auto bound = surface->bind(kOnGrid);
         const Vec3f wi = direction(20), wo = direction(-20);
         bool differs = false;
         for (double u : {0.1, 0.2, 0.3, 0.4}) {
@@ -112,6 +134,7 @@ TEST(Models, SparkleIsAsListed) {
         }
         EXPECT_EQ(differs, model->can.sparkle) << model->name;
         EXPECT_EQ(surface->varies_over_surface(), model->can.sparkle) << model->name;
+        EXPECT_EQ(surface->surface_coordinates(), model->coordinates) << model->name;
     }
 }
 
@@ -119,7 +142,7 @@ TEST(Models, MultipleScatteringIsAsListed) {
     // One reflection off flakes of alpha 0.1 sends light at most some 20 deg off the mirror
     // direction, 30 deg outside the coat; light that leaves farther has met several.
     for (const ModelInfo* model : all_models()) {
-        const auto surface = pearl(model)->bind(visible());
+        const auto surface = pearl(model)->bind(kOnGrid);
         const double far = reflected(*surface, 30).far_fraction;
         EXPECT_EQ(far > 1e-3, model->can.multiple_scattering) << model->name << ": " << far;
     }
@@ -167,6 +190,7 @@ TEST(Models, EachEntrySaysWhatItIs) {
         EXPECT_FALSE(model->source.empty());
         EXPECT_EQ(&model->standard().info(), model);
         EXPECT_EQ(model->standard(), model->standard());
+        EXPECT_EQ(model->coordinates != bsdf::SurfaceCoordinates::none, model->can.sparkle);
         // A model with estimated values is a reference; one with parts needs a solved paint.
         EXPECT_TRUE(model->can.reference_only || !model->can.estimated_values);
         EXPECT_TRUE(model->solution != bsdf::Solution::none || !model->can.parts);
@@ -178,12 +202,7 @@ TEST(Models, EachEntrySaysWhatItIs) {
 std::string refusal(const bsdf::Model& model, const bsdf::ModelOption& option,
                     const std::string& text) {
     bsdf::Model changed = model;
-    try {
-        set_option(changed, option, text);
-    } catch (const DomainError& error) {
-        return error.what();
-    }
-    return "accepted " + option_text(changed, option);
+    return message_of<DomainError>([&] { set_option(changed, option, text); });
 }
 
 TEST(Models, OptionsTakeWhatIsAllowedAndNameItWhenTheyRefuse) {
@@ -229,6 +248,40 @@ TEST(Models, OptionsTakeWhatIsAllowedAndNameItWhenTheyRefuse) {
     EXPECT_EQ(found, 5);
 }
 
+TEST(Models, TextsTellAnyTwoModelsApart) {
+    std::vector<bsdf::Model> different;
+    for (const ModelInfo* model : all_entries()) {
+        different.push_back(model->standard());
+        for (const bsdf::ModelOption& option : model->options) {
+            const int last = option.range           ? option.range->second
+                             : option.names.empty() ? 1
+                                                    : static_cast<int>(option.names.size()) - 1;
+            different.push_back(model->standard());
+            option.set(different.back(), last);
+        }
+        if (!model->can.sparkle) continue;
+        different.push_back(model->standard());
+        different.back().set_specimen((std::uint64_t{1} << 60) + 1);
+    }
+    // What is no option.
+    different.push_back(bsdf::MicroflakeModel{.table_size = {.angles = 32}});
+    different.push_back(bsdf::MicroflakeModel{.table_size = {.azimuths = 32}});
+    different.push_back(bsdf::MicroflakeModel{.compression = {.rank = 4}});
+    different.push_back(bsdf::MicroflakeModel{.compression = {.tolerance = 1e-4}});
+    different.push_back(bsdf::MicroflakeModel{.compression = {.clip_to_gamut = true}});
+    different.push_back(montecarlo::VolumeModel{.radius_mm = 50});
+    different.push_back(montecarlo::ExplicitFlakesModel{.tile_width_mm = 3});
+    different.push_back(montecarlo::ExplicitFlakesModel{.tile_height_mm = 3});
+    different.push_back(montecarlo::ExplicitFlakesModel{.diffraction = false});
+    for (const bsdf::Model& a : different) {
+        EXPECT_EQ(bsdf::Model(a).text(), a.text());
+        for (const bsdf::Model& b : different) {
+            EXPECT_EQ(a.text() == b.text(), a == b) << a.text();
+            EXPECT_EQ(a == b, &a == &b) << a.text();
+        }
+    }
+}
+
 TEST(Models, SpecimensDifferWhereSingleFlakesAreShown) {
     for (const ModelInfo* model : all_entries()) {
         bsdf::Model other = model->standard();
@@ -261,13 +314,10 @@ TEST(Models, ModelsThatFollowAShapeRefuseOthers) {
         panel{.kind = PaintedShape::Kind::panel, .width_mm = 150, .height_mm = 100},
         small_panel{.kind = PaintedShape::Kind::panel, .width_mm = 15, .height_mm = 10}, mesh{};
     const auto accepts = [](bsdf::Model model, const std::vector<PaintedShape>& shapes) {
-        try {
-            model.lie_on("red", shapes);
-        } catch (const DomainError& error) {
-            EXPECT_THAT(error.what(), ::testing::HasSubstr("the material red is on"));
-            return false;
-        }
-        return true;
+        const std::string message = message_of<DomainError>([&] { model.lie_on("red", shapes); });
+        if (message == "accepted") return true;
+        EXPECT_THAT(message, ::testing::HasSubstr("the material red is on"));
+        return false;
     };
     const montecarlo::VolumeModel volume;
     EXPECT_TRUE(accepts(volume, {ball, ball}));

@@ -186,7 +186,7 @@ Slab mixed_slab() {
     paint::Layer layer = test::flake_layer(1, 0.05, 0.6, 0.2);
     layer.pigments.push_back({2.0, 1.0, 0.3});
     const std::array wavelengths{550.};
-    return Medium(test::paint(1.5, {layer}), wavelengths).slabs[0];
+    return Medium(test::paint_of(1.5, {layer}), wavelengths).slabs[0];
 }
 
 /// Down to the tangent point and up again, in 10 um on a radius of 200 um.

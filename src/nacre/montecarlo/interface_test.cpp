@@ -125,7 +125,7 @@ paint::Recipe rough(paint::Recipe recipe, double roughness) {
 
 /// Nothing but the interface: what comes in is lost.
 paint::Recipe bare(double index, double roughness) {
-    return rough(test::paint(index, {test::flake_layer(1e-6, .1, 0, 1)}), roughness);
+    return rough(test::paint_of(index, {test::flake_layer(1e-6, .1, 0, 1)}), roughness);
 }
 
 Estimate reflectance(const paint::Recipe& recipe, double theta_deg, std::uint64_t samples) {
@@ -166,7 +166,7 @@ TEST(RoughInterface, BrdfMatchesFacetsAndMaskedLight) {
 
 TEST(RoughInterface, NarrowFacetsRefractAsTheSmoothInterface) {
     // Facets of slope 0.02 tilt refracted rays by less than a tenth of the flakes' spread.
-    const auto paint = test::paint(1.5, {test::flake_layer(1, .3, .6, .2)}, 0.3);
+    const auto paint = test::paint_of(1.5, {test::flake_layer(1, .3, .6, .2)}, 0.3);
     const std::vector<Direction> outgoing{{0, 0}, {20, 180}, {60, 90}};
     const auto narrow = brdf(rough(paint, 0.02), {45, 0}, outgoing, {.samples = 6'000, .seed = 1});
     const auto smooth = brdf(rough(paint, 0), {45, 0}, outgoing, {.samples = 6'000, .seed = 2});
@@ -177,7 +177,8 @@ TEST(RoughInterface, NarrowFacetsRefractAsTheSmoothInterface) {
 
 TEST(RoughInterface, LosslessPaintReflectsEverything) {
     for (double alpha : {0.1, 0.7}) {
-        const auto recipe = rough(test::paint(1.5, {test::flake_layer(1, .3, .4, .6)}, 1.0), alpha);
+        const auto recipe =
+            rough(test::paint_of(1.5, {test::flake_layer(1, .3, .4, .6)}, 1.0), alpha);
         for (double theta : {20.0, 80.0}) {
             const Estimate found = reflectance(recipe, theta, 5'000);
             EXPECT_NEAR(found.value, 1, 1e-9) << "no roulette, no loss: each walk returns 1";
@@ -186,9 +187,10 @@ TEST(RoughInterface, LosslessPaintReflectsEverything) {
 }
 
 TEST(RoughInterface, HelmholtzReciprocityHolds) {
-    const auto recipe = rough(
-        test::paint(1.5, {test::flake_layer(1, .2, .6, .2), test::pigment_layer(.8, 1, .4)}, 0.7),
-        0.3);
+    const auto recipe =
+        rough(test::paint_of(
+                  1.5, {test::flake_layer(1, .2, .6, .2), test::pigment_layer(.8, 1, .4)}, 0.7),
+              0.3);
     const Direction a{10, 0}, b{65, 150};
     for (Part part : {Part::single, Part::multiple, Part::total}) {
         const auto there = brdf(recipe, a, {b}, {.samples = 4'000, .seed = 5, .part = part});
@@ -200,7 +202,7 @@ TEST(RoughInterface, HelmholtzReciprocityHolds) {
 }
 
 TEST(RoughInterface, BrdfIntegratesToTheAlbedo) {
-    const auto recipe = rough(test::paint(1.5, {test::flake_layer(1, .5, .6, .2)}, 0.3), 0.5);
+    const auto recipe = rough(test::paint_of(1.5, {test::flake_layer(1, .5, .6, .2)}, 0.3), 0.5);
     const Quadrature mu = gauss_legendre(10, 0, 1);
     constexpr int kPhiSteps = 12;
     std::vector<Direction> outgoing;

@@ -171,7 +171,7 @@ paint::Recipe coloured_paint() {
     layer.flakes[0].body = platelet;
     const spectra::Spectrum rising({400, 700}, {1, 4});
     layer.pigments = {{rising, 0.5, 0.2}, {3.0, rising, 0.0}};
-    paint::Recipe recipe = test::paint(1.5, {layer});
+    paint::Recipe recipe = test::paint_of(1.5, {layer});
     recipe.substrate_reflectance = spectra::Spectrum({400, 700}, {0.1, 0.7});
     recipe.clearcoat = paint::Clearcoat{20, rising, 0};
     return recipe;

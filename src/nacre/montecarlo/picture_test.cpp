@@ -163,7 +163,7 @@ double by_magnitude(Rng& rng, double lo, double hi) {
 /// A paint at the limits of what a recipe may say, except for depths of hundreds without
 /// absorption, which scatter for ever.
 paint::Recipe extreme_paint(Rng& rng) {
-    paint::Recipe recipe = test::paint(1 + 2 * rng.uniform_double(), {}, rng.uniform_double());
+    paint::Recipe recipe = test::paint_of(1 + 2 * rng.uniform_double(), {}, rng.uniform_double());
     if (rng.uniform_double() < 0.2) recipe.binder = 1.0;
     const int count = 1 + static_cast<int>(3 * rng.uniform_double());
     for (int i = 0; i < count; ++i) {
@@ -195,8 +195,8 @@ void expect_sound_samples(const bsdf::Bsdf& model, Rng& rng, int& left) {
     const auto surface = model.bind(test::kOnGrid);
     for (int i = 0; i < 100; ++i) {
         const Vec3f wi =
-            test::from_degrees(i % 4 == 0 ? 89.999 * rng.uniform_double() : 89.999 * (1 - 1e-6 * i),
-                               360 * rng.uniform_double());
+            test::direction(i % 4 == 0 ? 89.999 * rng.uniform_double() : 89.999 * (1 - 1e-6 * i),
+                            360 * rng.uniform_double());
         const float u_select = rng.uniform_float(), u = rng.uniform_float();
         const auto sample = surface->sample(wi, u_select, {u, rng.uniform_float()});
         if (!sample) continue;

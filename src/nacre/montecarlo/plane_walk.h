@@ -21,6 +21,7 @@ struct WalkModel {
     static const bsdf::ModelInfo info;
     std::shared_ptr<const bsdf::Bsdf> make(const bsdf::ModelInput& input,
                                            const Progress& progress) const;
+    std::string text() const { return {}; }  // nothing to choose
 
     friend bool operator==(const WalkModel&, const WalkModel&) = default;
 };

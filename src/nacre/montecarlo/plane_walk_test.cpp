@@ -9,7 +9,7 @@
 namespace nacre::montecarlo {
 namespace {
 
-using test::from_degrees;
+using test::direction;
 using test::kOnGrid;
 using test::kWorstZ;
 using test::walked_albedo;
@@ -18,7 +18,7 @@ constexpr int kWalks = 200'000;
 
 void expect_reference_albedo(const paint::Recipe& recipe, double theta_deg) {
     const auto surface = PlaneWalk(recipe).bind(kOnGrid);
-    const auto found = walked_albedo(*surface, from_degrees(theta_deg, 30), kWalks);
+    const auto found = walked_albedo(*surface, direction(theta_deg, 30), kWalks);
     const auto expected = reference_albedo(recipe, std::vector<Direction>{{theta_deg, 0}}, kOnGrid,
                                            {.samples = kWalks});
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -57,7 +57,7 @@ TEST(PlaneWalk, PowerIntoASolidAngleIsTheIntegralOfTheReferencesBrdf) {
     const double theta_i = 45;
 
     const auto surface = PlaneWalk(recipe).bind(kOnGrid);
-    const Vec3f wi = from_degrees(theta_i, 0);
+    const Vec3f wi = direction(theta_i, 0);
     const auto found =
         test::estimate(*surface, wi, 2 * kWalks, bins.size(), 5,
                        [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
@@ -122,7 +122,7 @@ TEST(PlaneWalk, SpecularReflectanceIsFresnels) {
 TEST(PlaneWalk, EstimatedAlbedoIsThatOfItsSamples) {
     const auto surface = PlaneWalk(test::pearl()).bind(kOnGrid);
     for (const double theta : {0., 37., 70.}) {
-        const Vec3f wi = from_degrees(theta, 0);
+        const Vec3f wi = direction(theta, 0);
         const FloatLanes tabulated = surface->albedo(wi);
         const auto found = walked_albedo(*surface, wi, 50'000);
         for (int lane = 0; lane < kLanes; ++lane) {
@@ -145,7 +145,7 @@ TEST(PlaneWalk, WavelengthsBetweenTheGridsAreInterpolatedAndThoseBeyondAreItsEnd
 
 TEST(PlaneWalk, EvalAndPdfAreZeroAndSamplesHaveNoDensity) {
     const auto surface = PlaneWalk(test::worked_paint()).bind(kOnGrid);
-    const Vec3f wi = from_degrees(30, 0), wo = from_degrees(30, 180);
+    const Vec3f wi = direction(30, 0), wo = direction(30, 180);
     EXPECT_EQ(lane_max(surface->eval(wi, wo)), 0);
     EXPECT_EQ(surface->pdf(wi, wo), 0);
     int left = 0;
@@ -160,8 +160,8 @@ TEST(PlaneWalk, EvalAndPdfAreZeroAndSamplesHaveNoDensity) {
         ++left;
     }
     EXPECT_GT(left, 30);
-    EXPECT_FALSE(surface->sample(from_degrees(91, 0), 0.5f, {0.5f, 0.5f}));
-    EXPECT_EQ(lane_max(surface->albedo(from_degrees(91, 0))), 0);
+    EXPECT_FALSE(surface->sample(direction(91, 0), 0.5f, {0.5f, 0.5f}));
+    EXPECT_EQ(lane_max(surface->albedo(direction(91, 0))), 0);
 }
 
 TEST(PlaneWalk, RefusesWhatIsNoPaint) {

@@ -13,11 +13,13 @@
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/fresnel.h"
+#include "nacre/testing/errors.h"
 #include "nacre/testing/montecarlo.h"
 
 namespace nacre::montecarlo {
 namespace {
 
+using nacre::test::message_of;
 using test::brdf;
 using test::kGreen;
 using test::kWorstZ;
@@ -59,7 +61,7 @@ TEST(Reference, MatchesTheWorkedValuesOfSingleScattering) {
 }
 
 TEST(Reference, PartsAddUpToTheTotal) {
-    auto recipe = test::paint(1.5, {test::flake_layer(1, .3, .6, .2)}, 0.5);
+    auto recipe = test::paint_of(1.5, {test::flake_layer(1, .3, .6, .2)}, 0.5);
     recipe.layers[0].pigments.push_back({20.0, 5.0, 0.3});
     const std::vector<Direction> outgoing{{30, 180}, {60, 70}};
     const auto part = [&](Part p, std::uint64_t seed) {
@@ -110,7 +112,7 @@ TEST(Reference, MatchesChandrasekharsHalfSpace) {
     const ChandrasekharH h(.9);
     EXPECT_NEAR(h.brdf(1, 1), 0.122572, 1e-6) << "the oracle against its published value";
     EXPECT_NEAR(h.brdf(1, .5), 0.137453, 1e-6);
-    const auto recipe = test::paint(1, {test::pigment_layer(.9, 100, 0)});
+    const auto recipe = test::paint_of(1, {test::pigment_layer(.9, 100, 0)});
     const std::vector<Direction> outgoing{{0, 0}, {60, 0}, {60, 123}, {85, 0}, {30, 180}};
     for (double theta_i : {0.0, 70.0}) {
         const auto found = brdf(recipe, {theta_i, 0}, outgoing, {.samples = 60'000});
@@ -124,8 +126,8 @@ TEST(Reference, MatchesChandrasekharsHalfSpace) {
 }
 
 TEST(Reference, HelmholtzReciprocityHolds) {
-    auto recipe =
-        test::paint(1.5, {test::flake_layer(1, .3, .6, .2), test::pigment_layer(.8, 1, .4)}, 0.7);
+    auto recipe = test::paint_of(
+        1.5, {test::flake_layer(1, .3, .6, .2), test::pigment_layer(.8, 1, .4)}, 0.7);
     recipe.clearcoat = paint::Clearcoat{40, 2.0, 0};
     const Direction a{20, 0}, b{65, 150};
     const auto there = brdf(recipe, a, {b}, {.samples = 80'000, .seed = 5});
@@ -137,8 +139,8 @@ TEST(Reference, HelmholtzReciprocityHolds) {
 
 TEST(Reference, BrdfIntegratesToTheAlbedo) {
     // Two estimators of the same walks: next-event estimation and escapes through the interface.
-    const auto recipe =
-        test::paint(1.5, {test::flake_layer(1, .5, .6, .2), test::pigment_layer(.9, 2, .2)}, 0.3);
+    const auto recipe = test::paint_of(
+        1.5, {test::flake_layer(1, .5, .6, .2), test::pigment_layer(.9, 2, .2)}, 0.3);
     const Direction incident{50, 0};
     const Quadrature mu = gauss_legendre(12, 0, 1);
     constexpr int kPhiSteps = 24;
@@ -176,7 +178,7 @@ TEST(Reference, WavelengthsWalkTogetherAsTheyWouldAlone) {
     layer.flakes.push_back(test::flakes(.1, .3, rising, 0.05));
     layer.pigments.push_back(
         {spectra::Spectrum({400, 680}, {200, 2}), spectra::Spectrum({400, 680}, {1, 100}), 0.2});
-    auto recipe = test::paint(1.5, {layer});
+    auto recipe = test::paint_of(1.5, {layer});
     recipe.substrate_reflectance = falling;
     const std::vector<Direction> incident{{45, 0}}, outgoing{{30, 180}};
     const auto together =
@@ -193,7 +195,7 @@ TEST(Reference, WavelengthsWalkTogetherAsTheyWouldAlone) {
 }
 
 TEST(Reference, DispersiveBinderRefractsEachWavelengthByItself) {
-    auto recipe = test::paint(1, {test::flake_layer(1, .2, .6, .1)});
+    auto recipe = test::paint_of(1, {test::flake_layer(1, .2, .6, .1)});
     recipe.binder = optics::Material("resin", std::vector<double>{400, 700},
                                      std::vector<optics::ComplexIndex>{1.6, 1.4});
     const std::vector<Direction> incident{{45, 0}}, outgoing{{60, 180}};
@@ -285,19 +287,11 @@ TEST(Reference, ReportsProgressAndStopsWhenAsked) {
     EXPECT_EQ(calls, 3);
 }
 
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const DomainError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST(Reference, RefusesArgumentsOutOfRangeByName) {
     using testing::HasSubstr;
     const auto ask = [](Direction in, Direction out, std::uint64_t samples) {
-        return message_of([&] { brdf(worked_paint(), in, {out}, {.samples = samples}); });
+        return message_of<DomainError>(
+            [&] { brdf(worked_paint(), in, {out}, {.samples = samples}); });
     };
     EXPECT_THAT(ask({90, 0}, {0, 0}, 10), HasSubstr("incident direction = 90"));
     EXPECT_THAT(ask({0, 0}, {-1, 0}, 10), HasSubstr("outgoing direction = -1"));
@@ -338,7 +332,8 @@ TEST(PigmentSlab, MatchesTablesOfReflectanceAndTransmittance) {
         {.9, 1, 0, 1, .267410, .591625},
     };
     for (const Case& c : kCases) {
-        const auto recipe = test::paint(1, {test::pigment_layer(c.albedo, c.depth, c.anisotropy)});
+        const auto recipe =
+            test::paint_of(1, {test::pigment_layer(c.albedo, c.depth, c.anisotropy)});
         const Albedo albedo = albedo_of(recipe, c.mu, 140'000);
         EXPECT_LT(std::abs(z_score(albedo.reflectance, c.reflectance)), kWorstZ)
             << c.albedo << ' ' << c.depth << ' ' << albedo.reflectance.value;
@@ -348,7 +343,7 @@ TEST(PigmentSlab, MatchesTablesOfReflectanceAndTransmittance) {
 }
 
 TEST(PigmentSlab, SemiInfiniteUnderAnInterfaceMatchesTheTable) {
-    const auto recipe = test::paint(1.5, {test::pigment_layer(.9, 100, 0)});
+    const auto recipe = test::paint_of(1.5, {test::pigment_layer(.9, 100, 0)});
     const Albedo albedo = albedo_of(recipe, 1, 140'000);
     EXPECT_LT(std::abs(z_score(albedo.reflectance, .25992)), kWorstZ) << albedo.reflectance.value;
 }
@@ -366,7 +361,7 @@ TEST(FlakeSlab, MatchesAddingDoubling) {
         {1.5, .3, 4, .6, 0, .95, .27608, -1},
     };
     for (const Case& c : kCases) {
-        const auto recipe = test::paint(
+        const auto recipe = test::paint_of(
             c.index, {test::flake_layer(c.beta, c.alpha, c.reflectance, c.transmittance)});
         const Albedo albedo = albedo_of(recipe, c.mu, 140'000);
         EXPECT_LT(std::abs(z_score(albedo.reflectance, c.total_reflected)), kWorstZ)
@@ -390,7 +385,7 @@ TEST(FlakeSlab, NearlyFlatFlakesObeyKubelkaAndMunk) {
         const double depth = c.beta * c.reflectance;
         const double expected = b < 1e-6 ? depth / (1 + depth) : 1 / (a + b / std::tanh(b * depth));
         const auto recipe =
-            test::paint(1, {test::flake_layer(c.beta, kAlpha, c.reflectance, c.transmittance)});
+            test::paint_of(1, {test::flake_layer(c.beta, kAlpha, c.reflectance, c.transmittance)});
         const Albedo albedo = albedo_of(recipe, 1, 140'000);
         EXPECT_LT(std::abs(z_score(albedo.reflectance, expected)), kWorstZ)
             << albedo.reflectance.value << ' ' << expected;
@@ -399,7 +394,7 @@ TEST(FlakeSlab, NearlyFlatFlakesObeyKubelkaAndMunk) {
 
 TEST(FlakeSlab, LosslessFlakesLoseNoLight) {
     for (double index : {1.0, 1.5}) {
-        const auto recipe = test::paint(index, {test::flake_layer(1.5, .3, .7, .3)});
+        const auto recipe = test::paint_of(index, {test::flake_layer(1.5, .3, .7, .3)});
         const Albedo albedo = albedo_of(recipe, .6, 35'000);
         const double sum = albedo.reflectance.value + albedo.absorbed_by_substrate.value;
         // Roulette alone makes the sum fluctuate, so the two errors bound its own.
@@ -410,14 +405,14 @@ TEST(FlakeSlab, LosslessFlakesLoseNoLight) {
 }
 
 TEST(FlakeSlab, ThickLosslessFlakesReflectEverything) {
-    const auto recipe = test::paint(1, {test::flake_layer(300, .5, 1, 0)});
+    const auto recipe = test::paint_of(1, {test::flake_layer(300, .5, 1, 0)});
     const Albedo albedo = albedo_of(recipe, .8, 5'000);
     EXPECT_GT(albedo.reflectance.value, 0.985);  // some 1/300 is transmitted
     EXPECT_NEAR(albedo.reflectance.value + albedo.absorbed_by_substrate.value, 1, 1e-9);
 }
 
 TEST(FlakeSlab, LosslessPaintOverWhiteReflectsEverything) {
-    const auto recipe = test::paint(1.5, {test::flake_layer(1, .2, .4, .6)}, 1.0);
+    const auto recipe = test::paint_of(1.5, {test::flake_layer(1, .2, .4, .6)}, 1.0);
     const Albedo albedo = albedo_of(recipe, .7, 20'000);
     EXPECT_LT(std::abs(z_score(albedo.reflectance, 1)), kWorstZ) << albedo.reflectance.value;
     EXPECT_EQ(albedo.absorbed_by_substrate.value, 0);
@@ -425,7 +420,7 @@ TEST(FlakeSlab, LosslessPaintOverWhiteReflectsEverything) {
 
 TEST(Clearcoat, AbsorbsByBeerAndLambert) {
     // Black below: what reaches the substrate went once through the coat at the refracted angle.
-    paint::Recipe recipe = test::paint(1, {test::flake_layer(1e-6, .1, 0, 1)});
+    paint::Recipe recipe = test::paint_of(1, {test::flake_layer(1e-6, .1, 0, 1)});
     recipe.clearcoat = paint::Clearcoat{45, 20.0, 0};
     const Albedo albedo = albedo_of(recipe, .5, 1000);
     EXPECT_NEAR(albedo.absorbed_by_substrate.value, std::exp(-0.045 * 20 / .5), 1e-12);
@@ -437,7 +432,7 @@ TEST(PigmentSlab, DeepAbsorptionOverAWhiteSubstrateFollowsBeerAndLambert) {
     // Lambert's law up. Most walks end by Russian roulette on their way, and must contribute
     // nothing.
     constexpr double kDepth = 1.5;
-    const auto recipe = test::paint(1, {test::pigment_layer(0, kDepth, 0)}, 1);
+    const auto recipe = test::paint_of(1, {test::pigment_layer(0, kDepth, 0)}, 1);
     const Albedo albedo = albedo_of(recipe, 1, 140'000);
     const Quadrature mu = gauss_legendre(64, 0, 1);
     double up = 0;

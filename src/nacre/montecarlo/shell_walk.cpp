@@ -211,6 +211,11 @@ constinit const bsdf::ModelInfo VolumeModel::info = {
     .standard = bsdf::standard_model<VolumeModel>,
     .options = kVolumeOptions};
 
+std::string VolumeModel::text() const {
+    return fmt::format("radius_mm={} tracking={} simpson_panels={}", radius_mm,
+                       kTrackingNames[static_cast<int>(tracking)], simpson_panels);
+}
+
 std::shared_ptr<const bsdf::Bsdf> VolumeModel::make(const bsdf::ModelInput& input,
                                                     const Progress&) const {
     return std::make_shared<const ShellWalk>(input.recipe, *this);
@@ -224,8 +229,8 @@ void VolumeModel::lie_on(const std::string& material, std::span<const bsdf::Pain
         if (shape.kind == Kind::other) {
             throw DomainError(
                 fmt::format("the material {} is on a shape that is neither a sphere nor a flat "
-                            "panel; --model walk goes on any shape",
-                            material));
+                            "panel; --model {} goes on any shape",
+                            material, WalkModel::info.name));
         }
         const double radius = shape.kind == Kind::sphere ? shape.radius_mm : kFlat;
         if (common && *common != radius) {

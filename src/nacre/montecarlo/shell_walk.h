@@ -35,6 +35,7 @@ struct VolumeModel {
     static const bsdf::ModelInfo info;
     std::shared_ptr<const bsdf::Bsdf> make(const bsdf::ModelInput& input,
                                            const Progress& progress) const;
+    std::string text() const;
     void lie_on(const std::string& material, std::span<const bsdf::PaintedShape> shapes);
 
     friend bool operator==(const VolumeModel&, const VolumeModel&) = default;

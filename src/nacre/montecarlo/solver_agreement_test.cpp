@@ -37,35 +37,36 @@ std::vector<Case> cases() {
         all.push_back({std::move(name), std::move(recipe)});
     };
     // alpha, depth, binder
-    add("alpha .05, beta 1.5", test::paint(1.5, {test::flake_layer(1.5, .05, .6, 0)}));
-    add("alpha .1, beta .02", test::paint(1.5, {test::flake_layer(.02, .1, .9, 0)}));
-    add("alpha .1, beta 20", test::paint(1.5, {test::flake_layer(20, .1, .6, 0)}));
-    add("alpha .1, beta 1.5, n 1", test::paint(1, {test::flake_layer(1.5, .1, .6, 0)}));
-    add("alpha .3, beta 2", test::paint(1.5, {test::flake_layer(2, .3, .8, .1)}));
-    add("alpha .3, beta 2, n 1", test::paint(1, {test::flake_layer(2, .3, .8, .1)}));
-    add("alpha .5, beta 5", test::paint(1.5, {test::flake_layer(5, .5, .7, 0)}));
+    add("alpha .05, beta 1.5", test::paint_of(1.5, {test::flake_layer(1.5, .05, .6, 0)}));
+    add("alpha .1, beta .02", test::paint_of(1.5, {test::flake_layer(.02, .1, .9, 0)}));
+    add("alpha .1, beta 20", test::paint_of(1.5, {test::flake_layer(20, .1, .6, 0)}));
+    add("alpha .1, beta 1.5, n 1", test::paint_of(1, {test::flake_layer(1.5, .1, .6, 0)}));
+    add("alpha .3, beta 2", test::paint_of(1.5, {test::flake_layer(2, .3, .8, .1)}));
+    add("alpha .3, beta 2, n 1", test::paint_of(1, {test::flake_layer(2, .3, .8, .1)}));
+    add("alpha .5, beta 5", test::paint_of(1.5, {test::flake_layer(5, .5, .7, 0)}));
     // lossless flakes that transmit, over white
-    add("alpha .5, R + T = 1, white", test::paint(1.5, {test::flake_layer(2, .5, .4, .6)}, 1.0));
-    add("alpha .1, R + T = 1, grey", test::paint(1.5, {test::flake_layer(1, .1, .3, .7)}, 0.4));
+    add("alpha .5, R + T = 1, white", test::paint_of(1.5, {test::flake_layer(2, .5, .4, .6)}, 1.0));
+    add("alpha .1, R + T = 1, grey", test::paint_of(1.5, {test::flake_layer(1, .1, .3, .7)}, 0.4));
     // an absorbing clearcoat
-    auto coated = test::paint(1.5, {test::flake_layer(1.5, .2, .8, 0)}, 0.2);
+    auto coated = test::paint_of(1.5, {test::flake_layer(1.5, .2, .8, 0)}, 0.2);
     coated.clearcoat = paint::Clearcoat{45, 6.0, 0};
     add("absorbing clearcoat", coated);
     // pigments
-    add("pigment g 0", test::paint(1.5, {test::pigment_layer(.9, 2, 0)}, 0.3));
-    add("pigment g .8", test::paint(1.5, {test::pigment_layer(.99, 8, .8)}));
-    auto mixture = test::paint(1.5, {test::flake_layer(1, .2, .6, .1)}, 0.05);
+    add("pigment g 0", test::paint_of(1.5, {test::pigment_layer(.9, 2, 0)}, 0.3));
+    add("pigment g .8", test::paint_of(1.5, {test::pigment_layer(.99, 8, .8)}));
+    auto mixture = test::paint_of(1.5, {test::flake_layer(1, .2, .6, .1)}, 0.05);
     mixture.layers[0].pigments.push_back({40.0, 20.0, 0.5});
     mixture.layers[0].pigments.push_back({10.0, 0.0, -0.3});
     mixture.layers[0].flakes.push_back(test::flakes(.05, .4, .2, .3));
     add("two flakes, two pigments", mixture);
     add("flakes over pigment",
-        test::paint(1.5, {test::flake_layer(.7, .1, .3, .6), test::pigment_layer(.8, 3, .3)}, 0.1));
+        test::paint_of(1.5, {test::flake_layer(.7, .1, .3, .6), test::pigment_layer(.8, 3, .3)},
+                       0.1));
     // an interference pigment over black, colours
     paint::Layer pearl;
     pearl.thickness_um = 15;
     pearl.flakes.push_back(titania_on_mica(.12, .1));
-    all.push_back({"TiO2 on mica", test::paint(1.5, {pearl}, 0.05), {450, 550, 650}});
+    all.push_back({"TiO2 on mica", test::paint_of(1.5, {pearl}, 0.05), {450, 550, 650}});
     // the mixture in a spectrum, for the weights of eight wavelengths on one walk
     auto spectral = mixture;
     spectral.layers[0].pigments[0].scattering_per_mm = spectra::Spectrum({400, 700}, {120, 5});
@@ -80,9 +81,9 @@ std::vector<Case> rough_cases() {
         recipe.clearcoat = paint::Clearcoat{45, absorption_per_mm, roughness};
         return recipe;
     };
-    const auto metallic = test::paint(1.5, {test::flake_layer(1.5, .1, .6, 0)});
-    const auto lossless = test::paint(1.5, {test::flake_layer(2, .3, .4, .6)}, 1.0);
-    const auto pigmented = test::paint(1.6, {test::pigment_layer(.9, 2, .3)}, 0.3);
+    const auto metallic = test::paint_of(1.5, {test::flake_layer(1.5, .1, .6, 0)});
+    const auto lossless = test::paint_of(1.5, {test::flake_layer(2, .3, .4, .6)}, 1.0);
+    const auto pigmented = test::paint_of(1.6, {test::pigment_layer(.9, 2, .3)}, 0.3);
     return {{"rough .1 over alpha .1", roughened(metallic, .1, 0)},
             {"rough .3 over alpha .3, R + T = 1, white", roughened(lossless, .3, 0)},
             {"rough .5, absorbing, over pigment", roughened(pigmented, .5, 6.0)}};
@@ -188,7 +189,7 @@ TEST(SolverAgreement, AnyExtinctionMatchesTheRandomWalk) {
     std::vector<Case> all;
     for (const double depth : {0.0, 1e-14, 1e-9, 1e-6, 1e-4, 1e-2, .1, 1., 10., 100., 1000.}) {
         all.push_back({fmt::format("pigment, depth {}", depth),
-                       test::paint(1.5, {test::pigment_layer(.9, depth, .3)}, 0.5)});
+                       test::paint_of(1.5, {test::pigment_layer(.9, depth, .3)}, 0.5)});
     }
     compare_all(all, kOutgoing, solver::Part::total, Part::total, 10'000, 300);
 }

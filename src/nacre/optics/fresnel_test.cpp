@@ -9,10 +9,12 @@
 #include <string>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::optics {
 namespace {
 
+using nacre::test::message_of;
 using Complex = std::complex<double>;
 
 TEST(Fresnel, MatchesFiftyDigitArithmetic) {
@@ -103,12 +105,7 @@ TEST(Fresnel, EqualMediaDoNotReflectEvenAtGrazingIncidence) {
 
 TEST(Fresnel, RefusesGainAndCosinesOutOfRange) {
     const auto message = [](Complex n_i, Complex n_t, double cos_i) -> std::string {
-        try {
-            fresnel(n_i, n_t, cos_i);
-        } catch (const DomainError& error) {
-            return error.what();
-        }
-        return "no error";
+        return message_of<DomainError>([&] { fresnel(n_i, n_t, cos_i); });
     };
     using ::testing::HasSubstr;
     EXPECT_THAT(message(1.0, {1.5, -0.1}, 0.5), HasSubstr("n_t = 1.5-0.1i"));

@@ -10,19 +10,17 @@
 #include <limits>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::optics {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 std::string error_of(const std::string& text) {
-    try {
-        find_material(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return message_of<InputError>([&] { find_material(text); });
 }
 
 TEST(Material, NumbersAreMaterials) {
@@ -107,12 +105,11 @@ TEST(Material, UnknownNameNamesTheClosestAndAll) {
 }
 
 TEST(Material, FilesAreTakenFromTheBaseDirectory) {
-    const std::filesystem::path directory =
-        std::filesystem::path(::testing::TempDir()) / "nacre_material_test";
-    std::filesystem::create_directories(directory);
-    std::ofstream(directory / "mine.csv") << "wavelength_nm,n,k\n400,1.5,0\n700,1.4,0.1\n";
-    std::ofstream(directory / "page.YML")
-        << "DATA:\n  - type: tabulated n\n    data: |\n        0.4 1.6\n        0.7 1.5\n";
+    const test::TempFolder directory;
+    directory.write("mine.csv", "wavelength_nm,n,k\n400,1.5,0\n700,1.4,0.1\n");
+    directory.write(
+        "page.YML",
+        "DATA:\n  - type: tabulated n\n    data: |\n        0.4 1.6\n        0.7 1.5\n");
     EXPECT_NEAR(find_material("mine.csv", directory).index(550).real(), 1.45, 1e-15);
     EXPECT_NEAR(find_material("page.YML", directory).index(550).real(), 1.55, 1e-15);
     EXPECT_EQ(find_material((directory / "mine.csv").string(), "/elsewhere").index(700),
@@ -120,7 +117,6 @@ TEST(Material, FilesAreTakenFromTheBaseDirectory) {
     EXPECT_THAT(error_of("absent.csv"), HasSubstr("absent.csv: there is no such file"));
     std::filesystem::create_directories(directory / "folder.csv");
     EXPECT_THROW(find_material("folder.csv", directory), InputError);
-    std::filesystem::remove_all(directory);
 }
 
 }  // namespace

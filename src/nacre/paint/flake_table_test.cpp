@@ -7,10 +7,12 @@
 #include <string>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::paint {
 namespace {
 
+using nacre::test::message_of;
 using optics::Material;
 
 // TiO2 on mica; spreads in the proportion of the shipped paints.
@@ -120,12 +122,7 @@ TEST(FlakeTable, BlocksHoldEightWavelengths) {
 }
 
 std::string message(int cosines, int wavelengths, std::vector<double> r, std::vector<double> t) {
-    try {
-        FlakeTable::from_chebyshev(cosines, wavelengths, r, t);
-    } catch (const DomainError& e) {
-        return e.what();
-    }
-    return "accepted";
+    return message_of<DomainError>([&] { FlakeTable::from_chebyshev(cosines, wavelengths, r, t); });
 }
 
 TEST(FlakeTable, RefusesSizesThatDoNotFitAndImpossibleValues) {

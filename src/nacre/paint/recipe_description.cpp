@@ -271,7 +271,7 @@ void describe(Visitor& visit, Microfacet& m) {
            .words = "k = {}",
            .zero_words = ""},
           m.base_extinction);
-    visit({.key = "facets", .meaning = "for `special-effect` only"}, m.facets);
+    visit({.key = "facets", .meaning = "for models that show single facets"}, m.facets);
 }
 
 void describe(Visitor& visit, MicrofacetFacets& facets) {

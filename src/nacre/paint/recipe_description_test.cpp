@@ -5,34 +5,31 @@
 #include <gtest/gtest.h>
 
 #include "nacre/testing/described.h"
-#include "nacre/testing/recipe.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::paint {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string refusal(const Recipe& recipe) {
-    try {
-        validate(recipe, {});
-    } catch (const DomainError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return message_of<DomainError>([&] { validate(recipe, {}); });
 }
 
 TEST(RecipeDescription, EveryNumberOutsideItsRangeIsRefused) {
-    const Recipe recipe = nacre::testing::full_recipe();
+    const Recipe recipe = nacre::test::full_recipe();
     EXPECT_EQ(refusal(recipe), "accepted");
-    nacre::testing::EveryKey all;
+    nacre::test::EveryKey all;
     Described::to_inspect(recipe).accept(all);
     int refused = 0;
-    for (const nacre::testing::KeyOfObject& key : all.keys) {
+    for (const nacre::test::KeyOfObject& key : all.keys) {
         if (!key.is_number) continue;
-        for (const double value : nacre::testing::values_outside(key.field.range)) {
+        for (const double value : nacre::test::values_outside(key.field.range)) {
             Recipe wrong = recipe;
-            nacre::testing::EveryKey change(key.path, value);
+            nacre::test::EveryKey change(key.path, value);
             describe(change, wrong);
             EXPECT_EQ(change.changes, 1) << key.path;
             EXPECT_THAT(refusal(wrong), AllOf(HasSubstr(fmt::format("{} = {}: ", key.path, value)),
@@ -66,7 +63,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
                                                         {"facets", Described(facets)}};
     for (const auto& [name, object] : tables) {
         const std::string expected = markdown_table(object);
-        EXPECT_EQ(nacre::testing::documented_table("recipe.md", name, expected), expected)
+        EXPECT_EQ(nacre::test::documented_table("recipe.md", name, expected), expected)
             << "run this test with NACRE_WRITE_DOCS=1";
     }
 }

@@ -8,6 +8,8 @@
 
 #include "nacre/core/error.h"
 #include "nacre/montecarlo/plane_walk.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 #include "nacre/testing/montecarlo.h"
 #include "nacre/testing/render.h"
 
@@ -15,6 +17,10 @@
 
 namespace nacre::render {
 namespace {
+
+using nacre::test::message_of;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 /// Adds up the areas of the patches that it is sampled on, in fractions of the unit square or in
 /// mm^2.
@@ -161,7 +167,7 @@ TEST(Footprint, AfterALightPathThroughAPaintTheMeanIsTaken) {
     // not specular for that. Without a step of the index at the surface, all light that returns
     // comes from the white substrate.
     const auto diffuse = std::make_shared<montecarlo::PlaneWalk>(
-        montecarlo::test::paint(1.0, {montecarlo::test::pigment_layer(0.5, 0.1, 0)}, 0.9));
+        montecarlo::test::paint_of(1.0, {montecarlo::test::pigment_layer(0.5, 0.1, 0)}, 0.9));
     const auto paint = std::make_shared<Recorder>();
     render(Scene(seen_by_reflection(), {{"below", diffuse}, {"paint", paint}}), kOptions);
     EXPECT_EQ(paint->patches, 0);
@@ -171,7 +177,7 @@ TEST(Footprint, AfterALightPathThroughAPaintTheMeanIsTaken) {
 TEST(Footprint, IsFollowedThroughTheGlossOfAPaintThatIsWalkedThrough) {
     // A black paint under a smooth surface: all that it reflects is specular.
     const auto glossy = std::make_shared<montecarlo::PlaneWalk>(
-        montecarlo::test::paint(1.5, {montecarlo::test::pigment_layer(0, 10, 0)}));
+        montecarlo::test::paint_of(1.5, {montecarlo::test::pigment_layer(0, 10, 0)}));
     const auto paint = std::make_shared<Recorder>();
     render(Scene(seen_by_reflection(), {{"below", glossy}, {"paint", paint}}), kOptions);
     EXPECT_GT(paint->patches, 500);
@@ -179,19 +185,17 @@ TEST(Footprint, IsFollowedThroughTheGlossOfAPaintThatIsWalkedThrough) {
 }
 
 TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
-    const auto folder = std::filesystem::path(::testing::TempDir());
-    const auto bare = folder / "nacre_bare.obj", mapped = folder / "nacre_mapped.obj";
-    std::ofstream(bare) << "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nf 1 2 3\n";
-    std::ofstream(mapped) << "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nvt 0 0\nvt 0.5 0\nvt 0.5 0.5\n"
-                             "f 1/1 2/2 3/3\n";
+    const nacre::test::TempFolder folder;
+    const auto bare = folder.write("bare.obj", "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nf 1 2 3\n");
+    const auto mapped = folder.write(
+        "mapped.obj",
+        "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nvt 0 0\nvt 0.5 0\nvt 0.5 0.5\nf 1/1 2/2 3/3\n");
     const auto recorder = std::make_shared<Recorder>();
-    try {
-        const Scene scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", recorder}});
-        FAIL() << "accepted";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), ::testing::HasSubstr(bare.string()));
-        EXPECT_THAT(error.what(), ::testing::HasSubstr("texture coordinates"));
-    }
+    EXPECT_THAT(
+        message_of<InputError>([&] {
+            const Scene scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", recorder}});
+        }),
+        AllOf(HasSubstr(bare.string()), HasSubstr("texture coordinates")));
     render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}), kOptions);
     EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's fraction of the square
 

@@ -8,10 +8,13 @@
 
 #include "nacre/core/error.h"
 #include "nacre/render/compiled_scene.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::render {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 double area(const Mesh& mesh) {
@@ -88,19 +91,14 @@ TEST(Mesh, TransformScalesThenRotatesAboutXThenYThenZThenMoves) {
 
 class MeshFileTest : public ::testing::Test {
  protected:
-    std::filesystem::path write(const std::string& name, const std::string& text) {
-        const auto path = std::filesystem::path(::testing::TempDir()) / ("nacre_" + name);
-        std::ofstream(path, std::ios::binary) << text;
-        return path;
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        return folder_.write(name, text);
     }
     static std::string refusal(const std::filesystem::path& path) {
-        try {
-            make_mesh(MeshFile{.path = path});
-        } catch (const InputError& e) {
-            return e.what();
-        }
-        return "accepted";
+        return message_of<InputError>([&] { make_mesh(MeshFile{.path = path}); });
     }
+
+    nacre::test::TempFolder folder_;
 };
 
 const char* const kObj = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n";
@@ -129,7 +127,7 @@ TEST_F(MeshFileTest, ReadsObjPlyAndGltf) {
 
 TEST_F(MeshFileTest, RefusesWhatIsNoMeshAndNamesTheFile) {
     EXPECT_THAT(refusal("/nonexistent/body.obj"), HasSubstr("'/nonexistent/body.obj'"));
-    EXPECT_THAT(refusal(::testing::TempDir()), HasSubstr("no such file"));
+    EXPECT_THAT(refusal(folder_), HasSubstr("no such file"));
     for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
              {"empty.obj", ""},
              {"points.obj", "v 0 0 0\nv 1 0 0\n"},

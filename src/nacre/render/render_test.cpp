@@ -10,11 +10,13 @@
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/render/builtin_scenes.h"
+#include "nacre/testing/errors.h"
 #include "nacre/testing/render.h"
 
 namespace nacre::render {
 namespace {
 
+using nacre::test::message_of;
 using testing::Glossy;
 
 SceneDescription diffuse_sphere(double reflectance) {
@@ -272,12 +274,7 @@ TEST(Render, AuxiliaryPicturesShowTheFirstSurface) {
 TEST(Render, OptionsOutOfRangeAreRefusedByName) {
     const Scene scene = glossy_scene();
     const auto message = [&](RenderOptions options) -> std::string {
-        try {
-            render(scene, options);
-        } catch (const DomainError& e) {
-            return e.what();
-        }
-        return "accepted";
+        return message_of<DomainError>([&] { render(scene, options); });
     };
     EXPECT_THAT(message({.width = 0}), ::testing::HasSubstr("width in pixels = 0"));
     EXPECT_THAT(message({.height = -3}), ::testing::HasSubstr("height in pixels = -3"));

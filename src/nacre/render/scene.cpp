@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "nacre/bsdf/model.h"
 #include "nacre/core/error.h"
 #include "nacre/render/scene_description.h"
 
@@ -105,6 +106,26 @@ void check(const Table& at, const Shape& shape, const SceneDescription& scene) {
 }
 
 }  // namespace
+
+std::vector<bsdf::PaintedShape> painted_shapes(const SceneDescription& scene,
+                                               const std::string& material) {
+    using Kind = bsdf::PaintedShape::Kind;
+    std::vector<bsdf::PaintedShape> shapes;
+    for (const Shape& shape : scene.shapes) {
+        if (shape.material != material) continue;
+        const double scale = shape.transform.scale;
+        if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
+            shapes.push_back({.kind = Kind::sphere, .radius_mm = sphere->radius_mm * scale});
+        } else if (const auto* panel = std::get_if<FlatPanel>(&shape.geometry)) {
+            shapes.push_back({.kind = Kind::panel,
+                              .width_mm = scale * panel->width_mm,
+                              .height_mm = scale * panel->height_mm});
+        } else {
+            shapes.push_back({});
+        }
+    }
+    return shapes;
+}
 
 void validate(const SceneDescription& scene) {
     SceneCheck ranges;

@@ -20,6 +20,10 @@
 // elevation rises from the horizon to +z. Light: a scale of 1 is a luminance of 1 in the picture
 // (linear Rec. 709 white), so a perfect diffuser in a constant environment of scale 1 is white.
 
+namespace nacre::bsdf {
+struct PaintedShape;
+}
+
 namespace nacre::render {
 
 /// Relative spectral power times a scale. As a radiance, `scale` is the luminance Y with which
@@ -244,6 +248,10 @@ struct SceneDescription {
 
     friend bool operator==(const SceneDescription&, const SceneDescription&) = default;
 };
+
+/// The shapes that a material lies on, in the order of the scene, for models that must know them.
+std::vector<bsdf::PaintedShape> painted_shapes(const SceneDescription& scene,
+                                               const std::string& material);
 
 /// The soft boxes of the built-in studio.
 std::vector<SoftBox> studio_soft_boxes();

@@ -8,12 +8,14 @@
 #include "nacre/core/error.h"
 #include "nacre/io/described_toml.h"
 #include "nacre/testing/described.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::render {
 namespace {
 
-using nacre::testing::EveryKey;
-using nacre::testing::KeyOfObject;
+using nacre::test::EveryKey;
+using nacre::test::KeyOfObject;
+using nacre::test::message_of;
 using paint::Described;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -43,12 +45,7 @@ std::vector<SceneDescription> full_scenes() {
 }
 
 std::string refusal(const SceneDescription& scene) {
-    try {
-        validate(scene);
-    } catch (const DomainError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return message_of<DomainError>([&] { validate(scene); });
 }
 
 /// The scene as it is read, without its pictures.
@@ -61,12 +58,7 @@ SceneDescription parsed(const std::string& text) {
 }
 
 std::string reader_error(const std::string& text) {
-    try {
-        parsed(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return message_of<InputError>([&] { parsed(text); });
 }
 
 TEST(SceneDescriptionKeys, EveryNumberOutsideItsRangeIsRefused) {
@@ -77,7 +69,7 @@ TEST(SceneDescriptionKeys, EveryNumberOutsideItsRangeIsRefused) {
         Described::to_inspect(scene).accept(all);
         for (const KeyOfObject& key : all.keys) {
             if (!key.is_number) continue;
-            for (const double value : nacre::testing::values_outside(key.field.range)) {
+            for (const double value : nacre::test::values_outside(key.field.range)) {
                 SceneDescription wrong = scene;
                 EveryKey change(key.path, value);
                 describe(change, wrong);
@@ -150,7 +142,7 @@ TEST(SceneDescriptionKeys, TheDocumentationHasItsTables) {
     }
     for (const auto& [name, object] : tables) {
         const std::string expected = markdown_table(object);
-        EXPECT_EQ(nacre::testing::documented_table("scene.md", name, expected), expected)
+        EXPECT_EQ(nacre::test::documented_table("scene.md", name, expected), expected)
             << "run this test with NACRE_WRITE_DOCS=1";
     }
 }

@@ -7,10 +7,14 @@
 
 #include "nacre/core/error.h"
 #include "nacre/io/image.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::render {
 namespace {
 
+using nacre::test::message_of;
+using nacre::test::replaced;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -72,18 +76,7 @@ SceneDescription parse(const std::string& text) {
 }
 
 std::string error_of(const std::string& text) {
-    try {
-        parse(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << "the test looks for text that is not there: " << from;
-    return text.replace(at, from.size(), to);
+    return message_of<InputError>([&] { parse(text); });
 }
 
 TEST(SceneFile, ReadsCameraMaterialsShapesLightsAndEnvironment) {
@@ -133,14 +126,11 @@ TEST(SceneFile, ReadsEveryKindOfShapeAndEnvironment) {
 }
 
 TEST(SceneFile, ReadsAnEnvironmentPictureAlongWithTheScene) {
-    const std::filesystem::path folder =
-        std::filesystem::path(::testing::TempDir()) / "nacre_scene_file_test";
-    std::filesystem::create_directories(folder);
+    const nacre::test::TempFolder folder;
     io::write_exr(folder / "sky.exr", {2, 1, {{"R", {1, 2}}, {"G", {3, 4}}, {"B", {5, 6}}}, {}});
     const std::string text = kScene.substr(0, kScene.find("[environment]")) +
                              "[environment]\ntype = \"image\"\npath = \"sky.exr\"\n";
     const SceneDescription scene = parse_scene(text, "scene.toml", folder);
-    std::filesystem::remove_all(folder);
     const auto& image = std::get<ImageEnvironment>(*scene.environment);
     EXPECT_EQ(image.width, 2);
     EXPECT_EQ(image.rgb, (std::vector<float>{1, 3, 5, 2, 4, 6}));

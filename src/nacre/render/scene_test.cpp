@@ -10,21 +10,18 @@
 #include "nacre/core/error.h"
 #include "nacre/render/builtin_scenes.h"
 #include "nacre/render/camera.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::render {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 std::string refusal(const std::function<void(SceneDescription&)>& spoil) {
     SceneDescription scene = builtin_scene("panel");
     spoil(scene);
-    try {
-        validate(scene);
-    } catch (const DomainError& e) {
-        return e.what();
-    }
-    return "accepted";
+    return message_of<DomainError>([&] { validate(scene); });
 }
 
 TEST(SceneDescription, BuiltinScenesAreValidAndListed) {
@@ -35,12 +32,8 @@ TEST(SceneDescription, BuiltinScenesAreValidAndListed) {
         EXPECT_TRUE(std::holds_alternative<PaintMaterial>(scene.materials.at("paint")));
         EXPECT_EQ(scene.name, name);
     }
-    try {
-        builtin_scene("sphree");
-        FAIL();
-    } catch (const InputError& e) {
-        EXPECT_THAT(e.what(), HasSubstr("did you mean 'sphere'"));
-    }
+    EXPECT_THAT(message_of<InputError>([&] { builtin_scene("sphree"); }),
+                HasSubstr("did you mean 'sphere'"));
 }
 
 TEST(SceneDescription, ErrorsNameKeyValueAndRange) {
@@ -92,12 +85,8 @@ TEST(SceneDescription, ErrorsNameKeyValueAndRange) {
 }
 
 TEST(SceneDescription, PaintWithoutASurfaceIsRefused) {
-    try {
-        Scene(builtin_scene("sphere"), {});
-        FAIL();
-    } catch (const DomainError& e) {
-        EXPECT_THAT(e.what(), HasSubstr("materials.paint"));
-    }
+    EXPECT_THAT(message_of<DomainError>([&] { Scene(builtin_scene("sphere"), {}); }),
+                HasSubstr("materials.paint"));
 }
 
 TEST(CameraRays, PictureMiddleIsTheTargetAndTopIsUp) {

@@ -126,16 +126,16 @@ TEST(PaintMedium, FlakesThatTransmitOrReflectAllAbsorbNothing) {
 }
 
 TEST(PaintMedium, CarriesUnitsOverFromTheRecipe) {
-    paint::Recipe recipe = test::pigment_paint(0.8, 3, 0.2, 1.6);
+    paint::Recipe recipe = test::pigment_paint(0.8, 3, 0.2, 1.6);  // 3 in 100 um
     recipe.clearcoat = paint::Clearcoat{40, spectra::Spectrum(2.5), 0.0};
     recipe.substrate_reflectance = spectra::Spectrum({400, 700}, {0.2, 0.5});
     const PaintMedium m = make_medium(recipe, {400, 550, 700});
     EXPECT_EQ(m.wavelength_count(), 3);
     EXPECT_EQ(m.ior, std::vector<double>({1.6, 1.6, 1.6}));
     EXPECT_NEAR(m.clearcoat_depth[1], 0.1, 1e-15);  // 2.5 per mm x 0.04 mm
-    EXPECT_NEAR(m.layers[0].pigments[0].scattering_per_um[0], 2.4e-3, 1e-17);
+    EXPECT_NEAR(m.layers[0].pigments[0].scattering_per_um[0], 2.4e-2, 1e-16);
     EXPECT_NEAR(m.substrate_reflectance[1], 0.35, 1e-15);
-    EXPECT_NEAR(extinction(m.layers[0], 0.4, 0)[2], 3e-3, 1e-17);  // isotropic
+    EXPECT_NEAR(extinction(m.layers[0], 0.4, 0)[2], 3e-2, 1e-16);  // isotropic
 }
 
 TEST(PaintMedium, RefusesWhatTheRecipeForbids) {

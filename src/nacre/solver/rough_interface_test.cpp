@@ -11,6 +11,7 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/rough_interface_operators.h"
 #include "nacre/solver/solver.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::solver {
 namespace {
@@ -19,14 +20,8 @@ const std::vector<double> kOneWavelength = {550.0};
 
 paint::Recipe rough_paint(double flake_alpha, double reflectance, double transmittance, double ior,
                           double substrate, double roughness) {
-    paint::Recipe recipe;
-    recipe.binder = optics::Material(ior);
-    paint::FlakeSpecies flake;
-    flake.amount = paint::AreaDensity{0.1};
-    flake.orientation.beckmann_alpha = flake_alpha;
-    flake.body = paint::PrescribedFlake{reflectance, transmittance, 0.3};
-    recipe.layers.push_back({15.0, {flake}, {}});
-    recipe.substrate_reflectance = substrate;
+    paint::Recipe recipe = test::paint_of(
+        ior, {{15, {test::flakes(0.1, flake_alpha, reflectance, transmittance)}, {}}}, substrate);
     recipe.clearcoat = paint::Clearcoat{40.0, 0.0, roughness};
     return recipe;
 }

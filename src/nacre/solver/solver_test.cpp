@@ -8,11 +8,13 @@
 #include <cstdlib>
 
 #include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
 #include "nacre/testing/layers.h"
 
 namespace nacre::solver {
 namespace {
 
+using nacre::test::message_of;
 using test::flake_paint;
 using test::kOneWavelength;
 using test::pigment_paint;
@@ -97,12 +99,7 @@ TEST(Solver, RefusesSettingsAndAnglesOutOfRange) {
     const auto message = [&](auto&& change) -> std::string {
         SolverSettings settings;
         change(settings);
-        try {
-            solve(recipe, kOneWavelength, settings);
-        } catch (const DomainError& e) {
-            return e.what();
-        }
-        return "accepted";
+        return message_of<DomainError>([&] { solve(recipe, kOneWavelength, settings); });
     };
     EXPECT_EQ(message([](SolverSettings& s) { s.exit_nodes = 10; }),
               "exit_nodes = 10 is not a multiple of 4");
@@ -136,12 +133,8 @@ TEST(Solver, StopsWhenAskedTo) {
     for (int last = 1; last < 10; last *= 3) {
         int calls = 0;
         const Progress progress = [&](double) { return ++calls < last; };
-        try {
-            solve(recipe, kOneWavelength, {}, nullptr, progress);
-            FAIL() << "went on after " << calls << " calls";
-        } catch (const Error& error) {
-            EXPECT_STREQ(error.what(), "solving the paint was stopped");
-        }
+        EXPECT_EQ(message_of<Error>([&] { solve(recipe, kOneWavelength, {}, nullptr, progress); }),
+                  "solving the paint was stopped");
         EXPECT_EQ(calls, last);
     }
 }

@@ -2,39 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <numbers>
 #include <vector>
 
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-
-namespace {
-std::atomic<long> allocations = 0;
-}  // namespace
-
-// Counts allocations: a query must make none.
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* p = std::malloc(size)) return p;
-    throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+#include "nacre/testing/allocations.h"
+#include "nacre/testing/directions.h"
 
 namespace nacre::sparkle {
 namespace {
 
 constexpr double kAlpha = 0.07, kGamma_deg = 3;
 
-Vec3f direction(double theta_deg, double phi_deg) {
-    const double t = theta_deg * std::numbers::pi / 180, p = phi_deg * std::numbers::pi / 180;
-    return {static_cast<float>(std::sin(t) * std::cos(p)),
-            static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t))};
-}
+using test::direction;
 
 Footprint square(double u, double v, double area) {
     const float side = static_cast<float>(std::sqrt(area));
@@ -218,12 +200,12 @@ TEST(FacetField, QueriesAllocateNothing) {
     Rng rng(7);
     std::uint64_t sum = 0;
     const std::vector<Geometry>& directions = geometries();  // made at first use
-    const long before = allocations;
+    const long before = test::allocations;
     for (int i = 0; i < 300; ++i) {
         const Footprint footprint = somewhere(rng, std::pow(10, -10 + 0.03 * i));
         for (const Geometry& g : directions) sum += field.count(footprint, g.wi, g.wo).count;
     }
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocations, before);
     EXPECT_GT(sum, 1000u);
 }
 

@@ -9,15 +9,12 @@
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
 #include "nacre/paint/beckmann.h"
+#include "nacre/testing/directions.h"
 
 namespace nacre::sparkle {
 namespace {
 
-Vec3f direction(double theta_deg, double phi_deg) {
-    const double t = theta_deg * std::numbers::pi / 180, p = phi_deg * std::numbers::pi / 180;
-    return {static_cast<float>(std::sin(t) * std::cos(p)),
-            static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t))};
-}
+using test::direction;
 
 TEST(ReflectionCone, HoldsTheFacetsThatMirrorIntoIt) {
     const double gamma = 3 * kDegree;

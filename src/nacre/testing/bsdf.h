@@ -17,6 +17,7 @@
 namespace nacre::bsdf {
 
 using test::direction;
+using test::kOnGrid;
 
 /// Chi-square of sampled directions against the density, over bins of cosine and azimuth, with one
 /// more bin for what is not a direction (the specular lobe, and samples that do not leave), as a
@@ -95,6 +96,70 @@ inline MeanWeight mean_weight(const BoundBsdf& bound, Vec3f wi, int lane, int sa
     }
     const double mean = sum / samples;
     return {mean, std::sqrt(std::max(0.0, square / samples - mean * mean) / samples)};
+}
+
+/// Values of pairs of directions are reciprocal and none is negative.
+/// @param relative  of single precision: a few dozen roundings, some amplified by the exponent of a
+///                  lobe
+inline void expect_reciprocal(const BoundBsdf& bound, int pairs, float absolute = 1e-5f,
+                              float relative = 1e-4f) {
+    Rng rng(7, 1);
+    for (int i = 0; i < pairs; ++i) {
+        const Vec3f a = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
+        const Vec3f b = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
+        const FloatLanes forth = bound.eval(a, b), back = bound.eval(b, a);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            ASSERT_GE(forth[lane], 0);
+            ASSERT_NEAR(forth[lane], back[lane], absolute + relative * forth[lane]);
+        }
+    }
+}
+
+inline void expect_black_below_the_horizon(const BoundBsdf& bound) {
+    const Vec3f up = direction(30), down = {0.6f, 0, -0.8f};
+    EXPECT_GT(lane_max(bound.albedo(up)), 0);
+    EXPECT_EQ(lane_max(bound.eval(up, down)), 0);
+    EXPECT_EQ(lane_max(bound.eval(down, up)), 0);
+    EXPECT_EQ(bound.pdf(up, down), 0);
+    EXPECT_EQ(bound.pdf(down, up), 0);
+    EXPECT_EQ(lane_max(bound.albedo(down)), 0);
+    EXPECT_FALSE(bound.sample(down, 0.5f, {0.5f, 0.5f}).has_value());
+}
+
+/// How often sample() took the specular lobe, or another direction, and the largest weight of
+/// those.
+struct Drawn {
+    int specular = 0, others = 0;
+    float largest_weight = 0;
+};
+
+/// What sample() says of a direction is what evaluate(), pdf() and eval() say.
+/// @param relative  of the density
+inline Drawn expect_own_density_and_weight(const BoundBsdf& bound, int samples, float relative) {
+    Rng rng(3, 1);
+    Drawn drawn;
+    for (int i = 0; i < samples; ++i) {
+        const Vec3f wi = direction(89 * rng.uniform_double(), 40);
+        const auto s =
+            bound.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
+        if (!s) continue;
+        if (s->kind == SampleKind::specular) {
+            ++drawn.specular;
+            EXPECT_FLOAT_EQ(s->wo.z, wi.z);
+            continue;
+        }
+        ++drawn.others;
+        drawn.largest_weight = std::max(drawn.largest_weight, lane_max(s->weight));
+        const BsdfValue both = bound.evaluate(wi, s->wo);
+        EXPECT_NEAR(s->pdf, both.pdf, relative * s->pdf);
+        EXPECT_NEAR(s->pdf, bound.pdf(wi, s->wo), relative * s->pdf);
+        const FloatLanes f = bound.eval(wi, s->wo);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            EXPECT_NEAR(both.f[lane], f[lane], 1e-4f * f[lane]);
+            EXPECT_NEAR(s->weight[lane], f[lane] * s->wo.z / s->pdf, 1e-3f * s->weight[lane]);
+        }
+    }
+    return drawn;
 }
 
 }  // namespace nacre::bsdf

@@ -16,7 +16,7 @@
 
 // For tests of descriptions (paint/description.h): every key of an object, and values for it.
 
-namespace nacre::testing {
+namespace nacre::test {
 
 /// A key that an object has a value for.
 struct KeyOfObject {
@@ -117,4 +117,4 @@ inline std::string documented_table(const std::string& file, const std::string& 
     return text.substr(begin, end - begin);
 }
 
-}  // namespace nacre::testing
+}  // namespace nacre::test

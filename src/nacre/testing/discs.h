@@ -7,13 +7,6 @@
 
 namespace nacre::montecarlo::test {
 
-using montecarlo::test::flake_layer;
-using montecarlo::test::from_degrees;
-using montecarlo::test::kOnGrid;
-using montecarlo::test::kWorstZ;
-using montecarlo::test::paint;
-using montecarlo::test::walked_albedo;
-
 /// One layer of opaque flakes of one size, under 50 um of clearcoat, so that draw_discs() moves no
 /// flake.
 inline paint::Recipe opaque(double depth, double thickness_um, double diameter_um,
@@ -23,7 +16,7 @@ inline paint::Recipe opaque(double depth, double thickness_um, double diameter_u
     layer.flakes[0].amount = paint::AreaDensity{depth / thickness_um};
     layer.flakes[0].diameter_um = diameter_um;
     layer.flakes[0].diameter_spread_um = 0;
-    paint::Recipe recipe = paint(1.5, {layer});
+    paint::Recipe recipe = paint_of(1.5, {layer});
     recipe.clearcoat.emplace();
     recipe.clearcoat->thickness_um = 50;
     return recipe;

@@ -13,6 +13,7 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/lane_matrix.h"
 #include "nacre/solver/solver.h"
+#include "nacre/testing/paints.h"
 
 // Only for tests of lane matrices: eight Eigen matrices to one buffer of lanes, and back.
 
@@ -62,34 +63,20 @@ inline const std::vector<double> kOneWavelength = {550.0};
 
 inline FlakeSpecies flake_species(double alpha, const spectra::Spectrum& reflectance,
                                   const spectra::Spectrum& transmittance) {
-    FlakeSpecies flake;
-    flake.name = "flakes";
-    flake.amount = AreaDensity{0.1};
-    flake.orientation.beckmann_alpha = alpha;
-    flake.body = PrescribedFlake{reflectance, transmittance, 0.3};
-    return flake;
+    return nacre::test::flakes(0.1, alpha, reflectance, transmittance);
 }
 
 /// Flakes of the given reflectance and transmittance at all angles; c = 0.1 per um, so that a layer
 /// of 10 beta um has the dimensionless depth beta.
 inline Recipe flake_paint(double alpha, const spectra::Spectrum& reflectance,
                           const spectra::Spectrum& transmittance, double depth, double ior) {
-    Recipe recipe;
-    recipe.binder = optics::Material(ior);
-    recipe.layers.push_back({10 * depth, {flake_species(alpha, reflectance, transmittance)}, {}});
-    return recipe;
+    return nacre::test::paint_of(
+        ior, {{10 * depth, {flake_species(alpha, reflectance, transmittance)}, {}}});
 }
 
 /// One layer of a Henyey-Greenstein pigment with the given albedo and optical depth.
 inline Recipe pigment_paint(double albedo, double depth, double anisotropy, double ior) {
-    Recipe recipe;
-    recipe.binder = optics::Material(ior);
-    Layer layer;
-    layer.thickness_um = 1000 * std::min(depth, 1.0);
-    const double per_mm = std::max(depth, 1.0);
-    layer.pigments.push_back({per_mm * albedo, per_mm * (1 - albedo), anisotropy});
-    recipe.layers.push_back(layer);
-    return recipe;
+    return nacre::test::paint_of(ior, {nacre::test::pigment_layer(albedo, depth, anisotropy)});
 }
 
 /// Light that meets exactly one flake or pigment and leaves, over the incident light from theta_i,

@@ -13,63 +13,15 @@
 #include "nacre/core/random.h"
 #include "nacre/montecarlo/reference.h"
 #include "nacre/optics/material.h"
+#include "nacre/testing/directions.h"
+#include "nacre/testing/paints.h"
+#include "nacre/testing/statistics.h"
 
 // Only for tests of random walks: paints, and estimates by walks.
 
 namespace nacre::montecarlo::test {
 
-/// The z-score of a right walk exceeds this in one of 30000 values. Seeds are fixed, so that a test
-/// that passes once passes always; the bound says how likely a right walk was to be refused.
-inline constexpr double kWorstZ = 4.2;
-
-inline paint::FlakeSpecies flakes(double area_density_per_um, double alpha,
-                                  const spectra::Spectrum& reflectance,
-                                  const spectra::Spectrum& transmittance) {
-    paint::FlakeSpecies species;
-    species.name = "flakes";
-    species.amount = paint::AreaDensity{area_density_per_um};
-    species.orientation.beckmann_alpha = alpha;
-    species.body = paint::PrescribedFlake{reflectance, transmittance, 0.3};
-    return species;
-}
-
-/// Optical depth `depth` of scattering albedo `albedo` in a layer of 100 um.
-inline paint::Layer pigment_layer(double albedo, double depth, double anisotropy) {
-    constexpr double kThickness_mm = 0.1;
-    paint::Layer layer;
-    layer.thickness_um = 1e3 * kThickness_mm;
-    layer.pigments.push_back(
-        {albedo * depth / kThickness_mm, (1 - albedo) * depth / kThickness_mm, anisotropy});
-    return layer;
-}
-
-/// Flakes of area density times thickness `beta`, in a layer of 10 um.
-inline paint::Layer flake_layer(double beta, double alpha, double reflectance,
-                                double transmittance) {
-    paint::Layer layer;
-    layer.thickness_um = 10;
-    layer.flakes.push_back(flakes(beta / 10, alpha, reflectance, transmittance));
-    return layer;
-}
-
-inline paint::Recipe paint(double index, std::vector<paint::Layer> layers,
-                           double substrate_reflectance = 0) {
-    paint::Recipe recipe;
-    recipe.name = "test paint";
-    recipe.binder = optics::Material(index);
-    recipe.layers = std::move(layers);
-    recipe.substrate_reflectance = substrate_reflectance;
-    return recipe;
-}
-
-/// The worked example of docs/microflake.md: n = 1.5, c = 0.1 per um, alpha = 0.1, R = 0.6, T = 0,
-/// H = 15 um, over black.
-inline paint::Recipe worked_paint() {
-    paint::Layer layer;
-    layer.thickness_um = 15;
-    layer.flakes.push_back(flakes(.1, .1, .6, 0));
-    return paint(1.5, {layer});
-}
+using namespace nacre::test;
 
 inline const std::vector<double> kGreen{550};
 
@@ -83,15 +35,6 @@ inline double degrees_of_cosine(double cosine) {
     return std::acos(cosine) * 180 / std::numbers::pi;
 }
 
-using montecarlo::test::flake_layer;
-using montecarlo::test::kWorstZ;
-using montecarlo::test::paint;
-using montecarlo::test::pigment_layer;
-using montecarlo::test::worked_paint;
-
-/// Eight wavelengths of the grid on which films are computed, so that nothing is interpolated.
-inline constexpr bsdf::Wavelengths kOnGrid{420, 460, 500, 540, 580, 620, 660, 690};
-
 /// Flakes that transmit light, a pigment, an absorbing clearcoat, two layers and a substrate, whose
 /// optics differ between wavelengths.
 inline paint::Recipe pearl() {
@@ -103,18 +46,12 @@ inline paint::Recipe pearl() {
     paint::Layer below = pigment_layer(0.8, 1.0, 0.4);
     below.flakes = flake_layer(30, 0.3, 0.5, 0.2).flakes;
     below.flakes[0].amount = paint::AreaDensity{0.004};
-    paint::Recipe recipe = paint(1.5, {top, below}, 0.3);
+    paint::Recipe recipe = paint_of(1.5, {top, below}, 0.3);
     recipe.name = "pearl";
     recipe.clearcoat.emplace();
     recipe.clearcoat->thickness_um = 40;
     recipe.clearcoat->absorption_per_mm = spectra::Spectrum({400, 700}, {8, 1});
     return recipe;
-}
-
-inline Vec3f from_degrees(double theta, double phi) {
-    const double t = theta * std::numbers::pi / 180, p = phi * std::numbers::pi / 180;
-    return {static_cast<float>(std::sin(t) * std::cos(p)),
-            static_cast<float>(std::sin(t) * std::sin(p)), static_cast<float>(std::cos(t))};
 }
 
 /// Estimates of several quantities at eight wavelengths: [quantity][lane].

@@ -11,20 +11,15 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/bsdf.h"
+#include "nacre/testing/paints.h"
 
 // Only for tests of single flakes: recipes, models and patches.
 
 namespace nacre::bsdf {
 
-// On the paints' own grid, so that nothing is interpolated between wavelengths.
-inline const Wavelengths kOnGrid = {420, 460, 490, 530, 570, 610, 640, 690};
-
 inline paint::FlakeSpecies metal_flake(double diameter_um, double reflectance, double alpha = 0.1) {
-    paint::FlakeSpecies flake;
-    flake.amount = paint::AreaDensity{0.1};
+    paint::FlakeSpecies flake = test::flakes(0.1, alpha, reflectance);
     flake.diameter_um = diameter_um;
-    flake.orientation.beckmann_alpha = alpha;
-    flake.body = paint::PrescribedFlake{reflectance, 0.0, 0.3};
     return flake;
 }
 

@@ -45,6 +45,12 @@ constinit const ModelInfo MicroflakeModel::info = {
     .standard = standard_model<MicroflakeModel>,
     .options = kMicroflakeOptions};
 
+std::string MicroflakeModel::text() const {
+    return fmt::format("table={} angles={} azimuths={} rank={} tolerance={} clip_to_gamut={}",
+                       kTableNames[static_cast<int>(table)], table_size.angles, table_size.azimuths,
+                       compression.rank, compression.tolerance, compression.clip_to_gamut);
+}
+
 std::shared_ptr<const Bsdf> MicroflakeModel::make(const ModelInput& input,
                                                   const Progress& progress) const {
     if (input.table) return std::make_shared<const Tabulated>(*input.table);

@@ -35,6 +35,7 @@ struct MicroflakeModel {
 
     static const ModelInfo info;
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
+    std::string text() const;
     bool makes_table() const { return table != Table::split; }
     std::optional<BrdfTable> make_table(const solver::SolvedPaint& paint,
                                         const Progress& progress) const;

@@ -9,21 +9,14 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/bsdf.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::bsdf {
 namespace {
 
-constexpr double kAngles[] = {0.1, 20, 45, 60, 75, 85, 89};
+using test::metallic;
 
-paint::Recipe metallic(double alpha, double reflectance) {
-    paint::FlakeSpecies flake;
-    flake.amount = paint::AreaDensity{0.1};
-    flake.orientation.beckmann_alpha = alpha;
-    flake.body = paint::PrescribedFlake{reflectance, 0.0, 0.3};
-    paint::Recipe recipe;
-    recipe.layers.push_back({20, {flake}, {}});
-    return recipe;
-}
+constexpr double kAngles[] = {0.1, 20, 45, 60, 75, 85, 89};
 
 // Two layers, two species, a pigment, an absorbing clearcoat and a bright substrate: every term.
 paint::Recipe everything() {
@@ -31,9 +24,7 @@ paint::Recipe everything() {
     optics::Platelet platelet;
     platelet.core = {optics::find_material("mica"), 500, {60}};
     platelet.coats = {{optics::find_material("TiO2_anatase"), 80, {5}}};
-    paint::FlakeSpecies pearl;
-    pearl.amount = paint::AreaDensity{0.05};
-    pearl.orientation.beckmann_alpha = 0.2;
+    paint::FlakeSpecies pearl = test::flakes(0.05, 0.2, 0.0);
     pearl.body = platelet;
     recipe.layers.insert(recipe.layers.begin(), paint::Layer{10, {pearl}, {{20.0, 5.0, 0.5}}});
     recipe.clearcoat = paint::Clearcoat{40, spectra::Spectrum({400.0, 700.0}, {8.0, 1.0}), 0.0};
@@ -50,9 +41,6 @@ struct Model {
               solver::solve(recipe, spectra::default_wavelengths_nm()))),
           bsdf(std::make_unique<const Microflake>(paint)) {}
 };
-
-// On the paint's own grid, so that nothing is interpolated between wavelengths.
-const Wavelengths kOnGrid = {420, 460, 490, 530, 570, 610, 640, 690};
 
 const Model& everything_model() {
     static const Model model(everything());
@@ -131,51 +119,18 @@ TEST(Microflake, InterpolatesBetweenWavelengthsAndKeepsTheEnds) {
 }
 
 TEST(Microflake, IsReciprocalAndNeverNegative) {
-    const auto bound = everything_model().bsdf->bind(kOnGrid);
-    Rng rng(7, 1);
-    for (int i = 0; i < 2000; ++i) {
-        const Vec3f a = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
-        const Vec3f b = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
-        const FloatLanes forth = bound->eval(a, b), back = bound->eval(b, a);
-        for (int lane = 0; lane < kLanes; ++lane) {
-            ASSERT_GE(forth[lane], 0);
-            // Single precision: a few dozen roundings, some amplified by the lobe's exponent.
-            ASSERT_NEAR(forth[lane], back[lane], 1e-5f + 1e-4f * forth[lane]);
-        }
-    }
+    expect_reciprocal(*everything_model().bsdf->bind(kOnGrid), 2000);
 }
 
 TEST(Microflake, IsBlackBelowTheHorizon) {
-    const auto bound = everything_model().bsdf->bind(kOnGrid);
-    const Vec3f up = direction(30, 0), down = {0.6f, 0, -0.8f};
-    EXPECT_EQ(lane_max(bound->eval(up, down)), 0);
-    EXPECT_EQ(lane_max(bound->eval(down, up)), 0);
-    EXPECT_EQ(bound->pdf(up, down), 0);
-    EXPECT_EQ(lane_max(bound->albedo(down)), 0);
-    EXPECT_FALSE(bound->sample(down, 0.5f, {0.5f, 0.5f}).has_value());
+    expect_black_below_the_horizon(*everything_model().bsdf->bind(kOnGrid));
 }
 
 TEST(Microflake, SampleReportsItsOwnDensityAndWeight) {
     const auto bound = everything_model().bsdf->bind(kOnGrid);
-    Rng rng(3, 1);
-    int specular = 0, others = 0;
-    for (int i = 0; i < 4000; ++i) {
-        const Vec3f wi = direction(89 * rng.uniform_double(), 40);
-        const auto s =
-            bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-        if (!s) continue;
-        if (s->kind == SampleKind::specular) {
-            ++specular;
-            EXPECT_FLOAT_EQ(s->wo.z, wi.z);
-            continue;
-        }
-        ++others;
-        ASSERT_NEAR(s->pdf, bound->pdf(wi, s->wo), 1e-3f * s->pdf);
-        const FloatLanes expected = bound->eval(wi, s->wo) * (s->wo.z / s->pdf);
-        ASSERT_NEAR(s->weight[2], expected[2], 1e-4f * expected[2]);
-    }
-    EXPECT_GT(specular, 100);
-    EXPECT_GT(others, 2000);
+    const Drawn drawn = expect_own_density_and_weight(*bound, 4000, 1e-3f);
+    EXPECT_GT(drawn.specular, 100);
+    EXPECT_GT(drawn.others, 2000);
 }
 
 TEST(Microflake, SamplesFollowTheDensity) {

@@ -499,8 +499,13 @@ constinit const ModelInfo NacreModel::info = {
     .ingredients = Ingredients::layers,
     .solution = Solution::solved,
     .can = {.goniochromism = true, .sparkle = true, .multiple_scattering = true},
+    .coordinates = SurfaceCoordinates::object_space,
     .standard = standard_model<NacreModel>,
     .options = kNacreOptions};
+
+std::string NacreModel::text() const {
+    return fmt::format("specimen={} hot_spot={}", specimen, hot_spot);
+}
 
 std::shared_ptr<const Bsdf> NacreModel::make(const ModelInput& input, const Progress&) const {
     return std::make_shared<const Nacre>(input.solved, *this);

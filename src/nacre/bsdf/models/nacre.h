@@ -24,6 +24,7 @@ struct NacreModel {
 
     static const ModelInfo info;
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
+    std::string text() const;
 
     friend bool operator==(const NacreModel&, const NacreModel&) = default;
 };

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/solver/directions.h"
 #include "nacre/testing/nacre_model.h"
+#include "nacre/testing/statistics.h"
 
 // Mean and variance of the nacre model over patches, against the smooth model and against
 // Campbell's theorem.
@@ -59,8 +61,8 @@ TEST(Nacre, MeanOverPatchesIsTheMicroflakeModel) {
                 const double mean = sum[p][lane] / count;
                 const double error = std::sqrt((squares[p][lane] / count - mean * mean) / count);
                 EXPECT_GT(error, 0);
-                EXPECT_LT(error, 0.03 * mean);
-                EXPECT_NEAR(mean, expected[lane], 3 * error)
+                EXPECT_LT(error, 0.025 * mean);
+                EXPECT_NEAR(mean, expected[lane], test::kWorstZ * error)
                     << flakes << " flakes, pair " << p << ", lane " << lane;
             }
         }
@@ -204,22 +206,24 @@ class Factor {
     FloatLanes mean_, single_{};
 };
 
-// E[(X - 1)^2] over patches of this side.
-DoubleLanes variance(const Factor& x, const SparklingModel& model, double side_mm, int patches,
-                     std::uint64_t seed) {
-    DoubleLanes squares{};
+/// E[(X - 1)^2] over patches of this side, by lane; a patch's turns count as one value.
+std::array<test::Sample, kLanes> variance(const Factor& x, const SparklingModel& model,
+                                          double side_mm, int patches, std::uint64_t seed) {
+    std::array<test::Sample, kLanes> found;
     Rng rng(seed, 5);
     PatchMemory memory(model.bound->patch_memory_bytes());
     for (int n = 0; n < patches; ++n) {
         Patch patch = random_square_patch(rng, side_mm);
         memory.forget();
         patch.memory = &memory;
+        DoubleLanes squares{};
         for (int t = 0; t < kTurns; ++t) {
             const DoubleLanes d = __builtin_convertvector(x(patch, t) - 1.0f, DoubleLanes);
             squares += d * d;
         }
+        for (int lane = 0; lane < kLanes; ++lane) found[lane].add(squares[lane] / kTurns);
     }
-    return squares * (1.0 / (static_cast<double>(patches) * kTurns));
+    return found;
 }
 
 double optical_depth(const SparklingModel& model, double theta_i, double theta_o, int lane) {
@@ -240,6 +244,8 @@ Vec3f inside(Vec3f w) {
 
 // From a point to a million flakes. 250 000 patches, each at eight turns with a probability of some
 // 8 % that any flake reflects, give the variance to 1 %.
+constexpr double kVarianceError = 0.01;
+
 TEST(Nacre, VarianceIsThatOfACompoundPoissonProcess) {
     const SparklingModel model(paint_of({metal_flake(10, 0.6)}));
     const Campbell campbell{.diameter_um = 10, .flakes_per_mm2 = model.flakes_per_mm2()};
@@ -254,7 +260,9 @@ TEST(Nacre, VarianceIsThatOfACompoundPoissonProcess) {
         const double place = model.flakes_per_mm2() * campbell.place(side);
         const double expected = place * campbell.slope(inside(x.wi()), inside(x.wo())) *
                                 Campbell::depth(optical_depth(model, c.theta_i, c.theta_o, 4));
-        EXPECT_NEAR(variance(x, model, side, 250000, 7)[4], expected, 0.03 * expected)
+        const test::Sample found = variance(x, model, side, 250000, 7)[4];
+        EXPECT_LT(found.error(), kVarianceError * expected);
+        EXPECT_NEAR(found.mean(), expected, test::kWorstZ * found.error())
             << c.flakes << " flakes, from " << c.theta_i << " deg";
         // It falls as the area.
         EXPECT_TRUE(c.flakes < 1e5 || std::abs(place * c.flakes - 1) < 1e-3);
@@ -282,14 +290,15 @@ TEST(Nacre, FilmsAddTheirOwnVariance) {
         sum += r;
         squares += r * r;
     }
-    const DoubleLanes found = variance(x, model, 0, 250000, 9);
+    const auto found = variance(x, model, 0, 400000, 9);
     double smallest = INFINITY, largest = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
         const double films = squares[lane] * kFilms / (sum[lane] * sum[lane]);
         const double expected = model.flakes_per_mm2() * campbell.place(0) *
                                 campbell.slope(inside(x.wi()), inside(x.wo())) * films *
                                 Campbell::depth(optical_depth(model, 45, 35, lane));
-        EXPECT_NEAR(found[lane], expected, 0.03 * expected) << lane;
+        EXPECT_LT(found[lane].error(), kVarianceError * expected);
+        EXPECT_NEAR(found[lane].mean(), expected, test::kWorstZ * found[lane].error()) << lane;
         smallest = std::min(smallest, films);
         largest = std::max(largest, films);
     }

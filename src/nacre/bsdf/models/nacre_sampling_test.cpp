@@ -1,29 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <numbers>
 #include <vector>
 
 #include "nacre/spectra/spectrum.h"
+#include "nacre/testing/allocations.h"
 #include "nacre/testing/nacre_model.h"
 
 // Sampling of the nacre model on a patch, with and without a patch's memory.
-
-namespace {
-std::atomic<long> allocations = 0;
-}  // namespace
-
-// Counts allocations: a query must make none.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* p = std::malloc(size)) return p;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace nacre::bsdf {
 namespace {
@@ -272,7 +257,7 @@ TEST(NacrePatch, QueriesWithMemoryAllocateNothing) {
     const SparklingModel& model = model_with_every_feature();
     Rng rng(7);
     PatchMemory memory(model.bound->patch_memory_bytes());
-    const long before = allocations;
+    const long before = test::allocations;
     float sum = 0;
     for (int n = 0; n < 100; ++n) {
         Patch patch = random_square_patch(rng, 0.05);
@@ -283,10 +268,10 @@ TEST(NacrePatch, QueriesWithMemoryAllocateNothing) {
         const auto s = model.bound->sample_on(patch, wi, rng.uniform_float(), {0.3f, 0.6f});
         if (s) sum += s->pdf;
     }
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocations, before);
     EXPECT_GT(sum, 0);
     const auto* another = new double(sum);
-    EXPECT_EQ(allocations, before + 1);  // it does count
+    EXPECT_EQ(test::allocations, before + 1);  // it does count
     delete another;
 }
 

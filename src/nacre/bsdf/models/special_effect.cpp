@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -12,7 +10,6 @@
 #include "nacre/bsdf/microfacet.h"
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
-#include "nacre/core/random.h"
 #include "nacre/sparkle/facet_field.h"
 
 namespace nacre::bsdf {
@@ -74,65 +71,34 @@ struct SpecialEffect::Tables {
 
 namespace {
 
-using Ray = MicrofacetCoat::Ray;
-
-class BoundSpecialEffect final : public BoundBsdf {
+class BoundSpecialEffect final : public BoundMicrofacets<BoundSpecialEffect> {
  public:
     BoundSpecialEffect(std::shared_ptr<const SpecialEffect::Tables> tables,
                        const Wavelengths& wavelengths_nm)
-        : tables_(std::move(tables)),
-          facets_(tables_->facets),
+        : BoundMicrofacets(tables->recipe, tables->facets, wavelengths_nm),
+          tables_(std::move(tables)),
           rule_(tables_->field.cone_rule()),
-          coat_(tables_->recipe, wavelengths_nm),
           film_(tables_->film, tables_->recipe.microfacet->film_ior, tables_->thickness,
                 wavelengths_nm),
           inverse_solid_angle_(static_cast<float>(1 / rule_.solid_angle())) {
-        albedo_.tabulate([&](Vec3f wi, std::array<float, 4> u) -> FloatLanes {
-            const Ray i = coat_.refract(wi);
-            const auto o = draw(i, {u[0], u[1]}, {u[2], u[3]});
-            if (!o) return FloatLanes{};
-            const Pair pair(*this, i, *o);
-            return mean_value(pair) * (o->outside.z / facet_density(pair));
-        });
+        tabulate_albedo();
     }
 
-    FloatLanes eval(Vec3f wi, Vec3f wo) const override {
-        if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
-        return mean_value(Pair(*this, coat_.refract(wi), coat_.refract(wo)));
-    }
-    float pdf(Vec3f wi, Vec3f wo) const override {
-        if (wi.z <= 0 || wo.z <= 0) return 0;
-        return density(Pair(*this, coat_.refract(wi), coat_.refract(wo)));
-    }
-    BsdfValue evaluate(Vec3f wi, Vec3f wo) const override {
-        if (wi.z <= 0 || wo.z <= 0) return {};
-        const Pair pair(*this, coat_.refract(wi), coat_.refract(wo));
-        return {mean_value(pair), density(pair)};
-    }
     BsdfValue evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return {};
-        const sparkle::Footprint footprint(patch.u, patch.v, patch.edge_1, patch.edge_2);
-        const Pair pair(*this, coat_.refract(wi), coat_.refract(wo));
-        return {value(footprint, pair), density(pair)};
-    }
-
-    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
-        return sample_with(wi, u_select, u, [&](const Pair& pair) { return mean_value(pair); });
+        const Pair p = pair(wi, wo);
+        return {value({patch.u, patch.v, patch.edge_1, patch.edge_2}, p), density(p)};
     }
     std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_select,
                                         Vec2f u) const override {
-        return sample_with(wi, u_select, u, [&](const Pair& pair) {
-            return value({patch.u, patch.v, patch.edge_1, patch.edge_2}, pair);
+        return sample_by(wi, u_select, u, [&](const Pair& p) {
+            return value({patch.u, patch.v, patch.edge_1, patch.edge_2}, p);
         });
     }
 
-    FloatLanes albedo(Vec3f wi) const override {
-        if (wi.z <= 0) return FloatLanes{};
-        const FloatLanes specular = splat(coat_.specular_reflectance(coat_.refract(wi)));
-        return min_lanes(specular + albedo_.at(wi.z), splat(1.0f));
-    }
-
  private:
+    friend BoundMicrofacets;
+
     // Two directions and what value and density share.
     struct Pair {
         Ray i, o;
@@ -144,7 +110,7 @@ class BoundSpecialEffect final : public BoundBsdf {
             : i(i),
               o(o),
               sum(i.inside + o.inside),
-              lambda_i(b.facets_.lambda(i.inside)),
+              lambda_i(b.facets().lambda(i.inside)),
               means(b.rule_.means(i.inside, o.inside)) {}
 
         // w_i.h from the half vector alone, which is symmetric in its arguments.
@@ -154,11 +120,11 @@ class BoundSpecialEffect final : public BoundBsdf {
     // The BRDF over (1/K) sum R / (A |Omega|).
     FloatLanes geometry(const Pair& p) const {
         const float visible =
-            MicrofacetDistribution::masking_shadowing(p.lambda_i, facets_.lambda(p.o.inside));
+            MicrofacetDistribution::masking_shadowing(p.lambda_i, facets().lambda(p.o.inside));
         // (w_i.h) / (h.n), with w_i.h = |sum| / 2 and h.n = sum_z / |sum|.
         const float foreshortening = 0.5f * dot(p.sum, p.sum) / p.sum.z;
         return (foreshortening * visible / (p.i.inside.z * p.o.inside.z)) *
-               coat_.transfer(p.i, p.o);
+               coat().transfer(p.i, p.o);
     }
 
     FloatLanes mean_value(const Pair& p) const {
@@ -169,63 +135,30 @@ class BoundSpecialEffect final : public BoundBsdf {
     FloatLanes value(const sparkle::Footprint& footprint, const Pair& p) const {
         if (!(footprint.area() > 0)) return mean_value(p);
         const sparkle::FacetField& field = tables_->field;
-        const sparkle::FacetTally facets = field.count(footprint, p.i.inside, p.o.inside);
-        if (facets.count == 0) return FloatLanes{};
+        const sparkle::FacetTally tally = field.count(footprint, p.i.inside, p.o.inside);
+        if (tally.count == 0) return FloatLanes{};
         const double fraction = 1 / (field.facets() * footprint.area());
-        return film_.sum(p.cosine(), facets) *
+        return film_.sum(p.cosine(), tally) *
                (static_cast<float>(fraction) * inverse_solid_angle_) * geometry(p);
     }
 
-    // A direction into which visible facets reflect, turned within the cone; empty where it does
-    // not leave.
+    // A direction into which visible facets reflect, turned within the cone.
     std::optional<Ray> draw(const Ray& i, Vec2f u, Vec2f u_cone) const {
-        const Vec3f m = facets_.sample_visible(i.inside, u);
-        const Vec3f specular = 2 * dot(i.inside, m) * m - i.inside;
-        const Vec3f inside = rule_.sample(specular, u_cone);
-        if (inside.z <= 0) return std::nullopt;
-        const auto outside = coat_.leave(inside);
-        if (!outside || outside->z <= 0) return std::nullopt;
-        return coat_.refract(*outside);
+        const Vec3f m = facets().sample_visible(i.inside, u);
+        return leave(rule_.sample(2 * dot(i.inside, m) * m - i.inside, u_cone));
     }
 
     // Of draw(): the mean over the cone of the density of visible normals over the Jacobian of
     // reflection, times that of refraction.
     float facet_density(const Pair& p) const {
         return 0.25f * p.means.density / (p.i.inside.z * (1 + p.lambda_i)) *
-               coat_.solid_angle_ratio(p.o);
-    }
-    float density(const Pair& p) const {
-        return (1 - albedo_.specular_probability(coat_, p.i)) * facet_density(p);
-    }
-
-    template <class Value>
-    std::optional<BsdfSample> sample_with(Vec3f wi, float u_select, Vec2f u, Value&& value) const {
-        if (wi.z <= 0) return std::nullopt;
-        const Ray i = coat_.refract(wi);
-        const float p_specular = albedo_.specular_probability(coat_, i);
-        if (u_select < p_specular) return coat_.specular_sample(i, p_specular);
-        // Two more numbers than the caller gives: a hash of the three.
-        const std::uint64_t bits =
-            hash_of(std::bit_cast<std::uint32_t>(u.x), std::bit_cast<std::uint32_t>(u.y),
-                    std::bit_cast<std::uint32_t>(u_select));
-        const Vec2f u_cone = {to_unit_float(static_cast<std::uint32_t>(bits >> 32)),
-                              to_unit_float(static_cast<std::uint32_t>(bits))};
-        const auto o = draw(i, u, u_cone);
-        if (!o) return std::nullopt;
-        const Pair pair(*this, i, *o);
-        const float p = density(pair);
-        if (!(p > 0)) return std::nullopt;
-        return BsdfSample{
-            .wo = o->outside, .weight = value(pair) * (o->outside.z / p), .pdf = p, .exit_mm = {}};
+               coat().solid_angle_ratio(p.o);
     }
 
     std::shared_ptr<const SpecialEffect::Tables> tables_;
-    MicrofacetDistribution facets_;
     const sparkle::ConeRule& rule_;  // of tables_
-    MicrofacetCoat coat_;
     SpreadFilm film_;
     float inverse_solid_angle_;
-    MicrofacetAlbedo albedo_;
 };
 
 SpecialEffect::Tables make_tables(const paint::Recipe& recipe, std::uint64_t seed) {
@@ -286,7 +219,10 @@ constinit const ModelInfo SpecialEffectModel::info = {
     .ingredients = Ingredients::facets,
     .solution = Solution::none,
     .can = {.goniochromism = true, .sparkle = true},
+    .coordinates = SurfaceCoordinates::unit_square,
     .standard = standard_model<SpecialEffectModel>};
+
+std::string SpecialEffectModel::text() const { return fmt::format("specimen={}", specimen); }
 
 std::shared_ptr<const Bsdf> SpecialEffectModel::make(const ModelInput& input,
                                                      const Progress&) const {

@@ -18,6 +18,7 @@ struct SpecialEffectModel {
 
     static const ModelInfo info;
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
+    std::string text() const;
 
     friend bool operator==(const SpecialEffectModel&, const SpecialEffectModel&) = default;
 };

@@ -12,29 +12,18 @@
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
+#include "nacre/testing/bsdf.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::bsdf {
 namespace {
 
-const Wavelengths kVisible = {420, 460, 490, 530, 570, 610, 640, 690};
-
-Vec3f direction(double theta_deg, double phi_deg) {
-    const double s = std::sin(theta_deg * kDegree);
-    return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
-            static_cast<float>(s * std::sin(phi_deg * kDegree)),
-            static_cast<float>(std::cos(theta_deg * kDegree))};
-}
+using test::message_of;
 
 paint::Recipe pigment(double count, bool coat = false) {
-    paint::Recipe recipe;
-    paint::Microfacet m;
-    m.alpha = 0.07;
-    m.film_ior = 1.8;
-    m.film_thickness_nm = 158.333;
-    m.base_ior = 1.08;
-    m.base_extinction = 0.51;
-    m.facets = paint::MicrofacetFacets{count, 3, 10};
-    recipe.microfacet = m;
+    paint::Recipe recipe = test::violet();
+    recipe.microfacet->facets = paint::MicrofacetFacets{count, 3, 10};
     if (coat) recipe.clearcoat = paint::Clearcoat{45, spectra::Spectrum(2.0), 0.0};
     return recipe;
 }
@@ -54,7 +43,7 @@ TEST(SpecialEffect, MeanOverPatchesIsTheSmoothMean) {
     };
     for (const bool coat : {false, true}) {
         for (const Case& c : {Case{1e7, 0.05, 40000}, Case{1e9, 5, 5000}, Case{1e12, 1e5, 500}}) {
-            const auto bound = SpecialEffect(pigment(c.facets, coat), 3).bind(kVisible);
+            const auto bound = SpecialEffect(pigment(c.facets, coat), 3).bind(kOnGrid);
             for (const auto& [wi, wo] : {std::pair{direction(30, 0), direction(31, 179)},
                                          std::pair{direction(60, 0), direction(57, 184)}}) {
                 FloatLanes sum{}, squares{};
@@ -84,9 +73,9 @@ TEST(SpecialEffect, MeanIsTheThinFilmModelAveragedOverConeAndThickness) {
     recipe.microfacet->alpha = 0.2;
     recipe.microfacet->facets->cone_deg = 0.5;
     recipe.microfacet->facets->thickness_spread_nm = 0;
-    const auto facets = SpecialEffect(recipe, 1).bind(kVisible);
+    const auto facets = SpecialEffect(recipe, 1).bind(kOnGrid);
     recipe.microfacet->facets.reset();
-    const auto smooth = ThinFilm(recipe).bind(kVisible);
+    const auto smooth = ThinFilm(recipe).bind(kOnGrid);
     for (const double theta : {0.0, 20.0, 50.0}) {
         const Vec3f wi = direction(theta, 0), wo = direction(theta + 5, 175);
         const FloatLanes a = facets->eval(wi, wo), b = smooth->eval(wi, wo);
@@ -97,7 +86,7 @@ TEST(SpecialEffect, MeanIsTheThinFilmModelAveragedOverConeAndThickness) {
 
 TEST(SpecialEffect, IsReciprocal) {
     for (const bool coat : {false, true}) {
-        const auto bound = SpecialEffect(pigment(1e8, coat), 2).bind(kVisible);
+        const auto bound = SpecialEffect(pigment(1e8, coat), 2).bind(kOnGrid);
         Rng rng(1);
         int lit = 0;
         for (int i = 0; i < 500; ++i) {
@@ -124,7 +113,7 @@ TEST(SpecialEffect, IsReciprocal) {
 TEST(SpecialEffect, PartsOfAPatchAverageToTheWhole) {
     paint::Recipe recipe = pigment(1e9);
     recipe.microfacet->facets->thickness_spread_nm = 0;
-    const auto bound = SpecialEffect(recipe, 4).bind(kVisible);
+    const auto bound = SpecialEffect(recipe, 4).bind(kOnGrid);
     const Vec3f wi = direction(30, 0), wo = direction(30, 180);
     const float side = 0x1p-13f;
     Rng rng(2);
@@ -144,7 +133,7 @@ TEST(SpecialEffect, PartsOfAPatchAverageToTheWhole) {
 
 TEST(SpecialEffect, LosesButNeverGainsLight) {
     for (const bool coat : {false, true}) {
-        const auto bound = SpecialEffect(pigment(1e7, coat), 1).bind(kVisible);
+        const auto bound = SpecialEffect(pigment(1e7, coat), 1).bind(kOnGrid);
         Rng rng(3);
         for (const double theta : {5.0, 45.0, 80.0}) {
             const Vec3f wi = direction(theta, 20);
@@ -222,7 +211,7 @@ double chi_square_z_score(const BoundBsdf& bound, const Vec3f wi, const Patch* p
 TEST(SpecialEffect, SamplesFollowTheirDensity) {
     const Patch patch{0.5, 0.5, {1e-3f, 0}, {0, 1e-3f}};
     for (const bool coat : {false, true}) {
-        const auto bound = SpecialEffect(pigment(1e7, coat), 1).bind(kVisible);
+        const auto bound = SpecialEffect(pigment(1e7, coat), 1).bind(kOnGrid);
         for (const double theta : {0.0, 35.0, 65.0, 80.0}) {
             EXPECT_LT(chi_square_z_score(*bound, direction(theta, 15), nullptr), 4) << theta;
         }
@@ -232,7 +221,7 @@ TEST(SpecialEffect, SamplesFollowTheirDensity) {
 
 // The mean weight is the integral of the BRDF of that patch, facet by facet.
 TEST(SpecialEffect, SamplingAPatchIsUnbiased) {
-    const auto bound = SpecialEffect(pigment(1e6), 6).bind(kVisible);
+    const auto bound = SpecialEffect(pigment(1e6), 6).bind(kOnGrid);
     const Patch patch{0.37, 0.61, {3e-3f, 0}, {0, 4e-3f}};  // 12 facets
     const Vec3f wi = direction(30, 0);
     Rng rng(12);
@@ -266,7 +255,7 @@ TEST(SpecialEffect, SamplingAPatchIsUnbiased) {
 }
 
 TEST(SpecialEffect, APatchWithoutAreaGivesTheMean) {
-    const auto bound = SpecialEffect(pigment(1e7), 1).bind(kVisible);
+    const auto bound = SpecialEffect(pigment(1e7), 1).bind(kOnGrid);
     const Vec3f wi = direction(30, 0), wo = direction(28, 180);
     const FloatLanes mean = bound->eval(wi, wo);
     const FloatLanes point = bound->evaluate_on({0.5, 0.5, {0, 0}, {0, 0}}, wi, wo).f;
@@ -274,7 +263,7 @@ TEST(SpecialEffect, APatchWithoutAreaGivesTheMean) {
 }
 
 TEST(SpecialEffect, StaysFiniteForAnyPatchAndDirection) {
-    const auto bound = SpecialEffect(pigment(1e9, true), 1).bind(kVisible);
+    const auto bound = SpecialEffect(pigment(1e9, true), 1).bind(kOnGrid);
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const float numbers[] = {0, 1e-30f, 1e-4f, 0.3f, 50, 1e30f, inf, nan};
@@ -299,22 +288,17 @@ TEST(SpecialEffect, OneFacetAndATrillion) {
     const Vec3f wi = direction(30, 0), wo = direction(30, 180);
     const Patch all{0.5, 0.5, {1, 0}, {0, 1}};
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const auto f = SpecialEffect(pigment(1), seed).bind(kVisible)->evaluate_on(all, wi, wo).f;
+        const auto f = SpecialEffect(pigment(1), seed).bind(kOnGrid)->evaluate_on(all, wi, wo).f;
         for (int i = 0; i < kLanes; ++i) EXPECT_TRUE(std::isfinite(f[i]) && f[i] >= 0);
     }
-    const auto bound = SpecialEffect(pigment(1e12), 1).bind(kVisible);
+    const auto bound = SpecialEffect(pigment(1e12), 1).bind(kOnGrid);
     const FloatLanes f = bound->evaluate_on(all, wi, wo).f, mean = bound->eval(wi, wo);
     for (int i = 0; i < kLanes; ++i) EXPECT_NEAR(f[i], mean[i], 1e-4 * mean[i]);
 }
 
 TEST(SpecialEffect, RefusesWhatItCannotCount) {
     const auto message = [](const paint::Recipe& recipe) -> std::string {
-        try {
-            SpecialEffect(recipe, 0);
-        } catch (const DomainError& e) {
-            return e.what();
-        }
-        return "accepted";
+        return message_of<DomainError>([&] { SpecialEffect(recipe, 0); });
     };
     EXPECT_THAT(message(paint::Recipe{}), testing::HasSubstr("microfacet"));
     paint::Recipe recipe = pigment(1e6);
@@ -339,7 +323,7 @@ TEST(SpecialEffect, RefusesWhatItCannotCount) {
 struct Film {
     optics::AiryFilm film{1, 1.8, 1.08, 0.51};
     optics::ThicknessRange range{130, 190};
-    SpreadFilm spread{film, 1.8, range, kVisible};
+    SpreadFilm spread{film, 1.8, range, kOnGrid};
 };
 
 TEST(SpreadFilm, MeanIsTheClosedForm) {
@@ -347,7 +331,7 @@ TEST(SpreadFilm, MeanIsTheClosedForm) {
     for (const float cosine : {1.0f, 0.7f, 0.3f}) {
         const FloatLanes mean = f.spread.mean(cosine);
         for (int i = 0; i < kLanes; ++i) {
-            EXPECT_NEAR(mean[i], f.film.moments(cosine, f.range, kVisible[i]).mean,
+            EXPECT_NEAR(mean[i], f.film.moments(cosine, f.range, kOnGrid[i]).mean,
                         kSpreadFilmError);
         }
     }
@@ -376,7 +360,7 @@ TEST(SpreadFilm, SumsHaveTheMeanAndVarianceOfTheFacets) {
             product += static_cast<double>(r[0]) * r[7];
         }
         for (int i = 0; i < kLanes; ++i) {
-            const auto moments = f.film.moments(kCosine, f.range, kVisible[i]);
+            const auto moments = f.film.moments(kCosine, f.range, kOnGrid[i]);
             const double mean = sum[i] / kDraws, variance = moments.variance() / count;
             EXPECT_NEAR(mean, moments.mean, 4 * std::sqrt(variance / kDraws) + kSpreadFilmError);
             EXPECT_NEAR(squares[i] / kDraws - mean * mean, variance,
@@ -390,13 +374,13 @@ TEST(SpreadFilm, SumsHaveTheMeanAndVarianceOfTheFacets) {
             const float d = static_cast<float>(f.range.lo_nm + (f.range.hi_nm - f.range.lo_nm) *
                                                                    (k + 0.5) / kSteps);
             const FloatLanes r = f.film.reflectance(
-                kCosine, d, make_lanes([](int i) { return static_cast<float>(1 / kVisible[i]); }));
+                kCosine, d, make_lanes([](int i) { return static_cast<float>(1 / kOnGrid[i]); }));
             blue += r[0] / kSteps;
             red += r[7] / kSteps;
             both += static_cast<double>(r[0]) * r[7] / kSteps;
         }
-        const double scale = std::sqrt(f.film.moments(kCosine, f.range, kVisible[0]).variance() *
-                                       f.film.moments(kCosine, f.range, kVisible[7]).variance());
+        const double scale = std::sqrt(f.film.moments(kCosine, f.range, kOnGrid[0]).variance() *
+                                       f.film.moments(kCosine, f.range, kOnGrid[7]).variance());
         EXPECT_NEAR(product / kDraws - sum[0] / kDraws * (sum[7] / kDraws),
                     (both - blue * red) / count, 5 * scale / count * std::sqrt(2.0 / kDraws));
     }

@@ -1,5 +1,7 @@
 #include "nacre/bsdf/models/thin_film.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -91,61 +93,19 @@ struct ThinFilm::Tables {
 
 namespace {
 
-using Ray = MicrofacetCoat::Ray;
-
-class BoundThinFilm final : public BoundBsdf {
+class BoundThinFilm final : public BoundMicrofacets<BoundThinFilm> {
  public:
     BoundThinFilm(std::shared_ptr<const ThinFilm::Tables> tables, const Wavelengths& wavelengths_nm)
-        : tables_(std::move(tables)),
-          facets_(tables_->facets),
-          coat_(tables_->recipe, wavelengths_nm),
+        : BoundMicrofacets(tables->recipe, tables->facets, wavelengths_nm),
+          tables_(std::move(tables)),
           reflectance_(tables_->film, tables_->recipe.microfacet->film_thickness_nm,
                        tables_->colours ? &*tables_->colours : nullptr, wavelengths_nm) {
-        albedo_.tabulate([&](Vec3f wi, std::array<float, 4> u) -> FloatLanes {
-            const Ray i = coat_.refract(wi);
-            const auto o = draw(i, {u[0], u[1]});
-            if (!o) return FloatLanes{};
-            const Pair pair(*this, i, *o);
-            if (!(pair.density > 0)) return FloatLanes{};
-            return value(pair) * (o->outside.z / facet_density(pair));
-        });
-    }
-
-    FloatLanes eval(Vec3f wi, Vec3f wo) const override {
-        if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
-        return value(Pair(*this, coat_.refract(wi), coat_.refract(wo)));
-    }
-    float pdf(Vec3f wi, Vec3f wo) const override {
-        if (wi.z <= 0 || wo.z <= 0) return 0;
-        return density(Pair(*this, coat_.refract(wi), coat_.refract(wo)));
-    }
-    BsdfValue evaluate(Vec3f wi, Vec3f wo) const override {
-        if (wi.z <= 0 || wo.z <= 0) return {};
-        const Pair pair(*this, coat_.refract(wi), coat_.refract(wo));
-        return {value(pair), density(pair)};
-    }
-
-    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
-        if (wi.z <= 0) return std::nullopt;
-        const Ray i = coat_.refract(wi);
-        const float p_specular = albedo_.specular_probability(coat_, i);
-        if (u_select < p_specular) return coat_.specular_sample(i, p_specular);
-        const auto o = draw(i, u);
-        if (!o) return std::nullopt;
-        const Pair pair(*this, i, *o);
-        const float p = density(pair);
-        if (!(p > 0)) return std::nullopt;
-        return BsdfSample{
-            .wo = o->outside, .weight = value(pair) * (o->outside.z / p), .pdf = p, .exit_mm = {}};
-    }
-
-    FloatLanes albedo(Vec3f wi) const override {
-        if (wi.z <= 0) return FloatLanes{};
-        const FloatLanes specular = splat(coat_.specular_reflectance(coat_.refract(wi)));
-        return min_lanes(specular + albedo_.at(wi.z), splat(1.0f));
+        tabulate_albedo();
     }
 
  private:
+    friend BoundMicrofacets;
+
     // Two directions, and what value and density share.
     struct Pair {
         Ray i, o;
@@ -156,42 +116,33 @@ class BoundThinFilm final : public BoundBsdf {
             const Vec3f sum = i.inside + o.inside;
             const float twice = length(sum);
             cosine = std::min(1.0f, 0.5f * twice);
-            density = b.facets_.density(sum * (1 / twice));
-            lambda_i = b.facets_.lambda(i.inside);
+            density = b.facets().density(sum * (1 / twice));
+            lambda_i = b.facets().lambda(i.inside);
         }
     };
 
-    FloatLanes value(const Pair& p) const {
+    FloatLanes mean_value(const Pair& p) const {
         if (p.density == 0) return FloatLanes{};
         const float visible =
-            MicrofacetDistribution::masking_shadowing(p.lambda_i, facets_.lambda(p.o.inside));
+            MicrofacetDistribution::masking_shadowing(p.lambda_i, facets().lambda(p.o.inside));
         const float geometry = 0.25f * p.density * visible / (p.i.inside.z * p.o.inside.z);
-        return reflectance_(p.cosine) * geometry * coat_.transfer(p.i, p.o);
+        return reflectance_(p.cosine) * geometry * coat().transfer(p.i, p.o);
     }
 
-    // A direction into which visible facets reflect; empty where it does not leave.
-    std::optional<Ray> draw(const Ray& i, Vec2f u) const {
-        const Vec3f h = facets_.sample_visible(i.inside, u);
-        const Vec3f inside = 2 * dot(i.inside, h) * h - i.inside;
-        if (inside.z <= 0) return std::nullopt;
-        const auto outside = coat_.leave(inside);
-        if (!outside || outside->z <= 0) return std::nullopt;
-        return coat_.refract(*outside);
+    // A direction into which visible facets reflect.
+    std::optional<Ray> draw(const Ray& i, Vec2f u, Vec2f) const {
+        const Vec3f h = facets().sample_visible(i.inside, u);
+        return leave(2 * dot(i.inside, h) * h - i.inside);
     }
 
     // Of draw(): visible normals over the Jacobian of reflection, times that of refraction.
     float facet_density(const Pair& p) const {
-        return 0.25f * p.density / (p.i.inside.z * (1 + p.lambda_i)) * coat_.solid_angle_ratio(p.o);
-    }
-    float density(const Pair& p) const {
-        return (1 - albedo_.specular_probability(coat_, p.i)) * facet_density(p);
+        return 0.25f * p.density / (p.i.inside.z * (1 + p.lambda_i)) *
+               coat().solid_angle_ratio(p.o);
     }
 
     std::shared_ptr<const ThinFilm::Tables> tables_;
-    MicrofacetDistribution facets_;
-    MicrofacetCoat coat_;
     FilmReflectance reflectance_;
-    MicrofacetAlbedo albedo_;
 };
 
 ThinFilm::Tables make_tables(const paint::Recipe& recipe, ThinFilmColour colour) {
@@ -238,6 +189,10 @@ constinit const ModelInfo ThinFilmModel::info = {
     .can = {.goniochromism = true},
     .standard = standard_model<ThinFilmModel>,
     .options = kThinFilmOptions};
+
+std::string ThinFilmModel::text() const {
+    return fmt::format("colour={}", kColourNames[static_cast<int>(colour)]);
+}
 
 std::shared_ptr<const Bsdf> ThinFilmModel::make(const ModelInput& input, const Progress&) const {
     return std::make_shared<const ThinFilm>(input.recipe, colour);

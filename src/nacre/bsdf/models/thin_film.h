@@ -21,6 +21,7 @@ struct ThinFilmModel {
 
     static const ModelInfo info;
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
+    std::string text() const;
 
     friend bool operator==(const ThinFilmModel&, const ThinFilmModel&) = default;
 };

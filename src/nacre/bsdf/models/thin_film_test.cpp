@@ -13,20 +13,15 @@
 #include "nacre/spectra/colour.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/bsdf.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::bsdf {
 namespace {
 
 using paint::FacetDistribution;
+using test::violet;
 constexpr Wavelengths kNm = {418, 456, 493, 531, 568, 606, 643, 681};
 constexpr FacetDistribution kLaws[] = {FacetDistribution::beckmann, FacetDistribution::ggx};
-
-// The first parameter set of the comparison of 2022: P_inc = 570 nm.
-paint::Recipe violet(FacetDistribution law = FacetDistribution::beckmann, double alpha = 0.07) {
-    paint::Recipe recipe;
-    recipe.microfacet = paint::Microfacet{alpha, law, 1.8, 158.333, 1.08, 0.51, {}};
-    return recipe;
-}
 
 paint::Recipe coated(paint::Recipe recipe) {
     recipe.clearcoat = paint::Clearcoat{40, spectra::Spectrum({400, 700}, {8.0, 1.0}), 0};
@@ -54,7 +49,7 @@ double smith_lambda(FacetDistribution law, double alpha, double theta) {
 
 TEST(ThinFilm, IsTheMicrofacetFormulaWithTheTransferMatrix) {
     for (const auto law : kLaws) {
-        const paint::Recipe recipe = violet(law, 0.3);
+        const paint::Recipe recipe = violet(0.3, law);
         const auto bound = bind(recipe);
         for (const double theta_o : {10.0, 45.0, 75.0}) {
             const Vec3f wi = direction(50, 0), wo = direction(theta_o, 170);
@@ -81,7 +76,7 @@ TEST(ThinFilm, IsTheMicrofacetFormulaWithTheTransferMatrix) {
 }
 
 TEST(ThinFilm, UnderACoatIsTheFormulaInTheBinder) {
-    const paint::Recipe recipe = coated(violet(FacetDistribution::ggx, 0.3));
+    const paint::Recipe recipe = coated(violet(0.3, FacetDistribution::ggx));
     const Vec3f wi = direction(50, 0), wo = direction(35, 165);
     const auto inside = [](Vec3f w) {
         return Vec3f{w.x / 1.5f, w.y / 1.5f, std::sqrt(1 - (w.x * w.x + w.y * w.y) / 2.25f)};
@@ -130,34 +125,16 @@ TEST(ThinFilm, VanishesSmoothlyIntoTheBareBase) {
 }
 
 TEST(ThinFilm, IsReciprocalAndNeverNegative) {
-    Rng rng(7, 1);
     for (const auto colour :
          {ThinFilmColour::spectral, ThinFilmColour::table, ThinFilmColour::paper}) {
         for (const bool coat : {false, true}) {
-            const paint::Recipe recipe = violet(FacetDistribution::ggx, 0.4);
-            const auto bound = bind(coat ? coated(recipe) : recipe, colour);
-            for (int n = 0; n < 1000; ++n) {
-                const Vec3f a = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
-                const Vec3f b = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
-                const FloatLanes forth = bound->eval(a, b), back = bound->eval(b, a);
-                for (int lane = 0; lane < kLanes; ++lane) {
-                    ASSERT_GE(forth[lane], 0);
-                    ASSERT_NEAR(forth[lane], back[lane], 1e-6f + 1e-4f * forth[lane]);
-                }
-            }
+            const paint::Recipe recipe = violet(0.4, FacetDistribution::ggx);
+            expect_reciprocal(*bind(coat ? coated(recipe) : recipe, colour), 1000, 1e-6f);
         }
     }
 }
 
-TEST(ThinFilm, IsBlackBelowTheHorizon) {
-    const auto bound = bind(coated(violet()));
-    const Vec3f up = direction(30, 0), down = {0.6f, 0, -0.8f};
-    EXPECT_EQ(lane_max(bound->eval(up, down)), 0);
-    EXPECT_EQ(lane_max(bound->eval(down, up)), 0);
-    EXPECT_EQ(bound->pdf(up, down), 0);
-    EXPECT_EQ(lane_max(bound->albedo(down)), 0);
-    EXPECT_FALSE(bound->sample(down, 0.5f, {0.5f, 0.5f}).has_value());
-}
+TEST(ThinFilm, IsBlackBelowTheHorizon) { expect_black_below_the_horizon(*bind(coated(violet()))); }
 
 // A lossless surface that scatters once keeps what is not masked on the way out: the mean over
 // visible normals of (1 + Lambda_i) / (1 + Lambda_i + Lambda_o). By a sum over the hemisphere of
@@ -237,7 +214,7 @@ TEST(ThinFilm, NeverReflectsMoreThanItReceives) {
 TEST(ThinFilm, AlbedoIsTheMeanWeight) {
     for (const auto law : kLaws) {
         for (const bool coat : {false, true}) {
-            const paint::Recipe recipe = violet(law, 0.25);
+            const paint::Recipe recipe = violet(0.25, law);
             const auto bound = bind(coat ? coated(recipe) : recipe);
             for (const double theta : {0.5, 40.0, 70.0}) {
                 const MeanWeight found = mean_weight(*bound, direction(theta, 20), 4, 60000, 9);
@@ -250,31 +227,13 @@ TEST(ThinFilm, AlbedoIsTheMeanWeight) {
 }
 
 TEST(ThinFilm, SampleReportsItsOwnDensityAndWeight) {
-    Rng rng(3, 1);
     for (const auto law : kLaws) {
         for (const bool coat : {false, true}) {
-            const paint::Recipe recipe = violet(law, 0.2);
+            const paint::Recipe recipe = violet(0.2, law);
             const auto bound = bind(coat ? coated(recipe) : recipe);
-            int specular = 0, others = 0;
-            for (int i = 0; i < 3000; ++i) {
-                const Vec3f wi = direction(89 * rng.uniform_double(), 40);
-                const auto s = bound->sample(wi, rng.uniform_float(),
-                                             {rng.uniform_float(), rng.uniform_float()});
-                if (!s) continue;
-                if (s->kind == SampleKind::specular) {
-                    ++specular;
-                    EXPECT_FLOAT_EQ(s->wo.z, wi.z);
-                    continue;
-                }
-                ++others;
-                const BsdfValue value = bound->evaluate(wi, s->wo);
-                ASSERT_FLOAT_EQ(s->pdf, value.pdf);
-                ASSERT_NEAR(bound->pdf(wi, s->wo), value.pdf, 1e-5f * value.pdf);
-                const FloatLanes expected = bound->eval(wi, s->wo) * (s->wo.z / s->pdf);
-                ASSERT_NEAR(s->weight[2], expected[2], 1e-4f * expected[2]);
-            }
-            EXPECT_EQ(specular > 100, coat);
-            EXPECT_GT(others, 500);
+            const Drawn drawn = expect_own_density_and_weight(*bound, 3000, 1e-5f);
+            EXPECT_EQ(drawn.specular > 100, coat);
+            EXPECT_GT(drawn.others, 500);
         }
     }
 }
@@ -284,7 +243,7 @@ TEST(ThinFilm, SamplesFollowTheDensity) {
     for (const auto law : kLaws) {
         for (const double alpha : {0.25, 0.7}) {
             for (const bool coat : {false, true}) {
-                const paint::Recipe recipe = violet(law, alpha);
+                const paint::Recipe recipe = violet(alpha, law);
                 const auto bound = bind(coat ? coated(recipe) : recipe);
                 for (const double theta_i : {0.5, 50.0, 80.0}) {
                     SCOPED_TRACE(testing::Message()

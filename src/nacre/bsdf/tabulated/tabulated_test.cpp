@@ -10,21 +10,14 @@
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/rgb.h"
 #include "nacre/testing/bsdf.h"
+#include "nacre/testing/paints.h"
 
 namespace nacre::bsdf {
 namespace {
 
-const Wavelengths kWavelengths = {418, 456, 493, 531, 568, 606, 643, 681};
+using test::metallic;
 
-paint::Recipe metallic(double alpha, const spectra::Spectrum& reflectance) {
-    paint::FlakeSpecies flake;
-    flake.amount = paint::AreaDensity{0.1};
-    flake.orientation.beckmann_alpha = alpha;
-    flake.body = paint::PrescribedFlake{reflectance, 0.0, 0.3};
-    paint::Recipe recipe;
-    recipe.layers.push_back({20, {flake}, {}});
-    return recipe;
-}
+const Wavelengths kWavelengths = {418, 456, 493, 531, 568, 606, 643, 681};
 
 const spectra::Spectrum kGold({400.0, 500.0, 700.0}, {0.3, 0.5, 0.9});
 
@@ -118,31 +111,12 @@ TEST(Tabulated, GreyIsTheSameAtEveryWavelength) {
 }
 
 TEST(Tabulated, IsReciprocalAndNeverNegative) {
-    const auto bound = Tabulated(gold().compressed).bind(kWavelengths);
-    const auto raw = Tabulated(gold().raw).bind(kWavelengths);
-    Rng rng(7, 1);
-    for (int i = 0; i < 2000; ++i) {
-        const Vec3f a = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
-        const Vec3f b = direction(89.9 * rng.uniform_double(), 360 * rng.uniform_double());
-        for (const BoundBsdf* model : {bound.get(), raw.get()}) {
-            const FloatLanes forth = model->eval(a, b), back = model->eval(b, a);
-            for (int lane = 0; lane < kLanes; ++lane) {
-                ASSERT_GE(forth[lane], 0);
-                // Interpolation weights of single precision in another order.
-                ASSERT_NEAR(forth[lane], back[lane], 1e-5f + 1e-4f * forth[lane]);
-            }
-        }
-    }
+    expect_reciprocal(*Tabulated(gold().compressed).bind(kWavelengths), 2000);
+    expect_reciprocal(*Tabulated(gold().raw).bind(kWavelengths), 2000);
 }
 
 TEST(Tabulated, IsBlackBelowTheHorizon) {
-    const auto bound = Tabulated(gold().raw).bind(kWavelengths);
-    const Vec3f up = direction(30, 0), down = {0.6f, 0, -0.8f};
-    EXPECT_EQ(lane_max(bound->eval(up, down)), 0);
-    EXPECT_EQ(lane_max(bound->eval(down, up)), 0);
-    EXPECT_EQ(bound->pdf(up, down), 0);
-    EXPECT_EQ(lane_max(bound->albedo(down)), 0);
-    EXPECT_FALSE(bound->sample(down, 0.5f, {0.5f, 0.5f}).has_value());
+    expect_black_below_the_horizon(*Tabulated(gold().raw).bind(kWavelengths));
 }
 
 TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
@@ -176,30 +150,11 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
 
 TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
     const auto bound = Tabulated(gold().compressed).bind(kWavelengths);
-    Rng rng(3, 1);
-    int specular = 0, others = 0;
-    double largest = 0;
-    for (int i = 0; i < 4000; ++i) {
-        const Vec3f wi = direction(89 * rng.uniform_double(), 40);
-        const auto s =
-            bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-        if (!s) continue;
-        if (s->kind == SampleKind::specular) {
-            ++specular;
-            EXPECT_FLOAT_EQ(s->wo.z, wi.z);
-            continue;
-        }
-        ++others;
-        const BsdfValue both = bound->evaluate(wi, s->wo);
-        ASSERT_NEAR(s->pdf, both.pdf, 1e-4f * s->pdf);
-        ASSERT_NEAR(s->pdf, bound->pdf(wi, s->wo), 1e-4f * s->pdf);
-        ASSERT_NEAR(s->weight[2], both.f[2] * s->wo.z / s->pdf, 1e-3f * s->weight[2]);
-        largest = std::max<double>(largest, lane_max(s->weight));
-    }
-    EXPECT_GT(specular, 100);
-    EXPECT_GT(others, 2000);
+    const Drawn drawn = expect_own_density_and_weight(*bound, 4000, 1e-4f);
+    EXPECT_GT(drawn.specular, 100);
+    EXPECT_GT(drawn.others, 2000);
     // A fiftieth of all samples is drawn from the cosine lobe, which bounds the weights.
-    EXPECT_LT(largest, 8);
+    EXPECT_LT(drawn.largest_weight, 8);
 }
 
 TEST(Tabulated, SamplesFollowTheDensity) {

@@ -14,27 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a paint lies on, for models that must know it.
-std::vector<bsdf::PaintedShape> painted_shapes(const render::SceneDescription& scene,
-                                               const std::string& material) {
-    using Kind = bsdf::PaintedShape::Kind;
-    std::vector<bsdf::PaintedShape> shapes;
-    for (const render::Shape& shape : scene.shapes) {
-        if (shape.material != material) continue;
-        const double scale = shape.transform.scale;
-        if (const auto* sphere = std::get_if<render::Sphere>(&shape.geometry)) {
-            shapes.push_back({.kind = Kind::sphere, .radius_mm = sphere->radius_mm * scale});
-        } else if (const auto* panel = std::get_if<render::FlatPanel>(&shape.geometry)) {
-            shapes.push_back({.kind = Kind::panel,
-                              .width_mm = scale * panel->width_mm,
-                              .height_mm = scale * panel->height_mm});
-        } else {
-            shapes.push_back({});
-        }
-    }
-    return shapes;
-}
-
 /// Opens each file and makes each look once.
 class Painter {
  public:
@@ -48,7 +27,7 @@ class Painter {
         if (opened_[paint].paint.kind() == Kind::measured_brdf) return look(paint, std::nullopt);
         Model model = model_;
         try {
-            model.lie_on(material, painted_shapes(scene, material));
+            model.lie_on(material, render::painted_shapes(scene, material));
         } catch (const DomainError& error) {
             throw SettingError("model", error.what(), std::string(model.info().name));
         }

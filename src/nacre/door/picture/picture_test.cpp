@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "nacre/render.h"
+#include "nacre/testing/errors.h"
 #include "nacre/testing/fit.h"
 
 namespace nacre {
 namespace {
 
+using nacre::test::message_of;
 using ::testing::HasSubstr;
 
 const RenderSettings kTiny{.width = 8, .height = 8, .samples_per_pixel = 1};
@@ -34,12 +36,7 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
 
 TEST(Picture, SaysWhatDoesNotFit) {
     const auto message = [](const std::string& name, const ScenePaints& paints) {
-        try {
-            Scene(find_scene(name), paints);
-        } catch (const SettingError& error) {
-            return std::string(error.what());
-        }
-        return std::string();
+        return message_of<SettingError>([&] { Scene(find_scene(name), paints); });
     };
     EXPECT_THAT(message("sphere", {}), HasSubstr("slot: the material paint has no recipe"));
     const Paint paint(fit::testing::pearl());

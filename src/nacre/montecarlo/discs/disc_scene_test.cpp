@@ -73,7 +73,7 @@ TEST(Visibility, OneWayFollowsTheLawOfTheTransferEquation) {
     for (const double diameter : {4.0, 20.0}) {
         const double side = 250 * diameter;
         const auto v = flake_visibility(scene_of(test::opaque(2, 15, diameter), side, 1),
-                                        test::from_degrees(20, 0), test::from_degrees(20, 180), 5);
+                                        test::direction(20, 0), test::direction(20, 180), 5);
         const double tau = 2 * kAcross;
         // 160000 flakes with shared shadows: 1 % is more than 5 standard errors.
         EXPECT_NEAR(v.lit, (1 - std::exp(-tau)) / tau, 0.01 * v.lit) << diameter;
@@ -101,15 +101,14 @@ TEST(Visibility, HotSpotFollowsTheOverlapOfTheTwoPaths) {
     const double inside = std::asin(std::sin(test::degrees(20)) / 1.5) / test::degrees(1);
     const auto scene = scene_of(test::opaque(2, 15, 20), 4000, 3);
     const auto v =
-        flake_visibility(scene, test::from_degrees(inside, 0), test::from_degrees(inside, 180), 7);
+        flake_visibility(scene, test::direction(inside, 0), test::direction(inside, 180), 7);
     EXPECT_NEAR(v.lit_and_seen, 0.397, 0.01);
     const double tau = 4 * kAcross;
     EXPECT_GT(v.lit_and_seen, 1.5 * (1 - std::exp(-tau)) / tau);
     EXPECT_NEAR((1 - std::exp(-tau)) / tau, 0.247, 1e-3);
     for (const double diameter : {4.0, 20.0, 60.0}) {
         const auto s = scene_of(test::opaque(2, 15, diameter), 150 * diameter, 4);
-        const auto found =
-            flake_visibility(s, test::from_degrees(20, 0), test::from_degrees(20, 180), 8);
+        const auto found = flake_visibility(s, test::direction(20, 0), test::direction(20, 180), 8);
         EXPECT_NEAR(found.lit_and_seen,
                     hot_spot(2, 2 * 15 * std::tan(test::degrees(20)) / diameter),
                     0.02 * found.lit_and_seen)
@@ -120,8 +119,8 @@ TEST(Visibility, HotSpotFollowsTheOverlapOfTheTwoPaths) {
 TEST(Visibility, FlakesArePartlyHidden) {
     // E[v^2] lies between that of flakes each dimmed by the mean v at its depth, and that of flakes
     // wholly visible or hidden.
-    const auto v = flake_visibility(scene_of(test::opaque(2, 15, 2), 300, 1),
-                                    test::from_degrees(0, 0), test::from_degrees(50, 0), 5);
+    const auto v = flake_visibility(scene_of(test::opaque(2, 15, 2), 300, 1), test::direction(0, 0),
+                                    test::direction(50, 0), 5);
     const double tau = 4 * kAcross;
     const double dimmed = (1 - std::exp(-2 * tau)) / (2 * tau), mean = (1 - std::exp(-tau)) / tau;
     EXPECT_GT(v.mean_square, 1.15 * dimmed);

@@ -472,8 +472,14 @@ constinit const bsdf::ModelInfo ExplicitFlakesModel::info = {
             .sparkle = true,
             .multiple_scattering = true,
             .reference_only = true},
+    .coordinates = bsdf::SurfaceCoordinates::object_space,
     .standard = bsdf::standard_model<ExplicitFlakesModel>,
     .alternative = &kInPlaceOfHashedFlakes};
+
+std::string ExplicitFlakesModel::text() const {
+    return fmt::format("tile_width_mm={} tile_height_mm={} specimen={} diffraction={}",
+                       tile_width_mm, tile_height_mm, specimen, diffraction);
+}
 
 std::shared_ptr<const bsdf::Bsdf> ExplicitFlakesModel::make(const bsdf::ModelInput& input,
                                                             const Progress&) const {

@@ -141,6 +141,7 @@ struct ExplicitFlakesModel {
     static const bsdf::ModelInfo info;
     std::shared_ptr<const bsdf::Bsdf> make(const bsdf::ModelInput& input,
                                            const Progress& progress) const;
+    std::string text() const;
     void lie_on(const std::string& material, std::span<const bsdf::PaintedShape> shapes);
 
     friend bool operator==(const ExplicitFlakesModel&, const ExplicitFlakesModel&) = default;

@@ -154,8 +154,8 @@ TEST(DiscWalk, LosesNoLightWhereNothingAbsorbs) {
         for (const double theta : {0., 45., 85.}) {
             for (int i = 0; i < 3000; ++i) {
                 const float u_select = rng.uniform_float(), u = rng.uniform_float();
-                const auto sample = surface->sample(test::from_degrees(theta, 20), u_select,
-                                                    {u, rng.uniform_float()});
+                const auto sample =
+                    surface->sample(test::direction(theta, 20), u_select, {u, rng.uniform_float()});
                 ASSERT_TRUE(sample);
                 for (int lane = 0; lane < kLanes; ++lane)
                     ASSERT_NEAR(sample->weight[lane], 1, 1e-5);
@@ -170,7 +170,7 @@ TEST(DiscWalk, FlatFlakesReflectSpecularly) {
     const auto surface =
         DiscWalk(one_mirror(), {.tile_width_mm = 1, .tile_height_mm = 1, .diffraction = false})
             .bind(kOnGrid);
-    const Vec3f wi = test::from_degrees(40, 30);
+    const Vec3f wi = test::direction(40, 30);
     int left = 0, once = 0;
     for (int i = 0; i < 500; ++i) {
         const auto sample =
@@ -194,7 +194,7 @@ TEST(DiscWalk, PositionsTurnWithTheFrame) {
     const auto surface = DiscWalk(test::opaque(1, 15, 50, 0.2, 1),
                                   {.tile_width_mm = 1, .tile_height_mm = 1, .diffraction = false})
                              .bind(kOnGrid);
-    const Vec3f wi = test::from_degrees(30, 0);
+    const Vec3f wi = test::direction(30, 0);
     const float c = std::cos(0.7f), s = std::sin(0.7f);
     int found = 0, both = 0;
     for (int i = 0; i < 200; ++i) {
@@ -312,7 +312,7 @@ TEST(DiscWalk, SmallFlakesFollowTheTransferEquation) {
     recipe.substrate_reflectance = 0.4;
     recipe.clearcoat->absorption_per_mm = spectra::Spectrum({400, 700}, {5, 1});
     recipe = fine(recipe);
-    const Vec3f wi = test::from_degrees(45, 0);
+    const Vec3f wi = test::direction(45, 0);
     const Estimates expected = power_by_direction(PlaneWalk(recipe), wi, 300'000, 1);
     const Estimates found = power_by_direction(
         DiscWalk(
@@ -330,8 +330,8 @@ TEST(DiscWalk, SmallFlakesFollowTheTransferEquation) {
 }
 
 TEST(DiscWalk, PigmentsAloneScatterAsInTheReference) {
-    paint::Recipe recipe = test::paint(1.5, {test::pigment_layer(0.8, 1.0, 0.4)}, 0.3);
-    const Vec3f wi = test::from_degrees(30, 0);
+    paint::Recipe recipe = test::paint_of(1.5, {test::pigment_layer(0.8, 1.0, 0.4)}, 0.3);
+    const Vec3f wi = test::direction(30, 0);
     const auto expected = test::walked_albedo(*PlaneWalk(recipe).bind(kOnGrid), wi, 200'000);
     const auto found = test::walked_albedo(*DiscWalk(recipe, {1, 1}).bind(kOnGrid), wi, 200'000, 2);
     // To see 2 %. Without films all wavelengths are alike.
@@ -341,7 +341,7 @@ TEST(DiscWalk, PigmentsAloneScatterAsInTheReference) {
 
 TEST(DiscWalk, PearlsOfManyFilmsHaveTheMeanOfTheReference) {
     const paint::Recipe recipe = fine(test::pearl());
-    const Vec3f wi = test::from_degrees(45, 0);
+    const Vec3f wi = test::direction(45, 0);
     const auto expected = test::walked_albedo(*PlaneWalk(recipe).bind(kOnGrid), wi, 150'000);
     const auto found = test::walked_albedo(
         *DiscWalk(recipe, {.tile_width_mm = 0.035, .tile_height_mm = 0.035, .diffraction = false})
@@ -355,7 +355,7 @@ TEST(DiscWalk, PearlsOfManyFilmsHaveTheMeanOfTheReference) {
 
 TEST(DiscWalk, LargeFlakesAreBrighterThanTheTransferEquationSays) {
     // The hot spot again, through the whole walk.
-    const Vec3f wi = test::from_degrees(20, 0);
+    const Vec3f wi = test::direction(20, 0);
     const paint::Recipe recipe = test::opaque(2, 15, 20);
     const auto equation = test::walked_albedo(*PlaneWalk(recipe).bind(kOnGrid), wi, 50'000);
     const auto discs = test::walked_albedo(*DiscWalk(recipe, {4, 4}).bind(kOnGrid), wi, 50'000);
@@ -366,10 +366,10 @@ TEST(DiscWalk, EvalAndPdfAreZeroAndTheTileRepeats) {
     const DiscWalk model(test::opaque(1, 15, 20), {});
     EXPECT_EQ(model.surface_coordinates(), bsdf::SurfaceCoordinates::object_space);
     const auto surface = model.bind(kOnGrid);
-    const Vec3f wi = test::from_degrees(30, 0), wo = test::from_degrees(30, 180);
+    const Vec3f wi = test::direction(30, 0), wo = test::direction(30, 180);
     EXPECT_EQ(lane_max(surface->evaluate_on(patch_at(1, 1), wi, wo).f), 0);
     EXPECT_EQ(surface->pdf(wi, wo), 0);
-    EXPECT_FALSE(surface->sample_on(patch_at(1, 1), test::from_degrees(91, 0), 0.5f, {0.5f, 0.5f}));
+    EXPECT_FALSE(surface->sample_on(patch_at(1, 1), test::direction(91, 0), 0.5f, {0.5f, 0.5f}));
     // Far outside the tile it repeats.
     for (int i = 0; i < 20; ++i) {
         const float x = 0.37f * i;
