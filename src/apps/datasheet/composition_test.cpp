@@ -109,14 +109,14 @@ std::string sheet_table(const paint::Recipe& recipe) {
 // The recipe has a value for every key that there is: RecipeFile.EveryDescribedKeyIsWrittenAndRead.
 TEST(Composition, EveryKeyIsTold) {
     const paint::Recipe recipe = nacre::test::full_recipe();
-    nacre::testing::EveryKey all;
+    nacre::test::EveryKey all;
     paint::Described::to_inspect(recipe).accept(all);
     int told = 0;
-    for (const nacre::testing::KeyOfObject& key : all.keys) {
+    for (const nacre::test::KeyOfObject& key : all.keys) {
         const bool deliberately_not = key.field.words && !*key.field.words;
         if (key.is_settled || deliberately_not) continue;
         paint::Recipe changed = recipe;
-        nacre::testing::EveryKey change(key.path);
+        nacre::test::EveryKey change(key.path);
         describe(change, changed);
         ASSERT_EQ(change.changes, 1) << key.path;
         EXPECT_TRUE(sheet(changed) != sheet(recipe)) << key.path << " is not told";
