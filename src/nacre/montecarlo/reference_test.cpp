@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <tbb/task_arena.h>
 
 #include <array>
@@ -316,7 +317,7 @@ TEST(Reference, RefusesArgumentsOutOfRangeByName) {
     paint::Recipe no_layers = worked_paint();
     no_layers.layers.clear();
     no_layers.microfacet.emplace();
-    EXPECT_THAT(message_of([&] {
+    EXPECT_THAT(message_of<DomainError>([&] {
                     brdf(no_layers, {0, 0}, {{0, 0}}, {.samples = 10});
                 }),
                 HasSubstr("layer: is missing"));
