@@ -18,6 +18,7 @@
 #include "nacre/bsdf/models/thin_film.h"
 #include "nacre/core/error.h"
 #include "nacre/core/progress.h"
+#include "nacre/core/references.h"
 #include "nacre/fit/fit.h"
 #include "nacre/measure/acquire.h"
 #include "nacre/measure/geometry.h"
@@ -227,7 +228,7 @@ using FitSettings = fit::FitOptions;
 struct Match;
 
 class Paint;
-Paint open_text(std::string bytes, const std::string& name, const std::filesystem::path& folder);
+Paint open_text(std::string bytes, const std::string& name, const References& references);
 
 class Paint {
  public:
@@ -324,7 +325,7 @@ class Paint {
  private:
     struct State;
     friend Paint open_text(std::string bytes, const std::string& name,
-                           const std::filesystem::path& folder);
+                           const References& references);
     explicit Paint(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
     std::shared_ptr<const State> state_;  // never null
@@ -345,15 +346,19 @@ std::pair<Readings, Readings> measure_alike(const Paint& sample, const Paint& st
                                             const Progress& progress = {});
 
 /// Reads a file of any kind, once: the paint needs it no more. Materials that a recipe names as
-/// files are read too.
+/// files are read too, wherever they are; "-" is the standard input (core/file.h), whose recipes may
+/// name no files.
 /// @throws InputError naming the file and what is wrong in it
 Paint open(const std::filesystem::path& path);
 
+/// The same for a file from elsewhere, which must not reach those of its reader.
+/// @param references  the files that a recipe may name: References::within() a folder, or none
+Paint open(const std::filesystem::path& path, const References& references);
+
 /// The same from the contents of a file.
-/// @param name    for messages
-/// @param folder  where materials that a recipe names as files are looked for
+/// @param name        for messages
+/// @param references  as open(); a folder for files anywhere, relative names starting there
 /// @throws InputError as open()
-Paint open_text(std::string bytes, const std::string& name,
-                const std::filesystem::path& folder = {});
+Paint open_text(std::string bytes, const std::string& name, const References& references = {});
 
 }  // namespace nacre

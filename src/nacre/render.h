@@ -29,6 +29,8 @@ using RenderSettings = render::RenderOptions;
 /// A scene file, or a built-in scene by its name ("sphere"); a file of that name comes first.
 /// @throws InputError naming the file and what is wrong in it, or the scenes that there are
 render::SceneDescription find_scene(const std::string& name);
+/// The same for a file from elsewhere, with the files that it and its recipes may name.
+render::SceneDescription find_scene(const std::string& name, const References& references);
 
 /// The materials of a scene that wait for a paint: those that name no recipe.
 std::vector<std::string> paint_slots(const render::SceneDescription& scene);

@@ -9,6 +9,7 @@
 
 #include "apps/cli/options.h"
 #include "nacre/core/file.h"
+#include "nacre/core/text.h"
 #include "nacre/io/brdf_table_file.h"
 #include "nacre/io/image.h"
 #include "nacre/io/measured_brdf_file.h"
@@ -24,14 +25,6 @@ namespace {
 struct InfoOptions : CommonOptions {
     std::string file;
 };
-
-/// Text of a file on one line of a terminal: what is not printable becomes a question mark.
-std::string printable(std::string text) {
-    for (char& c : text) {
-        if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
-    }
-    return text;
-}
 
 /// Lines of "name: value".
 class Facts {
@@ -221,12 +214,12 @@ std::string describe(const std::string& file) {
             break;
         case Kind::measured_colours:
         case Kind::recipe:
-            const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+            const References references = References::of_file(file);
             if (render::looks_like_scene(bytes, file)) {
-                describe_scene(facts, render::parse_scene(bytes, file, folder));
+                describe_scene(facts, render::parse_scene(bytes, file, references));
             } else {
                 facts.add("kind", "recipe");
-                describe_recipe(facts, io::parse_recipe(bytes, file, folder));
+                describe_recipe(facts, io::parse_recipe(bytes, file, references));
             }
     }
     return facts.text();

@@ -8,10 +8,12 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/cli/options.h"
 #include "nacre/core/error.h"
+#include "nacre/core/text.h"
 #include "nacre/core/version.h"
 #include "nacre/nacre.h"
 
@@ -19,7 +21,9 @@ namespace {
 
 using nacre::cli::ExitStatus;
 
-void complain(const std::string& what) { nacre::cli::print_message("nacre: " + what); }
+void complain(const std::string& what) {
+    nacre::cli::print_message(nacre::printable("nacre: " + what));
+}
 
 /// Files must not become standard input, output or error because these were closed: data would
 /// get mixed into them. What stands in for standard output refuses data, so that their loss shows.

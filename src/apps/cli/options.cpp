@@ -1,6 +1,7 @@
 #include "apps/cli/options.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -54,8 +55,10 @@ void emit(const CommonOptions& options, const std::string& data) {
 }
 
 void print_data(const std::string& data) {
+    // A terminal shows the names in a table; it must not obey them.
+    const std::string shown = isatty(STDOUT_FILENO) ? printable_lines(data) : data;
     errno = 0;
-    if (std::fwrite(data.data(), 1, data.size(), stdout) == data.size() &&
+    if (std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size() &&
         std::fflush(stdout) == 0) {
         return;
     }
@@ -65,7 +68,7 @@ void print_data(const std::string& data) {
 }
 
 void print_message(const std::string& line) {
-    const std::string text = line + "\n";  // one write, so that lines of two programs do not mix
+    const std::string text = printable_lines(line) + "\n";  // one write, so that lines of two programs do not mix
     (void)std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
@@ -80,7 +83,7 @@ void write_report(const CommonOptions& options, const std::string& command, nloh
 }
 
 void say(const CommonOptions& options, const std::string& line) {
-    if (!options.quiet) print_message(line);
+    if (!options.quiet) print_message(printable(line));
 }
 
 double parse_number(std::string_view option, std::string_view text, const Range& range) {

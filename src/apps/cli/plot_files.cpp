@@ -2,7 +2,7 @@
 
 #include "apps/report/plot_svg.h"
 #include "apps/report/svg_raster.h"
-#include "apps/study/gallery.h"
+#include "apps/study/folder.h"
 #include "nacre/core/file.h"
 
 namespace nacre::cli {

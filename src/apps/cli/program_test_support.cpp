@@ -25,9 +25,9 @@ reflectance = 0.6
 )");
 }
 
-Outcome Program::nacre(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.path().string() + "' && '" NACRE_PROGRAM "' " +
-                                arguments + " > .out 2> .err";
+Outcome Program::nacre(const std::string& arguments, const std::string& before) const {
+    const std::string command = "cd '" + folder_.path().string() + "' && " + before +
+                                " '" NACRE_PROGRAM "' " + arguments + " > .out 2> .err";
     const int code = std::system(command.c_str());
     EXPECT_TRUE(WIFEXITED(code)) << arguments << " was ended by a signal";
     return {WEXITSTATUS(code), contents(folder_ / ".out"), contents(folder_ / ".err")};

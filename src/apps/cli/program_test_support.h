@@ -23,8 +23,8 @@ class Program : public ::testing::Test {
     /// Puts a paint into the folder: gray.toml.
     void SetUp() override;
 
-    /// Runs `nacre ARGUMENTS` in the test's folder.
-    Outcome nacre(const std::string& arguments) const;
+    /// Runs `BEFORE nacre ARGUMENTS` in the test's folder, as in "cat gray.toml |" before.
+    Outcome nacre(const std::string& arguments, const std::string& before = "") const;
     /// Runs a shell script there, in which $NACRE is the program.
     Outcome shell(const std::string& script) const;
     void write(const std::string& name, const std::string& text) const;

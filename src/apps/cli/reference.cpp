@@ -41,10 +41,14 @@ ExitStatus run(const ReferenceOptions& options) {
     std::vector<Estimate> estimates;
     {
         ProgressBar bar("reference", options.quiet);
-        estimates = montecarlo::reference_brdf(
-            recipe, incident, outgoing, wavelengths,
-            {options.samples, options.seed, parse_part<montecarlo::Part>(options.part)},
-            bar.callback());
+        try {
+            estimates = montecarlo::reference_brdf(
+                recipe, incident, outgoing, wavelengths,
+                {options.samples, options.seed, parse_part<montecarlo::Part>(options.part)},
+                bar.callback());
+        } catch (const DomainError& error) {  // the options have been checked: it is the recipe
+            throw InputError(fmt::format("{}: {}", options.recipe, error.what()));
+        }
     }
     std::string table = "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf,stderr\n";
     std::size_t row = 0;

@@ -131,6 +131,9 @@ ExitStatus run(RenderCommandOptions options) {
         return scene.render(options.render, bar.callback());
     }();
     const render::RenderResult& result = picture.result;
+    if (result.samples == 0) {
+        throw Error("stopped before every pixel had a sample; nothing was written");
+    }
     picture.metadata["nacre:scene"] = options.scene;
     io::write_exr_and_png(exr, picture.image(), options.tone_map);
 

@@ -11,7 +11,7 @@
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
-#include "apps/study/gallery.h"
+#include "apps/study/folder.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "apps/study/folder.h"
 #include "apps/study/mir_2022.h"
 #include "nacre/core/file.h"
 #include "nacre/core/random.h"
@@ -109,6 +110,7 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
 }  // namespace
 
 std::filesystem::path run_flakes(const FlakesSettings& settings, const Stage& stage) {
+    const FolderLock lock(settings.folder);
     const CloseUps close_ups(settings.folder, stage);
     report::Report report("Flakes, one by one",
                           "The model `nacre` against explicit discs: mean, contrast, histogram and "

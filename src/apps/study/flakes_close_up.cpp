@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "apps/study/folder.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/sha256.h"
@@ -156,12 +157,11 @@ CloseUps::CloseUps(fs::path folder, Stage stage)
 
 Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {
     const fs::path exr = folder_ / "pictures" / (job.key + ".exr");
+    const fs::path record_file = folder_ / "pictures" / (job.key + ".json");
     const std::string print = fingerprint(job);
-    if (fs::is_regular_file(exr)) {
+    if (!find_record(record_file, print, {exr}).is_null()) {
         const io::Image image = io::read_image(exr);
-        const auto found = image.metadata.find("nacre:fingerprint");
-        if (found != image.metadata.end() && found->second == print)
-            return {image.width, image.height, io::interleaved_rgb(image, exr.string())};
+        return {image.width, image.height, io::interleaved_rgb(image, exr.string())};
     }
     Pixels pixels{job.pixels, job.pixels, {}};
     stage_(job.title, [&](const Progress& progress) {
@@ -173,9 +173,8 @@ Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {
         render::RenderResult result = render::render(scene, options, progress);
         if (!result.complete) throw Interrupted("stopped");
         pixels.rgb = std::move(result.rgb);
-        io::Image image = image_of(pixels, 1);
-        image.metadata["nacre:fingerprint"] = print;
-        io::write_exr(exr, image);
+        io::write_exr(exr, image_of(pixels, 1));
+        write_record(record_file, {{"title", job.title}}, print, {exr});
     });
     return pixels;
 }

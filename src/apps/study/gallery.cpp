@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/study/folder.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
@@ -45,8 +46,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-constexpr std::uintmax_t kMaxRecordBytes = 1 << 20;
 
 json description(const PictureJob& job) {
     const render::RenderOptions& r = job.render;
@@ -175,15 +174,6 @@ double flakes_on_ball(const paint::Recipe& recipe, double radius_mm) {
 
 std::string fingerprint(const PictureJob& job) { return sha256_hex(description(job).dump()); }
 
-void make_folder(const fs::path& folder) {
-    std::error_code ec;
-    fs::create_directories(folder, ec);
-    if (ec) {
-        throw InputError(
-            fmt::format("cannot make the folder '{}': {}", folder.string(), ec.message()));
-    }
-}
-
 Gallery::Gallery(fs::path folder, Stage stage)
     : folder_(std::move(folder)), stage_(std::move(stage)) {
     make_folder(folder_ / "pictures");
@@ -207,13 +197,10 @@ Picture Gallery::make(const PictureJob& job) const {
         picture.data_bytes = record.at("data_bytes");
         return picture;
     };
-    if (fs::is_regular_file(record_file)) {
-        const json record = json::parse(read_file(record_file, kMaxRecordBytes), nullptr, false);
-        // A damaged record is no loss: the picture is made again.
-        try {
-            if (record.is_object() && record.value("fingerprint", "") == print) return load(record);
-        } catch (const json::exception&) {
-        }
+    try {
+        const json record = find_record(record_file, print, {exr, png});
+        if (!record.is_null()) return load(record);
+    } catch (const json::exception&) {  // a damaged record is no loss: the picture is made again
     }
 
     json record = description(job);
@@ -238,7 +225,6 @@ Picture Gallery::make(const PictureJob& job) const {
         });
         io::write_exr(exr, image);
         io::write_png(png, image);
-        record["fingerprint"] = print;
         record["title"] = job.title;
         record["prepare_s"] = prepare_s;
         record["render_s"] = result.seconds;
@@ -247,7 +233,7 @@ Picture Gallery::make(const PictureJob& job) const {
         record["peak_mib"] = memory.mebibytes();
         record["file_bytes"] = prepared.file_bytes;
         record["data_bytes"] = prepared.data_bytes;
-        write_file_atomically(record_file, record.dump(2) + "\n");
+        write_record(record_file, record, print, {exr, png});
     });
     return load(record);
 }

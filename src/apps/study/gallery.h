@@ -76,7 +76,8 @@ class Gallery {
     /// @param stage   runs the work
     Gallery(std::filesystem::path folder, Stage stage);
 
-    /// The picture, from disk if one with the same description by the same version is there.
+    /// The picture, from disk if it is there unaltered, with a record of the same description by the
+    /// same version. One process at a time may work in a folder: FolderLock.
     /// @throws Interrupted, and what reading the recipe, solving and rendering throw
     Picture make(const PictureJob& job) const;
 
@@ -87,10 +88,6 @@ class Gallery {
     std::filesystem::path folder_;
     Stage stage_;
 };
-
-/// Makes a folder and those above it where they are missing.
-/// @throws InputError naming the folder, and why it cannot be made
-void make_folder(const std::filesystem::path& folder);
 
 /// SHA-256 over all that the picture depends on.
 std::string fingerprint(const PictureJob& job);

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <numbers>
 #include <set>
 
 #include "nacre/bsdf/models/nacre.h"
+#include "nacre/bsdf/models/thin_film.h"
 #include "nacre/core/file.h"
 #include "nacre/paint/recipe.h"
 
@@ -65,6 +68,61 @@ TEST(Gallery, FacetsCannotBeSetWhereThereAreNone) {
     PictureJob job = flakes_job();
     job.facet_count = 1e7;
     EXPECT_THROW(recipe_of(job), InputError);
+}
+
+class GalleryFolder : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        std::string name = ::testing::TempDir() + "nacre_gallery_XXXXXX";
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder_ = name;
+        job_.key = "ball";
+        job_.paint = shipped_file("studies/mir-2022/facets-570.toml");
+        job_.model = bsdf::ThinFilmModel{};
+        job_.render.width = job_.render.height = 8;
+        job_.render.samples_per_pixel = 2;
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    /// The picture of the job, and whether it had to be rendered.
+    std::pair<Picture, bool> make(std::uint64_t seed = 0) {
+        bool rendered = false;
+        const Gallery gallery(folder_, [&](const std::string&, const auto& work) {
+            rendered = true;
+            work({});
+        });
+        PictureJob job = job_;
+        job.render.seed = seed;
+        return {gallery.make(job), rendered};
+    }
+
+    std::filesystem::path folder_;
+    PictureJob job_;
+};
+
+TEST_F(GalleryFolder, APictureThatIsNotItsOwnIsMadeAgain) {
+    const std::filesystem::path exr = folder_ / "pictures/ball.exr",
+                                png = folder_ / "pictures/ball.png",
+                                record = folder_ / "pictures/ball.json";
+    const auto [first, was_rendered] = make();
+    EXPECT_TRUE(was_rendered);
+    EXPECT_FALSE(make().second);
+    const auto pixels = [](const Picture& picture) { return picture.image.channels[0].pixels; };
+    // Killed between the picture of another seed and its record.
+    const std::string old_record = read_file(record);
+    EXPECT_NE(pixels(make(1).first), pixels(first));
+    write_file_atomically(record, old_record);
+    const auto [again, again_rendered] = make();
+    EXPECT_TRUE(again_rendered);
+    EXPECT_EQ(pixels(again), pixels(first));
+    for (const std::filesystem::path& file : {exr, png}) {
+        const std::string bytes = read_file(file);
+        write_file_atomically(file, bytes.substr(0, bytes.size() / 2));
+        EXPECT_TRUE(make().second) << file;
+        std::filesystem::remove(file);
+        EXPECT_TRUE(make().second) << file;
+    }
+    EXPECT_FALSE(make().second);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <thread>
 
+#include "apps/study/folder.h"
 #include "apps/study/picture_agreement.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
@@ -96,6 +97,7 @@ PictureJob MirContext::job(std::string key, std::string title, const std::string
 
 std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& stage) {
     require_valid(settings);
+    const FolderLock lock(settings.folder);
     const Gallery gallery(settings.folder, stage);
     report::Report report("The comparison of 2022",
                           "Goniochromism, sparkle and multiple scattering of special-effect "

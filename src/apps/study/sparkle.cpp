@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/report/report.h"
+#include "apps/study/folder.h"
 #include "apps/study/mir_2022.h"
 #include "apps/study/sparkle_series.h"
 #include "nacre/core/file.h"
@@ -318,6 +319,7 @@ class Study {
 }  // namespace
 
 std::filesystem::path run_sparkle(const SparkleStudySettings& settings, const Stage& stage) {
+    const FolderLock lock(settings.folder);
     return Study(settings, stage).run();
 }
 

@@ -26,6 +26,19 @@ char separator_of(std::string_view text) {
     return ',';
 }
 
+/// Whether spreadsheets take a cell for a formula.
+bool looks_like_formula(std::string_view text) {
+    constexpr std::string_view kStarts = "=+-@\t\r";
+    return !text.empty() && kStarts.find(text.front()) != std::string_view::npos &&
+           !parse_number(text);
+}
+
+/// Apostrophes in front of what looks like a formula.
+bool is_disarmed(std::string_view text) {
+    const std::size_t marks = std::min(text.find_first_not_of('\''), text.size());
+    return marks > 0 && looks_like_formula(text.substr(marks));
+}
+
 /// Splits a text into rows of cells, each with the line and column where it starts.
 class CsvParser {
  public:
@@ -62,6 +75,7 @@ class CsvParser {
         CsvRow row;
         while (true) {
             row.push_back(cell());
+            if (is_disarmed(row.back().text)) row.back().text.erase(0, 1);
             if (at_end()) return row;
             const bool last = peek() == '\n';
             advance();
@@ -122,10 +136,12 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename
 }
 
 std::string csv_cell(std::string_view text) {
+    const bool disarm = looks_like_formula(text) || is_disarmed(text);
+    const std::string mark = disarm ? "'" : "";
     const bool plain =
         text.find_first_of(",;\t\r\n\"#") == std::string_view::npos && trimmed(text) == text;
-    if (plain) return std::string(text);
-    std::string quoted = "\"";
+    if (plain) return mark + std::string(text);
+    std::string quoted = "\"" + mark;
     for (char c : text) {
         if (c == '"') quoted += c;
         quoted += c;

@@ -11,7 +11,8 @@
 namespace nacre {
 
 struct CsvCell {
-    std::string text;                  ///< without quotes, and without spaces around unless quoted
+    std::string text;                  ///< without quotes, without spaces around unless quoted, and
+                                       ///< without the apostrophe of csv_cell()
     std::size_t line = 1, column = 1;  ///< where it starts, in bytes, counted from 1
 };
 using CsvRow = std::vector<CsvCell>;
@@ -29,7 +30,9 @@ inline constexpr std::size_t kMaxCsvCells = 5'000'000;
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename,
                               std::optional<char> separator = std::nullopt);
 
-/// A cell as it is written: quoted where it has to be.
+/// A text as it is written into a cell: quoted where it has to be. A text that a spreadsheet would
+/// take for a formula, since it begins with = + - @ and is no number, gets an apostrophe in front,
+/// which parse_csv() takes off; so does one that begins with such an apostrophe.
 std::string csv_cell(std::string_view text);
 
 }  // namespace nacre

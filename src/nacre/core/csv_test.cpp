@@ -57,5 +57,24 @@ TEST(Csv, ReadsBackWhatItWrites) {
     }
 }
 
+// As the spreadsheets' makers advise; a number, and a name that only holds such a character, stay.
+TEST(Csv, WhatASpreadsheetWouldRunIsMadeHarmlessAndReadBack) {
+    EXPECT_EQ(csv_cell("=1+1"), "'=1+1");
+    EXPECT_EQ(csv_cell("@SUM(A1)"), "'@SUM(A1)");
+    EXPECT_EQ(csv_cell("+cmd|' /C calc'!A0"), "'+cmd|' /C calc'!A0");
+    EXPECT_EQ(csv_cell("-a,b"), "\"'-a,b\"");
+    for (const char* plain : {"-15.5", "+2", "a=b", "'quoted'", "45as-15", "it's"}) {
+        EXPECT_EQ(csv_cell(plain), plain);
+    }
+    for (const std::string text :
+         {"=1+1", "@x", "+y", "-z", "\t=1", "\r=1", "=HYPERLINK(\"a\",\"b\")", "'=1", "''=1", "'",
+          "''", "'x", "-15.5", "-"}) {
+        const auto rows = parse_csv(csv_cell(text) + ",end", "f.csv", ',');
+        ASSERT_EQ(rows.size(), 1u);
+        EXPECT_EQ(rows[0][0].text, text);
+        EXPECT_EQ(csv_cell(text).find_first_of("=+@") == 0, false) << text;
+    }
+}
+
 }  // namespace
 }  // namespace nacre

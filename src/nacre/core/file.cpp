@@ -2,19 +2,24 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <optional>
 #include <system_error>
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/core/progress.h"
 #include "nacre/core/random.h"
+#include "nacre/core/text.h"
 
 namespace nacre {
 namespace {
@@ -54,17 +59,21 @@ int write_all(int fd, std::string_view bytes) {
     return 0;
 }
 
-// Reads until the end or until more than max_bytes have come. Returns 0 or errno.
-int read_all(int fd, std::uintmax_t max_bytes, std::string& bytes) {
+// Reads until the end or until more than max_bytes have come, after `wait` each time. Returns 0 or
+// errno.
+int read_all(
+    int fd, std::uintmax_t max_bytes, std::string& bytes,
+    const std::function<void()>& wait = [] {}) {
     constexpr std::size_t kPiece = 1 << 16;
     while (bytes.size() <= max_bytes) {
         const std::size_t size = bytes.size();
+        wait();
         bytes.resize(size + kPiece);
         const ssize_t count = ::read(fd, bytes.data() + size, kPiece);
         const int error_number = errno;
         bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
         if (count == 0) return 0;
-        if (count < 0 && error_number != EINTR) return error_number;
+        if (count < 0 && error_number != EINTR && error_number != EAGAIN) return error_number;
     }
     return 0;
 }
@@ -164,16 +173,63 @@ fs::path create_temporary(const fs::path& folder, const fs::path& name, const fs
     fail(path, EEXIST);
 }
 
+/// The descriptor that a name stands for, as is_stream() has it.
+std::optional<int> named_descriptor(const std::string& name) {
+    if (name == "-" || name == "/dev/stdin") return STDIN_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!name.starts_with(folder)) continue;
+        const std::string_view digits = std::string_view(name).substr(folder.size());
+        const auto number = parse_number(digits);
+        if (!number || digits.find_first_not_of("0123456789") != std::string_view::npos) continue;
+        if (*number <= INT_MAX) return static_cast<int>(*number);
+    }
+    return std::nullopt;
+}
+
+/// Why a file of this mode is not read; empty if it is.
+std::string unreadable_kind(mode_t mode, bool stream) {
+    if (S_ISREG(mode)) return {};
+    if (S_ISDIR(mode)) return reason(EISDIR);
+    const bool pipe = S_ISFIFO(mode) || S_ISSOCK(mode);
+    if (!pipe) return "is a device";
+    return stream ? "" : "is a pipe; only the standard input, -, may be one";
+}
+
+/// Waits until a pipe has bytes, or ends.
+void wait_for_bytes(int fd, const fs::path& path) {
+    constexpr int kPatience_ms = 100;
+    pollfd waiting{fd, POLLIN, 0};
+    while (::poll(&waiting, 1, kPatience_ms) <= 0) {
+        if (interrupt_requested()) {
+            throw Error(fmt::format("stopped while waiting for '{}'", path.string()));
+        }
+    }
+}
+
 }  // namespace
+
+bool is_stream(const fs::path& path) { return named_descriptor(path.string()).has_value(); }
 
 std::string read_file(const fs::path& path, std::uintmax_t max_bytes) {
     const auto refuse_input = [&](const std::string& why) {
         throw InputError(fmt::format("cannot read '{}': {}", path.string(), why));
     };
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const std::optional<int> stream = named_descriptor(path.string());
+    // Without O_NONBLOCK, opening a pipe waits for somebody to write into it.
+    const Descriptor file(stream
+                              ? ::fcntl(*stream, F_DUPFD_CLOEXEC, 0)
+                              : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     if (!file.is_open()) refuse_input(reason(errno));
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) refuse_input(reason(errno));
+    if (const std::string why = unreadable_kind(status.st_mode, stream.has_value()); !why.empty()) {
+        refuse_input(why);
+    }
+    const auto wait = [&] {
+        if (!S_ISREG(status.st_mode)) wait_for_bytes(file.get(), path);
+    };
     std::string bytes;
-    if (const int error_number = read_all(file.get(), max_bytes, bytes))
+    if (const int error_number = read_all(file.get(), max_bytes, bytes, wait))
         refuse_input(reason(error_number));
     if (bytes.size() > max_bytes) refuse_input(fmt::format("longer than {} bytes", max_bytes));
     return bytes;

@@ -12,11 +12,17 @@ namespace nacre {
 /// The most a text file for people (recipe, scene, table) may hold.
 inline constexpr std::uintmax_t kMaxTextFileBytes = std::uintmax_t{64} << 20;
 
-/// The whole contents of a file.
-/// @throws InputError naming the file and the reason: not there, not readable, a folder, or longer
-/// than max_bytes
+/// The whole contents of a regular file, or of a stream. Pipes and devices of other names are
+/// refused, so that no name makes the program wait or read without end.
+/// @throws InputError naming the file and the reason: not there, not readable, a folder, a pipe, a
+///         device, or longer than max_bytes
+/// @throws Error if the user interrupts (core/progress.h) while a stream has nothing to give
 std::string read_file(const std::filesystem::path& path,
                       std::uintmax_t max_bytes = kMaxTextFileBytes);
+
+/// Whether a name means a descriptor that the program was started with, which may be a pipe: "-"
+/// and "/dev/stdin" the standard input, "/dev/fd/N" any, as shells write `<(command)`.
+bool is_stream(const std::filesystem::path& path);
 
 /// Refuses a file that AtomicFile could not write, as far as that shows before there is anything
 /// to write: a program calls this before work that takes long. Nothing is made or changed.

@@ -10,8 +10,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "nacre/core/error.h"
-
 namespace nacre {
 namespace {
 

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <string>
 
+#include "nacre/core/error.h"
+
 // The library is silent: long work reports through a callback and asks it whether to go on. The
 // command line turns the callback into a bar with an estimate of the time left, and Ctrl-C into a
 // request to stop at the next safe point, where the work writes what it has.
@@ -15,6 +17,12 @@ namespace nacre {
 /// Called now and then, from one thread at a time, with the fraction done in [0, 1].
 /// Returning false asks the work to stop at the next safe point.
 using Progress = std::function<bool(double fraction)>;
+
+/// Thrown where work is stopped in its middle and has nothing to hand over.
+class Stopped : public Error {
+ public:
+    using Error::Error;
+};
 
 /// Progress of work that several threads do in pieces: counts the pieces and asks the caller, from
 /// one thread at a time, whether to go on.

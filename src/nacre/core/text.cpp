@@ -1,5 +1,7 @@
 #include "nacre/core/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -12,7 +14,62 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 // the product of the lengths.
 constexpr std::size_t kMaxNameLength = 100;
 
+/// Bytes of the control character that a text starts with: C0 and DEL as in ASCII, C1 as UTF-8 (C2
+/// 80 to C2 9F); 0 if it is none.
+std::size_t control_size(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (text.empty()) return 0;
+    if (byte(0) < 0x20 || byte(0) == 0x7f) return 1;
+    if (text.size() < 2 || byte(0) != 0xc2) return 0;
+    return byte(1) >= 0x80 && byte(1) < 0xa0 ? 2 : 0;
+}
+
+std::size_t sequence_size(unsigned char lead) {
+    return lead < 0x80   ? 1
+           : lead < 0xc2 ? 0
+           : lead < 0xe0 ? 2
+           : lead < 0xf0 ? 3
+           : lead < 0xf5 ? 4
+                         : 0;
+}
+
+/// Bytes of the character of UTF-8 that a text starts with; 0 if its bytes are none. A stray byte
+/// from 80 to 9F is a C1 control character to a terminal that is not set to UTF-8.
+std::size_t character_size(std::string_view text) {
+    const std::size_t size = sequence_size(static_cast<unsigned char>(text[0]));
+    if (size == 0 || size > text.size()) return 0;
+    for (std::size_t i = 1; i < size; ++i) {
+        if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) return 0;
+    }
+    return size;
+}
+
+std::string escaped(std::string_view text, std::string_view kept) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t control = control_size(text), whole = character_size(text);
+        const std::size_t size = std::max<std::size_t>(control > 0 ? control : whole, 1);
+        const std::string_view character = text.substr(0, size);
+        if (kept.find(character[0]) != std::string_view::npos || (control == 0 && whole > 0)) {
+            result += character;
+        } else if (character == "\n") {
+            result += "\\n";
+        } else if (character == "\t") {
+            result += "\\t";
+        } else {
+            // C1 by its code, which is the second of its bytes.
+            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(character.back()));
+        }
+        text.remove_prefix(size);
+    }
+    return result;
+}
+
 }  // namespace
+
+std::string printable(std::string_view text) { return escaped(text, ""); }
+
+std::string printable_lines(std::string_view text) { return escaped(text, "\n\t"); }
 
 std::string lowercase(std::string_view text) {
     std::string result(text);
@@ -27,8 +84,9 @@ std::string excerpt(std::string_view text, std::size_t longest, char stand_in) {
         --end;
     }
     std::string result(text.substr(0, end));
-    for (char& c : result) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = stand_in;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const std::size_t size = control_size(std::string_view(result).substr(i));
+        if (size > 0) result.replace(i, size, 1, stand_in);
     }
     return end < text.size() ? result + "..." : result;
 }

@@ -74,6 +74,12 @@ inline std::string_view without_byte_order_mark(std::string_view text) {
     return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
+/// As it may go to a terminal: control characters (C0, DEL and C1, which move the cursor, change
+/// colours or begin a line) become \n, \t, \x1b and the like.
+std::string printable(std::string_view text);
+/// The same for a table or a message of several lines, whose line ends and tabs stay.
+std::string printable_lines(std::string_view text);
+
 /// For messages: at most `longest` bytes of a text, cut between characters of UTF-8, control
 /// characters replaced by `stand_in`, so that a message stays one line.
 std::string excerpt(std::string_view text, std::size_t longest = 60, char stand_in = '?');

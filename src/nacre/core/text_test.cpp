@@ -20,6 +20,19 @@ TEST(Words, AreWhatStandsBetweenSpaces) {
     EXPECT_THAT(words(" \t"), ElementsAre());
 }
 
+// ESC, line ends, DEL, C1 as UTF-8 and as a stray byte, and what only looks like it.
+TEST(Printable, EscapesWhatATerminalWouldObey) {
+    EXPECT_EQ(printable("a\x1b[31mb"), "a\\x1b[31mb");
+    EXPECT_EQ(printable("a\nb\tc\rd"), "a\\nb\\tc\\x0dd");
+    EXPECT_EQ(printable("\x7f|\xc2\x9b|\x9b|\xff"), "\\x7f|\\x9b|\\x9b|\\xff");
+    EXPECT_EQ(printable("\xc2\xb0 \xc3\xa9 \xe2\x80\x93 \xf0\x9f\x98\x80"),
+              "\xc2\xb0 \xc3\xa9 \xe2\x80\x93 \xf0\x9f\x98\x80");
+    EXPECT_EQ(printable("\xe2\x80"), "\\xe2\\x80") << "cut short";
+    EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
+    EXPECT_EQ(printable_lines("a,\x1b\nb\tc"), "a,\\x1b\nb\tc");
+    EXPECT_EQ(excerpt("a\xc2\x9b[31mb"), "a?[31mb");
+}
+
 TEST(Excerpt, IsOneLineAndCutBetweenCharacters) {
     EXPECT_EQ(excerpt("a\nb"), "a?b");
     EXPECT_EQ(excerpt("a\tb", 60, ' '), "a b");

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "nacre/core/file.h"
 #include "nacre/core/text.h"
 #include "nacre/door/state.h"
 #include "nacre/io/geometry_file.h"
@@ -181,7 +182,7 @@ std::string Readings::csv() const { return io::measurement_csv(measurement, stan
 
 std::vector<Geometry> geometries(const std::string& text) {
     if (const measure::GeometrySet* set = measure::find_geometry_set(text)) return set->geometries;
-    if (std::filesystem::path(text).extension() == ".toml") {
+    if (is_stream(text) || std::filesystem::path(text).extension() == ".toml") {
         return io::read_geometry_set(text).geometries;
     }
     if (!text.empty() && text[0] >= '0' && text[0] <= '9') return parse_list(text);

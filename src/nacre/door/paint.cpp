@@ -130,11 +130,11 @@ Paint::Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds) {
         std::make_shared<const State>(io::RecipeFile{std::move(recipe), std::move(bounds)}, "");
 }
 
-Paint open_text(std::string bytes, const std::string& name, const std::filesystem::path& folder) {
+Paint open_text(std::string bytes, const std::string& name, const References& references) {
     switch (kind_of(bytes)) {
         case Kind::recipe:
             return Paint(std::make_shared<const Paint::State>(
-                io::parse_recipe_file(bytes, name, folder), name));
+                io::parse_recipe_file(bytes, name, references), name));
         case Kind::solved_paint:
             return Paint(std::make_shared<const Paint::State>(
                 std::make_shared<const solver::SolvedPaint>(io::parse_solved_paint(bytes, name)),
@@ -154,10 +154,12 @@ Paint open_text(std::string bytes, const std::string& name, const std::filesyste
     throw Error("no such kind of file");
 }
 
-Paint open(const std::filesystem::path& path) {
+Paint open(const std::filesystem::path& path) { return open(path, References::of_file(path)); }
+
+Paint open(const std::filesystem::path& path, const References& references) {
     constexpr std::size_t kMaxBytes =
         std::max({io::kMaxSolvedPaintBytes, io::kMaxBrdfTableBytes, io::kMaxMeasuredBytes});
-    return open_text(read_file(path, kMaxBytes), path.string(), path.parent_path());
+    return open_text(read_file(path, kMaxBytes), path.string(), references);
 }
 
 Kind Paint::kind() const { return static_cast<Kind>(state_->contents.index()); }

@@ -29,7 +29,7 @@ constexpr std::size_t kMaxMaterialTextLength = 2000;  // of a source, or of a pa
 Material find_named_material(const TableReader& table, const Field& field) {
     const std::string text = table.text(field.key, kMaxMaterialTextLength);
     try {
-        return optics::find_material(text, table.document().base_directory());
+        return optics::find_material(text, table.document().references());
     } catch (const Error& error) {
         table.fail(field.key, error.what());
     }
@@ -128,7 +128,12 @@ class Reader final : public paint::Visitor {
 
     void path(const Field& field, std::filesystem::path& value) override {
         if (!wanted(field)) return;
-        value = table_.document().base_directory() / table_.text(field.key, field.max_size);
+        const std::string name = table_.text(field.key, field.max_size);
+        try {
+            value = table_.document().references().resolve(name);
+        } catch (const InputError& error) {
+            table_.fail(field.key, error.what());
+        }
     }
 
     void choice(const Field& field, const paint::Words& words, std::size_t& index) override {

@@ -54,8 +54,8 @@ std::vector<paint::ParameterBounds> read_bounds(const TableReader& table,
 }  // namespace
 
 RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
-                             const std::filesystem::path& base_directory) {
-    TomlDocument document(text, filename, base_directory);
+                             const References& references) {
+    TomlDocument document(text, filename, references);
     paint::Recipe recipe;
     const paint::Described described(recipe);
     const TableReader table(document, keys_of(described));
@@ -75,12 +75,13 @@ RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
 }
 
 RecipeFile read_recipe_file(const std::filesystem::path& path) {
-    return parse_recipe_file(read_file(path, kMaxTextBytes), path.string(), path.parent_path());
+    return parse_recipe_file(read_file(path, kMaxTextBytes), path.string(),
+                             References::of_file(path));
 }
 
 paint::Recipe parse_recipe(std::string_view text, const std::string& filename,
-                           const std::filesystem::path& base_directory) {
-    return parse_recipe_file(text, filename, base_directory).recipe;
+                           const References& references) {
+    return parse_recipe_file(text, filename, references).recipe;
 }
 
 paint::Recipe read_recipe(const std::filesystem::path& path) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "nacre/core/references.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
 
@@ -19,10 +20,10 @@ namespace nacre::io {
 ///         range, R + T > 1, an unknown material, no layer. Nothing is clamped or guessed.
 paint::Recipe read_recipe(const std::filesystem::path& path);
 
-/// The same from a text. `filename` is for messages; materials given as files are looked for from
-/// `base_directory`.
+/// The same from a text. `filename` is for messages; `references` are the files that it may name
+/// as materials.
 paint::Recipe parse_recipe(std::string_view text, const std::string& filename,
-                           const std::filesystem::path& base_directory);
+                           const References& references);
 
 /// A recipe and the bounds of its numbers in a fit, from the table [fit] of its file, in the order
 /// of paint::recipe_parameters(). The bounds are not part of the paint.
@@ -35,7 +36,7 @@ struct RecipeFile {
 /// @throws InputError as read_recipe(), and as paint::check_bounds()
 RecipeFile read_recipe_file(const std::filesystem::path& path);
 RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
-                             const std::filesystem::path& base_directory);
+                             const References& references);
 
 /// The recipe as TOML that parses back to an equal recipe, without need of any other file:
 /// materials that are not among those shipped are written out sample by sample.

@@ -473,6 +473,49 @@ TEST(RecipeFile, RefusesAbsurdSizes) {
     EXPECT_THAT(error_of("a = " + std::string(100000, '[')), HasSubstr("paint.toml:1:"));
 }
 
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+}
+
+// The parser and its tree are recursive: what nests too deeply must not get there.
+TEST(RecipeFile, RefusesDeepNestingBeforeItIsParsed) {
+    constexpr int kDeep = 50'000;
+    const std::string deep = repeated("a.", kDeep) + "a = 1";
+    for (const std::string& text :
+         {deep, "[" + repeated("a.", kDeep) + "a]", repeated("a . ", kDeep) + "a = 1",
+          repeated(R"("a".'b'."".)", kDeep) + "a = 1", "x = { " + deep + " }",
+          // Texts that end where they seem not to.
+          "x = 'it\\'\n" + deep, "# \"\n" + deep, "x = \"\\\"\"\n" + deep,
+          "x = \"\"\"\\\"\"\"\"\"\"\n" + deep, "x = '''''''''\n" + deep, "x = \"a\n" + deep}) {
+        EXPECT_THAT(error_of(text), HasSubstr("paint.toml:"));
+    }
+    EXPECT_THAT(error_of("ior = 1.5\n" + deep),
+                HasSubstr("paint.toml:2:64: a key of more than 32 parts"));
+    for (const std::string open : {"[", "{a=", "[{a=", "[ ", "[\n"}) {
+        EXPECT_THAT(error_of("ior = 1.5\nx = " + repeated(open, kDeep)),
+                    HasSubstr("nested more than 32 deep"))
+            << open;
+    }
+    EXPECT_THAT(error_of("ior = " + repeated("[", kDeep) + repeated("]", kDeep)),
+                HasSubstr("paint.toml:1:39: nested more than 32 deep"));
+    // Tables one by one, each a little deeper.
+    std::string deeper;
+    for (int i = 0; i < 40; ++i) deeper += "[" + repeated("a.", i) + "a]\n";
+    EXPECT_THAT(error_of(deeper), HasSubstr("a key of more than 32 parts"));
+}
+
+TEST(RecipeFile, DotsAndBracketsInTextsAndCommentsDoNotNest) {
+    const std::string many = repeated(".", 60) + repeated("[{", 60);
+    for (const std::string& name :
+         {'"' + many + "\\\"" + many + "\" # \" " + many, "\"\"\"\n\"" + many + "\"\n\"\"\"\"\"",
+          "'" + many + "\\' # ' " + many, "'''" + many + "'" + many + "\\''''"}) {
+        EXPECT_NO_THROW(parse("name = " + name + "\n" + kGray))
+            << error_of("name = " + name + "\n" + kGray);
+    }
+}
+
 TEST(RecipeFile, NamesAFileThatIsNotThere) {
     EXPECT_THAT(message_of<InputError>([&] { read_recipe("no/such/paint.toml"); }),
                 HasSubstr("'no/such/paint.toml'"));
@@ -485,6 +528,35 @@ TEST(RecipeFile, LooksForMaterialsBesideTheRecipe) {
         read_recipe(folder.write("paint.toml", replaced(kViolet, "\"mica\"", "\"glass.csv\"")));
     const auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
     EXPECT_DOUBLE_EQ(platelet.core.material.index(550).real(), 1.55);
+}
+
+TEST(RecipeFile, NamesOnlyTheFilesThatItMay) {
+    const std::filesystem::path folder =
+        std::filesystem::path(::testing::TempDir()) / "nacre_recipe_references_test";
+    std::filesystem::create_directories(folder / "inner");
+    for (const char* file : {"glass.csv", "inner/glass.csv"}) {
+        std::ofstream(folder / file) << "wavelength_nm,n,k\n400,1.6,0\n700,1.5,0\n";
+    }
+    const auto error = [&](const std::string& material, const References& references) {
+        try {
+            parse_recipe(replaced(kViolet, "\"mica\"", "\"" + material + "\""), "paint.toml",
+                         references);
+        } catch (const InputError& e) {
+            return std::string(e.what());
+        }
+        return std::string("accepted");
+    };
+    const References within = References::within(folder / "inner");
+    const std::string absolute = (folder / "glass.csv").string();
+    EXPECT_EQ(error("glass.csv", within), "accepted");
+    EXPECT_THAT(error("../glass.csv", within),
+                AllOf(HasSubstr("paint.toml:"), HasSubstr("core.material"),
+                      HasSubstr("is outside the folder")));
+    EXPECT_THAT(error(absolute, within), HasSubstr("is outside the folder"));
+    EXPECT_EQ(error("../glass.csv", folder / "inner"), "accepted");
+    EXPECT_EQ(error(absolute, "elsewhere"), "accepted");
+    EXPECT_THAT(error(absolute, {}), HasSubstr("may name none"));
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

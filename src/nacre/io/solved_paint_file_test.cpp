@@ -232,6 +232,13 @@ TEST(SolvedPaintFile, TensorsThatDoNotFitTheInterfaceAreRefused) {
     EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("the interface is smooth"));
 }
 
+// A seed that is refused at once leads a fuzzer nowhere.
+TEST(SolvedPaintFile, SeedsOfTheFuzzerAreRead) {
+    const SolvedPaint paint =
+        read_solved_paint(shipped_file("fuzz/corpus/solved_paint/silver.h5"));
+    EXPECT_EQ(paint.wavelengths_nm().size(), 1u);
+}
+
 TEST(SolvedPaintFile, StaysBelow300KilobytesFor31Wavelengths) {
     paint::Recipe recipe = read_recipe(shipped_file("paints/tio2-mica-80.toml"));
     // From an ordinary pearl to the narrowest lobes: 76 orders between 44 nodes.

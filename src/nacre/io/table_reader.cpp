@@ -61,17 +61,92 @@ std::string place(const std::string& filename, const toml::source_region& where)
     return fmt::format("{}:{}:{}: ", filename, where.begin.line, where.begin.column);
 }
 
+/// Refuses deep nesting by one pass over the characters. It need only be right about text that is
+/// TOML so far: the parser, which comes next, stops at the first character that is not.
+class NestingScan {
+ public:
+    NestingScan(std::string_view text, const std::string& filename)
+        : text_(text), filename_(filename) {}
+
+    void run() {
+        while (position_ < text_.size()) {
+            switch (text_[position_]) {
+                case '#':
+                    position_ = std::min(text_.find('\n', position_), text_.size());
+                    continue;
+                case '"':
+                case '\'':
+                    skip_string();
+                    continue;
+                case '.':
+                    if (++dots_ >= kMaxTomlNesting) refuse("a key of more than {} parts");
+                    break;
+                case '[':
+                case '{':
+                    dots_ = 0;
+                    if (++depth_ > kMaxTomlNesting) refuse("nested more than {} deep");
+                    break;
+                case ']':
+                case '}':
+                    --depth_;
+                    break;
+                case '\n':
+                case ',':
+                case '=':
+                    dots_ = 0;
+                    break;
+                default:
+                    break;
+            }
+            ++position_;
+        }
+    }
+
+ private:
+    /// To behind the string that starts here: "...", '...', or either with three quotes.
+    void skip_string() {
+        const char quote = text_[position_];
+        const std::string three(3, quote);
+        const bool lines = text_.substr(position_).starts_with(three);
+        const std::string_view end = lines ? std::string_view(three) : text_.substr(position_, 1);
+        position_ += end.size();
+        while (position_ < text_.size() && !text_.substr(position_).starts_with(end)) {
+            if (!lines && text_[position_] == '\n') return;  // not TOML
+            if (quote == '"' && text_[position_] == '\\') ++position_;
+            ++position_;
+        }
+        position_ = std::min(position_ + end.size(), text_.size());
+        // Up to two quotes may stand before the three that end a text.
+        for (int i = 0; lines && i < 2 && position_ < text_.size() && text_[position_] == quote;
+             ++i)
+            ++position_;
+    }
+
+    [[noreturn]] void refuse(fmt::format_string<const int&> why) const {
+        const std::string_view before = text_.substr(0, position_);
+        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+        const std::size_t start = before.find_last_of('\n') + 1;  // npos + 1 is 0
+        throw InputError(fmt::format("{}:{}:{}: {}", filename_, line, position_ - start + 1,
+                                     fmt::format(why, kMaxTomlNesting)));
+    }
+
+    std::string_view text_;
+    const std::string& filename_;
+    std::size_t position_ = 0;
+    int depth_ = 0, dots_ = 0;
+};
+
 }  // namespace
 
 // ------------------------------------------------------------------------------- the document
 
-TomlDocument::TomlDocument(std::string_view text, std::string filename,
-                           std::filesystem::path base_directory)
-    : filename_(std::move(filename)), base_directory_(std::move(base_directory)) {
+TomlDocument::TomlDocument(std::string_view text, std::string filename, References references)
+    : filename_(std::move(filename)), references_(std::move(references)) {
     if (text.size() > kMaxTextBytes) {
         throw InputError(fmt::format("{}: has {} bytes; at most {} are allowed", filename_,
                                      text.size(), kMaxTextBytes));
     }
+    NestingScan(text, filename_).run();
     try {
         root_ = toml::parse(text, filename_);
     } catch (const toml::parse_error& error) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/core/references.h"
 #include "nacre/spectra/spectrum.h"
 
 // Reads the tables of a TOML text so that whatever is wrong is refused with a message of the form
@@ -24,16 +25,21 @@ namespace nacre::io {
 /// Characters that a recipe or a scene may have: a megabyte.
 inline constexpr std::size_t kMaxTextBytes = 1 << 20;
 
-/// A parsed TOML text: its name for messages, the folder that its relative paths start from, and
-/// the place of each key.
+/// How deep tables and arrays may lie in each other, and how many parts a dotted key may have. What
+/// is deeper is refused before it is parsed: parser and tree are recursive.
+inline constexpr int kMaxTomlNesting = 32;
+
+/// A parsed TOML text: its name for messages, the files that it may name, and the place of each
+/// key.
 class TomlDocument {
  public:
-    /// @throws InputError with file, line and column if the text is not TOML, or is too large
-    TomlDocument(std::string_view text, std::string filename, std::filesystem::path base_directory);
+    /// @throws InputError with file, line and column if the text is not TOML, is too large or is
+    ///         nested too deeply
+    TomlDocument(std::string_view text, std::string filename, References references);
 
     const toml::table& root() const { return root_; }
     const std::string& filename() const { return filename_; }
-    const std::filesystem::path& base_directory() const { return base_directory_; }
+    const References& references() const { return references_; }
 
     /// Remembers where `key` (its full path) stands.
     void note(const std::string& key, const toml::source_region& where);
@@ -43,7 +49,7 @@ class TomlDocument {
  private:
     toml::table root_;
     std::string filename_;
-    std::filesystem::path base_directory_;
+    References references_;
     std::map<std::string, toml::source_region> places_;
 };
 

@@ -21,14 +21,15 @@ inline void require_table_size(double bytes) {
     require_in_range(bytes, 0, kMaxTableBytes, "bytes of the table to be measured");
 }
 
-/// Calls body(row) for each row on all threads and reports after each.
+/// Calls body(row, counter) for each row on all threads and reports after each. Within a row the body
+/// asks counter.ask(), and returns early where it says so.
 /// @throws Error if `progress` asks to stop
 template <class Body>
 void for_each_row(int rows, const Progress& progress, const Body& body) {
     SharedProgress counter(progress, rows);
     parallel_for(0, static_cast<std::size_t>(rows), [&](std::size_t row) {
         if (counter.stopped()) return;
-        body(static_cast<int>(row));
+        body(static_cast<int>(row), counter);
         counter.add();
     });
     if (counter.stopped()) throw Error("measuring the BRDF was stopped");

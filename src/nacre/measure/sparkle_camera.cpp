@@ -282,18 +282,19 @@ PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& came
         return pictures;
     }
     const int rows = photographer.across();
+    SharedProgress counter(progress, rows);
     for (int first = 0; first < rows; first += kRowsAtOnce) {
-        if (progress && !progress(static_cast<double>(first) / rows)) throw Error("stopped");
         const int last = std::min(rows, first + kRowsAtOnce);
         parallel_for_ranges(static_cast<std::size_t>(first) * rows,
                             static_cast<std::size_t>(last) * rows, 128,
                             [&](std::size_t begin, std::size_t end) {
                                 Photographer::Workspace workspace(photographer);
-                                for (std::size_t p = begin; p < end; ++p)
+                                for (std::size_t p = begin; p < end && counter.ask(); ++p)
                                     photographer.look(p, workspace, pictures);
                             });
+        counter.add(last - first);
+        if (counter.stopped()) throw Error("taking the pictures was stopped");
     }
-    if (progress) progress(1);
     return pictures;
 }
 

@@ -34,7 +34,7 @@ class DepthWalk : private Walker {
         for (std::uint64_t flights = 0; state_.alive && std::abs(state_.travel.z) > kHorizontal;
              ++flights) {
             if (!observer_.follows(state_)) return;
-            if (flights == kMaxFlights) throw_endless_walk();
+            count_flight(flights);
             fly();
         }
     }

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include "nacre/core/error.h"
+#include "nacre/core/progress.h"
 
 namespace nacre::montecarlo {
 
-void throw_endless_walk() {
+void check_patience(std::uint64_t flights) {
+    if (interrupt_requested()) throw Stopped("stopped in the middle of a random walk");
+    if (flights < kMaxFlights) return;
     throw Error(
         fmt::format("a random walk met {} flakes or pigment particles and was still in the paint: "
                     "it is too thick, and absorbs too little, for the reference to follow light "

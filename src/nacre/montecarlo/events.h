@@ -84,8 +84,16 @@ inline constexpr std::uint64_t kMaxFlights = 20'000'000;
 /// A walk whose mean weight is below this goes on at random.
 inline constexpr double kRouletteThreshold = 0.1;
 
-/// Gives up a walk that is still in the paint after kMaxFlights.
-[[noreturn]] void throw_endless_walk();
+/// Gives up a walk that is still in the paint after kMaxFlights, or that the user interrupts: a walk
+/// may take seconds.
+/// @throws Error, Stopped
+void check_patience(std::uint64_t flights);
+
+/// To be called before each flight.
+inline void count_flight(std::uint64_t flights) {
+    constexpr std::uint64_t kBetweenChecks = 1 << 10;
+    if (flights % kBetweenChecks == 0) check_patience(flights);
+}
 
 inline bool is_dark(const Lanes& lanes) { return lane_max(lanes) <= 0; }
 

@@ -64,7 +64,7 @@ struct Experiment {
     Moments run(SharedProgress& blocks) const;
 
  private:
-    void run_block(std::uint64_t block, Moments& moments) const;
+    void run_block(std::uint64_t block, Moments& moments, SharedProgress& counter) const;
 };
 
 namespace {
@@ -93,6 +93,9 @@ void check(std::span<const Direction> directions, const char* which) {
 
 void check(const paint::Recipe& recipe, std::span<const double> wavelengths_nm,
            const ReferenceSettings& settings) {
+    if (recipe.layers.empty()) {
+        throw DomainError("layer: is missing; light is followed through at least one [[layer]]");
+    }
     paint::validate(recipe, {wavelengths_nm.begin(), wavelengths_nm.end()});
     constexpr std::uint64_t kMaxSamples = 1'000'000'000'000'000;
     if (settings.samples < 2 || settings.samples > kMaxSamples) {
@@ -241,7 +244,7 @@ std::uint64_t Experiment::block_count(std::uint64_t samples) {
     return std::max<std::uint64_t>(samples / kWalksPerBlock, 1);
 }
 
-void Experiment::run_block(std::uint64_t block, Moments& moments) const {
+void Experiment::run_block(std::uint64_t block, Moments& moments, SharedProgress& counter) const {
     RandomStream random(settings.seed, number, block);
     WalkTally tally;
     tally.radiance.resize(towards_detectors.size());
@@ -249,7 +252,7 @@ void Experiment::run_block(std::uint64_t block, Moments& moments) const {
     const std::uint64_t blocks = block_count(settings.samples);
     const std::uint64_t count =
         settings.samples / blocks + (block < settings.samples % blocks ? 1 : 0);
-    for (std::uint64_t i = 0; i < count; ++i) {
+    for (std::uint64_t i = 0; i < count && counter.ask(); ++i) {
         tally.clear();
         if (interface.scatters()) {
             own_connections.clear();
@@ -276,7 +279,7 @@ Moments Experiment::run(SharedProgress& blocks) const {
         [&](const Range& range, Moments moments) {
             for (std::uint64_t block = range.begin(); block < range.end(); ++block) {
                 if (blocks.stopped()) break;
-                run_block(block, moments);
+                run_block(block, moments, blocks);
                 blocks.add();
             }
             return moments;

@@ -39,7 +39,7 @@ struct ReferenceSettings {
 ///
 /// @param wavelengths_nm  as the recipe's materials allow
 /// @param progress  may be empty
-/// @throws DomainError if the recipe is not valid, or naming an argument out of range
+/// @throws DomainError if the recipe is not valid or has no layers, or naming an argument out of range
 /// @throws Error if `progress` asks to stop (part of an estimate is no estimate), or if light stays
 ///         in the paint for ever (thick layers without absorption)
 std::vector<Estimate> reference_brdf(const paint::Recipe& recipe,

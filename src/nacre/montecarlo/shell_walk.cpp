@@ -80,7 +80,7 @@ std::optional<Escape> ShellWalker::run(const Vec3d& travel, const Lanes& weight)
     slab_top_um_ = 0;
     escape_.reset();
     for (std::uint64_t flights = 0; state_.alive; ++flights) {
-        if (flights == kMaxFlights) throw_endless_walk();
+        count_flight(flights);
         fly();
     }
     return escape_;

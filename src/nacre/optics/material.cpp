@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
 
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/core/text.h"
 #include "nacre/optics/material_file.h"
 
@@ -130,29 +130,26 @@ bool is_material_file(const std::filesystem::path& path) {
     return extension == ".csv" || extension == ".yml" || extension == ".yaml";
 }
 
+/// Where a material's file is.
+std::filesystem::path material_path(const std::filesystem::path& name,
+                                    const References& references) {
+    try {
+        return references.resolve(name);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("material \"{}\" {}", excerpt(name.string()), error.what()));
+    }
+}
+
 }  // namespace
 
 Material read_material_file(const std::filesystem::path& path) {
     const std::string name = path.string();
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) {
-        throw InputError(fmt::format("{}: there is no such file", name));
-    }
-    const auto size = std::filesystem::file_size(path, error);
-    if (error || size > kMaxMaterialFileBytes) {
-        throw InputError(fmt::format("{}: larger than {} bytes, the most that a material may have",
-                                     name, kMaxMaterialFileBytes));
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::string text(size, '\0');
-    if (!file.read(text.data(), static_cast<std::streamsize>(size))) {
-        throw InputError(fmt::format("{}: cannot be read", name));
-    }
+    const std::string text = read_file(path, kMaxMaterialFileBytes);
     return lower_case(path.extension().string()) == ".csv" ? parse_material_csv(text, name)
                                                            : parse_material_yaml(text, name);
 }
 
-Material find_material(const std::string& text, const std::filesystem::path& base_directory) {
+Material find_material(const std::string& text, const References& references) {
     const std::string_view wanted = trimmed(text);
     if (const auto index = parse_index(wanted)) {
         try {
@@ -165,7 +162,7 @@ Material find_material(const std::string& text, const std::filesystem::path& bas
         return found->second;
     }
     if (const std::filesystem::path path(wanted); is_material_file(path)) {
-        return read_material_file(base_directory / path);
+        return read_material_file(material_path(path, references));
     }
     throw InputError(fmt::format(
         "material \"{}\" is not an index (as 1.5 or 3.18+3.33i), not the path of a .csv, .yml or "

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/core/references.h"
 
 // Refractive indices with dispersion. Signs and the meaning of k: docs/conventions.md.
 
@@ -49,10 +50,11 @@ class Material {
 };
 
 /// Looks a material up: a number ("1.5", "3.18+3.33i"), a name from the shipped data
-/// ("TiO2_anatase"), or the path of a user's file (.csv, or .yml of refractiveindex.info),
-/// relative paths being taken from `base_directory`.
+/// ("TiO2_anatase"), or the path of a user's file (.csv, or .yml of refractiveindex.info).
+/// @param references  the files that it may be
 /// @throws InputError with the text, what was tried and the names that exist
-Material find_material(const std::string& text, const std::filesystem::path& base_directory = {});
+Material find_material(const std::string& text,
+                       const References& references = References::anywhere({}));
 
 /// Names of the shipped materials, sorted.
 std::vector<std::string> material_names();

@@ -21,6 +21,9 @@
 
 namespace nacre::optics {
 
+// Messages give places and numbers, but quote no text: a recipe may name any file, and what stands
+// in a file that is no material is not for the eyes of whoever sees the message.
+
 /// A real function of wavelength, linear between its samples. Wavelengths increase.
 struct SampledFunction {
     std::vector<double> wavelengths_nm, values;
@@ -158,8 +161,7 @@ constexpr std::string_view kSourceMark = "source:";
 double require_number(std::string_view field, const char* column, const std::string& place) {
     const auto value = parse_number(field);
     if (!value) {
-        throw InputError(
-            fmt::format("{}: {} = \"{}\" is not a finite number", place, column, excerpt(field)));
+        throw InputError(fmt::format("{}: {} is not a finite number", place, column));
     }
     return *value;
 }
@@ -181,22 +183,19 @@ Material parse_material_csv(std::string_view text, const std::string& name) {
     std::size_t columns = 0;
     for (const CsvRow& fields : parse_csv(text, name, ',')) {
         const std::string place = fmt::format("{}:{}", name, fields[0].line);
-        const std::string_view line = lines[fields[0].line - 1];
         if (columns == 0) {
             const bool with_k = fields.size() == 3 && fields[2].text == "k";
             if (!(fields[0].text == "wavelength_nm" && fields.size() >= 2 &&
                   fields[1].text == "n" && (with_k || fields.size() == 2))) {
-                throw InputError(
-                    fmt::format("{}: the header is \"{}\"; it must be \"wavelength_nm,n,k\" or "
-                                "\"wavelength_nm,n\"",
-                                place, excerpt(line)));
+                throw InputError(fmt::format(
+                    "{}: the header must be \"wavelength_nm,n,k\" or \"wavelength_nm,n\"", place));
             }
             columns = fields.size();
             continue;
         }
         if (fields.size() != columns) {
-            throw InputError(fmt::format("{}: {} fields in \"{}\"; the header has {}", place,
-                                         fields.size(), excerpt(line), columns));
+            throw InputError(
+                fmt::format("{}: has {} fields; the header has {}", place, fields.size(), columns));
         }
         const double wavelength_nm = require_number(fields[0].text, "wavelength_nm", place);
         const double n = require_number(fields[1].text, "n", place);
@@ -250,9 +249,9 @@ class Page {
             read_formula(entry, number);
         } else {
             fail(type_node,
-                 fmt::format("type = \"{}\"; allowed are \"tabulated nk\", \"tabulated n\", "
-                             "\"tabulated k\" and \"formula 1\" to \"formula {}\"",
-                             excerpt(type), kDispersionFormulas));
+                 fmt::format("type must be \"tabulated nk\", \"tabulated n\", \"tabulated k\" or "
+                             "\"formula 1\" to \"formula {}\"",
+                             kDispersionFormulas));
         }
     }
 
@@ -326,7 +325,7 @@ class Page {
         for (const auto field : words(text)) {
             const auto value = parse_number(field);
             if (!value) {
-                fail(line, fmt::format("{}: \"{}\" is not a finite number", key, excerpt(field)));
+                fail(line, fmt::format("{}: holds what is not a finite number", key));
             }
             values.push_back(*value);
         }
@@ -359,9 +358,8 @@ class Page {
             if (row.empty()) continue;
             const auto values = numbers(row, "data", line);
             if (values.size() != columns.size() + 1) {
-                fail(line, fmt::format("{} numbers in \"{}\"; wavelength in um and {} are expected",
-                                       values.size(), excerpt(row),
-                                       columns.size() == 2 ? "n, k" : "one value"));
+                fail(line, fmt::format("{} numbers; wavelength in um and {} are expected",
+                                       values.size(), columns.size() == 2 ? "n, k" : "one value"));
             }
             const double wavelength_nm = values[0] * kNanometresPerMicrometre;
             if (!(wavelength_nm > last && std::isfinite(wavelength_nm))) {

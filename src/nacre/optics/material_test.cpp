@@ -114,7 +114,7 @@ TEST(Material, FilesAreTakenFromTheBaseDirectory) {
     EXPECT_NEAR(find_material("page.YML", directory).index(550).real(), 1.55, 1e-15);
     EXPECT_EQ(find_material((directory / "mine.csv").string(), "/elsewhere").index(700),
               ComplexIndex(1.4, .1));
-    EXPECT_THAT(error_of("absent.csv"), HasSubstr("absent.csv: there is no such file"));
+    EXPECT_THAT(error_of("absent.csv"), HasSubstr("absent.csv': No such file"));
     std::filesystem::create_directories(directory / "folder.csv");
     EXPECT_THROW(find_material("folder.csv", directory), InputError);
 }

@@ -19,7 +19,7 @@ double estimate(const XyzWeights& weights, int channel, FloatLanes radiance) {
 }  // namespace
 
 Film::Film(int width, int height, int spectral_bins, bool with_sparkle)
-    : width_(width), height_(height), bins_(spectral_bins), bin_weights_(spectral_bins) {
+    : width_(width), height_(height), bins_(spectral_bins) {
     const std::size_t pixels = static_cast<std::size_t>(width) * height;
     xyz_.resize(pixels);
     albedo_.resize(pixels);
@@ -27,15 +27,19 @@ Film::Film(int width, int height, int spectral_bins, bool with_sparkle)
     met_.resize(pixels);
     if (with_sparkle) sparkle_.resize(pixels);
     invalid_.resize(pixels);
+    ahead_.resize(pixels);
+    done_.bin_weights.resize(bins_);
     spectral_.resize(pixels * bins_);
 }
 
 void Film::begin_pass(const Pass& pass, bool with_albedo) {
     with_albedo_ = with_albedo;
+    with_current_ = done_;
+    ++with_current_.count;
     for (int c = 0; c < 3; ++c) {
         const double d65 = estimate(pass.xyz_weights, c, pass.d65);
-        d65_[c] += d65;
-        if (with_albedo) albedo_d65_[c] += d65;
+        with_current_.d65[c] += d65;
+        if (with_albedo) with_current_.albedo_d65[c] += d65;
     }
     if (bins_ == 0) return;
     for (int i = 0; i < kLanes; ++i) {
@@ -46,12 +50,13 @@ void Film::begin_pass(const Pass& pass, bool with_albedo) {
         const int bin = std::min(static_cast<int>(x), std::max(bins_ - 2, 0));
         const auto next = static_cast<float>(x - bin);
         splats_[i] = {bin, 1 - next, next};
-        bin_weights_[bin] += splats_[i].weight;
-        if (bin + 1 < bins_) bin_weights_[bin + 1] += splats_[i].next_weight;
+        with_current_.bin_weights[bin] += splats_[i].weight;
+        if (bin + 1 < bins_) with_current_.bin_weights[bin + 1] += splats_[i].next_weight;
     }
 }
 
 void Film::add(std::size_t pixel, const Pass& pass, const PathLight& path) {
+    ahead_[pixel] = 1;
     Vec3d xyz, sparkle;
     for (int c = 0; c < 3; ++c) {
         xyz[c] = estimate(pass.xyz_weights, c, path.radiance);
@@ -85,8 +90,8 @@ void Film::add(std::size_t pixel, const Pass& pass, const PathLight& path) {
 }
 
 void Film::end_pass() {
-    ++passes_;
-    if (with_albedo_) ++albedo_passes_;
+    done_ = with_current_;
+    std::fill(ahead_.begin(), ahead_.end(), std::uint8_t{0});
 }
 
 Vec3d Film::colour(const Vec3d& sum, const Vec3d& d65) const {
@@ -100,7 +105,7 @@ RenderResult Film::develop() const {
     RenderResult result;
     result.width = width_;
     result.height = height_;
-    result.samples = passes_;
+    result.samples = done_.count;
     const std::size_t pixels = xyz_.size();
     result.rgb.resize(3 * pixels);
     result.albedo.resize(3 * pixels);
@@ -108,13 +113,14 @@ RenderResult Film::develop() const {
     result.alpha.resize(pixels);
     result.sparkle.resize(3 * sparkle_.size());
     for (std::size_t p = 0; p < sparkle_.size(); ++p) {
-        const auto sparkle = colour(sparkle_[p], d65_);
+        const auto sparkle = colour(sparkle_[p], (ahead_[p] ? with_current_ : done_).d65);
         for (int c = 0; c < 3; ++c) result.sparkle[3 * p + c] = static_cast<float>(sparkle[c]);
     }
-    const float per_pass = passes_ > 0 ? 1.0f / static_cast<float>(passes_) : 0;
     for (std::size_t p = 0; p < pixels; ++p) {
-        const auto rgb = colour(xyz_[p], d65_);
-        const auto albedo = colour(albedo_[p], albedo_d65_);
+        const Passes& passes = ahead_[p] ? with_current_ : done_;
+        const float per_pass = passes.count > 0 ? 1.0f / static_cast<float>(passes.count) : 0;
+        const auto rgb = colour(xyz_[p], passes.d65);
+        const auto albedo = colour(albedo_[p], passes.albedo_d65);
         const Vec3f normal = per_pass * normal_[p];
         for (int c = 0; c < 3; ++c) {
             result.rgb[3 * p + c] = static_cast<float>(rgb[c]);
@@ -132,20 +138,30 @@ RenderResult Film::develop() const {
     for (int b = 0; b < bins_; ++b) {
         result.bin_centres_nm.push_back(kFilmFirst_nm +
                                         (b + 0.5) * (kFilmLast_nm - kFilmFirst_nm) / bins_);
+    }
+    develop_bins(done_, false, result);
+    develop_bins(with_current_, true, result);
+    return result;
+}
+
+/// The spectra of the pixels that have had these passes.
+void Film::develop_bins(const Passes& passes, bool ahead, RenderResult& result) const {
+    const std::vector<double>& weights = passes.bin_weights;
+    for (std::size_t b = 0; b < weights.size(); ++b) {
         // With fewer wavelengths than bins some bins have none: they take the value of the nearest
         // bin that has one.
-        int source = b;
-        for (int step = 1; bin_weights_[source] <= 0 && step < bins_; ++step) {
-            if (b - step >= 0 && bin_weights_[b - step] > 0) source = b - step;
-            if (b + step < bins_ && bin_weights_[b + step] > 0) source = b + step;
+        std::size_t source = b;
+        for (std::size_t step = 1; weights[source] <= 0 && step < weights.size(); ++step) {
+            if (b >= step && weights[b - step] > 0) source = b - step;
+            if (b + step < weights.size() && weights[b + step] > 0) source = b + step;
         }
-        if (bin_weights_[source] <= 0) continue;
-        const auto scale = static_cast<float>(1 / bin_weights_[source]);
-        for (std::size_t p = 0; p < pixels; ++p) {
+        if (weights[source] <= 0) continue;
+        const auto scale = static_cast<float>(1 / weights[source]);
+        for (std::size_t p = 0; p < ahead_.size(); ++p) {
+            if ((ahead_[p] != 0) != ahead) continue;
             result.spectral[p * bins_ + b] = scale * spectral_[p * bins_ + source];
         }
     }
-    return result;
 }
 
 }  // namespace nacre::render

@@ -16,7 +16,8 @@ class Film {
     /// Prepares for the paths of one pass; called once before its add().
     void begin_pass(const Pass& pass, bool with_albedo);
     void add(std::size_t pixel, const Pass& pass, const PathLight& path);
-    /// Counts the pass as done by every pixel.
+    /// Counts the pass as done by every pixel. A last pass may lack it: it counts for the pixels
+    /// that it got to.
     void end_pass();
 
     /// The picture so far.
@@ -31,14 +32,20 @@ class Film {
         int bin;
         float weight, next_weight;
     };
+    /// Sums over passes, the same for all pixels that had as many.
+    struct Passes {
+        int count = 0;
+        Vec3d d65, albedo_d65;  // XYZ of D65
+        std::vector<double> bin_weights;
+    };
     Vec3d colour(const Vec3d& sum, const Vec3d& d65) const;
+    void develop_bins(const Passes& passes, bool ahead, RenderResult& result) const;
 
     int width_, height_, bins_;
-    int passes_ = 0, albedo_passes_ = 0;
     bool with_albedo_ = false;
     std::array<Splat, kLanes> splats_{};
-    Vec3d d65_, albedo_d65_;           // sums over passes of the XYZ of D65
-    std::vector<double> bin_weights_;  // sums over passes, the same for all pixels
+    Passes done_, with_current_;       // without the pass that is under way, and with it
+    std::vector<std::uint8_t> ahead_;  // the pixels that this pass got to
     std::vector<Vec3d> xyz_, albedo_;
     std::vector<Vec3d> sparkle_;  // empty unless asked for
     std::vector<Vec3f> normal_;

@@ -1,21 +1,13 @@
 #include "nacre/render/mesh.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
-#include "nacre/core/error.h"
 #include "nacre/render/compiled_scene.h"
-#include "nacre/testing/errors.h"
-#include "nacre/testing/files.h"
 
 namespace nacre::render {
 namespace {
-
-using nacre::test::message_of;
-using ::testing::HasSubstr;
 
 double area(const Mesh& mesh) {
     double sum = 0;
@@ -87,60 +79,6 @@ TEST(Mesh, TransformScalesThenRotatesAboutXThenYThenZThenMoves) {
     EXPECT_NEAR(p.z, 5, 1e-6);
     const Vec3f d = map.direction({1, 0, 0});  // about z: to y
     EXPECT_NEAR(d.y, 1, 1e-6);
-}
-
-class MeshFileTest : public ::testing::Test {
- protected:
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
-        return folder_.write(name, text);
-    }
-    static std::string refusal(const std::filesystem::path& path) {
-        return message_of<InputError>([&] { make_mesh(MeshFile{.path = path}); });
-    }
-
-    nacre::test::TempFolder folder_;
-};
-
-const char* const kObj = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n";
-const char* const kPly =
-    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-    "0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n";
-// One triangle (0 0 0) (1 0 0) (0 1 0) in a data URI.
-const char* const kGltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
-"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
-"bufferViews":[{"buffer":0,"byteLength":36}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
-
-TEST_F(MeshFileTest, ReadsObjPlyAndGltf) {
-    const Mesh obj = make_mesh(MeshFile{.path = write("quad.obj", kObj), .mm_per_unit = 10});
-    EXPECT_EQ(obj.triangles.size(), 2u);
-    EXPECT_NEAR(area(obj), 200, 1e-3);
-    EXPECT_NEAR(obj.normals[0].z, 1, 1e-6);
-    EXPECT_NEAR(area(make_mesh(MeshFile{.path = write("triangle.ply", kPly)})), 1, 1e-6);
-    // glTF's vertical is y, and the triangle stands upright in it.
-    const Mesh gltf = make_mesh(MeshFile{.path = write("t.gltf", kGltf), .mm_per_unit = 1000});
-    EXPECT_NEAR(area(gltf), 0.5e6, 1);
-    EXPECT_NEAR(std::abs(gltf.normals[0].y), 1, 1e-6);
-}
-
-TEST_F(MeshFileTest, RefusesWhatIsNoMeshAndNamesTheFile) {
-    EXPECT_THAT(refusal("/nonexistent/body.obj"), HasSubstr("'/nonexistent/body.obj'"));
-    EXPECT_THAT(refusal(folder_), HasSubstr("no such file"));
-    for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
-             {"empty.obj", ""},
-             {"points.obj", "v 0 0 0\nv 1 0 0\n"},
-             {"headless.ply", "ply\nformat ascii 1.0\nelement vertex 99999\n"},
-             {"short.ply",
-              "ply\nformat ascii 1.0\nelement vertex 99999\nproperty float x\nend_header\n0\n"},
-             {"type.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n"},
-             {"broken.gltf", "{\"asset\":"},
-             {"unknown.xyz9", "hello"},
-             {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}}) {
-        const auto path = write(name, text);
-        EXPECT_THAT(refusal(path), HasSubstr(path.string()));
-    }
 }
 
 TEST(CompiledSceneRays, HitAndAreOccludedByAScaledAndMovedSphere) {

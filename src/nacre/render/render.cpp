@@ -1,6 +1,7 @@
 #include "nacre/render/render.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 
@@ -52,37 +53,49 @@ class Renderer {
                                          : default_footprint_pixels(options.samples_per_pixel));
     }
 
-    void run(const Pass& pass) {
+    /// @return whether the whole pass was done
+    bool run(const Pass& pass, SharedProgress& counter) {
+        std::atomic<bool> cut = false;
         path_options_.albedo = pass.sample_index < kAlbedoPasses;
         film_.begin_pass(pass, path_options_.albedo);
         parallel_for_ranges(0, static_cast<std::size_t>(tiles_across_) * tiles_down_, 1,
                             [&](std::size_t first, std::size_t last) {
                                 bsdf::PatchMemory memory(pass.patch_memory_bytes);
-                                for (std::size_t t = first; t < last; ++t) {
-                                    run_tile(pass, static_cast<int>(t), memory);
+                                for (std::size_t t = first; t < last && !cut; ++t) {
+                                    if (!run_tile(pass, static_cast<int>(t), memory, counter)) {
+                                        cut = true;
+                                    }
                                 }
                             });
-        film_.end_pass();
+        if (!cut) film_.end_pass();
+        return !cut;
     }
 
     RenderResult develop() const { return film_.develop(); }
 
  private:
-    void run_tile(const Pass& pass, int tile, bsdf::PatchMemory& memory) {
+    /// @return whether the whole tile was done
+    bool run_tile(const Pass& pass, int tile, bsdf::PatchMemory& memory, SharedProgress& counter) {
         const int x0 = tile % tiles_across_ * kTile;
         const int y0 = tile / tiles_across_ * kTile;
         for (int y = y0; y < std::min(y0 + kTile, options_.height); ++y) {
             for (int x = x0; x < std::min(x0 + kTile, options_.width); ++x) {
+                if (!counter.ask()) return false;
                 const auto pixel = static_cast<std::uint32_t>(y) * options_.width + x;
                 const PathSampler sampler(options_.seed, pixel, pass.sample_index);
                 const auto u = sampler.draw(0);
                 const CameraRay ray =
                     camera_(static_cast<float>(x) + 0.5f + tent(u[0]),
                             static_cast<float>(y) + 0.5f + tent(u[1]), {u[2], u[3]});
-                film_.add(pixel, pass,
-                          trace_path(scene_, pass, sampler, ray, path_options_, memory));
+                try {
+                    film_.add(pixel, pass,
+                              trace_path(scene_, pass, sampler, ray, path_options_, memory));
+                } catch (const Stopped&) {
+                    return false;
+                }
             }
         }
+        return true;
     }
 
     const CompiledScene& scene_;
@@ -108,20 +121,25 @@ RenderResult render_with(const Scene& scene, const RenderOptions& options, Direc
     // Surfaces are bound for a few passes at a time, in parallel, each pass to its own wavelengths.
     constexpr int kPassesBound = 8;
     const int total = options.samples_per_pixel;
+    SharedProgress counter(progress, total);
     bool go_on = true;
     for (int first = 0; first < total && go_on; first += kPassesBound) {
         std::vector<std::unique_ptr<const Pass>> passes(std::min(kPassesBound, total - first));
-        parallel_for_ranges(0, passes.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                passes[i] = std::make_unique<const Pass>(scene.compiled(),
-                                                         static_cast<std::uint32_t>(first + i));
-            }
-        });
+        try {
+            parallel_for_ranges(0, passes.size(), 1, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    passes[i] = std::make_unique<const Pass>(scene.compiled(),
+                                                             static_cast<std::uint32_t>(first + i));
+                }
+            });
+        } catch (const Stopped&) {
+            break;
+        }
         for (std::size_t i = 0; i < passes.size() && go_on; ++i) {
-            renderer.run(*passes[i]);
+            go_on = renderer.run(*passes[i], counter);
+            if (go_on) counter.add();
+            go_on = go_on && !counter.stopped();
             passes[i].reset();
-            const double fraction = (first + i + 1.0) / total;
-            if (progress) go_on = progress(fraction);
         }
     }
     RenderResult result = renderer.develop();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "nacre/bsdf/models/lambertian.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/render/builtin_scenes.h"
@@ -212,20 +213,80 @@ TEST(Render, SameBitsForAnyNumberOfThreads) {
 TEST(Render, StoppedRenderIsTheSamePictureWithFewerSamples) {
     const Scene scene = glossy_scene();
     RenderOptions options{.width = 20, .height = 20, .samples_per_pixel = 40, .spectral_bins = 4};
-    std::vector<double> fractions;
+    double last = 0;
     const RenderResult stopped = render(scene, options, [&](double fraction) {
-        fractions.push_back(fraction);
-        return fractions.size() < 11;
+        last = fraction;
+        return fraction < 10.5 / 40;
     });
     EXPECT_FALSE(stopped.complete);
     EXPECT_EQ(stopped.samples, 11);
-    EXPECT_DOUBLE_EQ(fractions.back(), 11.0 / 40);
+    EXPECT_DOUBLE_EQ(last, 11.0 / 40);
     options.samples_per_pixel = 11;
     const RenderResult whole = render(scene, options);
     EXPECT_TRUE(whole.complete);
     EXPECT_EQ(stopped.rgb, whole.rgb);
     EXPECT_EQ(stopped.spectral, whole.spectral);
     EXPECT_EQ(stopped.albedo, whole.albedo);
+}
+
+/// A surface on which the user's patience ends: after some paths, work is stopped within a pass.
+class Interrupting final : public bsdf::Bsdf {
+ public:
+    explicit Interrupting(int paths) : paths_(paths) {}
+
+    std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths& nm) const override {
+        class Bound final : public bsdf::BoundBsdf {
+         public:
+            Bound(std::unique_ptr<const bsdf::BoundBsdf> white, std::atomic<int>& paths)
+                : white_(std::move(white)), paths_(paths) {}
+            FloatLanes eval(Vec3f wi, Vec3f wo) const override { return white_->eval(wi, wo); }
+            std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select,
+                                                   Vec2f u) const override {
+                if (paths_-- <= 0) throw Stopped("stopped");
+                return white_->sample(wi, u_select, u);
+            }
+            float pdf(Vec3f wi, Vec3f wo) const override { return white_->pdf(wi, wo); }
+            FloatLanes albedo(Vec3f wi) const override { return white_->albedo(wi); }
+
+         private:
+            std::unique_ptr<const bsdf::BoundBsdf> white_;
+            std::atomic<int>& paths_;
+        };
+        return std::make_unique<Bound>(white_.bind(nm), paths_);
+    }
+
+ private:
+    bsdf::Lambertian white_{spectra::Spectrum(1.0)};
+    mutable std::atomic<int> paths_;
+};
+
+// A white panel that fills the picture in white light is white, in whatever pixels a pass got to.
+TEST(Render, APassThatIsStoppedInTheMiddleCountsWhereItGotTo) {
+    constexpr int kSide = 24, kPixels = kSide * kSide;
+    for (const auto& [paths, samples] :
+         {std::pair{kPixels / 2, 0}, std::pair{5 * kPixels / 2, 2}}) {
+        SceneDescription scene;
+        scene.materials["paint"] = PaintMaterial{};
+        scene.shapes.push_back({FlatPanel{1000, 1000}, "paint", {}});
+        scene.camera.position_mm = {0, 0, 100};
+        scene.camera.up = {0, 1, 0};
+        scene.environment = ConstantEnvironment{};
+        const RenderResult stopped =
+            render_with(Scene(scene, {{"paint", std::make_shared<Interrupting>(paths)}}),
+                        {.width = kSide, .height = kSide, .samples_per_pixel = 40},
+                        DirectLight::surface_sampling);
+        EXPECT_FALSE(stopped.complete);
+        EXPECT_EQ(stopped.samples, samples);
+        int seen = 0;
+        for (std::size_t p = 0; p < kPixels; ++p) {
+            if (stopped.alpha[p] == 0) continue;
+            ++seen;
+            EXPECT_EQ(stopped.alpha[p], 1);
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(stopped.rgb[3 * p + c], 1, 1e-5) << p;
+        }
+        EXPECT_GT(seen, 0);
+        EXPECT_EQ(seen == kPixels, samples > 0);
+    }
 }
 
 /// A surface at fault: its BRDF is not a number.

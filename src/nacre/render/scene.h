@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/core/references.h"
 #include "nacre/core/vec.h"
 #include "nacre/spectra/colour.h"
 #include "nacre/spectra/spectrum.h"
@@ -245,6 +246,8 @@ struct SceneDescription {
     std::vector<Shape> shapes;
     std::vector<Light> lights;
     std::optional<Environment> environment;
+    /// The files that its recipes may name in their turn: as a scene's file could.
+    References references = References::anywhere({});
 
     friend bool operator==(const SceneDescription&, const SceneDescription&) = default;
 };

@@ -19,7 +19,7 @@ constexpr std::size_t kMaxEnvironmentValues = std::size_t{3} << 27;
 void read_picture(const io::TableReader& table, ImageEnvironment& environment) {
     try {
         const std::filesystem::path path =
-            table.document().base_directory() / table.text("path", kMaxPathLength);
+            table.document().references().resolve(table.text("path", kMaxPathLength));
         const io::Image image = io::read_image(path, kMaxEnvironmentValues);
         environment.width = image.width;
         environment.height = image.height;
@@ -32,9 +32,10 @@ void read_picture(const io::TableReader& table, ImageEnvironment& environment) {
 }  // namespace
 
 SceneDescription parse_scene(std::string_view text, const std::string& filename,
-                             const std::filesystem::path& base_directory) {
-    io::TomlDocument document(text, filename, base_directory);
+                             const References& references) {
+    io::TomlDocument document(text, filename, references);
     SceneDescription scene;
+    scene.references = references;
     const paint::Described described(scene);
     const io::TableReader table(document, keys_of(described));
     io::read_described(table, described);
@@ -68,7 +69,11 @@ bool looks_like_scene(std::string_view text, const std::string& filename) {
 }
 
 SceneDescription read_scene(const std::filesystem::path& path) {
-    return parse_scene(read_file(path, io::kMaxTextBytes), path.string(), path.parent_path());
+    return read_scene(path, References::of_file(path));
+}
+
+SceneDescription read_scene(const std::filesystem::path& path, const References& references) {
+    return parse_scene(read_file(path, io::kMaxTextBytes), path.string(), references);
 }
 
 }  // namespace nacre::render

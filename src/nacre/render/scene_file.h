@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "nacre/core/references.h"
 #include "nacre/render/scene.h"
 
 // Scenes as TOML. Every key with its unit and range: docs/scene.md.
@@ -11,15 +12,17 @@
 namespace nacre::render {
 
 /// Reads a scene. Paths of meshes, recipes and environment pictures start from its folder;
-/// environment pictures are read along with it, meshes and recipes are not.
+/// environment pictures are read along with it, meshes and recipes are not. A scene that came from
+/// elsewhere may be kept to its folder: `references` is then References::within(path's folder).
 ///
 /// @throws InputError naming file, line, column, key, value and what is allowed for the first
 ///         thing that is wrong
 SceneDescription read_scene(const std::filesystem::path& path);
+SceneDescription read_scene(const std::filesystem::path& path, const References& references);
 
-/// The same from a text. `filename` is for messages.
+/// The same from a text. `filename` is for messages; `references` are the files that it may name.
 SceneDescription parse_scene(std::string_view text, const std::string& filename,
-                             const std::filesystem::path& base_directory);
+                             const References& references);
 
 /// Whether a TOML text has a table that only scenes have.
 /// @throws InputError if it is not TOML

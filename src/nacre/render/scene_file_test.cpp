@@ -137,6 +137,33 @@ TEST(SceneFile, ReadsAnEnvironmentPictureAlongWithTheScene) {
     EXPECT_THAT(error_of(text), AllOf(HasSubstr("environment.path = 'sky.exr'"), HasSubstr("sky")));
 }
 
+TEST(SceneFile, MayBeKeptToItsFolder) {
+    const std::filesystem::path folder =
+        std::filesystem::path(::testing::TempDir()) / "nacre_scene_references_test";
+    std::filesystem::create_directories(folder);
+    const auto error = [&](const std::string& from, const std::string& to) {
+        try {
+            parse_scene(replaced(kScene, from, to), "scene.toml", References::within(folder));
+        } catch (const InputError& e) {
+            return std::string(e.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_EQ(error("car.glb", "meshes/car.glb"), "accepted");
+    EXPECT_THAT(error("car.glb", "../car.glb"),
+                AllOf(HasSubstr("scene.toml:"), HasSubstr("shapes[1].path = '../car.glb'"),
+                      HasSubstr("is outside the folder")));
+    EXPECT_THAT(error("pearl.toml", "/etc/pearl.toml"),
+                AllOf(HasSubstr("materials.pearl.recipe"), HasSubstr("is outside the folder")));
+    EXPECT_THAT(error(kScene.substr(kScene.find("[environment]")),
+                      "[environment]\ntype = \"image\"\npath = \"/dev/zero\"\n"),
+                AllOf(HasSubstr("environment.path"), HasSubstr("is outside the folder")));
+    const SceneDescription scene = parse_scene(kScene, "scene.toml", References::within(folder));
+    EXPECT_EQ(scene.references, References::within(folder)) << "for the recipes that it names";
+    EXPECT_THROW(parse_scene(kScene, "scene.toml", {}), InputError);
+    std::filesystem::remove_all(folder);
+}
+
 TEST(SceneFile, IsToldFromARecipe) {
     EXPECT_TRUE(looks_like_scene(kScene, "scene.toml"));
     EXPECT_FALSE(looks_like_scene("ior = 1.5\n[[layer]]\nthickness_um = 1\n", "paint.toml"));

@@ -273,7 +273,7 @@ RawBrdfTable make_raw_table(const solver::SolvedPaint& paint, const BrdfTableSet
         for (std::size_t step = first; step < last && !counter.stopped(); ++step) {
             const std::size_t i = n - 1 - step;  // long rows first
             BrdfTableRows::Workspace work = rows.make_workspace(static_cast<int>(i));
-            for (std::size_t o = 0; o <= i; ++o) {
+            for (std::size_t o = 0; o <= i && counter.ask(); ++o) {
                 float* out = table.values.data() + (i * n + o) * line;
                 rows.evaluate(work, static_cast<int>(o), out);
                 if (o != i) std::copy_n(out, line, table.values.data() + (o * n + i) * line);

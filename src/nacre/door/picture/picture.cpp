@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "nacre/core/file.h"
 #include "nacre/models/models.h"
 #include "nacre/render.h"
 #include "nacre/render/builtin_scenes.h"
@@ -35,7 +36,8 @@ class Painter {
     }
 
     /// Position among the paints of one that a material names; the slot's without a name.
-    std::size_t find(const fs::path& path, const std::string& material) {
+    std::size_t find(const fs::path& path, const std::string& material,
+                     const References& references) {
         for (std::size_t i = 0; i < opened_.size(); ++i) {
             if (opened_[i].path == path) return i;
         }
@@ -44,7 +46,8 @@ class Painter {
                 "slot", fmt::format("the material {} has no recipe, and there is no paint for it",
                                     material));
         }
-        opened_.push_back({path, path.empty() ? *paints_.slot : open(path), {}});
+        opened_.push_back(
+            {path, path.empty() ? *paints_.slot : open(path, references.beside(path)), {}});
         return opened_.size() - 1;
     }
 
@@ -84,7 +87,13 @@ class Painter {
 }  // namespace
 
 render::SceneDescription find_scene(const std::string& name) {
-    if (fs::exists(name) || fs::path(name).has_extension()) return render::read_scene(name);
+    return find_scene(name, References::of_file(name));
+}
+
+render::SceneDescription find_scene(const std::string& name, const References& references) {
+    if (is_stream(name) || fs::exists(name) || fs::path(name).has_extension()) {
+        return render::read_scene(name, references);
+    }
     return render::builtin_scene(name);
 }
 
@@ -113,7 +122,7 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
     for (const auto& [name, material] : description.materials) {
         const auto* wanted = std::get_if<render::PaintMaterial>(&material);
         if (!wanted) continue;
-        const std::size_t found = painter.find(wanted->recipe, name);
+        const std::size_t found = painter.find(wanted->recipe, name, description.references);
         table[name] = painter.look(description, name, found);
         const Paint& paint = painter.paint(found);
         shows_model_ |= paint.kind() != Kind::measured_brdf;

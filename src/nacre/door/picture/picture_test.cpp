@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "nacre/render.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/fit.h"
@@ -47,6 +50,44 @@ TEST(Picture, SaysWhatDoesNotFit) {
     EXPECT_THROW(find_scene("nowhere.toml"), InputError);
     EXPECT_EQ(paint_slots(find_scene("sphere")), std::vector<std::string>{"paint"});
     EXPECT_THROW(Scene(find_scene("sphere"), {paint}).render(kTiny).write("p.jpg"), SettingError);
+}
+
+TEST(Picture, ASceneKeptToItsFolderKeepsItsRecipesThere) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(::testing::TempDir()) / "nacre_picture_references_test";
+    fs::create_directories(folder / "scene" / "paints");
+    std::ofstream(folder / "glass.csv") << "wavelength_nm,n\n300,1.5\n900,1.5\n";
+    fs::copy_file(folder / "glass.csv", folder / "scene" / "glass.csv",
+                  fs::copy_options::overwrite_existing);
+    std::ofstream(folder / "scene" / "scene.toml") << R"([materials.paint]
+type = "paint"
+recipe = "paints/paint.toml"
+[[shapes]]
+type = "sphere"
+material = "paint"
+[environment]
+type = "constant"
+)";
+    const auto message = [&](const std::string& glass, const References& references) {
+        std::ofstream(folder / "scene" / "paints" / "paint.toml")
+            << "ior = \"" << glass << "\"\n[[layer]]\nthickness_um = 5\n[[layer.flakes]]\n"
+            << "area_density_per_um = 0.1\nreflectance = 0.6\n"
+            << "orientation = { distribution = \"beckmann\", alpha = 0.3 }\n";
+        try {
+            Scene(find_scene((folder / "scene" / "scene.toml").string(), references),
+                  {.model = WalkModel{}});
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    const References within = References::within(folder / "scene");
+    EXPECT_EQ(message("../glass.csv", within), "accepted");
+    EXPECT_THAT(message("../../glass.csv", within), HasSubstr("is outside the folder"));
+    EXPECT_THAT(message((folder / "glass.csv").string(), within), HasSubstr("is outside"));
+    EXPECT_EQ(message("../../glass.csv", References::anywhere(folder / "scene")), "accepted");
+    EXPECT_THAT(message("../glass.csv", {}), HasSubstr("may name none"));
+    fs::remove_all(folder);
 }
 
 }  // namespace

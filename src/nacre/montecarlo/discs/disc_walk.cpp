@@ -178,7 +178,7 @@ std::optional<Escape> DiscWalker::run(double x_um, double y_um, const Vec3d& tra
     slab_top_ = 0;
     escape_.reset();
     for (std::uint64_t flights = 0; state_.alive; ++flights) {
-        if (flights == kMaxFlights) throw_endless_walk();
+        count_flight(flights);
         fly();
     }
     return escape_;

@@ -1,0 +1,117 @@
+#include "apps/study/folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "nacre/core/error.h"
+#include "nacre/core/file.h"
+
+namespace nacre::study {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class StudyFolder : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        std::string name = ::testing::TempDir() + "nacre_study_XXXXXX";
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    /// What the lock says; "locked" where it succeeds.
+    static std::string complaint(const fs::path& folder) {
+        try {
+            const FolderLock lock(folder);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "locked";
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(StudyFolder, IsLockedWhileTheLockLives) {
+    const fs::path folder = folder_ / "made" / "for-it";
+    {
+        const FolderLock lock(folder);
+        EXPECT_THAT(complaint(folder), AllOf(HasSubstr(folder.string()), HasSubstr("process"),
+                                             HasSubstr(std::to_string(::getpid()))));
+        EXPECT_EQ(complaint(folder_), "locked") << "another folder";
+    }
+    EXPECT_EQ(complaint(folder), "locked");
+}
+
+TEST_F(StudyFolder, IsFreeAgainWhenAProcessDiesThatHadIt) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        auto* lock = new FolderLock(folder_);
+        (void)!::write(ends[1], lock, 1);
+        for (;;) ::pause();
+    }
+    char byte;
+    ASSERT_EQ(::read(ends[0], &byte, 1), 1);
+    EXPECT_THAT(complaint(folder_), HasSubstr(std::to_string(child)));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    EXPECT_EQ(complaint(folder_), "locked");
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
+TEST_F(StudyFolder, CannotBeWhereAFileIs) {
+    std::ofstream(folder_ / "file") << "x";
+    EXPECT_THAT(complaint(folder_ / "file"), HasSubstr((folder_ / "file").string()));
+    fs::create_directory(folder_ / "odd");
+    fs::create_symlink("/dev/null", folder_ / "odd" / ".lock");
+    EXPECT_THAT(complaint(folder_ / "odd"), HasSubstr("cannot use"));
+}
+
+TEST_F(StudyFolder, ARecordHoldsForItsOwnFilesOnly) {
+    const fs::path record = folder_ / "a.json", exr = folder_ / "a.exr", png = folder_ / "a.png";
+    const auto found = [&](const std::string& fingerprint = "made so") {
+        return !find_record(record, fingerprint, {exr, png}).is_null();
+    };
+    const auto make = [&] {
+        write_file_atomically(exr, "the light");
+        write_file_atomically(png, "the look");
+        write_record(record, {{"render_s", 2.5}}, "made so", {exr, png});
+    };
+    EXPECT_FALSE(found());
+    make();
+    ASSERT_TRUE(found());
+    EXPECT_EQ(find_record(record, "made so", {exr, png}).at("render_s"), 2.5);
+    EXPECT_FALSE(found("made otherwise"));
+    // Killed between picture and record: the picture of another seed beside the old record.
+    write_file_atomically(exr, "the tight");
+    EXPECT_FALSE(found());
+    make();
+    write_file_atomically(png, "the l");
+    EXPECT_FALSE(found()) << "cut short";
+    make();
+    fs::remove(exr);
+    EXPECT_FALSE(found()) << "missing";
+    make();
+    for (const char* damaged :
+         {"", "{", "[]", "{\"fingerprint\":3}", "{\"fingerprint\":\"made so\"}",
+          "{\"fingerprint\":\"made so\",\"sha256\":[]}"}) {
+        write_file_atomically(record, damaged);
+        EXPECT_FALSE(found()) << damaged;
+    }
+}
+
+}  // namespace
+}  // namespace nacre::study

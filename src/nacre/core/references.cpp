@@ -1,0 +1,58 @@
+#include "nacre/core/references.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "nacre/core/error.h"
+#include "nacre/core/file.h"
+
+namespace nacre {
+
+namespace fs = std::filesystem;
+
+References References::anywhere(const fs::path& folder) {
+    References references;
+    references.folder_ = folder;
+    references.allowed_ = Allowed::anywhere;
+    return references;
+}
+
+References References::within(const fs::path& folder) {
+    References references;
+    references.folder_ = references.root_ = folder.empty() ? "." : folder;
+    references.allowed_ = Allowed::within_root;
+    return references;
+}
+
+References References::of_file(const fs::path& file) {
+    return is_stream(file) ? References() : anywhere(file.parent_path());
+}
+
+References References::beside(const fs::path& file) const {
+    References references = *this;
+    references.folder_ = file.parent_path();
+    return references;
+}
+
+fs::path References::resolve(const fs::path& name) const {
+    if (allowed_ == Allowed::none) {
+        throw InputError("is a file; a text that is in no folder may name none");
+    }
+    const fs::path path = folder_ / name;
+    if (allowed_ == Allowed::anywhere) return path;
+    std::error_code root_error, path_error;
+    const fs::path root = fs::canonical(root_, root_error);
+    const fs::path target = fs::weakly_canonical(path, path_error);
+    const bool inside =
+        !root_error && !path_error &&
+        std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first == root.end();
+    if (!inside) {
+        throw InputError(fmt::format("is outside the folder '{}'; only files in it may be named",
+                                     root_.string()));
+    }
+    return path;
+}
+
+}  // namespace nacre

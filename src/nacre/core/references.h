@@ -1,0 +1,49 @@
+#pragma once
+
+#include <concepts>
+#include <filesystem>
+#include <utility>
+
+// A recipe names files of materials, a scene those of meshes, pictures and recipes. Whoever opens a
+// text says which files it may name: a text from elsewhere must not reach files that are not its.
+
+namespace nacre {
+
+/// Which files a text may name, and where relative names start. A value.
+class References {
+ public:
+    /// None.
+    References() = default;
+    /// Those anywhere(), from this folder; none if it is empty.
+    template <class Path>
+    requires(std::convertible_to<Path, std::filesystem::path> &&
+             !std::same_as<std::remove_cvref_t<Path>, References>)
+        References(Path&& folder)  // NOLINT: a folder stands for its files
+        : folder_(std::forward<Path>(folder)),
+          allowed_(folder_.empty() ? Allowed::none : Allowed::anywhere) {}
+
+    /// Files anywhere, relative names from this folder; empty: from the current one.
+    static References anywhere(const std::filesystem::path& folder);
+    /// Only files in this folder and below, wherever links lead; empty: the current one.
+    static References within(const std::filesystem::path& folder);
+    /// What a file that the user opened by name may name: files anywhere, relative names from its
+    /// folder. None for a stream (core/file.h), which has no folder.
+    static References of_file(const std::filesystem::path& file);
+
+    /// The same permission for a file that was itself named: relative names start from its folder.
+    References beside(const std::filesystem::path& file) const;
+
+    /// The path of a file by its name in the text.
+    /// @throws InputError without the name, which the caller knows, if the text may not name it
+    std::filesystem::path resolve(const std::filesystem::path& name) const;
+
+    friend bool operator==(const References&, const References&) = default;
+
+ private:
+    enum class Allowed { none, within_root, anywhere };
+
+    std::filesystem::path folder_, root_;
+    Allowed allowed_ = Allowed::none;
+};
+
+}  // namespace nacre

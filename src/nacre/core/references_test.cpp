@@ -1,0 +1,75 @@
+#include "nacre/core/references.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "nacre/core/error.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class ReferencesTest : public testing::Test {
+ protected:
+    void SetUp() override {
+        std::string name = testing::TempDir() + "nacre_references_XXXXXX";
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder_ = name;
+        fs::create_directories(folder_ / "scene" / "parts");
+        fs::create_directory(folder_ / "scene-2");
+        for (const char* file : {"secret.csv", "scene/own.csv", "scene/parts/part.csv"}) {
+            std::ofstream(folder_ / file) << "x";
+        }
+        fs::create_symlink("../secret.csv", folder_ / "scene" / "leading-out.csv");
+        fs::create_symlink("parts/part.csv", folder_ / "scene" / "staying.csv");
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    fs::path folder_;
+};
+
+TEST_F(ReferencesTest, WithinAFolderNothingLeadsOut) {
+    const References references = References::within(folder_ / "scene");
+    for (const char* name :
+         {"own.csv", "parts/part.csv", "parts/../own.csv", "staying.csv", "absent.csv"}) {
+        EXPECT_EQ(references.resolve(name), folder_ / "scene" / name);
+    }
+    EXPECT_NO_THROW(references.resolve(folder_ / "scene" / "own.csv"));
+    for (const fs::path& name :
+         {fs::path("../secret.csv"), fs::path("leading-out.csv"), folder_ / "secret.csv",
+          fs::path("/etc/passwd"), fs::path("../scene-2/x.csv"),
+          fs::path("absent/../../secret.csv"), fs::path("/dev/fd/0")}) {
+        EXPECT_THAT([&] { references.resolve(name); },
+                    ThrowsMessage<InputError>(HasSubstr("is outside the folder")))
+            << name;
+    }
+}
+
+TEST_F(ReferencesTest, WhatIsNamedHasTheSamePermission) {
+    const References references =
+        References::within(folder_ / "scene").beside(folder_ / "scene" / "parts" / "part.toml");
+    EXPECT_EQ(references.resolve("part.csv"), folder_ / "scene" / "parts" / "part.csv");
+    EXPECT_NO_THROW(references.resolve("../own.csv"));
+    EXPECT_THROW(references.resolve("../../secret.csv"), InputError);
+    EXPECT_THROW(References().beside(folder_ / "x.toml").resolve("x.csv"), InputError);
+}
+
+TEST(References, OfTheUsersOwnFileAreAnywhereAndOfAStreamNone) {
+    EXPECT_EQ(References::of_file("paints/violet.toml").resolve("../x.csv"), "paints/../x.csv");
+    EXPECT_EQ(References::of_file("violet.toml").resolve("x.csv"), "x.csv");
+    EXPECT_EQ(References("paints").resolve("/etc/x.csv"), "/etc/x.csv");
+    for (const References& none : {References(), References(""), References::of_file("-"),
+                                   References::of_file("/dev/stdin")}) {
+        EXPECT_THAT([&] { none.resolve("x.csv"); },
+                    ThrowsMessage<InputError>(HasSubstr("may name none")));
+    }
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "nacre/render/mesh.h"
+
+// Meshes from files: OBJ, PLY, STL, glTF 2.0. assimp parses them, after a look at what it would
+// trust: it was not made for files that mean harm.
+
+namespace nacre::render {
+
+// Limits of a mesh's file.
+inline constexpr std::size_t kMaxMeshBytes = std::size_t{1} << 30;  ///< with all buffers of a glTF
+inline constexpr std::size_t kMaxMeshNodes = 100'000;               ///< of a glTF
+inline constexpr int kMaxMeshNodeDepth = 256;
+/// Vertices and indices of a glTF, those of a mesh counted once for each node that shows it.
+inline constexpr double kMaxMeshElements = 1 << 26;
+
+/// The mesh from the contents of its file.
+/// @param file  its path is for messages, its extension names the format; buffers of a glTF are read
+///              from its folder and below, and from nowhere else
+/// @throws InputError as make_mesh(const MeshFile&)
+Mesh parse_mesh(std::string_view bytes, const MeshFile& file);
+
+}  // namespace nacre::render

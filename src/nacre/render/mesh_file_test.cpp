@@ -1,0 +1,228 @@
+#include "nacre/render/mesh_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
+
+namespace nacre::render {
+namespace {
+
+using nacre::test::message_of;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+double area(const Mesh& mesh) {
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        sum += 0.5 * length(cross(mesh.positions_mm[b] - mesh.positions_mm[a],
+                                  mesh.positions_mm[c] - mesh.positions_mm[a]));
+    }
+    return sum;
+}
+
+class MeshFileTest : public ::testing::Test {
+ protected:
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        return folder_.write(name, text);
+    }
+    static std::string refusal(const std::filesystem::path& path) {
+        return message_of<InputError>([&] { make_mesh(MeshFile{.path = path}); });
+    }
+
+    nacre::test::TempFolder folder_;
+};
+
+const char* const kObj = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const char* const kPly =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n2 0 0\n0 1 0\n3 0 1 2\n";
+// One triangle (0 0 0) (1 0 0) (0 1 0) in a data URI.
+const char* const kGltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
+
+TEST_F(MeshFileTest, ReadsObjPlyAndGltf) {
+    const Mesh obj = make_mesh(MeshFile{.path = write("quad.obj", kObj), .mm_per_unit = 10});
+    EXPECT_EQ(obj.triangles.size(), 2u);
+    EXPECT_NEAR(area(obj), 200, 1e-3);
+    EXPECT_NEAR(obj.normals[0].z, 1, 1e-6);
+    EXPECT_NEAR(area(make_mesh(MeshFile{.path = write("triangle.ply", kPly)})), 1, 1e-6);
+    // glTF's vertical is y, and the triangle stands upright in it.
+    const Mesh gltf = make_mesh(MeshFile{.path = write("t.gltf", kGltf), .mm_per_unit = 1000});
+    EXPECT_NEAR(area(gltf), 0.5e6, 1);
+    EXPECT_NEAR(std::abs(gltf.normals[0].y), 1, 1e-6);
+}
+
+TEST_F(MeshFileTest, RefusesWhatIsNoMeshAndNamesTheFile) {
+    EXPECT_THAT(refusal("/nonexistent/body.obj"), HasSubstr("'/nonexistent/body.obj'"));
+    EXPECT_THAT(refusal(folder_), HasSubstr("Is a directory"));
+    for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+             {"empty.obj", ""},
+             {"points.obj", "v 0 0 0\nv 1 0 0\n"},
+             {"headless.ply", "ply\nformat ascii 1.0\nelement vertex 99999\n"},
+             {"short.ply",
+              "ply\nformat ascii 1.0\nelement vertex 99999\nproperty float x\nend_header\n0\n"},
+             {"type.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n"},
+             {"broken.gltf", "{\"asset\":"},
+             {"unknown.xyz9", "hello"},
+             // Of a format that assimp reads and Nacre does not.
+             {"other.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+             {"disguised.obj", std::string("\0\0", 2)},
+             {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}}) {
+        const auto path = write(name, text);
+        EXPECT_THAT(refusal(path), HasSubstr(path.string()));
+    }
+}
+
+/// What is wrong with the contents of a file of this extension; "accepted" if nothing.
+std::string fault(const std::string& extension, std::string_view bytes) {
+    return message_of<InputError>(
+        [&] { parse_mesh(bytes, MeshFile{.path = "/nowhere/mesh" + extension}); });
+}
+
+/// A glTF of the triangle with other nodes; the scene shows the first.
+std::string gltf_with_nodes(const json& nodes, const json& roots = {0}) {
+    json whole = json::parse(kGltf);
+    whole["nodes"] = nodes;
+    whole["scenes"] = {{{"nodes", roots}}};
+    return whole.dump();
+}
+
+TEST(MeshContents, PlyFacesNeedVertices) {
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n2 0 0\n0 1 0\n";
+    EXPECT_EQ(fault(".ply", head + "3 0 1 2\n3 2 1 0\n"), "accepted");
+    EXPECT_THAT(fault(".ply", head + "0\n3 0 1 2\n"), HasSubstr("face 0 has no vertices"));
+    EXPECT_THAT(fault(".ply", head + "3 0 1 2\n3 0 1 7\n"), HasSubstr("vertex 7 of 3"));
+    EXPECT_THAT(fault(".PLY", "solid"), HasSubstr("does not begin with 'ply'"));
+}
+
+TEST(MeshContents, BinaryPlyIsFollowedFromListToList) {
+    const std::string head =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n";
+    const float corners[9] = {0, 0, 0, 2, 0, 0, 0, 1, 0};
+    const int indices[3] = {0, 1, 2};
+    std::string body(reinterpret_cast<const char*>(corners), sizeof corners);
+    body += '\3';
+    body.append(reinterpret_cast<const char*>(indices), sizeof indices);
+    EXPECT_EQ(fault(".ply", head + body), "accepted");
+    EXPECT_THAT(fault(".ply", head + body.substr(0, body.size() - 1)), HasSubstr("cut short"));
+    body[sizeof corners] = '\xff';  // a face of 255 vertices
+    EXPECT_THAT(fault(".ply", head + body), HasSubstr("cut short"));
+    EXPECT_THAT(fault(".ply", "ply\nformat ascii 1.0\nelement a 1e18\nend_header\n"),
+                HasSubstr("without properties"));
+}
+
+TEST(MeshContents, NodesOfAGltfAreTreesOfLimitedDepthAndSize) {
+    EXPECT_EQ(fault(".gltf", gltf_with_nodes({{{"mesh", 0}}})), "accepted");
+    EXPECT_EQ(fault(".gltf", gltf_with_nodes({{{"children", {1}}}, {{"mesh", 0}}})), "accepted");
+
+    json chain = json::array(), doubled = json::array();
+    constexpr int kNodes = 20'000, kDoublings = 27;
+    for (int i = 1; i < kNodes; ++i) chain.push_back({{"children", {i}}});
+    chain.push_back({{"mesh", 0}});
+    for (int i = 1; i < kDoublings; ++i) doubled.push_back({{"children", {i, i}}});
+    doubled.push_back({{"mesh", 0}});
+    EXPECT_THAT(fault(".gltf", gltf_with_nodes(chain)), HasSubstr("nodes more than 256 deep"));
+    EXPECT_THAT(fault(".gltf", gltf_with_nodes(doubled)), HasSubstr("two parents"));
+    EXPECT_THAT(fault(".gltf", gltf_with_nodes({{{"mesh", 0}}}, {0, 0})), HasSubstr("shown twice"));
+    EXPECT_THAT(fault(".gltf", gltf_with_nodes({{{"mesh", 0}}, {{"children", {1}}}})),
+                HasSubstr("its own descendant"));
+    EXPECT_THAT(fault(".gltf", gltf_with_nodes({{{"mesh", 5}}})), HasSubstr("a mesh that it does"));
+    const json many(kMaxMeshNodes + 1, json::object());
+    EXPECT_THAT(fault(".gltf", gltf_with_nodes(many)), HasSubstr("100001 nodes"));
+}
+
+TEST(MeshContents, GltfCountsAndNestingAreBounded) {
+    json whole = json::parse(kGltf);
+    whole["accessors"][0]["count"] = 4e9;
+    EXPECT_THAT(fault(".gltf", whole.dump()), HasSubstr("vertices and indices"));
+    // A mesh of a million vertices on each of a hundred nodes.
+    whole["accessors"][0]["count"] = 1'000'000;
+    whole["nodes"] = json(100, {{"mesh", 0}});
+    EXPECT_THAT(fault(".gltf", whole.dump()), HasSubstr("counted for each node"));
+
+    constexpr std::size_t kDeep = 200'000;
+    EXPECT_THAT(fault(".gltf", R"({"asset":{"version":"2.0"},"extras":)" + std::string(kDeep, '[') +
+                                   std::string(kDeep, ']') + "}"),
+                HasSubstr("nested more than 64 deep"));
+    whole = json::parse(kGltf);
+    whole["asset"]["version"] = "1.0";
+    EXPECT_THAT(fault(".gltf", whole.dump()), HasSubstr("is glTF 1.0; 2 is read"));
+    whole = json::parse(kGltf);
+    whole["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    EXPECT_THAT(fault(".gltf", whole.dump()), HasSubstr("KHR_draco_mesh_compression"));
+}
+
+/// Four bytes, the lowest first.
+std::string word(std::uint32_t number) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
+    return bytes;
+}
+
+TEST(MeshContents, GlbIsReadAsFarAsItsChunksGo) {
+    json whole = json::parse(kGltf);
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::string buffer(reinterpret_cast<const char*>(corners), sizeof corners);
+    whole["buffers"] = {{{"byteLength", buffer.size()}}};
+    std::string text = whole.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const auto length = static_cast<std::uint32_t>(28 + text.size() + buffer.size());
+    const auto glb = [&](std::uint32_t claimed, std::uint32_t claimed_text) {
+        return "glTF" + word(2) + word(claimed) + word(claimed_text) + "JSON" + text +
+               word(static_cast<std::uint32_t>(buffer.size())) + std::string("BIN\0", 4) + buffer;
+    };
+    const auto text_size = static_cast<std::uint32_t>(text.size());
+    EXPECT_NEAR(area(parse_mesh(glb(length, text_size), MeshFile{.path = "m.glb"})), 0.5, 1e-6);
+    EXPECT_THAT(fault(".glb", glb(0xfffffff0, text_size)), HasSubstr("4294967280 bytes"));
+    EXPECT_THAT(fault(".glb", glb(length, 0xffffff00)), HasSubstr("a chunk is longer"));
+    EXPECT_THAT(fault(".glb", text), HasSubstr("does not begin with 'glTF'"));
+}
+
+// Neither what lies outside the mesh's folder, nor a pipe on which the program would wait.
+TEST_F(MeshFileTest, BuffersComeFromItsFolderOnly) {
+    namespace fs = std::filesystem;
+    const fs::path folder = folder_, inside = folder / "model";
+    fs::create_directory(inside);
+    const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    for (const fs::path& path : {folder / "out.bin", inside / "in.bin"}) {
+        std::ofstream(path, std::ios::binary)
+            .write(reinterpret_cast<const char*>(corners), sizeof corners);
+    }
+    fs::create_symlink("../out.bin", inside / "link.bin");
+    ASSERT_EQ(::mkfifo((inside / "pipe.bin").c_str(), 0600), 0);
+    const auto with_buffer = [&](const std::string& uri) {
+        json whole = json::parse(kGltf);
+        whole["buffers"][0]["uri"] = uri;
+        std::ofstream(inside / "mesh.gltf") << whole.dump();
+        return refusal(inside / "mesh.gltf");
+    };
+    EXPECT_EQ(with_buffer("in.bin"), "accepted");
+    EXPECT_THAT(with_buffer("../out.bin"), HasSubstr("outside the folder"));
+    EXPECT_THAT(with_buffer((folder / "out.bin").string()), HasSubstr("outside the folder"));
+    EXPECT_THAT(with_buffer("link.bin"), HasSubstr("outside the folder"));
+    EXPECT_THAT(with_buffer("pipe.bin"), HasSubstr("is a pipe"));
+    EXPECT_THAT(with_buffer("absent.bin"), HasSubstr("absent.bin"));
+}
+
+}  // namespace
+}  // namespace nacre::render
