@@ -144,7 +144,8 @@ TEST_F(Program, FormulasInNamesAreHarmlessInTablesAndReadBack) {
     write("formula.toml",
           "name = \"=HYPERLINK(\\\"http://a\\\",\\\"b\\\")\"\n" + contents(folder_ / "gray.toml"));
     ASSERT_EQ(nacre("measure formula.toml --geometry 45as15 -o formula.csv").status, 0);
-    EXPECT_THAT(contents(folder_ / "formula.csv"), HasSubstr(R"x("'=HYPERLINK(""http://a"",""b"")")x"));
+    EXPECT_THAT(contents(folder_ / "formula.csv"),
+                HasSubstr(R"x("'=HYPERLINK(""http://a"",""b"")")x"));
     EXPECT_THAT(nacre("measure formula.csv --format json").out,
                 HasSubstr(R"x("=HYPERLINK(\"http://a\",\"b\")")x"));
 }

@@ -68,7 +68,8 @@ void print_data(const std::string& data) {
 }
 
 void print_message(const std::string& line) {
-    const std::string text = printable_lines(line) + "\n";  // one write, so that lines of two programs do not mix
+    const std::string text =
+        printable_lines(line) + "\n";  // one write, so that lines of two programs do not mix
     (void)std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

@@ -290,7 +290,7 @@ TEST(Reference, ReportsProgressAndStopsWhenAsked) {
 
 // One block of long walks: the callback is asked within it.
 TEST(Reference, AsksWithinABlockOfLongWalks) {
-    const auto recipe = test::paint(1, {test::flake_layer(300, .5, 1, 0)});
+    const auto recipe = test::paint_of(1, {test::flake_layer(300, .5, 1, 0)});
     int calls = 0;
     EXPECT_THROW(reference_albedo(recipe, std::vector<Direction>{{45, 0}}, kGreen,
                                   {.samples = 1'000'000'000}, [&](double) { return ++calls < 2; }),

@@ -37,7 +37,8 @@ struct PaintBlock {
 /// misses of the scattering cross section is taken from extinction too, so that a flake that
 /// absorbs nothing loses nothing. Rescaling the kernel instead would break its symmetry.
 PaintBlock make_block(const PaintMedium& medium, const Directions& directions,
-                      const ActiveNodes& active, int lit, int block, SharedProgress* work = nullptr);
+                      const ActiveNodes& active, int lit, int block,
+                      SharedProgress* work = nullptr);
 
 // One azimuthal order of a paint at eight wavelengths: layers stacked as impedances (impedance.h),
 // the interface on top, single scattering subtracted.
