@@ -283,7 +283,8 @@ TEST_F(Files, PlotsNeedTheirLetters) {
         shell("FONTCONFIG_FILE=\"$PWD/fonts.conf\" \"$NACRE\" " + kAtlas + "-o m.png");
     EXPECT_EQ(fonts.status, 3);
     EXPECT_THAT(fonts.err, HasSubstr("no font for its letters"));
-    const Outcome files = shell("ulimit -n 4; \"$NACRE\" " + kAtlas + "-o m.png");
+    const Outcome files = shell(
+        "exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ulimit -n 4; \"$NACRE\" " + kAtlas + "-o m.png");
     EXPECT_EQ(files.status, 3);
     EXPECT_THAT(files.err, HasSubstr("its letters need 8 open files"));
     EXPECT_FALSE(exists("m.png"));

@@ -175,14 +175,14 @@ reflectance = 1.0
          {std::pair{"reference lossless.toml --incident 45 --outgoing 0:80:10,0:350:10 "
                     "--samples 1000000000 -o old.csv",
                     "old.csv"},
-          std::pair{"export gray.toml --resolution 512 --incidences 256 -o old.bsdf", "old.bsdf"},
+          std::pair{"export gray.toml --resolution 256 --incidences 256 -o old.bsdf", "old.bsdf"},
           std::pair{"render sphere --paint lossless.toml --model walk --size 4096x4096 -o old.exr",
                     "old.exr"},
           std::pair{
               "render sphere --paint lossless.toml --model volume --size 4096x4096 -o old.exr",
               "old.exr"}}) {
         write(file, "old");
-        const Outcome outcome = nacre(command, "timeout --preserve-status -s INT 1");
+        const Outcome outcome = nacre(command, "timeout --foreground --preserve-status -s INT 1");
         EXPECT_EQ(outcome.status, 3) << command << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("stopped")) << command;
         EXPECT_EQ(contents(folder_ / file), "old") << command;

@@ -507,7 +507,7 @@ TEST(RecipeFile, RefusesDeepNestingBeforeItIsParsed) {
 }
 
 TEST(RecipeFile, DotsAndBracketsInTextsAndCommentsDoNotNest) {
-    const std::string many = repeated(".", 60) + repeated("[{", 60);
+    const std::string many = repeated(".", 40) + repeated("[{", 20);
     for (const std::string& name :
          {'"' + many + "\\\"" + many + "\" # \" " + many, "\"\"\"\n\"" + many + "\"\n\"\"\"\"\"",
           "'" + many + "\\' # ' " + many, "'''" + many + "'" + many + "\\''''"}) {

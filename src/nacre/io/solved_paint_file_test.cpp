@@ -234,7 +234,8 @@ TEST(SolvedPaintFile, TensorsThatDoNotFitTheInterfaceAreRefused) {
 
 // A seed that is refused at once leads a fuzzer nowhere.
 TEST(SolvedPaintFile, SeedsOfTheFuzzerAreRead) {
-    const solver::SolvedPaint paint = read_solved_paint(shipped_file("fuzz/corpus/solved_paint/silver.h5"));
+    const solver::SolvedPaint paint =
+        read_solved_paint(shipped_file("fuzz/corpus/solved_paint/silver.h5"));
     EXPECT_EQ(paint.wavelengths_nm().size(), 1u);
 }
 

@@ -50,7 +50,7 @@ std::string refusal(const SceneDescription& scene) {
 
 /// The scene as it is read, without its pictures.
 SceneDescription parsed(const std::string& text) {
-    io::TomlDocument document(text, "scene.toml", "");
+    io::TomlDocument document(text, "scene.toml", References::anywhere(""));
     SceneDescription scene;
     const Described described(scene);
     io::read_described(io::TableReader(document, keys_of(described)), described);

@@ -206,8 +206,11 @@ TEST(SolverSlab, ThinLayersApproachTheSubstrate) {
 TEST(SolverSlab, ALayerMayBeEmptyAtSomeWavelengths) {
     paint::Recipe recipe = pigment_paint(0.9, 1, 0, 1.5);
     const paint::Recipe grey = recipe;
-    recipe.layers[0].pigments[0].scattering_per_mm = spectra::Spectrum({500, 600}, {0, 0.9});
-    recipe.layers[0].pigments[0].absorption_per_mm = spectra::Spectrum({500, 600}, {0, 0.1});
+    const paint::Pigment& present = grey.layers[0].pigments[0];
+    recipe.layers[0].pigments[0].scattering_per_mm =
+        spectra::Spectrum({500, 600}, {0, present.scattering_per_mm(550)});
+    recipe.layers[0].pigments[0].absorption_per_mm =
+        spectra::Spectrum({500, 600}, {0, present.absorption_per_mm(550)});
     recipe.substrate_reflectance = 0.5;
     const std::vector<double> f = solve(recipe, {400, 500, 600, 700}).brdf(0.8, 0.5, 2.0);
     const double bare = bare_substrate(0.5, 1.5, 0.8, 0.5);
