@@ -60,7 +60,8 @@ struct Experiment {
     /// but the number of walks.
     static std::uint64_t block_count(std::uint64_t samples);
 
-    /// All walks; a part of them if `blocks` is stopped. Reports each block.
+    /// All walks. Reports each block.
+    /// @throws Stopped if `blocks` is stopped; in the last of them a part of the walks may be missing
     Moments run(SharedProgress& blocks) const;
 
  private:
@@ -71,6 +72,10 @@ namespace {
 
 // More detectors than this are served by walks of their own, to bound memory.
 constexpr std::size_t kMaxDetectorsPerWalk = 1024;
+
+[[noreturn]] void throw_stopped() {
+    throw Stopped("the reference was stopped before its random walks were done");
+}
 
 Vec3d unit_vector(const Direction& direction) {
     const double theta = direction.theta_deg * std::numbers::pi / 180;
@@ -161,8 +166,7 @@ void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
                                             own_detectors, connections, settings,
                                             number++};
                 const Moments moments = experiment.run(blocks);
-                if (blocks.stopped())
-                    throw Error("the reference was stopped before its random walks were done");
+                if (blocks.stopped()) throw_stopped();
                 const auto first_wavelength =
                     static_cast<std::size_t>(batch.data() - wavelengths_nm.data());
                 sink(Outcome{i, first_detector, first_wavelength, medium, moments});
@@ -278,7 +282,8 @@ Moments Experiment::run(SharedProgress& blocks) const {
         Range(0, block_count(settings.samples), 1), Moments(towards_detectors.size()),
         [&](const Range& range, Moments moments) {
             for (std::uint64_t block = range.begin(); block < range.end(); ++block) {
-                if (blocks.stopped()) break;
+                // An error ends the tree at once; its other leaves would still add up empty sums.
+                if (blocks.stopped()) throw_stopped();
                 run_block(block, moments, blocks);
                 blocks.add();
             }
