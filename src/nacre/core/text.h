@@ -75,7 +75,7 @@ inline std::string_view without_byte_order_mark(std::string_view text) {
 }
 
 /// As it may go to a terminal: control characters (C0, DEL and C1, which move the cursor, change
-/// colours or begin a line) become \n, \t, \x1b and the like.
+/// colours or begin a line) become escape sequences of C, such as `\x1b`.
 std::string printable(std::string_view text);
 /// The same for a table or a message of several lines, whose line ends and tabs stay.
 std::string printable_lines(std::string_view text);
