@@ -163,7 +163,8 @@ Command add_study(CLI::App& program) {
         "  nacre study flakes -o out/flakes\n  nacre study sparkle -o out/sparkle");
     return {study,
             [options] {
-                return CommandFiles{.folders = {{"--output", options->output}}};
+                return CommandFiles{
+                    .inputs = {}, .files = {}, .folders = {{"--output", options->output}}};
             },
             [options] { return run(*options); }};
 }

@@ -258,8 +258,19 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
 
 std::size_t memory_to_solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
                             const SolverSettings& settings) {
-    const PaintMedium medium = make_medium(recipe, wavelengths_nm, nullptr);
-    return memory_of(medium, group_wavelengths(medium), choose_resolution(medium, settings));
+    // What flakes reflect does not matter: not computing it takes no time, and all wavelengths
+    // count as different.
+    paint::Recipe plain = recipe;
+    for (paint::Layer& layer : plain.layers) {
+        for (paint::FlakeSpecies& species : layer.flakes) {
+            species.amount = paint::AreaDensity{species.area_density_per_um()};
+            species.body = paint::PrescribedFlake{};
+        }
+    }
+    const PaintMedium medium = make_medium(plain, wavelengths_nm, nullptr);
+    WavelengthGroups groups = group_wavelengths(medium);
+    for (WavelengthGroup& group : groups) group.distinct = group.members;
+    return memory_of(medium, groups, choose_resolution(medium, settings));
 }
 
 }  // namespace nacre::solver
