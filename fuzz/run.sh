@@ -38,9 +38,9 @@ for target in $targets; do
     [ "$target" != mesh ] || leaks=0
     # The libraries below are not built with the sanitizer: containers that cross the border would
     # be reported as overflows that are none.
-    if ASAN_OPTIONS=detect_container_overflow=0 "$build_dir/fuzz/fuzz_$target" \
+    if ASAN_OPTIONS="detect_container_overflow=0:detect_leaks=$leaks" "$build_dir/fuzz/fuzz_$target" \
         -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
-        -verbosity=0 -detect_leaks="$leaks" -close_fd_mask=1 -artifact_prefix="$found/../$target-" \
+        -verbosity=0 -close_fd_mask=1 -artifact_prefix="$found/../$target-" \
         "$found" $(seeds "$target"); then
         echo "fuzz_$target: nothing found in $seconds s"
     else
