@@ -300,6 +300,9 @@ void AtomicFile::commit() {
 }
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
+    // A signal waits for the few milliseconds, or it would leave the temporary behind. Commands that
+    // heed signals already have a handler, which this one leaves alone.
+    const InterruptHandler uninterrupted;
     AtomicFile file(path);
     file.write(bytes);
     file.commit();
