@@ -63,7 +63,6 @@ endfunction()
 #   nacre_discover_tests(TARGET)   tells CTest of the tests of a program, and gives it its main()
 function(nacre_discover_tests target)
   target_link_libraries(${target} PRIVATE nacre::testing)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
 endfunction()
 

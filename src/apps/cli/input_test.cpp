@@ -17,7 +17,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-constexpr const char* kEval = " --incident 45 --outgoing 30,180 --wavelength 550";
+constexpr const char* kEvalOptions = " --incident 45 --outgoing 30,180 --wavelength 550";
 
 /// Every command that reads a file, with the file's place marked @.
 constexpr const char* kReaders[] = {"info @",
@@ -66,14 +66,14 @@ TEST_F(Program, PipesAndDevicesByNameAreRefusedByEveryCommand) {
 
 TEST_F(Program, TheStandardInputMayBeAPipe) {
     const std::string before = "cat gray.toml |";
-    const std::string expected = nacre(std::string("eval gray.toml") + kEval).out;
+    const std::string expected = nacre(std::string("eval gray.toml") + kEvalOptions).out;
     ASSERT_THAT(expected, StartsWith("theta_i"));
     for (const char* name : {"-", "/dev/stdin", "/dev/fd/0"}) {
-        EXPECT_EQ(nacre(std::string("eval ") + name + kEval, before).out, expected) << name;
+        EXPECT_EQ(nacre(std::string("eval ") + name + kEvalOptions, before).out, expected) << name;
     }
-    EXPECT_EQ(nacre(std::string("eval -") + kEval + " < gray.toml").out, expected);
+    EXPECT_EQ(nacre(std::string("eval -") + kEvalOptions + " < gray.toml").out, expected);
     ASSERT_EQ(nacre("solve gray.toml --wavelength 550 -o gray.h5").status, 0);
-    EXPECT_EQ(nacre(std::string("eval -") + kEval, "cat gray.h5 |").out, expected);
+    EXPECT_EQ(nacre(std::string("eval -") + kEvalOptions, "cat gray.h5 |").out, expected);
     EXPECT_THAT(nacre("info -", before).out, HasSubstr("kind: recipe"));
     EXPECT_THAT(nacre("info -", "cat gray.h5 |").out, HasSubstr("kind: solved paint"));
 

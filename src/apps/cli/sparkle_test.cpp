@@ -11,10 +11,10 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-const char* const kSmall = "sparkle gray.toml --field 2 --diffuse-samples 4 ";
+const char* const kSmallField = "sparkle gray.toml --field 2 --diffuse-samples 4 ";
 
 TEST_F(Program, SparkleWritesARowALampAndOneForDiffuseLight) {
-    const Outcome run = nacre(std::string(kSmall) + "--lamp 15,60 -q");
+    const Outcome run = nacre(std::string(kSmallField) + "--lamp 15,60 -q");
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_THAT(run.err, IsEmpty());
     EXPECT_THAT(run.out, StartsWith("geometry,theta_i,Y,background_Y,threshold_Y,spots_per_cm2,"));
@@ -28,13 +28,13 @@ TEST_F(Program, SparkleWritesARowALampAndOneForDiffuseLight) {
 }
 
 TEST_F(Program, SparkleDependsOnTheSeedAndNotOnTheThreads) {
-    const std::string one = nacre(std::string(kSmall) + "-q --threads 1").out;
-    EXPECT_EQ(nacre(std::string(kSmall) + "-q --threads 2").out, one);
-    EXPECT_NE(nacre(std::string(kSmall) + "-q --seed 1").out, one);
+    const std::string one = nacre(std::string(kSmallField) + "-q --threads 1").out;
+    EXPECT_EQ(nacre(std::string(kSmallField) + "-q --threads 2").out, one);
+    EXPECT_NE(nacre(std::string(kSmallField) + "-q --seed 1").out, one);
 }
 
 TEST_F(Program, SparkleWritesJsonAndPictures) {
-    const Outcome run = nacre(std::string(kSmall) +
+    const Outcome run = nacre(std::string(kSmallField) +
                               "--format json --pictures seen -o sparkle.json --report r.json");
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_THAT(run.out, IsEmpty());

@@ -102,7 +102,7 @@ TEST(FlakeAtlas, ADispersiveBinderRefractsEachWavelengthByItsOwnIndex) {
     EXPECT_GT(spectra::delta_e_2000(plain.lab[0], other.lab[0]), 0.05);
 }
 
-paint::Recipe pearl() {
+paint::Recipe opaque_pearl() {
     paint::FlakeSpecies flakes;
     flakes.amount = paint::AreaDensity{0.1};
     flakes.orientation.beckmann_alpha = 0.2;
@@ -124,7 +124,7 @@ TEST(RecipeAtlas, HasTheHuesOfTheFlakeAtlas) {
     for (int w = 400; w <= 700; w += 20) coarse.push_back(w);
     const std::vector<double> thickness = {80, 125, 150};
     const std::vector geometries = {measure::in_plane(45, 25)};
-    const Atlas paint = recipe_atlas(pearl(), kCoat, thickness, geometries, coarse);
+    const Atlas paint = recipe_atlas(opaque_pearl(), kCoat, thickness, geometries, coarse);
     const Atlas flake = flake_atlas(titania_on_mica(), thickness, geometries, coarse);
     EXPECT_EQ(paint.column, kCoat);
     for (std::size_t i = 0; i < thickness.size(); ++i) {
@@ -140,8 +140,8 @@ TEST(RecipeAtlas, HasTheHuesOfTheFlakeAtlas) {
 TEST(RecipeAtlas, ChangesOnlyTheNumberThatIsNamed) {
     const std::vector<double> three = {500, 550, 600};
     const std::vector geometries = {measure::in_plane(45, 25)};
-    const Atlas atlas = recipe_atlas(pearl(), kCoat, {80}, geometries, three);
-    const solver::SolvedPaint paint = solver::solve(pearl(), three);
+    const Atlas atlas = recipe_atlas(opaque_pearl(), kCoat, {80}, geometries, three);
+    const solver::SolvedPaint paint = solver::solve(opaque_pearl(), three);
     const auto reading =
         measure::coloured(geometries[0], three,
                           [&] {
@@ -171,11 +171,12 @@ TEST(Atlas, NamesWhatIsWrong) {
     EXPECT_THAT(message_of<Error>([&] { flake_atlas(dark, {80}, geometries, wavelengths()); }),
                 testing::HasSubstr("index of the binder = 5"));
     EXPECT_THAT(message_of<Error>([&] {
-                    recipe_atlas(pearl(), "layer[0].glitter", {80}, geometries, wavelengths());
+                    recipe_atlas(opaque_pearl(), "layer[0].glitter", {80}, geometries,
+                                 wavelengths());
                 }),
                 testing::HasSubstr("layer[0].glitter"));
     EXPECT_THAT(message_of<Error>([&] {
-                    recipe_atlas(pearl(), kCoat, {80, -1}, geometries, wavelengths());
+                    recipe_atlas(opaque_pearl(), kCoat, {80, -1}, geometries, wavelengths());
                 }),
                 testing::HasSubstr("-1"));
     EXPECT_EQ(message_of<Error>([&] {

@@ -8,14 +8,15 @@
 
 #include "nacre/core/error.h"
 #include "nacre/testing/errors.h"
+#include "nacre/testing/not_finite.h"
 
 namespace nacre::report {
 namespace {
 
 using nacre::test::message_of;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
+using test::kInf;
+using test::kNan;
 
 Plot plot_of(std::vector<double> x, std::vector<double> y) {
     return {.title = "t", .series = {{.name = "s", .x = std::move(x), .y = std::move(y)}}};

@@ -9,6 +9,7 @@
 #include "apps/report/plot_frame.h"
 #include "apps/report/svg_raster.h"
 #include "nacre/core/error.h"
+#include "nacre/testing/not_finite.h"
 
 namespace nacre::report {
 namespace {
@@ -16,8 +17,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
+using test::kInf;
+using test::kNan;
 
 Plot full_plot(const std::string& text) {
     return {.title = text,

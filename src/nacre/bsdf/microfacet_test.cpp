@@ -13,8 +13,6 @@ namespace nacre::bsdf {
 namespace {
 
 using paint::FacetDistribution;
-constexpr FacetDistribution kLaws[] = {FacetDistribution::beckmann, FacetDistribution::ggx};
-
 // Int f(m) dm over the upper hemisphere, in the radius of stretched slopes tan = alpha r, r =
 // t/(1-t).
 template <class F>
@@ -39,7 +37,7 @@ double over_normals(double alpha, F&& f) {
 }
 
 TEST(MicrofacetDistribution, CoversTheMeanSurfaceOnce) {
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         for (const double alpha : {0.01, 0.1, 0.5, 1.0}) {
             const MicrofacetDistribution facets(law, alpha);
             const double area =
@@ -51,7 +49,7 @@ TEST(MicrofacetDistribution, CoversTheMeanSurfaceOnce) {
 
 // What Smith's masking is made for: the visible facets fill the view.       [heitz-2014]
 TEST(MicrofacetDistribution, VisibleFacetsFillTheView) {
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         for (const double alpha : {0.05, 0.3, 1.0}) {
             const MicrofacetDistribution facets(law, alpha);
             for (const double theta : {0.0, 40.0, 70.0, 85.0, 89.0}) {
@@ -67,7 +65,7 @@ TEST(MicrofacetDistribution, VisibleFacetsFillTheView) {
 }
 
 TEST(MicrofacetDistribution, DrawsTheMeanVisibleNormal) {
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         for (const double alpha : {0.01, 0.3, 1.0}) {
             const MicrofacetDistribution facets(law, alpha);
             for (const double theta : {0.0, 30.0, 80.0, 89.5}) {

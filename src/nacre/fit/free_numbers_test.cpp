@@ -13,7 +13,7 @@ namespace {
 using nacre::test::message_of;
 using ::testing::HasSubstr;
 
-const std::string kFilm = "layer[0].flakes[0].coats[0].";
+const std::string kCoat = "layer[0].flakes[0].coats[0].";
 
 TEST(FreeNumbers, PlacesBetweenTheBoundsComeBack) {
     const FreeNumber by_ratio{{"x", 20, 180}, 60, true}, by_value{{"x", 0, 50}, 10, true};
@@ -35,10 +35,10 @@ TEST(FreeNumbers, PlacesBetweenTheBoundsComeBack) {
 TEST(FreeNumbers, DefaultBoundsFollowTheKindOfNumber) {
     const paint::Recipe recipe = testing::pearl(80);
     const auto bounds = [&](const std::string& key) { return default_bounds(recipe, key); };
-    EXPECT_NEAR(bounds(kFilm + "thickness_nm").lo, 80 / 3.0, 1e-12);
-    EXPECT_NEAR(bounds(kFilm + "thickness_nm").hi, 240, 1e-12);
-    EXPECT_EQ(bounds(kFilm + "spread_nm").lo, 0);
-    EXPECT_NEAR(bounds(kFilm + "spread_nm").hi, 18, 1e-12);                   // three times 6
+    EXPECT_NEAR(bounds(kCoat + "thickness_nm").lo, 80 / 3.0, 1e-12);
+    EXPECT_NEAR(bounds(kCoat + "thickness_nm").hi, 240, 1e-12);
+    EXPECT_EQ(bounds(kCoat + "spread_nm").lo, 0);
+    EXPECT_NEAR(bounds(kCoat + "spread_nm").hi, 18, 1e-12);                   // three times 6
     EXPECT_NEAR(bounds("layer[0].flakes[0].core.spread_nm").hi, 240, 1e-12);  // three times 80
     EXPECT_EQ(bounds("substrate.reflectance").lo, 0);
     EXPECT_EQ(bounds("substrate.reflectance").hi, 1);
@@ -64,7 +64,7 @@ TEST(FreeNumbers, ASizeOfZeroHasNoDefaultBounds) {
 }
 
 TEST(FreeNumbers, BuildTheRecipeAtAPoint) {
-    const std::string film = kFilm + "thickness_nm", alpha = "layer[0].flakes[0].orientation.alpha";
+    const std::string film = kCoat + "thickness_nm", alpha = "layer[0].flakes[0].orientation.alpha";
     const FreeNumbers numbers(testing::pearl(80), {film, alpha}, {{film, 60, 140}});
     EXPECT_TRUE(numbers[0].bounds_given);
     EXPECT_FALSE(numbers[1].bounds_given);

@@ -14,7 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string refusal(const std::string& text) {
+std::string refused_geometry(const std::string& text) {
     return message_of<InputError>([&] { parse_geometry_set(text, "set.toml"); });
 }
 
@@ -45,25 +45,28 @@ name = "window"
 }
 
 TEST(GeometryFile, RefusalsNameLineKeyAndRange) {
-    EXPECT_THAT(refusal(""), HasSubstr("at least one [[geometry]]"));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp = 45\n"),
+    EXPECT_THAT(refused_geometry(""), HasSubstr("at least one [[geometry]]"));
+    EXPECT_THAT(refused_geometry("[[geometry]]\nlamp = 45\n"),
                 AllOf(StartsWith("set.toml:2:"), HasSubstr("lamp_deg")));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 90\naspecular_deg = 15\n"),
+    EXPECT_THAT(refused_geometry("[[geometry]]\nlamp_deg = 90\naspecular_deg = 15\n"),
                 AllOf(StartsWith("set.toml:2:"), HasSubstr("[0, 90) deg")));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\n"), HasSubstr("aspecular_deg"));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\naspecular_deg = 150\n"),
+    EXPECT_THAT(refused_geometry("[[geometry]]\nlamp_deg = 45\n"), HasSubstr("aspecular_deg"));
+    EXPECT_THAT(refused_geometry("[[geometry]]\nlamp_deg = 45\naspecular_deg = 150\n"),
                 AllOf(StartsWith("set.toml:1:"), HasSubstr("below the horizon")));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\nview_deg = [30]\n"), HasSubstr("view_deg"));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\nview_deg = [30, 0]\naspecular_deg = 15\n"),
-                HasSubstr("by itself"));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\nname = \"\"\n"),
+    EXPECT_THAT(refused_geometry("[[geometry]]\nlamp_deg = 45\nview_deg = [30]\n"),
+                HasSubstr("view_deg"));
+    EXPECT_THAT(
+        refused_geometry("[[geometry]]\nlamp_deg = 45\nview_deg = [30, 0]\naspecular_deg = 15\n"),
+        HasSubstr("by itself"));
+    EXPECT_THAT(refused_geometry("[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\nname = \"\"\n"),
                 HasSubstr("must not be empty"));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"
-                        "[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"),
+    EXPECT_THAT(refused_geometry("[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"
+                                 "[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"),
                 AllOf(StartsWith("set.toml:4:"), HasSubstr("45as15")));
-    EXPECT_THAT(refusal("[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"
-                        "[[geometry]]\nlamp_deg = 45\nview_deg = [30, 180]\nname = \"again\"\n"),
-                AllOf(StartsWith("set.toml:4:"), HasSubstr("the direction of 'again'")));
+    EXPECT_THAT(
+        refused_geometry("[[geometry]]\nlamp_deg = 45\naspecular_deg = 15\n"
+                         "[[geometry]]\nlamp_deg = 45\nview_deg = [30, 180]\nname = \"again\"\n"),
+        AllOf(StartsWith("set.toml:4:"), HasSubstr("the direction of 'again'")));
 }
 
 }  // namespace

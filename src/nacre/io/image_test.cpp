@@ -24,7 +24,7 @@ class ImageFiles : public ::testing::Test {
 };
 
 /// 5 x 3 pixels, every value different, beyond [0, 1] too.
-Image example() {
+Image example_image() {
     Image image{5, 3, {}, {{"nacre:seed", "7"}, {"comments", "two\nlines"}}};
     float value = -0.25f;
     for (const char* name : {"B", "G", "R", "albedo.R", "S0.550,000000nm"}) {
@@ -36,7 +36,7 @@ Image example() {
 }
 
 TEST_F(ImageFiles, ExrKeepsEveryChannelBitForBitAndTheMetadata) {
-    const Image image = example();
+    const Image image = example_image();
     write_exr(folder_ / "a.exr", image);
     const Image read = read_image(folder_ / "a.exr");
     EXPECT_EQ(read.width, 5);
@@ -79,7 +79,7 @@ TEST_F(ImageFiles, ThePngBesideAnExrIsReplacedOnlyIfItIsOneOfOurs) {
     const std::filesystem::path exr = folder_ / "a.b.exr", png = folder_ / "a.b.png";
     EXPECT_EQ(png_beside(exr), png);
     EXPECT_NO_THROW(check_png_beside(png));  // none
-    Image image = example();
+    Image image = example_image();
     image.metadata = {{"comments", "no word of Nacre"}};
     write_exr_and_png(exr, image);
     EXPECT_EQ(read_image(png).metadata.count("nacre:version"), 1u);
@@ -156,8 +156,8 @@ TEST(RadianceHdr, ReadsBothKindsOfRuns) {
 }
 
 TEST_F(ImageFiles, CutAnywhereIsRefusedAndNamed) {
-    write_exr(folder_ / "a.exr", example());
-    write_png(folder_ / "a.png", example());
+    write_exr(folder_ / "a.exr", example_image());
+    write_png(folder_ / "a.png", example_image());
     const std::string files[] = {read_file(folder_ / "a.exr"), read_file(folder_ / "a.png"),
                                  kHdrHeader + kHdrPixels};
     for (const std::string& bytes : files) {
@@ -187,7 +187,7 @@ TEST(ReadImage, RefusesForeignBytesAndAbsurdSizes) {
 }
 
 TEST_F(ImageFiles, AnExrCannotAskForMoreMemoryThanItsSizeJustifies) {
-    write_exr(folder_ / "a.exr", example());
+    write_exr(folder_ / "a.exr", example_image());
     const std::string bytes = read_file(folder_ / "a.exr");
     const auto damaged = [&](const std::string& attribute, std::size_t offset, char value) {
         std::string copy = bytes;
@@ -205,7 +205,7 @@ TEST_F(ImageFiles, AnExrCannotAskForMoreMemoryThanItsSizeJustifies) {
 TEST_F(ImageFiles, AnExrCannotHideAnAttributeInTheValueOfAnother) {
     // OpenEXR reads four bytes of a float whatever its size says, and would then take the rest of
     // the value, here a text of a gigabyte, for the next attribute.
-    write_exr(folder_ / "a.exr", example());
+    write_exr(folder_ / "a.exr", example_image());
     std::string bytes = read_file(folder_ / "a.exr");
     const std::string type("pixelAspectRatio\0float\0", 23);
     const std::size_t size_at = bytes.find(type) + type.size();
@@ -217,16 +217,16 @@ TEST_F(ImageFiles, AnExrCannotHideAnAttributeInTheValueOfAnother) {
 }
 
 TEST_F(ImageFiles, APngCannotAskForMoreMemoryThanItsSizeJustifies) {
-    write_png(folder_ / "a.png", example());
+    write_png(folder_ / "a.png", example_image());
     std::string bytes = read_file(folder_ / "a.png");
     bytes.at(bytes.find("tEXt") - 4) = 0x7f;  // the first byte of its length: two gigabytes
     EXPECT_THROW(parse_image(bytes, "x"), InputError);
 }
 
 TEST_F(ImageFiles, NothingIsWrittenWhereItCannotBe) {
-    EXPECT_THROW(write_exr(folder_ / "no" / "a.exr", example()), Error);
-    EXPECT_THROW(write_png(folder_ / "no" / "a.png", example()), Error);
-    Image broken = example();
+    EXPECT_THROW(write_exr(folder_ / "no" / "a.exr", example_image()), Error);
+    EXPECT_THROW(write_png(folder_ / "no" / "a.png", example_image()), Error);
+    Image broken = example_image();
     broken.channels[0].pixels.pop_back();
     EXPECT_THROW(write_exr(folder_ / "a.exr", broken), DomainError);
     EXPECT_TRUE(std::filesystem::is_empty(folder_));

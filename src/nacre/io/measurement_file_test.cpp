@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
-measure::Measurement example() {
+measure::Measurement example_measurement() {
     measure::Measurement m{"Silver, \"bright\"\nsecond line",
                            {spectra::Illuminant::A, spectra::Observer::cie1931_2deg, {1.5, 2.25}},
                            {400, 450.5, 501, 551.5},
@@ -36,30 +36,30 @@ measure::Measurement example() {
     return m;
 }
 
-std::string refusal(const std::string& text) {
+std::string refused_measurement(const std::string& text) {
     return message_of<InputError>([&] { parse_measurement(text, "m.csv"); });
 }
 
 TEST(MeasurementFile, CsvComesBackBitForBit) {
-    const measure::Measurement m = example();
+    const measure::Measurement m = example_measurement();
     EXPECT_EQ(parse_measurement(measurement_csv(m), "m.csv"), m);
 }
 
 TEST(MeasurementFile, JsonComesBackBitForBit) {
-    const measure::Measurement m = example();
+    const measure::Measurement m = example_measurement();
     EXPECT_EQ(parse_measurement(measurement_json(m).dump(), "m.json"), m);
     EXPECT_EQ(parse_measurement("\xEF\xBB\xBF \n" + measurement_json(m).dump(2), "m.json"), m);
 }
 
 TEST(MeasurementFile, SomeReadingsMayLackASpectrum) {
-    measure::Measurement m = example();
+    measure::Measurement m = example_measurement();
     m.readings[2].reflectance_factor.clear();
     EXPECT_EQ(parse_measurement(measurement_csv(m), "m.csv"), m);
     EXPECT_EQ(parse_measurement(measurement_json(m).dump(), "m.json"), m);
 }
 
 TEST(MeasurementFile, CsvStartsWithTheColumnsThatOthersRelyOn) {
-    EXPECT_THAT(measurement_csv(example()),
+    EXPECT_THAT(measurement_csv(example_measurement()),
                 StartsWith("geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z,R400,R450.5,R501,"
                            "R551.5,theta_o,phi,lamp_half_angle_deg,detector_half_angle_deg,"
                            "illuminant,observer,chip,sample\n45as0.1,45,0.1,"));
@@ -124,71 +124,84 @@ TEST(MeasurementFile, OffPlaneNamesAreUnderstoodWithoutMoreColumns) {
 }
 
 TEST(MeasurementFile, RefusalsNameLineAndColumn) {
-    EXPECT_THAT(refusal(""), HasSubstr("m.csv: is empty"));
-    EXPECT_THAT(refusal("geometry,L,a,b\n"), HasSubstr("no reading"));
-    EXPECT_THAT(refusal("geometry,L,a,b\n45as15,50,0,0\n45as45,50,x,0\n"),
+    EXPECT_THAT(refused_measurement(""), HasSubstr("m.csv: is empty"));
+    EXPECT_THAT(refused_measurement("geometry,L,a,b\n"), HasSubstr("no reading"));
+    EXPECT_THAT(refused_measurement("geometry,L,a,b\n45as15,50,0,0\n45as45,50,x,0\n"),
                 AllOf(StartsWith("m.csv:3:11: "), HasSubstr("a = x"), HasSubstr("number")));
-    EXPECT_THAT(refusal("geometry,L,a,b\n45as15,50,0\n"),
+    EXPECT_THAT(refused_measurement("geometry,L,a,b\n45as15,50,0\n"),
                 AllOf(StartsWith("m.csv:2:1: "), HasSubstr("3 cells"), HasSubstr("has 4")));
-    EXPECT_THAT(refusal("geometry,L,a,b\n45at15,50,0,0\n"),
+    EXPECT_THAT(refused_measurement("geometry,L,a,b\n45at15,50,0,0\n"),
                 AllOf(StartsWith("m.csv:2:1: "), HasSubstr("45at15"), HasSubstr("45as15")));
-    EXPECT_THAT(refusal("geometry,L,a,b\n45as150,50,0,0\n"), HasSubstr("below the horizon"));
-    EXPECT_THAT(refusal("geometry,L,a\n45as15,50,0\n"), HasSubstr("without the others"));
-    EXPECT_THAT(refusal("geometry,C\n45as15,50\n"), HasSubstr("without the others"));
-    EXPECT_THAT(refusal("geometry,date\n45as15,today\n"), HasSubstr("no colour"));
-    EXPECT_THAT(refusal("L,a,b\n1,2,3\n"), HasSubstr("geometry: is missing"));
-    EXPECT_THAT(refusal("geometry,\"L,a,b\n45as15,50,0,0\n"),
+    EXPECT_THAT(refused_measurement("geometry,L,a,b\n45as150,50,0,0\n"),
+                HasSubstr("below the horizon"));
+    EXPECT_THAT(refused_measurement("geometry,L,a\n45as15,50,0\n"),
+                HasSubstr("without the others"));
+    EXPECT_THAT(refused_measurement("geometry,C\n45as15,50\n"), HasSubstr("without the others"));
+    EXPECT_THAT(refused_measurement("geometry,date\n45as15,today\n"), HasSubstr("no colour"));
+    EXPECT_THAT(refused_measurement("L,a,b\n1,2,3\n"), HasSubstr("geometry: is missing"));
+    EXPECT_THAT(refused_measurement("geometry,\"L,a,b\n45as15,50,0,0\n"),
                 AllOf(StartsWith("m.csv:1:10: "), HasSubstr("not closed")));
-    EXPECT_THAT(refusal("geometry,\"L\"x,a,b\n45as15,50,0,0\n"), HasSubstr("follows the quoted"));
-    EXPECT_THAT(refusal("geometry,L,a,b,l\n45as15,50,0,0,0\n"), HasSubstr("appears twice"));
-    EXPECT_THAT(refusal("geometry,L,a,b,iluminant\n45as15,50,0,0,A\n"),
+    EXPECT_THAT(refused_measurement("geometry,\"L\"x,a,b\n45as15,50,0,0\n"),
+                HasSubstr("follows the quoted"));
+    EXPECT_THAT(refused_measurement("geometry,L,a,b,l\n45as15,50,0,0,0\n"),
+                HasSubstr("appears twice"));
+    EXPECT_THAT(refused_measurement("geometry,L,a,b,iluminant\n45as15,50,0,0,A\n"),
                 AllOf(HasSubstr("iluminant"), HasSubstr("did you mean 'illuminant'")));
-    EXPECT_THAT(refusal("geometry,L,a,b\n45as15,1,0,0\n45as15,1,0,0\n"), HasSubstr("read before"));
-    EXPECT_THAT(refusal("geometry,L,a,b\n45as15,nan,0,0\n"), HasSubstr("L = nan"));
-    EXPECT_THAT(refusal("geometry,L,a,b\n45as15,1e7,0,0\n"), HasSubstr("[-1000000, 1000000]"));
+    EXPECT_THAT(refused_measurement("geometry,L,a,b\n45as15,1,0,0\n45as15,1,0,0\n"),
+                HasSubstr("read before"));
+    EXPECT_THAT(refused_measurement("geometry,L,a,b\n45as15,nan,0,0\n"), HasSubstr("L = nan"));
+    EXPECT_THAT(refused_measurement("geometry,L,a,b\n45as15,1e7,0,0\n"),
+                HasSubstr("[-1000000, 1000000]"));
 }
 
 TEST(MeasurementFile, RefusesInvalidSpectra) {
-    EXPECT_THAT(refusal("geometry,R400,R500,R700\n45as15,1,1,1\n"), HasSubstr("unequal steps"));
-    EXPECT_THAT(refusal("geometry,R400\n45as15,1\n"), HasSubstr("2 wavelengths"));
-    EXPECT_THAT(refusal("geometry,R500,R400\n45as15,1,1\n"), HasSubstr("must be above"));
-    EXPECT_THAT(refusal("geometry,R4,R5\n45as15,1,1\n"), HasSubstr("[100, 10000] nm"));
-    EXPECT_THAT(refusal("geometry,R400,R500\n45as15,1,\n"), HasSubstr("R500"));
+    EXPECT_THAT(refused_measurement("geometry,R400,R500,R700\n45as15,1,1,1\n"),
+                HasSubstr("unequal steps"));
+    EXPECT_THAT(refused_measurement("geometry,R400\n45as15,1\n"), HasSubstr("2 wavelengths"));
+    EXPECT_THAT(refused_measurement("geometry,R500,R400\n45as15,1,1\n"),
+                HasSubstr("must be above"));
+    EXPECT_THAT(refused_measurement("geometry,R4,R5\n45as15,1,1\n"), HasSubstr("[100, 10000] nm"));
+    EXPECT_THAT(refused_measurement("geometry,R400,R500\n45as15,1,\n"), HasSubstr("R500"));
     // Reflectance in percent is caught by the colours beside it.
-    EXPECT_THAT(refusal("geometry,L,a,b,R400,R500,R600,R700\n45as15,76,0,0,50,50,50,50\n"),
-                AllOf(HasSubstr("Delta E 2000"), HasSubstr("factor")));
+    EXPECT_THAT(
+        refused_measurement("geometry,L,a,b,R400,R500,R600,R700\n45as15,76,0,0,50,50,50,50\n"),
+        AllOf(HasSubstr("Delta E 2000"), HasSubstr("factor")));
 }
 
 TEST(MeasurementFile, RefusesGeometriesThatContradictThemselves) {
-    EXPECT_THAT(refusal("geometry,aspecular_deg,L,a,b\n45as15,25,1,0,0\n"),
+    EXPECT_THAT(refused_measurement("geometry,aspecular_deg,L,a,b\n45as15,25,1,0,0\n"),
                 HasSubstr("contradicts"));
-    EXPECT_THAT(refusal("geometry,theta_i,L,a,b\n45as15,40,1,0,0\n"), HasSubstr("contradicts"));
-    EXPECT_THAT(refusal("geometry,theta_i,theta_o,phi,L,a,b\n45as15,45,30,0,1,0,0\n"),
+    EXPECT_THAT(refused_measurement("geometry,theta_i,L,a,b\n45as15,40,1,0,0\n"),
+                HasSubstr("contradicts"));
+    EXPECT_THAT(refused_measurement("geometry,theta_i,theta_o,phi,L,a,b\n45as15,45,30,0,1,0,0\n"),
                 HasSubstr("60 deg off"));
-    EXPECT_THAT(refusal("theta_i,theta_o,L,a,b\n45,30,1,0,0\n"), HasSubstr("phi: is missing"));
+    EXPECT_THAT(refused_measurement("theta_i,theta_o,L,a,b\n45,30,1,0,0\n"),
+                HasSubstr("phi: is missing"));
 }
 
 TEST(MeasurementFile, RefusesRowsUnderDifferentLight) {
-    EXPECT_THAT(refusal("geometry,illuminant,L,a,b\n45as15,D65,1,0,0\n45as45,A,1,0,0\n"),
-                AllOf(StartsWith("m.csv:3:8: "), HasSubstr("same in all rows")));
-    EXPECT_THAT(refusal("geometry,illuminant,L,a,b\n45as15,D65,1,0,0\n45as45,,1,0,0\n"),
+    EXPECT_THAT(
+        refused_measurement("geometry,illuminant,L,a,b\n45as15,D65,1,0,0\n45as45,A,1,0,0\n"),
+        AllOf(StartsWith("m.csv:3:8: "), HasSubstr("same in all rows")));
+    EXPECT_THAT(refused_measurement("geometry,illuminant,L,a,b\n45as15,D65,1,0,0\n45as45,,1,0,0\n"),
                 HasSubstr("missing here"));
-    EXPECT_THAT(refusal("geometry,illuminant,L,a,b\n45as15,,1,0,0\n45as45,A,1,0,0\n"),
+    EXPECT_THAT(refused_measurement("geometry,illuminant,L,a,b\n45as15,,1,0,0\n45as45,A,1,0,0\n"),
                 HasSubstr("missing in the rows above"));
-    EXPECT_THAT(refusal("geometry,illuminant,L,a,b\n45as15,D66,1,0,0\n"), HasSubstr("D65"));
-    EXPECT_THAT(refusal("geometry,lamp_half_angle_deg,L,a,b\n45as15,11,1,0,0\n"),
+    EXPECT_THAT(refused_measurement("geometry,illuminant,L,a,b\n45as15,D66,1,0,0\n"),
+                HasSubstr("D65"));
+    EXPECT_THAT(refused_measurement("geometry,lamp_half_angle_deg,L,a,b\n45as15,11,1,0,0\n"),
                 HasSubstr("[0, 10] deg"));
 }
 
 TEST(MeasurementFile, JsonRefusalsNameTheMember) {
-    nlohmann::json json = measurement_json(example());
+    nlohmann::json json = measurement_json(example_measurement());
     const auto with = [&](const char* key, const nlohmann::json& value) {
         nlohmann::json changed = json;
         changed[nlohmann::json::json_pointer(key)] = value;
-        return refusal(changed.dump());
+        return refused_measurement(changed.dump());
     };
-    EXPECT_THAT(refusal("{"), AllOf(StartsWith("m.csv: "), HasSubstr("line 1")));
-    EXPECT_THAT(refusal("{}"), HasSubstr("format"));
+    EXPECT_THAT(refused_measurement("{"), AllOf(StartsWith("m.csv: "), HasSubstr("line 1")));
+    EXPECT_THAT(refused_measurement("{}"), HasSubstr("format"));
     EXPECT_THAT(with("/format_version", 2), HasSubstr("format_version: must be 1"));
     EXPECT_THAT(with("/readings/2/lab/1", "red"),
                 AllOf(HasSubstr("readings[2].lab"), HasSubstr("number")));
@@ -204,14 +217,15 @@ TEST(MeasurementFile, JsonRefusalsNameTheMember) {
 TEST(MeasurementFile, RefusesExcessiveDepthAndNumbersOfCells) {
     const std::string deep =
         R"({"format": "nacre-measurement", "lab": )" + std::string(500'000, '[');
-    EXPECT_THAT(refusal(deep), HasSubstr("m.csv: lists and objects are nested deeper than 64"));
-    EXPECT_THAT(refusal("geometry" + std::string(kMaxCsvCells, ',')),
+    EXPECT_THAT(refused_measurement(deep),
+                HasSubstr("m.csv: lists and objects are nested deeper than 64"));
+    EXPECT_THAT(refused_measurement("geometry" + std::string(kMaxCsvCells, ',')),
                 AllOf(StartsWith("m.csv:1:"), HasSubstr("more than 5000000 cells")));
 }
 
 TEST(MeasurementFile, IsToldFromARecipe) {
-    EXPECT_TRUE(looks_like_measurement(measurement_csv(example())));
-    EXPECT_TRUE(looks_like_measurement(measurement_json(example()).dump()));
+    EXPECT_TRUE(looks_like_measurement(measurement_csv(example_measurement())));
+    EXPECT_TRUE(looks_like_measurement(measurement_json(example_measurement()).dump()));
     EXPECT_TRUE(looks_like_measurement("# comment\n\nL;a;b;Geometry\n"));
     EXPECT_TRUE(looks_like_measurement("theta_i,theta_o,phi,L,a,b\n"));
     for (const char* text : {"", "name = \"geometry\"\n", "[geometry]\n", "# geometry,L,a,b\n",

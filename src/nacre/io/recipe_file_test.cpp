@@ -86,7 +86,7 @@ thickness_spread_nm = 10.0
 
 paint::Recipe parse(const std::string& text) { return parse_recipe(text, "paint.toml", ""); }
 
-std::string error_of(const std::string& text) {
+std::string refused_recipe(const std::string& text) {
     return message_of<InputError>([&] { parse(text); });
 }
 
@@ -239,7 +239,7 @@ TEST(RecipeFile, EveryNumberOutsideItsRangeIsRefused) {
             paint::Recipe wrong = recipe;
             nacre::test::EveryKey change(key.path, value);
             paint::describe(change, wrong);
-            EXPECT_THAT(error_of(write_recipe(wrong)),
+            EXPECT_THAT(refused_recipe(write_recipe(wrong)),
                         AllOf(HasSubstr("paint.toml:"),
                               HasSubstr(fmt::format(": {} = {}: must be ", key.path, value)),
                               HasSubstr(key.field.range.text())));
@@ -291,7 +291,7 @@ class BadRecipes : public ::testing::TestWithParam<BadRecipe> {};
 
 TEST_P(BadRecipes, AreRefusedNamingPlaceKeyValueAndRange) {
     const BadRecipe& bad = GetParam();
-    const std::string message = error_of(replaced(*bad.base, bad.from, bad.to));
+    const std::string message = refused_recipe(replaced(*bad.base, bad.from, bad.to));
     EXPECT_THAT(message, HasSubstr(std::string("paint.toml:") + bad.place));
     EXPECT_THAT(message, AllOf(HasSubstr(bad.key), HasSubstr(bad.expected)));
     EXPECT_LT(message.size(), 600u);
@@ -458,19 +458,20 @@ const BadRecipe kBadRecipes[] = {
 INSTANTIATE_TEST_SUITE_P(Matrix, BadRecipes, ::testing::ValuesIn(kBadRecipes));
 
 TEST(RecipeFile, RefusesAnEmptyListOfLayers) {
-    EXPECT_THAT(error_of("ior = 1.5\n"), HasSubstr("paint.toml:1:1: layer: is missing"));
-    EXPECT_THAT(error_of("ior = 1.5\nlayer = []\n"),
+    EXPECT_THAT(refused_recipe("ior = 1.5\n"), HasSubstr("paint.toml:1:1: layer: is missing"));
+    EXPECT_THAT(refused_recipe("ior = 1.5\nlayer = []\n"),
                 HasSubstr("paint.toml:2:9: layer = []: must be a list of 1 to 64 tables"));
-    EXPECT_THAT(error_of(""), HasSubstr("is missing"));
+    EXPECT_THAT(refused_recipe(""), HasSubstr("is missing"));
 }
 
 TEST(RecipeFile, RefusesAbsurdSizes) {
     std::string many = "ior = 1.5\n";
     for (int i = 0; i < 65; ++i) many += "[[layer]]\nthickness_um = 1\n";
-    EXPECT_THAT(error_of(many), HasSubstr("layer = [...] (65 entries): must be a list of 1 to 64"));
-    EXPECT_THAT(error_of(std::string(kMaxTextBytes + 1, '\n')),
+    EXPECT_THAT(refused_recipe(many),
+                HasSubstr("layer = [...] (65 entries): must be a list of 1 to 64"));
+    EXPECT_THAT(refused_recipe(std::string(kMaxTextBytes + 1, '\n')),
                 HasSubstr("at most 1048576 are allowed"));
-    EXPECT_THAT(error_of("a = " + std::string(100000, '[')), HasSubstr("paint.toml:1:"));
+    EXPECT_THAT(refused_recipe("a = " + std::string(100000, '[')), HasSubstr("paint.toml:1:"));
 }
 
 std::string repeated(const std::string& text, int times) {
@@ -489,21 +490,21 @@ TEST(RecipeFile, RefusesDeepNestingBeforeItIsParsed) {
           // Texts that end where they seem not to.
           "x = 'it\\'\n" + deep, "# \"\n" + deep, "x = \"\\\"\"\n" + deep,
           "x = \"\"\"\\\"\"\"\"\"\"\n" + deep, "x = '''''''''\n" + deep, "x = \"a\n" + deep}) {
-        EXPECT_THAT(error_of(text), HasSubstr("paint.toml:"));
+        EXPECT_THAT(refused_recipe(text), HasSubstr("paint.toml:"));
     }
-    EXPECT_THAT(error_of("ior = 1.5\n" + deep),
+    EXPECT_THAT(refused_recipe("ior = 1.5\n" + deep),
                 HasSubstr("paint.toml:2:64: a key of more than 32 parts"));
     for (const std::string open : {"[", "{a=", "[{a=", "[ ", "[\n"}) {
-        EXPECT_THAT(error_of("ior = 1.5\nx = " + repeated(open, kDeep)),
+        EXPECT_THAT(refused_recipe("ior = 1.5\nx = " + repeated(open, kDeep)),
                     HasSubstr("nested more than 32 deep"))
             << open;
     }
-    EXPECT_THAT(error_of("ior = " + repeated("[", kDeep) + repeated("]", kDeep)),
+    EXPECT_THAT(refused_recipe("ior = " + repeated("[", kDeep) + repeated("]", kDeep)),
                 HasSubstr("paint.toml:1:39: nested more than 32 deep"));
     // Tables one by one, each a little deeper.
     std::string deeper;
     for (int i = 0; i < 40; ++i) deeper += "[" + repeated("a.", i) + "a]\n";
-    EXPECT_THAT(error_of(deeper), HasSubstr("a key of more than 32 parts"));
+    EXPECT_THAT(refused_recipe(deeper), HasSubstr("a key of more than 32 parts"));
 }
 
 TEST(RecipeFile, DotsAndBracketsInTextsAndCommentsDoNotNest) {
@@ -512,7 +513,7 @@ TEST(RecipeFile, DotsAndBracketsInTextsAndCommentsDoNotNest) {
          {'"' + many + "\\\"" + many + "\" # \" " + many, "\"\"\"\n\"" + many + "\"\n\"\"\"\"\"",
           "'" + many + "\\' # ' " + many, "'''" + many + "'" + many + "\\''''"}) {
         EXPECT_NO_THROW(parse("name = " + name + "\n" + kGray))
-            << error_of("name = " + name + "\n" + kGray);
+            << refused_recipe("name = " + name + "\n" + kGray);
     }
 }
 

@@ -53,7 +53,7 @@ const solver::SolvedPaint& satin() {
     return paint;
 }
 
-std::string error_of(const std::string& bytes) {
+std::string refused_paint(const std::string& bytes) {
     return message_of<InputError>([&] { parse_solved_paint(bytes, "paint.h5"); });
 }
 
@@ -70,7 +70,7 @@ TEST(SolvedPaintFile, GivesBackTheSamePaint) {
     const std::string bytes = solved_paint_bytes(silver());
     EXPECT_EQ(parse_solved_paint(bytes, "paint.h5"), silver());
     EXPECT_EQ(solved_paint_bytes(silver()), bytes);  // nothing in it depends on the time
-    EXPECT_EQ(error_of(resealed(bytes)), "accepted");
+    EXPECT_EQ(refused_paint(resealed(bytes)), "accepted");
 }
 
 TEST(SolvedPaintFile, GivesBackTheSingleScatteringUnderARoughInterface) {
@@ -141,10 +141,10 @@ TEST(SolvedPaintFile, IsRefusedWhereverItIsCut) {
     const std::string bytes = solved_paint_bytes(silver());
     int cuts = 0;
     for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 20, ++cuts) {
-        EXPECT_THAT(error_of(bytes.substr(0, size)), HasSubstr("paint.h5: ")) << size;
+        EXPECT_THAT(refused_paint(bytes.substr(0, size)), HasSubstr("paint.h5: ")) << size;
     }
     EXPECT_GT(cuts, 50);
-    EXPECT_THAT(error_of(bytes + "x"), HasSubstr("cut short or altered"));
+    EXPECT_THAT(refused_paint(bytes + "x"), HasSubstr("cut short or altered"));
 }
 
 TEST(SolvedPaintFile, IsRefusedWhicheverBitFlips) {
@@ -157,52 +157,53 @@ TEST(SolvedPaintFile, IsRefusedWhicheverBitFlips) {
         if (at >= remark && at < 512) continue;
         std::string damaged = bytes;
         damaged[at] = static_cast<char>(damaged[at] ^ 4);
-        EXPECT_THAT(error_of(damaged), HasSubstr("paint.h5: ")) << at;
+        EXPECT_THAT(refused_paint(damaged), HasSubstr("paint.h5: ")) << at;
         ++flips;
     }
     EXPECT_GT(flips, 40);
 }
 
 TEST(SolvedPaintFile, ForeignFilesAndNewerVersionsAreNamedAsSuch) {
-    EXPECT_THAT(error_of(""), HasSubstr("is not a solved paint of Nacre"));
-    EXPECT_THAT(error_of("\x89HDF\r\n\x1a\n"), HasSubstr("is not a solved paint of Nacre"));
+    EXPECT_THAT(refused_paint(""), HasSubstr("is not a solved paint of Nacre"));
+    EXPECT_THAT(refused_paint("\x89HDF\r\n\x1a\n"), HasSubstr("is not a solved paint of Nacre"));
     std::string newer = solved_paint_bytes(silver());
     newer.replace(newer.find("version 2"), 9, "version 3");
-    EXPECT_THAT(error_of(newer), HasSubstr("has format version 3; this program reads 2"));
+    EXPECT_THAT(refused_paint(newer), HasSubstr("has format version 3; this program reads 2"));
     std::string no_hdf5 = solved_paint_bytes(silver());
     no_hdf5.replace(512, 4, "none");
-    EXPECT_THAT(error_of(resealed(no_hdf5)), HasSubstr("cannot open it as an HDF5 file"));
+    EXPECT_THAT(refused_paint(resealed(no_hdf5)), HasSubstr("cannot open it as an HDF5 file"));
 }
 
 TEST(SolvedPaintFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     solver::SolvedPaint paint = silver();
     ASSERT_FALSE(paint.multiple_scattering.coefficient.empty());
     paint.multiple_scattering.coefficient[0] = NAN;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a coefficient is not finite"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)), HasSubstr("a coefficient is not finite"));
 
     paint = silver();
     paint.multiple_scattering.exit_angle[0] = 2;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("exit angles must increase"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)), HasSubstr("exit angles must increase"));
 
     paint = silver();
     paint.multiple_scattering.first[0] = -1;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a first node is out of range"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)),
+                HasSubstr("a first node is out of range"));
 
     paint = silver();
     paint.multiple_scattering.coefficient.resize(
         paint.multiple_scattering.coefficient.size() -
         static_cast<std::size_t>(paint.multiple_scattering.rank()));
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("do not fit together"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)), HasSubstr("do not fit together"));
 
     paint = silver();
     std::swap(paint.medium.wavelengths_nm[0], paint.medium.wavelengths_nm[1]);
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("wavelengths must increase"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)), HasSubstr("wavelengths must increase"));
 
     std::string bytes = solved_paint_bytes(silver());
     const std::string thickness = "thickness_um = 10";
     ASSERT_NE(bytes.find(thickness), std::string::npos);
     bytes.replace(bytes.find(thickness), thickness.size(), "thickness_um = -1");
-    EXPECT_THAT(error_of(resealed(bytes)),
+    EXPECT_THAT(refused_paint(resealed(bytes)),
                 HasSubstr("paint.h5/recipe:5:16: layer[0].thickness_um = -1"));
 }
 
@@ -210,26 +211,30 @@ TEST(SolvedPaintFile, TensorsThatDoNotFitTheInterfaceAreRefused) {
     solver::SolvedPaint paint = satin();
     paint.rough_single.coefficient.resize(paint.rough_single.coefficient.size() -
                                           static_cast<std::size_t>(paint.rough_single.rank()));
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("do not fit together"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)), HasSubstr("do not fit together"));
 
     paint = satin();
     paint.rough_single.basis[0] = INFINITY;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("spectral basis is not finite"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)),
+                HasSubstr("spectral basis is not finite"));
 
     paint = satin();
     paint.rough_single.first[0] = 1000;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("a first node is out of range"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)),
+                HasSubstr("a first node is out of range"));
 
     paint = satin();
     paint.rough_single.exit_angle[0] /= 2;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("exit angles of remainder and"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)),
+                HasSubstr("exit angles of remainder and"));
 
     paint = satin();  // a smooth paint whose file has been given a rough recipe, and the reverse
     paint.medium.roughness = 0;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("cannot open group rough_single"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)),
+                HasSubstr("cannot open group rough_single"));
     paint = satin();
     paint.recipe.clearcoat->roughness = 0;
-    EXPECT_THAT(error_of(solved_paint_bytes(paint)), HasSubstr("the interface is smooth"));
+    EXPECT_THAT(refused_paint(solved_paint_bytes(paint)), HasSubstr("the interface is smooth"));
 }
 
 // A seed that is refused at once leads a fuzzer nowhere.

@@ -20,7 +20,7 @@ const std::vector<double> kTwo = {500, 600};
 struct Vector {
     double x, y, z;
 };
-Vector direction(double theta, double phi) {
+Vector unit_vector(double theta, double phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -91,10 +91,10 @@ TEST(Instrument, AveragesOverProjectedSolidAngle) {
 TEST(Instrument, AveragesALobeOverTheCone) {
     for (double width_deg : {20.0, 5.0, 2.0}) {
         const double k = 1 / std::pow(width_deg * kDegree, 2), b = 5 * kDegree;
-        const Vector axis = direction(30 * kDegree, kPi);
+        const Vector axis = unit_vector(30 * kDegree, kPi);
         const Brdf lobe = [&](double, double theta, double phi) {
-            return std::vector<double>(
-                2, std::exp(k * (dot(direction(theta, phi), axis) - 1)) / (kPi * std::cos(theta)));
+            return std::vector<double>(2, std::exp(k * (dot(unit_vector(theta, phi), axis) - 1)) /
+                                              (kPi * std::cos(theta)));
         };
         const double expected = 2 * -std::expm1(-k * (1 - std::cos(b))) /
                                 (k * std::pow(std::sin(b), 2) * std::cos(30 * kDegree));
@@ -108,7 +108,7 @@ TEST(Instrument, AveragesALobeOverTheCone) {
 TEST(Instrument, ConvolvesALobeWithBothCones) {
     const double k = 1 / std::pow(6 * kDegree, 2), a = 3 * kDegree, b = 5 * kDegree;
     const Brdf lobe = [&](double theta_i, double theta_o, double phi) {
-        const double cosine = dot(direction(theta_o, phi), direction(theta_i, kPi));
+        const double cosine = dot(unit_vector(theta_o, phi), unit_vector(theta_i, kPi));
         return std::vector<double>(2, std::exp(k * (cosine - 1)) / kPi);
     };
     // Midpoint rule in solid angle and azimuth; its error falls as 1/n^2: 4e-4 / 4 at n = 24.
@@ -136,14 +136,14 @@ TEST(Instrument, ConvolvesALobeWithBothCones) {
 }
 
 TEST(Instrument, RulesOverConesConvergeAndSumToOne) {
-    const Vector far = direction(50 * kDegree, 2.0);
+    const Vector far = unit_vector(50 * kDegree, 2.0);
     double last = 0, previous = 0;
     for (int rings : {1, 2, 3, 4}) {
         double mean = 0, weights = 0;
         for (const ConeNode& node : cone_rule(40 * kDegree, 1.0, 10 * kDegree, rings)) {
             EXPECT_GT(node.weight, 0);
             weights += node.weight;
-            mean += node.weight * std::exp(8 * dot(direction(node.theta, node.phi), far));
+            mean += node.weight * std::exp(8 * dot(unit_vector(node.theta, node.phi), far));
         }
         EXPECT_NEAR(weights, 1, 1e-14);
         // Each rule is far better than the one before it.
@@ -235,9 +235,9 @@ TEST(Instrument, RefusesAperturesOutOfRangeAndViewsBelowTheHorizon) {
 
 TEST(Instrument, RefusesLobesThatItCannotIntegrate) {
     // A lobe narrower than the spacing of the nodes of the largest rule.
-    const Vector axis = direction(31.234 * kDegree, kPi);
+    const Vector axis = unit_vector(31.234 * kDegree, kPi);
     const Brdf needle = [&](double, double theta, double phi) {
-        return std::vector<double>(2, std::exp(3e4 * (dot(direction(theta, phi), axis) - 1)));
+        return std::vector<double>(2, std::exp(3e4 * (dot(unit_vector(theta, phi), axis) - 1)));
     };
     EXPECT_THROW(read(needle, in_plane(45, 15), with_aperture(0, 10)), Error);
 }

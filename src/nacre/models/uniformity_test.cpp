@@ -12,12 +12,15 @@
 #include "nacre/testing/directions.h"
 #include "nacre/testing/plain_flakes.h"
 #include "nacre/testing/render.h"
+#include "nacre/testing/statistics.h"
 
 // The model nacre on whole shapes: the same statistics at any place and orientation, under any
 // light.
 
 namespace nacre::models {
 namespace {
+
+using test::Moments;
 
 using test::direction;
 
@@ -30,23 +33,6 @@ bsdf::Patch square(Vec3f n, float side_mm, double turn) {
     patch.footprint = {500.0f * n, n, frame.s, {side_mm * along, side_mm * cross(n, along)}};
     return patch;
 }
-
-struct Moments {
-    double mean = 0, variance = 0, mean_error = 0, variance_error = 0;
-
-    explicit Moments(const std::vector<double>& values) {
-        const double count = static_cast<double>(values.size());
-        for (double v : values) mean += v / count;
-        double fourth = 0;
-        for (double v : values) {
-            const double d2 = (v - mean) * (v - mean);
-            variance += d2 / count;
-            fourth += d2 * d2 / count;
-        }
-        mean_error = std::sqrt(variance / count);
-        variance_error = std::sqrt((fourth - variance * variance) / count);
-    }
-};
 
 TEST(NacreOnShapes, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
     // Where one, two and three of the planes of object space give the flakes.

@@ -14,7 +14,7 @@
 namespace nacre::montecarlo {
 namespace {
 
-Vec3d direction(double mu) { return {std::sqrt(1 - mu * mu), 0, mu}; }
+Vec3d at_cosine(double mu) { return {std::sqrt(1 - mu * mu), 0, mu}; }
 
 TEST(SmoothInterface, RaysObeySnell) {
     const auto interface = make_smooth_interface(1.5);
@@ -39,9 +39,9 @@ TEST(SmoothInterface, ReflectsAllBeyondTheCriticalAngle) {
     const auto interface = make_smooth_interface(1.5);
     RandomStream random(1, 2, 3);
     const double critical = std::sqrt(1 - 1 / (1.5 * 1.5));
-    EXPECT_EQ(interface->reflect_inside(direction(critical - 1e-6), random).weight, 1);
-    EXPECT_LT(interface->reflect_inside(direction(critical + 1e-6), random).weight, 1);
-    const auto grazing = interface->reflect_inside(direction(0.1), random);
+    EXPECT_EQ(interface->reflect_inside(at_cosine(critical - 1e-6), random).weight, 1);
+    EXPECT_LT(interface->reflect_inside(at_cosine(critical + 1e-6), random).weight, 1);
+    const auto grazing = interface->reflect_inside(at_cosine(0.1), random);
     EXPECT_DOUBLE_EQ(grazing.travel.z, -0.1);
     EXPECT_EQ(grazing.weight, 1);
 }
@@ -56,13 +56,13 @@ TEST(SmoothInterface, ConnectionsConserveFlux) {
     const Quadrature outside = gauss_legendre(256, 0, 1);
     for (std::size_t i = 0; i < outside.nodes.size(); ++i) {
         const double mu = outside.nodes[i];
-        connected += outside.weights[i] * mu * interface->connect(direction(mu), random).weight;
+        connected += outside.weights[i] * mu * interface->connect(at_cosine(mu), random).weight;
     }
     const Quadrature inside = gauss_legendre(1024, std::sqrt(1 - 1 / (index * index)), 1);
     for (std::size_t i = 0; i < inside.nodes.size(); ++i) {
         const double mu = inside.nodes[i];
         let_through +=
-            inside.weights[i] * mu * (1 - interface->reflect_inside(direction(mu), random).weight);
+            inside.weights[i] * mu * (1 - interface->reflect_inside(at_cosine(mu), random).weight);
     }
     EXPECT_NEAR(connected, let_through, 1e-6);  // the square root at the critical angle
 }
@@ -71,9 +71,9 @@ TEST(SmoothInterface, EqualIndicesAreNoInterface) {
     const auto interface = make_smooth_interface(1);
     RandomStream random(1, 2, 3);
     for (double mu : {1e-6, 0.3, 1.0}) {
-        EXPECT_EQ(interface->enter(direction(mu), random).weight, 1);
-        EXPECT_EQ(interface->reflect_inside(direction(mu), random).weight, 0);
-        EXPECT_EQ(interface->connect(direction(mu), random).weight, 1);
+        EXPECT_EQ(interface->enter(at_cosine(mu), random).weight, 1);
+        EXPECT_EQ(interface->reflect_inside(at_cosine(mu), random).weight, 0);
+        EXPECT_EQ(interface->connect(at_cosine(mu), random).weight, 1);
     }
 }
 
@@ -82,7 +82,7 @@ TEST(SmoothInterface, SampledEventsHaveTheMeansOfTheWeightedOnes) {
     RandomStream random(1, 2, 3);
     constexpr int kMeetings = 40'000;
     for (const double mu : {0.2, 0.8, 0.95}) {
-        const Vec3d outside = direction(mu), travel = direction(mu);
+        const Vec3d outside = at_cosine(mu), travel = at_cosine(mu);
         const auto entry = interface->enter(outside, random);
         const auto reflection = interface->reflect_inside(travel, random);
         int entered = 0, reflected = 0;

@@ -21,7 +21,7 @@ Flakes flakes_of(double alpha, double reflectance, double transmittance) {
     return {1, alpha, FlakeOptics(species, optics::Material(1.5), kWavelength)};
 }
 
-Vec3d direction(double mu, double phi) {
+Vec3d at_cosine(double mu, double phi) {
     const double s = std::sqrt(1 - mu * mu);
     return {s * std::cos(phi), s * std::sin(phi), mu};
 }
@@ -93,7 +93,7 @@ TEST(Flakes, ScatteringIntegratesToTheExtinctionOfPerfectMirrors) {
     for (double alpha : {0.1, 0.3, 0.5}) {
         const Flakes species = flakes_of(alpha, 1, 0);
         for (double mu : {0.05, 0.2, 0.5, 0.97}) {
-            const Vec3d in = direction(-mu, 0.3);
+            const Vec3d in = at_cosine(-mu, 0.3);
             const double integral = integrate_sphere(
                 in, [&](const Vec3d& out) { return species.scattering(in, out)[0]; });
             const double extinction = species.extinction(mu)[0];
@@ -105,7 +105,7 @@ TEST(Flakes, ScatteringIntegratesToTheExtinctionOfPerfectMirrors) {
 
 TEST(Flakes, ScatteringIsReciprocal) {
     const Flakes species = flakes_of(.2, .8, .1);
-    const Vec3d in = direction(-.9, 0), out = direction(.7, .3);
+    const Vec3d in = at_cosine(-.9, 0), out = at_cosine(.7, .3);
     const double forward = species.scattering(in, out)[0];
     EXPECT_GT(forward, 0.01);
     EXPECT_NEAR(species.scattering(-out, -in)[0], forward, 1e-15);
@@ -149,7 +149,7 @@ TEST(Pigment, ScatteringIntegratesToItsRateWithItsMeanCosine) {
     for (double g : {-0.5, 0.0, 0.7}) {
         Pigment pigment{Lanes{}, g};
         pigment.scattering_per_um[0] = 0.2;
-        const Vec3d in = direction(0.4, 1);
+        const Vec3d in = at_cosine(0.4, 1);
         const auto scattering = [&](const Vec3d& out) { return pigment.scattering(in, out)[0]; };
         EXPECT_NEAR(integrate_sphere(in, scattering), 0.2, 1e-12);
         EXPECT_NEAR(

@@ -19,7 +19,7 @@ namespace {
 using test::kOnGrid;
 
 constexpr int kSide = 24, kSamplesPerPixel = 2048;
-constexpr int kGreen = 3, kRed = 6;  // lanes
+constexpr int kGreenLane = 3, kRedLane = 6;  // lanes
 
 /// Radiance from a direction of the world, between 0.3 and 2.7.
 float room(Vec3f direction) {
@@ -116,7 +116,7 @@ constexpr double kWorstPixel = 5;
 void expect_agreement(const Picture& a, const Picture& b, const std::string& pair) {
     ASSERT_EQ(a.size(), b.size());
     ASSERT_GT(a.size(), 400u);
-    for (const int lane : {kGreen, kRed}) {
+    for (const int lane : {kGreenLane, kRedLane}) {
         double chi_square = 0, sum = 0, worst = 0;
         for (std::size_t i = 0; i < a.size(); ++i) {
             const double z = z_score(a[i][lane], b[i][lane]);

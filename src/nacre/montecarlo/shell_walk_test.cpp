@@ -17,7 +17,7 @@ using test::kOnGrid;
 using test::kWorstZ;
 using test::walked_albedo;
 
-constexpr int kWalks = 200'000;
+constexpr int kShellWalks = 200'000;
 constexpr double kFlat = std::numeric_limits<double>::infinity();
 
 /// Lossless flakes that transmit some light, and a pigment that absorbs nothing, over white.
@@ -33,9 +33,9 @@ paint::Recipe lossless(double thickness_um) {
 void expect_reference_albedo(const VolumeModel& settings, double theta_deg) {
     const paint::Recipe recipe = test::pearl();
     const auto surface = ShellWalk(recipe, settings).bind(kOnGrid);
-    const auto found = walked_albedo(*surface, direction(theta_deg, 30), kWalks / 2);
+    const auto found = walked_albedo(*surface, direction(theta_deg, 30), kShellWalks / 2);
     const auto expected = reference_albedo(recipe, std::vector<Direction>{{theta_deg, 0}}, kOnGrid,
-                                           {.samples = kWalks / 2});
+                                           {.samples = kShellWalks / 2});
     for (int lane = 0; lane < kLanes; ++lane) {
         EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
             << settings.radius_mm << " mm, " << theta_deg << " deg, " << kOnGrid[lane]
@@ -55,7 +55,7 @@ TEST(ShellWalk, ThinShellHasTheAlbedoOfTheReference) {
 test::Estimates power_by_direction(const bsdf::Bsdf& model, Vec3f wi, std::uint64_t seed) {
     constexpr int kRings = 4, kSectors = 4;
     return test::estimate(
-        *model.bind(kOnGrid), wi, 2 * kWalks, kRings * kSectors, seed,
+        *model.bind(kOnGrid), wi, 2 * kShellWalks, kRings * kSectors, seed,
         [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
             if (s.kind == bsdf::SampleKind::specular || s.wo.z <= 0) return;
             const int ring = std::min(static_cast<int>(s.wo.z * s.wo.z * kRings), kRings - 1);
@@ -96,7 +96,7 @@ TEST(ShellWalk, TrackingsAgreeInAThickShell) {
     const Vec3f wi = direction(60, 0);
     const auto measure = [&](Tracking tracking, std::uint64_t seed) {
         const ShellWalk model(recipe, {.radius_mm = 10, .tracking = tracking});
-        return test::estimate(*model.bind(kOnGrid), wi, kWalks, 5, seed,
+        return test::estimate(*model.bind(kOnGrid), wi, kShellWalks, 5, seed,
                               [&](const bsdf::BsdfSample& s, std::vector<FloatLanes>& values) {
                                   values[0] = s.weight;
                                   values[1] = s.weight * (1 + s.wo.x);
@@ -180,9 +180,9 @@ TEST(ShellWalk, WavelengthsWithoutReflectionHaveTheSpecularOneOnly) {
     const Vec3f wi = direction(30, 0);
     const ShellWalk model(recipe, {.radius_mm = 50});
     const auto mixed =
-        walked_albedo(*model.bind({400, 410, 420, 430, 440, 450, 460, 600}), wi, kWalks);
+        walked_albedo(*model.bind({400, 410, 420, 430, 440, 450, 460, 600}), wi, kShellWalks);
     const auto alone =
-        walked_albedo(*model.bind({600, 610, 620, 630, 640, 650, 660, 670}), wi, kWalks);
+        walked_albedo(*model.bind({600, 610, 620, 630, 640, 650, 660, 670}), wi, kShellWalks);
     EXPECT_LT(std::abs(z_score(mixed[7], alone[0])), kWorstZ);
     EXPECT_LT(std::abs(z_score(mixed[0], 0.0415)), kWorstZ + 0.1) << "Fresnel at 30 deg: 0.04152";
     EXPECT_GT(alone[0].value, 0.3);
@@ -194,11 +194,11 @@ TEST(ShellWalk, DispersiveBinderHasTheAlbedoOfEachIndex) {
                                      std::vector<optics::ComplexIndex>{1.9, 1.5});
     const Vec3f wi = direction(60, 0);
     const auto found =
-        walked_albedo(*ShellWalk(recipe, {.radius_mm = 50}).bind(kOnGrid), wi, 2 * kWalks);
+        walked_albedo(*ShellWalk(recipe, {.radius_mm = 50}).bind(kOnGrid), wi, 2 * kShellWalks);
     for (int lane = 0; lane < kLanes; ++lane) {
         paint::Recipe single = test::worked_paint();
         single.binder = recipe.binder.index(kOnGrid[lane]);
-        const auto expected = walked_albedo(*PlaneWalk(single).bind(kOnGrid), wi, kWalks);
+        const auto expected = walked_albedo(*PlaneWalk(single).bind(kOnGrid), wi, kShellWalks);
         EXPECT_LT(std::abs(z_score(found[lane], expected[lane])), kWorstZ) << lane;
     }
 }

@@ -32,7 +32,7 @@ struct Indices {
 constexpr Indices kCases[] = {{1, 1.8, 1.08, 0.51}, {1, 1.33, 1.5, 0},  {1.5, 2.5, 1.58, 0},
                               {1.5, 1.8, 0.2, 3.6}, {1, 2.5, 0.5, 0},   {1.5, 1.3, 1.7, 0.2},
                               {1.5, 1.3, 1.0, 0},   {1, 1.5, 3.2, 3.3}, {1.5, 1.5, 1.5, 0}};
-constexpr double kCosines[] = {1, 0.99, 0.8, 0.5, 0.2, 0.05, 0.001};
+constexpr double kAiryCosines[] = {1, 0.99, 0.8, 0.5, 0.2, 0.05, 0.001};
 
 template <class V>
 double worst_error(double max_wavelengths) {
@@ -42,7 +42,7 @@ double worst_error(double max_wavelengths) {
     for (const Indices& c : kCases) {
         const AiryFilm film = c.film_object();
         for (int n = 0; n < 400; ++n) {
-            const Real cosine = n < 7 ? static_cast<Real>(kCosines[n])
+            const Real cosine = n < 7 ? static_cast<Real>(kAiryCosines[n])
                                       : static_cast<Real>(1 - 0.999 * rng.uniform_double());
             const double nm = 550 * max_wavelengths / c.film * rng.uniform_double();
             const V wavelengths = make_lanes<V>([](int i) { return 400 + 40 * i; });
@@ -70,7 +70,7 @@ TEST(AiryFilm, KeepsThePolarisationsApart) {
 
 TEST(AiryFilm, VanishesSmoothlyIntoTheBareBase) {
     for (const Indices& c : kCases) {
-        for (const double cosine : kCosines) {
+        for (const double cosine : kAiryCosines) {
             const auto bare = fresnel(c.outside, {c.base, c.extinction}, cosine);
             const double expected = 0.5 * (std::norm(bare.r_s) + std::norm(bare.r_p));
             double previous = INFINITY;
@@ -88,7 +88,7 @@ TEST(AiryFilm, VanishesSmoothlyIntoTheBareBase) {
 
 TEST(AiryFilm, HasNoEffectIfItsIndexIsThatOfANeighbour) {
     // A film of the outside's or of a lossless base's index changes nothing, however thick.
-    for (const double cosine : kCosines) {
+    for (const double cosine : kAiryCosines) {
         const double bare = AiryFilm(1, 1, 1.6, 0).reflectance(cosine, 0.0, splat(1 / 550.0))[0];
         for (const double index : {1.0, 1.6}) {
             const AiryFilm film(1, index, 1.6, 0);
@@ -132,7 +132,7 @@ TEST(AiryFilm, UnpolarisedLightIsHalvedOnce) {
 }
 
 TEST(AiryFilm, ConductorWithoutExtinctionIsADielectric) {
-    for (const double cosine : kCosines) {
+    for (const double cosine : kAiryCosines) {
         const double dielectric =
             AiryFilm(1, 1.8, 1.4, 0).reflectance(cosine, 200.0, splat(1 / 550.0))[0];
         const double nearly =

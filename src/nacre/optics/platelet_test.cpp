@@ -15,7 +15,7 @@ namespace {
 
 using Law = ThicknessSpread::Law;
 
-const std::vector<double> kCosines{0, .01, .1, .25, .5, .8, 1};
+const std::vector<double> kTableCosines{0, .01, .1, .25, .5, .8, 1};
 const std::vector<double> kWavelengths{400, 455, 500, 550, 600, 655, 700, 710, 720, 730};
 
 FilmPopulation film(const char* material, double thickness_nm, double spread_nm,
@@ -159,8 +159,8 @@ TEST(Platelet, LosslessFlakesConserveEnergy) {
         const Platelet platelet{film("mica", 500, core_spread),
                                 {film("ZrO2", 60, 5), film("SiO2", 90, 0)}};
         for (const auto& coat : platelet.coats) ASSERT_EQ(coat.material.index(400).imag(), 0);
-        const auto table = platelet_table(platelet, 1.5, kCosines, kWavelengths);
-        ASSERT_EQ(table.reflectance.size(), kCosines.size() * kWavelengths.size());
+        const auto table = platelet_table(platelet, 1.5, kTableCosines, kWavelengths);
+        ASSERT_EQ(table.reflectance.size(), kTableCosines.size() * kWavelengths.size());
         for (std::size_t i = 0; i < table.reflectance.size(); ++i) {
             EXPECT_NEAR(table.reflectance[i] + table.transmittance[i], 1, 1e-12);
             EXPECT_GE(table.reflectance[i], 0);
@@ -172,7 +172,7 @@ TEST(Platelet, LosslessFlakesConserveEnergy) {
 TEST(Platelet, AbsorbingFlakesLoseEnergyOnly) {
     for (const char* core : {"Al", "Fe2O3", "brass_Cu70Zn30"}) {
         const auto table = platelet_table({film(core, 100, 20), {film("Fe2O3", 60, 8)}}, 1.5,
-                                          kCosines, kWavelengths);
+                                          kTableCosines, kWavelengths);
         for (std::size_t i = 0; i < table.reflectance.size(); ++i) {
             EXPECT_GE(table.reflectance[i], 0);
             EXPECT_GE(table.transmittance[i], 0);
@@ -183,10 +183,10 @@ TEST(Platelet, AbsorbingFlakesLoseEnergyOnly) {
 
 TEST(Platelet, WithoutSpreadIsOneStack) {
     const Platelet platelet{film("mica", 500, 0), {film("TiO2_anatase", 80, 0)}};
-    const auto table = platelet_table(platelet, 1.5, kCosines, kWavelengths);
-    for (std::size_t i = 0; i < kCosines.size(); ++i) {
+    const auto table = platelet_table(platelet, 1.5, kTableCosines, kWavelengths);
+    for (std::size_t i = 0; i < kTableCosines.size(); ++i) {
         for (std::size_t j = 0; j < kWavelengths.size(); ++j) {
-            const auto r = one_flake(platelet, {500, 80}, 1.5, kCosines[i], kWavelengths[j]);
+            const auto r = one_flake(platelet, {500, 80}, 1.5, kTableCosines[i], kWavelengths[j]);
             // At cos = 0 the table takes the limit at 1e-9.
             EXPECT_NEAR(table.reflectance[i * kWavelengths.size() + j], r.reflectance, 1e-7);
         }
@@ -195,9 +195,9 @@ TEST(Platelet, WithoutSpreadIsOneStack) {
 
 TEST(Platelet, MeanIsContinuousAsTheSpreadVanishes) {
     const auto narrow = platelet_table({film("mica", 500, 1e-4), {film("TiO2_anatase", 80, 1e-4)}},
-                                       1.5, kCosines, kWavelengths);
+                                       1.5, kTableCosines, kWavelengths);
     const auto none = platelet_table({film("mica", 500, 0), {film("TiO2_anatase", 80, 0)}}, 1.5,
-                                     kCosines, kWavelengths);
+                                     kTableCosines, kWavelengths);
     // At cos = .01 the resonances are so narrow that 1e-4 nm still counts a little.
     for (std::size_t i = kWavelengths.size(); i < none.reflectance.size(); ++i) {
         EXPECT_NEAR(narrow.reflectance[i], none.reflectance[i], 1e-6);

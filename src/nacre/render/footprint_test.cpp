@@ -78,7 +78,7 @@ SceneDescription seen_at_45_deg(Geometry geometry) {
     return scene;
 }
 
-constexpr RenderOptions kOptions{
+constexpr RenderOptions kFootprintOptions{
     .width = 96, .height = 96, .samples_per_pixel = 16, .footprint_pixels = 0.25};
 
 TEST(Footprint, AreasOfSamplesAddUpToTheSurface) {
@@ -87,7 +87,7 @@ TEST(Footprint, AreasOfSamplesAddUpToTheSurface) {
     const auto recorder = std::make_shared<Recorder>();
     const Scene scene(seen_at_45_deg(FlatPanel{.width_mm = 200, .height_mm = 150}),
                       {{"paint", recorder}});
-    RenderOptions options = kOptions;
+    RenderOptions options = kFootprintOptions;
     options.footprint_pixels = 0.25;
     render(scene, options);
     EXPECT_GT(recorder->patches, 10000);
@@ -111,7 +111,7 @@ TEST(Footprint, InObjectSpaceIsAsLargeAsTheScaledShape) {
     scene.shapes[0].transform = {.scale = 2, .rotation_deg = {0, 0, 25}};
     const auto recorder = std::make_shared<Recorder>(bsdf::SampleKind::density,
                                                      bsdf::SurfaceCoordinates::object_space);
-    render(Scene(scene, {{"paint", recorder}}), kOptions);
+    render(Scene(scene, {{"paint", recorder}}), kFootprintOptions);
     EXPECT_NEAR(recorder->area / (200 * 150), 1, 0.01);
 }
 
@@ -144,7 +144,7 @@ SceneDescription seen_by_reflection() {
 TEST(Footprint, IsFollowedThroughSpecularReflection) {
     const auto mirror = std::make_shared<Recorder>(bsdf::SampleKind::specular),
                paint = std::make_shared<Recorder>();
-    render(Scene(seen_by_reflection(), {{"below", mirror}, {"paint", paint}}), kOptions);
+    render(Scene(seen_by_reflection(), {{"below", mirror}, {"paint", paint}}), kFootprintOptions);
     EXPECT_GT(paint->patches, 5000);
     EXPECT_EQ(paint->means, 0);
     EXPECT_NEAR(paint->area, 1, 0.02);
@@ -157,7 +157,7 @@ TEST(Footprint, AfterARoughReflectionTheMeanIsTaken) {
                             "paint",
                             {.rotation_deg = {180, 0, 0}, .translation_mm = {0, 600, 800}}});
     const auto recorder = std::make_shared<Recorder>();
-    render(Scene(scene, {{"paint", recorder}}), kOptions);
+    render(Scene(scene, {{"paint", recorder}}), kFootprintOptions);
     EXPECT_GT(recorder->patches, 10000);
     EXPECT_GT(recorder->means, 5000);
 }
@@ -169,7 +169,7 @@ TEST(Footprint, AfterALightPathThroughAPaintTheMeanIsTaken) {
     const auto diffuse = std::make_shared<montecarlo::PlaneWalk>(
         montecarlo::test::paint_of(1.0, {montecarlo::test::pigment_layer(0.5, 0.1, 0)}, 0.9));
     const auto paint = std::make_shared<Recorder>();
-    render(Scene(seen_by_reflection(), {{"below", diffuse}, {"paint", paint}}), kOptions);
+    render(Scene(seen_by_reflection(), {{"below", diffuse}, {"paint", paint}}), kFootprintOptions);
     EXPECT_EQ(paint->patches, 0);
     EXPECT_GT(paint->means, 500);
 }
@@ -179,7 +179,7 @@ TEST(Footprint, IsFollowedThroughTheGlossOfAPaintThatIsWalkedThrough) {
     const auto glossy = std::make_shared<montecarlo::PlaneWalk>(
         montecarlo::test::paint_of(1.5, {montecarlo::test::pigment_layer(0, 10, 0)}));
     const auto paint = std::make_shared<Recorder>();
-    render(Scene(seen_by_reflection(), {{"below", glossy}, {"paint", paint}}), kOptions);
+    render(Scene(seen_by_reflection(), {{"below", glossy}, {"paint", paint}}), kFootprintOptions);
     EXPECT_GT(paint->patches, 500);
     EXPECT_EQ(paint->means, 0);
 }
@@ -196,12 +196,14 @@ TEST(Footprint, MeshesNeedTextureCoordinatesToBeLaidOut) {
             const Scene scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", recorder}});
         }),
         AllOf(HasSubstr(bare.string()), HasSubstr("texture coordinates")));
-    render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}), kOptions);
+    render(Scene(seen_at_45_deg(MeshFile{.path = mapped}), {{"paint", recorder}}),
+           kFootprintOptions);
     EXPECT_NEAR(recorder->area, 0.125, 0.005);  // the triangle's fraction of the square
 
     const auto in_object_space = std::make_shared<Recorder>(bsdf::SampleKind::density,
                                                             bsdf::SurfaceCoordinates::object_space);
-    render(Scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", in_object_space}}), kOptions);
+    render(Scene(seen_at_45_deg(MeshFile{.path = bare}), {{"paint", in_object_space}}),
+           kFootprintOptions);
     EXPECT_NEAR(in_object_space->area / 5000, 1,
                 0.04);  // half of 100 mm x 100 mm, in 10 pixels' outline
 }

@@ -22,15 +22,6 @@ using nacre::test::message_of;
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-double area(const Mesh& mesh) {
-    double sum = 0;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        sum += 0.5 * length(cross(mesh.positions_mm[b] - mesh.positions_mm[a],
-                                  mesh.positions_mm[c] - mesh.positions_mm[a]));
-    }
-    return sum;
-}
-
 class MeshFileTest : public ::testing::Test {
  protected:
     std::filesystem::path write(const std::string& name, const std::string& text) const {
@@ -58,12 +49,13 @@ const char* const kGltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"no
 TEST_F(MeshFileTest, ReadsObjPlyAndGltf) {
     const Mesh obj = make_mesh(MeshFile{.path = write("quad.obj", kObj), .mm_per_unit = 10});
     EXPECT_EQ(obj.triangles.size(), 2u);
-    EXPECT_NEAR(area(obj), 200, 1e-3);
+    EXPECT_NEAR(testing::area_mm2(obj), 200, 1e-3);
     EXPECT_NEAR(obj.normals[0].z, 1, 1e-6);
-    EXPECT_NEAR(area(make_mesh(MeshFile{.path = write("triangle.ply", kPly)})), 1, 1e-6);
+    EXPECT_NEAR(testing::area_mm2(make_mesh(MeshFile{.path = write("triangle.ply", kPly)})), 1,
+                1e-6);
     // glTF's vertical is y, and the triangle stands upright in it.
     const Mesh gltf = make_mesh(MeshFile{.path = write("t.gltf", kGltf), .mm_per_unit = 1000});
-    EXPECT_NEAR(area(gltf), 0.5e6, 1);
+    EXPECT_NEAR(testing::area_mm2(gltf), 0.5e6, 1);
     EXPECT_NEAR(std::abs(gltf.normals[0].y), 1, 1e-6);
 }
 
@@ -192,7 +184,8 @@ TEST(MeshContents, GlbIsReadAsFarAsItsChunksGo) {
                word(static_cast<std::uint32_t>(buffer.size())) + std::string("BIN\0", 4) + buffer;
     };
     const auto text_size = static_cast<std::uint32_t>(text.size());
-    EXPECT_NEAR(area(parse_mesh(glb(length, text_size), MeshFile{.path = "m.glb"})), 0.5, 1e-6);
+    EXPECT_NEAR(testing::area_mm2(parse_mesh(glb(length, text_size), MeshFile{.path = "m.glb"})),
+                0.5, 1e-6);
     EXPECT_THAT(fault(".glb", glb(0xfffffff0, text_size)), HasSubstr("4294967280 bytes"));
     EXPECT_THAT(fault(".glb", glb(length, 0xffffff00)), HasSubstr("a chunk is longer"));
     EXPECT_THAT(fault(".glb", text), HasSubstr("does not begin with 'glTF'"));

@@ -9,15 +9,6 @@
 namespace nacre::render {
 namespace {
 
-double area(const Mesh& mesh) {
-    double sum = 0;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        sum += 0.5 * length(cross(mesh.positions_mm[b] - mesh.positions_mm[a],
-                                  mesh.positions_mm[c] - mesh.positions_mm[a]));
-    }
-    return sum;
-}
-
 /// Smallest cosine between a triangle's own normal and the shading normals at its corners.
 double worst_normal(const Mesh& mesh) {
     double worst = 1;
@@ -31,16 +22,16 @@ double worst_normal(const Mesh& mesh) {
 }
 
 TEST(Mesh, PanelsHaveTheirSizeAndFaceUp) {
-    EXPECT_NEAR(area(make_mesh(FlatPanel{150, 100})), 15000, 1e-2);
+    EXPECT_NEAR(testing::area_mm2(make_mesh(FlatPanel{150, 100})), 15000, 1e-2);
     EXPECT_EQ(make_mesh(FlatPanel{150, 100}).normals[0], (Vec3f{0, 0, 1}));
     EXPECT_EQ(worst_normal(make_mesh(FlatPanel{150, 100})), 1);
-    EXPECT_NEAR(area(make_mesh(GroundPlane{200})), 40000, 1e-2);
+    EXPECT_NEAR(testing::area_mm2(make_mesh(GroundPlane{200})), 40000, 1e-2);
 }
 
 TEST(Mesh, CurvedPanelKeepsItsArcLengthAndLiesOnItsCylinder) {
     const Mesh mesh = make_mesh(CurvedPanel{170, 110, 62});
     // Chords fall short of the arc by (angle per facet)^2 / 24, below 1e-5.
-    EXPECT_NEAR(area(mesh), 170.0 * 110, 170 * 110 * 1e-5);
+    EXPECT_NEAR(testing::area_mm2(mesh), 170.0 * 110, 170 * 110 * 1e-5);
     for (const Vec3f& p : mesh.positions_mm) EXPECT_NEAR(std::hypot(p.x, p.z + 62), 62, 1e-4);
     EXPECT_GT(worst_normal(mesh), 0.9999);
 }

@@ -47,14 +47,14 @@ Scene mirrored(std::shared_ptr<const bsdf::Bsdf> ball) {
                  {{"paint", std::move(ball)}, {"mirror", std::make_shared<Glossy>(200.0f, 0.5f)}});
 }
 
-constexpr RenderOptions kOptions{
+constexpr RenderOptions kSparkleOptions{
     .width = 48, .height = 48, .samples_per_pixel = 8, .sparkle = true};
 
 TEST(Sparkle, IsThePictureMinusThatOfTheMean) {
     // The ball of speckles and that of their mean are sampled alike: with the same seed every path
     // is the same one. Also seen in the mirror, and after several reflections between the two.
-    const RenderResult speckled = render(mirrored(speckles()), kOptions);
-    const RenderResult smooth = render(mirrored(std::make_shared<Glossy>()), kOptions);
+    const RenderResult speckled = render(mirrored(speckles()), kSparkleOptions);
+    const RenderResult smooth = render(mirrored(std::make_shared<Glossy>()), kSparkleOptions);
     ASSERT_EQ(speckled.sparkle.size(), speckled.rgb.size());
     for (std::size_t i = 0; i < speckled.rgb.size(); ++i) {
         // 32 roundings of float along the path and in the sums.
@@ -64,7 +64,7 @@ TEST(Sparkle, IsThePictureMinusThatOfTheMean) {
 }
 
 TEST(Sparkle, IsSeenDirectlyAndInAMirror) {
-    const RenderResult r = render(mirrored(speckles()), kOptions);
+    const RenderResult r = render(mirrored(speckles()), kSparkleOptions);
     int on_ball = 0, in_mirror = 0, on_panel = 0;
     for (std::size_t p = 0; p < r.alpha.size(); ++p) {
         if (r.alpha[p] < 1) continue;
@@ -81,7 +81,7 @@ TEST(Sparkle, IsSeenDirectlyAndInAMirror) {
 
 TEST(Sparkle, IsZeroOnAverage) {
     // Over the picture, for 24 patterns: three standard errors.
-    RenderOptions options = kOptions;
+    RenderOptions options = kSparkleOptions;
     double sum = 0, squares = 0, light = 0;
     constexpr int kPatterns = 24;
     for (int pattern = 0; pattern < kPatterns; ++pattern) {
@@ -101,17 +101,17 @@ TEST(Sparkle, IsZeroOnAverage) {
 }
 
 TEST(Sparkle, AskingForItChangesNothingElse) {
-    RenderOptions without = kOptions;
+    RenderOptions without = kSparkleOptions;
     without.sparkle = false;
     const Scene scene = mirrored(speckles());
-    const RenderResult plain = render(scene, without), split = render(scene, kOptions);
+    const RenderResult plain = render(scene, without), split = render(scene, kSparkleOptions);
     EXPECT_TRUE(plain.sparkle.empty());
     EXPECT_EQ(plain.rgb, split.rgb);
     EXPECT_EQ(plain.albedo, split.albedo);
 }
 
 TEST(Sparkle, IsZeroOnSurfacesThatDoNotVary) {
-    const RenderResult r = render(mirrored(std::make_shared<Glossy>()), kOptions);
+    const RenderResult r = render(mirrored(std::make_shared<Glossy>()), kSparkleOptions);
     EXPECT_EQ(r.sparkle, std::vector<float>(r.rgb.size(), 0.0f));
 }
 
@@ -121,12 +121,12 @@ TEST(Sparkle, SameBitsForAnyNumberOfThreads) {
     {
         const ThreadLimit limit(1);
         Speckled::stale = 0;
-        one = render(scene, kOptions);
+        one = render(scene, kSparkleOptions);
         EXPECT_EQ(Speckled::stale, 0);  // no patch got the memory of another
     }
     {
         const ThreadLimit limit(2);
-        two = render(scene, kOptions);
+        two = render(scene, kSparkleOptions);
     }
     EXPECT_EQ(one.rgb, two.rgb);
     EXPECT_EQ(one.sparkle, two.sparkle);

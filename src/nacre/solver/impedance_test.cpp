@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
+#include "nacre/core/dense.h"
+#include "nacre/testing/dense.h"
 #include "nacre/testing/layers.h"
 
 namespace nacre::solver {
@@ -48,20 +50,19 @@ Medium random_medium(int n, double lost, unsigned seed) {
 // The closed form: with F = L L^T and L^T E L = Q k^2 Q^T, fields w = L^-1 u, y = L^T v obey
 // w' = -y, y' = -L^T E L w, so that y = k tanh(k H/2) w for equal light from both sides.
 MatrixXd closed_form(const MatrixXd& e, const MatrixXd& f, double thickness, bool equal) {
-    const MatrixXd l = f.llt().matrixL();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(l.transpose() * e * l);
+    const MatrixXd l = test::cholesky(f);
+    const SymmetricEigen eigen = symmetric_eigen(test::product(l.transpose(), test::product(e, l)));
     VectorXd z(e.rows());
     for (int i = 0; i < z.size(); ++i) {
-        const double k = std::sqrt(std::max(eigen.eigenvalues()(i), 0.0)), x = 0.5 * k * thickness;
+        const double k = std::sqrt(std::max(eigen.values(i), 0.0)), x = 0.5 * k * thickness;
         if (equal) {
             z(i) = k * std::tanh(x);
         } else {
             z(i) = x > 1e-7 ? k / std::tanh(x) : 2 / thickness;
         }
     }
-    const MatrixXd inverse = l.inverse();
-    return inverse.transpose() * eigen.eigenvectors() * z.asDiagonal() *
-           eigen.eigenvectors().transpose() * inverse;
+    const MatrixXd modes = test::product(eigen.vectors.transpose(), test::inverse(l));
+    return test::product(modes.transpose(), z.asDiagonal() * modes);
 }
 
 struct Slab {
@@ -81,7 +82,7 @@ Slab slab(const Medium& m, double thickness) {
 // (1 + z)^-1 (1 - z)
 MatrixXd reflection(const MatrixXd& z) {
     const MatrixXd one = MatrixXd::Identity(z.rows(), z.cols());
-    return (one + z).inverse() * (one - z);
+    return test::product(test::inverse(one + z), one - z);
 }
 
 TEST(Impedance, ScalarSlabsAreTheTwoStreamSolution) {
@@ -159,8 +160,9 @@ TEST(Impedance, DoublingIsStackingTwoHalves) {
         const MatrixXd one = MatrixXd::Identity(8, 8);
         const MatrixXd r = 0.5 * (reflection(hs[lane]) + reflection(ha[lane]));
         const MatrixXd t = 0.5 * (reflection(hs[lane]) - reflection(ha[lane]));
-        const MatrixXd between = (one - r * r).inverse();
-        const MatrixXd r2 = r + t * between * r * t, t2 = t * between * t;
+        const MatrixXd t_between = test::product(t, test::inverse(one - test::product(r, r)));
+        const MatrixXd r2 = r + test::product(t_between, test::product(r, t)),
+                       t2 = test::product(t_between, t);
         // Algebraically the same: rounding only.
         EXPECT_LT((0.5 * (reflection(zs[lane]) + reflection(za[lane])) - r2).norm(), 1e-12);
         EXPECT_LT((0.5 * (reflection(zs[lane]) - reflection(za[lane])) - t2).norm(), 1e-12);
@@ -184,7 +186,9 @@ TEST(Impedance, StackingIsTheStarProduct) {
         const MatrixXd r = 0.5 * (reflection(zs[lane]) + reflection(za[lane]));
         const MatrixXd t = 0.5 * (reflection(zs[lane]) - reflection(za[lane]));
         const MatrixXd r0 = reflection(y0[lane]);
-        const MatrixXd expected = r + t * (one - r0 * r).inverse() * r0 * t;
+        const MatrixXd between = test::inverse(one - test::product(r0, r));
+        const MatrixXd expected =
+            r + test::product(test::product(t, between), test::product(r0, t));
         EXPECT_LT((found[lane] - expected).norm(), 1e-12) << lane;  // rounding
     }
 }
@@ -204,8 +208,8 @@ TEST(Impedance, WithoutAbsorptionFluxIsKeptAtAnyThickness) {
                 << thickness << " lane " << lane;
             // No eigenvalue of R +- T leaves [-1, 1]: no light is created.
             for (const MatrixXd& z : {zs[lane], za[lane]}) {
-                const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reflection(z));
-                EXPECT_LT(eigen.eigenvalues().cwiseAbs().maxCoeff(), 1 + 1e-13 + 3e-15 * thickness);
+                const SymmetricEigen eigen = symmetric_eigen(reflection(z));
+                EXPECT_LT(eigen.values.cwiseAbs().maxCoeff(), 1 + 1e-13 + 3e-15 * thickness);
             }
         }
     }
@@ -230,7 +234,7 @@ TEST(Impedance, ReflectsUnderAnInterface) {
         for (int i = 0; i < n; ++i) f(i) = interface_reflectance[i][lane];
         const MatrixXd one = MatrixXd::Identity(n, n);
         const MatrixXd expected =
-            (one - before[lane] * f.asDiagonal().toDenseMatrix()).inverse() * before[lane];
+            test::product(test::inverse(one - before[lane] * f.asDiagonal()), before[lane]);
         EXPECT_LT((found[lane] - expected.topLeftCorner(rows, rows)).norm(), 1e-12) << lane;
     }
 }

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "nacre/testing/dense.h"
 #include "nacre/testing/layers.h"
 
 namespace nacre::solver {
@@ -15,7 +16,7 @@ using test::Matrices;
 Matrices random_spd(int n, unsigned seed) {
     Matrices all = test::random_matrices(n, n, seed);
     for (int lane = 0; lane < kLanes; ++lane) {
-        all[lane] = (all[lane] * all[lane].transpose() / n).eval();
+        all[lane] = test::product(all[lane], all[lane].transpose()) / n;
         all[lane].diagonal().array() += std::pow(10.0, -lane);
     }
     return all;
@@ -30,7 +31,7 @@ TEST_P(LaneMatrix, CholeskyMatchesEigenInEveryLane) {
     cholesky(factor.data(), n);
     const Matrices found = test::from_lanes(factor, n, n);
     for (int lane = 0; lane < kLanes; ++lane) {
-        Eigen::MatrixXd l = Eigen::MatrixXd(a[lane].llt().matrixL());
+        Eigen::MatrixXd l = test::cholesky(a[lane]);
         l.diagonal() = l.diagonal().cwiseInverse().eval();  // the header: 1/L_ii is stored
         const Eigen::MatrixXd lower = found[lane].triangularView<Eigen::Lower>();
         // Rounding grows with the condition number, up to 1e8 in the last lane.
@@ -46,9 +47,10 @@ TEST_P(LaneMatrix, ForwardSolveUndoesTheFactor) {
     forward_solve(factor.data(), x.data(), n, m);
     const Matrices found = test::from_lanes(x, n, m);
     for (int lane = 0; lane < kLanes; ++lane) {
-        const Eigen::MatrixXd l = a[lane].llt().matrixL();
+        const Eigen::MatrixXd l = test::cholesky(a[lane]);
         // Backward stable: the residual is rounding times the size of the terms.
-        EXPECT_LT((l * found[lane] - b[lane]).norm(), 1e-14 * n * l.norm() * found[lane].norm());
+        EXPECT_LT((test::product(l, found[lane]) - b[lane]).norm(),
+                  1e-14 * n * l.norm() * found[lane].norm());
     }
 }
 
@@ -60,7 +62,8 @@ TEST_P(LaneMatrix, GramProductAddsBothTriangles) {
         add_gram(a, sum.data(), -0.5, test::to_lanes(w).data(), n, m);
         const Matrices found = test::from_lanes(sum, m, m);
         for (int lane = 0; lane < kLanes; ++lane) {
-            const Eigen::MatrixXd expected = a * c[lane] - 0.5 * w[lane].transpose() * w[lane];
+            const Eigen::MatrixXd gram = test::product(w[lane].transpose(), w[lane]);
+            const Eigen::MatrixXd expected = a * c[lane] - 0.5 * gram;
             EXPECT_LT((found[lane] - expected).norm(), 1e-14 * n * (1 + expected.norm()));
             EXPECT_EQ((found[lane] - found[lane].transpose()).norm(), 0);  // exactly symmetric
         }
@@ -74,7 +77,7 @@ TEST_P(LaneMatrix, InverseOfPositiveDefinite) {
     invert_spd(inverse.data(), work.data(), n);
     const Matrices found = test::from_lanes(inverse, n, n);
     for (int lane = 0; lane < kLanes; ++lane) {
-        const Eigen::MatrixXd expected = a[lane].inverse();
+        const Eigen::MatrixXd expected = test::inverse(a[lane]);
         EXPECT_LT((found[lane] - expected).norm(),
                   1e-14 * n * std::pow(10.0, lane) * expected.norm())
             << lane;

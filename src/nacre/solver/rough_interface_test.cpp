@@ -16,12 +16,14 @@
 namespace nacre::solver {
 namespace {
 
-const std::vector<double> kOneWavelength = {550.0};
+using nacre::test::flakes;
+using nacre::test::paint_of;
+using test::kOneWavelength;
 
 paint::Recipe rough_paint(double flake_alpha, double reflectance, double transmittance, double ior,
                           double substrate, double roughness) {
-    paint::Recipe recipe = test::paint_of(
-        ior, {{15, {test::flakes(0.1, flake_alpha, reflectance, transmittance)}, {}}}, substrate);
+    paint::Recipe recipe = paint_of(
+        ior, {{15, {flakes(0.1, flake_alpha, reflectance, transmittance)}, {}}}, substrate);
     recipe.clearcoat = paint::Clearcoat{40.0, 0.0, roughness};
     return recipe;
 }

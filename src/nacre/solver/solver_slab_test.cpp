@@ -59,18 +59,18 @@ double transmittance(const paint::Recipe& recipe, double mu0) {
     return directed * t / diffuse_white;
 }
 
-struct Slab {
+struct SlabCase {
     double albedo, depth, anisotropy, mu0, reflectance, transmittance;
 };
 
 TEST(SolverSlab, PigmentsMatchTheTables) {
     // [van-de-hulst-1980; prahl-1993], five to six digits.
-    constexpr Slab kTable[] = {
+    constexpr SlabCase kTable[] = {
         {.9, 2, .75, 1, .097395, .660958},  {.99, 1, 0, .5, .486518, .491628},
         {.99, 4, .5, .5, .619959, .306051}, {1, 1, 0, 1, .341329, .658671},
         {.9, 1, 0, 1, .267410, .591625},
     };
-    for (const Slab& s : kTable) {
+    for (const SlabCase& s : kTable) {
         SCOPED_TRACE(testing::Message() << "albedo " << s.albedo << ", depth " << s.depth);
         const paint::Recipe recipe = pigment_paint(s.albedo, s.depth, s.anisotropy, 1.0);
         // Five to six digits are known, and doubling starts with an error up to 1.5e-5 of the
@@ -83,13 +83,13 @@ TEST(SolverSlab, PigmentsMatchTheTables) {
 TEST(SolverSlab, PigmentsMatchAnotherAddingDoublingProgram) {
     // iadpython 0.5.3 (Prahl), normal incidence:
     //     iadpython.Sample(a=a, b=tau, g=g, n=1, quad_pts=16).rt()[:2]
-    constexpr Slab kRows[] = {
+    constexpr SlabCase kRows[] = {
         {.95, 8, .8, 1, .2201871, .2816297},
         {.5, .2, -.3, 1, .0557785, .8414378},
         {.99, 64, .5, 1, .6646070, .0002388},
         {1, 16, .9, 1, .4405689, .5594311},
     };
-    for (const Slab& s : kRows) {
+    for (const SlabCase& s : kRows) {
         SCOPED_TRACE(testing::Message() << "albedo " << s.albedo << ", depth " << s.depth);
         const paint::Recipe recipe = pigment_paint(s.albedo, s.depth, s.anisotropy, 1.0);
         // Its 16 nodes agree with its 32 to 3e-3 at g = 0.9 and 5e-4 at g = 0.8, 1e-5 elsewhere:

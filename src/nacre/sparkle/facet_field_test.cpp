@@ -18,7 +18,7 @@ constexpr double kAlpha = 0.07, kGamma_deg = 3;
 
 using test::direction;
 
-Footprint square(double u, double v, double area) {
+Footprint square_footprint(double u, double v, double area) {
     const float side = static_cast<float>(std::sqrt(area));
     return {u, v, {side, 0}, {0, side}};
 }
@@ -54,7 +54,7 @@ TEST(FacetField, CountsTheSameFacetsAsASearchThroughAll) {
     constexpr double kFacets = 30000;
     const FacetField field(kFacets, kAlpha, kGamma_deg, 5);
     std::vector<Facet> all;
-    field.for_each_facet(square(0.5, 0.5, 1), [&](const Facet& f) { all.push_back(f); });
+    field.for_each_facet(square_footprint(0.5, 0.5, 1), [&](const Facet& f) { all.push_back(f); });
     ASSERT_EQ(all.size(), kFacets);
 
     Rng rng(3);
@@ -211,7 +211,7 @@ TEST(FacetField, QueriesAllocateNothing) {
 
 TEST(FacetField, ObjectsOfNoneOneAndATrillionFacets) {
     const Geometry& g = geometries()[0];
-    const Footprint all = square(0.5, 0.5, 1);
+    const Footprint all = square_footprint(0.5, 0.5, 1);
     EXPECT_EQ(FacetField(0, kAlpha, kGamma_deg, 1).count(all, g.wi, g.wo).count, 0u);
     int one = 0;
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {

@@ -11,9 +11,12 @@
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/core/random.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::sparkle {
 namespace {
+
+using test::Moments;
 
 constexpr FlakePopulation kSilver{
     .density_per_mm2 = 4000, .diameter_um = 20, .diameter_spread_um = 0, .alpha = 0.1, .ior = 1.5};
@@ -43,23 +46,11 @@ double relative_radiance(const FlakeField& field, const ObjectSpaceFootprint& pa
     return background + sum;
 }
 
-struct Moments {
-    double mean, variance, mean_error, variance_error;
-};
-
-// Of `count` independent samples, with standard errors.
 template <class F>
 Moments moments(int count, F&& sample) {
-    std::vector<double> x(count);
-    double mean = 0;
-    for (int i = 0; i < count; ++i) mean += (x[i] = sample(i)) / count;
-    double second = 0, fourth = 0;
-    for (double v : x) {
-        const double d2 = (v - mean) * (v - mean);
-        second += d2 / count;
-        fourth += d2 * d2 / count;
-    }
-    return {mean, second, std::sqrt(second / count), std::sqrt((fourth - second * second) / count)};
+    std::vector<double> values(count);
+    for (int i = 0; i < count; ++i) values[i] = sample(i);
+    return Moments(values);
 }
 
 // Int coverage_1 coverage_2 over the place of a disc, in mm^2: the fractions that it covers of a

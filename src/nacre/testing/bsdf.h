@@ -10,6 +10,7 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/core/random.h"
+#include "nacre/paint/recipe.h"
 #include "nacre/testing/directions.h"
 
 // Only for tests of surfaces: statistics of their samples.
@@ -18,6 +19,10 @@ namespace nacre::bsdf {
 
 using test::direction;
 using test::kOnGrid;
+
+/// Those of rough interfaces and of the models of facets.
+inline constexpr paint::FacetDistribution kFacetLaws[] = {paint::FacetDistribution::beckmann,
+                                                          paint::FacetDistribution::ggx};
 
 /// Chi-square of sampled directions against the density, over bins of cosine and azimuth, with one
 /// more bin for what is not a direction (the specular lobe, and samples that do not leave), as a

@@ -10,6 +10,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/warp.h"
 #include "nacre/core/estimate.h"
+#include "nacre/render/mesh.h"
 #include "nacre/render/render.h"
 #include "nacre/render/scene.h"
 
@@ -17,6 +18,15 @@
 // changes with angle, and a diffuse lobe: all that a renderer must cope with.
 
 namespace nacre::render::testing {
+
+inline double area_mm2(const Mesh& mesh) {
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        sum += 0.5 * length(cross(mesh.positions_mm[b] - mesh.positions_mm[a],
+                                  mesh.positions_mm[c] - mesh.positions_mm[a]));
+    }
+    return sum;
+}
 
 class BoundGlossy final : public bsdf::BoundBsdf {
  public:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 // Only for tests: bounds for the deviation of random estimates from their expectation.
 
@@ -27,6 +28,24 @@ class Sample {
 
  private:
     double count_ = 0, sum_ = 0, squares_ = 0;
+};
+
+/// Mean and variance of independent random values, with their standard errors.
+struct Moments {
+    double mean = 0, variance = 0, mean_error = 0, variance_error = 0;
+
+    explicit Moments(const std::vector<double>& values) {
+        const double count = static_cast<double>(values.size());
+        for (double v : values) mean += v / count;
+        double fourth = 0;
+        for (double v : values) {
+            const double d2 = (v - mean) * (v - mean);
+            variance += d2 / count;
+            fourth += d2 * d2 / count;
+        }
+        mean_error = std::sqrt(variance / count);
+        variance_error = std::sqrt((fourth - variance * variance) / count);
+    }
 };
 
 }  // namespace nacre::test

@@ -9,14 +9,14 @@
 namespace nacre::bsdf {
 namespace {
 
-const Wavelengths kWavelengths{410, 450, 490, 530, 570, 610, 650, 690};
+const Wavelengths kLambertianAt{410, 450, 490, 530, 570, 610, 650, 690};
 const Vec3f kOblique = normalize(Vec3f{0.6f, -0.2f, 0.5f});
 
 TEST(Lambertian, BrdfIsReflectanceOverPiAndVanishesBelowTheHorizon) {
-    const auto bound = Lambertian({{400.0, 700.0}, {0.0, 1.0}}).bind(kWavelengths);
+    const auto bound = Lambertian({{400.0, 700.0}, {0.0, 1.0}}).bind(kLambertianAt);
     const FloatLanes f = bound->eval(kOblique, {0, 0, 1});
     for (int i = 0; i < kLanes; ++i) {
-        const double reflectance = (kWavelengths[i] - 400) / 300;
+        const double reflectance = (kLambertianAt[i] - 400) / 300;
         EXPECT_NEAR(f[i], reflectance / std::numbers::pi, 1e-7);
     }
     EXPECT_EQ(lane_max(bound->eval(kOblique, {0, 0, -1})), 0);
@@ -26,7 +26,7 @@ TEST(Lambertian, BrdfIsReflectanceOverPiAndVanishesBelowTheHorizon) {
 }
 
 TEST(Lambertian, SampleWeightIsTheAlbedoAndItsPdfAgrees) {
-    const auto bound = Lambertian(0.7).bind(kWavelengths);
+    const auto bound = Lambertian(0.7).bind(kLambertianAt);
     int drawn = 0;
     for (int i = 0; i < 64; ++i) {
         const Vec2f u{(i % 8 + 0.5f) / 8, (i / 8 + 0.5f) / 8};
@@ -44,7 +44,7 @@ TEST(Lambertian, SampleWeightIsTheAlbedoAndItsPdfAgrees) {
 TEST(Lambertian, MeanCosineOfSamplesIsTwoThirds) {
     // Int cos (cos / pi) dw = 2/3; the cosine ends in a square root at the horizon, so midpoints of
     // a 64 x 64 grid leave an error of order 64^-1.5.
-    const auto bound = Lambertian(1.0).bind(kWavelengths);
+    const auto bound = Lambertian(1.0).bind(kLambertianAt);
     double sum = 0;
     constexpr int kSide = 64;
     for (int i = 0; i < kSide * kSide; ++i) {

@@ -21,8 +21,6 @@ namespace {
 using paint::FacetDistribution;
 using test::violet;
 constexpr Wavelengths kNm = {418, 456, 493, 531, 568, 606, 643, 681};
-constexpr FacetDistribution kLaws[] = {FacetDistribution::beckmann, FacetDistribution::ggx};
-
 paint::Recipe coated(paint::Recipe recipe) {
     recipe.clearcoat = paint::Clearcoat{40, spectra::Spectrum({400, 700}, {8.0, 1.0}), 0};
     return recipe;
@@ -48,7 +46,7 @@ double smith_lambda(FacetDistribution law, double alpha, double theta) {
 }
 
 TEST(ThinFilm, IsTheMicrofacetFormulaWithTheTransferMatrix) {
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         const paint::Recipe recipe = violet(0.3, law);
         const auto bound = bind(recipe);
         for (const double theta_o : {10.0, 45.0, 75.0}) {
@@ -162,7 +160,7 @@ double smith_albedo(FacetDistribution law, double alpha, double theta_i) {
 }
 
 TEST(ThinFilm, LosesNoMoreLightThanSmithsMaskingSays) {
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         for (const double alpha : {0.2, 0.6}) {
             const auto bound = bind(mirror(law, alpha));
             for (const double theta : {0.5, 45.0, 75.0}) {
@@ -212,7 +210,7 @@ TEST(ThinFilm, NeverReflectsMoreThanItReceives) {
 }
 
 TEST(ThinFilm, AlbedoIsTheMeanWeight) {
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         for (const bool coat : {false, true}) {
             const paint::Recipe recipe = violet(0.25, law);
             const auto bound = bind(coat ? coated(recipe) : recipe);
@@ -227,7 +225,7 @@ TEST(ThinFilm, AlbedoIsTheMeanWeight) {
 }
 
 TEST(ThinFilm, SampleReportsItsOwnDensityAndWeight) {
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         for (const bool coat : {false, true}) {
             const paint::Recipe recipe = violet(0.2, law);
             const auto bound = bind(coat ? coated(recipe) : recipe);
@@ -240,7 +238,7 @@ TEST(ThinFilm, SampleReportsItsOwnDensityAndWeight) {
 
 TEST(ThinFilm, SamplesFollowTheDensity) {
     int tests = 0;
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         for (const double alpha : {0.25, 0.7}) {
             for (const bool coat : {false, true}) {
                 const paint::Recipe recipe = violet(alpha, law);
@@ -263,7 +261,7 @@ TEST(ThinFilm, SamplesFollowTheDensity) {
 TEST(ThinFilm, WeightsNeverExceedOneWithoutACoat) {
     // Visible normals leave F G2 / G1 <= 1.
     Rng rng(5, 1);
-    for (const auto law : kLaws) {
+    for (const auto law : kFacetLaws) {
         for (const double alpha : {0.01, 0.1, 1.0}) {
             const auto bound = bind(mirror(law, alpha));
             for (const double theta : {0.5, 60.0, 88.0, 89.9}) {

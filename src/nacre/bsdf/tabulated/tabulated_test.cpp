@@ -17,23 +17,23 @@ namespace {
 
 using test::metallic;
 
-const Wavelengths kWavelengths = {418, 456, 493, 531, 568, 606, 643, 681};
+const Wavelengths kBetweenTheSolved = {418, 456, 493, 531, 568, 606, 643, 681};
 
 const spectra::Spectrum kGold({400.0, 500.0, 700.0}, {0.3, 0.5, 0.9});
 
-struct Model {
+struct Tables {
     solver::SolvedPaint paint;
     std::shared_ptr<const RawBrdfTable> raw;
     std::shared_ptr<const CompressedBrdfTable> compressed;
 
-    explicit Model(const paint::Recipe& recipe, const BrdfTableSettings& settings = {})
+    explicit Tables(const paint::Recipe& recipe, const BrdfTableSettings& settings = {})
         : paint(solver::solve(recipe, {400, 450, 500, 550, 600, 650, 700})),
           raw(std::make_shared<const RawBrdfTable>(make_raw_table(paint, settings))),
           compressed(std::make_shared<const CompressedBrdfTable>(compress(*raw, {3, 0.5}))) {}
 };
 
-const Model& gold() {
-    static const Model model(metallic(0.1, kGold));
+const Tables& gold() {
+    static const Tables model(metallic(0.1, kGold));
     return model;
 }
 
@@ -48,7 +48,7 @@ FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double the
     return make_lanes([&](int lane) {
         double sum = 0;
         for (int j = 0; j < 3; ++j) {
-            sum += rgb[j] * spectra::linear_rec709_basis()[j](kWavelengths[lane]);
+            sum += rgb[j] * spectra::linear_rec709_basis()[j](kBetweenTheSolved[lane]);
         }
         return static_cast<float>(std::max(0.0, sum));
     });
@@ -58,7 +58,7 @@ FloatLanes expected(const solver::SolvedPaint& paint, double theta_i, double the
 template <class Table>
 double worst_error(const solver::SolvedPaint& paint, std::shared_ptr<const Table> table,
                    double step_deg = 4.3) {
-    const auto bound = Tabulated(table).bind(kWavelengths);
+    const auto bound = Tabulated(table).bind(kBetweenTheSolved);
     double worst = 0;
     for (const double theta_i : {0.1, 20.0, 45.0, 60.0, 75.0, 85.0, 89.0}) {
         double peak = 0, error = 0;
@@ -80,7 +80,7 @@ double worst_error(const solver::SolvedPaint& paint, std::shared_ptr<const Table
 TEST(Tabulated, AgreesWithTheColourOfTheSolvedPaintWhateverItsRoughness) {
     for (const double alpha : {0.07, 0.4}) {
         SCOPED_TRACE(alpha);
-        const Model model(metallic(alpha, kGold));
+        const Tables model(metallic(alpha, kGold));
         EXPECT_LT(worst_error(model.paint, model.raw), kTabulatedError);
         EXPECT_LT(worst_error(model.paint, model.compressed), kTabulatedCompressedError);
     }
@@ -89,7 +89,7 @@ TEST(Tabulated, AgreesWithTheColourOfTheSolvedPaintWhateverItsRoughness) {
 TEST(Tabulated, AgreesWithTheSolvedPaintWithoutACoat) {
     paint::Recipe recipe = metallic(0.3, kGold);
     recipe.binder = optics::Material(1.0);
-    const Model model(recipe);
+    const Tables model(recipe);
     // Many nodes and orders make the solved paint slow to ask.
     EXPECT_LT(worst_error(model.paint, model.raw, 9.7), kTabulatedError);
 }
@@ -98,25 +98,25 @@ TEST(Tabulated, AgreesWithTheSolvedPaintWithoutACoat) {
 TEST(Tabulated, FollowsARoughInterface) {
     paint::Recipe recipe = metallic(0.1, kGold);
     recipe.clearcoat = paint::Clearcoat{40, 0.0, 0.2};
-    const Model model(recipe);
+    const Tables model(recipe);
     EXPECT_LT(worst_error(model.paint, model.raw), 5e-3);
     EXPECT_LT(worst_error(model.paint, model.compressed), 4e-2);
 }
 
 TEST(Tabulated, GreyIsTheSameAtEveryWavelength) {
-    const Model model(metallic(0.2, 0.6), {64, 32});
+    const Tables model(metallic(0.2, 0.6), {64, 32});
     const FloatLanes f =
-        Tabulated(model.raw).bind(kWavelengths)->eval(direction(45, 0), direction(40, 170));
+        Tabulated(model.raw).bind(kBetweenTheSolved)->eval(direction(45, 0), direction(40, 170));
     for (int lane = 1; lane < kLanes; ++lane) EXPECT_NEAR(f[lane], f[0], 1e-5 * f[0]);
 }
 
 TEST(Tabulated, IsReciprocalAndNeverNegative) {
-    expect_reciprocal(*Tabulated(gold().compressed).bind(kWavelengths), 2000);
-    expect_reciprocal(*Tabulated(gold().raw).bind(kWavelengths), 2000);
+    expect_reciprocal(*Tabulated(gold().compressed).bind(kBetweenTheSolved), 2000);
+    expect_reciprocal(*Tabulated(gold().raw).bind(kBetweenTheSolved), 2000);
 }
 
 TEST(Tabulated, IsBlackBelowTheHorizon) {
-    expect_black_below_the_horizon(*Tabulated(gold().raw).bind(kWavelengths));
+    expect_black_below_the_horizon(*Tabulated(gold().raw).bind(kBetweenTheSolved));
 }
 
 TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
@@ -125,8 +125,8 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
     paint::Recipe satin = metallic(0.3, kGold);
     satin.clearcoat = paint::Clearcoat{40, 0.0, 0.1};
     for (const paint::Recipe& recipe : {metallic(0.1, kGold), bare, satin}) {
-        const Model model(recipe, {32, 16});
-        const auto bound = Tabulated(model.compressed).bind(kWavelengths);
+        const Tables model(recipe, {32, 16});
+        const auto bound = Tabulated(model.compressed).bind(kBetweenTheSolved);
         const Vec3f edges[] = {{0, 0, 1},       {1e-30f, 0, 1}, {0, -1e-12f, 1},    {1, 0, 1e-20f},
                                {-1, 0, 1e-20f}, {0, 1, 1e-6f},  {0.6f, 0.8f, 1e-4f}};
         for (const Vec3f& a : edges) {
@@ -149,7 +149,7 @@ TEST(Tabulated, IsFiniteAtTheNormalAndAtTheHorizon) {
 }
 
 TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
-    const auto bound = Tabulated(gold().compressed).bind(kWavelengths);
+    const auto bound = Tabulated(gold().compressed).bind(kBetweenTheSolved);
     const Drawn drawn = expect_own_density_and_weight(*bound, 4000, 1e-4f);
     EXPECT_GT(drawn.specular, 100);
     EXPECT_GT(drawn.others, 2000);
@@ -160,10 +160,10 @@ TEST(Tabulated, SampleReportsItsOwnDensityAndWeight) {
 TEST(Tabulated, SamplesFollowTheDensity) {
     paint::Recipe satin = metallic(0.2, kGold);
     satin.clearcoat = paint::Clearcoat{40, 0.0, 0.2};
-    const Model rough(satin, {64, 48}), diffuse(metallic(0.4, kGold), {64, 48});
+    const Tables rough(satin, {64, 48}), diffuse(metallic(0.4, kGold), {64, 48});
     int tests = 0;
-    for (const Model* model : {&gold(), &rough, &diffuse}) {
-        const auto bound = Tabulated(model->raw).bind(kWavelengths);
+    for (const Tables* model : {&gold(), &rough, &diffuse}) {
+        const auto bound = Tabulated(model->raw).bind(kBetweenTheSolved);
         for (const double theta_i : {0.5, 35.0, 65.0, 85.0}) {
             // One-sided, twelve tests with fixed seeds: 3.5 deviations are one false alarm in 400.
             EXPECT_LT(chi_square_z_score(*bound, direction(theta_i, 0), 11 + tests, 100000), 3.5)
@@ -176,10 +176,10 @@ TEST(Tabulated, SamplesFollowTheDensity) {
 
 TEST(Tabulated, AlbedoIsTheMeanWeightAndThatOfTheSolvedPaint) {
     // Grey, so that colours and spectra are the same.
-    const Model model(metallic(0.1, 0.8), {128, 64});
-    const auto bound = Tabulated(model.compressed).bind(kWavelengths);
-    const auto spectral =
-        Microflake(std::make_shared<const solver::SolvedPaint>(model.paint)).bind(kWavelengths);
+    const Tables model(metallic(0.1, 0.8), {128, 64});
+    const auto bound = Tabulated(model.compressed).bind(kBetweenTheSolved);
+    const auto spectral = Microflake(std::make_shared<const solver::SolvedPaint>(model.paint))
+                              .bind(kBetweenTheSolved);
     for (const double theta_i : {0.5, 40.0, 70.0, 86.0}) {
         const auto [mean, error] = mean_weight(*bound, direction(theta_i, 0), 4, 40000, 9);
         const double albedo = bound->albedo(direction(theta_i, 0))[4];
