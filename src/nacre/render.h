@@ -38,12 +38,15 @@ std::vector<std::string> paint_slots(const render::SceneDescription& scene);
 /// What lies on the shapes of a scene.
 struct ScenePaints {
     std::optional<Paint> slot = {};   ///< for materials without a recipe; none if there are none
-    std::optional<Model> model = {};  ///< of all recipes; measured BRDFs take none
+    /// Of all recipes; measured BRDFs take none. Its specimen is that of the scene's description
+    /// unless it has another than 0.
+    std::optional<Model> model = {};
 };
 
 struct Picture {
     render::RenderResult result;
-    /// The scene's name, the model, the seed and the recipes' SHA-256.
+    /// The scene's name, the model, the specimen where single flakes show, the seed and the
+    /// recipes' SHA-256.
     std::map<std::string, std::string> metadata;
 
     io::Image image() const;
@@ -71,6 +74,8 @@ class Scene {
     const std::string& model_name() const { return model_name_; }
     /// Whether a model shows any of the paints: not where all are measured, or there are none.
     bool shows_model() const { return shows_model_; }
+    /// Which panel of the batch is seen; none if no model shows single flakes.
+    std::optional<std::uint64_t> specimen() const { return specimen_; }
 
     /// The same bits for any number of threads; where `progress` asks to stop, what there is.
     /// @throws DomainError naming a setting out of range
@@ -79,6 +84,7 @@ class Scene {
  private:
     std::string name_, model_name_;
     bool shows_model_ = false;
+    std::optional<std::uint64_t> specimen_;
     std::vector<Paint> paints_;
     std::map<std::string, std::string> recipe_sha256_;
     std::optional<render::Scene> compiled_;

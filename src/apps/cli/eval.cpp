@@ -55,7 +55,7 @@ PaintBrdf on_patch(const PaintBrdf& brdf, const EvalOptions& options) {
 
 /// Refuses options that do not fit the model, before any work is done.
 void check_model(const EvalOptions& options) {
-    const bsdf::ModelInfo& model = parse_model_settings(options.model, options.seed).info();
+    const bsdf::ModelInfo& model = parse_model_settings(options.model).info();
     check_patch(options, model);
     require_values(model);
     if (parse_part<Part>(options.part) != Part::total && !model.can.parts) {
@@ -77,7 +77,7 @@ ExitStatus run(const EvalOptions& options) {
             parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
     }
     const Paint paint = open(options.recipe);
-    settings.model = model_for({&paint}, options.model, options.seed);
+    settings.model = model_for({&paint}, options.model);
     ProgressBar bar("prepare", options.quiet || !settings.model || !settings.model->makes_table());
     const PaintBrdf values = on_patch(paint.brdf(settings, bar.callback()), options);
     say_warnings(options, paint);
@@ -125,7 +125,6 @@ Command add_eval(CLI::App& program) {
     eval->add_option(
         "--footprint", options->footprint,
         "Side of that patch; " + by_coordinates("in mm", "as a share of the unit square's"));
-    add_seed(*eval, *options);
     eval->add_option("--wavelength", options->wavelengths,
                      "Vacuum wavelengths, nm [those of a solved paint, else 400:700:10]");
     add_output(*eval, *options);

@@ -59,7 +59,7 @@ ExitStatus run(const ExportOptions& options) {
     const bool rgl = is_rgl_name(options.output);
     check_format_options(options, rgl);
     parse_cells(options.cells);
-    require_values(parse_model_settings(options.model, options.seed).info());
+    require_values(parse_model_settings(options.model).info());
     BrdfSettings settings;
     if (!options.wavelengths.empty()) {
         settings.wavelengths_nm =
@@ -72,7 +72,7 @@ ExitStatus run(const ExportOptions& options) {
     const InterruptHandler interrupt;
     const Stopwatch watch;
     const Paint paint = open(options.paint);
-    settings.model = model_for({&paint}, options.model, options.seed);
+    settings.model = model_for({&paint}, options.model);
     const Exported made = [&] {
         ProgressBar bar("measure", options.quiet);
         return rgl ? paint.export_rgl(options.rgl, settings, bar.callback())
@@ -135,7 +135,6 @@ Command add_export(CLI::App& program) {
                              "phi_difference; most programs read no others than the database's"),
          options->only_merl)
         ->capture_default_str();
-    add_seed(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The mirror of a smooth interface is not part of a BRDF: add it in the other renderer as\n"

@@ -93,7 +93,7 @@ ExitStatus run(const FitOptions& options) {
     const std::vector<std::string> keys = free_keys(options, start);
     fit::FreeNumbers(start.recipe(), keys, start.bounds());  // before any work
     const Paint standard = open(options.standard);
-    instrument.settings.model = model_for({&standard}, options.model, options.seed, true);
+    instrument.settings.model = model_for({&standard}, options.model, true);
     const Measurement wanted = [&] {
         ProgressBar bar("measure", options.quiet);
         return standard.measure(instrument.geometries, instrument.settings, bar.callback())

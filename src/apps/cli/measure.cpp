@@ -123,7 +123,7 @@ ExitStatus run(const MeasureOptions& options) {
     const Paint paint = open(options.sample);
 
     if (options.versus.empty()) {
-        instrument.settings.model = model_for({&paint}, options.model, options.seed, true);
+        instrument.settings.model = model_for({&paint}, options.model, true);
         ProgressBar bar("measure", options.quiet);
         const Sample sample = sample_of(
             paint, paint.measure(instrument.geometries, instrument.settings, bar.callback()));
@@ -139,7 +139,7 @@ ExitStatus run(const MeasureOptions& options) {
         return ExitStatus::ok;
     }
     const Paint versus = open(options.versus);
-    instrument.settings.model = model_for({&paint, &versus}, options.model, options.seed, true);
+    instrument.settings.model = model_for({&paint, &versus}, options.model, true);
     ProgressBar bar("measure", options.quiet);
     auto [sample, standard] =
         measure_alike(paint, versus, instrument.geometries, instrument.settings, bar.callback());

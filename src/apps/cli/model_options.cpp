@@ -122,6 +122,13 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
         command.add_option(flag, value, std::string(model->alternative->help))
             ->capture_default_str();
     }
+    command
+        .add_option("--specimen", options.specimen,
+                    fmt::format("{}: which panel of the batch is seen, that is which flakes there "
+                                "are; 0: the scene's, or the first",
+                                fmt::join(sparkling_models(), ", ")))
+        ->type_name("N")
+        ->capture_default_str();
 }
 
 const ModelInfo& parse_model(const ModelOptions& options) {
@@ -131,7 +138,7 @@ const ModelInfo& parse_model(const ModelOptions& options) {
                                  did_you_mean(options.model, names), fmt::join(names, ", ")));
 }
 
-Model parse_model_settings(const ModelOptions& options, std::uint64_t seed) {
+Model parse_model_settings(const ModelOptions& options) {
     const ModelInfo& info = parse_model(options);
     std::vector<std::pair<const ModelOption*, std::string>> chosen;
     for (const Owned& owned : all_options()) {
@@ -148,7 +155,7 @@ Model parse_model_settings(const ModelOptions& options, std::uint64_t seed) {
     try {
         Model model = info.standard();
         for (const auto& [option, value] : chosen) set_option(model, *option, value);
-        model.set_specimen(seed);
+        model.set_specimen(options.specimen);
         return with_alternative(std::move(model), options);
     } catch (const DomainError& error) {
         throw UsageError(error.what());

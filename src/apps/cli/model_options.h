@@ -18,6 +18,7 @@ namespace nacre::cli {
 struct ModelOptions {
     std::string model{models::default_model().info().name};
     bool model_given = false;  ///< --model was on the command line
+    std::uint64_t specimen = 0;  ///< which panel of the batch a model of single flakes shows
 
     /// What the command line writes to.
     struct Value {
@@ -36,9 +37,8 @@ void add_solution_options(CLI::App& command, ModelOptions& options);
 const bsdf::ModelInfo& parse_model(const ModelOptions& options);
 
 /// The model with all that was chosen about it.
-/// @param seed  which specimen it shows
 /// @throws UsageError if a choice was made that the model does not know
-bsdf::Model parse_model_settings(const ModelOptions& options, std::uint64_t seed);
+bsdf::Model parse_model_settings(const ModelOptions& options);
 
 /// What the command line said to choose this model, as in "--model = volume".
 std::string choice_of(const bsdf::ModelInfo& model);

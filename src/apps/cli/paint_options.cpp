@@ -52,12 +52,11 @@ void refuse_model(const std::string& model, const std::string& what) {
 }
 
 std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
-                                     const ModelOptions& options, std::uint64_t seed,
-                                     bool estimates) {
+                                     const ModelOptions& options, bool estimates) {
     const auto is_measured_brdf = [](const Paint* p) { return p->kind() == Kind::measured_brdf; };
     std::optional<bsdf::Model> model;
     for (const Paint* paint : paints) {
-        if (!paint->is_measured()) model = parse_model_settings(options, seed);
+        if (!paint->is_measured()) model = parse_model_settings(options);
     }
     if (model) {
         if (!estimates || !model->info().can.estimated_values) require_values(model->info());
@@ -66,7 +65,7 @@ std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
     const auto measured = std::find_if(paints.begin(), paints.end(), is_measured_brdf);
     if (measured != paints.end()) {
         if (options.model_given) refuse_model(options.model, (*measured)->file());
-        if (parse_model_settings(options, seed).makes_table()) refuse_measured_brdf(**measured);
+        if (parse_model_settings(options).makes_table()) refuse_measured_brdf(**measured);
     }
     return std::nullopt;
 }

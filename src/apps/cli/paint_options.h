@@ -18,8 +18,7 @@ namespace nacre::cli {
 ///         the model gives no values, only pictures, nor (where they will do) estimates
 /// @throws InputError if a table was asked for of a measured BRDF
 std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
-                                     const ModelOptions& options, std::uint64_t seed,
-                                     bool estimates = false);
+                                     const ModelOptions& options, bool estimates = false);
 
 /// @throws UsageError if the model gives no values, only pictures
 void require_values(const bsdf::ModelInfo& model);

@@ -107,7 +107,7 @@ Look standard_look(const std::optional<Paint>& standard, const bsdf::Model& mode
 }
 
 ExitStatus run(const PanelOptions& options) {
-    const bsdf::Model model = parse_model_settings(options.model, options.seed);
+    const bsdf::Model model = parse_model_settings(options.model);
     require_values(model.info());
     InstrumentRequest instrument = parse_instrument(options.instrument);
     instrument.settings.model = model;

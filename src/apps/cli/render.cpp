@@ -85,7 +85,7 @@ std::optional<Paint> paint_for_slots(const render::SceneDescription& description
 }
 
 Scene painted_scene(const RenderCommandOptions& options) {
-    const bsdf::Model model = parse_model_settings(options.model, options.seed);
+    const bsdf::Model model = parse_model_settings(options.model);
     std::optional<Paint> brdf = open_brdf(options);
     render::SceneDescription description = find_scene(options.scene);
     std::optional<Paint> slot = paint_for_slots(description, options, std::move(brdf));
@@ -104,7 +104,7 @@ void check_model(const RenderCommandOptions& options, const Scene& scene) {
     if (options.model.model_given) {
         refuse_model(options.model.model, "every material of the scene " + options.scene);
     }
-    const bsdf::Model model = parse_model_settings(options.model, options.seed);
+    const bsdf::Model model = parse_model_settings(options.model);
     if (model.makes_table()) {
         throw UsageError(
             fmt::format("{}: every material of the scene {} holds a measured BRDF; "
@@ -114,7 +114,7 @@ void check_model(const RenderCommandOptions& options, const Scene& scene) {
 }
 
 ExitStatus run(RenderCommandOptions options) {
-    parse_model_settings(options.model, options.seed);  // before any work
+    parse_model_settings(options.model);  // before any work
     parse_size(options.size, options.render);
     options.render.seed = options.seed;
     const fs::path exr = options.output, png = io::png_beside(exr);
@@ -152,6 +152,7 @@ ExitStatus run(RenderCommandOptions options) {
                   {"height", result.height},
                   {"samples_per_pixel", result.samples},
                   {"seed", options.seed},
+                  {"specimen", scene.specimen() ? nlohmann::json(*scene.specimen()) : nullptr},
                   {"complete", result.complete},
                   {"prepare_s", prepare_s},
                   {"render_s", result.seconds},

@@ -35,7 +35,7 @@ std::string solution_bytes(const SolveOptions& options, const bsdf::Model& model
 }
 
 ExitStatus run(const SolveOptions& options) {
-    const bsdf::Model model = parse_model_settings(options.model, 0);
+    const bsdf::Model model = parse_model_settings(options.model);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;

@@ -44,7 +44,7 @@ bsdf::Model parse_sparkling_model(const SparkleOptions& options) {
                         "measured; must be {}",
                         model.name, fmt::join(sparkling_models(), " or ")));
     }
-    bsdf::Model chosen = parse_model_settings(options.model, options.seed);
+    bsdf::Model chosen = parse_model_settings(options.model);
     require_values(chosen.info());
     return chosen;
 }

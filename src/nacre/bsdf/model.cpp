@@ -71,6 +71,11 @@ std::shared_ptr<const Bsdf> Model::make(const ModelInput& input, const Progress&
     return operations_->make(settings_, input, progress);
 }
 
+std::optional<std::uint64_t> Model::specimen() const {
+    if (!operations_->specimen) return std::nullopt;
+    return operations_->specimen(settings_);
+}
+
 void Model::set_specimen(std::uint64_t specimen) {
     if (operations_->set_specimen) operations_->set_specimen(settings_, specimen);
 }

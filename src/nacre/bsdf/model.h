@@ -163,6 +163,8 @@ class Model {
 
     /// Which panel of the batch is seen; nothing to a model that shows no single flakes.
     void set_specimen(std::uint64_t specimen);
+    /// Empty for a model that shows no single flakes.
+    std::optional<std::uint64_t> specimen() const;
     /// Tells a model that must know it what the paint lies on; nothing to others.
     /// @param material  its name, for messages
     /// @throws DomainError if the model does not go on these shapes
@@ -193,6 +195,7 @@ class Model {
         bool (*equal)(const std::any&, const std::any&);
         std::string (*text)(const std::any&);
         void (*set_specimen)(std::any&, std::uint64_t);
+        std::uint64_t (*specimen)(const std::any&);
         void (*lie_on)(std::any&, const std::string&, std::span<const PaintedShape>);
         bool (*makes_table)(const std::any&);
         std::optional<BrdfTable> (*make_table)(const std::any&, const solver::SolvedPaint&,
@@ -220,6 +223,7 @@ class Model {
         all.text = [](const std::any& s) { return as<M>(s).text(); };
         if constexpr (requires(M m) { m.specimen; }) {
             all.set_specimen = [](std::any& s, std::uint64_t n) { as<M>(s).specimen = n; };
+            all.specimen = [](const std::any& s) { return as<M>(s).specimen; };
         }
         if constexpr (requires { &M::lie_on; }) {
             all.lie_on = [](std::any& s, const std::string& material,

@@ -130,6 +130,9 @@ std::vector<bsdf::PaintedShape> painted_shapes(const SceneDescription& scene,
 void validate(const SceneDescription& scene) {
     SceneCheck ranges;
     paint::Described::to_inspect(scene).accept(ranges);
+    if (scene.specimen != std::floor(scene.specimen)) {
+        throw DomainError(fmt::format("specimen = {} is no whole number", scene.specimen));
+    }
     check(Table("camera"), scene.camera);
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         check(Table(fmt::format("shapes[{}]", i)), scene.shapes[i], scene);

@@ -241,6 +241,8 @@ using Environment =
 
 struct SceneDescription {
     std::string name;
+    /// Which panel of the batch its paints show; 0: that of the models. A whole number.
+    double specimen = 0;
     Camera camera;
     std::map<std::string, MaterialDescription> materials;
     std::vector<Shape> shapes;

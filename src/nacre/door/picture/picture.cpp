@@ -18,10 +18,15 @@ namespace fs = std::filesystem;
 /// Opens each file and makes each look once.
 class Painter {
  public:
-    Painter(const ScenePaints& paints, const Progress& progress)
+    Painter(const ScenePaints& paints, double specimen, const Progress& progress)
         : paints_(paints),
           model_(paints.model.value_or(models::default_model())),
-          progress_(progress) {}
+          progress_(progress) {
+        if (model_.specimen() == 0) model_.set_specimen(static_cast<std::uint64_t>(specimen));
+    }
+
+    /// Of all recipes.
+    const Model& model() const { return model_; }
 
     std::shared_ptr<const bsdf::Bsdf> look(const render::SceneDescription& scene,
                                            const std::string& material, std::size_t paint) {
@@ -117,7 +122,7 @@ void Picture::write(const fs::path& path, const ToneMap& tone_map) const {
 Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
              const Progress& progress)
     : name_(description.name) {
-    Painter painter(paints, progress);
+    Painter painter(paints, description.specimen, progress);
     render::PaintTable table;
     for (const auto& [name, material] : description.materials) {
         const auto* wanted = std::get_if<render::PaintMaterial>(&material);
@@ -129,8 +134,8 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
         if (paint.has_recipe()) recipe_sha256_[name] = paint.recipe_sha256();
     }
     paints_ = painter.all();
-    const Model model = paints.model.value_or(models::default_model());
-    model_name_ = shows_model_ || table.empty() ? model.info().name : "measured";
+    model_name_ = shows_model_ || table.empty() ? painter.model().info().name : "measured";
+    if (shows_model_) specimen_ = painter.model().specimen();
     compiled_.emplace(description, table);
 }
 
@@ -139,6 +144,7 @@ Picture Scene::render(const RenderSettings& settings, const Progress& progress) 
                     {{"nacre:scene", name_},
                      {"nacre:model", model_name_},
                      {"nacre:seed", fmt::format("{}", settings.seed)}}};
+    if (specimen_) picture.metadata["nacre:specimen"] = fmt::format("{}", *specimen_);
     for (const auto& [name, hash] : recipe_sha256_) {
         picture.metadata["nacre:recipe_sha256:" + name] = hash;
     }

@@ -32,6 +32,16 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
                           {.slot = paint, .model = NacreModel{.specimen = 1}});
     EXPECT_NE(sparkling.render(kTiny).result.rgb, picture.result.rgb);
     EXPECT_EQ(paint.solved(), solved);
+    // The scene may say which specimen; the model's own counts more.
+    render::SceneDescription second = find_scene("sphere");
+    second.specimen = 1;
+    EXPECT_EQ(Scene(second, {.slot = paint, .model = NacreModel{}}).specimen(), 1u);
+    EXPECT_EQ(Scene(second, {.slot = paint, .model = NacreModel{.specimen = 2}}).specimen(), 2u);
+    EXPECT_EQ(Scene(second, {.slot = paint}).specimen(), std::nullopt);
+    EXPECT_EQ(Scene(second, {.slot = paint, .model = NacreModel{}}).render(kTiny).result.rgb,
+              sparkling.render(kTiny).result.rgb);
+    EXPECT_EQ(sparkling.render(kTiny).metadata.at("nacre:specimen"), "1");
+    EXPECT_EQ(sparkling.render(kTiny).metadata.at("nacre:seed"), "0");
     RenderSettings two_passes = kTiny;
     two_passes.samples_per_pixel = 2;
     EXPECT_FALSE(scene.render(two_passes, [](double) { return false; }).result.complete);
