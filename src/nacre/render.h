@@ -37,7 +37,7 @@ std::vector<std::string> paint_slots(const render::SceneDescription& scene);
 
 /// What lies on the shapes of a scene.
 struct ScenePaints {
-    std::optional<Paint> slot = {};   ///< for materials without a recipe; none if there are none
+    std::optional<Paint> slot = {};  ///< for materials without a recipe; none if there are none
     /// Of all recipes; measured BRDFs take none. Its specimen is that of the scene's description
     /// unless it has another than 0.
     std::optional<Model> model = {};

@@ -17,7 +17,7 @@ namespace nacre::cli {
 
 struct ModelOptions {
     std::string model{models::default_model().info().name};
-    bool model_given = false;  ///< --model was on the command line
+    bool model_given = false;    ///< --model was on the command line
     std::uint64_t specimen = 0;  ///< which panel of the batch a model of single flakes shows
 
     /// What the command line writes to.

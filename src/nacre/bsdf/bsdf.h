@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -47,6 +48,24 @@ struct BsdfValue {
     float pdf = 0;   ///< as pdf() gives it
 };
 
+/// Weight of a way to sample with density `own` where another has density `other`: the power
+/// heuristic with exponent 2.                                          [veach-1997, eq. 9.13]
+inline float power_heuristic(float own, float other) {
+    // By the ratio: the squares of densities of a small sun and a sharp lobe could overflow.
+    const float ratio = other / own;
+    return 1 / (1 + ratio * ratio);
+}
+
+/// A flake of a patch, asked where the light that it reflects comes from (BoundBsdf::ask_flakes).
+struct AskedFlake {
+    Vec3f wo;            ///< a direction out of its lobe
+    float pdf = 0;       ///< density per solid angle of wo, for this flake alone
+    float strength = 0;  ///< roughly what it reflects of light from wo, to choose among flakes by
+    int species = 0, flake = 0;
+};
+/// More than a patch shows.
+inline constexpr int kMaxAskedFlakes = 512;
+
 /// A cache of what a surface has computed for a patch, so that it need not be computed again for
 /// the next pair of directions. Owned by whoever asks, one a thread.
 class PatchMemory {
@@ -80,6 +99,13 @@ struct Patch {
     sparkle::ObjectSpaceFootprint footprint{};
     /// Null: nothing is kept after a call.
     PatchMemory* memory = nullptr;
+    /// What evaluate_on() and sample_on() show of single flakes.
+    enum class Flakes {
+        shown,    ///< all that there is
+        apart,    ///< none: they are asked one by one, by ask_flakes() and flakes_at()
+        left_out  ///< none: another sample asks those of this patch
+    };
+    Flakes flakes = Flakes::shown;
 };
 
 /// The coordinates by which a surface varies.
@@ -112,6 +138,26 @@ class BoundBsdf {
     virtual std::optional<BsdfSample> sample_on(const Patch&, Vec3f wi, float u_select,
                                                 Vec2f u) const {
         return sample(wi, u_select, u);
+    }
+
+    /// Whether the light of single flakes can be had apart (Patch::Flakes).
+    virtual bool tells_flakes_apart() const { return false; }
+    /// Asks the flakes of a patch, each once: draws a direction out of the lobe of each.
+    /// @param random  32 random bits
+    /// @param list    room for kMaxAskedFlakes
+    /// @return        how many there are
+    virtual int ask_flakes(const Patch&, Vec3f /*wi*/, std::uint32_t /*random*/,
+                           AskedFlake* /*list*/) const {
+        return 0;
+    }
+    /// f |cos| / pdf of the flake alone, at the direction that was drawn.
+    virtual FloatLanes flake_weight(const Patch&, Vec3f /*wi*/, const AskedFlake&) const {
+        return FloatLanes{};
+    }
+    /// f of the flakes of a patch for a direction that was drawn otherwise, with this density:
+    /// each weighed by power_heuristic() against ask_flakes(). Infinite: not weighed.
+    virtual FloatLanes flakes_at(const Patch&, Vec3f /*wi*/, Vec3f /*wo*/, float /*pdf*/) const {
+        return FloatLanes{};
     }
 
     /// The size of PatchMemory that serves evaluate_on() and sample_on().

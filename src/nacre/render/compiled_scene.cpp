@@ -212,12 +212,14 @@ Vec3f CompiledScene::origin(const Hit& hit, Vec3f exit_mm) const {
     return exit.origin();
 }
 
-bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const {
+bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f offset_mm, Vec3f edge_1_mm,
+                                 Vec3f edge_2_mm) const {
     const Surface& surface = surfaces_[hit.surface];
     if (materials[hit.material]->surface_coordinates() == bsdf::SurfaceCoordinates::object_space) {
         bsdf::Patch patch;
-        patch.footprint = object_space_footprint(surface.map, hit.position_mm, hit.geometric_normal,
-                                                 hit.shading_normal, edge_1_mm, edge_2_mm);
+        patch.footprint =
+            object_space_footprint(surface.map, hit.position_mm + offset_mm, hit.geometric_normal,
+                                   hit.shading_normal, edge_1_mm, edge_2_mm);
         return patch;
     }
     if (surface.sphere_radius_mm > 0) {

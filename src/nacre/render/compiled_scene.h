@@ -53,12 +53,13 @@ struct CompiledScene {
     Vec3f origin(const Hit& hit, Vec3f exit_mm) const;
     /// The parallelogram with the given edges, tangent to the surface at the hit, in the terms that
     /// its material asks for (Bsdf::surface_coordinates).
+    /// @param offset_mm  of its middle from the hit, likewise; in object space alone
     ///
     /// In the unit square over which the shape is laid out: meshes linearly on the triangle that
     /// was hit; spheres by the equal-area map octahedral_square() with its pole towards -y,
     /// where edges that cross a fold of that map are taken from the side that does not.
     /// In object space: surface_patch.h.
-    bsdf::Patch patch(const Hit& hit, Vec3f edge_1_mm, Vec3f edge_2_mm) const;
+    bsdf::Patch patch(const Hit& hit, Vec3f offset_mm, Vec3f edge_1_mm, Vec3f edge_2_mm) const;
 
     Camera camera;
     std::vector<std::shared_ptr<const bsdf::Bsdf>> materials;

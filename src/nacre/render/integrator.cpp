@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nacre::render {
 namespace {
 
-/// Weight of the strategy with density `own` where another has density `other`.
-float power_heuristic(float own, float other) {
-    // By the ratio: the squares of densities of a small sun and a sharp lobe could overflow.
-    const float ratio = other / own;
-    return 1 / (1 + ratio * ratio);
-}
+using bsdf::power_heuristic;
 
 /// How the numbers of one vertex are used: see PathSampler::draw.
 struct VertexNumbers {
@@ -37,6 +33,7 @@ struct LocalSurface {
     const bsdf::BoundBsdf& bsdf;
     std::optional<bsdf::Patch> patch;
     bool smooth_too = false;  ///< on a patch: the mean over the surface is wanted besides
+    float asked_weight = 0;   ///< AskedPart::weight, where flakes are asked
 
     bsdf::BsdfValue evaluate(Vec3f wi, Vec3f wo) const {
         return patch ? bsdf.evaluate_on(*patch, wi, wo) : bsdf.evaluate(wi, wo);
@@ -60,13 +57,19 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& h
     const bool weighted = !light->delta && strategy == DirectLight::combined;
     const bsdf::BsdfValue value =
         weighted ? surface.evaluate(wi, wo) : bsdf::BsdfValue{surface.eval(wi, wo)};
-    const FloatLanes smooth = surface.smooth_too ? surface.bsdf.eval(wi, wo) : value.f;
-    if (!(lane_max(value.f) > 0 || lane_max(smooth) > 0)) return {};
+    const FloatLanes mean = surface.smooth_too ? surface.bsdf.eval(wi, wo) : value.f;
     const float weight = weighted ? power_heuristic(light->pdf, value.pdf) : 1.0f;
+    WithMean reflected{weight * value.f, weight * mean};
+    if (surface.asked_weight > 0) {
+        const float pdf = weighted ? light->pdf : std::numeric_limits<float>::infinity();
+        reflected.shown +=
+            surface.asked_weight * surface.bsdf.flakes_at(*surface.patch, wi, wo, pdf);
+    }
+    if (!(lane_max(reflected.shown) > 0 || lane_max(reflected.smooth) > 0)) return {};
     // Stop just short of the light, whose own rectangle is part of the scene.
     if (scene.occluded({hit.origin(), light->direction}, light->distance * 0.9999f)) return {};
-    const float scale = weight * wo.z / light->pdf;
-    return {scale * value.f * light->radiance, scale * smooth * light->radiance};
+    const FloatLanes scale = (wo.z / light->pdf) * light->radiance;
+    return {scale * reflected.shown, scale * reflected.smooth};
 }
 
 bool all_finite(const RayDifferential::Edges& edges) {
@@ -106,113 +109,239 @@ Pass::Pass(const CompiledScene& scene, std::uint32_t index)
     }
 }
 
-PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-                     const CameraRay& camera_ray, const PathOptions& options,
-                     bsdf::PatchMemory& memory) {
-    // The first surface, counted from 1, at which Russian roulette may end the path.
-    constexpr int kRouletteFrom = 4;
-    const FloatLanes* emission = pass.emission.data();
-    PathLight path;
-    Ray ray{camera_ray.origin_mm, camera_ray.direction};
-    std::optional<RayDifferential> differential = camera_ray.differential;
+namespace {
+
+/// The first surface, counted from 1, at which Russian roulette may end the path.
+constexpr int kRouletteFrom = 4;
+/// The sampler's vertex for the choice among flakes, beyond those of any path.
+constexpr std::uint32_t kFlakeVertex = 1u << 16;
+
+/// A ray of a path, and what its light is worth.
+struct Branch {
+    Ray ray;
+    int depth = 0;  ///< surfaces met before it
+    /// Where neighbouring rays run; none after other than specular reflections.
+    std::optional<RayDifferential> differential = {};
     WithMean throughput{splat(1.0f), splat(1.0f)};
-    const auto gather = [&](const FloatLanes& shown, const FloatLanes& smooth) {
-        path.radiance += throughput.shown * shown;
-        if (options.smooth) path.smooth += throughput.smooth * smooth;
-    };
-    // Density with which the last surface sampled the ray, if there is one. At the camera and after
-    // a specular reflection no light sample could have found the ray, and after a random walk the
-    // density is unknown: the light that the ray meets counts in full.
+    /// Density with which the last surface sampled the ray, if there is one. At the camera and
+    /// after a specular reflection no light sample could have found the ray, and after a random
+    /// walk the density is unknown: the light that the ray meets counts in full.
     float surface_pdf = 0;
     bool weighable = false;
-    const auto weight = [&](float light_pdf) {
-        if (!weighable) return 1.0f;
-        switch (options.direct_light) {
+    std::uint32_t first_vertex = 1;  ///< of the sampler: vertex of depth 0
+};
+
+class PathTracer {
+ public:
+    PathTracer(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
+               const AskedPart& asked, const PathOptions& options, bsdf::PatchMemory& memory)
+        : scene_(scene),
+          pass_(pass),
+          sampler_(sampler),
+          asked_(asked),
+          options_(options),
+          memory_(memory) {}
+
+    PathLight trace(const CameraRay& ray) {
+        follow({.ray = {ray.origin_mm, ray.direction}, .differential = ray.differential});
+        if (flake_) follow(*flake_);
+        return path_;
+    }
+
+ private:
+    void follow(Branch branch);
+    LocalSurface surface_at(const Hit& hit, const Branch& branch);
+    void ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
+
+    RayDifferential::Edges footprint(const Hit& hit, const Branch& branch) const {
+        return branch.differential->at(branch.ray.direction, hit.distance_mm, hit.geometric_normal);
+    }
+    /// Of light that the ray meets and that light samples find with density `light_pdf`.
+    float weight(const Branch& branch, float light_pdf) const {
+        if (!branch.weighable) return 1.0f;
+        switch (options_.direct_light) {
             case DirectLight::surface_sampling:
                 return 1.0f;
             case DirectLight::light_sampling:
                 return 0.0f;
             default:
-                return power_heuristic(surface_pdf, light_pdf);
+                return power_heuristic(branch.surface_pdf, light_pdf);
         }
-    };
+    }
+    void gather(const Branch& branch, const WithMean& light) {
+        path_.radiance += branch.throughput.shown * light.shown;
+        if (options_.smooth) path_.smooth += branch.throughput.smooth * light.smooth;
+    }
+    void gather(const Branch& branch, const FloatLanes& light) { gather(branch, {light, light}); }
 
-    for (int depth = 0;; ++depth) {
-        const auto hit = scene.intersect(ray, depth == 0);
+    const CompiledScene& scene_;
+    const Pass& pass_;
+    const PathSampler& sampler_;
+    const AskedPart& asked_;
+    const PathOptions& options_;
+    bsdf::PatchMemory& memory_;
+    PathLight path_;
+    std::optional<Branch> flake_;  ///< the ray of the one that was chosen among those asked
+};
+
+LocalSurface PathTracer::surface_at(const Hit& hit, const Branch& branch) {
+    LocalSurface surface{*pass_.surfaces[hit.material], {}};
+    if (!branch.differential || !scene_.materials[hit.material]->varies_over_surface()) {
+        return surface;
+    }
+    RayDifferential::Edges edges = footprint(hit, branch);
+    // Edge on the footprint is not bounded; the mean takes its place.
+    if (!all_finite(edges)) return surface;
+    const bool apart =
+        options_.ask_flakes && branch.depth == 0 && surface.bsdf.tells_flakes_apart();
+    if (apart) {
+        const Vec3f across = edges.edge_mm[0], down = edges.edge_mm[1];
+        surface.patch = scene_.patch(hit, asked_.offset.x * across + asked_.offset.y * down,
+                                     asked_.size.x * across, asked_.size.y * down);
+        surface.patch->flakes =
+            asked_.weight > 0 ? bsdf::Patch::Flakes::apart : bsdf::Patch::Flakes::left_out;
+        surface.patch->footprint.tilt[0] = asked_.tilt.x;
+        surface.patch->footprint.tilt[1] = asked_.tilt.y;
+        surface.asked_weight = asked_.weight;
+    } else {
+        surface.patch = scene_.patch(hit, {}, options_.footprint_pixels * edges.edge_mm[0],
+                                     options_.footprint_pixels * edges.edge_mm[1]);
+    }
+    surface.patch->memory = &memory_;
+    surface.smooth_too = options_.smooth;
+    memory_.forget();
+    return surface;
+}
+
+// Each flake of the patch is asked for the light that lights alone would send along the direction
+// in which it mirrors the eye. One is chosen by the answers, and its ray is followed: the choice
+// adds no noise but that of what stands in between.         [resampling: talbot-2005]
+void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
+                            const LocalSurface& surface) {
+    std::array<bsdf::AskedFlake, bsdf::kMaxAskedFlakes> flakes;
+    const std::array<float, PathSampler::kNumbers> u = sampler_.draw(kFlakeVertex);
+    const int count = surface.bsdf.ask_flakes(
+        *surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u, flakes.data());
+    if (count == 0) return;
+    std::array<float, bsdf::kMaxAskedFlakes> brightness;
+    float answers = 0, strengths = 0;
+    for (int k = 0; k < count; ++k) {
+        const bsdf::AskedFlake& flake = flakes[k];
+        const Vec3f direction = frame.to_world(flake.wo);
+        brightness[k] = 0;
+        if (dot(direction, hit.geometric_normal) > 0) {
+            brightness[k] =
+                flake.strength *
+                scene_.lights->brightness(hit.position_mm, direction, [&](float light_pdf) {
+                    return options_.direct_light == DirectLight::combined
+                               ? power_heuristic(flake.pdf, light_pdf)
+                               : 1.0f;
+                });
+        }
+        answers += brightness[k];
+        strengths += flake.strength;
+    }
+    // Some of the probability goes by strength alone: other surfaces reflect light as well.
+    constexpr float kBlind = 0.1f;
+    const float by_strength = (answers > 0 ? kBlind : 1.0f) / strengths;
+    const float by_answer = answers > 0 ? (1 - kBlind) / answers : 0.0f;
+    float rest = u[1];
+    int chosen = 0;
+    float probability = 0;
+    for (int k = 0; k < count; ++k) {
+        const float p = by_strength * flakes[k].strength + by_answer * brightness[k];
+        if (!(p > 0)) continue;
+        chosen = k;
+        probability = p;
+        if (rest < p) break;
+        rest -= p;
+    }
+    if (!(probability > 0)) return;
+    const Vec3f direction = frame.to_world(flakes[chosen].wo);
+    if (dot(direction, hit.geometric_normal) <= 0) return;
+    const FloatLanes throughput = (surface.asked_weight / probability) *
+                                  surface.bsdf.flake_weight(*surface.patch, wi, flakes[chosen]);
+    if (!(lane_max(throughput) > 0)) return;
+    flake_ = Branch{.ray = {hit.origin(), direction},
+                    .depth = 1,
+                    .throughput = {throughput, {}},
+                    .surface_pdf = flakes[chosen].pdf,
+                    .weighable = true,
+                    .first_vertex = kFlakeVertex + 1};
+}
+
+void PathTracer::follow(Branch branch) {
+    const FloatLanes* emission = pass_.emission.data();
+    const auto light_weight = [&](float light_pdf) { return weight(branch, light_pdf); };
+    for (;; ++branch.depth) {
+        const auto hit = scene_.intersect(branch.ray, branch.depth == 0);
         if (!hit) {
-            const FloatLanes light = scene.lights->escaped(ray.direction, emission, weight);
-            gather(light, light);
-            break;
+            gather(branch, scene_.lights->escaped(branch.ray.direction, emission, light_weight));
+            return;
         }
         if (hit->rectangle >= 0) {
-            if (hit->lit_side) {
-                const float pdf =
-                    scene.lights->rectangle_pdf(hit->rectangle, ray.direction, hit->distance_mm);
-                const FloatLanes light =
-                    weight(pdf) * scene.lights->rectangle_radiance(hit->rectangle, emission);
-                gather(light, light);
-            }
-            break;
+            if (!hit->lit_side) return;
+            const float pdf = scene_.lights->rectangle_pdf(hit->rectangle, branch.ray.direction,
+                                                           hit->distance_mm);
+            gather(branch, weight(branch, pdf) *
+                               scene_.lights->rectangle_radiance(hit->rectangle, emission));
+            return;
         }
-        LocalSurface surface{*pass.surfaces[hit->material], {}};
         const Frame frame = Frame::around(hit->shading_normal);
-        const Vec3f wi = frame.to_local(-ray.direction);
-        if (depth == 0) {
-            path.met_surface = true;
-            path.normal = hit->shading_normal;
-            if (options.albedo) path.albedo = surface.bsdf.albedo(wi);
+        const Vec3f wi = frame.to_local(-branch.ray.direction);
+        if (branch.depth == 0) {
+            path_.met_surface = true;
+            path_.normal = hit->shading_normal;
+            if (options_.albedo) path_.albedo = pass_.surfaces[hit->material]->albedo(wi);
         }
-        if (depth >= options.max_depth) break;
-        const auto footprint = [&] {
-            return differential->at(ray.direction, hit->distance_mm, hit->geometric_normal);
-        };
-        if (differential && scene.materials[hit->material]->varies_over_surface()) {
-            const RayDifferential::Edges edges = footprint();
-            // Edge on the footprint is not bounded; the mean takes its place.
-            if (all_finite(edges)) {
-                surface.patch = scene.patch(*hit, options.footprint_pixels * edges.edge_mm[0],
-                                            options.footprint_pixels * edges.edge_mm[1]);
-                surface.patch->memory = &memory;
-                surface.smooth_too = options.smooth;
-                memory.forget();
-            }
-        }
+        if (branch.depth >= options_.max_depth) return;
+        const LocalSurface surface = surface_at(*hit, branch);
 
-        const VertexNumbers u(sampler.draw(static_cast<std::uint32_t>(depth) + 1));
-        if (options.direct_light != DirectLight::surface_sampling && !scene.lights->empty()) {
-            const WithMean light =
-                direct_light(scene, pass, *hit, frame, wi, surface, u, options.direct_light);
-            gather(light.shown, light.smooth);
+        const VertexNumbers u(
+            sampler_.draw(branch.first_vertex + static_cast<std::uint32_t>(branch.depth)));
+        if (options_.direct_light != DirectLight::surface_sampling && !scene_.lights->empty()) {
+            gather(branch,
+                   direct_light(scene_, pass_, *hit, frame, wi, surface, u, options_.direct_light));
         }
+        if (surface.asked_weight > 0) ask_flakes(*hit, frame, wi, surface);
         const auto sample = surface.sample(wi, u.which_lobe, u.surface);
-        if (!sample) break;
+        if (!sample) return;
         const Vec3f direction = frame.to_world(sample->wo);
         // An interpolated normal can send light through the surface. Where light leaves a volume
         // elsewhere the surface has another normal.
         const Vec3f exit_mm = frame.to_world(sample->exit_mm);
-        if (dot(exit_mm, exit_mm) == 0 && dot(direction, hit->geometric_normal) <= 0) break;
-        const bool roulette = depth + 1 >= kRouletteFrom;
+        if (dot(exit_mm, exit_mm) == 0 && dot(direction, hit->geometric_normal) <= 0) return;
+        const bool roulette = branch.depth + 1 >= kRouletteFrom;
+        WithMean& throughput = branch.throughput;
         throughput.shown *= sample->weight;
         bool goes_on = survives(throughput.shown, roulette, u.roulette);
-        if (options.smooth) {
+        if (options_.smooth) {
             throughput.smooth *=
                 surface.smooth_too && sample->kind == bsdf::SampleKind::density
                     ? (sample->wo.z / sample->pdf) * surface.bsdf.eval(wi, sample->wo)
                     : sample->weight;
             goes_on |= survives(throughput.smooth, roulette, u.roulette);
         }
-        if (!goes_on) break;
-        surface_pdf = sample->pdf;
-        weighable = sample->kind == bsdf::SampleKind::density;
+        if (!goes_on) return;
         const bool specular = sample->kind == bsdf::SampleKind::specular;
-        if (specular && differential && pass.has_varying_surfaces) {
-            differential = differential->reflected(footprint(), hit->geometric_normal);
+        if (specular && branch.differential && pass_.has_varying_surfaces) {
+            branch.differential =
+                branch.differential->reflected(footprint(*hit, branch), hit->geometric_normal);
         } else {
-            differential.reset();
+            branch.differential.reset();
         }
-        ray = {scene.origin(*hit, exit_mm), direction};
+        branch.surface_pdf = sample->pdf;
+        branch.weighable = sample->kind == bsdf::SampleKind::density;
+        branch.ray = {scene_.origin(*hit, exit_mm), direction};
     }
-    return path;
+}
+
+}  // namespace
+
+PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
+                     const CameraRay& camera_ray, const AskedPart& asked,
+                     const PathOptions& options, bsdf::PatchMemory& memory) {
+    return PathTracer(scene, pass, sampler, asked, options, memory).trace(camera_ray);
 }
 
 }  // namespace nacre::render

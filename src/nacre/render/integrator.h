@@ -48,6 +48,22 @@ struct PathOptions {
     bool smooth = false;  ///< PathLight::smooth is asked for
     /// Side of the patch over which one sample averages where a surface varies, in pixels.
     float footprint_pixels = 1;
+    /// Whether surfaces that tell their flakes apart are asked for them at the first hit; else
+    /// they are shown by each sample's own patch.
+    bool ask_flakes = true;
+};
+
+/// The part of its pixel's footprint whose flakes one sample asks.
+///
+/// The samples that ask divide what the pixel sees between them, so that each flake is asked once,
+/// or once for each of the parts that it touches.
+struct AskedPart {
+    /// Of its middle from the sample's own place, and its sides, in pixels across and down.
+    Vec2f offset, size;
+    Vec2f tilt;  ///< of the pixel filter over it (ObjectSpaceFootprint::tilt)
+    /// By how many samples its flakes are asked less often than others: the weight of their light.
+    /// 0: this sample asks none.
+    float weight = 0;
 };
 
 /// Follows a path from the camera: at each surface one sample of the lights and one of the
@@ -59,7 +75,7 @@ struct PathOptions {
 ///
 /// @param memory  of pass.patch_memory_bytes; what it held is lost
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-                     const CameraRay& camera_ray, const PathOptions& options,
-                     bsdf::PatchMemory& memory);
+                     const CameraRay& camera_ray, const AskedPart& asked,
+                     const PathOptions& options, bsdf::PatchMemory& memory);
 
 }  // namespace nacre::render

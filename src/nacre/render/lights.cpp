@@ -39,6 +39,7 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         table_.emplace(compiled.table_columns, compiled.table_rows,
                        [this](Vec3f d) { return environment_->luminance(d); });
         add(Kind::environment, 0, kPi * table_->mean_brightness());
+        environment_brightness_ = static_cast<float>(4 * kPi) * table_->mean_brightness();
         sun_ = compiled.sun;
         if (sun_) add(Kind::sun, 0, sun_->luminance * disk_solid_angle(*sun_));
     }

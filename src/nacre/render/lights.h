@@ -47,6 +47,11 @@ class LightSet {
     template <class Weight>
     FloatLanes escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const;
 
+    /// Roughly the luminance that lights, were nothing in between, send along the direction, each
+    /// weighted as in escaped(): a guide for sampling.
+    template <class Weight>
+    float brightness(Vec3f point_mm, Vec3f direction, const Weight& weight) const;
+
     FloatLanes rectangle_radiance(int rectangle, const FloatLanes* basis) const {
         const CompiledRectangle& r = rectangles_[rectangle];
         return r.radiance * basis[r.spectrum];
@@ -81,6 +86,7 @@ class LightSet {
     std::optional<DirectionTable> table_;
     std::optional<DistantDisk> sun_;
     float sun_pdf_ = 0, environment_probability_ = 0;
+    float environment_brightness_ = 0;  // luminance per density of table_
 };
 
 template <class Weight>
@@ -92,6 +98,33 @@ FloatLanes LightSet::escaped(Vec3f direction, const FloatLanes* basis, const Wei
     }
     if (sun_ && sun_->contains(direction)) {
         sum += weight(sun_pdf_) * sun_radiance(basis);
+    }
+    return sum;
+}
+
+template <class Weight>
+float LightSet::brightness(Vec3f point_mm, Vec3f direction, const Weight& weight) const {
+    float sum = 0;
+    if (environment_) {
+        const float pdf = table_->pdf(direction);
+        sum += weight(environment_probability_ * pdf) * environment_brightness_ * pdf;
+    }
+    if (sun_ && sun_->contains(direction)) {
+        sum += weight(sun_pdf_) * static_cast<float>(sun_->luminance);
+    }
+    for (std::size_t i = 0; i < rectangles_.size(); ++i) {
+        const CompiledRectangle& r = rectangles_[i];
+        const float towards = dot(direction, r.normal);
+        if (!(towards < 0) || !r.visible) continue;
+        const float distance = dot(r.corner_mm - point_mm, r.normal) / towards;
+        if (!(distance > 0)) continue;
+        const Vec3f at = point_mm + distance * direction - r.corner_mm;
+        const float u = dot(at, r.edge_u_mm), v = dot(at, r.edge_v_mm);
+        if (u < 0 || v < 0 || u > dot(r.edge_u_mm, r.edge_u_mm) ||
+            v > dot(r.edge_v_mm, r.edge_v_mm)) {
+            continue;
+        }
+        sum += weight(rectangle_pdf(static_cast<int>(i), direction, distance)) * r.radiance;
     }
     return sum;
 }

@@ -36,18 +36,72 @@ void require_valid(const RenderOptions& options) {
 /// Drawing positions by the filter, not weighting by it, lets each pixel keep its own sums.
 float tent(float u) { return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u); }
 
+/// How the samples of a pixel divide what it sees: see AskedPart.
+///
+/// The first two numbers of a pixel's samples are a (0,2)-sequence: of any aligned 2^k samples one
+/// lies in each of 2^k equal boxes of the unit square. The tent takes boxes to rectangles that
+/// cover the pixel's filter, each with the same weight. So the first 2^k samples ask, each the
+/// flakes of its own rectangle, and the others need not look.
+class AskedParts {
+ public:
+    explicit AskedParts(int samples_per_pixel) {
+        // A quarter of the samples, where that leaves enough parts.
+        constexpr int kEnough = 4, kFewer = 2;
+        int log2 = 0;
+        while (2 << log2 <= samples_per_pixel) ++log2;
+        log2 = std::max(std::min(log2, kEnough), log2 - kFewer);
+        columns_ = sides(1 << ((log2 + 1) / 2));
+        rows_ = sides(1 << (log2 / 2));
+        weight_ = static_cast<float>(samples_per_pixel) / static_cast<float>(count());
+    }
+
+    /// How many samples ask.
+    std::size_t count() const { return columns_.size() * rows_.size(); }
+
+    /// Of a sample whose place in the filter is tent(u.x), tent(u.y).
+    AskedPart part(Vec2f u, Vec2f place, std::uint32_t sample_index) const {
+        const Side& x = columns_[static_cast<std::size_t>(u.x * columns_.size())];
+        const Side& y = rows_[static_cast<std::size_t>(u.y * rows_.size())];
+        return {.offset = {x.middle - place.x, y.middle - place.y},
+                .size = {x.length, y.length},
+                .tilt = {x.tilt, y.tilt},
+                .weight = sample_index < count() ? weight_ : 0.0f};
+    }
+
+ private:
+    struct Side {
+        float middle, length, tilt;
+    };
+    static std::vector<Side> sides(int parts) {
+        std::vector<Side> all;
+        for (int i = 0; i < parts; ++i) {
+            const float begin = tent(static_cast<float>(i) / static_cast<float>(parts));
+            const float end = tent(static_cast<float>(i + 1) / static_cast<float>(parts));
+            const float middle = 0.5f * (begin + end), length = end - begin;
+            // The tent falls off on either side of its middle; a single part holds both.
+            const float fall = parts == 1 ? 0.0f : 0.5f * length / (1 - std::abs(middle));
+            all.push_back({middle, length, middle < 0 ? fall : -fall});
+        }
+        return all;
+    }
+    std::vector<Side> columns_, rows_;
+    float weight_;
+};
+
 class Renderer {
  public:
     Renderer(const CompiledScene& scene, const RenderOptions& options, DirectLight direct_light)
         : scene_(scene),
           options_(options),
           camera_(scene.camera, options.width, options.height),
+          parts_(options.samples_per_pixel),
           film_(options.width, options.height, options.spectral_bins, options.sparkle),
           tiles_across_((options.width + kTile - 1) / kTile),
           tiles_down_((options.height + kTile - 1) / kTile) {
         path_options_.max_depth = options.max_depth;
         path_options_.direct_light = direct_light;
         path_options_.smooth = options.sparkle;
+        path_options_.ask_flakes = options.footprint_pixels == 0;
         path_options_.footprint_pixels = static_cast<float>(
             options.footprint_pixels > 0 ? options.footprint_pixels
                                          : default_footprint_pixels(options.samples_per_pixel));
@@ -84,12 +138,13 @@ class Renderer {
                 const auto pixel = static_cast<std::uint32_t>(y) * options_.width + x;
                 const PathSampler sampler(options_.seed, pixel, pass.sample_index);
                 const auto u = sampler.draw(0);
-                const CameraRay ray =
-                    camera_(static_cast<float>(x) + 0.5f + tent(u[0]),
-                            static_cast<float>(y) + 0.5f + tent(u[1]), {u[2], u[3]});
+                const Vec2f place = {tent(u[0]), tent(u[1])};
+                const CameraRay ray = camera_(static_cast<float>(x) + 0.5f + place.x,
+                                              static_cast<float>(y) + 0.5f + place.y, {u[2], u[3]});
+                const AskedPart asked = parts_.part({u[0], u[1]}, place, pass.sample_index);
                 try {
                     film_.add(pixel, pass,
-                              trace_path(scene_, pass, sampler, ray, path_options_, memory));
+                              trace_path(scene_, pass, sampler, ray, asked, path_options_, memory));
                 } catch (const Stopped&) {
                     return false;
                 }
@@ -102,6 +157,7 @@ class Renderer {
     RenderOptions options_;
     PathOptions path_options_;
     CameraRays camera_;
+    AskedParts parts_;
     Film film_;
     int tiles_across_, tiles_down_;
 };

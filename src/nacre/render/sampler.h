@@ -5,14 +5,16 @@
 
 #include "nacre/core/lanes.h"
 
-// Low-discrepancy numbers for the paths of one pixel: padded (0,2)-sequences.
+// Low-discrepancy numbers for the paths of one pixel: padded Sobol sequences.
 //
-// A path needs many numbers; we take them in pairs, each pair from the two-dimensional Sobol
-// sequence, scrambled after Owen and shuffled by a hash of (seed, pixel, vertex, pair). So each
-// pair is evenly spread over any power of two of samples, pairs are independent of each other, and
-// so are pixels.                                                       [burley-2020]
+// A path needs many numbers; we take them in threes, each three from the Sobol sequence of that many
+// dimensions, scrambled after Owen and shuffled by a hash of (seed, pixel, vertex, three). So a
+// place and the choice that goes with it, of a light or of a lobe, are evenly spread together: the
+// samples of each lobe as well, and not only those of all. Threes are independent of each other, and
+// so are pixels.                                              [burley-2020; joe-kuo-2008]
 //
-// Four pairs, all that one vertex of a path needs, are drawn at once in the lanes of a vector.
+// All that one vertex of a path needs, two threes and a pair, are drawn at once in the lanes of a
+// vector.
 
 namespace nacre::render {
 
@@ -51,6 +53,34 @@ inline UintLanes pascal(UintLanes x) {
     return x;
 }
 
+/// The third Sobol dimension of 32-bit indices, in reversed bit order as pascal(), by the bytes of
+/// the index. Its direction numbers are m_k = 2 m_(k-1) ^ 4 m_(k-2) ^ m_(k-2), from 1 and 3, of the
+/// primitive polynomial x^2 + x + 1.                                 [joe-kuo-2008]
+struct ThirdDimension {
+    std::array<std::array<std::uint32_t, 256>, 4> byte{};
+
+    constexpr ThirdDimension() {
+        std::array<std::uint32_t, 32> m{1, 3}, column{};
+        for (int k = 2; k < 32; ++k) m[k] = 2 * m[k - 1] ^ 4 * m[k - 2] ^ m[k - 2];
+        for (int k = 0; k < 32; ++k) {
+            // m_k 2^-k as digits after the point, the first in bit 0.
+            for (int digit = 0; digit <= k; ++digit)
+                column[k] |= (m[k] >> (k - digit) & 1u) << digit;
+        }
+        for (int b = 0; b < 4; ++b) {
+            for (std::uint32_t x = 0; x < 256; ++x) {
+                for (int bit = 0; bit < 8; ++bit) {
+                    if (x >> bit & 1u) byte[b][x] ^= column[8 * b + bit];
+                }
+            }
+        }
+    }
+    std::uint32_t operator()(std::uint32_t x) const {
+        return byte[0][x & 255] ^ byte[1][x >> 8 & 255] ^ byte[2][x >> 16 & 255] ^ byte[3][x >> 24];
+    }
+};
+inline constexpr ThirdDimension kThirdDimension;
+
 /// A good integer hash: every input bit flips each output bit half of the time. [wellons-2018]
 template <class U>
 inline U mix(U x) {
@@ -77,22 +107,24 @@ class PathSampler {
         base_ = mix(pixel ^ mix(low ^ mix(high + 0x9E3779B9u)));
     }
 
-    /// Eight numbers in [0, 1) for vertex `vertex` of the path (0: the camera): elements 2 p and
-    /// 2 p + 1 form pair p, a (0,2)-sequence over the sample index.
+    /// Eight numbers in [0, 1) for vertex `vertex` of the path (0: the camera): elements 0, 1, 4
+    /// and 2, 3, 5 form threes, 6 and 7 a pair. Over the sample index, the first two of each are a
+    /// (0,2)-sequence, and a three is a (1,3)-sequence.
     std::array<float, kNumbers> draw(std::uint32_t vertex) const {
         using namespace sampler_detail;
         static_assert(kLanes == 8);
-        constexpr UintLanes kPair{0, 0, 1, 1, 2, 2, 3, 3};
+        constexpr UintLanes kSequence{0, 0, 1, 1, 0, 1, 2, 2};
         constexpr UintLanes kLane{0, 1, 2, 3, 4, 5, 6, 7};
-        constexpr UintLanes kSecond{0, ~0u, 0, ~0u, 0, ~0u, 0, ~0u};
+        constexpr UintLanes kSecond{0, ~0u, 0, ~0u, 0, 0, 0, ~0u};
         const std::uint32_t vertex_base = mix(base_ + vertex * 0x9E3779B9u);
-        const UintLanes shuffle_seed = mix(kPair * 0x85EBCA6Bu + vertex_base);
+        const UintLanes shuffle_seed = mix(kSequence * 0x85EBCA6Bu + vertex_base);
         const UintLanes scramble_seed = mix((kLane + 4u) * 0xC2B2AE35u + vertex_base);
         // Shuffling acts on the index from its highest bit down, scrambling on the value from its
         // highest bit down, which is the index's lowest: the bit reversals cancel but for these.
         const UintLanes index = UintLanes{} + sample_index_;
         const UintLanes shuffled = reverse_bits(laine_karras(reverse_bits(index), shuffle_seed));
-        const UintLanes sobol = (pascal(shuffled) & kSecond) | (shuffled & ~kSecond);
+        UintLanes sobol = (pascal(shuffled) & kSecond) | (shuffled & ~kSecond);
+        for (int third : {4, 5}) sobol[third] = kThirdDimension(shuffled[third]);
         const UintLanes bits = reverse_bits(laine_karras(sobol, scramble_seed)) >> 8;
         std::array<float, kNumbers> u;
         for (int i = 0; i < kNumbers; ++i) u[i] = static_cast<float>(bits[i]) * 0x1p-24f;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -12,11 +13,11 @@ namespace {
 // The (0,2) property, base 2: of the first 2^m points each elementary interval of area 2^-m, of
 // whatever shape 2^-a x 2^-(m-a), holds exactly one.
 //                                                               [niederreiter-1992, definition 4.1]
-TEST(PathSampler, EveryPairIsAZeroTwoSequence) {
+TEST(PathSampler, EveryPlaceIsAZeroTwoSequence) {
     constexpr int kLog = 8;
     int checked = 0;
     for (std::uint32_t vertex : {0u, 1u, 5u}) {
-        for (int pair = 0; pair < 4; ++pair) {
+        for (int pair : {0, 1, 3}) {
             for (int a = 0; a <= kLog; ++a) {
                 std::set<int> cells;
                 for (std::uint32_t i = 0; i < (1u << kLog); ++i) {
@@ -30,7 +31,36 @@ TEST(PathSampler, EveryPairIsAZeroTwoSequence) {
             }
         }
     }
-    EXPECT_EQ(checked, 3 * 4 * (kLog + 1));
+    EXPECT_EQ(checked, 3 * 3 * (kLog + 1));
+}
+
+// A place and its choice together are a (1,3)-sequence: each box of volume 2^-(m-1) holds two of the
+// first 2^m points.                            [niederreiter-1992, definition 4.1; joe-kuo-2008]
+TEST(PathSampler, EveryChoiceIsSpreadWithItsPlace) {
+    constexpr int kLog = 8;
+    constexpr int kThrees[][3] = {{0, 1, 4}, {2, 3, 5}};
+    int checked = 0;
+    for (std::uint32_t vertex : {0u, 1u, 5u}) {
+        for (const auto& three : kThrees) {
+            for (int a = 0; a < kLog; ++a) {
+                for (int b = 0; a + b < kLog; ++b) {
+                    const int c = kLog - 1 - a - b;
+                    std::map<int, int> points;
+                    for (std::uint32_t i = 0; i < (1u << kLog); ++i) {
+                        const auto u = PathSampler(7, 1234, i).draw(vertex);
+                        const auto at = [&](int d, int log) {
+                            return static_cast<int>(u[three[d]] * static_cast<float>(1 << log));
+                        };
+                        ++points[((at(0, a) << b) + at(1, b)) << c | at(2, c)];
+                    }
+                    for (const auto& [box, count] : points) EXPECT_EQ(count, 2) << box;
+                    EXPECT_EQ(points.size(), 1u << (kLog - 1));
+                    ++checked;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(checked, 3 * 2 * kLog * (kLog + 1) / 2);
 }
 
 TEST(PathSampler, NumbersLieInTheHalfOpenUnitInterval) {

@@ -39,6 +39,7 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     // A point resolves its flakes, unless too many lie over each other.
     constexpr float kFewestCells = 6, kMaxCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
+    scaled_full_cells_ = std::clamp(1.1f * across * across, 4.0f, kMaxCells);
     full_cells_ = std::clamp(1.5f * across * across, kFewestCells, kMaxCells);
 }
 
@@ -50,9 +51,15 @@ double FlakeField::exact_side_mm() const {
     return kSafety * std::max(0.0, side);
 }
 
-void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view) const {
+float FlakeField::background(const ObjectSpaceFootprint& patch) const {
+    const float side_mm[] = {length(patch.edge_mm[0]), length(patch.edge_mm[1])};
+    return 1 - level_weights(side_mm, StandIns::scaled).resolved;
+}
+
+void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
+                      StandIns stand_ins) const {
     const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
-    const Weights weights = level_weights(outline);
+    const Weights weights = level_weights(outline.size_mm, stand_ins);
     view.count = 0;
     view.weight_sum = 0;
     view.background = 1 - weights.resolved;
@@ -71,19 +78,20 @@ void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view) const 
 }
 
 // A level is resolved while the patch touches few of its cells.
-FlakeField::Weights FlakeField::level_weights(const PatchOutline& outline) const {
+FlakeField::Weights FlakeField::level_weights(const float* side_mm, StandIns stand_ins) const {
     /// Where a level has faded out, in terms of full_cells_.
     constexpr float kFaded = 2.3f;
-    const FloatLanes cells = (1.0f + (outline.size_mm[0] + 2 * outline.reach_mm) * per_mm_) *
-                             (1.0f + (outline.size_mm[1] + 2 * outline.reach_mm) * per_mm_);
+    const float full_cells = stand_ins == StandIns::widened ? full_cells_ : scaled_full_cells_;
+    const FloatLanes cells = (1.0f + (side_mm[0] + 2 * largest_radius_mm_) * per_mm_) *
+                             (1.0f + (side_mm[1] + 2 * largest_radius_mm_) * per_mm_);
     Weights weights;
-    if (cells[0] <= full_cells_) {  // every level: the most common case
+    if (cells[0] <= full_cells) {  // every level: the most common case
         weights.by_level = splat(1.0f);
         weights.resolved = 1;
         return weights;
     }
     const FloatLanes t = min_lanes(
-        max_lanes((kFaded - cells / full_cells_) / (kFaded - 1), FloatLanes{}), splat(1.0f));
+        max_lanes((kFaded - cells / full_cells) / (kFaded - 1), FloatLanes{}), splat(1.0f));
     // Squared, as a level gives way to the next, of a sixteenth of its density, near the end.
     const FloatLanes w = t * t;
     const float first = lane_sum(w * fraction_), second = lane_sum(w * w * fraction_);
@@ -94,8 +102,9 @@ FlakeField::Weights FlakeField::level_weights(const PatchOutline& outline) const
     // background, for variance_correction().                         [docs/nacre-model.md: k]
     constexpr float kWidest = 0.35f, kMaxResolved = 0.95f;
     const float deviation_ratio = std::sqrt(second) / first;
-    weights.widening =
-        std::clamp(kMaxResolved * deviation_ratio, 1.0f, std::max(1.0f, kWidest / typical_radius_));
+    if (stand_ins == StandIns::widened)
+        weights.widening = std::clamp(kMaxResolved * deviation_ratio, 1.0f,
+                                      std::max(1.0f, kWidest / typical_radius_));
     weights.resolved = std::min(weights.widening / deviation_ratio, 1.0f);
     weights.by_level = w * (weights.resolved / first);
     return weights;
@@ -199,7 +208,9 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
         const FloatLanes weight =
             load_lanes(&touching_weight[k]) * inverse_cover_ *
             outline.coverage(load_lanes(&touching_x[k]), load_lanes(&touching_y[k]),
-                             0.5e-3f * diameter_um);
+                             0.5e-3f * diameter_um) *
+            outline.relative_weight(load_lanes(&touching_x[k]), load_lanes(&touching_y[k]),
+                                    0.5e-3f * diameter_um);
         weight_sum += kNumber < static_cast<float>(view.count - k) ? weight : FloatLanes{};
         const SlopeLanes slopes =
             gaussian_slopes(unit_fraction(mix_short_lanes(place + 0x9e3779b9u * kind)),

@@ -35,8 +35,16 @@ class FlakeField {
     /// @throws DomainError naming the argument, its value and its range
     FlakeField(const FlakePopulation& population, std::uint64_t seed);
 
+    /// How the flakes that a patch resolves stand for more of them.
+    enum class StandIns {
+        widened,  ///< by wider lobes, so that light from one direction keeps its distribution
+        scaled    ///< by the contrast alone: light of any width keeps its mean and variance
+    };
     /// Replaces `view` by what the patch shows.
-    void look(const ObjectSpaceFootprint& patch, FlakeView& view) const;
+    void look(const ObjectSpaceFootprint& patch, FlakeView& view,
+              StandIns stand_ins = StandIns::widened) const;
+    /// FlakeView::background of look() with StandIns::scaled, at a fraction of its cost.
+    float background(const ObjectSpaceFootprint& patch) const;
 
     /// Side of the largest square, on a flat surface across an axis of the object space, that
     /// resolves every flake: FlakeView::widening is 1 and nothing is approximated. 0 if so many
@@ -72,7 +80,8 @@ class FlakeField {
         int count = 0;
     };
 
-    Weights level_weights(const PatchOutline& outline) const;
+    /// @param side_mm  the two of the patch
+    Weights level_weights(const float* side_mm, StandIns stand_ins) const;
     void find(const FlakePlane& plane, const Weights& weights, Found& found) const;
     void find_in_cell(const Cell& cell, const FlakePlane& plane, const Weights& weights,
                       Found& found) const;
@@ -92,7 +101,7 @@ class FlakeField {
     /// [n]: the probability of at most n flakes in a cell.
     std::array<float, kMaxFlakesPerCell> cumulative_;
     /// A level begins to fade out where the patch touches this many of its cells.
-    float full_cells_;
+    float full_cells_, scaled_full_cells_;
     float alpha_, largest_radius_mm_, smallest_radius_mm_;
     float inverse_cover_;   // 1 / (density x mean area)
     float typical_radius_;  // FlakeView::typical_radius

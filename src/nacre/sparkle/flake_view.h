@@ -59,6 +59,9 @@ struct FlakeView {
     float for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine,
                           Visit&& visit) const;
 
+    /// What for_each_answer() passes for one flake; 0 if it does not reflect.
+    float fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake) const;
+
     /// Factor on the flakes that reflect, so that the variance is that of all flakes. The integral
     /// of K^2 P / (P * K)^2 goes with w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening
     /// keeps its leading term, and this the next.
@@ -72,6 +75,22 @@ struct FlakeView {
         return std::min(upper_bound, std::sqrt(std::max(1 - bend, 0.25f) /
                                                std::max(1 - widening * widening * bend, 0.25f)));
     }
+
+    /// Slopes of half vectors near those of eight flakes, one each, with their densities.
+    struct LobeSamples {
+        FloatLanes x, y, pdf;
+    };
+    /// @param first   of the eight, a multiple of kLanes
+    /// @param random  bits, independent from lane to lane
+    LobeSamples sample_lobes(const DiffractionLobe& lobe, Vec3f wi, int first,
+                             ShortBitLanes random) const;
+    /// Body::depth of eight flakes.
+    FloatLanes depths(int first) const;
+
+    /// A slope of the half vector near that of one flake; u in [0, 1).
+    Vec2f sample_lobe(const DiffractionLobe& lobe, Vec3f wi, int flake, Vec2f u) const;
+    /// Its density, per unit square of slopes.
+    float lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int flake, Vec2f slope) const;
 
     /// Picks a flake by weight and a slope of the half vector near its own; u in [0, 1).
     /// Requires weight_sum > 0.
@@ -111,11 +130,29 @@ float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float
     return 1 - (1 - background) * correction;
 }
 
+inline float FlakeView::fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine,
+                                 int flake) const {
+    const float slope2 = slope.x * slope.x + slope.y * slope.y;
+    if (!lobe.reaches(slope2)) return 0;
+    const float scale = lobe.widening(1 + slope2, cosine);
+    const float width = std::min(lobe_radius[flake] * scale, lobe.max_radius());
+    const float dx = slope_x[flake] - slope.x, dy = slope_y[flake] - slope.y;
+    const float distance2 = dx * dx + dy * dy;
+    if (distance2 >= width * width) return 0;
+    return weight[flake] * lobe.density(distance2, width) *
+           variance_correction(lobe.exponent(slope2), scale) /
+           (lobe.slope_density(slope2) * lobe.blur(slope2, width));
+}
+
 inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, float u_flake,
                                      Vec2f u) const {
     float rest = u_flake * weight_sum;
     int k = 0;
     while (k + 1 < count && rest >= weight[k]) rest -= weight[k++];
+    return sample_lobe(lobe, wi, k, u);
+}
+
+inline Vec2f FlakeView::sample_lobe(const DiffractionLobe& lobe, Vec3f wi, int k, Vec2f u) const {
     const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
     const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
     // As slope_pdf() does it, in lanes: the same bits.
@@ -125,6 +162,41 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
     const float r = width * std::sqrt(std::max(0.0f, 1 - std::cbrt(1 - u.x)));
     const float angle = 2 * std::numbers::pi_v<float> * u.y;
     return {x + r * std::cos(angle), y + r * std::sin(angle)};
+}
+
+inline FlakeView::LobeSamples FlakeView::sample_lobes(const DiffractionLobe& lobe, Vec3f wi,
+                                                      int first, ShortBitLanes random) const {
+    const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
+    const FloatLanes sec2 = 1.0f + x * x + y * y;
+    const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
+    const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
+    const FloatLanes width =
+        lobe.radius_at(detail::kSampledWidening * load_lanes(&lobe_radius[first]), sec2, cosine);
+    // The least of three even numbers has the distribution 1 - (1 - t)^3 of r^2/w^2.
+    const ShortBitLanes a = mix_short_lanes(random), b = mix_short_lanes(a ^ 0x9e3779b9u);
+    const FloatLanes t =
+        min_lanes(min_lanes(lower_half(a), upper_half(a)), lower_half(b)) * 0x1p-16f + 0x1p-17f;
+    const FloatLanes r = width * sqrt_lanes(t);
+    const auto wave = cos_sin_turns(upper_half(b) * 0x1p-16f);
+    const FloatLanes inverse = 1.0f / max_lanes(width * width, splat(1e-30f)), fall = 1.0f - t;
+    return {x + r * wave.cosine, y + r * wave.sine,
+            3 * std::numbers::inv_pi_v<float> * inverse * fall * fall};
+}
+
+inline FloatLanes FlakeView::depths(int first) const {
+    // As body() does it.
+    FloatLanes depth;
+    for (int lane = 0; lane < kLanes; ++lane) depth[lane] = body(first + lane).depth;
+    return depth;
+}
+
+inline float FlakeView::lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int k, Vec2f slope) const {
+    const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
+    const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
+    const float width = lobe.radius_at(splat(detail::kSampledWidening * lobe_radius[k]),
+                                       splat(sec2), splat(cosine))[0];
+    const float dx = x - slope.x, dy = y - slope.y, distance2 = dx * dx + dy * dy;
+    return distance2 < width * width ? lobe.density(distance2, width) : 0.0f;
 }
 
 inline float FlakeView::slope_pdf(const DiffractionLobe& lobe, Vec3f wi, Vec2f slope) const {

@@ -14,6 +14,9 @@ struct ObjectSpaceFootprint {
     Vec3f normal{0, 0, 1};   ///< unit; of the frame in which directions are told (shading normal)
     Vec3f tangent{1, 0, 0};  ///< unit; where the x axis of that frame points
     Vec3f edge_mm[2];        ///< perpendicular to the normal; both zero: the point alone
+    /// How much more than the mean weight what lies at the end of each edge has, and what lies at
+    /// its beginning less: linearly, so that patches beside each other may follow a pixel filter.
+    float tilt[2] = {0, 0};  ///< in [-1, 1]
 };
 
 // Parallelograms in the unit square over which an object is laid out.

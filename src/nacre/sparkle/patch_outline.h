@@ -120,7 +120,8 @@ class PatchOutline {
             edge_[1 - longer] = {-edge_[longer].y * thin, edge_[longer].x * thin};
             size_mm[1 - longer] = min_width;
         }
-        if (area() < 0) {
+        const bool swapped = area() < 0;
+        if (swapped) {
             std::swap(edge_[0], edge_[1]);
             std::swap(size_mm[0], size_mm[1]);
         }
@@ -134,6 +135,8 @@ class PatchOutline {
             strip[i] = {n, 0.5f * (std::abs(dot(n, edge_[0])) + std::abs(dot(n, edge_[1]))) +
                                largest_radius_mm};
         }
+        for (int i = 0; i < 2; ++i) tilt_[i] = patch.tilt[i];
+        if (swapped) std::swap(tilt_[0], tilt_[1]);
         if (!is_point_) {
             shape_.set(edge_[0], size_mm[0], along[0], edge_[1], size_mm[1], along[1]);
         }
@@ -175,10 +178,25 @@ class PatchOutline {
         return disc_overlap(x, y, radius_mm, shape_) * (1 / shape_.area);
     }
 
+    /// Weight of what a disc about (x, y) covers, over the mean over the patch: roughly, as taken
+    /// at one point, the nearer to the middle the larger the disc.
+    FloatLanes relative_weight(FloatLanes x, FloatLanes y, FloatLanes radius_mm) const {
+        if (is_point_ || (tilt_[0] == 0 && tilt_[1] == 0)) return splat(1.0f);
+        const FloatLanes inverse =
+            2.0f / (shape_.area + std::numbers::pi_v<float> * radius_mm * radius_mm);
+        const auto at = [&](FloatLanes along, float tilt) {
+            return 1.0f + tilt * min_lanes(max_lanes(along, splat(-1.0f)), splat(1.0f));
+        };
+        // Twice the place along each edge: -1 and 1 at its ends.
+        return at(inverse * (x * edge_[1].y - y * edge_[1].x), tilt_[0]) *
+               at(inverse * (y * edge_[0].x - x * edge_[0].y), tilt_[1]);
+    }
+
  private:
     float area() const { return edge_[0].x * edge_[1].y - edge_[0].y * edge_[1].x; }
 
     Vec2f edge_[2];        // anticlockwise
+    float tilt_[2];        // ObjectSpaceFootprint::tilt
     Parallelogram shape_;  // unless it is a point
     bool is_point_;
 };

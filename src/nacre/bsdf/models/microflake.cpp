@@ -519,16 +519,7 @@ Vec3f BoundMicroflake::draw(const LobeProbabilities& probability, const Ray& i, 
 std::optional<BsdfSample> BoundMicroflake::sample(Vec3f wi, float u_select, Vec2f u) const {
     if (wi.z <= 0) return std::nullopt;
     const Ray i = make_ray(wi);
-    const LobeProbabilities& probability = probabilities_at(i);
-    if (draws_specular(probability, u_select)) return specular_sample(wi, probability.interface);
-    BsdfSample s;
-    s.wo = draw(probability, i, u_select, u);
-    if (s.wo.z <= 0) return std::nullopt;
-    const Ray o = make_ray(s.wo);
-    s.pdf = density(probability, i, o);
-    if (!(s.pdf > 0)) return std::nullopt;
-    s.weight = value(i, o, MeanFlakes{}) * (s.wo.z / s.pdf);
-    return s;
+    return sample_by(i, u_select, u, [&](const Ray& o) { return value(i, o, MeanFlakes{}); });
 }
 
 FloatLanes BoundMicroflake::albedo(Vec3f wi) const {

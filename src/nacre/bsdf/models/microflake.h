@@ -159,6 +159,8 @@ struct Ray {
 /// Any class with this function may take its place: the factor by which the single scattering of a
 /// species differs from its mean, for the `flake`-th species of a layer whose optical depth along
 /// both directions together is `depth`, at eight wavelengths.
+///
+/// A class with kFlakesAlone set leaves out everything but flakes.
 struct MeanFlakes {
     FloatLanes factor(std::size_t /*layer*/, std::size_t /*flake*/,
                       const FloatLanes& /*depth*/) const {
@@ -184,6 +186,9 @@ class BoundMicroflake : public BoundBsdf {
     /// BRDF without the specular lobe.
     template <class Flakes>
     FloatLanes value(const Ray& i, const Ray& o, const Flakes& flakes) const;
+    /// Of it, the single scattering alone.
+    template <class Flakes>
+    FloatLanes single_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
 
     const LobeProbabilities& probabilities_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these probabilities.
@@ -195,6 +200,15 @@ class BoundMicroflake : public BoundBsdf {
     }
     /// By the lobe that u_select selects, not the specular one; not upwards where no light leaves.
     Vec3f draw(const LobeProbabilities& probability, const Ray& i, float u_select, Vec2f u) const;
+    /// As sample(), of a surface whose value towards a ray is value_to(ray).
+    template <class Value>
+    std::optional<BsdfSample> sample_by(const Ray& i, float u_select, Vec2f u,
+                                        const Value& value_to) const;
+    /// Of one layer there and back along a direction, at one wavelength in the middle.
+    float typical_depth(std::size_t layer, const Ray& i) const {
+        return 2 * layers_[layer].thickness_um * i.look_up(layers_[layer].extinction)[kLanes / 2] /
+               i.inside.z;
+    }
     /// The specular reflection of a smooth interface, chosen with this probability.
     BsdfSample specular_sample(Vec3f wi, float probability) const;
     /// The direction outside of one inside; empty where light cannot leave.
@@ -202,6 +216,7 @@ class BoundMicroflake : public BoundBsdf {
         if (inside.z <= 0) return std::nullopt;
         return refract_out(inside, mean_ior_);
     }
+    float mean_ior() const { return mean_ior_; }
     /// Solid angles inside over those outside.
     float solid_angle_ratio(const Ray& o) const {
         return o.outside.z * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z;
@@ -214,6 +229,12 @@ class BoundMicroflake : public BoundBsdf {
     void bind_rough_interface();
     void bind_layers();
 
+    template <class Flakes>
+    FloatLanes once(const Ray& i, const Ray& o, const Flakes& flakes) const;
+    FloatLanes interface_factor(const Ray& i, const Ray& o) const {
+        return i.look_up(transmittance_over_cosine_) * o.look_up(transmittance_over_cosine_) *
+               inverse_ior2_ * (i.outside.z * o.outside.z);
+    }
     template <class Flakes>
     FloatLanes single(Vec3f inside_i, Vec3f inside_o, const Ray& i, const Ray& o,
                       const Flakes& flakes) const;
@@ -242,6 +263,23 @@ class BoundMicroflake : public BoundBsdf {
     std::optional<Rough> rough_;
 };
 
+template <class Value>
+std::optional<BsdfSample> BoundMicroflake::sample_by(const Ray& i, float u_select, Vec2f u,
+                                                     const Value& value_to) const {
+    const LobeProbabilities& probability = probabilities_at(i);
+    if (draws_specular(probability, u_select)) {
+        return specular_sample(i.outside, probability.interface);
+    }
+    BsdfSample s;
+    s.wo = draw(probability, i, u_select, u);
+    if (s.wo.z <= 0) return std::nullopt;
+    const Ray o = make_ray(s.wo);
+    s.pdf = density(probability, i, o);
+    if (!(s.pdf > 0)) return std::nullopt;
+    s.weight = value_to(o) * (s.wo.z / s.pdf);
+    return s;
+}
+
 // The BRDF of a paint whose flakes are those of any class in the place of MeanFlakes.
 
 // Single scattering without the interface: solver::single_scattering at eight wavelengths.
@@ -263,12 +301,16 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
         const FloatLanes here = layer.thickness_um * rate;
 
         FloatLanes kernel{};
-        bool any = !layer.pigments.empty();
+        constexpr bool kFlakesAlone = requires { Flakes::kFlakesAlone; };
+        bool any = !kFlakesAlone && !layer.pigments.empty();
         std::size_t at_flake = 0;
         for (const BoundFlake& flake : layer.flakes) {
             const std::size_t f = at_flake++;
             const float exponent = tan2 * flake.inverse_alpha2;
             if (exponent > 60) continue;  // e^-60: outside the lobe
+            if constexpr (kFlakesAlone) {
+                if (!flakes.reflects(at_layer, f)) continue;
+            }
             any = true;
             const float density =
                 flake.half_density * flake.norm * sec2 * sec * std::exp(-exponent);
@@ -281,6 +323,7 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
             kernel += density * reflectance * flakes.factor(at_layer, f, here);
         }
         for (const BoundPigment& pigment : layer.pigments) {
+            if (kFlakesAlone) break;
             const float g = pigment.g, turn = 1 + g * g + 2 * g * dot(inside_i, inside_o);
             const float phase =
                 (1 - g * g) * 0.25f * std::numbers::inv_pi_v<float> / (turn * std::sqrt(turn));
@@ -310,20 +353,25 @@ FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flak
     const FloatLanes smooth = max_lanes(interpolate(grid_, smooth_.data(), cell), FloatLanes{}) *
                               (1 / (i.inside.z + o.inside.z));
     if (rough_) return smooth + rough_lobe(i, o);
-    FloatLanes once;
-    if (!dispersive_) {
-        once = single(i.inside, o.inside, i, o, flakes);
-    } else {
-        // Each wavelength refracts its own way: rare, and eight times the work.
-        for (int lane = 0; lane < kLanes; ++lane) {
-            const float inverse = 1 / ior_[lane];
-            once[lane] = single(refract_in(i.outside, inverse), refract_in(o.outside, inverse), i,
-                                o, flakes)[lane];
-        }
+    return (once(i, o, flakes) + smooth) * interface_factor(i, o);
+}
+
+template <class Flakes>
+FloatLanes BoundMicroflake::single_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
+    return once(i, o, flakes) * interface_factor(i, o);
+}
+
+template <class Flakes>
+FloatLanes BoundMicroflake::once(const Ray& i, const Ray& o, const Flakes& flakes) const {
+    if (!dispersive_) return single(i.inside, o.inside, i, o, flakes);
+    // Each wavelength refracts its own way: rare, and eight times the work.
+    FloatLanes sum;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const float inverse = 1 / ior_[lane];
+        sum[lane] = single(refract_in(i.outside, inverse), refract_in(o.outside, inverse), i, o,
+                           flakes)[lane];
     }
-    const FloatLanes interface = i.look_up(transmittance_over_cosine_) *
-                                 o.look_up(transmittance_over_cosine_) * inverse_ior2_;
-    return (once + smooth) * interface * (i.outside.z * o.outside.z);
+    return sum;
 }
 
 // Instantiated once, in microflake.cpp.

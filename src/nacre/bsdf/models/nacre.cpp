@@ -311,13 +311,9 @@ class BoundNacre::FlakesOfPatch {
         const float background =
             view.for_each_answer(lobe, half_.slope, half_.cosine, [&](int k, float fraction) {
                 any = true;
-                const sparkle::FlakeView::Body body = view.body(k);
-                FloatLanes exponent = -body.depth * depth;
-                if (pair_) exponent += pair_->gain(layer, body.depth);
-                FloatLanes of_flake = fraction * exp_lanes(exponent);
-                const BoundFlakeFilms& films = surface_.films_[at];
-                if (films.vary()) of_flake *= films.ratio(half_.cosine, body.film);
-                reflected += of_flake;
+                reflected +=
+                    fraction * surface_.relative_attenuation(at, layer, view, k, half_.cosine,
+                                                             depth, pair_ ? &*pair_ : nullptr);
             });
         FloatLanes sum = splat(background);
         if (pair_ && background > 0) sum *= pair_->mean(layer, depth);
@@ -335,6 +331,73 @@ class BoundNacre::FlakesOfPatch {
     std::optional<HotSpot::Pair> pair_;
 };
 
+// In place of MeanFlakes: what is left where flakes are asked one by one.
+class BoundNacre::BesideFlakes {
+ public:
+    BesideFlakes(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
+        : surface_(surface), look_(look), slope2_(HalfVector(i, o).slope2) {
+        if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
+    }
+
+    FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
+        const std::size_t at = surface_.tables_->first_species[layer] + flake;
+        const bool reaches = surface_.tables_->species[at].field.lobe().reaches(slope2_);
+        const float background = reaches ? look_[at].background : 1.0f;
+        return pair_ && background > 0 ? background * pair_->mean(layer, depth) : splat(background);
+    }
+
+ private:
+    const BoundNacre& surface_;
+    const Look& look_;
+    float slope2_;
+    std::optional<HotSpot::Pair> pair_;
+};
+
+// In place of MeanFlakes: flakes of one species of a patch, and nothing else.
+class BoundNacre::SomeFlakes {
+ public:
+    static constexpr bool kFlakesAlone = true;
+
+    SomeFlakes(const BoundNacre& surface, std::size_t species, const sparkle::FlakeView& view,
+               const Ray& i, const Ray& o)
+        : surface_(surface), species_(species), view_(view), cosine_(HalfVector(i, o).cosine) {
+        if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
+    }
+    /// @param fraction  of the mean of the species
+    void add(int flake, float fraction) {
+        if (count_ == static_cast<int>(answers_.size())) return;
+        answers_[count_++] = {flake, fraction};
+    }
+    bool empty() const { return count_ == 0; }
+
+    bool reflects(std::size_t layer, std::size_t flake) const {
+        return surface_.tables_->first_species[layer] + flake == species_;
+    }
+    FloatLanes factor(std::size_t layer, std::size_t, const FloatLanes& depth) const {
+        FloatLanes sum{};
+        for (int n = 0; n < count_; ++n) {
+            sum += answers_[n].fraction *
+                   surface_.relative_attenuation(species_, layer, view_, answers_[n].flake, cosine_,
+                                                 depth, pair_ ? &*pair_ : nullptr);
+        }
+        const FloatLanes safe = max_lanes(depth, splat(1e-20f));
+        return sum * (safe / one_minus_exp_lanes(safe));
+    }
+
+ private:
+    struct Answer {
+        int flake;
+        float fraction;
+    };
+    const BoundNacre& surface_;
+    std::size_t species_;
+    const sparkle::FlakeView& view_;
+    float cosine_;
+    std::optional<HotSpot::Pair> pair_;
+    std::array<Answer, sparkle::FlakeView::kMax> answers_;
+    int count_ = 0;
+};
+
 BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch)
     : own_(patch.memory ? 0 : surface.patch_memory_bytes()) {
     using sparkle::FlakeView;
@@ -344,7 +407,19 @@ BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch)
     if (memory.filled) return;
     const std::vector<NacreSpecies>& species = surface.tables_->species;
     for (std::size_t s = 0; s < species.size(); ++s) {
-        species[s].field.look(patch.footprint, *new (views + s) FlakeView);
+        using StandIns = sparkle::FlakeField::StandIns;
+        FlakeView& view = *new (views + s) FlakeView;
+        switch (patch.flakes) {
+            case Patch::Flakes::shown:
+                species[s].field.look(patch.footprint, view, StandIns::widened);
+                break;
+            case Patch::Flakes::apart:
+                species[s].field.look(patch.footprint, view, StandIns::scaled);
+                break;
+            case Patch::Flakes::left_out:
+                view.background = species[s].field.background(patch.footprint);
+                break;
+        }
     }
     memory.filled = true;
 }
@@ -361,7 +436,21 @@ FloatLanes BoundNacre::mean_value(const Ray& i, const Ray& o) const {
     return hot_spot_ ? value(i, o, MeanHotSpot(*hot_spot_, i, o)) : value(i, o, MeanFlakes{});
 }
 
-FloatLanes BoundNacre::value_on(const Look& look, const Ray& i, const Ray& o) const {
+FloatLanes BoundNacre::relative_attenuation(std::size_t species, std::size_t layer,
+                                            const sparkle::FlakeView& view, int flake, float cosine,
+                                            const FloatLanes& depth,
+                                            const HotSpot::Pair* pair) const {
+    const sparkle::FlakeView::Body body = view.body(flake);
+    FloatLanes exponent = -body.depth * depth;
+    if (pair) exponent += pair->gain(layer, body.depth);
+    const FloatLanes attenuation = exp_lanes(exponent);
+    return films_[species].vary() ? attenuation * films_[species].ratio(cosine, body.film)
+                                  : attenuation;
+}
+
+FloatLanes BoundNacre::value_on(const Patch& patch, const Look& look, const Ray& i,
+                                const Ray& o) const {
+    if (patch.flakes != Patch::Flakes::shown) return value(i, o, BesideFlakes(*this, look, i, o));
     return value(i, o, FlakesOfPatch(*this, look, i, o));
 }
 
@@ -431,8 +520,11 @@ BsdfValue BoundNacre::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const 
     if (tables_->species.empty()) return evaluate(wi, wo);
     const Look look(*this, patch);
     const Ray i = make_ray(wi), o = make_ray(wo);
+    if (patch.flakes != Patch::Flakes::shown) {
+        return {value_on(patch, look, i, o), density(probabilities_at(i), i, o)};
+    }
     const Probability probability = probability_on(look, i);
-    return {value_on(look, i, o),
+    return {value_on(patch, look, i, o),
             density(probability.lobes, i, o) + flake_density(look, probability, i, o)};
 }
 
@@ -442,6 +534,9 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
     if (tables_->species.empty()) return sample(wi, u_select, u);
     const Look look(*this, patch);
     const Ray i = make_ray(wi);
+    if (patch.flakes != Patch::Flakes::shown) {
+        return sample_by(i, u_select, u, [&](const Ray& o) { return value_on(patch, look, i, o); });
+    }
     const Probability probability = probability_on(look, i);
     BsdfSample s;
     if (u_select < probability.flakes) {
@@ -458,8 +553,97 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
     const Ray o = make_ray(s.wo);
     s.pdf = density(probability.lobes, i, o) + flake_density(look, probability, i, o);
     if (!(s.pdf > 0)) return std::nullopt;
-    s.weight = value_on(look, i, o) * (s.wo.z / s.pdf);
+    s.weight = value_on(patch, look, i, o) * (s.wo.z / s.pdf);
     return s;
+}
+
+int BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                           AskedFlake* list) const {
+    constexpr sparkle::ShortBitLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
+    if (wi.z <= 0) return 0;
+    const Look look(*this, patch);
+    const Ray i = make_ray(wi);
+    int count = 0;
+    std::size_t layer = 0;
+    for (std::size_t s = 0; s < tables_->species.size(); ++s) {
+        while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
+            ++layer;
+        const sparkle::FlakeView& view = look[s];
+        const NacreSpecies& species = tables_->species[s];
+        const FloatLanes depth = splat(typical_depth(layer, i));
+        for (int first = 0; first < view.count; first += kLanes) {
+            const auto bits = hash_of(random, s, first);
+            const sparkle::ShortBitLanes lanes =
+                static_cast<std::uint32_t>(bits) +
+                kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u);
+            const auto half = view.sample_lobes(species.field.lobe(), i.inside, first, lanes);
+            // The mirror image of w_i in a plane of this slope, and its refraction out.
+            const FloatLanes sec2 = 1.0f + half.x * half.x + half.y * half.y;
+            const FloatLanes twice =
+                2.0f * (i.inside.x * half.x + i.inside.y * half.y + i.inside.z) / sec2;
+            const FloatLanes x = twice * half.x - i.inside.x, y = twice * half.y - i.inside.y;
+            const FloatLanes z = twice - i.inside.z;
+            const FloatLanes ox = mean_ior() * x, oy = mean_ior() * y;
+            const FloatLanes oz2 = 1.0f - ox * ox - oy * oy;
+            const FloatLanes oz = sqrt_lanes(max_lanes(oz2, FloatLanes{}));
+            // sec^3 / (4 w_i.h): area of slopes per solid angle of w_o; then per that outside.
+            const FloatLanes pdf =
+                half.pdf * (0.5f * sec2 / (i.inside.z + z)) * oz / (z * (mean_ior() * mean_ior()));
+            const FloatLanes strength = species.fraction * load_lanes(&view.weight[first]) *
+                                        exp_lanes(-view.depths(first) * depth);
+            const auto leaves = (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
+            const int last = std::min(kLanes, view.count - first);
+            for (int lane = 0; lane < last && count < kMaxAskedFlakes; ++lane) {
+                if (!leaves[lane]) continue;
+                list[count++] = {{ox[lane], oy[lane], oz[lane]},
+                                 pdf[lane],
+                                 strength[lane],
+                                 static_cast<int>(s),
+                                 first + lane};
+            }
+        }
+    }
+    return count;
+}
+
+float BoundNacre::flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake,
+                            const Ray& i, const Ray& o) const {
+    const HalfVector half(i, o);
+    return view.lobe_pdf(tables_->species[species].field.lobe(), i.inside, flake, half.slope) *
+           half.per_solid_angle * solid_angle_ratio(o);
+}
+
+FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& asked) const {
+    const Look look(*this, patch);
+    const Ray i = make_ray(wi), o = make_ray(asked.wo);
+    const HalfVector half(i, o);
+    const auto species = static_cast<std::size_t>(asked.species);
+    const sparkle::FlakeView& view = look[species];
+    const float fraction =
+        view.fraction(tables_->species[species].field.lobe(), half.slope, half.cosine, asked.flake);
+    if (fraction == 0) return FloatLanes{};
+    SomeFlakes flakes(*this, species, view, i, o);
+    flakes.add(asked.flake, fraction);
+    return single_value(i, o, flakes) * (asked.wo.z / asked.pdf);
+}
+
+FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
+    if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
+    const Look look(*this, patch);
+    const Ray i = make_ray(wi), o = make_ray(wo);
+    const HalfVector half(i, o);
+    FloatLanes sum{};
+    for (std::size_t s = 0; s < tables_->species.size(); ++s) {
+        const sparkle::DiffractionLobe& lobe = tables_->species[s].field.lobe();
+        const sparkle::FlakeView& view = look[s];
+        if (view.count == 0 || !lobe.reaches(half.slope2)) continue;
+        SomeFlakes flakes(*this, s, view, i, o);
+        view.for_each_answer(lobe, half.slope, half.cosine, [&](int k, float fraction) {
+            flakes.add(k, fraction * power_heuristic(pdf, flake_pdf(view, s, k, i, o)));
+        });
+        if (!flakes.empty()) sum += single_value(i, o, flakes);
+    }
+    return sum;
 }
 
 FloatLanes BoundNacre::eval(Vec3f wi, Vec3f wo) const {
@@ -474,11 +658,9 @@ BsdfValue BoundNacre::evaluate(Vec3f wi, Vec3f wo) const {
 }
 
 std::optional<BsdfSample> BoundNacre::sample(Vec3f wi, float u_select, Vec2f u) const {
-    auto s = BoundMicroflake::sample(wi, u_select, u);
-    if (s && s->kind == SampleKind::density && hot_spot_) {
-        s->weight = mean_value(make_ray(wi), make_ray(s->wo)) * (s->wo.z / s->pdf);
-    }
-    return s;
+    if (wi.z <= 0) return std::nullopt;
+    const Ray i = make_ray(wi);
+    return sample_by(i, u_select, u, [&](const Ray& o) { return mean_value(i, o); });
 }
 
 namespace {

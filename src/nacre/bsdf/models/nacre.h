@@ -165,10 +165,17 @@ class BoundNacre final : public BoundMicroflake {
     std::size_t patch_memory_bytes() const override {
         return tables_->species.size() * sizeof(sparkle::FlakeView);
     }
+    bool tells_flakes_apart() const override { return true; }
+    int ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                   AskedFlake* list) const override;
+    FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
+    FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
 
  private:
     class MeanHotSpot;
     class FlakesOfPatch;
+    class BesideFlakes;
+    class SomeFlakes;
 
     // The flakes of a patch, by species: in its memory or, where it has none, in one of its own.
     class Look {
@@ -194,7 +201,14 @@ class BoundNacre final : public BoundMicroflake {
     // Per solid angle outside, of draw_flake().
     float flake_density(const Look& look, const Probability& probability, const Ray& i,
                         const Ray& o) const;
-    FloatLanes value_on(const Look& look, const Ray& i, const Ray& o) const;
+    FloatLanes value_on(const Patch& patch, const Look& look, const Ray& i, const Ray& o) const;
+    // Of one flake and what lies above it in its layer, with its films over their mean.
+    FloatLanes relative_attenuation(std::size_t species, std::size_t layer,
+                                    const sparkle::FlakeView& view, int flake, float cosine,
+                                    const FloatLanes& depth, const HotSpot::Pair* pair) const;
+    // Per solid angle outside, of the direction that ask_flakes() draws for the flake.
+    float flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake, const Ray& i,
+                    const Ray& o) const;
     FloatLanes mean_value(const Ray& i, const Ray& o) const;
 
     std::shared_ptr<const Nacre::Tables> tables_;
