@@ -32,13 +32,19 @@ CameraRay CameraRays::operator()(float x, float y, Vec2f lens) const {
         const float scale = 1 / length(to);
         const Vec3f direction = scale * to;
         const auto turn = [&](Vec3f d) { return scale * (d - dot(d, direction) * direction); };
-        return CameraRay{origin, direction, {{}, {turn(per_x), turn(per_y)}}};
+        return CameraRay{.origin_mm = origin,
+                         .direction = direction,
+                         .differential = {{}, {turn(per_x), turn(per_y)}}};
     };
     if (aperture_radius_mm_ <= 0) return ray(position_mm_, on_plane, per_x_, per_y_);
     const Vec2f disk = bsdf::concentric_disk(lens);
     const Vec3f offset = aperture_radius_mm_ * (disk.x * right_ + disk.y * up_);
-    return ray(position_mm_ + offset, focus_distance_mm_ * on_plane - offset,
-               focus_distance_mm_ * per_x_, focus_distance_mm_ * per_y_);
+    const Vec3f to_focus = focus_distance_mm_ * on_plane - offset;
+    CameraRay result = ray(position_mm_ + offset, to_focus, focus_distance_mm_ * per_x_,
+                           focus_distance_mm_ * per_y_);
+    result.lens_radius_mm = aperture_radius_mm_;
+    result.focus_mm = length(to_focus);
+    return result;
 }
 
 }  // namespace nacre::render

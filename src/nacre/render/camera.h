@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "nacre/core/vec.h"
 #include "nacre/render/scene.h"
 
@@ -46,6 +48,15 @@ struct RayDifferential {
 struct CameraRay {
     Vec3f origin_mm, direction;
     RayDifferential differential;  ///< from pixel to pixel
+    float lens_radius_mm = 0;
+    float focus_mm = 1;  ///< along the ray, to the plane of focus
+
+    /// Side of the square as large as the disc that the lens spreads a point of the picture over,
+    /// at a distance along the ray and across it.
+    float blur_mm(float distance_mm) const {
+        constexpr float kSideOfDisc = 1.7724539f;  // sqrt(pi)
+        return kSideOfDisc * lens_radius_mm * std::abs(distance_mm - focus_mm) / focus_mm;
+    }
 };
 
 /// Rays of a perspective camera for a picture of a given size.

@@ -134,16 +134,19 @@ struct Branch {
 class PathTracer {
  public:
     PathTracer(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
-               const AskedPart& asked, const PathOptions& options, bsdf::PatchMemory& memory)
+               const CameraRay& camera_ray, const AskedPart& asked, const PathOptions& options,
+               bsdf::PatchMemory& memory)
         : scene_(scene),
           pass_(pass),
           sampler_(sampler),
+          camera_ray_(camera_ray),
           asked_(asked),
           options_(options),
           memory_(memory) {}
 
-    PathLight trace(const CameraRay& ray) {
-        follow({.ray = {ray.origin_mm, ray.direction}, .differential = ray.differential});
+    PathLight trace() {
+        follow({.ray = {camera_ray_.origin_mm, camera_ray_.direction},
+                .differential = camera_ray_.differential});
         if (flake_) follow(*flake_);
         return path_;
     }
@@ -177,6 +180,7 @@ class PathTracer {
     const CompiledScene& scene_;
     const Pass& pass_;
     const PathSampler& sampler_;
+    const CameraRay& camera_ray_;
     const AskedPart& asked_;
     const PathOptions& options_;
     bsdf::PatchMemory& memory_;
@@ -189,19 +193,26 @@ LocalSurface PathTracer::surface_at(const Hit& hit, const Branch& branch) {
     if (!branch.differential || !scene_.materials[hit.material]->varies_over_surface()) {
         return surface;
     }
-    RayDifferential::Edges edges = footprint(hit, branch);
+    const RayDifferential::Edges edges = footprint(hit, branch);
     // Edge on the footprint is not bounded; the mean takes its place.
     if (!all_finite(edges)) return surface;
     const bool apart =
         options_.ask_flakes && branch.depth == 0 && surface.bsdf.tells_flakes_apart();
     if (apart) {
         const Vec3f across = edges.edge_mm[0], down = edges.edge_mm[1];
-        surface.patch = scene_.patch(hit, asked_.offset.x * across + asked_.offset.y * down,
-                                     asked_.size.x * across, asked_.size.y * down);
+        // Beside the plane of focus the samples share out what the lens blurs as well: as much
+        // surface as the pixel's filter, of even weight, and the disc of the lens hold together.
+        constexpr float kFilterSide = 1.5f;
+        const float pixel_mm = length(hit.distance_mm * branch.differential->direction[0]);
+        const float blur = camera_ray_.blur_mm(hit.distance_mm) / (kFilterSide * pixel_mm);
+        const float widened = std::sqrt(1 + blur * blur);
+        surface.patch =
+            scene_.patch(hit, asked_.offset.x * across + asked_.offset.y * down,
+                         widened * asked_.size.x * across, widened * asked_.size.y * down);
         surface.patch->flakes =
             asked_.weight > 0 ? bsdf::Patch::Flakes::apart : bsdf::Patch::Flakes::left_out;
-        surface.patch->footprint.tilt[0] = asked_.tilt.x;
-        surface.patch->footprint.tilt[1] = asked_.tilt.y;
+        surface.patch->footprint.tilt[0] = asked_.tilt.x / widened;
+        surface.patch->footprint.tilt[1] = asked_.tilt.y / widened;
         surface.asked_weight = asked_.weight;
     } else {
         surface.patch = scene_.patch(hit, {}, options_.footprint_pixels * edges.edge_mm[0],
@@ -341,7 +352,7 @@ void PathTracer::follow(Branch branch) {
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
                      const CameraRay& camera_ray, const AskedPart& asked,
                      const PathOptions& options, bsdf::PatchMemory& memory) {
-    return PathTracer(scene, pass, sampler, asked, options, memory).trace(camera_ray);
+    return PathTracer(scene, pass, sampler, camera_ray, asked, options, memory).trace();
 }
 
 }  // namespace nacre::render

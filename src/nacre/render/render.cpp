@@ -55,8 +55,17 @@ class AskedParts {
         weight_ = static_cast<float>(samples_per_pixel) / static_cast<float>(count());
     }
 
-    /// How many samples ask.
+    /// How many samples ask: the first ones.
     std::size_t count() const { return columns_.size() * rows_.size(); }
+
+    /// The sample that a pass takes: those that ask evenly between the others, so that a picture
+    /// that is stopped has about as much of the flakes' light as of the rest.
+    std::uint32_t sample_of_pass(int pass, int samples_per_pixel) const {
+        const int asking = static_cast<int>(count()), stride = samples_per_pixel / asking;
+        const int before = std::min(asking, (pass + stride - 1) / stride);  // that ask
+        const bool asks = pass % stride == 0 && pass / stride < asking;
+        return static_cast<std::uint32_t>(asks ? before : asking + pass - before);
+    }
 
     /// Of a sample whose place in the filter is tent(u.x), tent(u.y).
     AskedPart part(Vec2f u, Vec2f place, std::uint32_t sample_index) const {
@@ -125,6 +134,9 @@ class Renderer {
         return !cut;
     }
 
+    std::uint32_t sample_of_pass(int pass) const {
+        return parts_.sample_of_pass(pass, options_.samples_per_pixel);
+    }
     RenderResult develop() const { return film_.develop(); }
 
  private:
@@ -184,8 +196,8 @@ RenderResult render_with(const Scene& scene, const RenderOptions& options, Direc
         try {
             parallel_for_ranges(0, passes.size(), 1, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
-                    passes[i] = std::make_unique<const Pass>(scene.compiled(),
-                                                             static_cast<std::uint32_t>(first + i));
+                    passes[i] = std::make_unique<const Pass>(
+                        scene.compiled(), renderer.sample_of_pass(first + static_cast<int>(i)));
                 }
             });
         } catch (const Stopped&) {
