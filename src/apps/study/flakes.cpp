@@ -111,6 +111,7 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
 
 std::filesystem::path run_flakes(const FlakesSettings& settings, const Stage& stage) {
     const FolderLock lock(settings.folder);
+    check_page(settings.folder);
     const CloseUps close_ups(settings.folder, stage);
     report::Report report("Flakes, one by one",
                           "The model `nacre` against explicit discs: mean, contrast, histogram and "
@@ -129,10 +130,7 @@ std::filesystem::path run_flakes(const FlakesSettings& settings, const Stage& st
         if (settings.quick && verdicts.size() == 2) break;
     }
     add_verdicts(context, verdicts);
-    const std::filesystem::path page = settings.folder / "index.html";
-    write_file_atomically(settings.folder / "results.json", results.dump(2) + "\n");
-    write_file_atomically(page, report.html());
-    return page;
+    return write_page(settings.folder, report.html(), results);
 }
 
 namespace {

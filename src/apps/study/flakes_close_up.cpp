@@ -110,7 +110,10 @@ Vec3f towards(double angle_deg, double distance_mm) {
 }
 
 io::Image image_of(const Pixels& picture, double scale) {
-    io::Image image{picture.width, picture.height, {{"R", {}}, {"G", {}}, {"B", {}}}, {}};
+    io::Image image{picture.width,
+                    picture.height,
+                    {{"R", {}}, {"G", {}}, {"B", {}}},
+                    {{"nacre:study", "flakes"}}};
     for (std::size_t i = 0; i < picture.rgb.size(); ++i)
         image.channels[i % 3].pixels.push_back(static_cast<float>(scale * picture.rgb[i]));
     return image;
@@ -163,6 +166,8 @@ Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {
         const io::Image image = io::read_image(exr);
         return {image.width, image.height, io::interleaved_rgb(image, exr.string())};
     }
+    check_own(record_file, exr);
+    check_own(exr, record_file);
     Pixels pixels{job.pixels, job.pixels, {}};
     stage_(job.title, [&](const Progress& progress) {
         const render::Scene scene(close_up_scene(job.pixel_mm, job.pixels), {{"paint", surface()}});
@@ -181,6 +186,7 @@ Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {
 
 std::string CloseUps::png(const Pixels& picture, double mean, const std::string& key) const {
     const fs::path file = folder_ / "pictures" / (key + ".png");
+    check_own(file);
     io::write_png(file, image_of(picture, 0.3 / mean));
     return read_file(file);
 }

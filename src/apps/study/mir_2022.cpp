@@ -98,6 +98,7 @@ PictureJob MirContext::job(std::string key, std::string title, const std::string
 std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& stage) {
     require_valid(settings);
     const FolderLock lock(settings.folder);
+    check_page(settings.folder);
     const Gallery gallery(settings.folder, stage);
     report::Report report("The comparison of 2022",
                           "Goniochromism, sparkle and multiple scattering of special-effect "
@@ -119,10 +120,7 @@ std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& sta
     for (const auto& [part, add] : parts) {
         if (settings.parts.contains(part)) add(context);
     }
-    const std::filesystem::path page = settings.folder / "index.html";
-    write_file_atomically(settings.folder / "results.json", results.dump(2) + "\n");
-    write_file_atomically(page, report.html());
-    return page;
+    return write_page(settings.folder, report.html(), results);
 }
 
 std::string number(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
