@@ -71,7 +71,7 @@ ExitStatus run(const ExportOptions& options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const Paint paint = open(options.paint);
+    const Paint paint = open_input(options, options.paint);
     settings.model = model_for({&paint}, options.model, options.seed);
     const Exported made = [&] {
         ProgressBar bar("measure", options.quiet);
@@ -136,6 +136,7 @@ Command add_export(CLI::App& program) {
          options->only_merl)
         ->capture_default_str();
     add_seed(*command, *options);
+    add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The mirror of a smooth interface is not part of a BRDF: add it in the other renderer as\n"

@@ -54,7 +54,7 @@ void parse_size(const std::string& text, render::RenderOptions& options) {
 std::optional<Paint> open_brdf(const RenderCommandOptions& options) {
     if (options.brdf.empty()) return std::nullopt;
     if (!options.paint.empty()) throw UsageError("--paint and --brdf exclude each other");
-    Paint brdf = open(options.brdf);
+    Paint brdf = open_input(options, options.brdf);
     if (brdf.kind() != Kind::measured_brdf) {
         throw InputError(fmt::format(
             "{}: holds no measured BRDF, neither of the RGL database (.bsdf) nor of MERL "
@@ -81,13 +81,14 @@ std::optional<Paint> paint_for_slots(const render::SceneDescription& description
                                      brdf ? "--brdf" : "--paint",
                                      brdf ? options.brdf : options.paint, options.scene));
     }
-    return brdf ? brdf : open(options.paint);
+    return brdf ? brdf : open_input(options, options.paint);
 }
 
 Scene painted_scene(const RenderCommandOptions& options) {
     const bsdf::Model model = parse_model_settings(options.model, options.seed);
     std::optional<Paint> brdf = open_brdf(options);
-    render::SceneDescription description = find_scene(options.scene);
+    render::SceneDescription description =
+        find_scene(options.scene, references_of(options, options.scene));
     std::optional<Paint> slot = paint_for_slots(description, options, std::move(brdf));
     ProgressBar bar("prepare", options.quiet || !model.makes_table());
     try {
@@ -228,6 +229,7 @@ Command add_render(CLI::App& program) {
         ->required()
         ->type_name("FILE");
     add_seed(*command, *options);
+    add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The EXR holds linear Rec. 709 (1 is the perfect diffuser in full light), albedo and "

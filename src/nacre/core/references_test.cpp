@@ -60,6 +60,22 @@ TEST_F(ReferencesTest, WhatIsNamedHasTheSamePermission) {
     EXPECT_THROW(References().beside(folder_ / "x.toml").resolve("x.csv"), InputError);
 }
 
+TEST_F(ReferencesTest, OnlyWhatNobodyNamedMayBeQuoted) {
+    EXPECT_TRUE(References().may_quote());
+    const References scene = References::of_file(folder_ / "scene" / "scene.toml");
+    EXPECT_TRUE(scene.may_quote());
+    EXPECT_FALSE(scene.beside(folder_ / "secret.csv").may_quote());
+}
+
+TEST_F(ReferencesTest, OfAnUntrustedFileStayInItsFolder) {
+    const fs::path scene = folder_ / "scene" / "scene.toml";
+    const References references = References::of_untrusted_file(scene);
+    EXPECT_EQ(references.resolve("own.csv"), folder_ / "scene" / "own.csv");
+    EXPECT_THROW(references.resolve("../secret.csv"), InputError);
+    EXPECT_EQ(References::of_untrusted_file("violet.toml"), References::within("."));
+    EXPECT_EQ(References::of_untrusted_file("-"), References());
+}
+
 TEST(References, OfTheUsersOwnFileAreAnywhereAndOfAStreamNone) {
     EXPECT_EQ(References::of_file("paints/violet.toml").resolve("../x.csv"), "paints/../x.csv");
     EXPECT_EQ(References::of_file("violet.toml").resolve("x.csv"), "x.csv");

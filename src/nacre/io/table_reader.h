@@ -18,7 +18,8 @@
 //
 //   paint.toml:7:16: layer[0].thickness_um = -3: must be a number in (0, 1000000] um
 //
-// Arrays are counted from 0. Values in messages are shortened.
+// Arrays are counted from 0. Values in messages are shortened. Of a text that may not be quoted
+// (References::may_quote()) they show places, the keys that are allowed and numbers, nothing else.
 
 namespace nacre::io {
 

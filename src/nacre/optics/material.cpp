@@ -130,6 +130,15 @@ bool is_material_file(const std::filesystem::path& path) {
     return extension == ".csv" || extension == ".yml" || extension == ".yaml";
 }
 
+/// Whether the first line that is neither empty nor a comment is the header of a table.
+bool has_material_header(std::string_view text) {
+    for (const std::string_view line : split(without_byte_order_mark(text), '\n')) {
+        const std::string_view content = trimmed(line);
+        if (!content.empty() && content.front() != '#') return content.starts_with("wavelength_nm");
+    }
+    return false;
+}
+
 /// Where a material's file is.
 std::filesystem::path material_path(const std::filesystem::path& name,
                                     const References& references) {
@@ -145,8 +154,9 @@ std::filesystem::path material_path(const std::filesystem::path& name,
 Material read_material_file(const std::filesystem::path& path) {
     const std::string name = path.string();
     const std::string text = read_file(path, kMaxMaterialFileBytes);
-    return lower_case(path.extension().string()) == ".csv" ? parse_material_csv(text, name)
-                                                           : parse_material_yaml(text, name);
+    const bool csv = is_stream(path) ? has_material_header(text)
+                                     : lower_case(path.extension().string()) == ".csv";
+    return csv ? parse_material_csv(text, name) : parse_material_yaml(text, name);
 }
 
 Material find_material(const std::string& text, const References& references) {
