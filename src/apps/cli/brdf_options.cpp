@@ -25,4 +25,10 @@ void add_brdf_options(CLI::App& command, BrdfOptions& options) {
         ->capture_default_str();
 }
 
+Part parse_part(const std::string& text) {
+    if (text == "single") return Part::single;
+    if (text == "multiple") return Part::multiple;
+    return Part::total;
+}
+
 }  // namespace nacre::cli

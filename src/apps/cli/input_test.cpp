@@ -245,14 +245,7 @@ TEST_F(Program, WhatComesThroughAPipeNamesNoFiles) {
 }
 
 TEST_F(Program, ReferenceRefusesAPaintWithoutLayers) {
-    write("facets.toml", R"(ior = 1.5
-[microfacet]
-alpha = 0.07
-film_ior = 1.8
-film_thickness_nm = 158.333
-base_ior = 1.08
-base_extinction = 0.51
-)");
+    write("facets.toml", kMicrofacetRecipe);
     const Outcome outcome = nacre("reference facets.toml --incident 45 --outgoing 30,180");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.err,

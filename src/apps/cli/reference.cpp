@@ -45,8 +45,7 @@ ExitStatus run(const ReferenceOptions& options) {
         try {
             estimates = montecarlo::reference_brdf(
                 recipe, incident, outgoing, wavelengths,
-                {options.samples, options.seed, parse_part<montecarlo::Part>(options.part)},
-                bar.callback());
+                {options.samples, options.seed, parse_part(options.part)}, bar.callback());
         } catch (const DomainError& error) {  // the options have been checked: it is the recipe
             throw InputError(fmt::format("{}: {}", options.recipe, error.what()));
         }

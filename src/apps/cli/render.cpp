@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxPixelsPerSide = 32768;  // as in render::RenderOptions
-
 struct RenderCommandOptions : CommonOptions {
     std::string scene;
     std::string paint;
@@ -38,7 +36,7 @@ struct RenderCommandOptions : CommonOptions {
 /// "640x480".
 void parse_size(const std::string& text, render::RenderOptions& options) {
     const std::vector<std::string_view> sides = split(text, 'x');
-    const Range range{1, kMaxPixelsPerSide, "pixels"};
+    const Range range{1, io::kMaxPixelsPerSide, "pixels"};
     if (sides.size() == 2) {
         const double width = parse_number("--size (width)", sides[0], range);
         const double height = parse_number("--size (height)", sides[1], range);

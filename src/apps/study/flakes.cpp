@@ -8,6 +8,8 @@
 
 #include "apps/study/folder.h"
 #include "apps/study/mir_2022.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/core/version.h"
@@ -182,14 +184,11 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
     }
     auto& made = way == Way::hashed ? hashed_ : way == Way::hot_spot ? hot_spot_ : smooth_;
     if (!made) {
-        if (way == Way::smooth) {
-            made = models::named_model("microflake").make({recipe_, solved_});
-        } else {
-            bsdf::Model model =
-                models::named_model("nacre", {{"--hot-spot", way == Way::hot_spot ? "on" : "off"}});
-            model.set_specimen(seed_);
-            made = model.make({recipe_, solved_});
-        }
+        const bsdf::Model model =
+            way == Way::smooth
+                ? bsdf::Model(bsdf::MicroflakeModel{})
+                : bsdf::NacreModel{.specimen = seed_, .hot_spot = way == Way::hot_spot};
+        made = model.make({recipe_, solved_});
     }
     return made;
 }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "apps/study/folder.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/sha256.h"
@@ -102,11 +102,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr double kRadians = std::numbers::pi / 180;
-
 Vec3f towards(double angle_deg, double distance_mm) {
-    return {static_cast<float>(distance_mm * std::sin(angle_deg * kRadians)), 0,
-            static_cast<float>(distance_mm * std::cos(angle_deg * kRadians))};
+    return {static_cast<float>(distance_mm * std::sin(angle_deg * kDegree)), 0,
+            static_cast<float>(distance_mm * std::cos(angle_deg * kDegree))};
 }
 
 io::Image image_of(const Pixels& picture, double scale) {
@@ -130,7 +128,7 @@ std::string fingerprint(const CloseUpJob& job) {
 }  // namespace
 
 double panel_side_mm(double pixel_mm, int pixels) {
-    return 1.2 * pixel_mm * pixels / std::cos(kEye_deg * kRadians);
+    return 1.2 * pixel_mm * pixels / std::cos(kEye_deg * kDegree);
 }
 
 render::SceneDescription close_up_scene(double pixel_mm, int pixels) {
@@ -141,13 +139,13 @@ render::SceneDescription close_up_scene(double pixel_mm, int pixels) {
     scene.name = "close-up";
     scene.camera.position_mm = towards(kEye_deg, distance_mm);
     scene.camera.up = {0, 1, 0};
-    scene.camera.vertical_fov_deg = 2 * std::atan(0.5 * view_mm / distance_mm) / kRadians;
+    scene.camera.vertical_fov_deg = 2 * std::atan(0.5 * view_mm / distance_mm) / kDegree;
     scene.materials["paint"] = render::PaintMaterial{};
     const double side = panel_side_mm(pixel_mm, pixels);
     scene.shapes.push_back({render::FlatPanel{side, side}, "paint", {}});
     render::RectangleLight lamp;
     lamp.center_mm = towards(-kLamp_deg, distance_mm);
-    lamp.width_mm = lamp.height_mm = 2 * distance_mm * std::tan(0.5 * kLampSize_deg * kRadians);
+    lamp.width_mm = lamp.height_mm = 2 * distance_mm * std::tan(0.5 * kLampSize_deg * kDegree);
     lamp.radiance.scale = 100;
     scene.lights.push_back(lamp);
     return scene;

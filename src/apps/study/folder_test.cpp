@@ -5,13 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/io/image.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::study {
 namespace {
@@ -23,13 +22,6 @@ using ::testing::HasSubstr;
 
 class StudyFolder : public ::testing::Test {
  protected:
-    void SetUp() override {
-        std::string name = ::testing::TempDir() + "nacre_study_XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// What the lock says; "locked" where it succeeds.
     static std::string complaint(const fs::path& folder) {
         try {
@@ -40,7 +32,7 @@ class StudyFolder : public ::testing::Test {
         return "locked";
     }
 
-    fs::path folder_;
+    test::TempFolder folder_;
 };
 
 TEST_F(StudyFolder, IsLockedWhileTheLockLives) {
@@ -74,8 +66,8 @@ TEST_F(StudyFolder, IsFreeAgainWhenAProcessDiesThatHadIt) {
 }
 
 TEST_F(StudyFolder, CannotBeWhereAFileIs) {
-    std::ofstream(folder_ / "file") << "x";
-    EXPECT_THAT(complaint(folder_ / "file"), HasSubstr((folder_ / "file").string()));
+    const fs::path file = folder_.write("file", "x");
+    EXPECT_THAT(complaint(file), HasSubstr(file.string()));
     fs::create_directory(folder_ / "odd");
     fs::create_symlink("/dev/null", folder_ / "odd" / ".lock");
     EXPECT_THAT(complaint(folder_ / "odd"), HasSubstr("cannot use"));

@@ -16,6 +16,7 @@
 #include "nacre/core/progress.h"
 #include "nacre/core/random.h"
 #include "nacre/core/version.h"
+#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/optics/antialiased.h"
 
 namespace nacre::study {
@@ -176,8 +177,9 @@ void add_agreement(MirContext& context) {
     const auto solved = batches(context, paint, named_model("microflake"), "microflake");
     const auto walk = batches(context, paint, named_model("walk"), "walk");
     const auto shell = batches(context, paint, named_model("volume"), "volume-delta");
-    const auto simpson = batches(context, paint, named_model("volume", {{"--tracking", "simpson"}}),
-                                 "volume-simpson");
+    const auto simpson =
+        batches(context, paint, montecarlo::VolumeModel{.tracking = montecarlo::Tracking::simpson},
+                "volume-simpson");
     struct Pair {
         const char* name;
         const std::vector<io::Image>&a, &b;

@@ -3,10 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
-
 #include "nacre/core/error.h"
+#include "nacre/testing/files.h"
 
 namespace nacre {
 namespace {
@@ -18,20 +16,16 @@ using testing::ThrowsMessage;
 class ReferencesTest : public testing::Test {
  protected:
     void SetUp() override {
-        std::string name = testing::TempDir() + "nacre_references_XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
         fs::create_directories(folder_ / "scene" / "parts");
         fs::create_directory(folder_ / "scene-2");
         for (const char* file : {"secret.csv", "scene/own.csv", "scene/parts/part.csv"}) {
-            std::ofstream(folder_ / file) << "x";
+            folder_.write(file, "x");
         }
         fs::create_symlink("../secret.csv", folder_ / "scene" / "leading-out.csv");
         fs::create_symlink("parts/part.csv", folder_ / "scene" / "staying.csv");
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
-    fs::path folder_;
+    test::TempFolder folder_;
 };
 
 TEST_F(ReferencesTest, WithinAFolderNothingLeadsOut) {

@@ -33,6 +33,7 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
+/// Of every picture that is read, rendered or written.
 inline constexpr int kMaxPixelsPerSide = 32768;
 inline constexpr std::size_t kMaxChannels = 1024;
 /// Pixels times channels that a file may unfold to: 2 GB.

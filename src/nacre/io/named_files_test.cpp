@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include "nacre/testing/files.h"
 
 namespace nacre::io {
 namespace {
@@ -14,22 +14,15 @@ using ::testing::UnorderedElementsAre;
 
 class NamedFiles : public ::testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = fs::path(::testing::TempDir()) /
-                  (std::string("nacre_named_files_test_") +
-                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::create_directories(folder_ / "below");
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    NamedFiles() { fs::create_directory(folder_ / "below"); }
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
+        folder_.write(name, text);
     }
-
     std::vector<fs::path> named_by(const std::string& name) const {
         return files_named_by(folder_ / name, References::of_file(folder_ / name));
     }
 
-    fs::path folder_;
+    const test::TempFolder folder_;
 };
 
 TEST_F(NamedFiles, AreThoseOfARecipeAndOfWhatASceneNames) {
@@ -52,7 +45,7 @@ TEST_F(NamedFiles, WhatIsNoTomlNamesNone) {
     write("self.toml", "name = \"self.toml\"\n");
     EXPECT_THAT(named_by("a.csv"), IsEmpty());
     EXPECT_THAT(named_by("none.toml"), IsEmpty());
-    EXPECT_THAT(files_named_by(folder_, References::anywhere(folder_)), IsEmpty());
+    EXPECT_THAT(files_named_by(folder_.path(), References::anywhere(folder_.path())), IsEmpty());
     EXPECT_THAT(named_by("self.toml"), UnorderedElementsAre(folder_ / "self.toml"));
 }
 

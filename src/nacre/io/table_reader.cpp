@@ -285,10 +285,6 @@ double TableReader::number(std::string_view key, const Range& range) const {
     return as_number(require(key, "a number in " + range.text()), path_of(key), range);
 }
 
-double TableReader::number_or(std::string_view key, double fallback, const Range& range) const {
-    return has(key) ? number(key, range) : fallback;
-}
-
 std::string TableReader::text(std::string_view key, std::size_t max_length) const {
     const std::string what = fmt::format("text of 1 to {} characters", max_length);
     const auto* text = require(key, what).as_string();
@@ -406,11 +402,6 @@ spectra::Spectrum read_spectrum(const TableReader& table, std::string_view key,
                                             wavelengths.size()));
     }
     return {std::move(wavelengths), std::move(values)};
-}
-
-spectra::Spectrum read_spectrum_or(const TableReader& table, std::string_view key,
-                                   const spectra::Spectrum& fallback, const Range& range) {
-    return table.has(key) ? read_spectrum(table, key, range) : fallback;
 }
 
 spectra::Spectrum read_reflectance(const TableReader& table, std::string_view key) {

@@ -106,14 +106,6 @@ const std::map<std::string, Material>& catalogue() {
     return materials;
 }
 
-std::string lower_case(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return result;
-}
-
 /// "n", "n+ki" or "n-ki".
 std::optional<ComplexIndex> parse_index(std::string_view text) {
     const auto n = take_number(text);
@@ -126,7 +118,7 @@ std::optional<ComplexIndex> parse_index(std::string_view text) {
 }
 
 bool is_material_file(const std::filesystem::path& path) {
-    const std::string extension = lower_case(path.extension().string());
+    const std::string extension = lowercase(path.extension().string());
     return extension == ".csv" || extension == ".yml" || extension == ".yaml";
 }
 
@@ -155,7 +147,7 @@ Material read_material_file(const std::filesystem::path& path) {
     const std::string name = path.string();
     const std::string text = read_file(path, kMaxMaterialFileBytes);
     const bool csv = is_stream(path) ? has_material_header(text)
-                                     : lower_case(path.extension().string()) == ".csv";
+                                     : lowercase(path.extension().string()) == ".csv";
     return csv ? parse_material_csv(text, name) : parse_material_yaml(text, name);
 }
 
