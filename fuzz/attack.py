@@ -178,39 +178,86 @@ def mutated(seed: bytes, other: bytes, rng: random.Random) -> bytes:
     return bytes(data)
 
 
+IN_A_DIRECTION = ["--incident", "30", "--outgoing", "20,180"]
+A_PICTURE = ["--size", "2x2", "--spp", "1", "-o", "out.exr"]
+
+# Kinds of files, and commands that read one. "scene:" stands for a scene that names it.
 READERS: dict[str, list[list[str]]] = {
-    "recipe": [["info", "{}"], ["eval", "{}", "--incident", "30", "--outgoing", "20,180",
-                                "--wavelength", "550"]],
-    "scene": [["render", "{}", "--size", "2x2", "--spp", "1", "-o", "out.exr"]],
-    "solved_paint": [["info", "{}"], ["eval", "{}", "--incident", "30", "--outgoing", "20,180"]],
-    "brdf_table": [["info", "{}"]],
-    "rgl": [["info", "{}"], ["eval", "{}", "--incident", "30", "--outgoing", "20,180"]],
-    "merl": [["info", "{}"]],
-    "measurement": [["info", "{}"], ["diff", "{}", "{}"]],
-    "image": [["diff", "{}", "{}"]],
+    "recipe": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION, "--wavelength", "550"],
+               ["render", "scene:recipe", *A_PICTURE, "--untrusted"]],
+    "scene": [["render", "{}", *A_PICTURE], ["info", "{}", "--untrusted"]],
+    "solved_paint": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
+    "brdf_table": [["info", "{}"], ["eval", "{}", "--table", "svd", *IN_A_DIRECTION]],
+    "rgl": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
+    "merl": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
+    "measurement": [["info", "{}"], ["measure", "{}"], ["measure", "gold.h5", "--versus", "{}"]],
+    "image": [["diff", "{}", "{}"], ["info", "{}"], ["render", "scene:sky", *A_PICTURE]],
     "material": [["film", "--layer", "./{}:80", "--substrate", "1.5", "--angle", "30",
                   "--wavelength", "550"]],
+    "mesh": [["render", "scene:mesh", *A_PICTURE]],
+    "geometry": [["measure", "gold.h5", "--geometry", "{}"]],
 }
 
+GREY = '[materials.grey]\ntype = "diffuse"\nreflectance = 0.5\n'
+SPHERE = '[[shapes]]\ntype = "sphere"\nmaterial = "grey"\n'
+LIGHT = '[environment]\ntype = "constant"\n'
+NAMING_SCENES = {
+    "recipe": '[materials.grey]\ntype = "paint"\nrecipe = "{}"\n' + SPHERE + LIGHT,
+    "sky": GREY + SPHERE + '[environment]\ntype = "image"\npath = "{}"\n',
+    "mesh": GREY + '[[shapes]]\ntype = "mesh"\npath = "{}"\nmaterial = "grey"\n' + LIGHT,
+}
 
-def seeds_of(kind: str) -> list[pathlib.Path]:
+GEOMETRIES = """name = "set"
+summary = "two directions"
+[[geometry]]
+name = "45as15"
+lamp_deg = 45
+aspecular_deg = 15
+[[geometry]]
+lamp_deg = 30
+view_deg = [20, -90]
+"""
+
+# What a terminal obeys: none may stand in a message, whatever a file is called or holds.
+CONTROL = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]")
+
+
+def seeds_of(kind: str, lab: Lab) -> list[pathlib.Path]:
+    if kind == "geometry":
+        lab.path("geometry.toml").write_text(GEOMETRIES)
+        return [lab.path("geometry.toml")]
     folders = [ROOT / "fuzz/corpus" / kind]
     folders += [ROOT / "paints"] if kind == "recipe" else []
     folders += [ROOT / "scenes"] if kind == "scene" else []
     return sorted(p for f in folders if f.is_dir() for p in f.iterdir() if p.is_file())
 
 
+def command_on(name: str, command: list[str], lab: Lab) -> list[str]:
+    """The command on a file, in a scene that names it if need be."""
+    if command[1].startswith("scene:"):
+        scene = NAMING_SCENES[command[1].removeprefix("scene:")]
+        lab.path("naming.toml").write_text(scene.replace("{}", name))
+        return [command[0], "naming.toml", *command[2:]]
+    return [a.replace("{}", name) for a in command]
+
+
 def damaged_files(lab: Lab, tries: int) -> Iterator[str]:
-    kinds = [k for k in READERS if seeds_of(k)]
+    lab.run(["solve", PAINT, "--wavelength", "400:700:20", "-o", "gold.h5"])
+    seeds_by_kind = {kind: seeds_of(kind, lab) for kind in READERS}
+    # Each kind of mesh counts as a kind of its own.
+    kinds = [k for k in READERS for _ in range(5 if k == "mesh" else 1)]
     for number in range(tries):
         kind = kinds[number % len(kinds)]
-        seeds = seeds_of(kind)
+        seeds = seeds_by_kind[kind]
         seed = lab.random.choice(seeds)
         data = mutated(seed.read_bytes(), lab.random.choice(seeds).read_bytes(), lab.random)
         name = "damaged" + seed.suffix
         lab.path(name).write_bytes(data)
-        command = [a.replace("{}", name) for a in lab.random.choice(READERS[kind])]
-        complaint = lab.run(command).complaint()
+        command = command_on(name, lab.random.choice(READERS[kind]), lab)
+        outcome = lab.run(command)
+        complaint = outcome.complaint()
+        if not complaint and CONTROL.search(outcome.stderr):
+            complaint = f"sends control characters to the terminal: {outcome.stderr[-200:]!r}"
         if complaint:
             kept = pathlib.Path(tempfile.gettempdir()) / f"attack-{number}{seed.suffix}"
             kept.write_bytes(data)
@@ -538,7 +585,7 @@ def same_bytes(lab: Lab, tries: int) -> Iterator[str]:
 
 # What each is called in the report, and how many of N tries it makes.
 ATTACKS: list[tuple[str, Attack, float]] = [
-    ("damaged files of nine kinds", damaged_files, 1.0),
+    ("damaged files of eleven kinds", damaged_files, 1.0),
     ("small files that are large to read", hostile_texts, 0),
     ("recipes at the ends of the allowed ranges", extreme_recipes, 0.1),
     ("SIGKILL at a random moment", sigkill, 0.1),

@@ -60,7 +60,6 @@ using measure::MerlSettings;
 using measure::RglSettings;
 using measure::SparkleCamera;
 using measure::Viewing;
-using solver::Part;
 using spectra::Illuminant;
 using spectra::Observer;
 

@@ -9,6 +9,7 @@
 
 #include "apps/cli/instrument_options.h"
 #include "apps/cli/options.h"
+#include "apps/cli/paint_options.h"
 #include "apps/report/svg_raster.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
@@ -70,7 +71,7 @@ optics::FilmPopulation parse_film(const std::string& option, const std::string& 
         thickness = *before;
         material = shorter;
     }
-    return {optics::find_material(material),
+    return {open_material(material),
             parse_number("thickness of " + option, thickness, paint::limits::kFilmThickness),
             {parse_number("spread of " + option, spread, paint::limits::kFilmSpread)}};
 }
@@ -93,7 +94,7 @@ std::vector<double> wavelengths_nm(double step) {
 
 datasheet::Atlas atlas_of_flake(const AtlasOptions& options, const Progress& progress) {
     datasheet::AtlasFlake flake;
-    flake.film = optics::find_material(options.film);
+    flake.film = open_material(options.film);
     flake.film_spread = {parse_number("--spread", options.spread, paint::limits::kFilmSpread)};
     if (!options.core.empty()) flake.core = parse_film("--core", options.core);
     for (const std::string& text : options.outer) {
@@ -102,14 +103,14 @@ datasheet::Atlas atlas_of_flake(const AtlasOptions& options, const Progress& pro
     if (!flake.outer.empty() && !flake.core) {
         throw UsageError("--outer needs --core: coats are alike on both sides of a core");
     }
-    flake.binder = optics::find_material(options.ior);
+    flake.binder = open_material(options.ior);
     return datasheet::flake_atlas(
         flake, parse_numbers("--thickness", options.values, paint::limits::kFilmThickness),
         parse_angles(options), wavelengths_nm(5), parse_conditions(options.instrument), progress);
 }
 
 datasheet::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& progress) {
-    const paint::Recipe recipe = open(options.recipe).recipe();
+    const paint::Recipe recipe = open_input(options, options.recipe).recipe();
     const std::vector<std::string> keys = paint::matching_parameters(recipe, options.key);
     if (keys.size() != 1) {
         throw UsageError(fmt::format("--key = {}: means {} numbers, such as {}; must mean one",
@@ -216,6 +217,7 @@ Command add_atlas(CLI::App& program) {
     command->add_option("--key", options->key,
                         "Number of the recipe that varies, as in coats[0].thickness_nm");
     add_output(*command, *options);
+    add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Writes a picture of chips (FILE.svg, FILE.png) or CSV: the value, theta_i, "

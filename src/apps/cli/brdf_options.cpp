@@ -17,11 +17,18 @@ void add_brdf_options(CLI::App& command, BrdfOptions& options) {
                     "Direction towards the eye as theta[,phi], deg; may be repeated")
         ->required()
         ->allow_extra_args(false);
+    add_untrusted(command, options);
     command
         .add_option("--part", options.part,
                     "total, single (met exactly one flake) or multiple scattering")
         ->check(CLI::IsMember({"total", "single", "multiple"}))
         ->capture_default_str();
+}
+
+Part parse_part(const std::string& text) {
+    if (text == "single") return Part::single;
+    if (text == "multiple") return Part::multiple;
+    return Part::total;
 }
 
 }  // namespace nacre::cli

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/cli/options.h"
+#include "nacre/core/part.h"
 
 // The options that `eval` and `reference` have in common: paint, directions, wavelengths, part.
 
@@ -19,12 +20,7 @@ struct BrdfOptions : CommonOptions {
 /// RECIPE, --incident, --outgoing and --part.
 void add_brdf_options(CLI::App& command, BrdfOptions& options);
 
-/// solver::Part or montecarlo::Part, which are apart because the two share no code.
-template <class Part>
-Part parse_part(const std::string& text) {
-    if (text == "single") return Part::single;
-    if (text == "multiple") return Part::multiple;
-    return Part::total;
-}
+/// Of --part.
+Part parse_part(const std::string& text);
 
 }  // namespace nacre::cli

@@ -58,7 +58,7 @@ void check_model(const EvalOptions& options) {
     const bsdf::ModelInfo& model = parse_model_settings(options.model).info();
     check_patch(options, model);
     require_values(model);
-    if (parse_part<Part>(options.part) != Part::total && !model.can.parts) {
+    if (parse_part(options.part) != Part::total && !model.can.parts) {
         throw UsageError(fmt::format(
             "--part = {}: only --model {} knows parts", options.part,
             fmt::join(models_that([](const bsdf::ModelInfo& m) { return m.can.parts; }), ", ")));
@@ -71,12 +71,12 @@ ExitStatus run(const EvalOptions& options) {
     const Stopwatch watch;
     const std::vector<Direction> incident = parse_directions("--incident", options.incident);
     const std::vector<Direction> outgoing = parse_directions("--outgoing", options.outgoing);
-    BrdfSettings settings{.part = parse_part<Part>(options.part)};
+    BrdfSettings settings{.part = parse_part(options.part)};
     if (!options.wavelengths.empty()) {
         settings.wavelengths_nm =
             parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
     }
-    const Paint paint = open(options.recipe);
+    const Paint paint = open_input(options, options.recipe);
     settings.model = model_for({&paint}, options.model);
     ProgressBar bar("prepare", options.quiet || !settings.model || !settings.model->makes_table());
     const PaintBrdf values = on_patch(paint.brdf(settings, bar.callback()), options);

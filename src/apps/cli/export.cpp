@@ -71,7 +71,7 @@ ExitStatus run(const ExportOptions& options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const Paint paint = open(options.paint);
+    const Paint paint = open_input(options, options.paint);
     settings.model = model_for({&paint}, options.model);
     const Exported made = [&] {
         ProgressBar bar("measure", options.quiet);
@@ -135,6 +135,7 @@ Command add_export(CLI::App& program) {
                              "phi_difference; most programs read no others than the database's"),
          options->only_merl)
         ->capture_default_str();
+    add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The mirror of a smooth interface is not part of a BRDF: add it in the other renderer as\n"

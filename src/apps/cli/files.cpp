@@ -38,26 +38,28 @@ struct Input {
 
 std::optional<fs::path> file_named(const std::string& text) {
     std::error_code ec;
-    if (text == "-") return file_named("/dev/stdin");
     for (std::size_t size = text.size(); size != 0 && size != std::string::npos;
          size = text.rfind(':', size - 1)) {
-        const fs::path path = text.substr(0, size);
+        const std::string name = text.substr(0, size);
+        const fs::path path = name == "-" ? "/dev/stdin" : name;
         if (fs::is_regular_file(path, ec)) return path;
     }
     return std::nullopt;
 }
 
 /// Those that exist, and what they name.
-std::vector<Input> existing_inputs(const std::vector<std::string>& texts) {
+std::vector<Input> existing_inputs(const CommandFiles& files) {
     std::vector<Input> inputs;
-    for (const std::string& text : texts) {
+    for (const std::string& text : files.inputs) {
         const auto path = file_named(text);
         if (!path) continue;
         inputs.push_back({*path, fmt::format("'{}'", path->string())});
-        if (text == "-" || text.starts_with("/dev/") || text.starts_with("/proc/")) {
+        if (is_stream(*path)) {
             continue;  // an open file: to look into it would take its bytes from the command
         }
-        for (const fs::path& named : io::files_named_by(*path)) {
+        const References references =
+            files.untrusted ? References::of_untrusted_file(*path) : References::of_file(*path);
+        for (const fs::path& named : io::files_named_by(*path, references)) {
             inputs.push_back(
                 {named, fmt::format("'{}', which '{}' names", named.string(), path->string())});
         }
@@ -79,26 +81,62 @@ void check_not_another(const Output& output, const Output& other) {
                                  other.option, other.name));
 }
 
+/// A file cannot be where a folder is to be made, or one above it.
+void check_not_a_folder(const Output& output, const OutputFolder& folder) {
+    std::error_code ec;
+    for (fs::path part = fs::absolute(folder.name, ec); part.has_relative_path();
+         part = part.parent_path()) {
+        if (!is_same_file(output.name, part)) continue;
+        throw UsageError(fmt::format("{} = {}: is the folder for {} = {}", output.option,
+                                     output.name, folder.option, folder.name));
+    }
+}
+
+/// The files that a command may write into a folder.
+std::vector<Output> outputs_in(const OutputFolder& folder) {
+    std::vector<Output> outputs;
+    for (const std::string& name : folder.files) {
+        const std::string exr = fs::path(name).replace_extension(".exr").string();
+        const bool beside =
+            name != exr && std::ranges::find(folder.files, exr) != folder.files.end();
+        outputs.push_back({folder.option, (fs::path(folder.name) / name).string(), beside});
+    }
+    return outputs;
+}
+
 }  // namespace
 
 CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs) {
-    return {std::move(inputs), {{"--output", options.output}, {"--report", options.report}}, {}};
+    return {.inputs = std::move(inputs),
+            .files = {{"--output", options.output}, {"--report", options.report}},
+            .untrusted = options.untrusted};
 }
 
 void check_files(const CommandFiles& files) {
-    std::vector<Output> outputs = files.files;
-    std::erase_if(outputs, [](const Output& output) { return output.name.empty(); });
+    std::vector<Output> named = files.files;
+    std::erase_if(named, [](const Output& output) { return output.name.empty(); });
+    std::vector<Output> outputs = named, checked = named;
+    std::error_code ec;
+    for (const OutputFolder& folder : files.folders) {
+        if (folder.name.empty()) continue;
+        for (const Output& output : named) check_not_a_folder(output, folder);
+        const std::vector<Output> inside = outputs_in(folder);
+        outputs.insert(outputs.end(), inside.begin(), inside.end());
+        if (fs::is_directory(folder.name, ec)) {
+            checked.insert(checked.end(), inside.begin(), inside.end());
+        }
+    }
     const std::vector<Input> inputs =
-        outputs.empty() ? std::vector<Input>() : existing_inputs(files.inputs);
+        outputs.empty() ? std::vector<Input>() : existing_inputs(files);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         check_not_an_input(outputs[i], inputs);
         for (std::size_t j = 0; j < i; ++j) check_not_another(outputs[i], outputs[j]);
     }
-    for (const Output& output : outputs) {
+    for (const Output& output : checked) {
         check_output_file(output.name);
         if (output.beside) io::check_png_beside(output.name);
     }
-    for (const Output& folder : files.folders) {
+    for (const OutputFolder& folder : files.folders) {
         if (!folder.name.empty()) check_output_folder(folder.name);
     }
 }

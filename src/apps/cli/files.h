@@ -15,7 +15,7 @@ namespace nacre::cli {
 
 struct CommonOptions;
 
-/// A file or folder to be written, by the option that says so; an empty name: none.
+/// A file to be written, by the option that says so; an empty name: none.
 struct Output {
     std::string option;  ///< for messages, as in "--output"
     std::string name;
@@ -23,20 +23,29 @@ struct Output {
     bool beside = false;
 };
 
+/// A folder to be written into; an empty name: none.
+struct OutputFolder {
+    std::string option, name;
+    /// The names of all files that the command may write there. A PNG has the rights of one beside
+    /// an EXR if that is among them.
+    std::vector<std::string> files = {};
+};
+
 struct CommandFiles {
     /// As on the command line. Numbers may follow, as in "film.csv:80", and what names no file is
     /// passed over: a built-in scene, a shipped material.
     std::vector<std::string> inputs;
     std::vector<Output> files;
-    std::vector<Output> folders;
+    std::vector<OutputFolder> folders = {};
+    bool untrusted = false;  ///< inputs name files in their folders only
 };
 
 /// What a command with --output and --report reads and writes.
 CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs);
 
 /// Checks that each output can be written, as far as that shows beforehand, and that none is an
-/// input, a file that an input (recipe, scene) names, or another output: by name, or the same file
-/// through links.
+/// input, a file that an input (recipe, scene, mesh) names, or another output: by name, or the same
+/// file through links.
 /// @throws UsageError naming both where an output is an input or another output
 /// @throws InputError as check_output_file(), check_output_folder() and io::check_png_beside()
 void check_files(const CommandFiles& files);

@@ -109,6 +109,17 @@ TEST_F(Files, AnOutputIsNoInput) {
     }
     const Outcome reference = nacre("reference gray.toml" + walk + "-o gray.toml");
     EXPECT_EQ(reference.status, 1) << reference.err;
+    fs::create_directory(folder_ / "plots");
+    write("plots/travel.svg", "any");
+    write("plots/45s.exr", "any");
+    for (const char* arguments : {"measure gray.toml --versus plots/travel.svg --plots plots",
+                                  "sparkle plots/45s.exr --pictures plots"}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("would replace an input, 'plots/"));
+    }
+    const Outcome constants = shell("\"$NACRE\" film --layer -:80 -o glass.csv < glass.csv");
+    EXPECT_EQ(constants.status, 1) << constants.err;
     const Outcome piped = shell("\"$NACRE\" info /dev/stdin -o gray.toml < gray.toml");
     EXPECT_EQ(piped.status, 1) << piped.err;
     for (const char* name : {"a.png", "b.exr", "any.bsdf", "any.html", "mesh.exr"}) {
@@ -134,6 +145,31 @@ TEST_F(Files, TwoOutputsAreTwoFiles) {
         EXPECT_THAT(outcome.err, HasSubstr("is the same file as --")) << arguments;
     }
     for (const char* name : {"x.csv", "d/x.csv", "k.exr", "k.png"}) EXPECT_FALSE(exists(name));
+    // What a command writes into a folder, there or not yet.
+    const std::string measure = "measure gray.toml --geometry 45as15 --quiet ";
+    for (const std::string& arguments :
+         {measure + "--plots d -o d/lightness.svg", measure + "--plots d -o link/travel.png",
+          measure + "--plots d --report d/spectra.svg", measure + "--plots link -o d/spectra.png",
+          measure + "--plots new -o new/lightness.png",
+          std::string("sparkle gray.toml --pictures d -o d/45s.exr"),
+          std::string("sparkle gray.toml --lamp 22.5 --pictures d --report link/22.5s.png"),
+          std::string("sparkle gray.toml --pictures d -o d/diffuse.png")}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("is the same file as --")) << arguments;
+    }
+    for (const std::string& arguments :
+         {measure + "--plots p --report p", measure + "--plots p -o p",
+          measure + "--plots p/q/r -o p/q", std::string("sparkle gray.toml --pictures p -o p")}) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("is the folder for --")) << arguments;
+    }
+    EXPECT_TRUE(fs::is_empty(folder_ / "d"));
+    EXPECT_FALSE(exists("p"));
+    fs::create_directory(folder_ / "e");
+    EXPECT_EQ(nacre(measure + "--plots e -o e/values.csv --report e/run.json").status, 0);
+    EXPECT_TRUE(exists("e/lightness.svg") && exists("e/values.csv"));
     EXPECT_EQ(nacre(kEval + "-o x.csv --report x.json").status, 0);
     EXPECT_EQ(nacre(kEval + "-o /dev/null --report /dev/null").status, 0);
 }
@@ -184,7 +220,23 @@ const char* const kWriters[] = {
     "export none.toml -o %o.bsdf",
     "fit none.toml --start none.toml -o %o.toml",
     "film --layer none.csv:80 -o %o.csv",
+    "solve none.toml -o x.h5 --report %o.json",
+    "reference none.toml --incident 45 --outgoing 0 --report %o.json",
+    "diff none.exr none.exr --report %o.json",
+    "diff none.exr none.exr -o %o.png",
+    "measure none.toml --report %o.json",
+    "atlas --film none.csv -o %o.png",
+    "atlas --film none.csv -o %o.csv",
+    "atlas --film none.csv --report %o.json",
+    "panel none.toml -o x.html --report %o.json",
+    "export none.toml -o %o.binary",
+    "export none.toml -o x.bsdf --report %o.json",
+    "fit none.toml --start none.toml --report %o.json",
 };
+/// And those that write into a folder.
+const char* const kFolderWriters[] = {"measure none.toml --plots %o",
+                                      "sparkle none.toml --pictures %o", "study flakes -o %o",
+                                      "study mir-2022 -o %o", "study sparkle -o %o"};
 
 std::string with_output(std::string arguments, const std::string& output) {
     return arguments.replace(arguments.find("%o"), 2, output);
@@ -203,8 +255,7 @@ TEST_F(Files, OutputsAreCheckedBeforeTheWork) {
                 << writer;
         }
     }
-    for (const char* writer : {"measure none.toml --plots %o", "sparkle none.toml --pictures %o",
-                               "study flakes -o %o"}) {
+    for (const char* writer : kFolderWriters) {
         for (const char* folder : {"locked/x/y", "file", "file/x"}) {
             const Outcome outcome = nacre(with_output(writer, folder));
             EXPECT_EQ(outcome.status, 2) << writer << '\n' << outcome.err;
@@ -235,15 +286,48 @@ TEST_F(Files, WhatCannotBeReplacedIsRefused) {
     EXPECT_TRUE(fs::is_symlink(folder_ / "dangling.csv"));
     EXPECT_FALSE(exists("gone.csv"));
     EXPECT_EQ(contents(folder_ / "locked.csv"), "old");
-    for (const std::string& arguments :
-         {kEval + "-o ''", kEval + "--report ''", std::string("solve gray.toml -o ''"),
-          kRender + "-o ''", std::string("study flakes -o ''"),
-          std::string("measure gray.toml --plots ''"),
-          std::string("sparkle gray.toml --pictures ''")}) {
-        const Outcome outcome = nacre(arguments);
-        EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.err;
-        EXPECT_THAT(outcome.out, IsEmpty()) << arguments;
+}
+
+TEST_F(Files, NoOutputOfAnyCommandTakesAnOddPlace) {
+    for (const char* writer : kWriters) {
+        const std::string text = writer;
+        const std::string extension =
+            text.substr(text.find("%o") + 2, text.find(' ', text.find("%o")) - text.find("%o") - 2);
+        const auto check = [&](const std::string& name, int status, const char* reason) {
+            const Outcome outcome = nacre(with_output(writer, name));
+            EXPECT_EQ(outcome.status, status) << writer << '\n' << outcome.err;
+            EXPECT_THAT(outcome.err, HasSubstr(reason)) << writer;
+            EXPECT_THAT(outcome.out, IsEmpty()) << writer;
+        };
+        fs::create_symlink("gone" + extension, folder_ / ("dangling" + extension));
+        write("locked" + extension, "old");
+        ASSERT_EQ(::chmod((folder_ / ("locked" + extension)).c_str(), 0444), 0);
+        fs::create_directory(folder_ / ("folder" + extension));
+        check("dangling", 2, "is a symbolic link that leads nowhere");
+        check("locked", 2, "is write-protected");
+        check("folder", 2, "the name of a file is expected");
+        check("nowhere/x", 2, "there is no folder 'nowhere'");
+        EXPECT_TRUE(fs::is_symlink(folder_ / ("dangling" + extension)));
+        EXPECT_FALSE(exists("gone" + extension));
+        EXPECT_EQ(contents(folder_ / ("locked" + extension)), "old");
+        std::string nameless = text;
+        nameless.replace(text.find("%o"), 2 + extension.size(), "''");
+        const Outcome empty = nacre(nameless);
+        EXPECT_EQ(empty.status, 1) << nameless << '\n' << empty.err;
+        EXPECT_THAT(empty.err, HasSubstr("the name of a file is expected")) << nameless;
+        for (const char* name : {"dangling", "locked", "folder"}) {
+            fs::remove(folder_ / (name + extension));
+        }
     }
+    fs::create_symlink("gone", folder_ / "dangling");
+    for (const char* writer : kFolderWriters) {
+        const Outcome empty = nacre(with_output(writer, "''"));
+        EXPECT_EQ(empty.status, 1) << writer << '\n' << empty.err;
+        const Outcome dangling = nacre(with_output(writer, "dangling"));
+        EXPECT_EQ(dangling.status, 2) << writer << '\n' << dangling.err;
+        EXPECT_THAT(dangling.err, HasSubstr("is a symbolic link that leads nowhere")) << writer;
+    }
+    EXPECT_FALSE(exists("gone"));
 }
 
 TEST_F(Files, AFullDiskLeavesTheOldFile) {

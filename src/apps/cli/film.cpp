@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "apps/cli/options.h"
+#include "apps/cli/paint_options.h"
 #include "nacre/optics/thin_film.h"
 #include "nacre/paint/recipe.h"
 
@@ -38,7 +39,7 @@ Film parse_film(const std::string& text) {
         throw UsageError(fmt::format(
             "--layer = {}: must be INDEX:THICKNESS, the thickness in nm, as in 2.5:120", text));
     }
-    return {optics::find_material(text.substr(0, colon)),
+    return {open_material(text.substr(0, colon)),
             parse_number("thickness of --layer", text.substr(colon + 1), Range{0, 1e9, "nm"})};
 }
 
@@ -49,8 +50,8 @@ Polarization parse_polarization(const std::string& text) {
 }
 
 std::string film_table(const FilmOptions& options) {
-    const optics::Material ambient = optics::find_material(options.ambient);
-    const optics::Material substrate = optics::find_material(options.substrate);
+    const optics::Material ambient = open_material(options.ambient);
+    const optics::Material substrate = open_material(options.substrate);
     if (options.layers.size() > kMaxFilms) {
         throw UsageError(fmt::format("--layer: more than {} of them", kMaxFilms));
     }

@@ -85,14 +85,14 @@ ExitStatus run(const FitOptions& options) {
     parse_model(options.model);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
-    const Paint start = open(options.start);
+    const Paint start = open_input(options, options.start);
     if (start.recipe().layers.empty()) {
         throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
                                      options.start));
     }
     const std::vector<std::string> keys = free_keys(options, start);
     fit::FreeNumbers(start.recipe(), keys, start.bounds());  // before any work
-    const Paint standard = open(options.standard);
+    const Paint standard = open_input(options, options.standard);
     instrument.settings.model = model_for({&standard}, options.model, true);
     const Measurement wanted = [&] {
         ProgressBar bar("measure", options.quiet);
@@ -162,6 +162,7 @@ Command add_fit(CLI::App& program) {
         ->type_name("FILE");
     add_model_options(*command, options->model);
     add_seed(*command, *options);
+    add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Bounds come from the table [fit] of the starting recipe; without them a third to three\n"

@@ -76,9 +76,7 @@ TEST_F(Program, FitTakesMeasuredFilesAndSpeaksJson) {
 TEST_F(Program, FitRefusesWhatItCannotDo) {
     write("start.toml", kStart);
     write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");
-    write("facets.toml",
-          "ior = 1.5\n[microfacet]\nalpha = 0.1\nfilm_ior = 1.8\nfilm_thickness_nm = 150\n"
-          "base_ior = 1.1\n");
+    write("facets.toml", kMicrofacetRecipe);
     const struct {
         const char* arguments;
         int status;

@@ -189,7 +189,8 @@ void describe_scene(Facts& facts, const render::SceneDescription& scene) {
     }
 }
 
-std::string describe(const std::string& file) {
+std::string describe(const InfoOptions& options) {
+    const std::string& file = options.file;
     const std::string bytes =
         read_file(file, std::max(io::kMaxImageFileBytes, io::kMaxMeasuredBytes));
     Facts facts;
@@ -214,7 +215,7 @@ std::string describe(const std::string& file) {
             break;
         case Kind::measured_colours:
         case Kind::recipe:
-            const References references = References::of_file(file);
+            const References references = references_of(options, file);
             if (render::looks_like_scene(bytes, file)) {
                 describe_scene(facts, render::parse_scene(bytes, file, references));
             } else {
@@ -233,6 +234,7 @@ Command add_info(CLI::App& program) {
     info->add_option("FILE", options->file,
                      "Recipe, scene, solved paint, table or measured BRDF, picture")
         ->required();
+    add_untrusted(*info, *options);
     add_output(*info, *options);
     info->footer(
         "Checks the file on the way: a solved paint against its checksum, a recipe or a scene "
@@ -240,7 +242,7 @@ Command add_info(CLI::App& program) {
         "Example:\n  nacre info gold.h5");
     return {info, [options] { return files_of(*options, {options->file}); },
             [options] {
-                emit(*options, describe(options->file));
+                emit(*options, describe(*options));
                 return ExitStatus::ok;
             }};
 }

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "apps/cli/program_test_support.h"
 
@@ -32,11 +35,36 @@ constexpr const char* kReaders[] = {"info @",
                                     "panel @ -o out.html",
                                     "panel gray.toml --versus @ -o out.html",
                                     "fit @ --start gray.toml --free alpha",
+                                    "fit gray.toml --start @ --free alpha",
                                     "atlas --recipe @ --key alpha --values 0.1,0.2",
                                     "render @ -o out.exr",
                                     "render sphere --paint @ -o out.exr",
                                     "render sphere --brdf @ -o out.exr",
-                                    "diff @ @"};
+                                    "diff @ @",
+                                    "diff gray.toml @"};
+
+/// What a scene or a recipe names, and how; materials stand on the command line too.
+constexpr const char* kNamers[] = {
+    "[materials.paint]\ntype = \"paint\"\nrecipe = \"@.toml\"\n[[shapes]]\ntype = \"sphere\"\n"
+    "material = \"paint\"\n[environment]\ntype = \"constant\"\n",
+    "[materials.grey]\ntype = \"diffuse\"\nreflectance = 0.5\n[[shapes]]\ntype = \"mesh\"\npath = "
+    "\"@.obj\"\n"
+    "material = \"grey\"\n[environment]\ntype = \"constant\"\n",
+    "[materials.grey]\ntype = \"diffuse\"\nreflectance = 0.5\n[[shapes]]\ntype = \"mesh\"\npath = "
+    "\"@.gltf\"\n"
+    "material = \"grey\"\n[environment]\ntype = \"constant\"\n",
+    "[materials.grey]\ntype = \"diffuse\"\nreflectance = 0.5\n[[shapes]]\ntype = "
+    "\"sphere\"\nmaterial = \"grey\"\n"
+    "[environment]\ntype = \"image\"\npath = \"@.exr\"\n",
+    "ior = \"@.csv\"\n[[layer]]\nthickness_um = 3\n",
+    "ior = \"@.yml\"\n[[layer]]\nthickness_um = 3\n"};
+constexpr const char* kMaterialReaders[] = {"film --layer @.csv:80",
+                                            "film --ambient @.yml",
+                                            "film --substrate @.csv",
+                                            "atlas --film @.csv",
+                                            "atlas --film mica --core @.yml:500:60",
+                                            "atlas --film mica --core mica:500 --outer @.csv:30",
+                                            "atlas --film mica --ior @.csv"};
 
 std::string with_file(std::string command, const std::string& file) {
     for (std::size_t at; (at = command.find('@')) != std::string::npos;) {
@@ -59,6 +87,37 @@ TEST_F(Program, PipesAndDevicesByNameAreRefusedByEveryCommand) {
         EXPECT_THAT(outcome.err, HasSubstr(std::string("'") + other + "'"));
     }
     EXPECT_EQ(nacre("info - < /dev/zero").status, 2);
+    for (const char* extension : {".toml", ".obj", ".gltf", ".exr", ".csv", ".yml"}) {
+        ASSERT_EQ(::mkfifo((folder_ / (std::string("fifo") + extension)).c_str(), 0600), 0);
+        for (const char* device : {"zero", "random"}) {
+            std::filesystem::create_symlink(std::string("/dev/") + device,
+                                            folder_ / (std::string(device) + extension));
+        }
+    }
+    for (const char* device : {"zero.toml", "random.toml"}) {
+        for (const char* reader : kReaders) {
+            const Outcome outcome = nacre(with_file(reader, device));
+            EXPECT_EQ(outcome.status, 2) << reader << '\n' << outcome.err;
+            EXPECT_THAT(outcome.err, HasSubstr("is a device")) << reader;
+        }
+    }
+    // Named by a file, or as a material.
+    for (const auto& [name, reason] :
+         {std::pair{"fifo", "is a pipe"}, {"zero", "is a device"}, {"random", "is a device"}}) {
+        std::vector<std::string> commands;
+        for (const char* reader : kMaterialReaders) commands.push_back(with_file(reader, name));
+        for (const char* namer : kNamers) {
+            const bool scene = std::string(namer).find("[[shapes]]") != std::string::npos;
+            const std::string file = fmt::format("namer-{}-{}.toml", name, commands.size());
+            write(file, with_file(namer, name));
+            commands.push_back(scene ? "render " + file + " -o out.exr" : "info " + file);
+        }
+        for (const std::string& command : commands) {
+            const Outcome outcome = nacre(command);
+            EXPECT_EQ(outcome.status, 2) << command << '\n' << outcome.err;
+            EXPECT_THAT(outcome.err, HasSubstr(reason)) << command;
+        }
+    }
     for (const char* name : {"out.h5", "out.bsdf", "out.html", "out.exr"}) {
         EXPECT_FALSE(exists(name)) << name;
     }
@@ -98,6 +157,82 @@ type = "constant"
     EXPECT_EQ(nacre("diff a.exr - --max-relative 0", "cat b.exr |").status, 0);
 }
 
+// Each command with each of its inputs, through a pipe: the same as from the file.
+TEST_F(Program, EveryInputMayComeThroughAPipe) {
+    write("gray.toml", "name = \"gray\"\n" + contents(folder_ / "gray.toml"));
+    write("start.toml", contents(folder_ / "gray.toml") +
+                            "[fit]\n\"layer[0].flakes[0].orientation.alpha\" = [0.1, 0.3]\n");
+    write("glass.csv", "# of nowhere\nwavelength_nm,n\n300,1.5\n900,1.5\n");
+    write("glass.yml", "DATA:\n  - type: tabulated n\n    data: |\n      0.3 1.5\n      0.9 1.6\n");
+    write("set.toml", "name = \"s\"\n[[geometry]]\nlamp_deg = 45\naspecular_deg = 25\n");
+    write("scene.toml",
+          "[materials.paint]\ntype = \"paint\"\n[[shapes]]\ntype = \"sphere\"\n"
+          "material = \"paint\"\n[environment]\ntype = \"constant\"\n");
+    const std::string small = "--spp 1 --size 2x2 --model walk -o x.exr";
+    for (const char* make :
+         {"solve gray.toml --wavelength 500,600 -o gray.h5",
+          "solve gray.toml --wavelength 400:700:20 --table svd -o table.h5",
+          "export gray.toml --cells 8,8,16 -o gray.binary",
+          "export gray.toml --resolution 4 --incidences 2 -o gray.bsdf",
+          "measure gray.toml --geometry 45as15,45as45 -o gray.csv",
+          "measure gray.toml --geometry 45as15,45as45 --format json -o gray.json",
+          "render sphere --paint gray.toml --spp 1 --size 2x2 -o gray.exr"}) {
+        ASSERT_EQ(nacre(std::string(make) + " -q").status, 0) << make;
+    }
+    const std::vector<std::pair<std::string, std::string>> commands = {
+        {"gray.toml", "info @"},
+        {"scene.toml", "info @"},
+        {"gray.h5", "info @"},
+        {"table.h5", "info @"},
+        {"gray.bsdf", "info @"},
+        {"gray.binary", "info @"},
+        {"gray.exr", "info @"},
+        {"gray.png", "info @"},
+        {"gray.toml", std::string("eval @") + kEvalOptions},
+        {"gray.binary", "eval @ --incident 45 --outgoing 30,180"},
+        {"gray.bsdf", "eval @ --incident 45 --outgoing 30,180"},
+        {"table.h5", "eval @ --table svd --incident 45 --outgoing 30,180"},
+        {"gray.toml", std::string("reference @ --samples 2") + kEvalOptions},
+        {"gray.toml", "solve @ --wavelength 550 -o x.h5"},
+        {"gray.toml", "export @ --cells 8,8,16 -o x.binary"},
+        {"gray.toml", "measure @ --geometry 45as15"},
+        {"gray.csv", "measure @"},
+        {"gray.json", "measure @"},
+        {"gray.csv", "measure gray.toml --versus @"},
+        {"set.toml", "measure gray.toml --geometry @"},
+        {"gray.toml", "sparkle @ --field 2 --diffuse-samples 0 --lamp 45"},
+        {"gray.h5", "panel gray.h5 --versus @ --quality low -o x.html"},
+        {"gray.h5", "panel @ --quality low -o x.html"},
+        {"gray.csv", "fit @ --start start.toml --starts 1 --format json"},
+        {"start.toml", "fit gray.csv --start @ --starts 1 --format json"},
+        {"gray.toml", "atlas --recipe @ --key alpha --values 0.1,0.2"},
+        {"scene.toml", "render @ --paint gray.toml " + small},
+        {"gray.toml", "render sphere --paint @ " + small},
+        {"gray.binary", "render sphere --brdf @ --spp 1 --size 2x2 -o x.exr"},
+        {"gray.exr", "diff @ gray.exr"},
+        {"gray.png", "diff gray.exr @"},
+        {"glass.csv", "film --layer @:80"},
+        {"glass.yml", "film --ambient @"},
+        {"glass.csv", "film --substrate @"},
+        {"glass.yml", "atlas --film @ --thickness 100"},
+        {"glass.csv", "atlas --film mica --thickness 100 --core @:500:60"},
+        {"glass.csv", "atlas --film mica --thickness 100 --ior @"}};
+    int count = 0;
+    for (const auto& [file, command] : commands) {
+        const Outcome expected = nacre(with_file(command, file) + " -q");
+        const bool quiet = expected.status == 0;  // the others have no --quiet
+        const std::string more = quiet ? " -q" : "";
+        const std::string out = quiet ? expected.out : nacre(with_file(command, file)).out;
+        const char* name = ++count % 2 ? "-" : "/dev/stdin";
+        const Outcome piped = nacre(with_file(command, name) + more, "cat " + file + " |");
+        EXPECT_EQ(piped.status, 0) << command << ' ' << file << '\n' << piped.err;
+        const bool tells = command.starts_with("info") || command.starts_with("fit");
+        if (!tells) {  // the name of the file
+            EXPECT_EQ(piped.out, out) << command;
+        }
+    }
+}
+
 TEST_F(Program, WhatComesThroughAPipeNamesNoFiles) {
     write("glass.csv", "wavelength_nm,n\n300,1.5\n900,1.5\n");
     std::string recipe = contents(folder_ / "gray.toml");
@@ -110,14 +245,7 @@ TEST_F(Program, WhatComesThroughAPipeNamesNoFiles) {
 }
 
 TEST_F(Program, ReferenceRefusesAPaintWithoutLayers) {
-    write("facets.toml", R"(ior = 1.5
-[microfacet]
-alpha = 0.07
-film_ior = 1.8
-film_thickness_nm = 158.333
-base_ior = 1.08
-base_extinction = 0.51
-)");
+    write("facets.toml", kMicrofacetRecipe);
     const Outcome outcome = nacre("reference facets.toml --incident 45 --outgoing 30,180");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.err,

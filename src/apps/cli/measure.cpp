@@ -120,7 +120,7 @@ ExitStatus run(const MeasureOptions& options) {
         return Sample{paint, paint.is_measured() ? std::string() : options.model.model,
                       std::move(readings)};
     };
-    const Paint paint = open(options.sample);
+    const Paint paint = open_input(options, options.sample);
 
     if (options.versus.empty()) {
         instrument.settings.model = model_for({&paint}, options.model, true);
@@ -138,7 +138,7 @@ ExitStatus run(const MeasureOptions& options) {
         write_report(options, "measure", report);
         return ExitStatus::ok;
     }
-    const Paint versus = open(options.versus);
+    const Paint versus = open_input(options, options.versus);
     instrument.settings.model = model_for({&paint, &versus}, options.model, true);
     ProgressBar bar("measure", options.quiet);
     auto [sample, standard] =
@@ -150,7 +150,7 @@ ExitStatus run(const MeasureOptions& options) {
 CommandFiles files(const MeasureOptions& options) {
     CommandFiles files =
         files_of(options, {options.sample, options.versus, options.instrument.geometry});
-    files.folders = {{"--plots", options.plots}};
+    files.folders = {{"--plots", options.plots, plot_file_names()}};
     return files;
 }
 
@@ -187,6 +187,7 @@ Command add_measure(CLI::App& program) {
         ->type_name("DIR");
     add_output(*command, *options);
     add_seed(*command, *options);
+    add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Writes CSV: geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z, a column R<nm> a wavelength, "

@@ -30,6 +30,16 @@ void add_report(CLI::App& command, CommonOptions& options) {
         ->type_name("FILE");
 }
 
+void add_untrusted(CLI::App& command, CommonOptions& options) {
+    command.add_flag("--untrusted", options.untrusted,
+                     "The recipe or scene came from elsewhere: refuse what it names outside of its "
+                     "folder");
+}
+
+References references_of(const CommonOptions& options, const std::string& input) {
+    return options.untrusted ? References::of_untrusted_file(input) : References::of_file(input);
+}
+
 void add_threads(CLI::App& command, CommonOptions& options) {
     command.add_option("--threads", options.threads, "Threads to use; 0 means all")
         ->check(CLI::Range(0, 4096))

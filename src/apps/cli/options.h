@@ -12,6 +12,7 @@
 
 #include "apps/cli/files.h"
 #include "nacre/core/error.h"
+#include "nacre/core/references.h"
 #include "nacre/core/text.h"
 #include "nacre/montecarlo/reference.h"
 
@@ -83,15 +84,20 @@ struct CommonOptions {
     bool quiet = false;      ///< no progress, no messages other than errors
     std::string report;      ///< JSON file about the run; empty: none
     std::string output;      ///< empty: stdout
+    bool untrusted = false;  ///< recipes and scenes name files in their folders only
 };
 
 void add_output(CLI::App& command, CommonOptions& options);  ///< -o, --output
 void add_quiet(CLI::App& command, CommonOptions& options);
 void add_report(CLI::App& command, CommonOptions& options);
+void add_untrusted(CLI::App& command, CommonOptions& options);  ///< of all that open recipes
 void add_threads(CLI::App& command, CommonOptions& options);
 void add_seed(CLI::App& command, CommonOptions& options);
 /// Of commands that compute: --threads, --quiet and --report.
 void add_run_options(CLI::App& command, CommonOptions& options);
+
+/// The files that an input of the command may name.
+References references_of(const CommonOptions& options, const std::string& input);
 
 /// Data to the output file, whole or not at all, or to stdout.
 /// @throws Error if they cannot be written

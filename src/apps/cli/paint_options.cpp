@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
+#include "nacre/optics/material_file.h"
 
 namespace nacre::cli {
 
@@ -28,6 +30,14 @@ std::string advice(const SolverWarning& warning) {
 }
 
 }  // namespace
+
+Paint open_input(const CommonOptions& options, const std::string& file) {
+    return open(file, references_of(options, file));
+}
+
+optics::Material open_material(const std::string& text) {
+    return is_stream(text) ? optics::read_material_file(text) : optics::find_material(text);
+}
 
 void require_values(const bsdf::ModelInfo& model) {
     if (!model.can.reference_only) return;

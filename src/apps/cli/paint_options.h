@@ -12,6 +12,15 @@
 
 namespace nacre::cli {
 
+/// The file of any kind that an argument of the command names.
+/// @throws InputError as nacre::open()
+Paint open_input(const CommonOptions& options, const std::string& file);
+
+/// The material that an argument names: as optics::find_material(), or a file of one through a
+/// stream, as "-".
+/// @throws InputError as optics::find_material() and optics::read_material_file()
+optics::Material open_material(const std::string& text);
+
 /// The model that the command line chooses for the paints. None where all of them hold measured
 /// values, which are shown as they are.
 /// @throws UsageError as parse_model_settings(), if a model was named and no paint takes one, or if

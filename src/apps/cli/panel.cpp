@@ -88,8 +88,8 @@ void check_choices(const PanelOptions& options) {
 }
 
 /// @throws InputError if the file holds no paint
-Paint open_panel(const std::string& file) {
-    const Paint paint = open(file);
+Paint open_panel(const PanelOptions& options, const std::string& file) {
+    const Paint paint = open_input(options, file);
     if (paint.is_measured()) {
         throw InputError(fmt::format(
             "{}: holds measured values; a panel report needs a recipe, for its pictures and its "
@@ -112,7 +112,7 @@ ExitStatus run(const PanelOptions& options) {
     InstrumentRequest instrument = parse_instrument(options.instrument);
     instrument.settings.model = model;
     check_choices(options);
-    const Paint paint = open_panel(options.recipe);
+    const Paint paint = open_panel(options, options.recipe);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
@@ -137,7 +137,7 @@ ExitStatus run(const PanelOptions& options) {
         page.sample =
             paint.measure(instrument.geometries, instrument.settings, bar.callback()).measurement;
     } else {
-        versus = open(options.versus);
+        versus = open_input(options, options.versus);
         ProgressBar bar("measure", options.quiet);
         auto [sample, standard] = measure_alike(paint, *versus, instrument.geometries,
                                                 instrument.settings, bar.callback());
@@ -192,6 +192,7 @@ Command add_panel(CLI::App& program) {
     add_model_options(*command, options->model);
     add_instrument_options(*command, options->instrument);
     add_seed(*command, *options);
+    add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Writes one HTML file without scripts that needs no other file and prints to A4. Sparkle\n"

@@ -18,4 +18,13 @@ void write_plots(const std::filesystem::path& folder,
     }
 }
 
+std::vector<std::string> plot_file_names() {
+    std::vector<std::string> names;
+    for (const char* plot : datasheet::kMeasurementPlots) {
+        for (const char* extension : {".svg", ".png"})
+            names.push_back(plot + std::string(extension));
+    }
+    return names;
+}
+
 }  // namespace nacre::cli

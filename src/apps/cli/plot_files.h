@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "apps/datasheet/measurement_plots.h"
@@ -11,5 +12,8 @@ namespace nacre::cli {
 /// @throws InputError naming the folder if it cannot be made; Error if a file cannot be written
 void write_plots(const std::filesystem::path& folder,
                  const std::vector<datasheet::NamedPlot>& plots);
+
+/// The names of all files that it may write of the plots of a measurement.
+std::vector<std::string> plot_file_names();
 
 }  // namespace nacre::cli

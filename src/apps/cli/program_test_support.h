@@ -11,6 +11,16 @@
 
 namespace nacre::cli::testing {
 
+/// A recipe of facets, without layers; [microfacet.facets] may follow.
+inline constexpr char kMicrofacetRecipe[] = R"(ior = 1.5
+[microfacet]
+alpha = 0.2
+film_ior = 1.8
+film_thickness_nm = 158
+base_ior = 1.08
+base_extinction = 0.51
+)";
+
 struct Outcome {
     int status = -1;
     std::string out, err;

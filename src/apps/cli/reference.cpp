@@ -9,6 +9,7 @@
 
 #include "apps/cli/brdf_options.h"
 #include "apps/cli/options.h"
+#include "apps/cli/paint_options.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/io/recipe_file.h"
@@ -37,15 +38,14 @@ ExitStatus run(const ReferenceOptions& options) {
     if (rows > kMaxRows) {
         throw UsageError(fmt::format("{} rows are too many: at most {}", rows, kMaxRows));
     }
-    const paint::Recipe recipe = open(options.recipe).recipe();
+    const paint::Recipe recipe = open_input(options, options.recipe).recipe();
     std::vector<Estimate> estimates;
     {
         ProgressBar bar("reference", options.quiet);
         try {
             estimates = montecarlo::reference_brdf(
                 recipe, incident, outgoing, wavelengths,
-                {options.samples, options.seed, parse_part<montecarlo::Part>(options.part)},
-                bar.callback());
+                {options.samples, options.seed, parse_part(options.part)}, bar.callback());
         } catch (const DomainError& error) {  // the options have been checked: it is the recipe
             throw InputError(fmt::format("{}: {}", options.recipe, error.what()));
         }

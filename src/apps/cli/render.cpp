@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxPixelsPerSide = 32768;  // as in render::RenderOptions
-
 struct RenderCommandOptions : CommonOptions {
     std::string scene;
     std::string paint;
@@ -38,7 +36,7 @@ struct RenderCommandOptions : CommonOptions {
 /// "640x480".
 void parse_size(const std::string& text, render::RenderOptions& options) {
     const std::vector<std::string_view> sides = split(text, 'x');
-    const Range range{1, kMaxPixelsPerSide, "pixels"};
+    const Range range{1, io::kMaxPixelsPerSide, "pixels"};
     if (sides.size() == 2) {
         const double width = parse_number("--size (width)", sides[0], range);
         const double height = parse_number("--size (height)", sides[1], range);
@@ -54,7 +52,7 @@ void parse_size(const std::string& text, render::RenderOptions& options) {
 std::optional<Paint> open_brdf(const RenderCommandOptions& options) {
     if (options.brdf.empty()) return std::nullopt;
     if (!options.paint.empty()) throw UsageError("--paint and --brdf exclude each other");
-    Paint brdf = open(options.brdf);
+    Paint brdf = open_input(options, options.brdf);
     if (brdf.kind() != Kind::measured_brdf) {
         throw InputError(fmt::format(
             "{}: holds no measured BRDF, neither of the RGL database (.bsdf) nor of MERL "
@@ -81,13 +79,14 @@ std::optional<Paint> paint_for_slots(const render::SceneDescription& description
                                      brdf ? "--brdf" : "--paint",
                                      brdf ? options.brdf : options.paint, options.scene));
     }
-    return brdf ? brdf : open(options.paint);
+    return brdf ? brdf : open_input(options, options.paint);
 }
 
 Scene painted_scene(const RenderCommandOptions& options) {
     const bsdf::Model model = parse_model_settings(options.model);
     std::optional<Paint> brdf = open_brdf(options);
-    render::SceneDescription description = find_scene(options.scene);
+    render::SceneDescription description =
+        find_scene(options.scene, references_of(options, options.scene));
     std::optional<Paint> slot = paint_for_slots(description, options, std::move(brdf));
     ProgressBar bar("prepare", options.quiet || !model.makes_table());
     try {
@@ -229,6 +228,7 @@ Command add_render(CLI::App& program) {
         ->required()
         ->type_name("FILE");
     add_seed(*command, *options);
+    add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The EXR holds linear Rec. 709 (1 is the perfect diffuser in full light), albedo and "

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
@@ -163,15 +164,14 @@ std::vector<double> parse_lamps(const SparkleOptions& options) {
 }
 
 CommandFiles files(const SparkleOptions& options) {
+    std::set<std::string> pictures = {"diffuse"};
+    for (double lamp_deg : parse_lamps(options)) pictures.insert(lamp_name(lamp_deg));
     CommandFiles files = files_of(options, {options.recipe});
     files.folders = {{"--pictures", options.pictures}};
-    if (!fs::is_directory(options.pictures)) return files;  // nothing in it yet
-    std::vector<std::string> names = {"diffuse"};
-    for (double lamp_deg : parse_lamps(options)) names.push_back(lamp_name(lamp_deg));
-    for (const std::string& name : names) {
-        const fs::path exr = fs::path(options.pictures) / (name + ".exr");
-        files.files.push_back({"--pictures", exr.string()});
-        files.files.push_back({"--pictures", io::png_beside(exr).string(), true});
+    for (const std::string& picture : pictures) {
+        for (const char* extension : {".exr", ".png"}) {
+            files.folders[0].files.push_back(picture + extension);
+        }
     }
     return files;
 }
@@ -185,7 +185,7 @@ ExitStatus run(SparkleOptions options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const Paint paint = open(options.recipe);
+    const Paint paint = open_input(options, options.recipe);
     refuse_measured_brdf(paint);
     const auto look = [&] {
         ProgressBar bar("solve", options.quiet);
@@ -281,6 +281,7 @@ Command add_sparkle(CLI::App& program) {
         ->type_name("DIR");
     add_output(*sparkle, *options);
     add_seed(*sparkle, *options);
+    add_untrusted(*sparkle, *options);
     add_run_options(*sparkle, *options);
     sparkle->footer(
         "The camera looks along the normal of a flat panel. One row a lamp (15s, 45s, 75s) and "

@@ -50,18 +50,11 @@ TEST_F(Program, SparkleWritesJsonAndPictures) {
 }
 
 TEST_F(Program, SparkleTakesTheModelSpecialEffect) {
-    write("facets.toml", R"(ior = 1.5
-[microfacet]
-alpha = 0.2
-film_ior = 1.8
-film_thickness_nm = 158
-base_ior = 1.08
-base_extinction = 0.51
-[microfacet.facets]
+    write("facets.toml", kMicrofacetRecipe + std::string(R"([microfacet.facets]
 count = 4_000_000
 cone_deg = 3.0
 thickness_spread_nm = 10.0
-)");
+)"));
     const Outcome run = nacre(
         "sparkle facets.toml --model special-effect --field 2 --lamp 15 --diffuse-samples 4 -q");
     ASSERT_EQ(run.status, 0) << run.err;

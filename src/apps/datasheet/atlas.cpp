@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "apps/datasheet/measurement_plots.h"
 #include "apps/report/markup.h"
 #include "apps/report/plot_svg.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/paint/recipe.h"
@@ -134,11 +134,10 @@ std::string title_of(const AtlasFlake& flake) {
 }  // namespace
 
 double cos_on_flake(const measure::Geometry& geometry, double binder_index) {
-    constexpr double kDeg = std::numbers::pi / 180;
-    const double sin_i = std::sin(geometry.theta_i_deg * kDeg) / binder_index;
-    const double sin_o = std::sin(geometry.theta_o_deg * kDeg) / binder_index;
+    const double sin_i = std::sin(geometry.theta_i_deg * kDegree) / binder_index;
+    const double sin_o = std::sin(geometry.theta_o_deg * kDegree) / binder_index;
     const double dot = std::sqrt((1 - sin_i * sin_i) * (1 - sin_o * sin_o)) +
-                       sin_i * sin_o * std::cos(geometry.phi_deg * kDeg);
+                       sin_i * sin_o * std::cos(geometry.phi_deg * kDegree);
     return std::sqrt(std::clamp((1 + dot) / 2, 0.0, 1.0));
 }
 

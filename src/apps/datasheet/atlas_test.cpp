@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "apps/report/svg_raster.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/measure/instrument.h"
 #include "nacre/optics/thin_film.h"
@@ -16,8 +17,6 @@ namespace nacre::datasheet {
 namespace {
 
 using nacre::test::message_of;
-
-constexpr double kDeg = std::numbers::pi / 180;
 
 std::vector<double> wavelengths() {
     std::vector<double> all;
@@ -34,13 +33,13 @@ AtlasFlake titania_on_mica() {
 TEST(AngleOnFlake, IsHalfTheAngleBetweenTheRefractedDirections) {
     // In the mirror direction the flake lies flat: Snell's law alone.
     EXPECT_NEAR(cos_on_flake(measure::in_plane(45, 0), 1.5),
-                std::cos(std::asin(std::sin(45 * kDeg) / 1.5)), 1e-15);
+                std::cos(std::asin(std::sin(45 * kDegree) / 1.5)), 1e-15);
     // Without refraction, half of lamp to view.
-    EXPECT_NEAR(cos_on_flake(measure::in_plane(45, 15), 1), std::cos(37.5 * kDeg), 1e-15);
-    EXPECT_NEAR(cos_on_flake(measure::in_plane(45, 110), 1), std::cos(10 * kDeg), 1e-15);
+    EXPECT_NEAR(cos_on_flake(measure::in_plane(45, 15), 1), std::cos(37.5 * kDegree), 1e-15);
+    EXPECT_NEAR(cos_on_flake(measure::in_plane(45, 110), 1), std::cos(10 * kDegree), 1e-15);
     // At 45as45 the view is along the normal: half the refracted angle of the lamp.
     EXPECT_NEAR(cos_on_flake(measure::in_plane(45, 45), 1.5),
-                std::cos(std::asin(std::sin(45 * kDeg) / 1.5) / 2), 1e-15);
+                std::cos(std::asin(std::sin(45 * kDegree) / 1.5) / 2), 1e-15);
     // Lamp and view may be exchanged; back to the lamp means head on.
     EXPECT_DOUBLE_EQ(cos_on_flake(measure::towards(60, 20, 70), 1.5),
                      cos_on_flake(measure::towards(20, 60, 70), 1.5));
@@ -145,7 +144,7 @@ TEST(RecipeAtlas, ChangesOnlyTheNumberThatIsNamed) {
     const auto reading =
         measure::coloured(geometries[0], three,
                           [&] {
-                              auto f = paint.brdf(45 * kDeg, 20 * kDeg, std::numbers::pi);
+                              auto f = paint.brdf(45 * kDegree, 20 * kDegree, std::numbers::pi);
                               for (double& v : f) v *= std::numbers::pi;
                               return f;
                           }(),

@@ -275,10 +275,11 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
 }
 
 std::vector<NamedPlot> measurement_plots(const Measurement& sample, const Measurement* standard) {
-    std::vector<NamedPlot> plots = {{"lightness", lightness_plot(sample, standard)},
-                                    {"travel", travel_plot(sample, standard)}};
+    const auto& [lightness, travel, spectra_name] = kMeasurementPlots;
+    std::vector<NamedPlot> plots = {{lightness, lightness_plot(sample, standard)},
+                                    {travel, travel_plot(sample, standard)}};
     report::Plot spectra = spectra_plot(sample, standard);
-    if (!spectra.series.empty()) plots.push_back({"spectra", std::move(spectra)});
+    if (!spectra.series.empty()) plots.push_back({spectra_name, std::move(spectra)});
     return plots;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,10 @@ struct NamedPlot {
     report::Plot plot;
 };
 
-/// All that can be drawn: "lightness", "travel" and, if there are spectra, "spectra".
+/// The names of all that can be drawn.
+inline constexpr std::array kMeasurementPlots = {"lightness", "travel", "spectra"};
+
+/// All that can be drawn; "spectra" only if there are some.
 std::vector<NamedPlot> measurement_plots(const measure::Measurement& sample,
                                          const measure::Measurement* standard = nullptr);
 

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "apps/report/markup.h"
+#include "nacre/core/text.h"
 
 namespace nacre::report {
 
@@ -19,10 +20,10 @@ constexpr std::string_view kSecurityPolicy =
 std::string slug(const std::string& text) {
     constexpr std::size_t kLongest = 60;
     std::string name;
-    for (const char c : markup_to_plain(text)) {
+    for (const char c : lowercase(markup_to_plain(text))) {
         if (name.size() >= kLongest) break;
         if (std::isalnum(static_cast<unsigned char>(c))) {
-            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            name += c;
         } else if (!name.empty() && name.back() != '-') {
             name += '-';
         }

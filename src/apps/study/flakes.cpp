@@ -8,6 +8,8 @@
 
 #include "apps/study/folder.h"
 #include "apps/study/mir_2022.h"
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/file.h"
 #include "nacre/core/random.h"
 #include "nacre/core/version.h"
@@ -111,6 +113,7 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
 
 std::filesystem::path run_flakes(const FlakesSettings& settings, const Stage& stage) {
     const FolderLock lock(settings.folder);
+    check_page(settings.folder);
     const CloseUps close_ups(settings.folder, stage);
     report::Report report("Flakes, one by one",
                           "The model `nacre` against explicit discs: mean, contrast, histogram and "
@@ -129,10 +132,7 @@ std::filesystem::path run_flakes(const FlakesSettings& settings, const Stage& st
         if (settings.quick && verdicts.size() == 2) break;
     }
     add_verdicts(context, verdicts);
-    const std::filesystem::path page = settings.folder / "index.html";
-    write_file_atomically(settings.folder / "results.json", results.dump(2) + "\n");
-    write_file_atomically(page, report.html());
-    return page;
+    return write_page(settings.folder, report.html(), results);
 }
 
 namespace {
@@ -184,14 +184,11 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
     }
     auto& made = way == Way::hashed ? hashed_ : way == Way::hot_spot ? hot_spot_ : smooth_;
     if (!made) {
-        if (way == Way::smooth) {
-            made = models::named_model("microflake").make({recipe_, solved_});
-        } else {
-            bsdf::Model model =
-                models::named_model("nacre", {{"--hot-spot", way == Way::hot_spot ? "on" : "off"}});
-            model.set_specimen(seed_);
-            made = model.make({recipe_, solved_});
-        }
+        const bsdf::Model model =
+            way == Way::smooth
+                ? bsdf::Model(bsdf::MicroflakeModel{})
+                : bsdf::NacreModel{.specimen = seed_, .hot_spot = way == Way::hot_spot};
+        made = model.make({recipe_, solved_});
     }
     return made;
 }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "apps/study/folder.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/sha256.h"
@@ -102,15 +102,16 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr double kRadians = std::numbers::pi / 180;
-
 Vec3f towards(double angle_deg, double distance_mm) {
-    return {static_cast<float>(distance_mm * std::sin(angle_deg * kRadians)), 0,
-            static_cast<float>(distance_mm * std::cos(angle_deg * kRadians))};
+    return {static_cast<float>(distance_mm * std::sin(angle_deg * kDegree)), 0,
+            static_cast<float>(distance_mm * std::cos(angle_deg * kDegree))};
 }
 
 io::Image image_of(const Pixels& picture, double scale) {
-    io::Image image{picture.width, picture.height, {{"R", {}}, {"G", {}}, {"B", {}}}, {}};
+    io::Image image{picture.width,
+                    picture.height,
+                    {{"R", {}}, {"G", {}}, {"B", {}}},
+                    {{"nacre:study", "flakes"}}};
     for (std::size_t i = 0; i < picture.rgb.size(); ++i)
         image.channels[i % 3].pixels.push_back(static_cast<float>(scale * picture.rgb[i]));
     return image;
@@ -127,7 +128,7 @@ std::string fingerprint(const CloseUpJob& job) {
 }  // namespace
 
 double panel_side_mm(double pixel_mm, int pixels) {
-    return 1.2 * pixel_mm * pixels / std::cos(kEye_deg * kRadians);
+    return 1.2 * pixel_mm * pixels / std::cos(kEye_deg * kDegree);
 }
 
 render::SceneDescription close_up_scene(double pixel_mm, int pixels) {
@@ -138,13 +139,13 @@ render::SceneDescription close_up_scene(double pixel_mm, int pixels) {
     scene.name = "close-up";
     scene.camera.position_mm = towards(kEye_deg, distance_mm);
     scene.camera.up = {0, 1, 0};
-    scene.camera.vertical_fov_deg = 2 * std::atan(0.5 * view_mm / distance_mm) / kRadians;
+    scene.camera.vertical_fov_deg = 2 * std::atan(0.5 * view_mm / distance_mm) / kDegree;
     scene.materials["paint"] = render::PaintMaterial{};
     const double side = panel_side_mm(pixel_mm, pixels);
     scene.shapes.push_back({render::FlatPanel{side, side}, "paint", {}});
     render::RectangleLight lamp;
     lamp.center_mm = towards(-kLamp_deg, distance_mm);
-    lamp.width_mm = lamp.height_mm = 2 * distance_mm * std::tan(0.5 * kLampSize_deg * kRadians);
+    lamp.width_mm = lamp.height_mm = 2 * distance_mm * std::tan(0.5 * kLampSize_deg * kDegree);
     lamp.radiance.scale = 100;
     scene.lights.push_back(lamp);
     return scene;
@@ -163,6 +164,8 @@ Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {
         const io::Image image = io::read_image(exr);
         return {image.width, image.height, io::interleaved_rgb(image, exr.string())};
     }
+    check_own(record_file, exr);
+    check_own(exr, record_file);
     Pixels pixels{job.pixels, job.pixels, {}};
     stage_(job.title, [&](const Progress& progress) {
         const render::Scene scene(close_up_scene(job.pixel_mm, job.pixels), {{"paint", surface()}});
@@ -181,6 +184,7 @@ Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {
 
 std::string CloseUps::png(const Pixels& picture, double mean, const std::string& key) const {
     const fs::path file = folder_ / "pictures" / (key + ".png");
+    check_own(file);
     io::write_png(file, image_of(picture, 0.3 / mean));
     return read_file(file);
 }

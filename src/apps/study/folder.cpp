@@ -14,7 +14,9 @@
 #include "nacre/core/file.h"
 #include "nacre/core/sha256.h"
 #include "nacre/core/text.h"
+#include "nacre/io/brdf_table_file.h"
 #include "nacre/io/image.h"
+#include "nacre/io/solved_paint_file.h"
 
 namespace nacre::study {
 
@@ -32,6 +34,28 @@ std::string holder(int file) {
     const auto pid =
         parse_number({text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))});
     return pid ? fmt::format("process {:.0f}", *pid) : "another process";
+}
+
+fs::path page_of(const fs::path& folder) { return folder / "index.html"; }
+fs::path results_of(const fs::path& folder) { return folder / "results.json"; }
+
+/// A record, or the results of a study.
+bool is_own_json(const std::string& bytes) {
+    const json document = json::parse(bytes, nullptr, false);
+    return document.is_object() && (document.contains("fingerprint") ||
+                                    (document.contains("study") && document.contains("version")));
+}
+
+/// As far as that shows in the file; not where it is damaged or cannot be read.
+bool is_own(const fs::path& file) {
+    try {
+        if (file.extension() == ".json") return is_own_json(read_file(file));
+        const std::string bytes = read_file(file, io::kMaxImageFileBytes);
+        return io::looks_like_solved_paint(bytes) || io::looks_like_brdf_table(bytes) ||
+               io::is_own_picture(bytes, file.string());
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 std::string sha256_of(const fs::path& file) {
@@ -68,6 +92,28 @@ FolderLock::FolderLock(const fs::path& folder) {
 }
 
 FolderLock::~FolderLock() { ::close(file_); }
+
+void check_own(const fs::path& file, const fs::path& companion) {
+    std::error_code ec;
+    if (!fs::exists(file, ec)) return;
+    if (is_own(file) || (!companion.empty() && is_own(companion))) return;
+    throw InputError(
+        fmt::format("cannot write '{}': there is such a file, which Nacre did not make; rename or "
+                    "remove it, or "
+                    "choose another folder",
+                    file.string()));
+}
+
+void check_page(const fs::path& folder) {
+    check_own(results_of(folder));
+    check_own(page_of(folder), results_of(folder));
+}
+
+fs::path write_page(const fs::path& folder, const std::string& html, const json& results) {
+    write_file_atomically(results_of(folder), results.dump(2) + "\n");
+    write_file_atomically(page_of(folder), html);
+    return page_of(folder);
+}
 
 void write_record(const fs::path& record_file, json record, const std::string& fingerprint,
                   const std::vector<fs::path>& files) {

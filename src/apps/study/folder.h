@@ -30,6 +30,22 @@ class FolderLock {
     int file_;
 };
 
+/// Refuses to replace a file in a study's folder that Nacre did not write: nobody named it. Nacre's
+/// own are known by what they hold: pictures by a text in them whose key begins with "nacre:",
+/// records and results by their keys, solved paints and tables by their heads; what became damaged,
+/// by a companion that shows it.
+/// @param companion  a file that is always written along with it, if there is one
+/// @throws InputError naming the file
+void check_own(const std::filesystem::path& file, const std::filesystem::path& companion = {});
+
+/// The same for what write_page() writes, before the work.
+void check_page(const std::filesystem::path& folder);
+
+/// Writes the page of a study, index.html, and its numbers, results.json, each whole or not at all.
+/// @return the page's path
+std::filesystem::path write_page(const std::filesystem::path& folder, const std::string& html,
+                                 const nlohmann::json& results);
+
 /// Writes what is known about finished files, whole or not at all: `record` with a fingerprint of
 /// all that they depend on and the SHA-256 of each. To be written after them.
 void write_record(const std::filesystem::path& record_file, nlohmann::json record,

@@ -5,12 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/io/image.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::study {
 namespace {
@@ -22,13 +22,6 @@ using ::testing::HasSubstr;
 
 class StudyFolder : public ::testing::Test {
  protected:
-    void SetUp() override {
-        std::string name = ::testing::TempDir() + "nacre_study_XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// What the lock says; "locked" where it succeeds.
     static std::string complaint(const fs::path& folder) {
         try {
@@ -39,7 +32,7 @@ class StudyFolder : public ::testing::Test {
         return "locked";
     }
 
-    fs::path folder_;
+    test::TempFolder folder_;
 };
 
 TEST_F(StudyFolder, IsLockedWhileTheLockLives) {
@@ -73,8 +66,8 @@ TEST_F(StudyFolder, IsFreeAgainWhenAProcessDiesThatHadIt) {
 }
 
 TEST_F(StudyFolder, CannotBeWhereAFileIs) {
-    std::ofstream(folder_ / "file") << "x";
-    EXPECT_THAT(complaint(folder_ / "file"), HasSubstr((folder_ / "file").string()));
+    const fs::path file = folder_.write("file", "x");
+    EXPECT_THAT(complaint(file), HasSubstr(file.string()));
     fs::create_directory(folder_ / "odd");
     fs::create_symlink("/dev/null", folder_ / "odd" / ".lock");
     EXPECT_THAT(complaint(folder_ / "odd"), HasSubstr("cannot use"));
@@ -111,6 +104,54 @@ TEST_F(StudyFolder, ARecordHoldsForItsOwnFilesOnly) {
         write_file_atomically(record, damaged);
         EXPECT_FALSE(found()) << damaged;
     }
+}
+
+TEST_F(StudyFolder, KeepsFilesThatNacreDidNotMake) {
+    const auto refused = [](const fs::path& file, const fs::path& companion = {}) {
+        try {
+            check_own(file, companion);
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), AllOf(HasSubstr("'" + file.string() + "'"),
+                                            HasSubstr("Nacre did not make")));
+            return true;
+        }
+        return false;
+    };
+    io::Image image{1, 1, {{"R", {1}}, {"G", {1}}, {"B", {1}}}, {}};
+    for (const char* extension : {".exr", ".png"}) {
+        const fs::path file = folder_ / (std::string("a") + extension);
+        const auto write = [&] {
+            extension == std::string(".exr") ? io::write_exr(file, image)
+                                             : io::write_png(file, image);
+        };
+        EXPECT_FALSE(refused(file)) << "there is none";
+        image.metadata.clear();
+        write();
+        EXPECT_TRUE(refused(file)) << "of another program";
+        image.metadata = {{"nacre:study", "flakes"}};
+        write();
+        EXPECT_FALSE(refused(file));
+        // Cut short, it shows by its record only.
+        write_file_atomically(file, read_file(file).substr(0, 60));
+        EXPECT_TRUE(refused(file));
+        const fs::path record = folder_ / "a.json";
+        write_file_atomically(record, "{\"mine\": 1}");
+        EXPECT_TRUE(refused(file, record));
+        EXPECT_TRUE(refused(record));
+        write_record(record, {{"title", "a"}}, "made so", {file});
+        EXPECT_FALSE(refused(file, record));
+        EXPECT_FALSE(refused(record));
+    }
+    check_page(folder_);
+    const fs::path page = folder_ / "index.html", results = folder_ / "results.json";
+    write_file_atomically(page, "<html>mine</html>");
+    EXPECT_THROW(check_page(folder_), InputError);
+    EXPECT_EQ(write_page(folder_, "<html>", {{"study", "flakes"}, {"version", "1"}}), page);
+    check_page(folder_);
+    write_file_atomically(results, "[]");
+    EXPECT_THROW(check_page(folder_), InputError);
+    fs::remove(results);
+    EXPECT_THROW(check_page(folder_), InputError);
 }
 
 }  // namespace

@@ -95,15 +95,19 @@ bsdf::Model model_on(const render::SceneDescription& scene, const PictureJob& jo
     return model;
 }
 
-Prepared prepare(const PictureJob& job, const bsdf::Model& model, const fs::path& tables,
+/// Of what is solved for a job.
+fs::path table_of(const fs::path& folder, const PictureJob& job) {
+    return folder / "tables" / (job.key + ".h5");
+}
+
+Prepared prepare(const PictureJob& job, const bsdf::Model& model, const fs::path& file,
                  const Progress& progress) {
     bsdf::ModelInput paint{.recipe = recipe_of(job)};
     Prepared out;
     if (model.info().solution != bsdf::Solution::none) {
         const solver::SolvedPaint solved =
             solver::solve(paint.recipe, spectra::default_wavelengths_nm(), {});
-        fs::create_directories(tables);
-        const fs::path file = tables / (job.key + ".h5");
+        fs::create_directories(file.parent_path());
         if (const auto table = model.make_table(solved, progress)) {
             std::visit(
                 [&](const auto& t) {
@@ -203,12 +207,15 @@ Picture Gallery::make(const PictureJob& job) const {
     } catch (const json::exception&) {  // a damaged record is no loss: the picture is made again
     }
 
+    check_own(record_file, exr);
+    for (const fs::path& file : {exr, png, table_of(folder_, job)}) check_own(file, record_file);
     json record = description(job);
     stage_(job.title, [&](const Progress& progress) {
         const PeakMemory memory;
         const auto start = std::chrono::steady_clock::now();
         const render::SceneDescription scene = scene_of(job);
-        const Prepared prepared = prepare(job, model_on(scene, job), folder_ / "tables", progress);
+        const Prepared prepared =
+            prepare(job, model_on(scene, job), table_of(folder_, job), progress);
         render::PaintTable paints;
         for (const std::string& name : painted_materials(scene)) paints[name] = prepared.surface;
         const render::Scene compiled(scene, paints);

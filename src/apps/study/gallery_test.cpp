@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 #include <set>
@@ -12,6 +11,7 @@
 #include "nacre/bsdf/models/thin_film.h"
 #include "nacre/core/file.h"
 #include "nacre/paint/recipe.h"
+#include "nacre/testing/files.h"
 
 namespace nacre::study {
 namespace {
@@ -73,16 +73,12 @@ TEST(Gallery, FacetsCannotBeSetWhereThereAreNone) {
 class GalleryFolder : public ::testing::Test {
  protected:
     void SetUp() override {
-        std::string name = ::testing::TempDir() + "nacre_gallery_XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
         job_.key = "ball";
         job_.paint = shipped_file("studies/mir-2022/facets-570.toml");
         job_.model = bsdf::ThinFilmModel{};
         job_.render.width = job_.render.height = 8;
         job_.render.samples_per_pixel = 2;
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     /// The picture of the job, and whether it had to be rendered.
     std::pair<Picture, bool> make(std::uint64_t seed = 0) {
@@ -96,7 +92,7 @@ class GalleryFolder : public ::testing::Test {
         return {gallery.make(job), rendered};
     }
 
-    std::filesystem::path folder_;
+    test::TempFolder folder_;
     PictureJob job_;
 };
 

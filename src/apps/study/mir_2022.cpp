@@ -16,6 +16,7 @@
 #include "nacre/core/progress.h"
 #include "nacre/core/random.h"
 #include "nacre/core/version.h"
+#include "nacre/montecarlo/shell_walk.h"
 #include "nacre/optics/antialiased.h"
 
 namespace nacre::study {
@@ -98,6 +99,7 @@ PictureJob MirContext::job(std::string key, std::string title, const std::string
 std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& stage) {
     require_valid(settings);
     const FolderLock lock(settings.folder);
+    check_page(settings.folder);
     const Gallery gallery(settings.folder, stage);
     report::Report report("The comparison of 2022",
                           "Goniochromism, sparkle and multiple scattering of special-effect "
@@ -119,10 +121,7 @@ std::filesystem::path run_mir_2022(const MirSettings& settings, const Stage& sta
     for (const auto& [part, add] : parts) {
         if (settings.parts.contains(part)) add(context);
     }
-    const std::filesystem::path page = settings.folder / "index.html";
-    write_file_atomically(settings.folder / "results.json", results.dump(2) + "\n");
-    write_file_atomically(page, report.html());
-    return page;
+    return write_page(settings.folder, report.html(), results);
 }
 
 std::string number(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
@@ -178,8 +177,9 @@ void add_agreement(MirContext& context) {
     const auto solved = batches(context, paint, named_model("microflake"), "microflake");
     const auto walk = batches(context, paint, named_model("walk"), "walk");
     const auto shell = batches(context, paint, named_model("volume"), "volume-delta");
-    const auto simpson = batches(context, paint, named_model("volume", {{"--tracking", "simpson"}}),
-                                 "volume-simpson");
+    const auto simpson =
+        batches(context, paint, montecarlo::VolumeModel{.tracking = montecarlo::Tracking::simpson},
+                "volume-simpson");
     struct Pair {
         const char* name;
         const std::vector<io::Image>&a, &b;

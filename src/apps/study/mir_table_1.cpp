@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apps/study/folder.h"
 #include "apps/study/mir_2022.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/core/file.h"
@@ -63,6 +64,7 @@ Reference make_reference(const MirContext& context, const PaperPaint& paint) {
     reference.mean.render_s += b.render_s;
     const auto png =
         context.gallery.folder() / "pictures" / fmt::format("table-1-{}-reference.png", paint.key);
+    check_own(png);
     io::write_png(png, reference.mean.image);
     reference.mean.png = read_file(png);
     return reference;

@@ -102,14 +102,11 @@ class Study {
         for (const Series& series : series_of(settings_.quick)) add_series(series);
         add_verdicts();
         add_paints();
-        const std::filesystem::path page = settings_.folder / "index.html";
         results_["study"] = "sparkle";
         results_["version"] = version();
         results_["seed"] = settings_.seed;
         results_["quick"] = settings_.quick;
-        write_file_atomically(settings_.folder / "results.json", results_.dump(2) + "\n");
-        write_file_atomically(page, report_.html());
-        return page;
+        return write_page(settings_.folder, report_.html(), results_);
     }
 
  private:
@@ -157,7 +154,9 @@ class Study {
             piece.xyz.insert(piece.xyz.end(), row, row + 3 * side);
         }
         const auto file = settings_.folder / "pictures" / (key + ".png");
-        io::write_png(file, io::image_of(piece, {}), {io::display_stops(picture)});
+        check_own(file);
+        io::write_png(file, io::image_of(piece, {{"nacre:study", "sparkle"}}),
+                      {io::display_stops(picture)});
         return read_file(file);
     }
 
@@ -320,6 +319,7 @@ class Study {
 
 std::filesystem::path run_sparkle(const SparkleStudySettings& settings, const Stage& stage) {
     const FolderLock lock(settings.folder);
+    check_page(settings.folder);
     return Study(settings, stage).run();
 }
 

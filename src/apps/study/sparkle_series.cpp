@@ -6,9 +6,9 @@
 #include <memory>
 #include <numbers>
 
+#include "nacre/bsdf/models/nacre.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
-#include "nacre/models/models.h"
 #include "nacre/solver/solver.h"
 
 namespace nacre::study {
@@ -59,8 +59,7 @@ measure::SparkleCamera camera_for(const paint::Recipe& recipe, double field_mm) 
 
 PanelLook look_at(const paint::Recipe& recipe, const measure::SparkleCamera& camera,
                   std::uint64_t seed, const Progress& progress) {
-    bsdf::Model model = models::named_model("nacre");
-    model.set_specimen(seed);
+    const bsdf::Model model = bsdf::NacreModel{.specimen = seed};
     const auto surface = model.make({recipe, std::make_shared<const solver::SolvedPaint>(
                                                  solver::solve(recipe, camera_wavelengths_nm()))});
     PanelLook look;

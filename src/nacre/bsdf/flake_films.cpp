@@ -19,10 +19,9 @@ std::vector<int> strata(int film, int count) {
     std::vector<int> order(count);
     std::iota(order.begin(), order.end(), 0);
     if (film == 1) {
-        // Bits in reverse: the radical inverse, which with the index makes the Hammersley set.
+        // With the index it makes the Hammersley set.
         for (int i = 0; i < count; ++i) {
-            order[i] = 0;
-            for (int bit = 1; bit < count; bit *= 2) order[i] = 2 * order[i] + ((i & bit) != 0);
+            order[i] = static_cast<int>(count * radical_inverse(i, 2));
         }
     } else if (film > 1) {
         Rng rng(static_cast<std::uint64_t>(film), count);

@@ -61,7 +61,7 @@ struct Capabilities {
     bool reference_only = false;       ///< an unbiased simulation: no values, only pictures
     /// Reference: montecarlo::reference_brdf() estimates its values, with standard errors.
     bool estimated_values = false;
-    /// Tells light that met one flake from what was scattered again (solver::Part).
+    /// Tells light that met one flake from what was scattered again (nacre::Part).
     bool parts = false;
 };
 

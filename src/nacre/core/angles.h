@@ -6,7 +6,8 @@
 
 namespace nacre {
 
-inline constexpr double kPi = std::numbers::pi;
-inline constexpr double kDegree = kPi / 180;  ///< in radians
+inline constexpr float kPiF = std::numbers::pi_v<float>;   ///< for single precision
+inline constexpr double kDegree = std::numbers::pi / 180;  ///< in radians
+inline constexpr double kHorizon = std::numbers::pi / 2;   ///< polar angle of the horizon
 
 }  // namespace nacre

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 // Wavelengths are the vector lanes. GCC and Clang share the vector extension used here; an
@@ -16,6 +17,7 @@ inline constexpr int kLanes = 8;
 
 using FloatLanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using DoubleLanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+using UintLanes = std::uint32_t __attribute__((vector_size(kLanes * sizeof(std::uint32_t))));
 
 /// All lanes equal to x.
 inline FloatLanes splat(float x) { return FloatLanes{} + x; }

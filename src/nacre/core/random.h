@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 // Random numbers that do not depend on the order of evaluation: a generator is made from a seed
@@ -12,12 +13,29 @@
 
 namespace nacre {
 
-/// Bijective scrambling of 64 bits: the output function of SplitMix64.
+/// An unsigned integer of so many bits, or a vector of such integers (core/lanes.h).
+template <class U, int bits>
+concept UnsignedBits = (std::unsigned_integral<U> && 8 * sizeof(U) == bits) || requires(U x) {
+    requires std::unsigned_integral<std::remove_cvref_t<decltype(x[0])>>;
+    requires 8 * sizeof(x[0]) == bits;
+};
+
+/// Bijective scrambling of 64 bits, or of those in each lane: the output function of SplitMix64.
 /// [steele-2014; the constants are those of variant 13 of Stafford]
-constexpr std::uint64_t mix_bits(std::uint64_t x) {
+template <UnsignedBits<64> U>
+constexpr U mix_bits(U x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return x ^ (x >> 31);
+}
+
+/// The same for 32 bits, in lanes half as wide and hence at half the cost: every input bit flips
+/// each output bit half of the time. The constants are those of `lowbias32`.      [wellons-2018]
+template <UnsignedBits<32> U>
+constexpr U mix_bits_32(U x) {
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
 }
 
 /// Hash of several integers; depends on their order and on their number.
@@ -48,13 +66,6 @@ class Rng {
     explicit constexpr Rng(std::uint64_t seed, std::uint64_t stream = 0)
         : state_(hash_of(seed, stream)), increment_(2 * hash_of(stream, seed) + 1) {
         next_u32();
-    }
-    /// The bare generator; an even increment is made odd.
-    static constexpr Rng from_state(std::uint64_t state, std::uint64_t increment) {
-        Rng rng(0);
-        rng.state_ = state;
-        rng.increment_ = increment | 1;
-        return rng;
     }
 
     constexpr std::uint32_t next_u32() {

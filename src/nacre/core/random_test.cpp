@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <random>
 #include <set>
@@ -23,19 +24,41 @@ TEST(UnitInterval, LargestBitsStayBelowOne) {
     EXPECT_EQ(to_unit_float(0), 0.0f);
 }
 
+// By a program of three lines in another language.
+TEST(MixBits, MatchesLowbias32) {
+    EXPECT_EQ(mix_bits_32(1u), 0x688990c0u);
+    EXPECT_EQ(mix_bits_32(0xdeadbeefu), 0xe628c683u);
+}
+
 // First output of SplitMix64 seeded with 0, as published with the xoshiro generators' seeder.
 TEST(MixBits, MatchesSplitMix64) { EXPECT_EQ(mix_bits(0x9e3779b97f4a7c15u), 0xe220a8397b1dcdafu); }
 
-// "Round 1" of the demonstration program at pcg-random.org: initial state 42, sequence 54. The
-// published seeding is a step from 0, the addition of the state, and another step.
-TEST(Rng, MatchesThePublishedPcg32Sequence) {
+// The minimal implementation that its author publishes at pcg-random.org.
+struct PublishedPcg32 {
+    std::uint64_t state, increment;
+    std::uint32_t next() {
+        const std::uint64_t old = state;
+        state = old * 6364136223846793005ULL + increment;
+        const auto xorshifted = static_cast<std::uint32_t>(((old >> 18u) ^ old) >> 27u);
+        return std::rotr(xorshifted, static_cast<int>(old >> 59u));
+    }
+};
+
+// "Round 1" of the demonstration program there: initial state 42, sequence 54. The published
+// seeding is a step from 0, the addition of the state, and another step.
+TEST(Rng, IsPcg32WithHashedSeedAndStream) {
     const std::uint64_t increment = 2 * 54 + 1;
-    Rng rng = Rng::from_state(increment + 42, increment);
-    rng.next_u32();
+    PublishedPcg32 pcg{increment + 42, increment};
+    pcg.next();
     for (std::uint32_t published :
          {0xa15c02b7u, 0x7b47f409u, 0xba1d3330u, 0x83d2f293u, 0xbfa4784bu, 0xcbed606eu}) {
-        EXPECT_EQ(rng.next_u32(), published);
+        EXPECT_EQ(pcg.next(), published);
     }
+    pcg = {hash_of(std::uint64_t{42}, std::uint64_t{54}),
+           2 * hash_of(std::uint64_t{54}, std::uint64_t{42}) + 1};
+    pcg.next();
+    Rng rng(42, 54);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(rng.next_u32(), pcg.next()) << i;
 }
 
 TEST(Rng, SameSeedAndStreamGiveTheSameNumbers) {

@@ -30,9 +30,14 @@ References References::of_file(const fs::path& file) {
     return is_stream(file) ? References() : anywhere(file.parent_path());
 }
 
+References References::of_untrusted_file(const fs::path& file) {
+    return is_stream(file) ? References() : within(file.parent_path());
+}
+
 References References::beside(const fs::path& file) const {
     References references = *this;
     references.folder_ = file.parent_path();
+    references.named_ = true;
     return references;
 }
 

@@ -29,9 +29,15 @@ class References {
     /// What a file that the user opened by name may name: files anywhere, relative names from its
     /// folder. None for a stream (core/file.h), which has no folder.
     static References of_file(const std::filesystem::path& file);
+    /// The same for a file that came from elsewhere: only files in its folder and below.
+    static References of_untrusted_file(const std::filesystem::path& file);
 
-    /// The same permission for a file that was itself named: relative names start from its folder.
+    /// The same permission for a file that was itself named: relative names start from its folder,
+    /// and messages may not quote it.
     References beside(const std::filesystem::path& file) const;
+    /// Whether messages about the text may quote it. Not if another text named it, which may name
+    /// any file: what stands there is not for the eyes of whoever sees the message.
+    bool may_quote() const { return !named_; }
 
     /// The path of a file by its name in the text.
     /// @throws InputError without the name, which the caller knows, if the text may not name it
@@ -44,6 +50,7 @@ class References {
 
     std::filesystem::path folder_, root_;
     Allowed allowed_ = Allowed::none;
+    bool named_ = false;  // by another text
 };
 
 }  // namespace nacre

@@ -3,10 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
-
 #include "nacre/core/error.h"
+#include "nacre/testing/files.h"
 
 namespace nacre {
 namespace {
@@ -18,20 +16,16 @@ using testing::ThrowsMessage;
 class ReferencesTest : public testing::Test {
  protected:
     void SetUp() override {
-        std::string name = testing::TempDir() + "nacre_references_XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
         fs::create_directories(folder_ / "scene" / "parts");
         fs::create_directory(folder_ / "scene-2");
         for (const char* file : {"secret.csv", "scene/own.csv", "scene/parts/part.csv"}) {
-            std::ofstream(folder_ / file) << "x";
+            folder_.write(file, "x");
         }
         fs::create_symlink("../secret.csv", folder_ / "scene" / "leading-out.csv");
         fs::create_symlink("parts/part.csv", folder_ / "scene" / "staying.csv");
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
-    fs::path folder_;
+    test::TempFolder folder_;
 };
 
 TEST_F(ReferencesTest, WithinAFolderNothingLeadsOut) {
@@ -58,6 +52,22 @@ TEST_F(ReferencesTest, WhatIsNamedHasTheSamePermission) {
     EXPECT_NO_THROW(references.resolve("../own.csv"));
     EXPECT_THROW(references.resolve("../../secret.csv"), InputError);
     EXPECT_THROW(References().beside(folder_ / "x.toml").resolve("x.csv"), InputError);
+}
+
+TEST_F(ReferencesTest, OnlyWhatNobodyNamedMayBeQuoted) {
+    EXPECT_TRUE(References().may_quote());
+    const References scene = References::of_file(folder_ / "scene" / "scene.toml");
+    EXPECT_TRUE(scene.may_quote());
+    EXPECT_FALSE(scene.beside(folder_ / "secret.csv").may_quote());
+}
+
+TEST_F(ReferencesTest, OfAnUntrustedFileStayInItsFolder) {
+    const fs::path scene = folder_ / "scene" / "scene.toml";
+    const References references = References::of_untrusted_file(scene);
+    EXPECT_EQ(references.resolve("own.csv"), folder_ / "scene" / "own.csv");
+    EXPECT_THROW(references.resolve("../secret.csv"), InputError);
+    EXPECT_EQ(References::of_untrusted_file("violet.toml"), References::within("."));
+    EXPECT_EQ(References::of_untrusted_file("-"), References());
 }
 
 TEST(References, OfTheUsersOwnFileAreAnywhereAndOfAStreamNone) {

@@ -128,8 +128,8 @@ Readings estimated(const std::string& name, const paint::Recipe& recipe,
             outgoing.push_back({geometries[i].theta_o_deg, geometries[i].phi_deg});
         }
         const auto estimates = montecarlo::reference_brdf(
-            recipe, incident, outgoing, nm,
-            {settings.walks, settings.seed, montecarlo::Part::total}, [&](double fraction) {
+            recipe, incident, outgoing, nm, {settings.walks, settings.seed, Part::total},
+            [&](double fraction) {
                 return !progress || progress((done + fraction) / static_cast<double>(lamps.size()));
             });
         done += 1;

@@ -146,6 +146,12 @@ Paint open_text(std::string bytes, const std::string& name, const References& re
             return Paint(
                 std::make_shared<const Paint::State>(read_measured_brdf(bytes, name), name));
         case Kind::measured_colours: {
+            if (!references.may_quote()) {  // as the reader would
+                throw InputError(
+                    fmt::format("{}: holds measured colours; a recipe, a table or a "
+                                "measured BRDF is needed here",
+                                name));
+            }
             Measurement measurement = io::parse_measurement(bytes, name);
             return Paint(std::make_shared<const Paint::State>(
                 MeasuredColours{std::move(bytes), std::move(measurement)}, name));

@@ -26,13 +26,26 @@ constexpr std::size_t kMaxMaterialTextLength = 2000;  // of a source, or of a pa
 
 // ---------------------------------------------------------------------------------- reading
 
-Material find_named_material(const TableReader& table, const Field& field) {
-    const std::string text = table.text(field.key, kMaxMaterialTextLength);
+/// The path of a file that a text of the table names.
+std::filesystem::path resolved(const TableReader& table, const Field& field,
+                               const std::string& name) {
     try {
-        return optics::find_material(text, table.document().references());
-    } catch (const Error& error) {
+        return table.document().references().resolve(name);
+    } catch (const InputError& error) {
         table.fail(field.key, error.what());
     }
+}
+
+Material find_named_material(const TableReader& table, const Field& field) {
+    const std::string text = table.text(field.key, kMaxMaterialTextLength);
+    const References& references = table.document().references();
+    try {
+        return optics::find_material(text, references);
+    } catch (const Error& error) {
+        if (references.may_quote()) table.fail(field.key, error.what());
+    }
+    resolved(table, field, text);  // complains of what is outside of the folder
+    table.fail(field.key, "is no index, and names no material that can be read");
 }
 
 /// { name = "...", wavelengths_nm = [...], n = [...], k = [...] }: a material by its samples, or
@@ -128,12 +141,7 @@ class Reader final : public paint::Visitor {
 
     void path(const Field& field, std::filesystem::path& value) override {
         if (!wanted(field)) return;
-        const std::string name = table_.text(field.key, field.max_size);
-        try {
-            value = table_.document().references().resolve(name);
-        } catch (const InputError& error) {
-            table_.fail(field.key, error.what());
-        }
+        value = resolved(table_, field, table_.text(field.key, field.max_size));
     }
 
     void choice(const Field& field, const paint::Words& words, std::size_t& index) override {

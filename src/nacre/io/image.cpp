@@ -282,23 +282,29 @@ namespace {
 
 constexpr std::string_view kOwnKey = "nacre:";
 
-bool is_own_png(const std::filesystem::path& path) {
-    const std::string bytes = read_file(path, kMaxImageFileBytes);
-    if (!looks_like_png(bytes)) return false;
-    for (const auto& [key, value] : texts(chunks(bytes, path.string()))) {
-        if (key.starts_with(kOwnKey)) return true;
-    }
-    return false;
-}
-
 }  // namespace
+
+bool is_own_picture(std::string_view bytes, const std::string& name) {
+    try {
+        std::map<std::string, std::string> metadata;
+        if (looks_like_png(bytes)) {
+            metadata = texts(chunks(bytes, name));
+        } else if (looks_like_exr(bytes)) {
+            metadata = parse_exr(bytes, name, kMaxImageValues).metadata;
+        }
+        const auto first = metadata.lower_bound(std::string(kOwnKey));
+        return first != metadata.end() && first->first.starts_with(kOwnKey);
+    } catch (const InputError&) {
+        return false;
+    }
+}
 
 void check_png_beside(const std::filesystem::path& png) {
     if (!std::filesystem::is_regular_file(png)) return;
     bool own = false;
     try {
-        own = is_own_png(png);
-    } catch (const InputError&) {  // too large or damaged: not as Nacre writes them
+        own = is_own_picture(read_file(png, kMaxImageFileBytes), png.string());
+    } catch (const InputError&) {  // too large: not as Nacre writes them
     }
     if (own) return;
     throw InputError(

@@ -33,6 +33,7 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
+/// Of every picture that is read, rendered or written.
 inline constexpr int kMaxPixelsPerSide = 32768;
 inline constexpr std::size_t kMaxChannels = 1024;
 /// Pixels times channels that a file may unfold to: 2 GB.
@@ -83,8 +84,12 @@ std::string encode_png(const Image& image, const std::string& name, const ToneMa
 /// The name of the PNG that is put beside an EXR to look at.
 std::filesystem::path png_beside(const std::filesystem::path& exr);
 
+/// Whether Nacre wrote an EXR or a PNG, which shows in an attribute, or a text chunk, whose name
+/// begins with "nacre:". Not if it is damaged.
+bool is_own_picture(std::string_view bytes, const std::string& name);
+
 /// Refuses to replace a picture of the user's: the PNG beside an EXR is named by nobody. It may be
-/// replaced if Nacre wrote it, which shows in a text chunk whose keyword begins with "nacre:".
+/// replaced if it is_own_picture().
 /// @throws InputError naming the file if there is one that Nacre did not write
 void check_png_beside(const std::filesystem::path& png);
 

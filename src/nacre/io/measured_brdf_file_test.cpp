@@ -15,6 +15,7 @@
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
 #include "nacre/measure/acquire.h"

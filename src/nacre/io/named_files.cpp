@@ -1,9 +1,16 @@
 #include "nacre/io/named_files.h"
 
 #include <algorithm>
+#include <array>
+#include <climits>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/text.h"
 #include "nacre/io/table_reader.h"
 
 namespace nacre::io {
@@ -11,43 +18,134 @@ namespace nacre::io {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
-/// A scene names recipes, and they name materials.
+/// A scene names recipes, and they name materials; it names meshes, and they name buffers.
 constexpr int kMaxDepth = 2;
+/// The most JSON of a glTF that is looked through, as render/mesh_file.cpp reads it.
+constexpr std::size_t kMaxGltfBytes = std::size_t{1} << 28;
 
-void collect_from(const fs::path& file, int depth, std::vector<fs::path>& found);
-
-/// The files that texts below a node name.
-void collect(const toml::node& node, const fs::path& folder, int depth,
-             std::vector<fs::path>& found) {
-    std::error_code ec;
-    if (const auto* text = node.as_string()) {
-        const fs::path file = folder / text->get();
-        if (!fs::is_regular_file(file, ec) || std::ranges::find(found, file) != found.end()) return;
-        found.push_back(file);
-        if (depth < kMaxDepth) collect_from(file, depth + 1, found);
-    } else if (const auto* table = node.as_table()) {
-        for (const auto& [key, value] : *table) collect(value, folder, depth, found);
-    } else if (const auto* array = node.as_array()) {
-        for (const toml::node& value : *array) collect(value, folder, depth, found);
+/// The paths of files in texts.
+class NamedFiles {
+ public:
+    void add_from(const fs::path& file, const References& references, int depth = 1) {
+        const std::string extension = lowercase(file.extension().string());
+        try {
+            if (extension == ".gltf" || extension == ".glb") {
+                add_from_gltf(file);
+            } else {
+                const TomlDocument document(read_file(file, kMaxTextBytes), file.string(),
+                                            references);
+                add_from_node(document.root(), references, depth);
+            }
+        } catch (const InputError&) {  // whoever reads it says what is wrong
+        }
     }
+
+    std::vector<fs::path> found;
+
+ private:
+    /// The file of this name, if there is one and it may be named.
+    void add(const std::string& name, const References& references, int depth) {
+        std::error_code ec;
+        if (name.size() > PATH_MAX) return;
+        const std::optional<fs::path> file = [&]() -> std::optional<fs::path> {
+            try {
+                return references.resolve(name);
+            } catch (const InputError&) {
+                return std::nullopt;
+            }
+        }();
+        if (!file || !fs::is_regular_file(*file, ec)) return;
+        if (std::ranges::find(found, *file) != found.end()) return;
+        found.push_back(*file);
+        if (depth < kMaxDepth) add_from(*file, references.beside(*file), depth + 1);
+    }
+
+    void add_from_node(const toml::node& node, const References& references, int depth) {
+        if (const auto* text = node.as_string()) {
+            add(text->get(), references, depth);
+        } else if (const auto* table = node.as_table()) {
+            for (const auto& [key, value] : *table) add_from_node(value, references, depth);
+        } else if (const auto* array = node.as_array()) {
+            for (const toml::node& value : *array) add_from_node(value, references, depth);
+        }
+    }
+
+    void add_from_gltf(const fs::path& file);
+};
+
+/// The text of a .gltf, or the first chunk of a .glb.                       [khronos-gltf-2021]
+std::string gltf_text(const fs::path& file) {
+    constexpr std::size_t kHeadBytes = 20;  // of the container and of its first chunk
+    std::ifstream in(file, std::ios::binary);
+    std::array<unsigned char, kHeadBytes> head{};
+    in.read(reinterpret_cast<char*>(head.data()), kHeadBytes);
+    if (!std::equal(head.begin(), head.begin() + 4, "glTF")) return read_file(file, kMaxGltfBytes);
+    const std::size_t size =
+        head[12] | head[13] << 8 | head[14] << 16 | std::size_t{head[15]} << 24;
+    std::error_code ec;
+    std::string text(std::min({size, kMaxGltfBytes, std::size_t{fs::file_size(file, ec)}}), '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    return text;
 }
 
-void collect_from(const fs::path& file, int depth, std::vector<fs::path>& found) {
-    try {
-        const fs::path folder = file.parent_path();
-        const TomlDocument document(read_file(file, kMaxTextBytes), file.string(), folder);
-        collect(document.root(), folder, depth, found);
-    } catch (const InputError&) {  // no TOML: whoever reads it as a recipe says what is wrong
+/// "%20" as a space: names in a glTF are URIs.
+std::string percent_decoded(const std::string& text) {
+    std::string decoded;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto digit = [&](std::size_t at) {
+            return std::string_view("0123456789abcdef").find(lowercase(text.substr(at, 1)));
+        };
+        if (text[i] == '%' && i + 2 < text.size() && digit(i + 1) < 16 && digit(i + 2) < 16) {
+            decoded += static_cast<char>(16 * digit(i + 1) + digit(i + 2));
+            i += 2;
+        } else {
+            decoded += text[i];
+        }
     }
+    return decoded;
+}
+
+void NamedFiles::add_from_gltf(const fs::path& file) {
+    /// Calls back for each text in a JSON, without a tree, which might be deep.
+    struct Texts : json::json_sax_t {
+        explicit Texts(std::function<void(const std::string&)> found) : found(std::move(found)) {}
+        bool null() override { return true; }
+        bool boolean(bool) override { return true; }
+        bool number_integer(number_integer_t) override { return true; }
+        bool number_unsigned(number_unsigned_t) override { return true; }
+        bool number_float(number_float_t, const string_t&) override { return true; }
+        bool string(string_t& text) override {
+            found(text);
+            return true;
+        }
+        bool binary(binary_t&) override { return true; }
+        bool start_object(std::size_t) override { return true; }
+        bool key(string_t&) override { return true; }
+        bool end_object() override { return true; }
+        bool start_array(std::size_t) override { return true; }
+        bool end_array() override { return true; }
+        bool parse_error(std::size_t, const std::string&, const json::exception&) override {
+            return false;
+        }
+        std::function<void(const std::string&)> found;
+    };
+    // As render/mesh_file.cpp: from its folder and below.
+    const References beside = References::within(file.parent_path());
+    Texts texts([&](const std::string& text) {
+        add(text, beside, kMaxDepth);
+        if (text.find('%') != std::string::npos) add(percent_decoded(text), beside, kMaxDepth);
+    });
+    json::sax_parse(gltf_text(file), &texts);
 }
 
 }  // namespace
 
-std::vector<fs::path> files_named_by(const fs::path& file) {
-    std::vector<fs::path> found;
-    collect_from(file, 1, found);
-    return found;
+std::vector<fs::path> files_named_by(const fs::path& file, const References& references) {
+    NamedFiles files;
+    files.add_from(file, references);
+    return std::move(files.found);
 }
 
 }  // namespace nacre::io

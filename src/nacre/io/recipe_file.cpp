@@ -41,6 +41,10 @@ std::vector<paint::ParameterBounds> read_bounds(const TableReader& table,
             paint::check_bounds(recipe, {key, ends[0], ends[1]});
             by_key[key] = {key, ends[0], ends[1]};
         } catch (const DomainError& error) {
+            if (!table.document().references().may_quote()) {
+                throw InputError(place +
+                                 "fit: bounds no number of this recipe by two in its range");
+            }
             throw InputError(place + "fit." + error.what());
         }
     }

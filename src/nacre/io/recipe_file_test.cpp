@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "nacre/core/error.h"
@@ -532,11 +531,10 @@ TEST(RecipeFile, LooksForMaterialsBesideTheRecipe) {
 }
 
 TEST(RecipeFile, NamesOnlyTheFilesThatItMay) {
-    const std::filesystem::path folder =
-        std::filesystem::path(::testing::TempDir()) / "nacre_recipe_references_test";
-    std::filesystem::create_directories(folder / "inner");
+    const nacre::test::TempFolder folder;
+    std::filesystem::create_directory(folder / "inner");
     for (const char* file : {"glass.csv", "inner/glass.csv"}) {
-        std::ofstream(folder / file) << "wavelength_nm,n,k\n400,1.6,0\n700,1.5,0\n";
+        folder.write(file, "wavelength_nm,n,k\n400,1.6,0\n700,1.5,0\n");
     }
     const auto error = [&](const std::string& material, const References& references) {
         try {
@@ -557,7 +555,6 @@ TEST(RecipeFile, NamesOnlyTheFilesThatItMay) {
     EXPECT_EQ(error("../glass.csv", folder / "inner"), "accepted");
     EXPECT_EQ(error(absolute, "elsewhere"), "accepted");
     EXPECT_THAT(error(absolute, {}), HasSubstr("may name none"));
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST(SolvedPaintFile, GivesBackTheSingleScatteringUnderARoughInterface) {
     ASSERT_GT(satin().rough_single.rank(), 0);
     const solver::SolvedPaint read = parse_solved_paint(solved_paint_bytes(satin()), "paint.h5");
     EXPECT_EQ(read, satin());
-    for (const auto part : {solver::Part::single, solver::Part::multiple, solver::Part::total}) {
+    for (const auto part : {Part::single, Part::multiple, Part::total}) {
         for (const double theta_o : {0.0, 0.4, 1.5}) {
             const std::vector<double> before = satin().brdf(0.7, theta_o, 2.5, part);
             EXPECT_EQ(read.brdf(0.7, theta_o, 2.5, part), before);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -59,6 +60,21 @@ std::string suggestion(std::string_view unknown, const std::vector<std::string>&
 
 std::string place(const std::string& filename, const toml::source_region& where) {
     return fmt::format("{}:{}:{}: ", filename, where.begin.line, where.begin.column);
+}
+
+/// The key that a line begins with, as in "reflectance: "; nothing where it begins otherwise.
+std::string key_on_line(std::string_view text, std::size_t line) {
+    for (; line > 1; --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    text = text.substr(0, text.find('\n'));
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos) return {};
+    const std::string_view key = trimmed(text.substr(0, equals));
+    const bool bare =
+        !key.empty() && key.size() <= kMaxShownLength &&
+        std::all_of(key.begin(), key.end(), [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
+        });
+    return bare ? std::string(key) + ": " : std::string();
 }
 
 /// Refuses deep nesting by one pass over the characters. It need only be right about text that is
@@ -150,7 +166,9 @@ TomlDocument::TomlDocument(std::string_view text, std::string filename, Referenc
     try {
         root_ = toml::parse(text, filename_);
     } catch (const toml::parse_error& error) {
-        throw InputError(place(filename_, error.source()) +
+        const std::string where = place(filename_, error.source());
+        if (!references_.may_quote()) throw InputError(where + "is not TOML");
+        throw InputError(where + key_on_line(text, error.source().begin.line) +
                          excerpt(error.description(), kMaxComplaintLength, ' '));
     }
 }
@@ -185,6 +203,11 @@ TableReader::TableReader(TomlDocument& document, const toml::table& table, std::
     : document_(&document), table_(&table), path_(std::move(path)), allowed_(allowed) {
     for (auto&& [key, node] : table) {
         if (!may_have(key.str())) {
+            if (!document.references().may_quote()) {
+                throw InputError(fmt::format("{}an unknown key; allowed here: {}",
+                                             place(document.filename(), key.source()),
+                                             joined(allowed_)));
+            }
             throw InputError(fmt::format("{}{} = {}: unknown key{}; allowed here: {}",
                                          place(document.filename(), key.source()),
                                          path_of(excerpt(key.str(), kMaxShownLength, ' ')),
@@ -215,8 +238,9 @@ std::string TableReader::path_of(std::string_view key) const {
 
 void TableReader::fail_at(const std::string& key, const toml::node& node,
                           std::string_view why) const {
-    throw InputError(fmt::format("{}{} = {}: {}", place(document_->filename(), node.source()), key,
-                                 shown(node), why));
+    const bool hidden = node.is_string() && !document_->references().may_quote();
+    throw InputError(fmt::format("{}{}{}: {}", place(document_->filename(), node.source()), key,
+                                 hidden ? "" : " = " + shown(node), why));
 }
 
 void TableReader::fail(std::string_view key, std::string_view why) const {
@@ -259,10 +283,6 @@ double TableReader::as_number(const toml::node& node, const std::string& key,
 
 double TableReader::number(std::string_view key, const Range& range) const {
     return as_number(require(key, "a number in " + range.text()), path_of(key), range);
-}
-
-double TableReader::number_or(std::string_view key, double fallback, const Range& range) const {
-    return has(key) ? number(key, range) : fallback;
 }
 
 std::string TableReader::text(std::string_view key, std::size_t max_length) const {
@@ -382,11 +402,6 @@ spectra::Spectrum read_spectrum(const TableReader& table, std::string_view key,
                                             wavelengths.size()));
     }
     return {std::move(wavelengths), std::move(values)};
-}
-
-spectra::Spectrum read_spectrum_or(const TableReader& table, std::string_view key,
-                                   const spectra::Spectrum& fallback, const Range& range) {
-    return table.has(key) ? read_spectrum(table, key, range) : fallback;
 }
 
 spectra::Spectrum read_reflectance(const TableReader& table, std::string_view key) {

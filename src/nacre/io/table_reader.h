@@ -18,7 +18,8 @@
 //
 //   paint.toml:7:16: layer[0].thickness_um = -3: must be a number in (0, 1000000] um
 //
-// Arrays are counted from 0. Values in messages are shortened.
+// Arrays are counted from 0. Values in messages are shortened. Of a text that may not be quoted
+// (References::may_quote()) they show places, the keys that are allowed and numbers, nothing else.
 
 namespace nacre::io {
 
@@ -73,7 +74,6 @@ class TableReader {
 
     /// A finite number in the range.
     double number(std::string_view key, const Range& range) const;
-    double number_or(std::string_view key, double fallback, const Range& range) const;
     /// Text of 1 to `max_length` characters (0 to `max_length` for text_or).
     std::string text(std::string_view key, std::size_t max_length) const;
     std::string text_or(std::string_view key, std::string fallback, std::size_t max_length) const;
@@ -123,8 +123,6 @@ class TableReader {
 
 /// A number, or { wavelengths_nm = [...], values = [...] }; every value in the range.
 spectra::Spectrum read_spectrum(const TableReader& table, std::string_view key, const Range& range);
-spectra::Spectrum read_spectrum_or(const TableReader& table, std::string_view key,
-                                   const spectra::Spectrum& fallback, const Range& range);
 
 /// A reflectance in [0, 1]: a spectrum as above, or [r, g, b] in linear Rec. 709, for which a
 /// smooth spectrum of that colour is taken (spectra::reflectance_from_rec709).

@@ -60,17 +60,17 @@ namespace {
 
 constexpr double kEvenFraction = 0.02;
 /// Largest polar angle at which a BRDF is evaluated: its domain is open at the horizon.
-constexpr double kMaxPolar = 0.5 * kPi - 1e-4;
+constexpr double kMaxPolar = 0.5 * std::numbers::pi - 1e-4;
 
 double polar_node(int k, int count) {
     const double x = static_cast<double>(k) / (count - 1);
-    return 0.5 * kPi * x * x;
+    return 0.5 * std::numbers::pi * x * x;
 }
 
 /// Integral over the azimuth of the projected area of facets at polar angle b seen from a.
 double ring_area(double a, double b) {
     const double along = std::cos(a) * std::cos(b), across = std::sin(a) * std::sin(b);
-    if (along >= across) return 2 * kPi * along;
+    if (along >= across) return 2 * std::numbers::pi * along;
     const double edge = std::acos(std::clamp(-along / across, -1.0, 1.0));
     return 2 * (along * edge + across * std::sin(edge));
 }
@@ -87,7 +87,7 @@ std::vector<double> ring_weights(int count) {
     std::vector<double> weights(count);
     for (int k = 0; k < count; ++k) {
         const double x = static_cast<double>(k) / (count - 1);
-        weights[k] = (k == 0 || k == count - 1 ? 0.5 : 1.0) / (count - 1) * kPi * x *
+        weights[k] = (k == 0 || k == count - 1 ? 0.5 : 1.0) / (count - 1) * std::numbers::pi * x *
                      std::sin(polar_node(k, count));
     }
     return weights;
@@ -114,7 +114,7 @@ Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
     });
     // Powers of a positive matrix lead to its one positive eigenvector.
     constexpr int kRounds = 32;
-    std::vector<double> density(count, 1 / kPi), area = projected_areas(density);
+    std::vector<double> density(count, 1 / std::numbers::pi), area = projected_areas(density);
     for (int round = 0; round < kRounds; ++round) {
         std::vector<double> next(count);
         for (int k = 0; k < count; ++k) next[k] = retro[k] * area[k];
@@ -125,7 +125,7 @@ Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
             area[k] = next_area[k] / next_area[0];
         }
     }
-    for (double& d : density) d = (1 - kEvenFraction) * d + kEvenFraction / kPi;
+    for (double& d : density) d = (1 - kEvenFraction) * d + kEvenFraction / std::numbers::pi;
     return {density, projected_areas(density)};
 }
 
@@ -142,7 +142,7 @@ void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf) {
     for (std::size_t slice = 0; slice < table.slices(); ++slice) {
         const double theta_i = table.theta_i[slice];
         for (int row = 0; row < table.vndf_rows; ++row) {
-            const double phi = (2.0 * row / (table.vndf_rows - 1) - 1) * kPi;
+            const double phi = (2.0 * row / (table.vndf_rows - 1) - 1) * std::numbers::pi;
             for (int column = 0; column < table.vndf_columns; ++column) {
                 const double theta = polar_node(column, table.vndf_columns);
                 const double x = static_cast<double>(column) / (table.vndf_columns - 1);
@@ -150,7 +150,8 @@ void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf) {
                                     std::sin(theta_i) * std::sin(theta) * std::cos(phi);
                 const double d = bsdf::read_square(ndf, {static_cast<float>(x), 0.5f});
                 table.vndf.push_back(static_cast<float>(
-                    d * std::max(0.0, seen) * 2 * kPi * kPi * x * std::sin(theta) /
+                    d * std::max(0.0, seen) * 2 * std::numbers::pi * std::numbers::pi * x *
+                    std::sin(theta) /
                     bsdf::read_square(table.sigma, bsdf::square_point(table.theta_i[slice], 0))));
             }
         }

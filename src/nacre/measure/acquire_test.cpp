@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <numeric>
 
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/testing/brdf.h"
 #include "nacre/testing/bsdf.h"

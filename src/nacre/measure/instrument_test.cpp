@@ -46,7 +46,9 @@ double read(const Brdf& brdf, const Geometry& geometry, const Conditions& condit
 }
 
 TEST(Instrument, ThePerfectDiffuserReadsWhiteEverywhere) {
-    const Brdf white = [](double, double, double) { return std::vector<double>(2, 1 / kPi); };
+    const Brdf white = [](double, double, double) {
+        return std::vector<double>(2, 1 / std::numbers::pi);
+    };
     for (const Conditions& conditions :
          {Conditions{}, with_aperture(3, 0), with_aperture(0, 5), with_aperture(10, 10)}) {
         const Measurement m = measure("white", white, kTwo, every_geometry(), conditions);
@@ -67,17 +69,18 @@ TEST(Instrument, APointReadsPiTimesTheBrdfAtTheGeometry) {
     };
     const Measurement m =
         measure("", probe, kTwo, std::vector{in_plane(45, 15), towards(15, 45, 90)}, {});
-    EXPECT_NEAR(m.readings[0].reflectance_factor[0], kPi * 30045, 1e-8);
-    EXPECT_NEAR(m.readings[0].reflectance_factor[1], kPi * 180, 1e-11);
-    EXPECT_NEAR(m.readings[1].reflectance_factor[0], kPi * 45015, 1e-8);
-    EXPECT_NEAR(m.readings[1].reflectance_factor[1], kPi * 90, 1e-11);
+    EXPECT_NEAR(m.readings[0].reflectance_factor[0], std::numbers::pi * 30045, 1e-8);
+    EXPECT_NEAR(m.readings[0].reflectance_factor[1], std::numbers::pi * 180, 1e-11);
+    EXPECT_NEAR(m.readings[1].reflectance_factor[0], std::numbers::pi * 45015, 1e-8);
+    EXPECT_NEAR(m.readings[1].reflectance_factor[1], std::numbers::pi * 90, 1e-11);
 }
 
 // The projected solid angle of a cone of half angle a about theta is pi sin^2 a cos theta, so that
 // the mean of 1 / cos theta over it is 2 / (cos theta (1 + cos a)).
 TEST(Instrument, AveragesOverProjectedSolidAngle) {
     const Brdf inverse = [](double theta_i, double theta_o, double) {
-        return std::vector<double>(2, 1 / (kPi * std::cos(theta_i) * std::cos(theta_o)));
+        return std::vector<double>(2,
+                                   1 / (std::numbers::pi * std::cos(theta_i) * std::cos(theta_o)));
     };
     const double a = 4 * kDegree, b = 7 * kDegree;
     const double expected = 2 / (std::cos(45 * kDegree) * (1 + std::cos(a))) * 2 /
@@ -91,10 +94,10 @@ TEST(Instrument, AveragesOverProjectedSolidAngle) {
 TEST(Instrument, AveragesALobeOverTheCone) {
     for (double width_deg : {20.0, 5.0, 2.0}) {
         const double k = 1 / std::pow(width_deg * kDegree, 2), b = 5 * kDegree;
-        const Vector axis = unit_vector(30 * kDegree, kPi);
+        const Vector axis = unit_vector(30 * kDegree, std::numbers::pi);
         const Brdf lobe = [&](double, double theta, double phi) {
             return std::vector<double>(2, std::exp(k * (dot(unit_vector(theta, phi), axis) - 1)) /
-                                              (kPi * std::cos(theta)));
+                                              (std::numbers::pi * std::cos(theta)));
         };
         const double expected = 2 * -std::expm1(-k * (1 - std::cos(b))) /
                                 (k * std::pow(std::sin(b), 2) * std::cos(30 * kDegree));
@@ -108,15 +111,17 @@ TEST(Instrument, AveragesALobeOverTheCone) {
 TEST(Instrument, ConvolvesALobeWithBothCones) {
     const double k = 1 / std::pow(6 * kDegree, 2), a = 3 * kDegree, b = 5 * kDegree;
     const Brdf lobe = [&](double theta_i, double theta_o, double phi) {
-        const double cosine = dot(unit_vector(theta_o, phi), unit_vector(theta_i, kPi));
-        return std::vector<double>(2, std::exp(k * (cosine - 1)) / kPi);
+        const double cosine =
+            dot(unit_vector(theta_o, phi), unit_vector(theta_i, std::numbers::pi));
+        return std::vector<double>(2, std::exp(k * (cosine - 1)) / std::numbers::pi);
     };
     // Midpoint rule in solid angle and azimuth; its error falls as 1/n^2: 4e-4 / 4 at n = 24.
     constexpr int kRings = 16, kSteps = 24;
     double sum = 0, weights = 0;
     const auto node = [&](double theta, double half, int ring, int step) {
         const double fall = (1 - std::cos(half)) * (ring + 0.5) / kRings;
-        const double turn = 2 * kPi * step / kSteps, across = std::sqrt(fall * (2 - fall));
+        const double turn = 2 * std::numbers::pi * step / kSteps,
+                     across = std::sqrt(fall * (2 - fall));
         const double x = (1 - fall) * std::sin(theta) + across * std::cos(turn) * std::cos(theta),
                      z = (1 - fall) * std::cos(theta) - across * std::cos(turn) * std::sin(theta);
         return Vector{x, across * std::sin(turn), z};
@@ -158,9 +163,9 @@ TEST(Instrument, RulesOverConesConvergeAndSumToOne) {
 
 TEST(Instrument, RaysBelowTheHorizonCarryNothing) {
     const Brdf white = [](double theta_i, double theta_o, double) {
-        EXPECT_LT(theta_i, kPi / 2);
-        EXPECT_LT(theta_o, kPi / 2);
-        return std::vector<double>(2, 1 / kPi);
+        EXPECT_LT(theta_i, std::numbers::pi / 2);
+        EXPECT_LT(theta_o, std::numbers::pi / 2);
+        return std::vector<double>(2, 1 / std::numbers::pi);
     };
     EXPECT_NEAR(read(white, in_plane(85, 170), with_aperture(10, 10)), 1, 1e-13);
 }
@@ -224,7 +229,9 @@ TEST(Instrument, GivesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 TEST(Instrument, RefusesAperturesOutOfRangeAndViewsBelowTheHorizon) {
-    const Brdf white = [](double, double, double) { return std::vector<double>(2, 1 / kPi); };
+    const Brdf white = [](double, double, double) {
+        return std::vector<double>(2, 1 / std::numbers::pi);
+    };
     EXPECT_THROW(read(white, in_plane(45, 15), with_aperture(-1, 0)), DomainError);
     EXPECT_THROW(read(white, in_plane(45, 15), with_aperture(0, 10.1)), DomainError);
     EXPECT_THROW(read(white, in_plane(45, 15), with_aperture(NAN, 0)), DomainError);
@@ -235,7 +242,7 @@ TEST(Instrument, RefusesAperturesOutOfRangeAndViewsBelowTheHorizon) {
 
 TEST(Instrument, RefusesLobesThatItCannotIntegrate) {
     // A lobe narrower than the spacing of the nodes of the largest rule.
-    const Vector axis = unit_vector(31.234 * kDegree, kPi);
+    const Vector axis = unit_vector(31.234 * kDegree, std::numbers::pi);
     const Brdf needle = [&](double, double theta, double phi) {
         return std::vector<double>(2, std::exp(3e4 * (dot(unit_vector(theta, phi), axis) - 1)));
     };
@@ -243,7 +250,9 @@ TEST(Instrument, RefusesLobesThatItCannotIntegrate) {
 }
 
 TEST(Instrument, StopsWhenAskedTo) {
-    const Brdf white = [](double, double, double) { return std::vector<double>(2, 1 / kPi); };
+    const Brdf white = [](double, double, double) {
+        return std::vector<double>(2, 1 / std::numbers::pi);
+    };
     int asked = 0;
     const auto geometries = every_geometry();
     EXPECT_THROW(measure("", white, kTwo, geometries, {},

@@ -9,7 +9,6 @@
 #include "nacre/bsdf/models/lambertian.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/nacre.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/measure/sparkle_measurement.h"
@@ -130,16 +129,16 @@ TEST(SparkleCamera, GrainOfSparseMirrorsIsThatOfShotNoise) {
         error += std::pow(m.diffuse->graininess.standard_error / kPanels, 2);
     }
     error = std::sqrt(error);
-    const double density = kDepth / (kPi / 4 * kDiameter_mm * kDiameter_mm);
+    const double density = kDepth / (std::numbers::pi / 4 * kDiameter_mm * kDiameter_mm);
     const double per_degree = mm_per_degree(viewing);
     const double luminance = luminance_cd_m2(viewing, 0.8 * kDepth);
     double squared = 0;
     constexpr double kStep = 0.01;  // per deg
     for (double u = 0.5 * kStep; u < 80; u += kStep) {
-        const double x = kPi * kDiameter_mm * u / per_degree;
+        const double x = std::numbers::pi * kDiameter_mm * u / per_degree;
         const double disc = 2 * std::cyl_bessel_j(1, x) / x;
         const double s = contrast_sensitivity(u, luminance, kPanelSide_mm / per_degree);
-        squared += 2 * kPi * u * kStep * s * s * disc * disc;
+        squared += 2 * std::numbers::pi * u * kStep * s * s * disc * disc;
     }
     const double expected = std::sqrt(2 * squared / density) / per_degree;
     EXPECT_LT(error, 0.04 * expected);

@@ -9,7 +9,6 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 
@@ -20,10 +19,12 @@ void check(const Viewing& viewing) {
 }
 
 double luminance_cd_m2(const Viewing& viewing, double y) {
-    return viewing.illuminance_lx * y / kPi;
+    return viewing.illuminance_lx * y / std::numbers::pi;
 }
 
-double mm_per_degree(const Viewing& viewing) { return viewing.distance_mm * kPi / 180; }
+double mm_per_degree(const Viewing& viewing) {
+    return viewing.distance_mm * std::numbers::pi / 180;
+}
 
 double pupil_diameter_mm(double luminance_cd_m2, double field_deg) {
     // The logarithm of 0 is minus infinity, of which the hyperbolic tangent is -1: a pupil of 8 mm.
@@ -46,9 +47,10 @@ double contrast_sensitivity(double u, double luminance_cd_m2, double field_deg) 
     const double d = pupil_diameter_mm(luminance_cd_m2, field_deg);
     const double sigma = eye_blur_deg(d);
     // In trolands, with the Stiles-Crawford effect.
-    const double retinal_illuminance =
-        kPi * d * d / 4 * luminance_cd_m2 * (1 - std::pow(d / 9.7, 2) + std::pow(d / 12.4, 4));
-    const double optics = std::exp(-2 * kPi * kPi * sigma * sigma * u * u);
+    const double retinal_illuminance = std::numbers::pi * d * d / 4 * luminance_cd_m2 *
+                                       (1 - std::pow(d / 9.7, 2) + std::pow(d / 12.4, 4));
+    const double optics =
+        std::exp(-2 * std::numbers::pi * std::numbers::pi * sigma * sigma * u * u);
     const double per_area = 1 / (field_deg * field_deg) + 1 / (kMaxField_deg * kMaxField_deg) +
                             u * u / (kMaxCycles * kMaxCycles);
     const double inhibition = -std::expm1(-u * u / (kInhibition_per_deg * kInhibition_per_deg));
@@ -59,7 +61,7 @@ double contrast_sensitivity(double u, double luminance_cd_m2, double field_deg) 
 
 double point_threshold_lx(double background_cd_m2) {
     // In the units of the sources: nanolamberts and foot-candles.
-    constexpr double kNanolambertsPerNit = kPi * 1e5, kLuxPerFootCandle = 10.76391;
+    constexpr double kNanolambertsPerNit = std::numbers::pi * 1e5, kLuxPerFootCandle = 10.76391;
     const double b = background_cd_m2 * kNanolambertsPerNit;
     const bool rods = b < 1500;
     const double c = std::pow(10, rods ? -9.80 : -8.35), k = std::pow(10, rods ? -1.90 : -5.90);

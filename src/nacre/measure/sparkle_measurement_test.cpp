@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/panel_picture.h"
@@ -237,7 +236,7 @@ TEST(Graininess, OfAGratingThatIsJustNoticedIsOne) {
             PanelPicture picture = uniform_picture(kSide, kPixel_mm, kMean);
             for (int y = 0; y < kSide; ++y) {
                 for (int x = 0; x < kSide; ++x) {
-                    const double phase = 2 * kPi * cycles * (across ? x : y) / kSide;
+                    const double phase = 2 * std::numbers::pi * cycles * (across ? x : y) / kSide;
                     set_y(picture, x, y, kMean * (1 + modulation * std::cos(phase)));
                 }
             }

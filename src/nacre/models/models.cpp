@@ -32,9 +32,7 @@ const bsdf::ModelInfo* find_model(std::string_view name) {
     return found == models.end() ? nullptr : *found;
 }
 
-bsdf::Model named_model(
-    std::string_view name,
-    std::initializer_list<std::pair<std::string_view, std::string_view>> options) {
+bsdf::Model named_model(std::string_view name) {
     const bsdf::ModelInfo* info = find_model(name);
     if (!info) {
         std::vector<std::string_view> names;
@@ -42,17 +40,7 @@ bsdf::Model named_model(
         throw DomainError(
             fmt::format("model = {}: is no model; there are: {}", name, fmt::join(names, ", ")));
     }
-    bsdf::Model model = info->standard();
-    for (const auto& [flag, value] : options) {
-        const auto option = std::find_if(info->options.begin(), info->options.end(),
-                                         [&](const auto& o) { return o.flag == flag; });
-        if (option == info->options.end()) {
-            throw DomainError(
-                fmt::format("{} = {}: the model {} has no such option", flag, value, name));
-        }
-        set_option(model, *option, value);
-    }
-    return model;
+    return info->standard();
 }
 
 }  // namespace nacre::models

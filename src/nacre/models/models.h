@@ -1,9 +1,7 @@
 #pragma once
 
-#include <initializer_list>
 #include <span>
 #include <string_view>
-#include <utility>
 
 #include "nacre/bsdf/model.h"
 
@@ -19,10 +17,9 @@ bsdf::Model default_model();
 /// Null if there is none of that name.
 const bsdf::ModelInfo* find_model(std::string_view name);
 
-/// A model by its name, with such options: named_model("volume", {{"--tracking", "simpson"}}).
-/// @throws DomainError if there is no such model or option; as bsdf::set_option()
-bsdf::Model named_model(
-    std::string_view name,
-    std::initializer_list<std::pair<std::string_view, std::string_view>> options = {});
+/// The model of that name with its default settings; those of its own type, as
+/// montecarlo::VolumeModel{.tracking = Tracking::simpson}, choose others.
+/// @throws DomainError if there is no such model
+bsdf::Model named_model(std::string_view name);
 
 }  // namespace nacre::models

@@ -76,27 +76,14 @@ TEST(Models, NamesAreFoundAndUnknownOnesAreNot) {
     EXPECT_EQ(find_model("no-such-model"), nullptr);
 }
 
-/// What named_model() says to such a request.
-std::string refusal(std::string_view name,
-                    std::initializer_list<std::pair<std::string_view, std::string_view>> options) {
-    return message_of<DomainError>([&] { named_model(name, options); });
-}
-
-TEST(Models, AreMadeByTheirNamesAndOptions) {
+TEST(Models, AreMadeByTheirNames) {
     ASSERT_FALSE(all_models().empty());
     for (const ModelInfo* model : all_models()) {
         EXPECT_EQ(named_model(model->name), model->standard());
     }
-    EXPECT_EQ(
-        named_model("volume", {{"--tracking", "simpson"}, {"--simpson-panels", "3"}}),
-        (montecarlo::VolumeModel{.tracking = montecarlo::Tracking::simpson, .simpson_panels = 3}));
-    EXPECT_EQ(refusal("pearl", {}),
+    EXPECT_EQ(message_of<DomainError>([] { named_model("pearl"); }),
               "model = pearl: is no model; there are: microflake, thin-film, special-effect, "
               "nacre, walk, volume");
-    EXPECT_EQ(refusal("nacre", {{"--tracking", "simpson"}}),
-              "--tracking = simpson: the model nacre has no such option");
-    EXPECT_EQ(refusal("volume", {{"--tracking", "x"}}),
-              "--tracking = x: must be one of delta, simpson");
 }
 
 TEST(Models, GoniochromismIsAsListed) {

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/random.h"
 #include "nacre/render/render.h"
 #include "nacre/sparkle/diffraction_lobe.h"
@@ -45,11 +44,11 @@ Frames film(const paint::Recipe& recipe, double diameter_um, std::uint64_t seed)
                                 {.rotation_deg = {0, 0, frame * 360.0f / kFrames}}});
         // So far away that all pixels look down the normal to 5e-4 rad.
         constexpr float kDistance_mm = 1000;
-        scene.camera = {
-            .position_mm = {0, 0, kDistance_mm},
-            .up = {0, 1, 0},
-            .vertical_fov_deg = 2 * std::atan(0.5 * kSide * pitch_mm / kDistance_mm) * 180 / kPi};
-        const auto tilt = static_cast<float>(kLight_deg * kPi / 180);
+        scene.camera = {.position_mm = {0, 0, kDistance_mm},
+                        .up = {0, 1, 0},
+                        .vertical_fov_deg = 2 * std::atan(0.5 * kSide * pitch_mm / kDistance_mm) *
+                                            180 / std::numbers::pi};
+        const auto tilt = static_cast<float>(kLight_deg * std::numbers::pi / 180);
         scene.lights.push_back(
             render::DirectionalLight{.to_light = {std::sin(tilt), 0, std::cos(tilt)}});
         frames[frame] = render::render_with(render::Scene(scene, paints),
@@ -68,7 +67,8 @@ Frames film(const paint::Recipe& recipe, double diameter_um, std::uint64_t seed)
 /// The area that two discs of diameter 1 share at this distance, over that of one.
 double lens(double distance) {
     if (distance >= 1) return 0;
-    return 2 / kPi * (std::acos(distance) - distance * std::sqrt(1 - distance * distance));
+    return 2 / std::numbers::pi *
+           (std::acos(distance) - distance * std::sqrt(1 - distance * distance));
 }
 
 /// Campbell's theorem for the same pixel at two moments: the flakes that its patch shows at both,
@@ -101,7 +101,7 @@ double shared_places(Vec2f place, double angle) {
 double shared_slopes(double diameter_um, double widening, double angle) {
     const sparkle::DiffractionLobe lobe(kAlpha, kIor);
     // In the paint: Snell's law, then half way between the normal and the light, in rad.
-    const double tilt = std::asin(std::sin(kLight_deg * kPi / 180) / kIor) / 2;
+    const double tilt = std::asin(std::sin(kLight_deg * std::numbers::pi / 180) / kIor) / 2;
     const auto slope = static_cast<float>(std::tan(tilt));
     const float width =
         lobe.radius_at(splat(static_cast<float>(widening * lobe.radius(diameter_um))),
@@ -129,7 +129,8 @@ Turn power_of(const Turn& correlation) {
     Turn power{};
     for (int f = 0; f < kFrames; ++f) {
         for (int lag = 0; lag < kFrames; ++lag) {
-            power[f] += correlation[lag] * std::cos(2 * kPi * f * lag / kFrames) / kFrames;
+            power[f] +=
+                correlation[lag] * std::cos(2 * std::numbers::pi * f * lag / kFrames) / kFrames;
         }
     }
     return power;
@@ -184,12 +185,13 @@ Turn predicted(const Ring& ring, double diameter_um, double widening) {
         for (int n = 0; n < kPlacesPerPixel; ++n) {
             const Vec2f place{at.x + tent(), at.y + tent()};
             for (int lag = 0; lag <= kFrames / 2; ++lag) {
-                correlation[lag] += shared_places(place, 2 * kPi * lag / kFrames);
+                correlation[lag] += shared_places(place, 2 * std::numbers::pi * lag / kFrames);
             }
         }
     }
     for (int lag = 0; lag <= kFrames / 2; ++lag) {
-        correlation[lag] *= shared_slopes(diameter_um, widening, 2 * kPi * lag / kFrames);
+        correlation[lag] *=
+            shared_slopes(diameter_um, widening, 2 * std::numbers::pi * lag / kFrames);
         correlation[(kFrames - lag) % kFrames] = correlation[lag];
     }
     return correlation;
@@ -243,11 +245,12 @@ class Turntable : public ::testing::TestWithParam<Paint> {
 /// FlakeView::widening on a patch of the pictures.
 double widening_of(const Paint& paint) {
     const double radius_mm = 0.5e-3 * paint.diameter_um;
-    const sparkle::FlakeField field({.density_per_mm2 = paint.cover / (kPi * radius_mm * radius_mm),
-                                     .diameter_um = paint.diameter_um,
-                                     .alpha = kAlpha,
-                                     .ior = kIor},
-                                    0);
+    const sparkle::FlakeField field(
+        {.density_per_mm2 = paint.cover / (std::numbers::pi * radius_mm * radius_mm),
+         .diameter_um = paint.diameter_um,
+         .alpha = kAlpha,
+         .ior = kIor},
+        0);
     const auto side_mm = static_cast<float>(2 * kPatch * radius_mm);
     const auto view = std::make_unique<sparkle::FlakeView>();
     field.look({.position_mm = {}, .edge_mm = {{side_mm, 0, 0}, {0, side_mm, 0}}}, *view);

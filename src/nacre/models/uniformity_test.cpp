@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/testing/directions.h"
@@ -64,7 +64,7 @@ TEST(NacreOnShapes, MeanAndVarianceAreThoseOfAFlatPanelAllOverASphere) {
             return Moments(v);
         };
         const auto anywhere = [&] {
-            return direction(180 / kPi * std::acos(1 - 2 * rng.uniform_float()),
+            return direction(180 / std::numbers::pi * std::acos(1 - 2 * rng.uniform_float()),
                              360 * rng.uniform_float());
         };
         // The panel: patches of one plane, far apart.

@@ -140,12 +140,6 @@ inline FlakeEvent draw_flake_event(const Lanes& reflectance, const Lanes& transm
     weight = transmitted * (sum / sum_transmitted);
     return FlakeEvent::transmitted;
 }
-/// The same for a flake met under this cosine.
-inline FlakeEvent draw_flake_event(const FlakeOptics& optics, double cosine, Lanes& weight,
-                                   RandomStream& random) {
-    return draw_flake_event(optics.reflectance(cosine), optics.transmittance(cosine), weight,
-                            random);
-}
 
 /// The direction of light after specular reflection; `projection` is travel.normal.
 inline Vec3d specular_direction(const Vec3d& travel, double projection, const Vec3d& normal) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/testing/montecarlo.h"
@@ -73,7 +76,6 @@ TEST(PlaneWalk, PowerIntoASolidAngleIsTheIntegralOfTheReferencesBrdf) {
                        });
 
     constexpr int kNodes = 6;
-    constexpr double kDegree = std::numbers::pi / 180;
     for (std::size_t b = 0; b < bins.size(); ++b) {
         const Quadrature theta = gauss_legendre(kNodes, bins[b].theta_from, bins[b].theta_to);
         const Quadrature phi = gauss_legendre(kNodes, bins[b].phi_from, bins[b].phi_to);

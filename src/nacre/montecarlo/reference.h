@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/core/estimate.h"
+#include "nacre/core/part.h"
 #include "nacre/core/progress.h"
 #include "nacre/paint/recipe.h"
 
@@ -20,15 +21,10 @@ struct Direction {
     double phi_deg = 0;    ///< any finite angle
 };
 
-/// Which light is counted: `single` met exactly one flake or pigment particle, and neither the
-/// substrate nor the inner side of the interface; `multiple` is all other light that entered the
-/// paint. Specular reflection by a smooth interface belongs to none of them.
-enum class Part { total, single, multiple };
-
 struct ReferenceSettings {
     std::uint64_t samples = 1u << 20;  ///< walks per incident direction, [2, 1e15]
     std::uint64_t seed = 0;
-    Part part = Part::total;
+    Part part = Part::total;  ///< which light is counted
 };
 
 /// The BRDF in 1/sr: [incident][outgoing][wavelength], row-major.

@@ -129,8 +129,8 @@ struct Scores {
     }
 };
 
-void compare(const Case& c, const std::vector<Direction>& outgoing, solver::Part solver_part,
-             Part part, std::uint64_t samples, Scores& scores) {
+void compare(const Case& c, const std::vector<Direction>& outgoing, Part part,
+             std::uint64_t samples, Scores& scores) {
     const solver::SolvedPaint solved = solver::solve(c.recipe, c.wavelengths_nm);
     const auto found = reference_brdf(c.recipe, kIncident, outgoing, c.wavelengths_nm,
                                       {.samples = samples, .seed = 2016, .part = part});
@@ -138,7 +138,7 @@ void compare(const Case& c, const std::vector<Direction>& outgoing, solver::Part
     for (const Direction& in : kIncident) {
         for (const Direction& out : outgoing) {
             for (double value : solved.brdf(radians(in.theta_deg), radians(out.theta_deg),
-                                            radians(out.phi_deg - in.phi_deg), solver_part))
+                                            radians(out.phi_deg - in.phi_deg), part))
                 expected.push_back(value);
         }
     }
@@ -162,10 +162,10 @@ void compare(const Case& c, const std::vector<Direction>& outgoing, solver::Part
     }
 }
 
-void compare_all(const std::vector<Case>& all, const std::vector<Direction>& outgoing,
-                 solver::Part solver_part, Part part, std::uint64_t samples, std::size_t fewest) {
+void compare_all(const std::vector<Case>& all, const std::vector<Direction>& outgoing, Part part,
+                 std::uint64_t samples, std::size_t fewest) {
     Scores scores;
-    for (const Case& c : all) compare(c, outgoing, solver_part, part, samples, scores);
+    for (const Case& c : all) compare(c, outgoing, part, samples, scores);
     fmt::print("{}{} values, {} too skewed for a z-score; mean z^2 {:.3f}\n", scores.histogram(),
                scores.z.size(), scores.skewed, scores.mean_square());
     ASSERT_GT(scores.z.size(), fewest);
@@ -176,13 +176,13 @@ void compare_all(const std::vector<Case>& all, const std::vector<Direction>& out
 }
 
 TEST(SolverAgreement, SingleScatteringMatchesTheRandomWalk) {
-    compare_all(cases(), kOutgoing, solver::Part::single, Part::single, 10'000, 350);
+    compare_all(cases(), kOutgoing, Part::single, 10'000, 350);
 }
 TEST(SolverAgreement, MultipleScatteringMatchesTheRandomWalk) {
-    compare_all(cases(), kOutgoing, solver::Part::multiple, Part::multiple, 30'000, 350);
+    compare_all(cases(), kOutgoing, Part::multiple, 30'000, 350);
 }
 TEST(SolverAgreement, TotalMatchesTheRandomWalk) {
-    compare_all(cases(), kOutgoing, solver::Part::total, Part::total, 5'000, 350);
+    compare_all(cases(), kOutgoing, Part::total, 5'000, 350);
 }
 // From nothing, through layers so thin that their Z_a nearly overflows, to opaque ones.
 TEST(SolverAgreement, AnyExtinctionMatchesTheRandomWalk) {
@@ -191,10 +191,10 @@ TEST(SolverAgreement, AnyExtinctionMatchesTheRandomWalk) {
         all.push_back({fmt::format("pigment, depth {}", depth),
                        test::paint_of(1.5, {test::pigment_layer(.9, depth, .3)}, 0.5)});
     }
-    compare_all(all, kOutgoing, solver::Part::total, Part::total, 10'000, 300);
+    compare_all(all, kOutgoing, Part::total, 10'000, 300);
 }
 TEST(SolverAgreement, RoughInterfacesMatchTheRandomWalk) {
-    compare_all(rough_cases(), kRoughOutgoing, solver::Part::total, Part::total, 4'000, 25);
+    compare_all(rough_cases(), kRoughOutgoing, Part::total, 4'000, 25);
 }
 
 }  // namespace

@@ -106,14 +106,6 @@ const std::map<std::string, Material>& catalogue() {
     return materials;
 }
 
-std::string lower_case(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return result;
-}
-
 /// "n", "n+ki" or "n-ki".
 std::optional<ComplexIndex> parse_index(std::string_view text) {
     const auto n = take_number(text);
@@ -126,8 +118,17 @@ std::optional<ComplexIndex> parse_index(std::string_view text) {
 }
 
 bool is_material_file(const std::filesystem::path& path) {
-    const std::string extension = lower_case(path.extension().string());
+    const std::string extension = lowercase(path.extension().string());
     return extension == ".csv" || extension == ".yml" || extension == ".yaml";
+}
+
+/// Whether the first line that is neither empty nor a comment is the header of a table.
+bool has_material_header(std::string_view text) {
+    for (const std::string_view line : split(without_byte_order_mark(text), '\n')) {
+        const std::string_view content = trimmed(line);
+        if (!content.empty() && content.front() != '#') return content.starts_with("wavelength_nm");
+    }
+    return false;
 }
 
 /// Where a material's file is.
@@ -145,8 +146,9 @@ std::filesystem::path material_path(const std::filesystem::path& name,
 Material read_material_file(const std::filesystem::path& path) {
     const std::string name = path.string();
     const std::string text = read_file(path, kMaxMaterialFileBytes);
-    return lower_case(path.extension().string()) == ".csv" ? parse_material_csv(text, name)
-                                                           : parse_material_yaml(text, name);
+    const bool csv = is_stream(path) ? has_material_header(text)
+                                     : lowercase(path.extension().string()) == ".csv";
+    return csv ? parse_material_csv(text, name) : parse_material_yaml(text, name);
 }
 
 Material find_material(const std::string& text, const References& references) {

@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/testing/errors.h"
@@ -32,8 +31,8 @@ double facing_area(double alpha) {
     const double erfcx =
         x < 20 ? std::exp(x * x) * std::erfc(x)
                : (1 - 0.5 / (x * x) + 0.75 / std::pow(x, 4) - 1.875 / std::pow(x, 6)) /
-                     (x * std::sqrt(kPi));
-    return std::sqrt(kPi) / alpha * erfcx;
+                     (x * std::sqrt(std::numbers::pi));
+    return std::sqrt(std::numbers::pi) / alpha * erfcx;
 }
 
 // Int f(|w.m|) |w.m| D(m) dm by brute force over cos theta_m and phi: the midpoint rule in phi,
@@ -52,9 +51,9 @@ double brute_force(double mu, double alpha, F&& f) {
             const double ring = t_max / kPanels * unit.weights[k] * 2 * sin_m * cos_m * cos_m *
                                 flake_density(t * t, alpha);
             for (int a = 0; a < kAzimuths; ++a) {
-                const double phi = 2 * kPi * (a + 0.5) / kAzimuths;
+                const double phi = 2 * std::numbers::pi * (a + 0.5) / kAzimuths;
                 const double c = std::abs(mu * cos_m - s * sin_m * std::cos(phi));
-                sum += ring * 2 * kPi / kAzimuths * c * f(std::min(1.0, c));
+                sum += ring * 2 * std::numbers::pi / kAzimuths * c * f(std::min(1.0, c));
             }
         }
     }
@@ -68,7 +67,7 @@ TEST(BeckmannFlakes, NormalsIntegrateToOneOverTheSphere) {
         double sum = 0;
         for (std::size_t k = 0; k < radial.nodes.size(); ++k) {
             const double t = radial.nodes[k];
-            sum += radial.weights[k] * 4 * kPi * t * std::pow(1 + t * t, -1.5) *
+            sum += radial.weights[k] * 4 * std::numbers::pi * t * std::pow(1 + t * t, -1.5) *
                    flake_density(t * t, alpha);
         }
         EXPECT_NEAR(sum, 1.0, 1e-13) << alpha;  // exp(-36) = 2e-16 is cut off; 64 nodes: rounding
@@ -79,8 +78,8 @@ TEST(BeckmannFlakes, DensityIsMicrofacetBeckmannTimesHalfTheCosine) {
     for (double alpha : {0.05, 0.4}) {
         for (double theta : {0.0, 0.02, 0.3, 1.2}) {
             const double tan2 = std::tan(theta) * std::tan(theta), c = std::cos(theta);
-            const double microfacet =
-                std::exp(-tan2 / (alpha * alpha)) / (kPi * alpha * alpha * std::pow(c, 4));
+            const double microfacet = std::exp(-tan2 / (alpha * alpha)) /
+                                      (std::numbers::pi * alpha * alpha * std::pow(c, 4));
             EXPECT_NEAR(flake_density(tan2, alpha), 0.5 * c * microfacet, 1e-12 * microfacet);
         }
     }

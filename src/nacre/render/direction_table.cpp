@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace nacre::render {
 namespace {
@@ -78,8 +79,8 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
         }
     }
     const double cells = static_cast<double>(columns) * rows;
-    constexpr double kPi = 3.14159265358979323846;
-    mean_ = static_cast<float>(sphere / (cells * kSubdivisions * kSubdivisions * 4 * kPi));
+    mean_ =
+        static_cast<float>(sphere / (cells * kSubdivisions * kSubdivisions * 4 * std::numbers::pi));
     std::vector<double> weights(columns);
     for (int r = 0; r < rows; ++r) {
         std::copy_n(cell.begin() + static_cast<std::ptrdiff_t>(r) * columns, columns,

@@ -20,6 +20,30 @@ RenderResult picture_of(const Environment& environment, int samples = 256, int b
                   {.width = 2, .height = 2, .samples_per_pixel = samples, .spectral_bins = bins});
 }
 
+// X and Z of E by the CIE sums are 1.00008 and 1.00034; the ends of the spectrum are missing.
+TEST(Emission, EqualEnergySpectrumHasUnitXyzInTheMeanOverPasses) {
+    constexpr int kPasses = 1024;
+    double mean[3] = {};
+    for (int k = 0; k < kPasses; ++k) {
+        const XyzWeights weights = film_xyz_weights(film_wavelengths(k));
+        for (int c = 0; c < 3; ++c) mean[c] += lane_sum(weights[c]) / kPasses;
+    }
+    EXPECT_NEAR(mean[0], 1, 5e-3);
+    EXPECT_NEAR(mean[1], 1, 1e-5);
+    EXPECT_NEAR(mean[2], 1, 5e-3);
+}
+
+TEST(Emission, WeightsAreProportionalToTheObserver) {
+    const bsdf::Wavelengths nm = film_wavelengths(5);
+    const XyzWeights weights = film_xyz_weights(nm);
+    const auto observer = spectra::Observer::cie1931_2deg;
+    const double scale = weights[1][4] / spectra::colour_matching(observer, nm[4])[1];
+    for (int k = 0; k < kLanes; ++k) {
+        const auto matching = spectra::colour_matching(observer, nm[k]);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(weights[c][k], scale * matching[c], 1e-6);
+    }
+}
+
 TEST(Emission, UnitIlluminantsHaveLuminanceOne) {
     for (auto illuminant : {spectra::Illuminant::A, spectra::Illuminant::D65,
                             spectra::Illuminant::FL11, spectra::Illuminant::E}) {

@@ -113,6 +113,8 @@ namespace {
 
 /// The first surface, counted from 1, at which Russian roulette may end the path.
 constexpr int kRouletteFrom = 4;
+/// Fraction of the samples that choose a flake whatever light it sees.
+constexpr float kBlind = 0.1f;
 /// The sampler's vertex for the choice among flakes, beyond those of any path.
 constexpr std::uint32_t kFlakeVertex = 1u << 16;
 
@@ -252,21 +254,21 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
         answers += brightness[k];
         strengths += flake.strength;
     }
-    // Some of the probability goes by strength alone: other surfaces reflect light as well.
-    constexpr float kBlind = 0.1f;
-    const float by_strength = (answers > 0 ? kBlind : 1.0f) / strengths;
-    const float by_answer = answers > 0 ? (1 - kBlind) / answers : 0.0f;
-    float rest = u[1];
-    int chosen = 0;
-    float probability = 0;
+    // Some of the samples choose by strength alone: other surfaces reflect light as well.
+    const float blind = answers > 0 ? kBlind : 1.0f;
+    const bool by_strength = u[1] < blind;
+    float rest = by_strength ? u[1] / blind * strengths : (u[1] - blind) / (1 - blind) * answers;
+    int chosen = -1;
     for (int k = 0; k < count; ++k) {
-        const float p = by_strength * flakes[k].strength + by_answer * brightness[k];
-        if (!(p > 0)) continue;
+        const float part = by_strength ? flakes[k].strength : brightness[k];
+        if (part == 0) continue;
         chosen = k;
-        probability = p;
-        if (rest < p) break;
-        rest -= p;
+        if (rest < part) break;
+        rest -= part;
     }
+    if (chosen < 0) return;
+    const float probability = blind * flakes[chosen].strength / strengths +
+                              (answers > 0 ? (1 - blind) * brightness[chosen] / answers : 0.0f);
     if (!(probability > 0)) return;
     const Vec3f direction = frame.to_world(flakes[chosen].wo);
     if (dot(direction, hit.geometric_normal) <= 0) return;

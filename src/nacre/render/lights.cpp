@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "nacre/core/angles.h"
-
 namespace nacre::render {
 namespace {
 
@@ -27,7 +25,7 @@ CompiledRectangle compile(const RectangleLight& light, EmissionBasis& basis) {
     return r;
 }
 
-double disk_solid_angle(const DistantDisk& disk) { return kPi * disk.chord_squared; }
+double disk_solid_angle(const DistantDisk& disk) { return std::numbers::pi * disk.chord_squared; }
 
 }  // namespace
 
@@ -38,8 +36,9 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         environment_ = std::move(compiled.radiance);
         table_.emplace(compiled.table_columns, compiled.table_rows,
                        [this](Vec3f d) { return environment_->luminance(d); });
-        add(Kind::environment, 0, kPi * table_->mean_brightness());
-        environment_brightness_ = static_cast<float>(4 * kPi) * table_->mean_brightness();
+        add(Kind::environment, 0, std::numbers::pi * table_->mean_brightness());
+        environment_brightness_ =
+            static_cast<float>(4 * std::numbers::pi) * table_->mean_brightness();
         sun_ = compiled.sun;
         if (sun_) add(Kind::sun, 0, sun_->luminance * disk_solid_angle(*sun_));
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "nacre/core/angles.h"
 
@@ -96,7 +97,7 @@ Mesh make_mesh(const Backdrop& backdrop) {
         if (row == kRows) {
             return SurfacePoint{vec(x, backdrop.depth_mm, backdrop.height_mm), {0, -1, 0}};
         }
-        const double angle = 0.5 * kPi * (row - 1) / kFilletRows;
+        const double angle = 0.5 * std::numbers::pi * (row - 1) / kFilletRows;
         return SurfacePoint{
             vec(x, backdrop.depth_mm - r + r * std::sin(angle), r - r * std::cos(angle)),
             vec(0, -std::sin(angle), std::cos(angle))};
@@ -134,8 +135,9 @@ double superellipse(double a, double b, double cosine, double sine, double expon
 
 /// Point at station u along the body and v around it, both in [0, 1], for a half length of 1.
 Vec3d point(double u, double v) {
-    const double s = -std::cos(kPi * u);  // tail -1, nose +1; even steps round the ends
-    const double angle = kPi * v;         // from the right sill over the roof to the left
+    const double s =
+        -std::cos(std::numbers::pi * u);        // tail -1, nose +1; even steps round the ends
+    const double angle = std::numbers::pi * v;  // from the right sill over the roof to the left
     const double cosine = std::cos(angle);
     const double sine = std::max(0.0, std::sin(angle));
 

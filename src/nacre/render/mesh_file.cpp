@@ -38,6 +38,15 @@ class Fault : public Error {
     using Error::Error;
 };
 
+/// A message of a library without what it quotes of the file. A scene may name any file as a mesh,
+/// and what stands in it is not for the eyes of whoever sees the message.
+std::string without_quotes(std::string message) {
+    message.resize(std::min(message.size(), message.find("; last read: ")));  // nlohmann's
+    const std::size_t first = message.find('"'), last = message.rfind('"');
+    if (first != std::string::npos) message.replace(first, last - first + 1, "...");
+    return excerpt(message, 200);
+}
+
 // -------------------------------------------------------------------------------------- PLY
 
 /// Checks a PLY file's header, and its size given that header: assimp trusts the counts, and may
@@ -575,7 +584,7 @@ Mesh read_with_assimp(std::string_view bytes, const std::string& extension,
             aiProcess_ValidateDataStructure);
     }
     if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0) {
-        throw Fault(fmt::format("cannot be read: {}", importer.GetErrorString()));
+        throw Fault(fmt::format("cannot be read: {}", without_quotes(importer.GetErrorString())));
     }
     require_vertices(*scene);
     Mesh mesh;
@@ -625,7 +634,7 @@ Mesh parse_mesh(std::string_view bytes, const MeshFile& file) {
     } catch (const Fault& fault) {
         refuse(fault.what());
     } catch (const json::exception& fault) {
-        refuse(fmt::format("is no glTF 2.0: {}", excerpt(fault.what(), 200)).c_str());
+        refuse(fmt::format("is no glTF 2.0: {}", without_quotes(fault.what())).c_str());
     }
     throw std::logic_error("a mesh is read or refused");
 }

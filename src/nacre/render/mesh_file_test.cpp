@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "nacre/core/error.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/files.h"
+#include "nacre/testing/render.h"
 
 namespace nacre::render {
 namespace {
@@ -197,17 +197,15 @@ TEST_F(MeshFileTest, BuffersComeFromItsFolderOnly) {
     const fs::path folder = folder_, inside = folder / "model";
     fs::create_directory(inside);
     const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-    for (const fs::path& path : {folder / "out.bin", inside / "in.bin"}) {
-        std::ofstream(path, std::ios::binary)
-            .write(reinterpret_cast<const char*>(corners), sizeof corners);
+    for (const char* name : {"out.bin", "model/in.bin"}) {
+        write(name, std::string(reinterpret_cast<const char*>(corners), sizeof corners));
     }
     fs::create_symlink("../out.bin", inside / "link.bin");
     ASSERT_EQ(::mkfifo((inside / "pipe.bin").c_str(), 0600), 0);
     const auto with_buffer = [&](const std::string& uri) {
         json whole = json::parse(kGltf);
         whole["buffers"][0]["uri"] = uri;
-        std::ofstream(inside / "mesh.gltf") << whole.dump();
-        return refusal(inside / "mesh.gltf");
+        return refusal(write("model/mesh.gltf", whole.dump()));
     };
     EXPECT_EQ(with_buffer("in.bin"), "accepted");
     EXPECT_THAT(with_buffer("../out.bin"), HasSubstr("outside the folder"));

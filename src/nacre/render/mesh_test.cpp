@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "nacre/render/compiled_scene.h"
+#include "nacre/testing/render.h"
 
 namespace nacre::render {
 namespace {

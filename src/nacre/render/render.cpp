@@ -7,6 +7,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
+#include "nacre/io/image.h"
 #include "nacre/render/camera.h"
 #include "nacre/render/film.h"
 
@@ -20,8 +21,8 @@ constexpr int kAlbedoPasses = 16;
 constexpr int kTile = 16;
 
 void require_valid(const RenderOptions& options) {
-    require_in_range(options.width, 1, 32768, "width in pixels");
-    require_in_range(options.height, 1, 32768, "height in pixels");
+    require_in_range(options.width, 1, io::kMaxPixelsPerSide, "width in pixels");
+    require_in_range(options.height, 1, io::kMaxPixelsPerSide, "height in pixels");
     require_in_range(options.samples_per_pixel, 1, 1 << 24, "samples per pixel");
     require_in_range(options.max_depth, 1, 1000, "max depth");
     require_in_range(options.footprint_pixels, 0, 1000, "footprint in pixels");

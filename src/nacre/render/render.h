@@ -12,8 +12,8 @@
 namespace nacre::render {
 
 struct RenderOptions {
-    int width = 512;             ///< pixels, [1, 32768]
-    int height = 512;            ///< pixels, [1, 32768]
+    int width = 512;             ///< pixels, [1, io::kMaxPixelsPerSide]
+    int height = 512;            ///< pixels, [1, io::kMaxPixelsPerSide]
     int samples_per_pixel = 64;  ///< [1, 2^24]
     std::uint64_t seed = 0;
     int max_depth = 8;  ///< surface reflections along a path, [1, 1000]

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "nacre/core/lanes.h"
+#include "nacre/core/random.h"
 
 // Low-discrepancy numbers for the paths of one pixel: padded Sobol sequences.
 //
@@ -17,8 +18,6 @@
 // vector.
 
 namespace nacre::render {
-
-using UintLanes = std::uint32_t __attribute__((vector_size(kLanes * sizeof(std::uint32_t))));
 
 namespace sampler_detail {
 
@@ -81,17 +80,6 @@ struct ThirdDimension {
 };
 inline constexpr ThirdDimension kThirdDimension;
 
-/// A good integer hash: every input bit flips each output bit half of the time. [wellons-2018]
-template <class U>
-inline U mix(U x) {
-    x ^= x >> 16;
-    x *= 0x7FEB352Du;
-    x ^= x >> 15;
-    x *= 0x846CA68Bu;
-    x ^= x >> 16;
-    return x;
-}
-
 }  // namespace sampler_detail
 
 /// The numbers of one path.
@@ -101,10 +89,9 @@ class PathSampler {
 
     PathSampler(std::uint64_t seed, std::uint32_t pixel, std::uint32_t sample_index)
         : sample_index_(sample_index) {
-        using sampler_detail::mix;
         const auto low = static_cast<std::uint32_t>(seed);
         const auto high = static_cast<std::uint32_t>(seed >> 32);
-        base_ = mix(pixel ^ mix(low ^ mix(high + 0x9E3779B9u)));
+        base_ = mix_bits_32(pixel ^ mix_bits_32(low ^ mix_bits_32(high + 0x9E3779B9u)));
     }
 
     /// Eight numbers in [0, 1) for vertex `vertex` of the path (0: the camera): elements 0, 1, 4
@@ -116,9 +103,9 @@ class PathSampler {
         constexpr UintLanes kSequence{0, 0, 1, 1, 0, 1, 2, 2};
         constexpr UintLanes kLane{0, 1, 2, 3, 4, 5, 6, 7};
         constexpr UintLanes kSecond{0, ~0u, 0, ~0u, 0, 0, 0, ~0u};
-        const std::uint32_t vertex_base = mix(base_ + vertex * 0x9E3779B9u);
-        const UintLanes shuffle_seed = mix(kSequence * 0x85EBCA6Bu + vertex_base);
-        const UintLanes scramble_seed = mix((kLane + 4u) * 0xC2B2AE35u + vertex_base);
+        const std::uint32_t vertex_base = mix_bits_32(base_ + vertex * 0x9E3779B9u);
+        const UintLanes shuffle_seed = mix_bits_32(kSequence * 0x85EBCA6Bu + vertex_base);
+        const UintLanes scramble_seed = mix_bits_32((kLane + 4u) * 0xC2B2AE35u + vertex_base);
         // Shuffling acts on the index from its highest bit down, scrambling on the value from its
         // highest bit down, which is the index's lowest: the bit reversals cancel but for these.
         const UintLanes index = UintLanes{} + sample_index_;

@@ -138,9 +138,7 @@ TEST(SceneFile, ReadsAnEnvironmentPictureAlongWithTheScene) {
 }
 
 TEST(SceneFile, MayBeKeptToItsFolder) {
-    const std::filesystem::path folder =
-        std::filesystem::path(::testing::TempDir()) / "nacre_scene_references_test";
-    std::filesystem::create_directories(folder);
+    const nacre::test::TempFolder folder;
     const auto error = [&](const std::string& from, const std::string& to) {
         try {
             parse_scene(replaced(kScene, from, to), "scene.toml", References::within(folder));
@@ -161,7 +159,6 @@ TEST(SceneFile, MayBeKeptToItsFolder) {
     const SceneDescription scene = parse_scene(kScene, "scene.toml", References::within(folder));
     EXPECT_EQ(scene.references, References::within(folder)) << "for the recipes that it names";
     EXPECT_THROW(parse_scene(kScene, "scene.toml", {}), InputError);
-    std::filesystem::remove_all(folder);
 }
 
 TEST(SceneFile, IsToldFromARecipe) {

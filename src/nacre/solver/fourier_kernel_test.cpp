@@ -47,7 +47,7 @@ double kernel(const LayerMedium& layer, double mu_i, double mu_j, double phi) {
     for (const PigmentMedium& pigment : layer.pigments) {
         const double g = pigment.anisotropy;
         sum += pigment.scattering_per_um[0] * (1 - g * g) /
-               (4 * kPi * std::pow(1 + g * g - 2 * g * (1 - x), 1.5));
+               (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * (1 - x), 1.5));
     }
     return sum;
 }
@@ -66,7 +66,7 @@ class BruteForce {
 
  private:
     static constexpr int kCount = 2000;
-    static double phi(int k) { return kPi * (k + 0.5) / kCount; }
+    static double phi(int k) { return std::numbers::pi * (k + 0.5) / kCount; }
     std::array<double, kCount> value_;
 };
 
@@ -114,8 +114,8 @@ TEST(FourierKernel, OrderZeroSumsToTheScatteringCrossSection) {
             double sum = 0;
             for (int j = 0; j < d.size(); ++j) {
                 const std::size_t at = triangle(std::max(i, j)) + std::min(i, j);
-                sum +=
-                    2 * kPi * d.weight[j] * (fourier.same(0)[at][0] + fourier.opposite(0)[at][0]);
+                sum += 2 * std::numbers::pi * d.weight[j] *
+                       (fourier.same(0)[at][0] + fourier.opposite(0)[at][0]);
             }
             const double exact =
                 extinction(layer, d.mu[i], 0)[0] - absorption(layer, d.mu[i], 0)[0];

@@ -22,18 +22,18 @@ double printed_kernel(double alpha, double c, double reflectance, double mu_i, d
                       double phi) {
     // Travel cosines have opposite signs, and phi between directions of travel is pi away from
     // that between directions that point away from the surface.
-    const double in = -mu_i, out = mu_o, travel = phi - kPi, a2 = alpha * alpha;
+    const double in = -mu_i, out = mu_o, travel = phi - std::numbers::pi, a2 = alpha * alpha;
     const double s_i = std::sqrt(1 - in * in), s_o = std::sqrt(1 - out * out), d = in - out;
     const double a = (in * in + out * out - 2) / (a2 * d * d), b = 2 * s_i * s_o / (a2 * d * d);
     const double x = 1 - in * out - s_i * s_o * std::cos(travel);
     const double density = std::sqrt(2.0) * std::pow(x, 1.5) * std::exp(a + b * std::cos(travel)) /
-                           (kPi * a2 * std::pow(std::abs(d), 3));
+                           (std::numbers::pi * a2 * std::pow(std::abs(d), 3));
     return 0.5 * c * reflectance * density;
 }
 
 TEST(PaintMedium, KernelIsThePrintedOneWithoutItsCancellation) {
     std::mt19937 engine(1);
-    std::uniform_real_distribution<double> cosine(0.05, 0.999), azimuth(0, 2 * kPi);
+    std::uniform_real_distribution<double> cosine(0.05, 0.999), azimuth(0, 2 * std::numbers::pi);
     int compared = 0;
     for (double alpha : {0.1, 0.3, 1.0}) {
         const PaintMedium m = make_medium(test::flake_paint(alpha, 0.6, 0, 1, 1.5), kOneWavelength);
@@ -74,8 +74,8 @@ TEST(PaintMedium, ScatteringIntegratesToTheCrossSection) {
                 const double z = cosine.nodes[i], s = std::sqrt(1 - z * z);
                 // phi = pi x^3: next to the kink, lobes are narrow around phi = 0.
                 for (std::size_t k = 0; k < cube_root.nodes.size(); ++k) {
-                    const double x = cube_root.nodes[k], phi = kPi * x * x * x;
-                    sum += cosine.weights[i] * cube_root.weights[k] * 6 * kPi * x * x *
+                    const double x = cube_root.nodes[k], phi = std::numbers::pi * x * x * x;
+                    sum += cosine.weights[i] * cube_root.weights[k] * 6 * std::numbers::pi * x * x *
                            vector_kernel(alpha, 0.1, 0.6, in,
                                          {s * std::cos(phi), s * std::sin(phi), z});
                 }
@@ -97,7 +97,7 @@ TEST(PaintMedium, BackscatteringIsReciprocalEvenInAzimuthAndMatchesVectors) {
     recipe.layers[0].pigments.push_back({30.0, 5.0, 0.6});
     const PaintMedium m = make_medium(recipe, kOneWavelength);
     std::mt19937 engine(2);
-    std::uniform_real_distribution<double> cosine(0.01, 1), azimuth(0, 2 * kPi);
+    std::uniform_real_distribution<double> cosine(0.01, 1), azimuth(0, 2 * std::numbers::pi);
     for (int k = 0; k < 1000; ++k) {
         const double mu_i = cosine(engine), mu_o = cosine(engine), phi = azimuth(engine);
         const double s_i = std::sqrt(1 - mu_i * mu_i), s_o = std::sqrt(1 - mu_o * mu_o);
@@ -109,7 +109,7 @@ TEST(PaintMedium, BackscatteringIsReciprocalEvenInAzimuthAndMatchesVectors) {
         const Vec3d out(s_o * std::cos(phi), s_o * std::sin(phi), mu_o);
         const double g = 0.6, turn = dot(in, out);
         const double pigment =
-            0.03 * (1 - g * g) / (4 * kPi * std::pow(1 + g * g - 2 * g * turn, 1.5));
+            0.03 * (1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * turn, 1.5));
         const double expected = vector_kernel(0.25, 0.1, 0.7, in, out) + pigment;
         // Half vectors from differences lose digits where in and out nearly agree: 1e-10.
         ASSERT_NEAR(value, expected, 1e-10 * expected);

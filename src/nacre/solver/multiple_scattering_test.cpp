@@ -6,7 +6,6 @@
 #include <numbers>
 #include <random>
 
-#include "nacre/core/angles.h"
 #include "nacre/solver/directions.h"
 
 namespace nacre::solver {
@@ -97,7 +96,7 @@ TEST(MultipleScattering, SlicesReturnTheValuesAtNodes) {
     for (int i = 0; i < 12; i += 3) {
         const MultipleScatteringSlice slice(r, example.angle[i]);
         for (int j = 0; j < 12; j += 2) {
-            for (const double phi : {0.0, 1.1, kPi}) {
+            for (const double phi : {0.0, 1.1, std::numbers::pi}) {
                 slice.coefficients(example.angle[j], phi, coefficient);
                 double found = 0;
                 for (int k = 0; k < r.rank(); ++k) {
@@ -111,7 +110,7 @@ TEST(MultipleScattering, SlicesReturnTheValuesAtNodes) {
                     const int a = std::max(i, j) - f, b = std::min(i, j) - f;
                     if (b >= 0) {
                         const std::size_t pair = offset + a * (a + 1) / 2 + b;
-                        expected += (l ? 2.0 : 1.0) * std::cos(l * (phi - kPi)) *
+                        expected += (l ? 2.0 : 1.0) * std::cos(l * (phi - std::numbers::pi)) *
                                     example.values[pair * example.wavelengths + 4];
                     }
                     offset += rows * (rows + 1) / 2;
@@ -138,15 +137,15 @@ TEST(MultipleScattering, OrdersVanishTowardsTheNormalFromTheirFirstNode) {
     const MultipleScattering r = compress(angle, first, 1, values, 1e-6);
     std::vector<double> c(1);
     for (const double theta : {0.0, 0.01, 0.5 * angle[0], 0.5, angle[39]}) {
-        MultipleScatteringSlice(r, theta).coefficients(angle[42], kPi, c);
+        MultipleScatteringSlice(r, theta).coefficients(angle[42], std::numbers::pi, c);
         EXPECT_EQ(c[0], 0) << theta;
-        MultipleScatteringSlice(r, angle[42]).coefficients(theta, kPi, c);
+        MultipleScatteringSlice(r, angle[42]).coefficients(theta, std::numbers::pi, c);
         EXPECT_EQ(c[0], 0) << theta;
     }
     // No jump where the orders begin, and all of them where they are.
-    MultipleScatteringSlice(r, angle[39] + 1e-9).coefficients(angle[42], kPi, c);
+    MultipleScatteringSlice(r, angle[39] + 1e-9).coefficients(angle[42], std::numbers::pi, c);
     EXPECT_NEAR(c[0] * r.basis[0], 0, 1e-9 * 2 * 400 * 100);  // slopes of polynomials: 1/spacing
-    MultipleScatteringSlice(r, angle[41]).coefficients(angle[42], kPi, c);
+    MultipleScatteringSlice(r, angle[41]).coefficients(angle[42], std::numbers::pi, c);
     EXPECT_NEAR(c[0] * r.basis[0], 2 * 399, 1e-3);
 }
 

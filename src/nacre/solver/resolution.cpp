@@ -72,7 +72,7 @@ bool refine(Resolution& resolution, const SolverSettings& settings, double unres
 Resolution choose_resolution(const PaintMedium& medium, const SolverSettings& settings) {
     check_nodes(settings.exit_nodes, SolverSettings::kMaxNodes, "exit_nodes");
     check_nodes(settings.inner_nodes, SolverSettings::kMaxNodes, "inner_nodes");
-    require_in_range(settings.max_orders, 0, SolverSettings::kMaxOrders, "most_orders");
+    require_in_range(settings.max_orders, 0, SolverSettings::kMaxOrders, "max_orders");
     require_in_range(settings.tolerance, 1e-12, 0.1, "tolerance");
 
     double alpha = 1.0;

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
@@ -17,8 +18,6 @@
 namespace nacre::solver {
 
 namespace {
-
-constexpr double kHorizon = std::numbers::pi / 2;
 
 // Nodes of m in the polar angle: it changes within alpha of the horizon, where they are dense.
 constexpr int kNodes = 64;

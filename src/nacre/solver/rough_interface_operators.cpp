@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/dense.h"
 #include "nacre/core/quadrature.h"
 
@@ -15,8 +15,6 @@ namespace {
 
 using Matrix = RowMajorMatrix;
 using Vector = Eigen::VectorXd;
-
-constexpr double kHorizon = std::numbers::pi / 2;
 
 // A panel of Directions: nodes in its own angle, theta_e outside or the angle inside.
 struct Panel {

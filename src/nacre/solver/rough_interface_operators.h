@@ -46,7 +46,7 @@ struct FacetDetail {
 template <class Visit>
 void for_each_facet_exit(double theta, double alpha, double n_here, double n_there,
                          FacetDetail detail, Visit&& visit) {
-    constexpr double kTail = 27.0, kPi = std::numbers::pi;  // e^-27 of the facets are left out
+    constexpr double kTail = 27.0;  // e^-27 of the facets are left out
     const double c = std::cos(theta), s = std::sin(theta);
     const double eta = n_there / n_here;
     const bool inside = eta < 1;
@@ -92,19 +92,19 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
     // the tilt of the facet, refraction by less than the tilt; the azimuth makes one turn when the
     // slope passes s.
     const auto phase_of = [&](double t) {
-        return detail.polar * std::min(inside ? 2 * t : t, 0.5 * kPi) +
+        return detail.polar * std::min(inside ? 2 * t : t, 0.5 * std::numbers::pi) +
                detail.order * std::min(2 * t / std::max(s, 1e-9), 1.0);
     };
     const double base = inside ? 20 : 10;  // steep about the angle of total reflection
     const auto nodes = [](double count) { return 4 * static_cast<int>(std::ceil(count / 4)); };
 
     const auto ring = [&](double t, double weight) {
-        weight *= 2 * t / (alpha * alpha) * std::exp(-t * t / (alpha * alpha)) / kPi;
+        weight *= 2 * t / (alpha * alpha) * std::exp(-t * t / (alpha * alpha)) / std::numbers::pi;
         // The azimuths, by p = t cos phi, where the integrand is not smooth.
         std::array<double, 7> cut{};
         int cuts = 0;
         cut[cuts++] = 0;
-        double end = kPi;
+        double end = std::numbers::pi;
         if (s * t > c) end = std::acos(-c / (s * t));
         const auto cut_at = [&](double p) {
             if (std::abs(p) < t) {
@@ -127,19 +127,20 @@ void for_each_facet_exit(double theta, double alpha, double n_here, double n_the
         for (int k = 1; k < cuts; ++k) {  // by insertion: there are seven at most
             for (int j = k; j > 0 && cut[j] < cut[j - 1]; --j) std::swap(cut[j], cut[j - 1]);
         }
-        const bool whole = cuts == 2 && end == kPi;
+        const bool whole = cuts == 2 && end == std::numbers::pi;
         for (int k = 0; k + 1 < cuts; ++k) {
             const double from = cut[k], width = cut[k + 1] - from;
             if (width < 1e-12) continue;
             // A whole ring is periodic: equal steps converge fastest.
             const int count = nodes(whole ? 2 * base + 0.6 * phase_of(t)
-                                          : base + 1.2 * phase_of(t) * width / kPi);
+                                          : base + 1.2 * phase_of(t) * width / std::numbers::pi);
             const Quadrature& rule = unit_gauss_legendre(count);
             for (int i = 0; i < count; ++i) {
                 const double u = rule.nodes[i];
-                const double phi =
-                    whole ? kPi * (i + 0.5) / count : from + width * u * u * (3 - 2 * u);
-                const double step = whole ? kPi / count : width * rule.weights[i] * 6 * u * (1 - u);
+                const double phi = whole ? std::numbers::pi * (i + 0.5) / count
+                                         : from + width * u * u * (3 - 2 * u);
+                const double step =
+                    whole ? std::numbers::pi / count : width * rule.weights[i] * 6 * u * (1 - u);
                 facet(t * std::cos(phi), t * std::sin(phi), weight * step);
             }
         }

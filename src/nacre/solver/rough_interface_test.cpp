@@ -11,6 +11,7 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/rough_interface_operators.h"
 #include "nacre/solver/solver.h"
+#include "nacre/testing/layers.h"
 #include "nacre/testing/paints.h"
 
 namespace nacre::solver {
@@ -31,8 +32,8 @@ paint::Recipe rough_paint(double flake_alpha, double reflectance, double transmi
 // Integral of f(theta_o, phi) cos over the hemisphere.
 template <class F>
 double over_hemisphere(int polar, int azimuthal, F&& f) {
-    const Quadrature theta = gauss_legendre(polar, 0, kPi / 2),
-                     phi = gauss_legendre(azimuthal, 0, kPi);
+    const Quadrature theta = gauss_legendre(polar, 0, std::numbers::pi / 2),
+                     phi = gauss_legendre(azimuthal, 0, std::numbers::pi);
     double sum = 0;
     for (int i = 0; i < polar; ++i) {
         for (int k = 0; k < azimuthal; ++k) {
@@ -53,8 +54,8 @@ TEST(RoughInterface, VisibleFacetsFillTheProjectedArea) {
             const Quadrature x = gauss_legendre(200, from, 7.0);
             double sum = 0;
             for (int i = 0; i < 200; ++i) {
-                sum += x.weights[i] * std::exp(-x.nodes[i] * x.nodes[i]) / std::sqrt(kPi) *
-                       (c + s * alpha * x.nodes[i]);
+                sum += x.weights[i] * std::exp(-x.nodes[i] * x.nodes[i]) /
+                       std::sqrt(std::numbers::pi) * (c + s * alpha * x.nodes[i]);
             }
             EXPECT_NEAR(sum * smith_beckmann_over_cosine(c, s, alpha), 1.0, 1e-12);
         }
@@ -85,14 +86,15 @@ TEST(RoughInterface, LetsAsMuchOutAsIn) {
     };
     const auto etendue = [](double theta) { return std::sin(theta) * std::cos(theta); };
     double in = 0, out = 0;
-    const Quadrature outside = gauss_legendre(48, 0, kPi / 2);
+    const Quadrature outside = gauss_legendre(48, 0, std::numbers::pi / 2);
     // Two panels: transmission falls steeply about the critical angle.
     const double critical = std::asin(1 / ior);
     for (int i = 0; i < 48; ++i) {
         const double theta = outside.nodes[i];
         in += outside.weights[i] * etendue(theta) * through(theta, 1.0, ior);
     }
-    for (const auto& [from, to] : {std::pair(0.0, critical), std::pair(critical, kPi / 2)}) {
+    for (const auto& [from, to] :
+         {std::pair(0.0, critical), std::pair(critical, std::numbers::pi / 2)}) {
         const Quadrature rule = gauss_legendre(128, from, to);
         for (int i = 0; i < 128; ++i) {
             const double theta = rule.nodes[i];
@@ -168,9 +170,9 @@ TEST(RoughSolver, TendsToTheSmoothPaint) {
     recipe.clearcoat->roughness = 0;
     const SolvedPaint smooth = solve(recipe, kOneWavelength);
     for (const Part part : {Part::single, Part::multiple}) {
-        const double peak = smooth.brdf(0.7, 0.7, kPi, part)[0];
+        const double peak = smooth.brdf(0.7, 0.7, std::numbers::pi, part)[0];
         for (const double theta : {0.02, 0.4, 0.7, 1.0, 1.3}) {
-            for (const double phi : {0.0, 1.5, 2.8, kPi}) {
+            for (const double phi : {0.0, 1.5, 2.8, std::numbers::pi}) {
                 EXPECT_NEAR(rough.brdf(0.7, theta, phi, part)[0],
                             smooth.brdf(0.7, theta, phi, part)[0], 2e-3 * peak)
                     << theta << ", " << phi;
@@ -203,7 +205,7 @@ TEST(RoughSolver, NodesChosenFromTheRecipeSuffice) {
         for (const double theta_i : {0.1, 0.8, 1.4, 89 * kDegree}) {
             double peak = 0, error = 0;
             for (double theta_o = 0.01; theta_o < 1.57; theta_o += 0.06) {
-                for (const double phi : {0.0, 2.0, 2.9, kPi}) {
+                for (const double phi : {0.0, 2.0, 2.9, std::numbers::pi}) {
                     const double value = fine.brdf(theta_i, theta_o, phi)[0];
                     peak = std::max(peak, value);
                     error = std::max(error, std::abs(paint.brdf(theta_i, theta_o, phi)[0] - value));

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/rough_interface.h"
@@ -81,7 +81,6 @@ std::vector<double> single_scattering(const PaintMedium& medium, double theta_i,
 }
 
 std::vector<double> SolvedPaint::brdf(double theta_i, double theta_o, double phi, Part part) const {
-    constexpr double kHorizon = std::numbers::pi / 2;
     require_in_range(theta_i, 0, kHorizon, "theta_i in rad");
     require_in_range(theta_o, 0, kHorizon, "theta_o in rad");
     require_in_range(phi, -1e6, 1e6, "phi in rad");

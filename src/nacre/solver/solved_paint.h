@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "nacre/core/part.h"
 #include "nacre/solver/medium.h"
 #include "nacre/solver/multiple_scattering.h"
 
@@ -33,8 +34,6 @@ struct SolverReport {
 
     friend bool operator==(const SolverReport&, const SolverReport&) = default;
 };
-
-enum class Part { total, single, multiple };
 
 /// A paint whose light transport has been solved: a value, complete in itself, that evaluates its
 /// BRDF at the wavelengths it was solved for. The specular lobe of a smooth interface is left out;

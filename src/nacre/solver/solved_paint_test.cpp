@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/testing/layers.h"
 
 // The closed form of single scattering.
@@ -30,7 +32,7 @@ TEST(SingleScattering, IsTheDepthIntegralOverThinSublayers) {
     const Quadrature unit = gauss_legendre(24, 0, 1);
     for (const double theta_i : {0.1, 0.8, 1.5}) {
         for (const double theta_o : {0.0, 0.7, 1.3}) {
-            for (const double phi : {kPi, 2.0, 0.0}) {
+            for (const double phi : {std::numbers::pi, 2.0, 0.0}) {
                 const double mu_i = inside_cosine(1.5, theta_i), mu_o = inside_cosine(1.5, theta_o);
                 const double path = 1 / mu_i + 1 / mu_o;
                 double sum = 0, above = 5.0 * 0.04 * path;
@@ -62,9 +64,10 @@ TEST(SingleScattering, DoesNotDependOnHowALayerIsDivided) {
     }
     for (const double theta : {0.0, 0.5, 1.55}) {
         const double expected =
-            single_scattering(make_medium(whole, kOneWavelength), 0.6, theta, kPi)[0];
-        EXPECT_NEAR(single_scattering(make_medium(cut, kOneWavelength), 0.6, theta, kPi)[0],
-                    expected, 1e-13 * expected);
+            single_scattering(make_medium(whole, kOneWavelength), 0.6, theta, std::numbers::pi)[0];
+        EXPECT_NEAR(
+            single_scattering(make_medium(cut, kOneWavelength), 0.6, theta, std::numbers::pi)[0],
+            expected, 1e-13 * expected);
     }
 }
 
@@ -73,9 +76,11 @@ TEST(SingleScattering, ThinLayersApproachKernelTimesThickness) {
         make_medium(test::flake_paint(0.2, 0.6, 0, 1e-9, 1.5), kOneWavelength);
     const double mu_i = inside_cosine(1.5, 0.6), mu_o = inside_cosine(1.5, 0.3);
     const double expected = transmitted(0.6) * transmitted(0.3) / 2.25 * 1e-8 *
-                            backscattering(medium.layers[0], mu_i, mu_o, kPi, 0)[0] / (mu_i * mu_o);
+                            backscattering(medium.layers[0], mu_i, mu_o, std::numbers::pi, 0)[0] /
+                            (mu_i * mu_o);
     // Attenuation over the depth of 1e-9, and nothing cancels.
-    EXPECT_NEAR(single_scattering(medium, 0.6, 0.3, kPi)[0], expected, 2e-9 * expected);
+    EXPECT_NEAR(single_scattering(medium, 0.6, 0.3, std::numbers::pi)[0], expected,
+                2e-9 * expected);
 }
 
 TEST(SingleScattering, FollowsADispersiveBinder) {
@@ -96,7 +101,7 @@ TEST(SingleScattering, FollowsADispersiveBinder) {
 
 TEST(SingleScattering, IsReciprocal) {
     const PaintMedium medium = two_layers();
-    for (const double phi : {0.0, 1.0, kPi}) {
+    for (const double phi : {0.0, 1.0, std::numbers::pi}) {
         const double f = single_scattering(medium, 10 * kDegree, 80 * kDegree, phi)[0];
         EXPECT_NEAR(single_scattering(medium, 80 * kDegree, 10 * kDegree, phi)[0], f, 1e-13 * f);
     }

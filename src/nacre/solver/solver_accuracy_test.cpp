@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/solver/solver.h"
 #include "nacre/testing/layers.h"
 
@@ -154,7 +156,7 @@ TEST(SolverEnergy, ReciprocalEvenAndNeverNegative) {
     int compared = 0;
     for (const paint::Recipe& recipe : recipes) {
         const SolvedPaint paint = solve(recipe, kOneWavelength);
-        const double peak = paint.brdf(0.5, 0.5, kPi)[0];
+        const double peak = paint.brdf(0.5, 0.5, std::numbers::pi)[0];
         for (const double theta_i : {0.0, 10.0, 45.0, 70.0, 89.0}) {
             for (const double theta_o : {3.0, 45.0, 60.0, 89.9}) {
                 for (const double phi : {0.0, 60.0, 135.0, 180.0}) {
@@ -163,7 +165,8 @@ TEST(SolverEnergy, ReciprocalEvenAndNeverNegative) {
                     EXPECT_GE(f, 0);
                     // One symmetric tensor: rounding of the sums only.
                     EXPECT_NEAR(paint.brdf(o, i, p)[0], f, 1e-12 * (f + peak));
-                    EXPECT_NEAR(paint.brdf(i, o, 2 * kPi - p)[0], f, 1e-12 * (f + peak));
+                    EXPECT_NEAR(paint.brdf(i, o, 2 * std::numbers::pi - p)[0], f,
+                                1e-12 * (f + peak));
                     ++compared;
                 }
             }
@@ -214,7 +217,8 @@ TEST(SolverEnergy, EmptyPaintShowsTheSubstrate) {
         return 1 - optics::dielectric_reflectance(1.0, 1.5, std::cos(theta));
     };
     for (const double theta : {0.0, 0.9, 1.5}) {
-        const double expected = 0.5 / kPi * enter(theta) * enter(0.4) / 2.25 / (1 - 0.5 * inside);
+        const double expected =
+            0.5 / std::numbers::pi * enter(theta) * enter(0.4) / 2.25 / (1 - 0.5 * inside);
         // The layer absorbs some 3e-6 of it; 12 exit nodes resolve Fresnel to 1e-6.
         EXPECT_NEAR(paint.brdf(theta, 0.4, 1.0)[0], expected, 1e-5 * expected) << theta;
     }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "nacre/solver/solver.h"
 #include "nacre/testing/layers.h"
@@ -26,7 +27,7 @@ double diffuse(const std::vector<std::vector<double>>& f, const Directions& d) {
     double sum = 0;
     for (int i = 0; i < d.size(); ++i) {
         for (int j = 0; j < d.size(); ++j) {
-            sum += 4 * kPi * d.weight[i] * d.mu[i] * d.weight[j] * d.mu[j] * f[i][j];
+            sum += 4 * std::numbers::pi * d.weight[i] * d.mu[i] * d.weight[j] * d.mu[j] * f[i][j];
         }
     }
     return sum;
@@ -145,7 +146,7 @@ TEST(SolverSlab, FlatFlakesWithoutAbsorptionFollowKubelkaAndMunk) {
 double bare_substrate(double substrate, double ior, double theta_i, double theta_o) {
     double inside = 0;  // Int 2 mu F d mu, 1 beyond the critical angle
     const double critical = std::sqrt(1 - 1 / (ior * ior));
-    const Quadrature rule = gauss_legendre(64, 0, kPi / 2);
+    const Quadrature rule = gauss_legendre(64, 0, std::numbers::pi / 2);
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         // In the angle outside, t: mu^2 = 1 - sin^2 t/n^2, 2 mu d mu = sin 2t dt/n^2.
         inside += rule.weights[i] * std::sin(2 * rule.nodes[i]) / (ior * ior) *
@@ -155,7 +156,7 @@ double bare_substrate(double substrate, double ior, double theta_i, double theta
     const auto enter = [&](double theta) {
         return 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta));
     };
-    return enter(theta_i) * enter(theta_o) / (ior * ior) * substrate / kPi /
+    return enter(theta_i) * enter(theta_o) / (ior * ior) * substrate / std::numbers::pi /
            (1 - substrate * inside);
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/layers.h"
@@ -107,7 +108,7 @@ TEST(Solver, RefusesSettingsAndAnglesOutOfRange) {
               std::string::npos);
     EXPECT_NE(message([](SolverSettings& s) { s.inner_nodes = 1024; }).find("[0, 128]"),
               std::string::npos);
-    EXPECT_NE(message([](SolverSettings& s) { s.max_orders = -1; }).find("most_orders"),
+    EXPECT_NE(message([](SolverSettings& s) { s.max_orders = -1; }).find("max_orders"),
               std::string::npos);
     EXPECT_NE(message([](SolverSettings& s) { s.tolerance = 0; }).find("tolerance"),
               std::string::npos);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "nacre/testing/layers.h"
 
@@ -76,12 +77,12 @@ TEST(WavelengthGroups, ADispersivePaintEqualsItsWavelengthsSolvedAlone) {
     for (int w = 0; w < 3; ++w) {
         const SolvedPaint one = solve(recipe, {wavelengths[w]}, settings);
         for (const double theta : {0.1, 0.8, 1.4}) {
-            for (const double phi : {0.5, kPi}) {
+            for (const double phi : {0.5, std::numbers::pi}) {
                 const double expected = one.brdf(0.7, theta, phi)[0];
                 // Compression allows 1e-4 of the largest value of an order, the series 1e-4 of the
                 // peak where one group ends earlier than another.
                 EXPECT_NEAR(all.brdf(0.7, theta, phi)[w], expected,
-                            1e-4 * one.brdf(0.7, 0.7, kPi)[0])
+                            1e-4 * one.brdf(0.7, 0.7, std::numbers::pi)[0])
                     << w << ' ' << theta << ' ' << phi;
             }
         }

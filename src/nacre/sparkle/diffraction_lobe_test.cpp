@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "nacre/core/angles.h"
+#include <numbers>
+
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/sparkle/flake_sizes.h"
@@ -23,9 +24,9 @@ TEST(DiffractionLobe, HasTheContrastOfTheAiryPattern) {
             airy += 4 * rule.weights[i] * x * std::pow(amplitude, 4);
         }
     }
-    airy *= kPi / 8 * d_over_lambda * d_over_lambda;
+    airy *= std::numbers::pi / 8 * d_over_lambda * d_over_lambda;
     const double w = 2 * DiffractionLobe(0.1, 1.5).radius(20.0f);  // |q| = 2 slope
-    EXPECT_NEAR(9 / (5 * kPi * w * w), airy, 1e-4 * airy);
+    EXPECT_NEAR(9 / (5 * std::numbers::pi * w * w), airy, 1e-4 * airy);
 }
 
 TEST(DiffractionLobe, HasUnitIntegral) {
@@ -33,7 +34,7 @@ TEST(DiffractionLobe, HasUnitIntegral) {
     double sum = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         const double r = 0.03 * rule.nodes[i];
-        sum += 0.03 * rule.weights[i] * 2 * kPi * r *
+        sum += 0.03 * rule.weights[i] * 2 * std::numbers::pi * r *
                DiffractionLobe::density(static_cast<float>(r * r), 0.03f);
     }
     EXPECT_NEAR(sum, 1, 1e-6);
@@ -50,10 +51,11 @@ TEST(DiffractionLobe, BlurIsTheConvolutionWithTheSlopes) {
             for (std::size_t i = 0; i < radial.nodes.size(); ++i) {
                 const double r = width * radial.nodes[i];
                 for (int k = 0; k < kAngles; ++k) {
-                    const double angle = 2 * kPi * (k + 0.5) / kAngles;
+                    const double angle = 2 * std::numbers::pi * (k + 0.5) / kAngles;
                     const double x = p - r * std::cos(angle), y = r * std::sin(angle);
-                    sum += radial.weights[i] * width * r * 2 * kPi / kAngles * 3 /
-                           (kPi * width * width) * std::pow(1 - r * r / (width * width), 2) *
+                    sum += radial.weights[i] * width * r * 2 * std::numbers::pi / kAngles * 3 /
+                           (std::numbers::pi * width * width) *
+                           std::pow(1 - r * r / (width * width), 2) *
                            std::exp((p * p - x * x - y * y) / (alpha * alpha));
                 }
             }
@@ -76,7 +78,7 @@ TEST(DiffractionLobe, OfLargeFlakesIsNarrow) {
 TEST(FlakeSizes, AreThoseOfACutNormalDistribution) {
     const FlakeSizes alike(20, 0), spread(20, 4);
     EXPECT_FLOAT_EQ(alike.diameter_um(123), 20);
-    EXPECT_NEAR(alike.mean_area_um2(), kPi * 100, 1e-3);
+    EXPECT_NEAR(alike.mean_area_um2(), std::numbers::pi * 100, 1e-3);
     double sum = 0, squares = 0;
     for (int i = 0; i < FlakeSizes::kSizes; ++i) {
         const double d = spread.diameter_um(i);
@@ -87,7 +89,7 @@ TEST(FlakeSizes, AreThoseOfACutNormalDistribution) {
     // 1 - 6 phi(3)/(1 - 2 Phi(-3)) = 0.97333); of each fraction only the middle counts.
     EXPECT_NEAR(sum, 20, 1e-3);
     EXPECT_NEAR(std::sqrt(squares - sum * sum), 4 * 0.98658, 0.02);
-    EXPECT_NEAR(spread.mean_area_um2(), kPi / 4 * squares, 1e-3);
+    EXPECT_NEAR(spread.mean_area_um2(), std::numbers::pi / 4 * squares, 1e-3);
     EXPECT_NEAR(spread.largest_um(), 20 + 4 * 2.716, 0.01);  // Phi(2.716) = 1 - (0.5/256 + Phi(-3))
     EXPECT_GT(FlakeSizes(20, 10).smallest_um(), 5);
     EXPECT_LT(FlakeSizes(20, 10).smallest_um(), 5.5);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -101,12 +102,9 @@ struct FacetField::Touched {
                 return;
             }
         }
-        // The region is two or three triangles wide and at most 9 alpha / gamma long, so that kMax
-        // is not reached.
-        if (count == kMax) {
-            fraction[count - 1] += mass;
-            return;
-        }
+        // A cone up to 2 alpha wide has at most 480 nodes; of a wider one the region is two or
+        // three triangles wide and at most 9 alpha / gamma < 5 long.
+        if (count == kMax) throw std::logic_error("normals of a cone in too many triangles");
         code[count] = leaf;
         fraction[count++] = mass;
     }
@@ -298,8 +296,8 @@ void FacetField::count_leaf(const Footprint& footprint, const Cell& cell,
     const Footprint::Within within = footprint.within(cell.box());
     for (std::uint64_t first = 0; first < cell.count; first += kLanes) {
         const BitLanes number = first + kNumber;
-        const BitLanes place = mix_lanes(key + (number + 4) * detail::kNextBits);
-        const BitLanes bits = mix_lanes(place + detail::kNextBits);
+        const BitLanes place = mix_bits(key + (number + 4) * detail::kNextBits);
+        const BitLanes bits = mix_bits(place + detail::kNextBits);
         auto pass = (number < cell.count) &
                     ((bits >> 32) - filter.survival_lo <= std::uint64_t{filter.survival_range}) &
                     ((((bits & kLow) - filter.turn_lo) & kLow) <= std::uint64_t{filter.turn_range});

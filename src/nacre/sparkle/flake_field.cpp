@@ -137,7 +137,7 @@ void FlakeField::find(const FlakePlane& plane, const Weights& weights, Found& fo
 // divided among the six sides of object space, and the last 8 its size.
 inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
                                      const Weights& weights, Found& found) const {
-    constexpr ShortBitLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
+    constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
     constexpr std::uint32_t kShortGolden = 0x9e3779b9u;
     const Level& level = levels_[cell.level];
     const std::uint64_t key =
@@ -154,9 +154,9 @@ inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
                              strip[1].u * corner_mm.x + strip[1].v * corner_mm.y};
     for (int first = 0;; first += kLanes) {
         const FloatLanes probability = load_lanes(&cumulative_[first]);
-        const ShortBitLanes step = (static_cast<std::uint32_t>(first) + kNumber) * kShortGolden;
-        const ShortBitLanes place = mix_short_lanes(static_cast<std::uint32_t>(key) + step);
-        const ShortBitLanes kind = mix_short_lanes(static_cast<std::uint32_t>(key >> 32) + step);
+        const UintLanes step = (static_cast<std::uint32_t>(first) + kNumber) * kShortGolden;
+        const UintLanes place = mix_bits_32(static_cast<std::uint32_t>(key) + step);
+        const UintLanes kind = mix_bits_32(static_cast<std::uint32_t>(key >> 32) + step);
         const FloatLanes u = lower_half(place), v = upper_half(place);
         const FloatLanes a = across[0] + (strip[0].u * grain_mm) * u + (strip[0].v * grain_mm) * v;
         const FloatLanes b = across[1] + (strip[1].u * grain_mm) * u + (strip[1].v * grain_mm) * v;
@@ -182,8 +182,8 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
     FlakeView::List<float> touching_x, touching_y, touching_weight;
     const int begin = view.count;
     for (int first = 0; first < found.count; first += kLanes) {
-        const ShortBitLanes place = load_short_bits(&found.place[first]);
-        const ShortBitLanes kind = load_short_bits(&found.kind[first]);
+        const UintLanes place = load_short_bits(&found.place[first]);
+        const UintLanes kind = load_short_bits(&found.kind[first]);
         const FloatLanes grain = load_lanes(&found.grain[first]);
         const FloatLanes u = load_lanes(&found.corner_u[first]) + grain * lower_half(place);
         const FloatLanes v = load_lanes(&found.corner_v[first]) + grain * upper_half(place);
@@ -202,8 +202,8 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
     }
     FloatLanes weight_sum{};
     for (int k = begin; k < view.count; k += kLanes) {
-        const ShortBitLanes place = load_short_bits(&view.place[k]);
-        const ShortBitLanes kind = load_short_bits(&view.kind[k]);
+        const UintLanes place = load_short_bits(&view.place[k]);
+        const UintLanes kind = load_short_bits(&view.kind[k]);
         const FloatLanes diameter_um = gather_lanes(sizes_.diameters_um(), kind >> 24);
         const FloatLanes weight =
             load_lanes(&touching_weight[k]) * inverse_cover_ *
@@ -213,8 +213,8 @@ void FlakeField::show(const Found& found, const FlakePlane& plane, const PatchOu
                                     0.5e-3f * diameter_um);
         weight_sum += kNumber < static_cast<float>(view.count - k) ? weight : FloatLanes{};
         const SlopeLanes slopes =
-            gaussian_slopes(unit_fraction(mix_short_lanes(place + 0x9e3779b9u * kind)),
-                            unit_fraction(mix_short_lanes(kind ^ (place >> 7) ^ (place << 25))));
+            gaussian_slopes(unit_fraction(mix_bits_32(place + 0x9e3779b9u * kind)),
+                            unit_fraction(mix_bits_32(kind ^ (place >> 7) ^ (place << 25))));
         store_lanes(&view.weight[k], weight);
         store_lanes(&view.slope_x[k], alpha_ * (plane.turn.x * slopes.x - plane.turn.y * slopes.y));
         store_lanes(&view.slope_y[k], alpha_ * (plane.turn.y * slopes.x + plane.turn.x * slopes.y));

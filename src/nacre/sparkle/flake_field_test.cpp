@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/core/random.h"
@@ -57,7 +57,7 @@ Moments moments(int count, F&& sample) {
 // square and of the same square moved by apart_mm along an edge.
 double place_factor(double side_mm, double diameter_mm, double apart_mm = 0) {
     const double r = diameter_mm / 2;
-    if (side_mm == 0) return kPi * r * r;
+    if (side_mm == 0) return std::numbers::pi * r * r;
     const float s = static_cast<float>(side_mm), apart = static_cast<float>(apart_mm);
     const double reach = side_mm / 2 + r;
     constexpr int kSteps = 400;
@@ -80,7 +80,7 @@ double place_factor(double side_mm, double diameter_mm, double apart_mm = 0) {
 // (1/rho) Int W_1 W_2 Int K_1 K_2 P / ((blur P)_1 (blur P)_2), of patches and of slopes apart.
 double campbell(const FlakePopulation& population, const FlakeField& field, double side_mm,
                 Vec2f slope, float cosine, double apart_mm = 0, Vec2f turn = {0, 0}) {
-    const double d = population.diameter_um * 1e-3, area = kPi / 4 * d * d;
+    const double d = population.diameter_um * 1e-3, area = std::numbers::pi / 4 * d * d;
     const double slope2 = double{slope.x} * slope.x + double{slope.y} * slope.y;
     const DiffractionLobe& lobe = field.lobe();
     const float width =
@@ -93,11 +93,11 @@ double campbell(const FlakePopulation& population, const FlakeField& field, doub
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         const double r = width * rule.nodes[i];
         for (int k = 0; k < 64; ++k) {
-            const double angle = 2 * kPi * (k + 0.5) / 64;
+            const double angle = 2 * std::numbers::pi * (k + 0.5) / 64;
             const double x = slope.x + r * std::cos(angle), y = slope.y + r * std::sin(angle);
             const double apart2 = (x - other.x) * (x - other.x) + (y - other.y) * (y - other.y);
             if (apart2 >= width * width) continue;
-            lobe_integral += rule.weights[i] * width * r * 2 * kPi / 64 *
+            lobe_integral += rule.weights[i] * width * r * 2 * std::numbers::pi / 64 *
                              DiffractionLobe::density(static_cast<float>(r * r), width) *
                              DiffractionLobe::density(static_cast<float>(apart2), width) *
                              lobe.slope_density(static_cast<float>(x * x + y * y));
@@ -115,7 +115,7 @@ TEST(FlakeField, NumberOfFlakesOverAPointIsPoisson) {
     const FlakeField field(kSilver, 5);
     const auto view = std::make_unique<FlakeView>();
     // All discs that touch a point: a Poisson number of mean density times area.
-    const double mean = 4000 * kPi * 1e-4;
+    const double mean = 4000 * std::numbers::pi * 1e-4;
     std::map<int, int> found;
     constexpr int kPatches = 40000;
     for (int i = 0; i < kPatches; ++i) {
@@ -221,7 +221,7 @@ TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
         const DiffractionLobe& lobe = field.lobe();
         const float slope2 = slope.x * slope.x;
         const double w = lobe.radius(20.0f) * lobe.widening(1 + slope2, cosine);
-        const double reflecting = flakes * lobe.slope_density(slope2) * kPi * w * w;
+        const double reflecting = flakes * lobe.slope_density(slope2) * std::numbers::pi * w * w;
         const double expected = 27.0 / 7 / std::pow(1.8, 1.5) / std::sqrt(reflecting);
         EXPECT_NEAR(third / std::pow(second, 1.5) / expected, 1, 0.4) << flakes;
     }
@@ -373,7 +373,7 @@ TEST(FlakeField, DensityDoesNotDependOnTheOrientationOfTheSurface) {
         const double variance = squares - sum * sum;
         EXPECT_NEAR(sum, 1, 4 * std::sqrt(variance / kPatches)) << n.x << ' ' << n.y;
         // Poisson: place_factor / (density area^2) with patches whose flakes are all resolved.
-        const double area = kPi * 1e-4;
+        const double area = std::numbers::pi * 1e-4;
         EXPECT_NEAR(variance, place_factor(0.015, 0.02) / (4000 * area * area), 0.02 * variance)
             << n.x << ' ' << n.y;
     }

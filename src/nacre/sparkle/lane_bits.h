@@ -17,13 +17,6 @@ namespace nacre::sparkle {
 
 using BitLanes = std::uint64_t __attribute__((vector_size(kLanes * sizeof(std::uint64_t))));
 
-/// mix_bits() of each lane (core/random.h).
-inline BitLanes mix_lanes(BitLanes x) {
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
-
 struct SlopeLanes {
     FloatLanes x, y;
 };
@@ -44,32 +37,21 @@ inline SlopeLanes gaussian_slopes(BitLanes bits) {
 
 }  // namespace nacre::sparkle
 
-// 32 bits in each of eight lanes; visiting and packing those of eight lanes that a mask selects.
+// 32 random bits in each of eight lanes; visiting and packing those of eight lanes that a mask selects.
 
 namespace nacre::sparkle {
 
 /// The lanes that are set in the result of a comparison of floats.
 using LaneMask = int __attribute__((vector_size(kLanes * sizeof(int))));
 
-/// 32 random bits in each lane.
-using ShortBitLanes = std::uint32_t __attribute__((vector_size(kLanes * sizeof(std::uint32_t))));
-
-inline ShortBitLanes load_short_bits(const std::uint32_t* p) {
-    ShortBitLanes v;
+inline UintLanes load_short_bits(const std::uint32_t* p) {
+    UintLanes v;
     std::memcpy(&v, p, sizeof v);
     return v;
 }
 
-/// Bijective scrambling of 32 bits in each lane: half the width of mix_lanes(), hence half its
-/// cost. The constants are those of `lowbias32`. [wellons-2018]
-inline ShortBitLanes mix_short_lanes(ShortBitLanes x) {
-    x = (x ^ (x >> 16)) * 0x7feb352du;
-    x = (x ^ (x >> 15)) * 0x846ca68bu;
-    return x ^ (x >> 16);
-}
-
 /// table[index] in each lane.
-inline FloatLanes gather_lanes(const float* table, ShortBitLanes index) {
+inline FloatLanes gather_lanes(const float* table, UintLanes index) {
 #ifdef __AVX2__
     return std::bit_cast<FloatLanes>(
         _mm256_i32gather_ps(table, std::bit_cast<__m256i>(index), sizeof(float)));
@@ -79,16 +61,16 @@ inline FloatLanes gather_lanes(const float* table, ShortBitLanes index) {
 }
 
 /// The upper 31 of each lane's bits as a number in (0, 1).
-inline FloatLanes unit_fraction(ShortBitLanes bits) {
+inline FloatLanes unit_fraction(UintLanes bits) {
     return (__builtin_convertvector(std::bit_cast<LaneMask>(bits >> 1), FloatLanes) + 0.5f) *
            0x1p-31f;
 }
 
 /// The lower and the upper half of each lane's bits as numbers in [0, 65536).
-inline FloatLanes lower_half(ShortBitLanes bits) {
+inline FloatLanes lower_half(UintLanes bits) {
     return __builtin_convertvector(std::bit_cast<LaneMask>(bits & 0xffffu), FloatLanes);
 }
-inline FloatLanes upper_half(ShortBitLanes bits) {
+inline FloatLanes upper_half(UintLanes bits) {
     return __builtin_convertvector(std::bit_cast<LaneMask>(bits >> 16), FloatLanes);
 }
 
@@ -127,9 +109,9 @@ class LanePacker {
         for (int i = 0; i < count_; ++i) out[i] = v[lane_[i]];
 #endif
     }
-    void store(std::uint32_t* out, ShortBitLanes v) const {
+    void store(std::uint32_t* out, UintLanes v) const {
 #ifdef __AVX512VL__
-        store_lanes(out, std::bit_cast<ShortBitLanes>(
+        store_lanes(out, std::bit_cast<UintLanes>(
                              _mm256_maskz_compress_epi32(mask_, std::bit_cast<__m256i>(v))));
 #else
         for (int i = 0; i < count_; ++i) out[i] = v[lane_[i]];

@@ -9,9 +9,9 @@
 namespace nacre::sparkle {
 namespace {
 
-TEST(SlopeLanes, MixAsTheScalarHash) {
+TEST(SlopeLanes, BitsAreMixedAsNumbersAre) {
     const BitLanes bits = {0, 1, 2, 77, ~0ull, 1ull << 63, 0xdeadbeefull, 42};
-    const BitLanes mixed = mix_lanes(bits);
+    const BitLanes mixed = mix_bits(bits);
     for (int i = 0; i < kLanes; ++i) EXPECT_EQ(mixed[i], mix_bits(bits[i]));
 }
 

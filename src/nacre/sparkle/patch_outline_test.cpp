@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/random.h"
 
 namespace nacre::sparkle {
@@ -12,7 +12,7 @@ namespace {
 
 TEST(ArctangentLanes, AgreesWithTheLibraryAllAround) {
     for (int degrees = -180; degrees <= 180; ++degrees) {
-        const double angle = degrees * kPi / 180;
+        const double angle = degrees * std::numbers::pi / 180;
         const float x = static_cast<float>(3e-5 * std::cos(angle));
         const float y = static_cast<float>(3e-5 * std::sin(angle));
         EXPECT_NEAR(arctangent_lanes(splat(y), splat(x))[0], std::atan2(y, x),
@@ -37,13 +37,14 @@ float overlap(double x, double y, double r, Vec2f a, Vec2f b) {
 }
 
 TEST(DiscOverlap, IsTheDiscWithinAndTheParallelogramWithin) {
-    const double error = kDiscOverlapError * kPi;
-    EXPECT_NEAR(overlap(0.3, -0.2, 1, {9, 1}, {-2, 7}), kPi, error);
+    const double error = kDiscOverlapError * std::numbers::pi;
+    EXPECT_NEAR(overlap(0.3, -0.2, 1, {9, 1}, {-2, 7}), std::numbers::pi, error);
     EXPECT_NEAR(overlap(0.1, 0.1, 1, {0.5, 0.1}, {-0.1, 0.4}), 0.21, error);
     EXPECT_NEAR(overlap(30, 5, 1, {9, 1}, {-2, 7}), 0, error);
-    EXPECT_NEAR(overlap(0, 3, 1, {4, 0}, {0, 6}), kPi / 2, error);  // halved by a side
+    EXPECT_NEAR(overlap(0, 3, 1, {4, 0}, {0, 6}), std::numbers::pi / 2, error);  // halved by a side
     // About a corner: a quarter less two slices, but for their square.
-    EXPECT_NEAR(overlap(2.001, 3.001, 1, {4, 0}, {0, 6}), kPi / 4 - 0.002 + 1e-6, error);
+    EXPECT_NEAR(overlap(2.001, 3.001, 1, {4, 0}, {0, 6}), std::numbers::pi / 4 - 0.002 + 1e-6,
+                error);
     EXPECT_NEAR(overlap(0, 3.5, 1, {4, 0}, {0, 6}),  // a segment
                 std::acos(0.5) - 0.5 * std::sqrt(0.75), error);
 }
@@ -67,7 +68,7 @@ TEST(DiscOverlap, AgreesWithCountingPoints) {
         }
         // The rim passes through some 4 x 200 of the 40 000 points' cells.
         EXPECT_NEAR(overlap(x, y, 1, a, b), std::abs(area) * inside / (kSide * kSide),
-                    2e-3 * std::abs(area) + kDiscOverlapError * kPi)
+                    2e-3 * std::abs(area) + kDiscOverlapError * std::numbers::pi)
             << trial;
     }
 }
@@ -82,7 +83,7 @@ TEST(DiscOverlap, OfPartsAddsUp) {
                                  {0.5f * a.x, 0.5f * a.y}, {0.5f * b.x, 0.5f * b.y});
             }
         }
-        EXPECT_NEAR(parts, overlap(x, 0.3, 1, a, b), 4 * kDiscOverlapError * kPi) << x;
+        EXPECT_NEAR(parts, overlap(x, 0.3, 1, a, b), 4 * kDiscOverlapError * std::numbers::pi) << x;
     }
 }
 

@@ -33,14 +33,4 @@ Vec3d reflectance_to_xyz(const Spectrum& reflectance, Illuminant illuminant, Obs
 /// XYZ of the perfect diffuser by the same sums.
 Vec3d white_point(Illuminant illuminant, Observer observer);
 
-/// The range over which pictures are rendered.
-inline constexpr double kRenderFirst_nm = 400, kRenderLast_nm = 700;
-
-/// Weights of the radiances at eight wavelengths in X, Y, Z (2 degree observer): those of a Monte
-/// Carlo estimate with one uniform sample in each of eight equal strata of 400-700 nm,
-///   X = sum_k weights[k][0] L(wavelengths_nm[k]),  and so on,
-/// normalised so that the expectation of Y is 1 for the equal-energy spectrum L = 1.
-/// Wavelengths outside 400-700 nm weigh nothing.
-std::array<std::array<float, 3>, 8> xyz_weights(const std::array<double, 8>& wavelengths_nm);
-
 }  // namespace nacre::spectra

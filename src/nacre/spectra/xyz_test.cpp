@@ -119,43 +119,5 @@ TEST(ReflectanceToXyz, RefusesGridsThatTheSumsDoNotFit) {
     EXPECT_NO_THROW(call({500, 510}, {1, 1}));
 }
 
-std::array<double, 8> one_per_stratum(double offset) {
-    std::array<double, 8> w;
-    for (int k = 0; k < 8; ++k) w[k] = 400 + 37.5 * (k + offset);
-    return w;
-}
-
-// The mean over a midpoint rule in the offset is the expectation; the functions are linear in
-// pieces, and 750 offsets of 0.05 nm leave an error of 2e-6 where they bend.
-TEST(XyzWeights, GiveTheEqualEnergySpectrumUnitLuminanceInExpectation) {
-    const int offsets = 750;
-    Vec3d mean{};
-    for (int j = 0; j < offsets; ++j) {
-        for (const auto& w : xyz_weights(one_per_stratum((j + 0.5) / offsets))) {
-            for (int c = 0; c < 3; ++c) mean[c] += w[c] / offsets;
-        }
-    }
-    EXPECT_NEAR(mean[1], 1, 1e-5);
-    // X and Z of E by the CIE sums are 1.00008 and 1.00034; the ends of the spectrum are missing.
-    EXPECT_NEAR(mean[0], 1, 5e-3);
-    EXPECT_NEAR(mean[2], 1, 5e-3);
-}
-
-TEST(XyzWeights, AreProportionalToTheObserverAndVanishOutside) {
-    const auto wavelengths = one_per_stratum(0.3);
-    const auto weights = xyz_weights(wavelengths);
-    const Vec3d reference = colour_matching(Observer::cie1931_2deg, wavelengths[4]);
-    for (int k = 0; k < 8; ++k) {
-        const Vec3d matching = colour_matching(Observer::cie1931_2deg, wavelengths[k]);
-        for (int c = 0; c < 3; ++c) {
-            EXPECT_NEAR(weights[k][c], matching[c] * weights[4][1] / reference[1], 1e-6);
-        }
-    }
-    const auto outside = xyz_weights({0, 399.9, 700.1, 1e9, -1e9, std::nan(""), 400, 700});
-    for (int k = 0; k < 6; ++k) EXPECT_EQ(outside[k][1], 0) << k;
-    EXPECT_GT(outside[6][1], 0);
-    EXPECT_GT(outside[7][1], 0);
-}
-
 }  // namespace
 }  // namespace nacre::spectra

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
-#include "nacre/core/angles.h"
 #include "nacre/measure/instrument.h"
 
 // Only for tests: BRDFs in closed form.

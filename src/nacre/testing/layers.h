@@ -8,7 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "nacre/core/angles.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/lane_matrix.h"
@@ -84,7 +83,7 @@ inline Recipe pigment_paint(double albedo, double depth, double anisotropy, doub
 /// that the kernel alone depends on azimuth and attenuation is computed once per polar angle.
 inline double single_albedo(const SolvedPaint& paint, double theta_i) {
     constexpr int kPolar = 96, kAzimuths = 128;
-    static const Quadrature polar = gauss_legendre(kPolar, 0, kPi / 2);
+    static const Quadrature polar = gauss_legendre(kPolar, 0, std::numbers::pi / 2);
     static const Quadrature azimuth = gauss_legendre(kAzimuths, 0, 1);
     const PaintMedium& medium = paint.medium;
     const double mu_i = inside_cosine(medium.ior[0], theta_i);
@@ -94,16 +93,17 @@ inline double single_albedo(const SolvedPaint& paint, double theta_i) {
         const auto kernel = [&](double phi) {
             return backscattering(medium.layers.at(0), mu_i, mu_o, phi, 0)[0];
         };
-        const double in_plane = kernel(kPi);
+        const double in_plane = kernel(std::numbers::pi);
         if (in_plane == 0) continue;  // so far off the lobe that it underflows
         double ring = 0;
         for (int k = 0; k < kAzimuths; ++k) {
             // phi = pi (1 - x^2) packs nodes around the mirror direction.
             const double x = azimuth.nodes[k];
-            ring += 4 * kPi * x * azimuth.weights[k] * kernel(kPi * (1 - x * x));
+            ring += 4 * std::numbers::pi * x * azimuth.weights[k] *
+                    kernel(std::numbers::pi * (1 - x * x));
         }
         sum += polar.weights[i] * std::sin(theta) * std::cos(theta) * ring / in_plane *
-               single_scattering(medium, theta_i, theta, kPi)[0];
+               single_scattering(medium, theta_i, theta, std::numbers::pi)[0];
     }
     return sum;
 }
@@ -138,7 +138,7 @@ inline double multiple_albedo(const SolvedPaint& paint, double theta_i) {
     };
     double sum = 0;
     for (int j = 0; j < d.exit_count; ++j) {
-        sum += 2 * kPi * d.weight[j] * d.mu[j] * enter(d.exit_angle[j]) * f[j];
+        sum += 2 * std::numbers::pi * d.weight[j] * d.mu[j] * enter(d.exit_angle[j]) * f[j];
     }
     return enter(theta_i) * sum;
 }

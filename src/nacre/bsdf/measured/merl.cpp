@@ -15,11 +15,10 @@
 
 namespace nacre::bsdf {
 
-namespace {}  // namespace
-
 HalfDifference MerlTable::middle(int h, int d, int a) const {
     const double x = (h + 0.5) / half;
-    return {0.5 * kPi * x * x, 0.5 * kPi * (d + 0.5) / difference, kPi * (a + 0.5) / azimuths};
+    return {0.5 * std::numbers::pi * x * x, 0.5 * std::numbers::pi * (d + 0.5) / difference,
+            std::numbers::pi * (a + 0.5) / azimuths};
 }
 
 void validate(const MerlTable& table) {
@@ -54,9 +53,9 @@ HalfDifference half_difference(Vec3f wi, Vec3f wo) {
     const Vec3f first = {h.z * cos_phi, h.z * sin_phi, -sine}, second = {-sin_phi, cos_phi, 0};
     const float x = dot(wi, first), y = dot(wi, second), z = dot(wi, h);
     double phi = std::atan2(y, x);
-    if (phi < 0) phi += kPi;  // reciprocity
+    if (phi < 0) phi += std::numbers::pi;  // reciprocity
     return {std::atan2(sine, h.z), std::atan2(std::sqrt(x * x + y * y), std::max(z, 0.0f)),
-            std::min(phi, kPi)};
+            std::min(phi, std::numbers::pi)};
 }
 
 DirectionPair directions_of(const HalfDifference& angles) {
@@ -70,7 +69,6 @@ namespace {
 
 using spectra::Rgb;
 
-constexpr float kPiF = std::numbers::pi_v<float>;
 /// Roughness of the lobes to sample from: a polished metal to a matte plastic; a cosine lobe
 /// comes last.
 const std::array<FlakeLobe, 4> kLobes = {FlakeLobe(0.01f), FlakeLobe(0.04f), FlakeLobe(0.15f),

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 
@@ -58,16 +58,16 @@ void validate_square(const char* field, const SquareTable& table, const Range& r
 
 void validate(const RglTable& table) {
     // Products of these, over the least cosine, are still finite in single precision.
-    constexpr float kMax = 1e9f, kPi = std::numbers::pi_v<float>;
+    constexpr float kMax = 1e9f;
     constexpr Range kDensity{0, kMax}, kAny{-kMax, kMax};
     // Files hold 90 and 180 deg as rounded floats.
-    constexpr Range kTheta{0, 0.5 * kPi * 1.00001, "rad"},
-        kPhi{-kPi * 2.00001, kPi * 2.00001, "rad"};
+    constexpr Range kTheta{0, 0.5 * kPiF * 1.00001, "rad"},
+        kPhi{-kPiF * 2.00001, kPiF * 2.00001, "rad"};
     constexpr float kMaxOff = 0.2f;  // rad: a first azimuth half a step inside
     require_increasing("phi_i", table.phi_i, kPhi);
     require_increasing("theta_i", table.theta_i, kTheta);
     if (!table.isotropic()) {
-        const float parts = 2 * kPi / (table.phi_i.back() - table.phi_i.front());
+        const float parts = 2 * kPiF / (table.phi_i.back() - table.phi_i.front());
         const float whole = std::round(parts);
         if (whole != 1 && whole != 2 && whole != 4) {
             throw DomainError(
@@ -75,7 +75,7 @@ void validate(const RglTable& table) {
                             table.phi_i.back() - table.phi_i.front()));
         }
         // Incident directions are turned there; a table of others would be read at its edges.
-        if (std::abs(table.phi_i.front() + kPi) > kMaxOff) {
+        if (std::abs(table.phi_i.front() + kPiF) > kMaxOff) {
             throw DomainError(fmt::format(
                 "phi_i begins at {} rad: those of an anisotropic surface must begin at -pi",
                 table.phi_i.front()));
@@ -105,8 +105,6 @@ void validate(const RglTable& table) {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 const RglTable& checked(const RglTable& table) {
     validate(table);
     return table;
@@ -114,7 +112,7 @@ const RglTable& checked(const RglTable& table) {
 
 int parts_of_circle(const RglTable& table) {
     if (table.isotropic()) return 1;
-    return static_cast<int>(std::round(2 * kPi / (table.phi_i.back() - table.phi_i.front())));
+    return static_cast<int>(std::round(2 * kPiF / (table.phi_i.back() - table.phi_i.front())));
 }
 
 }  // namespace
@@ -172,8 +170,8 @@ RglPoint RglMap::at(const RglIncident& i, Vec2f sample) const {
     point.sample = sample;
     point.half = found.at;
     point.density = found.density;
-    const float theta = 0.5f * kPi * found.at.x * found.at.x;
-    const float phi = (2 * found.at.y - 1) * kPi + (isotropic_ ? i.phi : 0.0f);
+    const float theta = 0.5f * kPiF * found.at.x * found.at.x;
+    const float phi = (2 * found.at.y - 1) * kPiF + (isotropic_ ? i.phi : 0.0f);
     const float sine = std::sin(theta);
     point.normal = {sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)};
     return point;
@@ -189,7 +187,7 @@ float RglMap::scale(const RglIncident& i, const RglPoint& point) const {
 float RglMap::solid_angle_density(const RglIncident& i, const RglPoint& point) const {
     constexpr float kMin = 1e-12f;
     const float sine = std::sqrt(point.normal.x * point.normal.x + point.normal.y * point.normal.y);
-    const float area = 2 * kPi * kPi * point.half.x * sine;
+    const float area = 2 * kPiF * kPiF * point.half.x * sine;
     return point.density / std::max(area * 4 * dot(i.direction, point.normal), kMin);
 }
 
@@ -240,9 +238,8 @@ std::vector<float> even(float first, float last, int count) {
 }
 
 SliceGrid make_albedo_grid(const RglTable& table) {
-    constexpr float kPi = std::numbers::pi_v<float>;
-    return {table.isotropic() ? std::vector<float>{0.0f} : even(-kPi, kPi, kAlbedoAzimuths + 1),
-            even(0, 0.5f * kPi * 0.9999f, kAlbedoAngles)};
+    return {table.isotropic() ? std::vector<float>{0.0f} : even(-kPiF, kPiF, kAlbedoAzimuths + 1),
+            even(0, 0.5f * kPiF * 0.9999f, kAlbedoAngles)};
 }
 
 // The model at eight wavelengths.

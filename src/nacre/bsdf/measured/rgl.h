@@ -3,12 +3,12 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/warp.h"
+#include "nacre/core/angles.h"
 
 // A measured BRDF in the adaptive parameterization of the RGL material database: plain arrays with
 // the names of the file format (read and written by io/measured_brdf_file.h), and the surface that
@@ -78,9 +78,8 @@ inline float polar_angle(Vec3f w) {
 
 /// theta = (pi/2) x^2, phi = (2 y - 1) pi.
 inline Vec2f square_point(float theta, float phi) {
-    constexpr float kPi = std::numbers::pi_v<float>;
-    const float y = (phi + kPi) * (0.5f / kPi);
-    return {std::sqrt(theta * (2 / kPi)), y - std::floor(y)};
+    const float y = (phi + kPiF) * (0.5f / kPiF);
+    return {std::sqrt(theta * (2 / kPiF)), y - std::floor(y)};
 }
 
 /// The incident side of a lookup.

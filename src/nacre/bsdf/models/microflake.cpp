@@ -12,6 +12,7 @@
 #include "nacre/core/lane_math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
+#include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/solver/rough_interface.h"
@@ -104,8 +105,7 @@ void tabulate_albedo(
             FloatLanes sum{};
             for (unsigned p = 0; p < kPoints; ++p) {
                 unsigned bits = p * 0x9E3779B9u;  // Weyl sequence for the third coordinate
-                float radical = 0, base = 0.5f;
-                for (unsigned q = p; q; q >>= 1, base *= 0.5f) radical += (q & 1) * base;
+                const auto radical = static_cast<float>(radical_inverse(p, 2));
                 const float u_select = static_cast<float>(bits >> 8) * 0x1p-24f;
                 if (const auto s = bound->sample(wi, u_select, {(p + 0.5f) / kPoints, radical})) {
                     sum += s->weight;

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"

@@ -673,7 +673,7 @@ constexpr ModelOption kNacreOptions[] = {OptionFor<&NacreModel::hot_spot>::toggl
 }  // namespace
 
 constinit const ModelInfo NacreModel::info = {
-    .name = "nacre",
+    .name = NacreModel::kName,
     .summary =
         "single flakes in layers: their light one by one, the rest solved by radiative "
         "transfer",

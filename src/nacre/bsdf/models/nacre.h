@@ -22,6 +22,7 @@ struct NacreModel {
     /// (HotSpotTables). Then the mean is no longer that of the solver.
     bool hot_spot = false;
 
+    static constexpr std::string_view kName = "nacre";  ///< its alternatives' as well
     static const ModelInfo info;
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
     std::string text() const;

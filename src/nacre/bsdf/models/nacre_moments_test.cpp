@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nacre/bsdf/flake_films.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/solver/directions.h"
@@ -179,8 +180,8 @@ class Factor {
  public:
     Factor(const SparklingModel& model, double theta_i, double theta_o, double phi)
         : model_(model), theta_i_(theta_i), theta_o_(theta_o) {
-        const auto single = model.paint->brdf(theta_i * kDegree, theta_o * kDegree, phi * kDegree,
-                                              solver::Part::single);
+        const auto single =
+            model.paint->brdf(theta_i * kDegree, theta_o * kDegree, phi * kDegree, Part::single);
         for (int t = 0; t < kTurns; ++t) {
             const double turn = 360.0 * t / kTurns;
             wi_[t] = direction(theta_i, turn);

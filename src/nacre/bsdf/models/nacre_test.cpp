@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/testing/errors.h"
@@ -92,8 +94,8 @@ double lit_and_seen(double diameter_um, double theta_deg) {
     const SparklingModel hot(recipe, {.specimen = 1, .hot_spot = true}), plain(recipe);
     const double theta = std::asin(1.5 * std::sin(theta_deg * kDegree)) / kDegree;  // outside
     const Vec3f wi = direction(theta, 0), wo = direction(theta, 180);
-    const double single = hot.paint->brdf(theta * kDegree, theta * kDegree, std::numbers::pi,
-                                          solver::Part::single)[9];
+    const double single =
+        hot.paint->brdf(theta * kDegree, theta * kDegree, std::numbers::pi, Part::single)[9];
     const double gain = hot.bound->eval(wi, wo)[2] - plain.bound->eval(wi, wo)[2];
     // exp(-2 q beta u) over the depth, q = s(mu)/mu = 0.995 for all but grazing directions.
     const double depth = 2 * 2 * 0.995073;

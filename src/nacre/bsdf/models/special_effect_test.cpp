@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "nacre/bsdf/models/thin_film.h"
-#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
 #include "nacre/testing/bsdf.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
 #include "nacre/optics/antialiased.h"

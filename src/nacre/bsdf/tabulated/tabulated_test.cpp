@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "nacre/bsdf/models/microflake.h"
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"

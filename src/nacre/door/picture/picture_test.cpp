@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "nacre/render.h"
 #include "nacre/testing/errors.h"
+#include "nacre/testing/files.h"
 #include "nacre/testing/fit.h"
 
 namespace nacre {
@@ -64,12 +64,12 @@ TEST(Picture, SaysWhatDoesNotFit) {
 
 TEST(Picture, ASceneKeptToItsFolderKeepsItsRecipesThere) {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::path(::testing::TempDir()) / "nacre_picture_references_test";
+    const test::TempFolder folder;
     fs::create_directories(folder / "scene" / "paints");
-    std::ofstream(folder / "glass.csv") << "wavelength_nm,n\n300,1.5\n900,1.5\n";
-    fs::copy_file(folder / "glass.csv", folder / "scene" / "glass.csv",
-                  fs::copy_options::overwrite_existing);
-    std::ofstream(folder / "scene" / "scene.toml") << R"([materials.paint]
+    for (const char* file : {"glass.csv", "scene/glass.csv"}) {
+        folder.write(file, "wavelength_nm,n\n300,1.5\n900,1.5\n");
+    }
+    folder.write("scene/scene.toml", R"([materials.paint]
 type = "paint"
 recipe = "paints/paint.toml"
 [[shapes]]
@@ -77,12 +77,13 @@ type = "sphere"
 material = "paint"
 [environment]
 type = "constant"
-)";
+)");
     const auto message = [&](const std::string& glass, const References& references) {
-        std::ofstream(folder / "scene" / "paints" / "paint.toml")
-            << "ior = \"" << glass << "\"\n[[layer]]\nthickness_um = 5\n[[layer.flakes]]\n"
-            << "area_density_per_um = 0.1\nreflectance = 0.6\n"
-            << "orientation = { distribution = \"beckmann\", alpha = 0.3 }\n";
+        folder.write("scene/paints/paint.toml",
+                     "ior = \"" + glass +
+                         "\"\n[[layer]]\nthickness_um = 5\n[[layer.flakes]]\n"
+                         "area_density_per_um = 0.1\nreflectance = 0.6\n"
+                         "orientation = { distribution = \"beckmann\", alpha = 0.3 }\n");
         try {
             Scene(find_scene((folder / "scene" / "scene.toml").string(), references),
                   {.model = WalkModel{}});
@@ -97,7 +98,6 @@ type = "constant"
     EXPECT_THAT(message((folder / "glass.csv").string(), within), HasSubstr("is outside"));
     EXPECT_EQ(message("../../glass.csv", References::anywhere(folder / "scene")), "accepted");
     EXPECT_THAT(message("../glass.csv", {}), HasSubstr("may name none"));
-    fs::remove_all(folder);
 }
 
 }  // namespace

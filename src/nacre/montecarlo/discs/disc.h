@@ -60,7 +60,7 @@ struct Disc {
     Vec3f centre_um;  ///< z = 0 is the interface with the air, z < 0 below it
     float radius_um;
     Vec3f normal;           ///< unit, upwards
-    std::uint16_t film;     ///< in FlakeFilms of its species
+    std::uint16_t film;     ///< in DiscFilms of its species
     std::uint16_t species;  ///< counted through all layers from the top down
 };
 
@@ -79,7 +79,7 @@ double expected_discs(const paint::Recipe& recipe, const Tile& tile);
 /// moved up or down until it does not. One that is taller than the paint is thick is centred in it
 /// and crosses both; no light reaches its ends.
 ///
-/// @param film_counts  FlakeFilms::count() by species
+/// @param film_counts  DiscFilms::count() by species
 /// @throws DomainError naming the number of discs if it exceeds kMaxDiscs
 std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
                              const std::vector<int>& film_counts, std::uint64_t seed);

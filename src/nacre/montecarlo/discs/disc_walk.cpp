@@ -69,12 +69,6 @@ double AiryDisc::radius_of_fraction(double fraction) {
 
 namespace {
 
-bool varies(const optics::Platelet& platelet) {
-    bool any = platelet.core.spread.standard_deviation_nm > 0;
-    for (const auto& coat : platelet.coats) any |= coat.spread.standard_deviation_nm > 0;
-    return any;
-}
-
 /// `count` thicknesses, one from each of `count` equally probable intervals, in random order.
 std::vector<double> stratified(const optics::FilmPopulation& film, int count, Rng& rng) {
     std::vector<double> thickness(count);
@@ -103,15 +97,15 @@ std::vector<optics::Platelet> draw(const optics::Platelet& platelet, int count, 
 
 }  // namespace
 
-FlakeFilms::FlakeFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
-                       const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+DiscFilms::DiscFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
+                     const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
     // A node beyond the last wavelength, which is read with weight zero.
     stride_ = wavelengths_nm.size() + 1;
     fill(species, binder, wavelengths_nm, seed);
 }
 
-void FlakeFilms::fill(const paint::FlakeSpecies& species, const optics::Material& binder,
-                      const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+void DiscFilms::fill(const paint::FlakeSpecies& species, const optics::Material& binder,
+                     const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
     const auto append = [&](std::vector<float>& to, auto&& value) {
         for (std::size_t i = 0; i < stride_; ++i) {
             const std::size_t j = std::min(i, wavelengths_nm.size() - 1);
@@ -124,7 +118,7 @@ void FlakeFilms::fill(const paint::FlakeSpecies& species, const optics::Material
         return;
     }
     const auto& platelet = std::get<optics::Platelet>(species.body);
-    count_ = varies(platelet) ? kFilms : 1;
+    count_ = bsdf::FlakeFilms::vary(platelet) ? kFilms : 1;
     intervals_ = kCosineIntervals;
     std::vector<double> cosines(intervals_ + 1);
     for (int i = 0; i <= intervals_; ++i) cosines[i] = static_cast<double>(i) / intervals_;
@@ -140,7 +134,7 @@ void FlakeFilms::fill(const paint::FlakeSpecies& species, const optics::Material
     }
 }
 
-FlakeFilms::Optics FlakeFilms::at(int film, double cosine, const WavelengthPlaces& places) const {
+DiscFilms::Optics DiscFilms::at(int film, double cosine, const WavelengthPlaces& places) const {
     const double x = std::min(cosine, 1.0) * intervals_;
     const int i = std::min(static_cast<int>(x), std::max(intervals_ - 1, 0));
     const double f = x - i;
@@ -299,9 +293,9 @@ paint::Recipe without_flakes(paint::Recipe recipe) {
     return recipe;
 }
 
-std::vector<FlakeFilms> make_films(const paint::Recipe& recipe,
-                                   const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
-    std::vector<FlakeFilms> films;
+std::vector<DiscFilms> make_films(const paint::Recipe& recipe,
+                                  const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+    std::vector<DiscFilms> films;
     for (const paint::Layer& layer : recipe.layers) {
         for (const paint::FlakeSpecies& species : layer.flakes) {
             films.emplace_back(species, recipe.binder, wavelengths_nm, hash_of(seed, films.size()));
@@ -310,9 +304,9 @@ std::vector<FlakeFilms> make_films(const paint::Recipe& recipe,
     return films;
 }
 
-std::vector<int> counts(const std::vector<FlakeFilms>& films) {
+std::vector<int> counts(const std::vector<DiscFilms>& films) {
     std::vector<int> result;
-    for (const FlakeFilms& f : films) result.push_back(f.count());
+    for (const DiscFilms& f : films) result.push_back(f.count());
     return result;
 }
 
@@ -367,7 +361,7 @@ class TileFrame {
 struct DiscWalkTables {
     WalkTables medium;
     std::vector<double> wavelengths_nm;
-    std::vector<FlakeFilms> films;
+    std::vector<DiscFilms> films;
     DiscScene scene;
     bool diffraction;
 
@@ -463,7 +457,7 @@ constexpr bsdf::Alternative kInPlaceOfHashedFlakes{
 }  // namespace
 
 constinit const bsdf::ModelInfo ExplicitFlakesModel::info = {
-    .name = "nacre",
+    .name = bsdf::NacreModel::kName,
     .summary = "every flake a disc, light followed from disc to disc",
     .source = "this project",
     .ingredients = bsdf::Ingredients::layers,

@@ -49,12 +49,12 @@ using WavelengthPlaces = std::array<bsdf::WavelengthPosition, kLanes>;
 /// A set of flakes of one species. Their films are drawn from the recipe's laws, evenly: each film
 /// thickness takes one value from each of so many equally probable intervals, and thicknesses are
 /// combined at random.                                                    [mckay-1979, section 2.3]
-class FlakeFilms {
+class DiscFilms {
  public:
     /// @param wavelengths_nm  within the data of all materials, increasing
     /// @throws DomainError as optics::platelet_table()
-    FlakeFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
-               const std::vector<double>& wavelengths_nm, std::uint64_t seed);
+    DiscFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
+              const std::vector<double>& wavelengths_nm, std::uint64_t seed);
 
     /// How many different flakes there are: one where no film varies.
     int count() const { return count_; }
@@ -82,8 +82,8 @@ class FlakeFilms {
 /// What all walks at eight wavelengths share.
 struct DiscPaint {
     const DiscScene& discs;
-    const std::vector<FlakeFilms>& films;  ///< by species
-    const Medium& medium;                  ///< all but the flakes
+    const std::vector<DiscFilms>& films;  ///< by species
+    const Medium& medium;                 ///< all but the flakes
     WavelengthPlaces places;
     bool diffraction = true;
     double wavelength_um = 0.55;  ///< mean of the eight, in vacuum
@@ -157,7 +157,7 @@ struct ExplicitFlakesModel {
 /// mean over the panel. Only sample() and sample_on() tell what the paint looks like, as with
 /// PlaneWalk: eval() and pdf() are zero, and a renderer sees no light source without extent.
 ///
-/// Supports all that a recipe may say. R and T of a flake are those of its own films (FlakeFilms);
+/// Supports all that a recipe may say. R and T of a flake are those of its own films (DiscFilms);
 /// pigments scatter between the flakes; the interface may be rough.
 class DiscWalk final : public bsdf::Bsdf {
  public:

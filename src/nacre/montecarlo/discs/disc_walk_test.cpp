@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "nacre/core/error.h"
 #include "nacre/montecarlo/plane_walk.h"
@@ -67,11 +68,11 @@ paint::FlakeSpecies pearl_flakes() {
     return species;
 }
 
-TEST(FlakeFilms, MeanOverTheSetIsThatOfThePopulation) {
+TEST(DiscFilms, MeanOverTheSetIsThatOfThePopulation) {
     const paint::FlakeSpecies species = pearl_flakes();
     const optics::Material binder(1.5);
-    const FlakeFilms films(species, binder, kGrid, 3);
-    EXPECT_EQ(films.count(), FlakeFilms::kFilms);
+    const DiscFilms films(species, binder, kGrid, 3);
+    EXPECT_EQ(films.count(), DiscFilms::kFilms);
     const WavelengthPlaces places = bsdf::locate_wavelengths(kGrid, kWavelengths);
     // 0.4671875 lies between nodes of the set's table.
     for (const double cosine : {1.0, 0.8, 0.4671875}) {
@@ -95,10 +96,10 @@ TEST(FlakeFilms, MeanOverTheSetIsThatOfThePopulation) {
     }
 }
 
-TEST(FlakeFilms, PrescribedOpticsAreTheSameAtEveryAngle) {
+TEST(DiscFilms, PrescribedOpticsAreTheSameAtEveryAngle) {
     paint::FlakeSpecies species;
     species.body = paint::PrescribedFlake{spectra::Spectrum({400, 700}, {0.2, 0.8}), 0.1, 0.3};
-    const FlakeFilms films(species, optics::Material(1.5), kGrid, 0);
+    const DiscFilms films(species, optics::Material(1.5), kGrid, 0);
     EXPECT_EQ(films.count(), 1);
     for (const double cosine : {0.0, 0.3, 1.0, 1.0000001}) {
         const auto optics = films.at(0, cosine, bsdf::locate_wavelengths(kGrid, kWavelengths));
@@ -109,12 +110,12 @@ TEST(FlakeFilms, PrescribedOpticsAreTheSameAtEveryAngle) {
     }
 }
 
-TEST(FlakeFilms, OneWavelengthServesAll) {
+TEST(DiscFilms, OneWavelengthServesAll) {
     paint::FlakeSpecies species = pearl_flakes();
     std::get<optics::Platelet>(species.body).core.spread = {};
     std::get<optics::Platelet>(species.body).coats[0].spread = {};
     const std::vector<double> green{550};
-    const FlakeFilms films(species, optics::Material(1.5), green, 0);
+    const DiscFilms films(species, optics::Material(1.5), green, 0);
     EXPECT_EQ(films.count(), 1) << "no film varies";
     const auto optics = films.at(0, 0.9, bsdf::locate_wavelengths(green, kWavelengths));
     for (int lane = 1; lane < kLanes; ++lane)
