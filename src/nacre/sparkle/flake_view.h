@@ -76,20 +76,19 @@ struct FlakeView {
                                                std::max(1 - widening * widening * bend, 0.25f)));
     }
 
-    /// Slopes of half vectors near those of eight flakes, one each, with their densities.
+    /// Slopes of half vectors near those of eight flakes, one each, with their densities. The lobes
+    /// are those that are evaluated, but for the radius, which is that at the flake's own slope.
     struct LobeSamples {
         FloatLanes x, y, pdf;
     };
     /// @param first   of the eight, a multiple of kLanes
     /// @param random  bits, independent from lane to lane
     LobeSamples sample_lobes(const DiffractionLobe& lobe, Vec3f wi, int first,
-                             ShortBitLanes random) const;
+                             UintLanes random) const;
     /// Body::depth of eight flakes.
     FloatLanes depths(int first) const;
 
-    /// A slope of the half vector near that of one flake; u in [0, 1).
-    Vec2f sample_lobe(const DiffractionLobe& lobe, Vec3f wi, int flake, Vec2f u) const;
-    /// Its density, per unit square of slopes.
+    /// The density of one of them, per unit square of slopes.
     float lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int flake, Vec2f slope) const;
 
     /// Picks a flake by weight and a slope of the half vector near its own; u in [0, 1).
@@ -149,10 +148,6 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
     float rest = u_flake * weight_sum;
     int k = 0;
     while (k + 1 < count && rest >= weight[k]) rest -= weight[k++];
-    return sample_lobe(lobe, wi, k, u);
-}
-
-inline Vec2f FlakeView::sample_lobe(const DiffractionLobe& lobe, Vec3f wi, int k, Vec2f u) const {
     const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
     const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
     // As slope_pdf() does it, in lanes: the same bits.
@@ -165,15 +160,14 @@ inline Vec2f FlakeView::sample_lobe(const DiffractionLobe& lobe, Vec3f wi, int k
 }
 
 inline FlakeView::LobeSamples FlakeView::sample_lobes(const DiffractionLobe& lobe, Vec3f wi,
-                                                      int first, ShortBitLanes random) const {
+                                                      int first, UintLanes random) const {
     const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
     const FloatLanes sec2 = 1.0f + x * x + y * y;
     const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
     const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
-    const FloatLanes width =
-        lobe.radius_at(detail::kSampledWidening * load_lanes(&lobe_radius[first]), sec2, cosine);
+    const FloatLanes width = lobe.radius_at(load_lanes(&lobe_radius[first]), sec2, cosine);
     // The least of three even numbers has the distribution 1 - (1 - t)^3 of r^2/w^2.
-    const ShortBitLanes a = mix_short_lanes(random), b = mix_short_lanes(a ^ 0x9e3779b9u);
+    const UintLanes a = mix_bits_32(random), b = mix_bits_32(a ^ 0x9e3779b9u);
     const FloatLanes t =
         min_lanes(min_lanes(lower_half(a), upper_half(a)), lower_half(b)) * 0x1p-16f + 0x1p-17f;
     const FloatLanes r = width * sqrt_lanes(t);
@@ -193,8 +187,7 @@ inline FloatLanes FlakeView::depths(int first) const {
 inline float FlakeView::lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int k, Vec2f slope) const {
     const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
     const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
-    const float width = lobe.radius_at(splat(detail::kSampledWidening * lobe_radius[k]),
-                                       splat(sec2), splat(cosine))[0];
+    const float width = lobe.radius_at(splat(lobe_radius[k]), splat(sec2), splat(cosine))[0];
     const float dx = x - slope.x, dy = y - slope.y, distance2 = dx * dx + dy * dy;
     return distance2 < width * width ? lobe.density(distance2, width) : 0.0f;
 }

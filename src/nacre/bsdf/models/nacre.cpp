@@ -559,7 +559,7 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
 
 int BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                            AskedFlake* list) const {
-    constexpr sparkle::ShortBitLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
+    constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
     if (wi.z <= 0) return 0;
     const Look look(*this, patch);
     const Ray i = make_ray(wi);
@@ -573,9 +573,8 @@ int BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
         const FloatLanes depth = splat(typical_depth(layer, i));
         for (int first = 0; first < view.count; first += kLanes) {
             const auto bits = hash_of(random, s, first);
-            const sparkle::ShortBitLanes lanes =
-                static_cast<std::uint32_t>(bits) +
-                kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u);
+            const UintLanes lanes = static_cast<std::uint32_t>(bits) +
+                                    kNumber * (static_cast<std::uint32_t>(bits >> 32) | 1u);
             const auto half = view.sample_lobes(species.field.lobe(), i.inside, first, lanes);
             // The mirror image of w_i in a plane of this slope, and its refraction out.
             const FloatLanes sec2 = 1.0f + half.x * half.x + half.y * half.y;
