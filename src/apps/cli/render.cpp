@@ -198,8 +198,8 @@ Command add_render(CLI::App& program) {
     add_model_options(*command, options->model);
     command
         ->add_option("--footprint", options->render.footprint_pixels,
-                     fmt::format("{}: side of the patch that a sample stands for, pixels; 0: the "
-                                 "samples of a pixel share out what it shows",
+                     fmt::format("{}: side of a patch that each sample shows, pixels, for "
+                                 "experiments; 0: the samples share out what the pixel shows",
                                  fmt::join(sparkling_models(), ", ")))
         ->check(CLI::Range(0.0, 1000.0))
         ->capture_default_str();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -75,10 +76,11 @@ class PatchMemory {
         : blocks_((bytes + sizeof(Block) - 1) / sizeof(Block)) {}
 
     /// To be called before another patch or another surface is evaluated.
-    void forget() { filled = false; }
+    void forget() { filled = 0; }
 
     std::byte* data() { return blocks_.empty() ? nullptr : blocks_[0].bytes; }
-    bool filled = false;  ///< set by the surface once data() tells about the patch
+    /// Bits set by the surface once parts of data() tell about the patch.
+    unsigned filled = 0;
 
  private:
     struct Block {  // no value: whole vectors are written before they are read
@@ -106,6 +108,10 @@ struct Patch {
         left_out  ///< none: another sample asks those of this patch
     };
     Flakes flakes = Flakes::shown;
+    /// Where flakes are apart or left out: the density of directions over a light narrower than
+    /// their lobes (BoundBsdf::narrow_light()), the inverse of its solid angle; 0 for other light.
+    /// Of such light the flakes that stand for others show as many flashes as there are.
+    float narrow_light = 0;
 };
 
 /// The coordinates by which a surface varies.
@@ -142,6 +148,11 @@ class BoundBsdf {
 
     /// Whether the light of single flakes can be had apart (Patch::Flakes).
     virtual bool tells_flakes_apart() const { return false; }
+    /// The density of directions over a light, per solid angle, above which it is narrower than the
+    /// lobes of single flakes: then it is for light samples alone to find it.
+    virtual float narrow_light(Vec3f /*wi*/) const {
+        return std::numeric_limits<float>::infinity();
+    }
     /// Asks the flakes of a patch, each once: draws a direction out of the lobe of each.
     /// @param random  32 random bits
     /// @param list    room for kMaxAskedFlakes

@@ -34,6 +34,8 @@ struct LocalSurface {
     std::optional<bsdf::Patch> patch;
     bool smooth_too = false;  ///< on a patch: the mean over the surface is wanted besides
     float asked_weight = 0;   ///< AskedPart::weight, where flakes are asked
+    /// Beyond it light is left to light samples (BoundBsdf::narrow_light).
+    float narrow_light = std::numeric_limits<float>::infinity();
 
     bsdf::BsdfValue evaluate(Vec3f wi, Vec3f wo) const {
         return patch ? bsdf.evaluate_on(*patch, wi, wo) : bsdf.evaluate(wi, wo);
@@ -47,14 +49,16 @@ struct LocalSurface {
 };
 
 WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
-                      const Frame& frame, Vec3f wi, const LocalSurface& surface,
-                      const VertexNumbers& u, DirectLight strategy) {
+                      const Frame& frame, Vec3f wi, LocalSurface& surface, const VertexNumbers& u,
+                      DirectLight strategy) {
     const auto light =
         scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data());
     if (!light || dot(light->direction, hit.geometric_normal) <= 0) return {};
     const Vec3f wo = frame.to_local(light->direction);
     if (wo.z <= 0) return {};
-    const bool weighted = !light->delta && strategy == DirectLight::combined;
+    const bool narrow = light->density > surface.narrow_light;
+    const bool weighted = !light->delta && strategy == DirectLight::combined && !narrow;
+    if (surface.patch) surface.patch->narrow_light = narrow ? light->density : 0.0f;
     const bsdf::BsdfValue value =
         weighted ? surface.evaluate(wi, wo) : bsdf::BsdfValue{surface.eval(wi, wo)};
     const FloatLanes mean = surface.smooth_too ? surface.bsdf.eval(wi, wo) : value.f;
@@ -65,6 +69,7 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& h
         reflected.shown +=
             surface.asked_weight * surface.bsdf.flakes_at(*surface.patch, wi, wo, pdf);
     }
+    if (surface.patch) surface.patch->narrow_light = 0;
     if (!(lane_max(reflected.shown) > 0 || lane_max(reflected.smooth) > 0)) return {};
     // Stop just short of the light, whose own rectangle is part of the scene.
     if (scene.occluded({hit.origin(), light->direction}, light->distance * 0.9999f)) return {};
@@ -130,6 +135,8 @@ struct Branch {
     /// walk the density is unknown: the light that the ray meets counts in full.
     float surface_pdf = 0;
     bool weighable = false;
+    /// Light of a larger density has been left to the light samples of the last surface.
+    float narrow_light = std::numeric_limits<float>::infinity();
     std::uint32_t first_vertex = 1;  ///< of the sampler: vertex of depth 0
 };
 
@@ -155,14 +162,14 @@ class PathTracer {
 
  private:
     void follow(Branch branch);
-    LocalSurface surface_at(const Hit& hit, const Branch& branch);
+    LocalSurface surface_at(const Hit& hit, Vec3f wi, const Branch& branch);
     void ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
 
     RayDifferential::Edges footprint(const Hit& hit, const Branch& branch) const {
         return branch.differential->at(branch.ray.direction, hit.distance_mm, hit.geometric_normal);
     }
-    /// Of light that the ray meets and that light samples find with density `light_pdf`.
-    float weight(const Branch& branch, float light_pdf) const {
+    /// Of light that the ray meets, of what light samples find with density `pdf`.
+    float weight(const Branch& branch, const LightPdf& pdf) const {
         if (!branch.weighable) return 1.0f;
         switch (options_.direct_light) {
             case DirectLight::surface_sampling:
@@ -170,7 +177,9 @@ class PathTracer {
             case DirectLight::light_sampling:
                 return 0.0f;
             default:
-                return power_heuristic(branch.surface_pdf, light_pdf);
+                return pdf.density > branch.narrow_light
+                           ? 0.0f
+                           : power_heuristic(branch.surface_pdf, pdf.value());
         }
     }
     void gather(const Branch& branch, const WithMean& light) {
@@ -190,7 +199,7 @@ class PathTracer {
     std::optional<Branch> flake_;  ///< the ray of the one that was chosen among those asked
 };
 
-LocalSurface PathTracer::surface_at(const Hit& hit, const Branch& branch) {
+LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& branch) {
     LocalSurface surface{*pass_.surfaces[hit.material], {}};
     if (!branch.differential || !scene_.materials[hit.material]->varies_over_surface()) {
         return surface;
@@ -216,6 +225,9 @@ LocalSurface PathTracer::surface_at(const Hit& hit, const Branch& branch) {
         surface.patch->footprint.tilt[0] = asked_.tilt.x / widened;
         surface.patch->footprint.tilt[1] = asked_.tilt.y / widened;
         surface.asked_weight = asked_.weight;
+        if (options_.direct_light == DirectLight::combined) {
+            surface.narrow_light = surface.bsdf.narrow_light(wi);
+        }
     } else {
         surface.patch = scene_.patch(hit, {}, options_.footprint_pixels * edges.edge_mm[0],
                                      options_.footprint_pixels * edges.edge_mm[1]);
@@ -243,13 +255,14 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
         const Vec3f direction = frame.to_world(flake.wo);
         brightness[k] = 0;
         if (dot(direction, hit.geometric_normal) > 0) {
+            const Branch along{.ray = {},
+                               .surface_pdf = flake.pdf,
+                               .weighable = true,
+                               .narrow_light = surface.narrow_light};
             brightness[k] =
                 flake.strength *
-                scene_.lights->brightness(hit.position_mm, direction, [&](float light_pdf) {
-                    return options_.direct_light == DirectLight::combined
-                               ? power_heuristic(flake.pdf, light_pdf)
-                               : 1.0f;
-                });
+                scene_.lights->brightness(hit.position_mm, direction,
+                                          [&](const LightPdf& pdf) { return weight(along, pdf); });
         }
         answers += brightness[k];
         strengths += flake.strength;
@@ -280,12 +293,13 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                     .throughput = {throughput, {}},
                     .surface_pdf = flakes[chosen].pdf,
                     .weighable = true,
+                    .narrow_light = surface.narrow_light,
                     .first_vertex = kFlakeVertex + 1};
 }
 
 void PathTracer::follow(Branch branch) {
     const FloatLanes* emission = pass_.emission.data();
-    const auto light_weight = [&](float light_pdf) { return weight(branch, light_pdf); };
+    const auto light_weight = [&](const LightPdf& pdf) { return weight(branch, pdf); };
     for (;; ++branch.depth) {
         const auto hit = scene_.intersect(branch.ray, branch.depth == 0);
         if (!hit) {
@@ -294,8 +308,8 @@ void PathTracer::follow(Branch branch) {
         }
         if (hit->rectangle >= 0) {
             if (!hit->lit_side) return;
-            const float pdf = scene_.lights->rectangle_pdf(hit->rectangle, branch.ray.direction,
-                                                           hit->distance_mm);
+            const LightPdf pdf = scene_.lights->rectangle_pdf(hit->rectangle, branch.ray.direction,
+                                                              hit->distance_mm);
             gather(branch, weight(branch, pdf) *
                                scene_.lights->rectangle_radiance(hit->rectangle, emission));
             return;
@@ -308,7 +322,7 @@ void PathTracer::follow(Branch branch) {
             if (options_.albedo) path_.albedo = pass_.surfaces[hit->material]->albedo(wi);
         }
         if (branch.depth >= options_.max_depth) return;
-        const LocalSurface surface = surface_at(*hit, branch);
+        LocalSurface surface = surface_at(*hit, wi, branch);
 
         const VertexNumbers u(
             sampler_.draw(branch.first_vertex + static_cast<std::uint32_t>(branch.depth)));
@@ -345,6 +359,7 @@ void PathTracer::follow(Branch branch) {
         }
         branch.surface_pdf = sample->pdf;
         branch.weighable = sample->kind == bsdf::SampleKind::density;
+        branch.narrow_light = surface.narrow_light;
         branch.ray = {scene_.origin(*hit, exit_mm), direction};
     }
 }

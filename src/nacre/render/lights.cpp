@@ -82,7 +82,7 @@ void LightSet::normalise() {
         e.cumulative = static_cast<float>(sum);
         if (e.kind == Kind::environment) environment_probability_ = e.probability;
         if (e.kind == Kind::sun) {
-            sun_pdf_ = static_cast<float>(p / disk_solid_angle(*sun_));
+            sun_pdf_ = {e.probability, static_cast<float>(1 / disk_solid_angle(*sun_))};
         }
         if (e.kind == Kind::rectangle) rectangle_probability_[e.index] = e.probability;
     }
@@ -98,41 +98,46 @@ std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f
             const DirectionSample s = table_->sample(u);
             const float pdf = environment_probability_ * s.pdf;
             if (!(pdf > 0)) return std::nullopt;
-            return LightSample{s.direction, kInfinity, pdf, false,
-                               environment_->radiance(s.direction, basis)};
+            return LightSample{s.direction, kInfinity, pdf,
+                               s.pdf,       false,     environment_->radiance(s.direction, basis)};
         }
         case Kind::sun: {
             const float drop = 0.5f * u.x * sun_->chord_squared;  // 1 - cos
             const float sine = std::sqrt(std::max(0.0f, drop * (2 - drop)));
             const float angle = 2 * std::numbers::pi_v<float> * u.y;
             const Vec3f local{sine * std::cos(angle), sine * std::sin(angle), 1 - drop};
-            return LightSample{Frame::around(sun_->direction).to_world(local), kInfinity, sun_pdf_,
-                               false, sun_radiance(basis)};
+            return LightSample{Frame::around(sun_->direction).to_world(local),
+                               kInfinity,
+                               sun_pdf_.value(),
+                               sun_pdf_.density,
+                               false,
+                               sun_radiance(basis)};
         }
         case Kind::rectangle: {
             const CompiledRectangle& r = rectangles_[entry->index];
             const Vec3f to = r.corner_mm + u.x * r.edge_u_mm + u.y * r.edge_v_mm - point_mm;
             const float distance = length(to);
             const Vec3f direction = (1 / distance) * to;
-            const float pdf = rectangle_pdf(entry->index, direction, distance);
-            if (!(pdf > 0) || !(pdf < kInfinity)) return std::nullopt;
-            return LightSample{direction, distance, pdf, !r.visible,
-                               rectangle_radiance(entry->index, basis)};
+            const LightPdf pdf = rectangle_pdf(entry->index, direction, distance);
+            if (!(pdf.value() > 0) || !(pdf.value() < kInfinity)) return std::nullopt;
+            return LightSample{direction,   distance,   pdf.value(),
+                               pdf.density, !r.visible, rectangle_radiance(entry->index, basis)};
         }
         case Kind::directional: {
             const Directional& d = directionals_[entry->index];
-            return LightSample{d.direction, kInfinity, entry->probability, true,
-                               d.irradiance * basis[d.spectrum]};
+            return LightSample{d.direction, kInfinity, entry->probability,
+                               kInfinity,   true,      d.irradiance * basis[d.spectrum]};
         }
     }
     return std::nullopt;
 }
 
-float LightSet::rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const {
+LightPdf LightSet::rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const {
     const CompiledRectangle& r = rectangles_[rectangle];
     const float cos_light = -dot(direction, r.normal);
-    if (cos_light <= 0) return 0;
-    return rectangle_probability_[rectangle] * distance_mm * distance_mm / (cos_light * r.area_mm2);
+    if (cos_light <= 0) return {};
+    return {rectangle_probability_[rectangle],
+            distance_mm * distance_mm / (cos_light * r.area_mm2)};
 }
 
 }  // namespace nacre::render

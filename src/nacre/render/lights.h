@@ -13,10 +13,20 @@
 
 namespace nacre::render {
 
+/// Density with which a direction towards a light is drawn.
+struct LightPdf {
+    float probability = 0;  ///< of choosing the light
+    /// Per solid angle then; infinite for light from a single direction.
+    float density = 0;
+
+    float value() const { return probability * density; }
+};
+
 struct LightSample {
     Vec3f direction;      ///< from the surface to the light
     float distance = 0;   ///< infinity for distant lights
     float pdf = 0;        ///< per solid angle; of a DirectionalLight: the probability alone
+    float density = 0;    ///< LightPdf::density
     bool delta = false;   ///< no BSDF sample can find it: it needs no weight
     FloatLanes radiance;  ///< of a DirectionalLight: irradiance
 };
@@ -42,8 +52,8 @@ class LightSet {
     std::optional<LightSample> sample(Vec3f point_mm, float u_light, Vec2f u,
                                       const FloatLanes* basis) const;
 
-    /// Radiance from infinity, of environment and sun, each weighted by `weight(pdf)`, where pdf is
-    /// the density with which sample() draws this direction from that light.
+    /// Radiance from infinity, of environment and sun, each weighted by `weight(pdf)`, where pdf,
+    /// a LightPdf, is that with which sample() draws this direction from that light.
     template <class Weight>
     FloatLanes escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const;
 
@@ -56,8 +66,8 @@ class LightSet {
         const CompiledRectangle& r = rectangles_[rectangle];
         return r.radiance * basis[r.spectrum];
     }
-    /// Density of sample() for a point of the rectangle seen at `distance_mm` in `direction`.
-    float rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const;
+    /// Of sample() for a point of the rectangle seen at `distance_mm` in `direction`.
+    LightPdf rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const;
 
  private:
     enum class Kind { environment, sun, rectangle, directional };
@@ -85,7 +95,8 @@ class LightSet {
     std::unique_ptr<const EnvironmentRadiance> environment_;
     std::optional<DirectionTable> table_;
     std::optional<DistantDisk> sun_;
-    float sun_pdf_ = 0, environment_probability_ = 0;
+    LightPdf sun_pdf_;
+    float environment_probability_ = 0;
     float environment_brightness_ = 0;  // luminance per density of table_
 };
 
@@ -93,7 +104,7 @@ template <class Weight>
 FloatLanes LightSet::escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const {
     FloatLanes sum{};
     if (environment_) {
-        const float pdf = environment_probability_ * table_->pdf(direction);
+        const LightPdf pdf{environment_probability_, table_->pdf(direction)};
         sum += weight(pdf) * environment_->radiance(direction, basis);
     }
     if (sun_ && sun_->contains(direction)) {
@@ -106,8 +117,8 @@ template <class Weight>
 float LightSet::brightness(Vec3f point_mm, Vec3f direction, const Weight& weight) const {
     float sum = 0;
     if (environment_) {
-        const float pdf = table_->pdf(direction);
-        sum += weight(environment_probability_ * pdf) * environment_brightness_ * pdf;
+        const LightPdf pdf{environment_probability_, table_->pdf(direction)};
+        sum += weight(pdf) * environment_brightness_ * pdf.density;
     }
     if (sun_ && sun_->contains(direction)) {
         sum += weight(sun_pdf_) * static_cast<float>(sun_->luminance);

@@ -112,6 +112,10 @@ class Renderer {
         path_options_.direct_light = direct_light;
         path_options_.smooth = options.sparkle;
         path_options_.ask_flakes = options.footprint_pixels == 0;
+        for (const auto& material : scene.materials) {
+            flakes_show_ |=
+                material->surface_coordinates() == bsdf::SurfaceCoordinates::object_space;
+        }
         path_options_.footprint_pixels = static_cast<float>(
             options.footprint_pixels > 0 ? options.footprint_pixels
                                          : default_footprint_pixels(options.samples_per_pixel));
@@ -136,7 +140,8 @@ class Renderer {
     }
 
     std::uint32_t sample_of_pass(int pass) const {
-        return parts_.sample_of_pass(pass, options_.samples_per_pixel);
+        return flakes_show_ ? parts_.sample_of_pass(pass, options_.samples_per_pixel)
+                            : static_cast<std::uint32_t>(pass);
     }
     RenderResult develop() const { return film_.develop(); }
 
@@ -171,6 +176,7 @@ class Renderer {
     PathOptions path_options_;
     CameraRays camera_;
     AskedParts parts_;
+    bool flakes_show_ = false;
     Film film_;
     int tiles_across_, tiles_down_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "nacre/core/error.h"
 #include "nacre/sparkle/flake_plane.h"
@@ -39,7 +40,7 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     // A point resolves its flakes, unless too many lie over each other.
     constexpr float kFewestCells = 6, kMaxCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
-    scaled_full_cells_ = std::clamp(1.1f * across * across, 4.0f, kMaxCells);
+    few_cells_ = std::clamp(1.1f * across * across, 4.0f, kMaxCells);
     full_cells_ = std::clamp(1.5f * across * across, kFewestCells, kMaxCells);
 }
 
@@ -51,13 +52,18 @@ double FlakeField::exact_side_mm() const {
     return kSafety * std::max(0.0, side);
 }
 
-float FlakeField::background(const ObjectSpaceFootprint& patch) const {
+float FlakeField::lobe_area() const {
+    const float radius = typical_radius_ * alpha_;
+    return 5 * std::numbers::pi_v<float> / 9 * radius * radius;  // Int K^2 = 9 / (5 pi w^2)
+}
+
+float FlakeField::background(const ObjectSpaceFootprint& patch, const StandIns& stand_ins) const {
     const float side_mm[] = {length(patch.edge_mm[0]), length(patch.edge_mm[1])};
-    return 1 - level_weights(side_mm, StandIns::scaled).resolved;
+    return 1 - level_weights(side_mm, stand_ins).resolved;
 }
 
 void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
-                      StandIns stand_ins) const {
+                      const StandIns& stand_ins) const {
     const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
     const Weights weights = level_weights(outline.size_mm, stand_ins);
     view.count = 0;
@@ -78,10 +84,11 @@ void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
 }
 
 // A level is resolved while the patch touches few of its cells.
-FlakeField::Weights FlakeField::level_weights(const float* side_mm, StandIns stand_ins) const {
+FlakeField::Weights FlakeField::level_weights(const float* side_mm,
+                                              const StandIns& stand_ins) const {
     /// Where a level has faded out, in terms of full_cells_.
     constexpr float kFaded = 2.3f;
-    const float full_cells = stand_ins == StandIns::widened ? full_cells_ : scaled_full_cells_;
+    const float full_cells = stand_ins.few ? few_cells_ : full_cells_;
     const FloatLanes cells = (1.0f + (side_mm[0] + 2 * largest_radius_mm_) * per_mm_) *
                              (1.0f + (side_mm[1] + 2 * largest_radius_mm_) * per_mm_);
     Weights weights;
@@ -102,10 +109,14 @@ FlakeField::Weights FlakeField::level_weights(const float* side_mm, StandIns sta
     // background, for variance_correction().                         [docs/nacre-model.md: k]
     constexpr float kWidest = 0.35f, kMaxResolved = 0.95f;
     const float deviation_ratio = std::sqrt(second) / first;
-    if (stand_ins == StandIns::widened)
+    const float area = stand_ins.light_area;
+    if (area <= 1) {
         weights.widening = std::clamp(kMaxResolved * deviation_ratio, 1.0f,
                                       std::max(1.0f, kWidest / typical_radius_));
-    weights.resolved = std::min(weights.widening / deviation_ratio, 1.0f);
+    }
+    // The variance of what lobes of an area show of a light goes with 1 / (their area + its own).
+    const float contrast = std::sqrt((weights.widening * weights.widening + area) / (1 + area));
+    weights.resolved = std::min((area <= 1 ? contrast : 1.0f) / deviation_ratio, 1.0f);
     weights.by_level = w * (weights.resolved / first);
     return weights;
 }

@@ -36,15 +36,27 @@ class FlakeField {
     FlakeField(const FlakePopulation& population, std::uint64_t seed);
 
     /// How the flakes that a patch resolves stand for more of them.
-    enum class StandIns {
-        widened,  ///< by wider lobes, so that light from one direction keeps its distribution
-        scaled    ///< by the contrast alone: light of any width keeps its mean and variance
+    ///
+    /// Wider lobes let as many of them reflect light from one direction as of all flakes, with the
+    /// right distribution; but the wider the light, the more they would vary. Lower contrast alone
+    /// is right in mean and variance for light of any width, but few flakes flash in that of a
+    /// narrow lamp.
+    struct StandIns {
+        /// Area of slopes that a light fills, over that of the lobe of a typical flake: up to 1
+        /// lobes are widened as for light from one direction, and the contrast is that of this
+        /// light; above, the contrast alone is lowered.
+        float light_area = 0;
+        /// Whether every flake on a point must be resolved rather than few be looked for.
+        bool few = false;
     };
     /// Replaces `view` by what the patch shows.
-    void look(const ObjectSpaceFootprint& patch, FlakeView& view,
-              StandIns stand_ins = StandIns::widened) const;
-    /// FlakeView::background of look() with StandIns::scaled, at a fraction of its cost.
-    float background(const ObjectSpaceFootprint& patch) const;
+    void look(const ObjectSpaceFootprint& patch, FlakeView& view, const StandIns& stand_ins) const;
+    void look(const ObjectSpaceFootprint& patch, FlakeView& view) const { look(patch, view, {}); }
+    /// FlakeView::background of look(), at a fraction of its cost.
+    float background(const ObjectSpaceFootprint& patch, const StandIns& stand_ins) const;
+    /// Area of slopes, for a typical flake at perpendicular incidence, over which the square of its
+    /// lobe has the integral that it would have if even: 1 / Int K^2.
+    float lobe_area() const;
 
     /// Side of the largest square, on a flat surface across an axis of the object space, that
     /// resolves every flake: FlakeView::widening is 1 and nothing is approximated. 0 if so many
@@ -81,7 +93,7 @@ class FlakeField {
     };
 
     /// @param side_mm  the two of the patch
-    Weights level_weights(const float* side_mm, StandIns stand_ins) const;
+    Weights level_weights(const float* side_mm, const StandIns& stand_ins) const;
     void find(const FlakePlane& plane, const Weights& weights, Found& found) const;
     void find_in_cell(const Cell& cell, const FlakePlane& plane, const Weights& weights,
                       Found& found) const;
@@ -101,7 +113,7 @@ class FlakeField {
     /// [n]: the probability of at most n flakes in a cell.
     std::array<float, kMaxFlakesPerCell> cumulative_;
     /// A level begins to fade out where the patch touches this many of its cells.
-    float full_cells_, scaled_full_cells_;
+    float full_cells_, few_cells_;  // few: where flakes are asked one by one
     float alpha_, largest_radius_mm_, smallest_radius_mm_;
     float inverse_cover_;   // 1 / (density x mean area)
     float typical_radius_;  // FlakeView::typical_radius

@@ -256,6 +256,8 @@ FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const
 
 namespace {
 
+constexpr float kWide = std::numeric_limits<float>::infinity();
+
 // On a patch the flake lobe of the mean keeps at least this fraction of its probability: multiple
 // scattering follows that lobe too, and it bounds the weights of directions for which no single
 // flake is sampled.
@@ -398,30 +400,51 @@ class BoundNacre::SomeFlakes {
     int count_ = 0;
 };
 
-BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch)
+BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch, Vec3f wi)
     : own_(patch.memory ? 0 : surface.patch_memory_bytes()) {
     using sparkle::FlakeView;
     PatchMemory& memory = patch.memory ? *patch.memory : own_;
-    FlakeView* const views = reinterpret_cast<FlakeView*>(memory.data());
-    views_ = views;
-    if (memory.filled) return;
+    // Those for a narrow light lie behind the others: one patch may need both.
     const std::vector<NacreSpecies>& species = surface.tables_->species;
+    const bool narrow = patch.narrow_light > 0;
+    FlakeView* const views =
+        reinterpret_cast<FlakeView*>(memory.data()) + (narrow ? species.size() : 0);
+    views_ = views;
+    const unsigned bit = narrow ? 2 : 1;
+    if (memory.filled & bit) return;
     for (std::size_t s = 0; s < species.size(); ++s) {
-        using StandIns = sparkle::FlakeField::StandIns;
         FlakeView& view = *new (views + s) FlakeView;
-        switch (patch.flakes) {
-            case Patch::Flakes::shown:
-                species[s].field.look(patch.footprint, view, StandIns::widened);
-                break;
-            case Patch::Flakes::apart:
-                species[s].field.look(patch.footprint, view, StandIns::scaled);
-                break;
-            case Patch::Flakes::left_out:
-                view.background = species[s].field.background(patch.footprint);
-                break;
+        const sparkle::FlakeField& field = species[s].field;
+        if (patch.flakes == Patch::Flakes::shown) {
+            field.look(patch.footprint, view);
+            continue;
+        }
+        const sparkle::FlakeField::StandIns stand_ins{
+            narrow ? std::min(1.0f, surface.slope_density(s, wi) / patch.narrow_light) : kWide,
+            !narrow};
+        if (patch.flakes == Patch::Flakes::apart) {
+            field.look(patch.footprint, view, stand_ins);
+        } else {
+            view.background = field.background(patch.footprint, stand_ins);
         }
     }
-    memory.filled = true;
+    memory.filled |= bit;
+}
+
+float BoundNacre::slope_density(std::size_t species, Vec3f wi) const {
+    const Ray i = make_ray(wi);
+    const HalfVector half(i, i);
+    const sparkle::FlakeField& field = tables_->species[species].field;
+    const float widening = field.lobe().widening(1, i.inside.z);
+    return half.per_solid_angle * solid_angle_ratio(i) / (field.lobe_area() * widening * widening);
+}
+
+float BoundNacre::narrow_light(Vec3f wi) const {
+    float narrowest = 0;
+    for (std::size_t s = 0; s < tables_->species.size(); ++s) {
+        narrowest = std::max(narrowest, slope_density(s, wi));
+    }
+    return narrowest > 0 ? narrowest : std::numeric_limits<float>::infinity();
 }
 
 BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavelengths& wavelengths)
@@ -518,7 +541,7 @@ float BoundNacre::flake_density(const Look& look, const Probability& probability
 BsdfValue BoundNacre::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     if (tables_->species.empty()) return evaluate(wi, wo);
-    const Look look(*this, patch);
+    const Look look(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(wo);
     if (patch.flakes != Patch::Flakes::shown) {
         return {value_on(patch, look, i, o), density(probabilities_at(i), i, o)};
@@ -532,7 +555,7 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
                                                 Vec2f u) const {
     if (wi.z <= 0) return std::nullopt;
     if (tables_->species.empty()) return sample(wi, u_select, u);
-    const Look look(*this, patch);
+    const Look look(*this, patch, wi);
     const Ray i = make_ray(wi);
     if (patch.flakes != Patch::Flakes::shown) {
         return sample_by(i, u_select, u, [&](const Ray& o) { return value_on(patch, look, i, o); });
@@ -561,7 +584,7 @@ int BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                            AskedFlake* list) const {
     constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
     if (wi.z <= 0) return 0;
-    const Look look(*this, patch);
+    const Look look(*this, patch, wi);
     const Ray i = make_ray(wi);
     int count = 0;
     std::size_t layer = 0;
@@ -613,7 +636,7 @@ float BoundNacre::flake_pdf(const sparkle::FlakeView& view, std::size_t species,
 }
 
 FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& asked) const {
-    const Look look(*this, patch);
+    const Look look(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(asked.wo);
     const HalfVector half(i, o);
     const auto species = static_cast<std::size_t>(asked.species);
@@ -628,7 +651,7 @@ FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFla
 
 FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
     if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
-    const Look look(*this, patch);
+    const Look look(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(wo);
     const HalfVector half(i, o);
     FloatLanes sum{};

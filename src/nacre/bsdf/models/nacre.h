@@ -164,9 +164,10 @@ class BoundNacre final : public BoundMicroflake {
     std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_select,
                                         Vec2f u) const override;
     std::size_t patch_memory_bytes() const override {
-        return tables_->species.size() * sizeof(sparkle::FlakeView);
+        return 2 * tables_->species.size() * sizeof(sparkle::FlakeView);
     }
     bool tells_flakes_apart() const override { return true; }
+    float narrow_light(Vec3f wi) const override;
     int ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                    AskedFlake* list) const override;
     FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
@@ -181,7 +182,7 @@ class BoundNacre final : public BoundMicroflake {
     // The flakes of a patch, by species: in its memory or, where it has none, in one of its own.
     class Look {
      public:
-        Look(const BoundNacre& surface, const Patch& patch);
+        Look(const BoundNacre& surface, const Patch& patch, Vec3f wi);
         const sparkle::FlakeView& operator[](std::size_t species) const { return views_[species]; }
 
      private:
@@ -207,6 +208,9 @@ class BoundNacre final : public BoundMicroflake {
     FloatLanes relative_attenuation(std::size_t species, std::size_t layer,
                                     const sparkle::FlakeView& view, int flake, float cosine,
                                     const FloatLanes& depth, const HotSpot::Pair* pair) const;
+    // Per solid angle outside, of directions spread over the lobe of a typical flake that mirrors
+    // wi upwards.
+    float slope_density(std::size_t species, Vec3f wi) const;
     // Per solid angle outside, of the direction that ask_flakes() draws for the flake.
     float flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake, const Ray& i,
                     const Ray& o) const;
