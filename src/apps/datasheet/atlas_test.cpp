@@ -182,7 +182,7 @@ TEST(Atlas, NamesWhatIsWrong) {
                   flake_atlas(titania_on_mica(), {80}, geometries, wavelengths(), {},
                               [](double) { return false; });
               }),
-              "stopped");
+              "making the atlas was stopped");
 }
 
 TEST(AtlasOutput, HasOneChipForEachThicknessAndAngle) {

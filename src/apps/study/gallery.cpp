@@ -101,7 +101,7 @@ Prepared prepare(const PictureJob& job, const bsdf::Model& model, const fs::path
     Prepared out;
     if (model.info().solution != bsdf::Solution::none) {
         const solver::SolvedPaint solved =
-            solver::solve(paint.recipe, spectra::default_wavelengths_nm(), {});
+            solver::solve(paint.recipe, spectra::default_wavelengths_nm(), {}, nullptr, progress);
         fs::create_directories(tables);
         const fs::path file = tables / (job.key + ".h5");
         if (const auto table = model.make_table(solved, progress)) {

@@ -63,7 +63,7 @@ bool SharedProgress::ask() {
 }
 
 void SharedProgress::require_going(const char* what) {
-    if (!ask()) throw Error(fmt::format("{} was stopped", what));
+    if (!ask()) throw Stopped(fmt::format("{} was stopped", what));
 }
 
 InterruptHandler::InterruptHandler() : active_(!installed.exchange(true)) {

@@ -51,8 +51,9 @@ Exported Paint::export_rgl(const RglSettings& rgl, const BrdfSettings& settings,
     const PaintBrdf values = brdf(fast(settings), only_asking(progress));
     const bsdf::RglTable table = measure::acquire_rgl(title(*this, settings.model), values,
                                                       values.wavelengths_nm(), rgl, progress);
-    return {io::rgl_bytes(table), measure::table_error(bsdf::MeasuredRgl(table), values,
-                                                       values.wavelengths_nm(), rgl.rgb)};
+    return {io::rgl_bytes(table),
+            measure::table_error(bsdf::MeasuredRgl(table), values, values.wavelengths_nm(), rgl.rgb,
+                                 only_asking(progress, 1))};
 }
 
 Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settings,
@@ -62,7 +63,8 @@ Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settin
     const bsdf::MerlTable table =
         measure::acquire_merl(values, values.wavelengths_nm(), merl, progress);
     return {io::merl_bytes(table),
-            measure::table_error(bsdf::MeasuredMerl(table), values, values.wavelengths_nm(), true)};
+            measure::table_error(bsdf::MeasuredMerl(table), values, values.wavelengths_nm(), true,
+                                 only_asking(progress, 1))};
 }
 
 std::string Paint::export_solved(const SolveSettings& settings, const Progress& progress) const {
@@ -76,7 +78,8 @@ std::string Paint::export_table(const Model& model, const SolveSettings& solve,
         throw SettingError("model", "renders from no table, as chosen",
                            std::string(model.info().name));
     }
-    return std::visit([](const auto& t) { return io::brdf_table_bytes(*t); }, *table);
+    return std::visit(
+        [&](const auto& t) { return io::brdf_table_bytes(*t, only_asking(progress, 1)); }, *table);
 }
 
 }  // namespace nacre

@@ -93,11 +93,12 @@ std::vector<double> ring_weights(int count) {
     return weights;
 }
 
-std::vector<double> projected_areas(const std::vector<double>& density) {
+std::vector<double> projected_areas(const std::vector<double>& density, SharedProgress& work) {
     const int count = static_cast<int>(density.size());
     const std::vector<double> weights = ring_weights(count);
     std::vector<double> area(count, 0.0);
     for (int a = 0; a < count; ++a) {
+        work.require_going(kMeasuring);
         for (int b = 0; b < count; ++b) {
             area[a] +=
                 weights[b] * density[b] * ring_area(polar_node(a, count), polar_node(b, count));
@@ -106,19 +107,21 @@ std::vector<double> projected_areas(const std::vector<double>& density) {
     return area;
 }
 
-Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
+Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count,
+                   SharedProgress& work) {
     std::vector<double> retro(count);
     parallel_for(0, count, [&](std::size_t k) {
+        work.require_going(kMeasuring);
         const double theta = std::min(polar_node(static_cast<int>(k), count), kMaxPolar);
         retro[k] = colour.luminance(brdf(theta, theta, 0)) * std::cos(theta);
     });
     // Powers of a positive matrix lead to its one positive eigenvector.
     constexpr int kRounds = 32;
-    std::vector<double> density(count, 1 / kPi), area = projected_areas(density);
+    std::vector<double> density(count, 1 / kPi), area = projected_areas(density, work);
     for (int round = 0; round < kRounds; ++round) {
         std::vector<double> next(count);
         for (int k = 0; k < count; ++k) next[k] = retro[k] * area[k];
-        std::vector<double> next_area = projected_areas(next);
+        std::vector<double> next_area = projected_areas(next, work);
         if (!(next_area[0] > 0)) break;  // black: facets stay uniform
         for (int k = 0; k < count; ++k) {
             density[k] = next[k] / next_area[0];
@@ -126,7 +129,7 @@ Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
         }
     }
     for (double& d : density) d = (1 - kEvenFraction) * d + kEvenFraction / kPi;
-    return {density, projected_areas(density)};
+    return {density, projected_areas(density, work)};
 }
 
 bsdf::SquareTable same_at_every_azimuth(const std::vector<double>& values) {
@@ -138,10 +141,11 @@ bsdf::SquareTable same_at_every_azimuth(const std::vector<double>& values) {
 }
 
 /// Appends the distribution of visible facets at each incidence, as a density over the square.
-void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf) {
+void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf, SharedProgress& work) {
     for (std::size_t slice = 0; slice < table.slices(); ++slice) {
         const double theta_i = table.theta_i[slice];
         for (int row = 0; row < table.vndf_rows; ++row) {
+            work.require_going(kMeasuring);
             const double phi = (2.0 * row / (table.vndf_rows - 1) - 1) * kPi;
             for (int column = 0; column < table.vndf_columns; ++column) {
                 const double theta = polar_node(column, table.vndf_columns);
@@ -173,7 +177,9 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
                        settings.resolution * settings.incident *
                        (settings.rgb ? 3.0 : static_cast<double>(wavelengths_nm.size())));
     const SpectrumColour colour(wavelengths_nm);
-    const Facets facets = find_facets(brdf, colour, settings.ndf_resolution);
+    SharedProgress asking(progress, 1);  // before the rows that are counted
+    asking.add(0);
+    const Facets facets = find_facets(brdf, colour, settings.ndf_resolution, asking);
 
     bsdf::RglTable table;
     table.description = description;
@@ -186,7 +192,7 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     const int n = settings.resolution;
     table.vndf_rows = n;
     table.vndf_columns = n;
-    fill_visible(table, table.ndf);
+    fill_visible(table, table.ndf, asking);
     table.resolution = n;
     if (!settings.rgb) table.wavelengths.assign(wavelengths_nm.begin(), wavelengths_nm.end());
     const std::size_t square = static_cast<std::size_t>(n) * n, channels = table.channels();
@@ -239,7 +245,8 @@ std::array<std::size_t, kLanes> choose(std::size_t count) {
 }  // namespace
 
 TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
-                       const std::vector<double>& wavelengths_nm, bool rgb) {
+                       const std::vector<double>& wavelengths_nm, bool rgb,
+                       const Progress& progress) {
     const SpectrumColour colour(wavelengths_nm);
     const auto chosen = choose(wavelengths_nm.size());
     bsdf::Wavelengths eight;
@@ -253,6 +260,8 @@ TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
             {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])});
     };
     std::array<TableError, kIncidences> errors;
+    SharedProgress work(progress, 1);
+    work.add(0);
     parallel_for(0, kIncidences, [&](std::size_t k) {
         const double theta_i = (5 + 15.0 * static_cast<double>(k)) * kDegree;
         const Vec3f wi = {static_cast<float>(std::sin(theta_i)), 0,
@@ -260,6 +269,7 @@ TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
         Rng rng(hash_of(k));
         FloatLanes flux{}, wrong{}, peak{}, largest{};
         for (int n = 0; n < kSamplesPerIncidence; ++n) {
+            work.require_going("comparing the table with the BRDF");
             const auto s =
                 bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
             if (!s || s->wo.z < 1e-4f) continue;
