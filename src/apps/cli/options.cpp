@@ -53,7 +53,7 @@ void require_going() {
 void emit(const CommonOptions& options, const std::string& data) {
     require_going();
     if (!options.output.empty()) {
-        write_file_atomically(options.output, data);
+        write_file_atomically(options.output, data, [](double) { return !interrupt_requested(); });
         return;
     }
     print_data(data);

@@ -16,6 +16,21 @@
 
 namespace nacre::measure {
 
+namespace {
+
+/// Makes the values of a table, up to gigabytes, piece by piece.
+template <class T>
+void fill(std::vector<T>& values, std::size_t count, T value, SharedProgress& work) {
+    constexpr std::size_t kPiece = 1 << 22;
+    values.reserve(count);
+    while (values.size() < count) {
+        work.require_going(kMeasuring);
+        values.resize(std::min(count, values.size() + kPiece), value);
+    }
+}
+
+}  // namespace
+
 bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavelengths_nm,
                              const MerlSettings& settings, const Progress& progress) {
     const auto check = [](int cells, const char* what) {
@@ -24,11 +39,14 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
     check(settings.half, "cells along theta_half");
     check(settings.difference, "cells along theta_difference");
     check(settings.azimuths, "cells along phi_difference");
-    require_table_size(3.0 * sizeof(double) * settings.half * settings.difference *
-                       settings.azimuths);
+    const double bytes =
+        3.0 * sizeof(double) * settings.half * settings.difference * settings.azimuths;
+    require_table_size(bytes, 2.5 * bytes);  // the copy is in single precision
     const SpectrumColour colour(wavelengths_nm);
+    SharedProgress asking(progress, 1);  // before the rows that are counted
+    asking.add(0);
     bsdf::MerlTable table{settings.half, settings.difference, settings.azimuths, {}};
-    table.values.assign(3 * table.cells(), -1.0);
+    fill(table.values, 3 * table.cells(), -1.0, asking);
     for_each_row(table.half, progress, [&](int h, SharedProgress& counter) {
         for (int d = 0; d < table.difference; ++d) {
             // phi_d and pi - phi_d: the same by reciprocity and mirror symmetry.
@@ -173,9 +191,11 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     require_setting("resolution", settings.resolution, 4, 512);
     require_setting("incident angles", settings.incident, 2, 256);
     require_setting("resolution of the facets' distribution", settings.ndf_resolution, 8, 4096);
-    require_table_size(static_cast<double>(sizeof(float)) * settings.resolution *
-                       settings.resolution * settings.incident *
-                       (settings.rgb ? 3.0 : static_cast<double>(wavelengths_nm.size())));
+    const double layer = static_cast<double>(sizeof(float)) * settings.resolution *
+                         settings.resolution * settings.incident;
+    const double values = settings.rgb ? 3.0 : static_cast<double>(wavelengths_nm.size());
+    // With luminance and visible facets, and what sampling needs of them.
+    require_table_size(layer * values, 3.5 * layer * (values + 2));
     const SpectrumColour colour(wavelengths_nm);
     SharedProgress asking(progress, 1);  // before the rows that are counted
     asking.add(0);
@@ -196,10 +216,10 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     table.resolution = n;
     if (!settings.rgb) table.wavelengths.assign(wavelengths_nm.begin(), wavelengths_nm.end());
     const std::size_t square = static_cast<std::size_t>(n) * n, channels = table.channels();
-    table.luminance.resize(table.slices() * square);
-    table.spectra.resize(table.slices() * channels * square);
+    fill(table.luminance, table.slices() * square, 0.0f, asking);
+    fill(table.spectra, table.slices() * channels * square, 0.0f, asking);
 
-    const bsdf::RglMap map(table);
+    const bsdf::RglMap map(table, &asking);
     for_each_row(settings.incident, progress, [&](int slice, SharedProgress& counter) {
         const double theta_i = table.theta_i[slice];
         const bsdf::RglIncident i = map.incident(

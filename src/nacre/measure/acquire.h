@@ -19,12 +19,17 @@ namespace nacre::measure {
 /// Limit of the readers of these files: 2 GiB.
 inline constexpr double kMaxTableBytes = 2147483648.0;
 
-/// @throws DomainError if a table would have more bytes than that; Error if the machine has less
-///         memory than the table, its copy to be compared with the BRDF and its file take
-inline void require_table_size(double bytes) {
-    require_in_range(bytes, 0, kMaxTableBytes, "bytes of the table to be measured");
-    constexpr double kCopies = 3.5;  // with what is not values
-    require_memory(kCopies * bytes, fmt::format("measuring a table of {:.3g} GB", 1e-9 * bytes),
+/// @param memory  that the table, its file and the copy that is compared with the BRDF take, bytes
+/// @throws DomainError if a table would have more bytes than that; Error if the machine has not the
+///         memory
+inline void require_table_size(double bytes, double memory) {
+    if (!(bytes <= kMaxTableBytes)) {
+        throw DomainError(fmt::format(
+            "a table of {:.3g} GB is larger than the {:.3g} GB that files of its format "
+            "may have: choose fewer points or wavelengths",
+            1e-9 * bytes, 1e-9 * kMaxTableBytes));
+    }
+    require_memory(memory, fmt::format("measuring a table of {:.2g} GB", 1e-9 * bytes),
                    "choose fewer points or wavelengths");
 }
 

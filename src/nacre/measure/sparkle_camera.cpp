@@ -10,6 +10,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/spectra/xyz.h"
@@ -258,6 +259,11 @@ void check(const SparkleCamera& camera) {
         static_cast<double>(camera.lamps_deg.size()) + (camera.diffuse_samples > 0 ? 2 : 0);
     require_in_range(std::pow(camera.field_mm * 1e3 / camera.pixel_um, 2) * pictures, 0,
                      kMaxTotalPixels, "pixels in all pictures");
+    // The pictures, and what reading one of them takes.
+    require_memory(std::pow(camera.field_mm * 1e3 / camera.pixel_um, 2) * (12 * pictures + 64),
+                   fmt::format("taking and reading {} pictures of {} pixels a side", pictures,
+                               pixels_across(camera)),
+                   "choose a smaller field, larger pixels or fewer lamps");
     require_in_range(camera.lamp_half_angle_deg, 0, 3, "half-angle of the lamps in deg");
     for (double lamp : camera.lamps_deg) require_in_range(lamp, 0, 85, "angle of a lamp in deg");
     require_in_range(camera.diffuse_samples, 0, 65536, "directions of diffuse light");
