@@ -31,6 +31,7 @@ from collections.abc import Callable, Iterator
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STATUSES = range(5)  # docs/conventions.md, "Errors and exit status"
 HANG_S = 120.0
+LATENCY_S = 5.0  # of the answer to a signal: one second, on a machine that does other things too
 MEMORY_BYTES = 4 << 30
 PAINT = "paints/metallic-gray.toml"
 
@@ -60,6 +61,7 @@ class Lab:
 
     def __init__(self, program: pathlib.Path, folder: pathlib.Path, rng: random.Random) -> None:
         self.program, self.folder, self.random = program, folder, rng
+        self.note = ""  # what an attack has to say besides its failures
         for name in ("paints", "scenes"):
             shutil.copytree(ROOT / name, folder / name)
 
@@ -408,45 +410,125 @@ def interrupts(lab: Lab, tries: int) -> Iterator[str]:
     return killed(lab, tries, [signal.SIGINT, signal.SIGTERM])
 
 
-def slow_interrupts(lab: Lab, tries: int) -> Iterator[str]:
-    """Long work ends within seconds of Ctrl-C, and leaves the old file."""
+def long_work(lab: Lab) -> list[list[str]]:
+    """Commands that go on for seconds to hours, each of which writes the file after -o."""
+    head = "ior = 1.5\n[[layer]]\nthickness_um = 15\n[[layer.flakes]]\n"
+    flakes = ('area_density_per_um = 0.1\ndiameter_um = {}\norientation = {{ distribution = "beckmann",'
+              " alpha = {} }}\n")
+    films = ('core = {{ material = "mica", thickness_nm = 500, spread_nm = 100 }}\n'
+             'coats = [{{ material = "TiO2_anatase", thickness_nm = {}, spread_nm = 80 }}, '
+             '{{ material = "SiO2", thickness_nm = 300, spread_nm = 1000 }}]\n')
+    white = "reflectance = 1.0\n[substrate]\nreflectance = 1.0\n"
     lab.path("narrow.toml").write_text(
-        "ior = 1.5\n[[layer]]\nthickness_um = 15\n[[layer.flakes]]\narea_density_per_um = 0.1\n"
-        'diameter_um = 20\norientation = { distribution = "beckmann", alpha = 0.01 }\n'
-        "reflectance = { wavelengths_nm = [400, 700], values = [0.5, 0.9] }\n")
-    long = [
+        head + flakes.format(20, 0.01)
+        + "reflectance = { wavelengths_nm = [400, 700], values = [0.5, 0.9] }\n")
+    for name, thickness_nm in (("films.toml", 80), ("other-films.toml", 100)):
+        lab.path(name).write_text(head + flakes.format(18, 0.1) + films.format(thickness_nm))
+    lab.path("small.toml").write_text(head + flakes.format(5, 0.1) + "reflectance = 0.6\n")
+    lab.path("lossless.toml").write_text(
+        head.replace("15", "10000") + flakes.format(20, 0.1) + white)
+    lab.path("panel.toml").write_text(PANEL_SCENE)
+    pearl = "paints/tio2-mica-80.toml"
+    return [
         ["solve", "narrow.toml", "--wavelength", "400:700:1", "-o", "long.h5"],
-        ["reference", PAINT, "--incident", "45", "--outgoing", "0:80:10", "--samples", "100000000",
-         "-o", "long.csv"],
+        ["solve", "films.toml", "--wavelength", "400:700:1", "-o", "long.h5"],
+        ["solve", pearl, "--table", "raw", "-o", "long.h5"],
+        ["reference", PAINT, "--incident", "45", "--outgoing", "0:80:0.02", "--samples",
+         "100000000", "-o", "long.csv"],
+        ["reference", "films.toml", "--incident", "45", "--outgoing", "0", "-o", "long.csv"],
+        ["reference", "lossless.toml", "--incident", "45", "--outgoing", "0", "-o", "long.csv"],
+        ["export", pearl, "--model", "nacre", "--resolution", "256", "-o", "long.bsdf"],
+        ["export", PAINT, "--resolution", "512", "--incidences", "96", "--wavelength",
+         "450:650:100", "-o", "long.bsdf"],
+        ["export", PAINT, "-o", "long.binary"],
+        ["export", PAINT, "--cells", "512,512,128", "-o", "long.binary"],
+        ["fit", "paints/tio2-mica-110.toml", "--start", pearl, "--free",
+         "coats[0].thickness_nm,volume_fraction", "-o", "long.toml"],
+        ["fit", "other-films.toml", "--start", "films.toml", "--free", "coats[0].thickness_nm",
+         "-o", "long.toml"],
+        ["measure", pearl, "--aperture", "5,5", "--wavelength", "400:700:1", "-o", "long.csv"],
+        ["measure", PAINT, "--model", "walk", "--samples", "100000000", "-o", "long.csv"],
+        ["sparkle", PAINT, "-o", "long.csv"],
+        ["sparkle", PAINT, "--field", "20", "--lamp", "15", "--diffuse-samples", "2", "-o",
+         "long.csv"],
+        ["atlas", "--recipe", "films.toml", "--key", "coats[0].thickness_nm", "--values",
+         "40:160:20", "-o", "long.png"],
+        ["panel", PAINT, "--versus", "films.toml", "-o", "long.html"],
         ["render", "sphere", "--paint", PAINT, "--size", "512x512", "--spp", "4096", "-o",
          "long.exr"],
-        ["export", PAINT, "-o", "long.binary"],
-        ["sparkle", PAINT, "-o", "long-sparkle.csv"],
-        ["panel", PAINT, "-o", "long.html"],
+        ["render", "sphere", "--paint", "films.toml", "--model", "nacre", "-o", "long.exr"],
+        ["render", "sphere", "--paint", "lossless.toml", "--model", "walk", "-o", "long.exr"],
+        ["render", "sphere", "--paint", "lossless.toml", "--model", "volume", "-o", "long.exr"],
+        ["render", "panel.toml", "--paint", "small.toml", "--model", "nacre", "--flakes",
+         "explicit", "-o", "long.exr"],
+        ["render", "panel.toml", "--paint", "films.toml", "--model", "nacre", "--flakes",
+         "explicit", "-o", "long.exr"],
     ]
-    for number in range(max(len(long), tries)):
-        if number >= len(long):
-            return
-        command = long[number]
+
+
+PANEL_SCENE = """[camera]
+position_mm = [0, 0, 100]
+target_mm = [0, 0, 0]
+up = [0, 1, 0]
+[materials.paint]
+type = "paint"
+[[shapes]]
+type = "flat-panel"
+material = "paint"
+width_mm = 8
+height_mm = 8
+[environment]
+type = "constant"
+"""
+
+
+def slow_interrupts(lab: Lab, tries: int) -> Iterator[str]:
+    """Long work ends soon after SIGINT or SIGTERM, at any moment, and leaves the old file."""
+    commands = long_work(lab)
+    lasts_s = [6.0] * len(commands)  # as far as has been seen
+    slowest, slowest_command = 0.0, ""
+    for number in range(max(len(commands), tries)):
+        which = number % len(commands)
+        command = commands[which]
         output = lab.path(command[command.index("-o") + 1])
         output.write_bytes(b"old")
+        output.with_suffix(".png").unlink(missing_ok=True)
+        sent = lab.random.choice([signal.SIGINT, signal.SIGTERM])
+        begun = time.monotonic()
         process = lab.start(command)
-        time.sleep(1.0)
-        if process.poll() is not None:
-            early = process.returncode  # 0: it was not long
-            yield f"{' '.join(command)}: ended early with {early}" if early else ""
+        moment = lab.random.uniform(0, 1.05 * lasts_s[which])
+        try:
+            process.communicate(timeout=0.1 + moment)
+            lasts_s[which] = time.monotonic() - begun
+            ended = process.returncode  # 0: it was not that long
+            yield f"{' '.join(command)}: ended with {ended}" if ended else ""
             continue
+        except subprocess.TimeoutExpired:
+            pass
         start = time.monotonic()
-        process.send_signal(signal.SIGINT)
+        process.send_signal(sent)
         try:
             process.communicate(timeout=HANG_S)
         except subprocess.TimeoutExpired:
             process.kill()
+            process.communicate()
         seconds = time.monotonic() - start
-        complaint = f"ended {seconds:.1f} s after SIGINT" if seconds > 5 else ""
-        if not complaint and command[0] != "render" and output.read_bytes() != b"old":
+        if seconds > slowest:
+            slowest, slowest_command = seconds, command[0]
+            lab.note = f", answered within {slowest:.1f} s (`{slowest_command}`)"
+        complaint = ""
+        if seconds > LATENCY_S:
+            complaint = f"ended {seconds:.1f} s after {sent.name}"
+        elif process.returncode == 0 and seconds > 0.5:
+            complaint = f"went on to its end after {sent.name}"
+        elif process.returncode not in (0, 3, -sent):
+            complaint = f"ended with {process.returncode}"
+        elif process.returncode and command[0] != "render" and output.read_bytes() != b"old":
             complaint = "replaced the old file by half a result"
-        yield f"{' '.join(command)}: {complaint}" if complaint else ""
+        elif partial_files(lab):
+            complaint = f"left {partial_files(lab)} behind"
+        yield (f"{' '.join(command)}: {complaint}, {moment:.2f} s after its start" if complaint
+               else "")
 
 
 def limited(lab: Lab, tries: int, what: int, values: Callable[[random.Random], int]
@@ -590,7 +672,7 @@ ATTACKS: list[tuple[str, Attack, float]] = [
     ("recipes at the ends of the allowed ranges", extreme_recipes, 0.1),
     ("SIGKILL at a random moment", sigkill, 0.1),
     ("SIGINT or SIGTERM at a random moment", interrupts, 0.05),
-    ("SIGINT during long work", slow_interrupts, 0),
+    ("SIGINT or SIGTERM during long work", slow_interrupts, 0.08),
     ("a disk that fills up", full_disk, 0.02),
     ("3 to 23 file descriptors", few_descriptors, 0.05),
     ("80 to 600 MB of memory", little_memory, 0.05),
@@ -622,6 +704,7 @@ def main() -> int:
                     wrong += 1
                     print(f"{name}: {complaint}", file=sys.stderr)
             seconds = time.monotonic() - start
+        name += lab.note
         print(f"{name}: {tries} tries, {wrong} failures, {seconds:.0f} s", file=sys.stderr)
         rows.append((name, tries, wrong))
         failures += wrong

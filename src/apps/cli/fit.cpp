@@ -110,6 +110,7 @@ ExitStatus run(const FitOptions& options) {
     document["standard"] = standard.file();
     document["start"] = options.start;
     document["recipe_sha256"] = io::recipe_hash(found.recipe);
+    require_going();
     if (!options.output.empty()) {
         write_file_atomically(options.output, io::write_recipe(found.recipe, start.bounds()));
     }

@@ -299,8 +299,18 @@ reflectance = 1.0
 [substrate]
 reflectance = 1.0
 )");
+    std::string films = contents(folder_ / "lossless.toml");
+    films.replace(films.find("reflectance = 1.0"), 17,
+                  R"(core = { material = "mica", thickness_nm = 500, spread_nm = 100 }
+coats = [{ material = "TiO2_anatase", thickness_nm = 80, spread_nm = 80 }, { material = "SiO2", thickness_nm = 300, spread_nm = 1000 }])");
+    write("films.toml", films);
     for (const auto& [command, file] :
-         {std::pair{"reference lossless.toml --incident 45 --outgoing 0:80:10,0:350:10 "
+         {std::pair{"solve films.toml --wavelength 400:700:1 -o old.h5", "old.h5"},
+          std::pair{"atlas --recipe films.toml --key coats[0].thickness_nm --values 40:160:1 "
+                    "-o old.svg",
+                    "old.svg"},
+          std::pair{"render panel --paint films.toml --model walk -o old.exr", "old.exr"},
+          std::pair{"reference lossless.toml --incident 45 --outgoing 0:80:10,0:350:10 "
                     "--samples 1000000000 -o old.csv",
                     "old.csv"},
           std::pair{"export gray.toml --resolution 256 --incidences 256 -o old.bsdf", "old.bsdf"},

@@ -56,9 +56,14 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
     add_report(command, options);
 }
 
+void require_going() {
+    if (interrupt_requested()) throw Stopped("stopped; nothing was written");
+}
+
 void emit(const CommonOptions& options, const std::string& data) {
+    require_going();
     if (!options.output.empty()) {
-        write_file_atomically(options.output, data);
+        write_file_atomically(options.output, data, [](double) { return !interrupt_requested(); });
         return;
     }
     print_data(data);

@@ -99,8 +99,11 @@ void add_run_options(CLI::App& command, CommonOptions& options);
 /// The files that an input of the command may name.
 References references_of(const CommonOptions& options, const std::string& input);
 
+/// @throws Stopped if the user has interrupted the command, which writes no file then
+void require_going();
+
 /// Data to the output file, whole or not at all, or to stdout.
-/// @throws Error if they cannot be written
+/// @throws Error if they cannot be written; Stopped as require_going()
 void emit(const CommonOptions& options, const std::string& data);
 
 /// Data to stdout. A reader that has gone, as in `nacre ... | head -1`, wants no more: the command

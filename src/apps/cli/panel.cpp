@@ -100,10 +100,12 @@ Paint open_panel(const PanelOptions& options, const std::string& file) {
 }
 
 /// The surface of the standard; null without a standard, or where it has only colours.
-Look standard_look(const std::optional<Paint>& standard, const bsdf::Model& model) {
+Look standard_look(const PanelOptions& options, const std::optional<Paint>& standard,
+                   const bsdf::Model& model) {
     if (!standard || standard->kind() == Kind::measured_colours) return nullptr;
     if (standard->is_measured()) return standard->appearance();
-    return standard->appearance(model);
+    ProgressBar bar("solve", options.quiet);
+    return standard->appearance(model, {}, bar.callback());
 }
 
 ExitStatus run(const PanelOptions& options) {
@@ -151,7 +153,7 @@ ExitStatus run(const PanelOptions& options) {
     page.title = page.sample.name;
     const Quality quality = quality_of(options);
     if (model.info().can.sparkle) page.sparkle = sparkle(options, look, quality);
-    page.pictures = pictures(options, look, standard_look(versus, model), quality);
+    page.pictures = pictures(options, look, standard_look(options, versus, model), quality);
     emit(options, datasheet::panel_report_html(page));
 
     say(options, options.output);

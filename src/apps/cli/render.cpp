@@ -116,6 +116,7 @@ ExitStatus run(RenderCommandOptions options) {
     parse_model_settings(options.model);  // before any work
     parse_size(options.size, options.render);
     options.render.seed = options.seed;
+    render::check(options.render);
     const fs::path exr = options.output, png = io::png_beside(exr);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;

@@ -135,6 +135,7 @@ json json_of(const SparkleOptions& options, const Paint& paint,
 
 void write_picture(const SparkleOptions& options, const std::string& name,
                    const measure::PanelPicture& picture) {
+    require_going();
     const io::ToneMap tone_map{io::display_stops(picture)};
     io::Image image = io::image_of(
         picture, {{"nacre:recipe", options.recipe},
@@ -194,17 +195,19 @@ ExitStatus run(SparkleOptions options) {
     say_warnings(options, paint);
     const double solved_s = watch.seconds();
     measure::PanelPictures pictures;
+    measure::SparkleMeasurement measurement;
+    double seen_s = 0;
     {
         ProgressBar bar("sparkle", options.quiet);
         pictures = measure::take_pictures(*look, options.camera, bar.callback());
+        seen_s = watch.seconds();
+        measurement =
+            measure::measure_pictures(options.camera, pictures, options.viewing, bar.callback());
     }
-    const double seen_s = watch.seconds();
     if (!pictures.flakes_resolved) {
         say(options,
             "nacre: flakes lie in heaps too dense to be told apart; graininess is too large");
     }
-    const measure::SparkleMeasurement measurement =
-        measure::measure_pictures(options.camera, pictures, options.viewing);
     for (std::size_t i = 0; i < measurement.by_lamp.size(); ++i) {
         const measure::Sparkle& s = measurement.by_lamp[i];
         const double spots = s.density_per_cm2.value * s.area_mm2 / 100;

@@ -63,10 +63,7 @@ void require_cells(std::size_t values, std::size_t geometries) {
     }
 }
 
-void go_on(const Progress& progress, std::size_t done, std::size_t all) {
-    const double fraction = static_cast<double>(done) / static_cast<double>(all);
-    if (progress && !progress(fraction)) throw Error("stopped");
-}
+constexpr const char* kMaking = "making the atlas";
 
 double real_index(const optics::Material& binder, double wavelength_nm) {
     const optics::ComplexIndex index = binder.index(wavelength_nm);
@@ -98,7 +95,8 @@ Cosines cosines(const std::vector<measure::Geometry>& geometries, const optics::
 
 /// Reflectance [geometry][wavelength], row-major.
 std::vector<double> reflectance(const optics::Platelet& platelet, const optics::Material& binder,
-                                const Cosines& cosines, const std::vector<double>& wavelengths_nm) {
+                                const Cosines& cosines, const std::vector<double>& wavelengths_nm,
+                                SharedProgress& work) {
     const std::size_t geometries = cosines.values.size(), n = wavelengths_nm.size();
     std::vector<double> column(geometries);
     const auto fill = [&](std::size_t w) {
@@ -106,13 +104,13 @@ std::vector<double> reflectance(const optics::Platelet& platelet, const optics::
     };
     if (cosines.alike) {
         fill(0);
-        return optics::platelet_table(platelet, binder, column, wavelengths_nm).reflectance;
+        return optics::platelet_table(platelet, binder, column, wavelengths_nm, &work).reflectance;
     }
     std::vector<double> result(geometries * n);
     for (std::size_t w = 0; w < n; ++w) {
         fill(w);
         const auto table = optics::platelet_table(platelet, binder, column,
-                                                  std::span(wavelengths_nm).subspan(w, 1));
+                                                  std::span(wavelengths_nm).subspan(w, 1), &work);
         for (std::size_t g = 0; g < geometries; ++g) result[g * n + w] = table.reflectance[g];
     }
     return result;
@@ -158,13 +156,14 @@ Atlas flake_atlas(const AtlasFlake& flake, const std::vector<double>& thickness_
                 .geometries = geometries};
     atlas.lab.resize(thickness_nm.size() * geometries.size());
     const Cosines angles = cosines(geometries, flake.binder, wavelengths_nm);
+    SharedProgress work(progress, static_cast<double>(thickness_nm.size()));
     for (std::size_t t = 0; t < thickness_nm.size(); ++t) {
-        go_on(progress, t, thickness_nm.size());
+        work.require_going(kMaking);
         const optics::FilmPopulation film{flake.film, thickness_nm[t], flake.film_spread};
         optics::Platelet platelet{flake.core.value_or(film), {}};
         if (flake.core) platelet.coats.push_back(film);
         platelet.coats.insert(platelet.coats.end(), flake.outer.begin(), flake.outer.end());
-        const auto values = reflectance(platelet, flake.binder, angles, wavelengths_nm);
+        const auto values = reflectance(platelet, flake.binder, angles, wavelengths_nm, work);
         for (std::size_t g = 0; g < geometries.size(); ++g) {
             const auto first =
                 values.begin() + static_cast<std::ptrdiff_t>(g * wavelengths_nm.size());
@@ -174,8 +173,9 @@ Atlas flake_atlas(const AtlasFlake& flake, const std::vector<double>& thickness_
                     {first, first + static_cast<std::ptrdiff_t>(wavelengths_nm.size())}, conditions)
                     .lab;
         }
+        work.add();
     }
-    go_on(progress, 1, 1);
+    work.require_going(kMaking);
     return atlas;
 }
 
@@ -200,22 +200,25 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
         .values = values,
         .geometries = geometries};
     atlas.lab.resize(values.size() * geometries.size());
+    SharedProgress work(progress, static_cast<double>(values.size()));
+    const Progress ask = [&](double) { return work.ask(); };
     for (std::size_t v = 0; v < values.size(); ++v) {
-        go_on(progress, v, values.size());
+        work.require_going(kMaking);
         paint::Recipe changed = recipe;
         paint::set_parameter(changed, key, values[v]);
-        const solver::SolvedPaint paint = solver::solve(changed, wavelengths_nm);
+        const solver::SolvedPaint paint = solver::solve(changed, wavelengths_nm, {}, nullptr, ask);
         const measure::Measurement readings = measure::measure(
             changed.name,
             [&](double theta_i, double theta_o, double phi) {
                 return paint.brdf(theta_i, theta_o, phi);
             },
-            wavelengths_nm, geometries, conditions);
+            wavelengths_nm, geometries, conditions, ask);
         for (std::size_t g = 0; g < geometries.size(); ++g) {
             atlas.lab[g * values.size() + v] = readings.readings[g].lab;
         }
+        work.add();
     }
-    go_on(progress, 1, 1);
+    work.require_going(kMaking);
     return atlas;
 }
 

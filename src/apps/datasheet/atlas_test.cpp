@@ -116,6 +116,21 @@ paint::Recipe opaque_pearl() {
 
 constexpr const char* kCoat = "layer[0].flakes[0].coats[0].thickness_nm";
 
+// Films of wide spreads take seconds.
+TEST(RecipeAtlas, StopsWhileAPaintIsSolved) {
+    paint::Recipe recipe = pearl();
+    std::get<optics::Platelet>(recipe.layers[0].flakes[0].body).coats = {
+        {optics::find_material("TiO2_anatase"), 80, {80}},
+        {optics::find_material("SiO2"), 300, {1000}}};
+    int calls = 0;
+    EXPECT_EQ(message_of<Error>([&] {
+                  recipe_atlas(recipe, kCoat, {80}, {measure::in_plane(45, 15)}, wavelengths(), {},
+                               [&](double) { return ++calls < 3; });
+              }),
+              "computing the films of a flake was stopped");
+    EXPECT_EQ(calls, 3);
+}
+
 // The claim on which the map of single flakes rests: it shows the hue of the paint.
 TEST(RecipeAtlas, HasTheHuesOfTheFlakeAtlas) {
     // Coarse: three hues need no more than a few wavelengths.
@@ -182,7 +197,7 @@ TEST(Atlas, NamesWhatIsWrong) {
                   flake_atlas(titania_on_mica(), {80}, geometries, wavelengths(), {},
                               [](double) { return false; });
               }),
-              "stopped");
+              "making the atlas was stopped");
 }
 
 TEST(AtlasOutput, HasOneChipForEachThicknessAndAngle) {

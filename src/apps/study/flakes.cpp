@@ -124,7 +124,7 @@ std::filesystem::path run_flakes(const FlakesSettings& settings, const Stage& st
                               {"quick", settings.quick}};
     FlakesContext context{settings, close_ups, report, results};
     add_introduction(context);
-    stage("what hides a flake", [&](const Progress&) { add_hiding(context); });
+    stage("what hides a flake", [&](const Progress& progress) { add_hiding(context, progress); });
     std::vector<FlakesVerdict> verdicts;
     for (const char* file : kRecipes) {
         FlakePaint paint(file, settings.seed);
@@ -171,16 +171,18 @@ double FlakePaint::flakes_per_mm2() const {
     return montecarlo::expected_discs(recipe_, {kUmPerMm, kUmPerMm});
 }
 
-std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
+std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm,
+                                                      const Progress& progress) {
     if (is_explicit(way)) {
         // With one seed the same arrangement would appear at every size, larger or smaller.
         const auto seed = hash_of(seed_, std::llround(1e6 * side_mm));
         return std::make_shared<const montecarlo::DiscWalk>(
-            recipe_, montecarlo::ExplicitFlakesModel{side_mm, side_mm, seed, way == Way::discs});
+            recipe_, montecarlo::ExplicitFlakesModel{side_mm, side_mm, seed, way == Way::discs},
+            spectra::default_wavelengths_nm(), progress);
     }
     if (!solved_) {
         solved_ = std::make_shared<const solver::SolvedPaint>(
-            solver::solve(recipe_, spectra::default_wavelengths_nm(), {}));
+            solver::solve(recipe_, spectra::default_wavelengths_nm(), {}, nullptr, progress));
     }
     auto& made = way == Way::hashed ? hashed_ : way == Way::hot_spot ? hot_spot_ : smooth_;
     if (!made) {
@@ -188,7 +190,7 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm) {
             way == Way::smooth
                 ? bsdf::Model(bsdf::MicroflakeModel{})
                 : bsdf::NacreModel{.specimen = seed_, .hot_spot = way == Way::hot_spot};
-        made = model.make({recipe_, solved_});
+        made = model.make({recipe_, solved_}, progress);
     }
     return made;
 }
@@ -229,7 +231,7 @@ Vec3f inside(double outer_deg, double side) {
 
 }  // namespace
 
-void add_hiding(FlakesContext& context) {
+void add_hiding(FlakesContext& context, const Progress& progress) {
     report::Report& report = context.report;
     report.heading(1, "What hides a flake", "hiding");
     report.paragraph(
@@ -244,6 +246,7 @@ void add_hiding(FlakesContext& context) {
                                     "each seen whole or not"}};
     const Vec3f eye = inside(kEye_deg, 1), lamp = inside(kLamp_deg, -1);
     const std::size_t flakes = context.settings.quick ? 2000 : 100000;
+    SharedProgress work(progress, 12);
     for (const double diameter : {2.0, 20.0, 100.0}) {
         for (const double depth : {0.5, 1.25, 2.0, 4.0}) {
             const paint::Recipe recipe = opaque_flakes(depth, diameter);
@@ -251,9 +254,12 @@ void add_hiding(FlakesContext& context) {
             const double side = std::sqrt(static_cast<double>(flakes) / per_um2);
             const montecarlo::Tile tile{side, side};
             const montecarlo::DiscScene scene(
-                montecarlo::draw_discs(recipe, tile, {1}, context.settings.seed), tile);
+                montecarlo::draw_discs(recipe, tile, {1}, context.settings.seed, &work), tile,
+                &work);
             const montecarlo::Visibility v =
                 montecarlo::flake_visibility(scene, lamp, eye, context.settings.seed);
+            work.add();
+            work.require_going("the study");
             const double tau = depth * (paint::projected_area(eye.z, kAlpha) / eye.z +
                                         paint::projected_area(lamp.z, kAlpha) / lamp.z);
             const double mean = -std::expm1(-tau) / tau;

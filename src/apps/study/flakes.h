@@ -59,7 +59,7 @@ class FlakePaint {
 
     /// @param side_mm  of the panel: explicit flakes are laid out over all of it, others on each
     ///                 size of panel
-    std::shared_ptr<const bsdf::Bsdf> surface(Way way, double side_mm);
+    std::shared_ptr<const bsdf::Bsdf> surface(Way way, double side_mm, const Progress& progress);
 
     /// All that decides what surface() is.
     std::string identity(Way way, double side_mm) const;
@@ -102,6 +102,6 @@ std::string flake_count(double per_mm2);
 FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint);
 
 /// The fraction of a flake that is both lit and seen: of discs, and by the equation of transfer.
-void add_hiding(FlakesContext& context);
+void add_hiding(FlakesContext& context, const Progress& progress);
 
 }  // namespace nacre::study

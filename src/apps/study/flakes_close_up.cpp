@@ -168,7 +168,8 @@ Pixels CloseUps::take(const CloseUpJob& job, const MakeSurface& surface) const {
     check_own(exr, record_file);
     Pixels pixels{job.pixels, job.pixels, {}};
     stage_(job.title, [&](const Progress& progress) {
-        const render::Scene scene(close_up_scene(job.pixel_mm, job.pixels), {{"paint", surface()}});
+        const render::Scene scene(close_up_scene(job.pixel_mm, job.pixels),
+                                  {{"paint", surface(progress)}});
         render::RenderOptions options;
         options.width = options.height = job.pixels;
         options.samples_per_pixel = job.samples;

@@ -85,7 +85,7 @@ class CloseUps {
     /// @param folder  pictures go to its sub-folder pictures/
     CloseUps(std::filesystem::path folder, Stage stage);
 
-    using MakeSurface = std::function<std::shared_ptr<const bsdf::Bsdf>()>;
+    using MakeSurface = std::function<std::shared_ptr<const bsdf::Bsdf>(const Progress&)>;
 
     /// The picture; from disk if this version has made it before.
     /// @throws Interrupted, and what making the surface and rendering throw

@@ -50,7 +50,8 @@ class Look {
         const bool traced = way == Way::discs || way == Way::mirrors;
         job.samples = traced ? effort.disc_samples : effort.hashed_samples;
         job.seed = context_.settings.seed + noise;
-        return context_.close_ups.take(job, [&] { return paint_.surface(way, side); });
+        return context_.close_ups.take(
+            job, [&](const Progress& progress) { return paint_.surface(way, side, progress); });
     }
 
  private:

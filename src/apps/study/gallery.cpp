@@ -106,7 +106,7 @@ Prepared prepare(const PictureJob& job, const bsdf::Model& model, const fs::path
     Prepared out;
     if (model.info().solution != bsdf::Solution::none) {
         const solver::SolvedPaint solved =
-            solver::solve(paint.recipe, spectra::default_wavelengths_nm(), {});
+            solver::solve(paint.recipe, spectra::default_wavelengths_nm(), {}, nullptr, progress);
         fs::create_directories(file.parent_path());
         if (const auto table = model.make_table(solved, progress)) {
             std::visit(

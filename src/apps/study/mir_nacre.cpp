@@ -186,17 +186,17 @@ struct Surfaces {
     double flakes_per_mm2;
 };
 
-Surfaces make_surfaces(std::uint64_t seed) {
+Surfaces make_surfaces(std::uint64_t seed, const Progress& progress) {
     paint::Recipe facets = io::read_recipe(shipped_file("studies/mir-2022/facets-570.toml"));
     facets.microfacet->facets->count = kFacets;
     const paint::Recipe flakes = io::read_recipe(shipped_file("studies/mir-2022/flakes-570.toml"));
     const auto solved = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(flakes, spectra::default_wavelengths_nm(), {}));
+        solver::solve(flakes, spectra::default_wavelengths_nm(), {}, nullptr, progress));
     constexpr double kUmPerMm = 1e3;
     const auto surface = [&](const char* name, const paint::Recipe& recipe) {
         bsdf::Model model = named_model(name);
         model.set_specimen(seed);
-        return model.make({recipe, solved});
+        return model.make({recipe, solved}, progress);
     };
     return {surface("special-effect", facets), surface("nacre", flakes),
             surface("microflake", flakes),
@@ -204,7 +204,8 @@ Surfaces make_surfaces(std::uint64_t seed) {
 }
 
 void measure(std::vector<Curve>& curves, const std::vector<double>& footprints,
-             double flakes_per_mm2, int queries, int rounds) {
+             double flakes_per_mm2, int queries, int rounds, const Progress& progress) {
+    SharedProgress work(progress, static_cast<double>(footprints.size() * curves.size()) * rounds);
     for (double count : footprints) {
         const auto patches = square_patches(count / flakes_per_mm2, count / kFacets, queries);
         std::vector<std::vector<double>> times(curves.size());
@@ -215,6 +216,8 @@ void measure(std::vector<Curve>& curves, const std::vector<double>& footprints,
                     curve.subject
                         ->ask(curve.on_patch ? patches : std::vector<bsdf::Patch>{}, curve.ask)
                         .nanoseconds);
+                work.add();
+                work.require_going("the study");
             }
         }
         for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -257,8 +260,8 @@ void add_query_costs(MirContext& context) {
               : std::vector<double>{0.05, 0.2, 1, 5, 20, 100, 1e3, 3e3, 1e4, 1e5, 1e6};
     const int queries = quick ? 256 : 4096, rounds = quick ? 3 : 15;
     std::vector<Curve> curves;
-    context.gallery.stage()("queries by their footprint", [&](const Progress&) {
-        const Surfaces surfaces = make_surfaces(context.settings.seed);
+    context.gallery.stage()("queries by their footprint", [&](const Progress& progress) {
+        const Surfaces surfaces = make_surfaces(context.settings.seed, progress);
         const QuerySubject facets(*surfaces.facets, queries), flakes(*surfaces.flakes, queries),
             mean(*surfaces.mean, queries);
         curves = {{"facets: value", &facets, Ask::value, true},
@@ -268,7 +271,7 @@ void add_query_costs(MirContext& context) {
                   {"further", &flakes, Ask::value_again, true},
                   {"their mean: value", &mean, Ask::value, false},
                   {"and sample", &mean, Ask::value_and_sample, false}};
-        measure(curves, footprints, surfaces.flakes_per_mm2, queries, rounds);
+        measure(curves, footprints, surfaces.flakes_per_mm2, queries, rounds, progress);
     });
 
     report.heading(2, "A query by its footprint", "query");

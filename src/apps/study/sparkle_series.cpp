@@ -60,11 +60,12 @@ measure::SparkleCamera camera_for(const paint::Recipe& recipe, double field_mm) 
 PanelLook look_at(const paint::Recipe& recipe, const measure::SparkleCamera& camera,
                   std::uint64_t seed, const Progress& progress) {
     const bsdf::Model model = bsdf::NacreModel{.specimen = seed};
-    const auto surface = model.make({recipe, std::make_shared<const solver::SolvedPaint>(
-                                                 solver::solve(recipe, camera_wavelengths_nm()))});
+    const auto solved = std::make_shared<const solver::SolvedPaint>(
+        solver::solve(recipe, camera_wavelengths_nm(), {}, nullptr, progress));
+    const auto surface = model.make({recipe, solved}, progress);
     PanelLook look;
     look.pictures = measure::take_pictures(*surface, camera, progress);
-    look.readings = measure::measure_pictures(camera, look.pictures);
+    look.readings = measure::measure_pictures(camera, look.pictures, {}, progress);
     return look;
 }
 

@@ -68,7 +68,8 @@ bool FlakeFilms::vary(const optics::Platelet& platelet) {
 }
 
 FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
-                       std::span<const double> wavelengths_nm, double min_cosine)
+                       std::span<const double> wavelengths_nm, double min_cosine,
+                       SharedProgress* work)
     : stride_(wavelengths_nm.size() + 1), min_cosine_(min_cosine) {
     require_in_range(min_cosine, 0, 1 - 1e-6, "least cosine of the incidence on a flake");
     const std::vector<optics::Platelet> set = representative_platelets(platelet);
@@ -80,7 +81,7 @@ FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material&
     const std::size_t values = kRow * stride_;
     ratio_.resize(sets_ * values);
     parallel_for(0, sets_, [&](std::size_t i) {
-        const auto table = optics::platelet_table(set[i], binder, cosines, wavelengths_nm);
+        const auto table = optics::platelet_table(set[i], binder, cosines, wavelengths_nm, work);
         for (std::size_t v = 0; v < values; ++v) {
             const std::size_t row = v / stride_, w = std::min(v % stride_, stride_ - 2);
             ratio_[i * values + v] = static_cast<float>(table.reflectance[row * (stride_ - 1) + w]);

@@ -52,9 +52,10 @@ class FlakeFilms {
     static bool vary(const optics::Platelet& platelet);
 
     /// @param min_cosine  of w_i . h that will be asked for, in [0, 1)
-    /// @throws DomainError as optics::platelet_table()
+    /// @throws DomainError, Stopped as optics::platelet_table()
     FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
-               std::span<const double> wavelengths_nm, double min_cosine);
+               std::span<const double> wavelengths_nm, double min_cosine,
+               SharedProgress* work = nullptr);
 
     BoundFlakeFilms bind(const std::array<WavelengthPosition, kLanes>& where) const;
 

@@ -76,7 +76,8 @@ SquareCell locate_in_square(Vec2f point, int rows, int columns) {
     return {row, column, y - row, x - column};
 }
 
-SquareWarp::SquareWarp(std::span<const float> values, int slices, int rows, int columns)
+SquareWarp::SquareWarp(std::span<const float> values, int slices, int rows, int columns,
+                       SharedProgress* work)
     : rows_(rows), columns_(columns), cells_(static_cast<std::size_t>(rows) * columns) {
     if (rows < 2 || columns < 2 || slices < 1 || values.size() != slices * cells_) {
         throw DomainError(fmt::format("{} values are no {} tables of {} x {}", values.size(),
@@ -87,6 +88,7 @@ SquareWarp::SquareWarp(std::span<const float> values, int slices, int rows, int 
     below_.resize(static_cast<std::size_t>(slices) * rows);
     std::vector<double> along(cells_), under(rows);
     for (int s = 0; s < slices; ++s) {
+        if (work) work->require_going("preparing a measured BRDF");
         const std::span<const float> in = values.subspan(s * cells_, cells_);
         const auto integrate = [&](auto&& value) {
             for (int r = 0; r < rows; ++r) {

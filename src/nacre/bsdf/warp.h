@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "nacre/core/progress.h"
 #include "nacre/core/vec.h"
 
 // Maps from the unit square to other domains that keep relative areas, and so the uniformity of a
@@ -73,7 +74,9 @@ SquareCell locate_in_square(Vec2f point, int rows, int columns);
 class SquareWarp {
  public:
     /// @param values  [slice][row][column], not negative
-    SquareWarp(std::span<const float> values, int slices, int rows, int columns);
+    /// @throws Stopped if `work`, which is asked where it is not null, says so
+    SquareWarp(std::span<const float> values, int slices, int rows, int columns,
+               SharedProgress* work = nullptr);
 
     struct Point {
         Vec2f at;

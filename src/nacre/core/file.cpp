@@ -269,6 +269,11 @@ void AtomicFile::write(std::string_view bytes) {
     if (const int error_number = write_all(out.get(), bytes)) fail(path_, error_number);
 }
 
+void AtomicFile::flush() {
+    const Descriptor file(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.is_open() || ::fdatasync(file.get()) != 0) fail(path_, errno);
+}
+
 void AtomicFile::commit() {
     if (!replace_) {
         std::string bytes;
@@ -299,11 +304,21 @@ void AtomicFile::commit() {
     if (entry.is_open()) (void)::fsync(entry.get());
 }
 
-void write_file_atomically(const fs::path& path, std::string_view bytes) {
+void write_file_atomically(const fs::path& path, std::string_view bytes, const Progress& progress) {
     // A signal waits for the few milliseconds, or it would leave the temporary behind. Commands that
     // heed signals already have a handler, which this one leaves alone.
     const InterruptHandler uninterrupted;
     AtomicFile file(path);
+    // A slow disk takes a while to flush a gigabyte: what is flushed piece by piece can be stopped.
+    constexpr std::size_t kPiece = 1 << 24;
+    SharedProgress work(progress, 1);
+    while (progress && bytes.size() > kPiece) {
+        work.add(0);
+        work.require_going("writing the file");
+        file.write(bytes.substr(0, kPiece));
+        file.flush();
+        bytes.remove_prefix(kPiece);
+    }
     file.write(bytes);
     file.commit();
 }

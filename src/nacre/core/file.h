@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "nacre/core/progress.h"
+
 // Files are read with a limit and written whole or not at all.
 
 namespace nacre {
@@ -58,6 +60,9 @@ class AtomicFile {
     /// Appends to the temporary.
     /// @throws Error naming the file and the reason, such as a full disk
     void write(std::string_view bytes);
+    /// Waits until what has been written is on the disk.
+    /// @throws Error as write()
+    void flush();
 
     /// Puts the temporary in the place of `path`, flushed to the disk first.
     /// @throws Error naming the file and the reason; the old file is then as it was
@@ -71,8 +76,11 @@ class AtomicFile {
 };
 
 /// Writes bytes to a file, whole or not at all.
-/// @throws InputError, Error as AtomicFile
-void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+/// @param progress  asked several times a second; once the file is in place it is not
+/// @throws InputError, Error as AtomicFile; Stopped if `progress` asks to stop, and the old file is
+///         as it was
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes,
+                           const Progress& progress = {});
 
 /// The folder with optical constants and other data: the environment variable NACRE_DATA_DIR if it
 /// is set; else data/ in the source tree that this was built from; else share/nacre/data beside the

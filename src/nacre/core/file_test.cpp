@@ -58,6 +58,25 @@ TEST_F(AtomicFileTest, WithoutCommitTheOldFileStaysAndTheTemporaryGoes) {
     EXPECT_EQ(files(), 1);
 }
 
+TEST_F(AtomicFileTest, StopsWithinALargeFile) {
+    const fs::path path = folder_ / "table.bsdf";
+    write_file_atomically(path, "old");
+    std::string large(40'000'000, 'a');
+    for (std::size_t i = 0; i < large.size(); i += 1000) large[i] = static_cast<char>(i / 1000);
+    for (int last = 1; last < 4; ++last) {
+        int calls = 0;
+        const auto progress = [&](double) { return ++calls < last; };
+        if (last < 3) {
+            EXPECT_THROW(write_file_atomically(path, large, progress), Stopped);
+            EXPECT_EQ(read_file(path), "old");
+        } else {
+            write_file_atomically(path, large, progress);
+            EXPECT_EQ(read_file(path), large);
+        }
+        EXPECT_EQ(files(), 1);
+    }
+}
+
 TEST_F(AtomicFileTest, TwoWritersOfOneNameHaveDifferentTemporaries) {
     const fs::path path = folder_ / "out.exr";
     AtomicFile a(path), b(path);

@@ -1,5 +1,6 @@
 #include "nacre/core/memory.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -8,6 +9,8 @@
 #include <fstream>
 #include <optional>
 #include <string>
+
+#include "nacre/core/error.h"
 
 namespace nacre {
 namespace {
@@ -54,6 +57,14 @@ std::size_t available_memory() {
             free, difference(space.rlim_cur, bytes_of("/proc/self/status", "VmSize:").value_or(0)));
     }
     return static_cast<std::size_t>(std::min<std::uint64_t>(free, SIZE_MAX));
+}
+
+void require_memory(double bytes, const std::string& what, const std::string& remedy) {
+    constexpr double kGigabyte = 1e9;
+    const auto available = static_cast<double>(available_memory());
+    if (bytes <= available) return;
+    throw Error(fmt::format("{} takes {:.1f} GB of memory, and {:.1f} GB are free: {}", what,
+                            bytes / kGigabyte, available / kGigabyte, remedy));
 }
 
 }  // namespace nacre

@@ -52,8 +52,11 @@ bool SharedProgress::ask() {
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
     const std::int64_t now_ms = 1000 * std::int64_t{now.tv_sec} + now.tv_nsec / 1'000'000;
+    // Of the counter asked last: one may ask another, and must not keep it from asking.
+    thread_local const SharedProgress* last = nullptr;
     thread_local std::int64_t last_ms = 0;
-    if (now_ms - last_ms < kInterval_ms) return true;
+    if (last == this && now_ms - last_ms < kInterval_ms) return true;
+    last = this;
     last_ms = now_ms;
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (lock.owns_lock() && Clock::now() - last_asked_ >= std::chrono::milliseconds(kInterval_ms)) {
@@ -63,7 +66,7 @@ bool SharedProgress::ask() {
 }
 
 void SharedProgress::require_going(const char* what) {
-    if (!ask()) throw Error(fmt::format("{} was stopped", what));
+    if (!ask()) throw Stopped(fmt::format("{} was stopped", what));
 }
 
 InterruptHandler::InterruptHandler() : active_(!installed.exchange(true)) {

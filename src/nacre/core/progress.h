@@ -32,7 +32,7 @@ class SharedProgress {
     /// @param total     of what add() counts, > 0
     SharedProgress(const Progress& progress, double total) : progress_(progress), total_(total) {}
 
-    /// Counts what is done and reports it.
+    /// Counts what is done and reports it; add(0) asks at once.
     void add(double done = 1);
     /// Asks without counting, for loops inside of long pieces: at most every 50 ms, and never
     /// waiting for another thread that asks. @return false if the caller asked to stop
@@ -40,7 +40,7 @@ class SharedProgress {
     /// Whether the caller asked to stop; threads begin no further piece.
     bool stopped() const { return stopped_; }
     /// Asks, as above, and ends a loop of threads if it must stop.
-    /// @throws Error "`what` was stopped"
+    /// @throws Stopped "`what` was stopped"
     void require_going(const char* what);
 
  private:

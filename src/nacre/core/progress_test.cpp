@@ -132,6 +132,17 @@ TEST(SharedProgress, RemembersThatItWasAskedToStop) {
     }
 }
 
+// As where a fit solves paints: the solver's counter asks the fit's.
+TEST(SharedProgress, AsksThroughAnother) {
+    int calls = 0;
+    const Progress progress = [&](double) { return ++calls < 1; };
+    SharedProgress outer(progress, 1);
+    const Progress asks_outer = [&](double) { return outer.ask(); };
+    SharedProgress inner(asks_outer, 1);
+    EXPECT_FALSE(inner.ask());
+    EXPECT_EQ(calls, 1);
+}
+
 TEST(SharedProgress, NeedsNobodyToTell) {
     const Progress nobody;
     SharedProgress work(nobody, 1);

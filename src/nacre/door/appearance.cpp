@@ -180,8 +180,8 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
 SparkleReadings measure_sparkle(const bsdf::Bsdf& look, const SparkleSettings& settings,
                                 const Progress& progress) {
     measure::PanelPictures pictures = measure::take_pictures(look, settings.camera, progress);
-    measure::SparkleMeasurement measurement =
-        measure::measure_pictures(settings.camera, pictures, settings.viewing);
+    measure::SparkleMeasurement measurement = measure::measure_pictures(
+        settings.camera, pictures, settings.viewing, only_asking(progress, 1));
     return {std::move(pictures), std::move(measurement)};
 }
 

@@ -51,8 +51,11 @@ Exported Paint::export_rgl(const RglSettings& rgl, const BrdfSettings& settings,
     const PaintBrdf values = brdf(fast(settings), only_asking(progress));
     const bsdf::RglTable table = measure::acquire_rgl(title(*this, settings.model), values,
                                                       values.wavelengths_nm(), rgl, progress);
-    return {io::rgl_bytes(table), measure::table_error(bsdf::MeasuredRgl(table), values,
-                                                       values.wavelengths_nm(), rgl.rgb)};
+    const Progress asking = only_asking(progress, 1);
+    SharedProgress work(asking, 1);
+    return {io::rgl_bytes(table, asking),
+            measure::table_error(bsdf::MeasuredRgl(table, &work), values, values.wavelengths_nm(),
+                                 rgl.rgb, asking)};
 }
 
 Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settings,
@@ -61,8 +64,11 @@ Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settin
     const PaintBrdf values = brdf(fast(settings), only_asking(progress));
     const bsdf::MerlTable table =
         measure::acquire_merl(values, values.wavelengths_nm(), merl, progress);
-    return {io::merl_bytes(table),
-            measure::table_error(bsdf::MeasuredMerl(table), values, values.wavelengths_nm(), true)};
+    const Progress asking = only_asking(progress, 1);
+    SharedProgress work(asking, 1);
+    return {io::merl_bytes(table, asking),
+            measure::table_error(bsdf::MeasuredMerl(table, &work), values, values.wavelengths_nm(),
+                                 true, asking)};
 }
 
 std::string Paint::export_solved(const SolveSettings& settings, const Progress& progress) const {
@@ -76,7 +82,8 @@ std::string Paint::export_table(const Model& model, const SolveSettings& solve,
         throw SettingError("model", "renders from no table, as chosen",
                            std::string(model.info().name));
     }
-    return std::visit([](const auto& t) { return io::brdf_table_bytes(*t); }, *table);
+    return std::visit(
+        [&](const auto& t) { return io::brdf_table_bytes(*t, only_asking(progress, 1)); }, *table);
 }
 
 }  // namespace nacre

@@ -31,10 +31,11 @@ struct MeasuredColours {
 std::size_t wavelength_position(const solver::SolvedPaint& paint, double wavelength_nm,
                                 const std::string& file);
 
-/// Asks whether to go on, but reports nothing: before the work that `progress` is about.
-inline Progress only_asking(const Progress& progress) {
+/// Asks whether to go on, but reports nothing: before the work that `progress` is about, where
+/// `fraction` is 0, or after it, where it is 1.
+inline Progress only_asking(const Progress& progress, double fraction = 0) {
     if (!progress) return {};
-    return [&progress](double) { return progress(0); };
+    return [&progress, fraction](double) { return progress(fraction); };
 }
 
 struct Paint::State {

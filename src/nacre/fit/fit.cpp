@@ -30,15 +30,17 @@ void check(const FitOptions& options) {
 
 /// A number that only matters elsewhere (the diameter of flakes to the mean colour, a clearcoat's
 /// thickness if it absorbs nothing) cannot be found from colours.
-void require_effect(const FreeNumbers& numbers) {
+void require_effect(const FreeNumbers& numbers, SharedProgress& work) {
     const std::vector<double> wavelengths = {450, 550, 650};
     const std::vector<double> start = numbers.start_point();
-    const solver::PaintMedium here = solver::make_medium(numbers.at(start), wavelengths);
+    const solver::PaintMedium here =
+        solver::make_medium(numbers.at(start), wavelengths, nullptr, &work);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         std::vector<double> moved = start;
         moved[i] = start[i] > 0.5 ? start[i] - 0.25 : start[i] + 0.25;
         try {
-            if (!(solver::make_medium(numbers.at(moved), wavelengths) == here)) continue;
+            const paint::Recipe recipe = numbers.at(moved);
+            if (!(solver::make_medium(recipe, wavelengths, nullptr, &work) == here)) continue;
         } catch (const DomainError&) {
             continue;  // invalid with the other numbers as they are: it may have an effect
         }
@@ -117,8 +119,8 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     check(options);
     const Target target(standard, options.target);
     paint::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
-    require_effect(numbers);
     SharedProgress work(progress, 1);
+    require_effect(numbers, work);
     ColourModel model(numbers, target, work);
 
     Fit out;

@@ -95,23 +95,27 @@ BrdfTable read_contents(hid_t file) {
 
 bool looks_like_brdf_table(std::string_view bytes) { return is_sealed_as(kBrdfTableFormat, bytes); }
 
-std::string brdf_table_bytes(const RawBrdfTable& table) {
+std::string brdf_table_bytes(const RawBrdfTable& table, const Progress& progress) {
+    SharedProgress work(progress, 1);
+    work.add(0);
     return sealed_bytes(kBrdfTableFormat, [&](hid_t file) {
         write_head(file, table.paint, table.grid, "raw");
         const hsize_t n = table.grid.angles, m = table.grid.azimuths;
         write_array(file, "values", {n, n, m, 3}, table.values.data(), "1/sr",
-                    "g by incident and outgoing node, azimuth and channel");
+                    "g by incident and outgoing node, azimuth and channel", &work);
     });
 }
 
-std::string brdf_table_bytes(const CompressedBrdfTable& table) {
+std::string brdf_table_bytes(const CompressedBrdfTable& table, const Progress& progress) {
+    SharedProgress work(progress, 1);
+    work.add(0);
     return sealed_bytes(kBrdfTableFormat, [&](hid_t file) {
         write_head(file, table.paint, table.grid, "svd");
         const hsize_t n = table.grid.angles, m = table.grid.azimuths, terms = table.terms();
         write_array(file, "rank", {3}, table.rank.data(), "1",
                     "terms of red, green and blue; 0: the channel is zero");
         write_array(file, "left", {n, n, terms}, table.left.data(), "1/sr",
-                    "g = sum over the terms of a channel of left times right");
+                    "g = sum over the terms of a channel of left times right", &work);
         write_array(file, "right", {m, terms}, table.right.data(), "1",
                     "right singular vectors by azimuth, the terms of a channel side by side");
     });

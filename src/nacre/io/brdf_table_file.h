@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "nacre/bsdf/tabulated/compression.h"
+#include "nacre/core/progress.h"
 
 // BRDF tables, raw and compressed, as HDF5 behind a sealed head (io/hdf5_file.h).
 //
@@ -33,8 +34,9 @@ void write_brdf_table(const std::filesystem::path& path, const bsdf::RawBrdfTabl
 void write_brdf_table(const std::filesystem::path& path, const bsdf::CompressedBrdfTable& table);
 
 /// The bytes of such a file.
-std::string brdf_table_bytes(const bsdf::RawBrdfTable& table);
-std::string brdf_table_bytes(const bsdf::CompressedBrdfTable& table);
+/// @throws Stopped if `progress` asks to stop
+std::string brdf_table_bytes(const bsdf::RawBrdfTable& table, const Progress& progress = {});
+std::string brdf_table_bytes(const bsdf::CompressedBrdfTable& table, const Progress& progress = {});
 
 /// @throws InputError if the file is cut short, altered, of another version, or no BRDF table
 BrdfTable read_brdf_table(const std::filesystem::path& path);

@@ -124,5 +124,21 @@ TEST(BrdfTableFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     EXPECT_THAT(refused_table(sealed(-12, 10)), HasSubstr("angles of a BRDF table"));
 }
 
+// Arrays of many megabytes are compressed piece by piece.
+TEST(BrdfTableFile, LargeTablesComeBackAndStopWhenAskedTo) {
+    bsdf::RawBrdfTable large = raw();
+    large.grid.angles = large.grid.azimuths = 96;
+    large.values.resize(3 * large.grid.values());
+    for (std::size_t i = 0; i < large.values.size(); ++i) {
+        large.values[i] = static_cast<float>(i % 1009);
+    }
+    int calls = 0;
+    const std::string bytes = brdf_table_bytes(large, [&](double) { return ++calls > 0; });
+    EXPECT_EQ(std::get<bsdf::RawBrdfTable>(parse_brdf_table(bytes, "t")), large);
+    EXPECT_GT(calls, 0);
+    EXPECT_THROW(brdf_table_bytes(large, [](double) { return false; }), Stopped);
+    EXPECT_THROW(brdf_table_bytes(compressed(), [](double) { return false; }), Stopped);
+}
+
 }  // namespace
 }  // namespace nacre::io

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "nacre/core/error.h"
 #include "nacre/core/sha256.h"
 #include "nacre/core/version.h"
@@ -14,6 +16,9 @@ constexpr std::size_t kMaxAttributeBytes = 4096;
 /// Below this many bytes the header of a compressed chunk costs more than it saves.
 constexpr std::size_t kWorthCompressing = 2048;
 constexpr unsigned kDeflateLevel = 6;
+/// Larger arrays are cut into chunks of at most this size where their first dimension allows it:
+/// deflating this much takes a fraction of a second.
+constexpr std::size_t kMaxChunkBytes = 4 << 20;
 
 void require(bool ok, const std::string& action) {
     if (!ok) throw Error("cannot " + action);
@@ -56,24 +61,45 @@ T read_scalar_attribute(hid_t object, const char* name, hid_t type, H5T_class_t 
     return value;
 }
 
+/// Writes rows [first, first + count) of an array.
+void write_rows(hid_t set, const Hdf5Shape& shape, hid_t type, const char* values, hsize_t first,
+                hsize_t count, const std::string& action) {
+    Hdf5Shape start(shape.size(), 0), size = shape;
+    start[0] = first;
+    size[0] = count;
+    const Hdf5Handle in_memory(
+        H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), action);
+    const Hdf5Handle in_file(H5Dget_space(set), action);
+    require(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(),
+                                nullptr) >= 0 &&
+                H5Dwrite(set, type, in_memory, in_file, H5P_DEFAULT, values) >= 0,
+            action);
+}
+
 void write_typed_array(hid_t parent, const char* name, const Hdf5Shape& shape, hid_t type,
-                       const void* values, const char* unit, const char* meaning) {
+                       const void* values, const char* unit, const char* meaning,
+                       SharedProgress* work = nullptr) {
     const std::string action = fmt::format("write array {}", name);
     std::size_t bytes = H5Tget_size(type);
     for (hsize_t n : shape) bytes *= n;
     const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                            action);
     const Hdf5Handle properties = creation_properties(H5P_DATASET_CREATE);
+    Hdf5Shape chunk = shape;
     if (bytes >= kWorthCompressing) {
-        require(H5Pset_chunk(properties, static_cast<int>(shape.size()), shape.data()) >= 0 &&
+        const std::size_t row_bytes = bytes / shape[0];
+        chunk[0] = std::clamp<hsize_t>(kMaxChunkBytes / row_bytes, 1, shape[0]);
+        require(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()) >= 0 &&
                     H5Pset_shuffle(properties) >= 0 &&
                     H5Pset_deflate(properties, kDeflateLevel) >= 0,
                 action);
     }
     const Hdf5Handle set(
         H5Dcreate2(parent, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT), action);
-    if (bytes > 0) {
-        require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, action);
+    for (hsize_t first = 0; bytes > 0 && first < shape[0]; first += chunk[0]) {
+        if (work) work->require_going("compressing the file");
+        write_rows(set, shape, type, static_cast<const char*>(values) + first * (bytes / shape[0]),
+                   first, std::min(chunk[0], shape[0] - first), action);
     }
     write_attribute(set, "unit", std::string(unit));
     write_attribute(set, "meaning", std::string(meaning));
@@ -161,8 +187,8 @@ void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const d
     write_typed_array(parent, name, shape, H5T_NATIVE_DOUBLE, values, unit, meaning);
 }
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const float* values,
-                 const char* unit, const char* meaning) {
-    write_typed_array(parent, name, shape, H5T_NATIVE_FLOAT, values, unit, meaning);
+                 const char* unit, const char* meaning, SharedProgress* work) {
+    write_typed_array(parent, name, shape, H5T_NATIVE_FLOAT, values, unit, meaning, work);
 }
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const int* values,
                  const char* unit, const char* meaning) {

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "nacre/core/progress.h"
+
 // A thin layer over the C library: handles that close themselves, and errors that are thrown.
 
 namespace nacre::io {
@@ -53,11 +55,13 @@ int read_int_attribute(hid_t object, const char* name);
 
 /// Makes a group with `meaning` as its attribute.
 Hdf5Handle write_group(hid_t parent, const char* name, const char* meaning);
-/// Writes an array with `unit` and `meaning` as its attributes; compressed where that pays.
+/// Writes an array with `unit` and `meaning` as its attributes; compressed where that pays, and then
+/// in pieces along its first dimension where it is long.
+/// @throws Stopped if `work`, which is asked between the pieces where it is not null, says so
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const double* values,
                  const char* unit, const char* meaning);
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const float* values,
-                 const char* unit, const char* meaning);
+                 const char* unit, const char* meaning, SharedProgress* work = nullptr);
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const int* values,
                  const char* unit, const char* meaning);
 void write_text(hid_t parent, const char* name, const std::string& text, const char* meaning);

@@ -135,7 +135,24 @@ std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::st
     return Parser(bytes, name).fields();
 }
 
-std::string tensor_file_bytes(const std::vector<TensorField>& fields) {
+namespace {
+
+std::size_t aligned(std::size_t position) {
+    return (position + kAlignment - 1) / kAlignment * kAlignment;
+}
+
+/// Appends a gigabyte piece by piece, so that whoever waits for it may give up.
+void append_bytes(std::string& to, std::string_view bytes, SharedProgress* work) {
+    constexpr std::size_t kPiece = 1 << 24;
+    for (std::size_t at = 0; at < bytes.size(); at += kPiece) {
+        if (work) work->require_going("making the file");
+        to.append(bytes.substr(at, kPiece));
+    }
+}
+
+}  // namespace
+
+std::string tensor_file_bytes(const std::vector<TensorField>& fields, SharedProgress* work) {
     require_in_range(static_cast<double>(fields.size()), 0, kMaxTensorFields, "number of fields");
     std::size_t position = kTensorFileMagic.size() + 2 + sizeof(std::uint32_t);
     for (const TensorField& field : fields) {
@@ -149,22 +166,28 @@ std::string tensor_file_bytes(const std::vector<TensorField>& fields) {
         }
         position += 2 + field.name.size() + 2 + 1 + 8 + 8 * field.shape.size();
     }
-    std::string head(kTensorFileMagic), body;
+    std::string head(kTensorFileMagic);
     append_number(head, kMajor);
     append_number(head, kMinor);
     append_number(head, static_cast<std::uint32_t>(fields.size()));
     for (const TensorField& field : fields) {
-        const std::size_t here = position + body.size();
-        body.append((kAlignment - here % kAlignment) % kAlignment, '\0');
+        position = aligned(position);
         append_number(head, static_cast<std::uint16_t>(field.name.size()));
         head += field.name;
         append_number(head, static_cast<std::uint16_t>(field.shape.size()));
         append_number(head, static_cast<std::uint8_t>(field.type));
-        append_number(head, static_cast<std::uint64_t>(position + body.size()));
+        append_number(head, static_cast<std::uint64_t>(position));
         for (const std::uint64_t n : field.shape) append_number(head, n);
-        body += field.bytes;
+        position += field.bytes.size();
     }
-    return head + body;
+    std::string bytes;
+    bytes.reserve(position);
+    bytes += head;
+    for (const TensorField& field : fields) {
+        bytes.resize(aligned(bytes.size()), '\0');
+        append_bytes(bytes, field.bytes, work);
+    }
+    return bytes;
 }
 
 namespace {
@@ -290,17 +313,25 @@ bsdf::RglTable read_fields(const Fields& fields) {
 
 // ---------------------------------------------------------------------------------- writing
 
-TensorField float_field(std::string name, Shape shape, const std::vector<float>& values) {
-    return {
-        std::move(name), TensorType::float32, std::move(shape),
-        std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float))};
+/// The bytes of an array as it lies in memory.
+template <class T>
+std::string_view bytes_of_array(const std::vector<T>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-TensorField square_field(std::string name, const bsdf::SquareTable& table) {
+TensorField float_field(std::string name, Shape shape, const std::vector<float>& values,
+                        SharedProgress& work) {
+    TensorField field{std::move(name), TensorType::float32, std::move(shape), {}};
+    field.bytes.reserve(values.size() * sizeof(float));
+    append_bytes(field.bytes, bytes_of_array(values), &work);
+    return field;
+}
+
+TensorField square_field(std::string name, const bsdf::SquareTable& table, SharedProgress& work) {
     return float_field(
         std::move(name),
         {static_cast<std::uint64_t>(table.rows), static_cast<std::uint64_t>(table.columns)},
-        table.values);
+        table.values, work);
 }
 
 }  // namespace
@@ -321,27 +352,29 @@ bsdf::RglTable read_rgl(const std::filesystem::path& path) {
     return parse_rgl(read_file(path, kMaxMeasuredBytes), path.string());
 }
 
-std::string rgl_bytes(const bsdf::RglTable& table) {
+std::string rgl_bytes(const bsdf::RglTable& table, const Progress& progress) {
+    SharedProgress work(progress, 1);
+    work.add(0);
     bsdf::validate(table);
     const std::uint64_t a = table.phi_i.size(), b = table.theta_i.size(), n = table.resolution,
                         w = table.channels();
     std::vector<TensorField> fields = {
         {"description", TensorType::uint8, {table.description.size()}, table.description},
-        float_field("phi_i", {a}, table.phi_i),
-        float_field("theta_i", {b}, table.theta_i),
-        square_field("ndf", table.ndf),
-        square_field("sigma", table.sigma),
+        float_field("phi_i", {a}, table.phi_i, work),
+        float_field("theta_i", {b}, table.theta_i, work),
+        square_field("ndf", table.ndf, work),
+        square_field("sigma", table.sigma, work),
         float_field("vndf",
                     {a, b, static_cast<std::uint64_t>(table.vndf_rows),
                      static_cast<std::uint64_t>(table.vndf_columns)},
-                    table.vndf),
-        float_field("luminance", {a, b, n, n}, table.luminance)};
-    if (!table.is_rgb()) fields.push_back(float_field("wavelengths", {w}, table.wavelengths));
+                    table.vndf, work),
+        float_field("luminance", {a, b, n, n}, table.luminance, work)};
+    if (!table.is_rgb()) fields.push_back(float_field("wavelengths", {w}, table.wavelengths, work));
     fields.push_back(
-        float_field(table.is_rgb() ? "rgb" : "spectra", {a, b, w, n, n}, table.spectra));
+        float_field(table.is_rgb() ? "rgb" : "spectra", {a, b, w, n, n}, table.spectra, work));
     fields.push_back(
         {"jacobian", TensorType::uint8, {1}, std::string(1, table.jacobian ? '\1' : '\0')});
-    return tensor_file_bytes(fields);
+    return tensor_file_bytes(fields, &work);
 }
 
 void write_rgl(const std::filesystem::path& path, const bsdf::RglTable& table) {
@@ -414,15 +447,16 @@ bsdf::MerlTable read_merl(const std::filesystem::path& path) {
     return parse_merl(read_file(path, kMaxMeasuredBytes), path.string());
 }
 
-std::string merl_bytes(const bsdf::MerlTable& table) {
+std::string merl_bytes(const bsdf::MerlTable& table, const Progress& progress) {
+    SharedProgress work(progress, 1);
+    work.add(0);
     bsdf::validate(table);
     std::string bytes;
     bytes.reserve(kHeadBytes + table.values.size() * sizeof(double));
     for (const int n : {table.half, table.difference, table.azimuths}) {
         append_number(bytes, static_cast<std::int32_t>(n));
     }
-    bytes.append(reinterpret_cast<const char*>(table.values.data()),
-                 table.values.size() * sizeof(double));
+    append_bytes(bytes, bytes_of_array(table.values), &work);
     return bytes;
 }
 

@@ -13,6 +13,7 @@
 
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
+#include "nacre/core/progress.h"
 
 // Numbers of binary files, little-endian as all that Nacre reads and runs on.
 
@@ -97,7 +98,9 @@ std::vector<TensorField> parse_tensor_file(std::string_view bytes, const std::st
 
 /// The bytes of such a file; arrays begin at multiples of 8.
 /// @throws DomainError if a field's bytes do not fit its shape, or there are too many
-std::string tensor_file_bytes(const std::vector<TensorField>& fields);
+/// @throws Stopped if `work`, which is asked where it is not null, says so
+std::string tensor_file_bytes(const std::vector<TensorField>& fields,
+                              SharedProgress* work = nullptr);
 
 // Files of the RGL material database, .bsdf: a tensor file with the fields of
 // bsdf::RglTable.
@@ -124,8 +127,8 @@ bool looks_like_rgl(std::string_view bytes);
 bsdf::RglTable parse_rgl(std::string_view bytes, const std::string& name);
 bsdf::RglTable read_rgl(const std::filesystem::path& path);
 
-/// @throws DomainError as bsdf::validate()
-std::string rgl_bytes(const bsdf::RglTable& table);
+/// @throws DomainError as bsdf::validate(); Stopped if `progress` asks to stop
+std::string rgl_bytes(const bsdf::RglTable& table, const Progress& progress = {});
 /// Writes whole or not at all. @throws as rgl_bytes() and core/file.h
 void write_rgl(const std::filesystem::path& path, const bsdf::RglTable& table);
 
@@ -144,8 +147,8 @@ bool looks_like_merl(std::string_view bytes);
 bsdf::MerlTable parse_merl(std::string_view bytes, const std::string& name);
 bsdf::MerlTable read_merl(const std::filesystem::path& path);
 
-/// @throws DomainError as bsdf::validate()
-std::string merl_bytes(const bsdf::MerlTable& table);
+/// @throws DomainError as bsdf::validate(); Stopped if `progress` asks to stop
+std::string merl_bytes(const bsdf::MerlTable& table, const Progress& progress = {});
 /// Writes whole or not at all. @throws as merl_bytes() and core/file.h
 void write_merl(const std::filesystem::path& path, const bsdf::MerlTable& table);
 

@@ -497,5 +497,20 @@ TEST(MeasuredRoundTrip, AFlakePaintComesBackFromAMerlFile) {
     EXPECT_GT(error.flux, 0);
 }
 
+TEST(MeasuredFiles, StopWhileTheyAreMadeAndRead) {
+    const Progress always = [](double) { return true; }, never = [](double) { return false; };
+    SharedProgress stopped(never, 1);
+    stopped.add(0);
+    const bsdf::RglTable rgl = random_table(1, false);
+    EXPECT_EQ(rgl_bytes(rgl, always), rgl_bytes(rgl));
+    EXPECT_THROW(rgl_bytes(rgl, never), Stopped);
+    EXPECT_THROW(bsdf::MeasuredRgl(rgl, &stopped), Stopped);
+    bsdf::MerlTable merl{4, 4, 4, {}};
+    merl.values.assign(3 * merl.cells(), 0.5);
+    EXPECT_EQ(merl_bytes(merl, always), merl_bytes(merl));
+    EXPECT_THROW(merl_bytes(merl, never), Stopped);
+    EXPECT_THROW(bsdf::MeasuredMerl(merl, &stopped), Stopped);
+}
+
 }  // namespace
 }  // namespace nacre::io

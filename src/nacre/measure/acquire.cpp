@@ -16,6 +16,21 @@
 
 namespace nacre::measure {
 
+namespace {
+
+/// Makes the values of a table, up to gigabytes, piece by piece.
+template <class T>
+void fill(std::vector<T>& values, std::size_t count, T value, SharedProgress& work) {
+    constexpr std::size_t kPiece = 1 << 22;
+    values.reserve(count);
+    while (values.size() < count) {
+        work.require_going(kMeasuring);
+        values.resize(std::min(count, values.size() + kPiece), value);
+    }
+}
+
+}  // namespace
+
 bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavelengths_nm,
                              const MerlSettings& settings, const Progress& progress) {
     const auto check = [](int cells, const char* what) {
@@ -24,11 +39,14 @@ bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavele
     check(settings.half, "cells along theta_half");
     check(settings.difference, "cells along theta_difference");
     check(settings.azimuths, "cells along phi_difference");
-    require_table_size(3.0 * sizeof(double) * settings.half * settings.difference *
-                       settings.azimuths);
+    const double bytes =
+        3.0 * sizeof(double) * settings.half * settings.difference * settings.azimuths;
+    require_table_size(bytes, 2.5 * bytes);  // the copy is in single precision
     const SpectrumColour colour(wavelengths_nm);
+    SharedProgress asking(progress, 1);  // before the rows that are counted
+    asking.add(0);
     bsdf::MerlTable table{settings.half, settings.difference, settings.azimuths, {}};
-    table.values.assign(3 * table.cells(), -1.0);
+    fill(table.values, 3 * table.cells(), -1.0, asking);
     for_each_row(table.half, progress, [&](int h, SharedProgress& counter) {
         for (int d = 0; d < table.difference; ++d) {
             // phi_d and pi - phi_d: the same by reciprocity and mirror symmetry.
@@ -93,11 +111,12 @@ std::vector<double> ring_weights(int count) {
     return weights;
 }
 
-std::vector<double> projected_areas(const std::vector<double>& density) {
+std::vector<double> projected_areas(const std::vector<double>& density, SharedProgress& work) {
     const int count = static_cast<int>(density.size());
     const std::vector<double> weights = ring_weights(count);
     std::vector<double> area(count, 0.0);
     for (int a = 0; a < count; ++a) {
+        work.require_going(kMeasuring);
         for (int b = 0; b < count; ++b) {
             area[a] +=
                 weights[b] * density[b] * ring_area(polar_node(a, count), polar_node(b, count));
@@ -106,19 +125,21 @@ std::vector<double> projected_areas(const std::vector<double>& density) {
     return area;
 }
 
-Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
+Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count,
+                   SharedProgress& work) {
     std::vector<double> retro(count);
     parallel_for(0, count, [&](std::size_t k) {
+        work.require_going(kMeasuring);
         const double theta = std::min(polar_node(static_cast<int>(k), count), kMaxPolar);
         retro[k] = colour.luminance(brdf(theta, theta, 0)) * std::cos(theta);
     });
     // Powers of a positive matrix lead to its one positive eigenvector.
     constexpr int kRounds = 32;
-    std::vector<double> density(count, 1 / std::numbers::pi), area = projected_areas(density);
+    std::vector<double> density(count, 1 / std::numbers::pi), area = projected_areas(density, work);
     for (int round = 0; round < kRounds; ++round) {
         std::vector<double> next(count);
         for (int k = 0; k < count; ++k) next[k] = retro[k] * area[k];
-        std::vector<double> next_area = projected_areas(next);
+        std::vector<double> next_area = projected_areas(next, work);
         if (!(next_area[0] > 0)) break;  // black: facets stay uniform
         for (int k = 0; k < count; ++k) {
             density[k] = next[k] / next_area[0];
@@ -126,7 +147,7 @@ Facets find_facets(const Brdf& brdf, const SpectrumColour& colour, int count) {
         }
     }
     for (double& d : density) d = (1 - kEvenFraction) * d + kEvenFraction / std::numbers::pi;
-    return {density, projected_areas(density)};
+    return {density, projected_areas(density, work)};
 }
 
 bsdf::SquareTable same_at_every_azimuth(const std::vector<double>& values) {
@@ -138,10 +159,11 @@ bsdf::SquareTable same_at_every_azimuth(const std::vector<double>& values) {
 }
 
 /// Appends the distribution of visible facets at each incidence, as a density over the square.
-void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf) {
+void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf, SharedProgress& work) {
     for (std::size_t slice = 0; slice < table.slices(); ++slice) {
         const double theta_i = table.theta_i[slice];
         for (int row = 0; row < table.vndf_rows; ++row) {
+            work.require_going(kMeasuring);
             const double phi = (2.0 * row / (table.vndf_rows - 1) - 1) * std::numbers::pi;
             for (int column = 0; column < table.vndf_columns; ++column) {
                 const double theta = polar_node(column, table.vndf_columns);
@@ -170,11 +192,15 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     require_setting("resolution", settings.resolution, 4, 512);
     require_setting("incident angles", settings.incident, 2, 256);
     require_setting("resolution of the facets' distribution", settings.ndf_resolution, 8, 4096);
-    require_table_size(static_cast<double>(sizeof(float)) * settings.resolution *
-                       settings.resolution * settings.incident *
-                       (settings.rgb ? 3.0 : static_cast<double>(wavelengths_nm.size())));
+    const double layer = static_cast<double>(sizeof(float)) * settings.resolution *
+                         settings.resolution * settings.incident;
+    const double values = settings.rgb ? 3.0 : static_cast<double>(wavelengths_nm.size());
+    // With luminance and visible facets, and what sampling needs of them.
+    require_table_size(layer * values, 3.5 * layer * (values + 2));
     const SpectrumColour colour(wavelengths_nm);
-    const Facets facets = find_facets(brdf, colour, settings.ndf_resolution);
+    SharedProgress asking(progress, 1);  // before the rows that are counted
+    asking.add(0);
+    const Facets facets = find_facets(brdf, colour, settings.ndf_resolution, asking);
 
     bsdf::RglTable table;
     table.description = description;
@@ -187,14 +213,14 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     const int n = settings.resolution;
     table.vndf_rows = n;
     table.vndf_columns = n;
-    fill_visible(table, table.ndf);
+    fill_visible(table, table.ndf, asking);
     table.resolution = n;
     if (!settings.rgb) table.wavelengths.assign(wavelengths_nm.begin(), wavelengths_nm.end());
     const std::size_t square = static_cast<std::size_t>(n) * n, channels = table.channels();
-    table.luminance.resize(table.slices() * square);
-    table.spectra.resize(table.slices() * channels * square);
+    fill(table.luminance, table.slices() * square, 0.0f, asking);
+    fill(table.spectra, table.slices() * channels * square, 0.0f, asking);
 
-    const bsdf::RglMap map(table);
+    const bsdf::RglMap map(table, &asking);
     for_each_row(settings.incident, progress, [&](int slice, SharedProgress& counter) {
         const double theta_i = table.theta_i[slice];
         const bsdf::RglIncident i = map.incident(
@@ -240,7 +266,8 @@ std::array<std::size_t, kLanes> choose(std::size_t count) {
 }  // namespace
 
 TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
-                       const std::vector<double>& wavelengths_nm, bool rgb) {
+                       const std::vector<double>& wavelengths_nm, bool rgb,
+                       const Progress& progress) {
     const SpectrumColour colour(wavelengths_nm);
     const auto chosen = choose(wavelengths_nm.size());
     bsdf::Wavelengths eight;
@@ -254,6 +281,8 @@ TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
             {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])});
     };
     std::array<TableError, kIncidences> errors;
+    SharedProgress work(progress, 1);
+    work.add(0);
     parallel_for(0, kIncidences, [&](std::size_t k) {
         const double theta_i = (5 + 15.0 * static_cast<double>(k)) * kDegree;
         const Vec3f wi = {static_cast<float>(std::sin(theta_i)), 0,
@@ -261,6 +290,7 @@ TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
         Rng rng(hash_of(k));
         FloatLanes flux{}, wrong{}, peak{}, largest{};
         for (int n = 0; n < kSamplesPerIncidence; ++n) {
+            work.require_going("comparing the table with the BRDF");
             const auto s =
                 bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
             if (!s || s->wo.z < 1e-4f) continue;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/core/error.h"
+#include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/measure/instrument.h"
@@ -16,14 +19,25 @@ namespace nacre::measure {
 /// Limit of the readers of these files: 2 GiB.
 inline constexpr double kMaxTableBytes = 2147483648.0;
 
-/// @throws DomainError if a table would have more bytes than that
-inline void require_table_size(double bytes) {
-    require_in_range(bytes, 0, kMaxTableBytes, "bytes of the table to be measured");
+/// @param memory  that the table, its file and the copy that is compared with the BRDF take, bytes
+/// @throws DomainError if a table would have more bytes than that; Error if the machine has not the
+///         memory
+inline void require_table_size(double bytes, double memory) {
+    if (!(bytes <= kMaxTableBytes)) {
+        throw DomainError(fmt::format(
+            "a table of {:.3g} GB is larger than the {:.3g} GB that files of its format "
+            "may have: choose fewer points or wavelengths",
+            1e-9 * bytes, 1e-9 * kMaxTableBytes));
+    }
+    require_memory(memory, fmt::format("measuring a table of {:.2g} GB", 1e-9 * bytes),
+                   "choose fewer points or wavelengths");
 }
+
+inline constexpr const char* kMeasuring = "measuring the BRDF";
 
 /// Calls body(row, counter) for each row on all threads and reports after each. Within a row the body
 /// asks counter.ask(), and returns early where it says so.
-/// @throws Error if `progress` asks to stop
+/// @throws Stopped if `progress` asks to stop
 template <class Body>
 void for_each_row(int rows, const Progress& progress, const Body& body) {
     SharedProgress counter(progress, rows);
@@ -32,7 +46,7 @@ void for_each_row(int rows, const Progress& progress, const Body& body) {
         body(static_cast<int>(row), counter);
         counter.add();
     });
-    if (counter.stopped()) throw Error("measuring the BRDF was stopped");
+    counter.require_going(kMeasuring);
 }
 
 /// Cells of a table over half and difference angles, [2, 1024] each. Reading code of the database
@@ -51,7 +65,7 @@ struct MerlSettings {
 /// @param wavelengths_nm  those of `brdf`, increasing
 /// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
 /// negative or not finite somewhere
-/// @throws Error if `progress` asks to stop
+/// @throws Stopped if `progress` asks to stop
 bsdf::MerlTable acquire_merl(const Brdf& brdf, const std::vector<double>& wavelengths_nm,
                              const MerlSettings& settings, const Progress& progress = {});
 
@@ -80,7 +94,7 @@ struct RglSettings {
 /// @param wavelengths_nm  those of `brdf`, increasing
 /// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
 /// negative or not finite somewhere
-/// @throws Error if `progress` asks to stop
+/// @throws Stopped if `progress` asks to stop
 bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
                            const std::vector<double>& wavelengths_nm, const RglSettings& settings,
                            const Progress& progress = {});
@@ -99,7 +113,9 @@ struct TableError {
 /// Compared at eight of the wavelengths, at directions sampled from the table, off its nodes.
 /// @param rgb  the table holds colours: compared with the spectra of the exact ones
 /// @throws DomainError as SpectrumColour
+/// @throws Stopped if `progress` asks to stop
 TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
-                       const std::vector<double>& wavelengths_nm, bool rgb);
+                       const std::vector<double>& wavelengths_nm, bool rgb,
+                       const Progress& progress = {});
 
 }  // namespace nacre::measure

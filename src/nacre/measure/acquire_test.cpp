@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <numbers>
 #include <numeric>
+#include <thread>
 
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
@@ -350,6 +353,37 @@ TEST(AcquireRgl, RefusesSettingsAndValuesOutOfRange) {
     EXPECT_THROW(acquire_rgl("", lambertian({1, 1}), kThree, {16, 8, 64, false}), DomainError);
     EXPECT_THROW(acquire_rgl("", white, kThree, {16, 8, 64, false}, [](double) { return false; }),
                  Error);
+}
+
+// A BRDF may take milliseconds for each pair of directions: a progress that asks to stop is heard
+// long before all of them have been compared.
+TEST(TableError, StopsWithinTheComparison) {
+    const Brdf white = lambertian({1, 1, 1});
+    const bsdf::MeasuredMerl table(table_of(white, {8, 8, 8}));
+    EXPECT_EQ(table_error(table, white, kThree, true, [](double) { return true; }).flux,
+              table_error(table, white, kThree, true).flux);
+    std::atomic<int> calls = 0, values = 0;
+    const Brdf slow = [&](double theta_i, double theta_o, double phi) {
+        ++values;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return white(theta_i, theta_o, phi);
+    };
+    EXPECT_THROW(table_error(table, slow, kThree, true, [&](double) { return ++calls < 2; }),
+                 Stopped);
+    EXPECT_EQ(calls, 2);
+    EXPECT_GT(values, 0);
+}
+
+TEST(AcquireRgl, StopsBeforeItsRows) {
+    int values = 0;
+    const Brdf white = lambertian({1, 1, 1});
+    const Brdf counted = [&](double theta_i, double theta_o, double phi) {
+        ++values;
+        return white(theta_i, theta_o, phi);
+    };
+    EXPECT_THROW(acquire_rgl("", counted, kThree, {16, 8, 64, false}, [](double) { return false; }),
+                 Stopped);
+    EXPECT_EQ(values, 0);
 }
 
 }  // namespace

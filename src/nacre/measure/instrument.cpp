@@ -75,11 +75,14 @@ double SpectrumColour::luminance(const std::vector<double>& values) const {
 
 namespace {
 
+constexpr const char* kReading = "the measurement";
+
 /// Reads single geometries; may be shared by threads.
 class Instrument {
  public:
-    Instrument(const Brdf& brdf, std::size_t wavelengths, const Aperture& aperture)
-        : brdf_(brdf), wavelengths_(wavelengths), aperture_(aperture) {}
+    Instrument(const Brdf& brdf, std::size_t wavelengths, const Aperture& aperture,
+               SharedProgress& work)
+        : brdf_(brdf), wavelengths_(wavelengths), aperture_(aperture), work_(work) {}
 
     /// Reflectance factor at each wavelength.
     std::vector<double> read(const Geometry& geometry) const {
@@ -108,6 +111,7 @@ class Instrument {
         std::vector<double> sum(wavelengths_, 0.0);
         for (const ConeNode& in : lamp) {
             for (const ConeNode& out : detector) {
+                work_.require_going(kReading);
                 const std::vector<double> f = brdf_(in.theta, out.theta, out.phi - in.phi);
                 if (f.size() != wavelengths_) {
                     throw DomainError(fmt::format("the BRDF has {} values for {} wavelengths",
@@ -132,6 +136,7 @@ class Instrument {
     const Brdf& brdf_;
     std::size_t wavelengths_;
     Aperture aperture_;
+    SharedProgress& work_;
 };
 
 void require_aperture(double half_angle_deg, const char* what) {
@@ -152,15 +157,16 @@ Measurement measure(const std::string& name, const Brdf& brdf,
 
     Measurement measurement{name, conditions, wavelengths_nm, {}};
     measurement.readings.resize(geometries.size());
-    const Instrument instrument(brdf, wavelengths_nm.size(), conditions.aperture);
     SharedProgress counter(progress, static_cast<double>(geometries.size()));
+    counter.add(0);
+    const Instrument instrument(brdf, wavelengths_nm.size(), conditions.aperture, counter);
     parallel_for(0, geometries.size(), [&](std::size_t i) {
-        if (counter.stopped()) return;
+        counter.require_going(kReading);
         measurement.readings[i] =
             coloured(geometries[i], wavelengths_nm, instrument.read(geometries[i]), conditions);
         counter.add();
     });
-    if (counter.stopped()) throw Error("the measurement was stopped before all angles were read");
+    counter.require_going(kReading);
     return measurement;
 }
 

@@ -69,9 +69,9 @@ inline constexpr double kApertureTolerance = 1e-4;
 /// gloss.
 ///
 /// @param wavelengths_nm  those of `brdf`, at least two, in equal steps
-/// @param progress  asked after each geometry
 /// @throws DomainError if an angle or an aperture is out of range
-/// @throws Error if `progress` asks to stop, or the largest rule does not reach kApertureTolerance
+/// @throws Error if the largest rule does not reach kApertureTolerance; Stopped if `progress` asks to
+///         stop
 Measurement measure(const std::string& name, const Brdf& brdf,
                     const std::vector<double>& wavelengths_nm, std::span<const Geometry> geometries,
                     const Conditions& conditions, const Progress& progress = {});

@@ -10,6 +10,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/spectra/xyz.h"
@@ -24,6 +25,7 @@ constexpr double kMaxTotalPixels = 6e7;  // 720 MB
 constexpr double kLampSpacing_deg = 0.1;
 // Rows between two calls of `progress`.
 constexpr int kRowsAtOnce = 16;
+constexpr const char* kTaking = "taking the pictures";
 
 // The two sets of eight wavelengths are interleaved, so that each spans the visible range.
 constexpr int kOctets = 2, kWavelengths = kOctets * kLanes;
@@ -148,18 +150,20 @@ class Photographer {
         std::array<Spectrum, 2> diffuse;
     };
 
-    void look(std::size_t pixel, Workspace& workspace, PanelPictures& pictures) const {
+    void look(std::size_t pixel, Workspace& workspace, PanelPictures& pictures,
+              SharedProgress& work) const {
         std::fill(workspace.by_lamp.begin(), workspace.by_lamp.end(), Spectrum{});
         workspace.diffuse.fill(Spectrum{});
         Rng rng(camera_.seed, pixel);
         for (int piece = 0; piece < patches_ * patches_; ++piece) {
+            work.require_going(kTaking);
             workspace.memory.forget();
             const bsdf::Patch patch = patch_of(pixel, piece, workspace.memory);
             for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
-                add_lit(patch, lamps_[lamp], workspace.by_lamp[lamp]);
+                add_lit(patch, lamps_[lamp], workspace.by_lamp[lamp], work);
             }
             if (pictures.diffuse.empty()) continue;
-            for (Spectrum& half : workspace.diffuse) add_diffuse(patch, rng, half);
+            for (Spectrum& half : workspace.diffuse) add_diffuse(patch, rng, half, work);
         }
         const float fraction = 1.0f / static_cast<float>(patches_ * patches_);
         for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
@@ -197,18 +201,21 @@ class Photographer {
         return patch;
     }
 
-    void add_lit(const bsdf::Patch& patch, const std::vector<LampDirection>& lamp,
-                 Spectrum& sum) const {
+    void add_lit(const bsdf::Patch& patch, const std::vector<LampDirection>& lamp, Spectrum& sum,
+                 SharedProgress& work) const {
         for (const LampDirection& d : lamp) {
+            work.require_going(kTaking);
             for (int o = 0; o < kOctets; ++o) {
                 sum[o] += d.weight * bound_[o]->evaluate_on(patch, kView, d.towards).f;
             }
         }
     }
 
-    void add_diffuse(const bsdf::Patch& patch, Rng& rng, Spectrum& sum) const {
+    void add_diffuse(const bsdf::Patch& patch, Rng& rng, Spectrum& sum,
+                     SharedProgress& work) const {
         const double shift[3] = {rng.uniform_double(), rng.uniform_double(), rng.uniform_double()};
         for (const auto& point : points_) {
+            work.require_going(kTaking);
             const auto sample = bound_[0]->sample_on(
                 patch, kView, fraction_of(point[0] + shift[0]),
                 {fraction_of(point[1] + shift[1]), fraction_of(point[2] + shift[2])});
@@ -252,6 +259,11 @@ void check(const SparkleCamera& camera) {
         static_cast<double>(camera.lamps_deg.size()) + (camera.diffuse_samples > 0 ? 2 : 0);
     require_in_range(std::pow(camera.field_mm * 1e3 / camera.pixel_um, 2) * pictures, 0,
                      kMaxTotalPixels, "pixels in all pictures");
+    // The pictures, and what reading one of them takes.
+    require_memory(std::pow(camera.field_mm * 1e3 / camera.pixel_um, 2) * (12 * pictures + 64),
+                   fmt::format("taking and reading {} pictures of {} pixels a side", pictures,
+                               pixels_across(camera)),
+                   "choose a smaller field, larger pixels or fewer lamps");
     require_in_range(camera.lamp_half_angle_deg, 0, 3, "half-angle of the lamps in deg");
     for (double lamp : camera.lamps_deg) require_in_range(lamp, 0, 85, "angle of a lamp in deg");
     require_in_range(camera.diffuse_samples, 0, 65536, "directions of diffuse light");
@@ -273,27 +285,27 @@ PanelPictures take_pictures(const bsdf::Bsdf& surface, const SparkleCamera& came
     pictures.flakes_resolved = photographer.exact();
     pictures.by_lamp.assign(camera.lamps_deg.size(), photographer.blank());
     if (camera.diffuse_samples > 0) pictures.diffuse.assign(2, photographer.blank());
+    const int rows = photographer.across();
+    SharedProgress counter(progress, rows);
     if (!surface.varies_over_surface()) {
         Photographer::Workspace workspace(photographer);
-        photographer.look(0, workspace, pictures);
+        photographer.look(0, workspace, pictures, counter);
         for (PanelPicture& picture : pictures.by_lamp) spread_first(picture);
         if (!pictures.diffuse.empty()) pictures.diffuse[1] = pictures.diffuse[0];
         for (PanelPicture& picture : pictures.diffuse) spread_first(picture);
         return pictures;
     }
-    const int rows = photographer.across();
-    SharedProgress counter(progress, rows);
     for (int first = 0; first < rows; first += kRowsAtOnce) {
         const int last = std::min(rows, first + kRowsAtOnce);
         parallel_for_ranges(static_cast<std::size_t>(first) * rows,
                             static_cast<std::size_t>(last) * rows, 128,
                             [&](std::size_t begin, std::size_t end) {
                                 Photographer::Workspace workspace(photographer);
-                                for (std::size_t p = begin; p < end && counter.ask(); ++p)
-                                    photographer.look(p, workspace, pictures);
+                                for (std::size_t p = begin; p < end; ++p)
+                                    photographer.look(p, workspace, pictures, counter);
                             });
         counter.add(last - first);
-        if (counter.stopped()) throw Error("taking the pictures was stopped");
+        if (counter.stopped()) throw Stopped(fmt::format("{} was stopped", kTaking));
     }
     return pictures;
 }

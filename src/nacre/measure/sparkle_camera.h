@@ -27,7 +27,8 @@ struct SparkleCamera {
     double unit_square_mm = 100;
 };
 
-/// @throws DomainError naming the number and its range
+/// @throws DomainError naming the number and its range; Error if the machine has less memory than
+///         the pictures take
 void check(const SparkleCamera& camera);
 /// Pixels per side.
 int pixels_across(const SparkleCamera& camera);

@@ -106,13 +106,18 @@ bool is_peak(const RetinalPicture& picture, int x, int y) {
            at[0] >= at[1] && at[0] >= at[w - 1] && at[0] >= at[w] && at[0] >= at[w + 1];
 }
 
+void require_going(SharedProgress* work) {
+    if (work) work->require_going("reading the pictures");
+}
+
 // Sums over the pixels of a piece of the picture.
 enum Sum { kPixels, kAbove, kSpots, kDecades, kSums };
 using SpotSums = std::array<double, kSums>;
 
 }  // namespace
 
-RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewing) {
+RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewing,
+                               SharedProgress* work) {
     check(viewing);
     const double per_degree = mm_per_degree(viewing);
     const double adapted_to = luminance_cd_m2(viewing, std::max(0.0, mean_luminance(picture)));
@@ -146,12 +151,14 @@ RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewi
     const std::size_t from = picture.width, to = seen.width;
     std::vector<double> rows(to * picture.height);
     parallel_for(0, picture.height, [&](std::size_t y) {
+        require_going(work);
         for (std::size_t x = 0; x < to; ++x) {
             rows[y * to + x] = blurred(&sharp[y * from + x + margin], 1, kernel);
         }
     });
     seen.y.resize(to * seen.height);
     parallel_for(0, seen.height, [&](std::size_t y) {
+        require_going(work);
         for (std::size_t x = 0; x < to; ++x) {
             seen.y[y * to + x] = first + blurred(&rows[(y + margin) * to + x],
                                                  static_cast<std::ptrdiff_t>(to), kernel);
@@ -188,8 +195,8 @@ std::vector<Spot> visible_spots(const RetinalPicture& picture, const Background&
     return spots;
 }
 
-Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing) {
-    const RetinalPicture seen = retinal_picture(picture, viewing);
+Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing, SharedProgress* work) {
+    const RetinalPicture seen = retinal_picture(picture, viewing, work);
     Sparkle result;
     result.mean_y = mean_luminance(picture);
     result.pixel_contrast = pixel_contrast(picture, picture);
@@ -245,10 +252,12 @@ using Complex = std::complex<double>;
 constexpr int kMinSide = 16;
 
 // In place, along rows and then along columns; the inverse divides by the number of pixels.
-void transform(std::vector<Complex>& values, int width, int height, bool forward) {
+void transform(std::vector<Complex>& values, int width, int height, bool forward,
+               SharedProgress* work) {
     Eigen::FFT<double> fft;
     std::vector<Complex> line, result;
     const auto along = [&](std::size_t first, std::size_t stride, int count) {
+        require_going(work);
         line.resize(count);
         for (int i = 0; i < count; ++i) line[i] = values[first + stride * i];
         if (forward) {
@@ -288,7 +297,8 @@ double cycles(int i, int count) { return i <= count / 2 ? i : i - count; }
 
 }  // namespace
 
-Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing) {
+Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing,
+                      SharedProgress* work) {
     check(viewing);
     if (a.width != b.width || a.height != b.height || a.width < kMinSide || a.height < kMinSide) {
         throw DomainError(fmt::format(
@@ -297,7 +307,7 @@ Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewin
     }
     const int width = fast_length(a.width), height = fast_length(a.height);
     if (width != a.width || height != a.height) {
-        return graininess(top_left(a, width, height), top_left(b, width, height), viewing);
+        return graininess(top_left(a, width, height), top_left(b, width, height), viewing, work);
     }
     Graininess result;
     const double mean_a = mean_luminance(a), mean_b = mean_luminance(b);
@@ -308,10 +318,11 @@ Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewin
     for (std::size_t p = 0; p < filtered.size(); ++p) {
         filtered[p] = {(a.luminance(p) - mean_a) / mean_a, (b.luminance(p) - mean_b) / mean_b};
     }
-    transform(filtered, a.width, a.height, true);
+    transform(filtered, a.width, a.height, true, work);
     const double per_degree = mm_per_degree(viewing);
     const double luminance = luminance_cd_m2(viewing, result.mean_y);
     for (int y = 0; y < a.height; ++y) {
+        require_going(work);
         for (int x = 0; x < a.width; ++x) {
             const double u = cycles(x, a.width) / (a.width * a.pixel_mm) * per_degree;
             const double v = cycles(y, a.height) / (a.height * a.pixel_mm) * per_degree;
@@ -319,7 +330,7 @@ Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewin
                 contrast_sensitivity(std::hypot(u, v), luminance, kPanelSide_mm / per_degree);
         }
     }
-    transform(filtered, a.width, a.height, false);
+    transform(filtered, a.width, a.height, false, work);
     // By Parseval's theorem the sum over frequencies is one over pixels.
     std::array<std::array<double, 2>, kPicturePieces> pieces{};
     for (int y = 0; y < a.height; ++y) {
@@ -339,13 +350,15 @@ Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewin
 }
 
 SparkleMeasurement measure_pictures(const SparkleCamera& camera, const PanelPictures& pictures,
-                                    const Viewing& viewing) {
+                                    const Viewing& viewing, const Progress& progress) {
+    SharedProgress work(progress, 1);
+    work.add(0);
     SparkleMeasurement measurement{camera.lamps_deg, {}, {}};
     for (const PanelPicture& picture : pictures.by_lamp) {
-        measurement.by_lamp.push_back(sparkle(picture, viewing));
+        measurement.by_lamp.push_back(sparkle(picture, viewing, &work));
     }
     if (!pictures.diffuse.empty()) {
-        measurement.diffuse = graininess(pictures.diffuse[0], pictures.diffuse[1], viewing);
+        measurement.diffuse = graininess(pictures.diffuse[0], pictures.diffuse[1], viewing, &work);
     }
     return measurement;
 }

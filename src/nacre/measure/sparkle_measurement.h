@@ -71,7 +71,9 @@ struct RetinalPicture {
 
 /// @throws DomainError if the eye's blur is narrower than a pixel or the picture is so small that
 ///         fewer than 16 pixels a side are left
-RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewing);
+/// @throws Stopped if `work`, which is asked where it is not null, says so
+RetinalPicture retinal_picture(const PanelPicture& picture, const Viewing& viewing,
+                               SharedProgress* work = nullptr);
 
 /// A visible spot of light: a local maximum of the retinal picture.
 struct Spot {
@@ -106,8 +108,9 @@ struct Sparkle {
     Estimate sparkle_per_cm2;
 };
 
-/// @throws DomainError as check(const Viewing&) and retinal_picture()
-Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing = {});
+/// @throws DomainError as check(const Viewing&) and retinal_picture(); Stopped as the latter
+Sparkle sparkle(const PanelPicture& picture, const Viewing& viewing = {},
+                SharedProgress* work = nullptr);
 
 // Graininess of a panel in diffuse light: definition, sources and limits in docs/sparkle.md.
 
@@ -127,7 +130,9 @@ struct Graininess {
 /// left out down to the next length without. 0 where noise makes the sum negative, and for a black
 /// picture.
 /// @throws DomainError unless both have the same size, at least 16 pixels a side; as check()
-Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing = {});
+/// @throws Stopped if `work`, which is asked where it is not null, says so
+Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewing& viewing = {},
+                      SharedProgress* work = nullptr);
 
 /// Sparkle and graininess of a panel.
 struct SparkleMeasurement {
@@ -137,8 +142,8 @@ struct SparkleMeasurement {
 };
 
 /// Evaluates the pictures of take_pictures().
-/// @throws DomainError as sparkle() and graininess()
+/// @throws DomainError as sparkle() and graininess(); Stopped if `progress` asks to stop
 SparkleMeasurement measure_pictures(const SparkleCamera& camera, const PanelPictures& pictures,
-                                    const Viewing& viewing = {});
+                                    const Viewing& viewing = {}, const Progress& progress = {});
 
 }  // namespace nacre::measure

@@ -319,5 +319,18 @@ TEST(Graininess, PicturesThatDifferInSizeAreRefused) {
     EXPECT_THROW(graininess(uniform_picture(8, 0.1, 1), uniform_picture(8, 0.1, 1)), DomainError);
 }
 
+TEST(MeasurePictures, StopsWhenAskedTo) {
+    const PanelPicture picture = uniform_picture(96, 0.02, 1);
+    const Progress never = [](double) { return false; };
+    const SparkleCamera camera;
+    PanelPictures lit, diffuse;
+    lit.by_lamp = {picture};
+    diffuse.diffuse = {picture, picture};
+    EXPECT_NO_THROW(measure_pictures(camera, lit));
+    EXPECT_NO_THROW(measure_pictures(camera, diffuse));
+    EXPECT_THROW(measure_pictures(camera, lit, {}, never), Stopped);
+    EXPECT_THROW(measure_pictures(camera, diffuse, {}, never), Stopped);
+}
+
 }  // namespace
 }  // namespace nacre::measure

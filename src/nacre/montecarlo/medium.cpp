@@ -33,7 +33,7 @@ Lanes interpolate(const std::vector<Lanes>& table, double cosine) {
 }  // namespace
 
 FlakeOptics::FlakeOptics(const paint::FlakeSpecies& species, const optics::Material& binder,
-                         std::span<const double> wavelengths_nm) {
+                         std::span<const double> wavelengths_nm, SharedProgress* work) {
     if (const auto* given = std::get_if<paint::PrescribedFlake>(&species.body)) {
         reflectance_ = {sample_spectrum(given->reflectance, wavelengths_nm)};
         transmittance_ = {sample_spectrum(given->transmittance, wavelengths_nm)};
@@ -43,7 +43,7 @@ FlakeOptics::FlakeOptics(const paint::FlakeSpecies& species, const optics::Mater
     for (int i = 0; i <= kPlateletTableIntervals; ++i)
         cosines.push_back(static_cast<double>(i) / kPlateletTableIntervals);
     const optics::PlateletTable table = optics::platelet_table(
-        std::get<optics::Platelet>(species.body), binder, cosines, wavelengths_nm);
+        std::get<optics::Platelet>(species.body), binder, cosines, wavelengths_nm, work);
     const std::size_t count = wavelengths_nm.size();
     for (std::size_t i = 0; i < cosines.size(); ++i) {
         Lanes r{}, t{};
@@ -148,7 +148,8 @@ void Slab::sum_pigments() {
     pigment_rate_per_um = lane_max(pigment_scattering_per_um);
 }
 
-Medium::Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_nm)
+Medium::Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_nm,
+               SharedProgress* work)
     : lane_count(static_cast<int>(wavelengths_nm.size())),
       index(recipe.binder.index(wavelengths_nm.front()).real()),
       substrate_reflectance(sample_spectrum(recipe.substrate_reflectance, wavelengths_nm)) {
@@ -165,7 +166,7 @@ Medium::Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_
         for (const paint::FlakeSpecies& species : layer.flakes) {
             slab.flakes.push_back({species.area_density_per_um(),
                                    species.orientation.beckmann_alpha,
-                                   FlakeOptics(species, recipe.binder, wavelengths_nm)});
+                                   FlakeOptics(species, recipe.binder, wavelengths_nm, work)});
             slab.flake_rate_per_um += slab.flakes.back().area_density_per_um;
         }
         for (const paint::Pigment& pigment : layer.pigments) {
@@ -186,7 +187,8 @@ struct MediumGrid::Place {
     double fraction;
 };
 
-MediumGrid::MediumGrid(const paint::Recipe& recipe, std::vector<double> wavelengths_nm)
+MediumGrid::MediumGrid(const paint::Recipe& recipe, std::vector<double> wavelengths_nm,
+                       const Progress& progress)
     : wavelengths_nm_(std::move(wavelengths_nm)) {
     if (wavelengths_nm_.empty()) throw DomainError("a grid of wavelengths is empty");
     for (std::size_t i = 1; i < wavelengths_nm_.size(); ++i) {
@@ -198,9 +200,12 @@ MediumGrid::MediumGrid(const paint::Recipe& recipe, std::vector<double> waveleng
     paint::validate(recipe, wavelengths_nm_);
     for (double wavelength : wavelengths_nm_)
         index_.push_back(recipe.binder.index(wavelength).real());
+    SharedProgress work(progress, static_cast<double>(wavelengths_nm_.size()));
     for (std::size_t first = 0; first < wavelengths_nm_.size(); first += kLanes) {
         const std::size_t count = std::min<std::size_t>(kLanes, wavelengths_nm_.size() - first);
-        media_.emplace_back(recipe, std::span(wavelengths_nm_).subspan(first, count));
+        media_.emplace_back(recipe, std::span(wavelengths_nm_).subspan(first, count), &work);
+        work.add(static_cast<double>(count));
+        work.require_going("computing the films of a flake");
     }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/core/lanes.h"
+#include "nacre/core/progress.h"
 #include "nacre/core/vec.h"
 #include "nacre/paint/recipe.h"
 
@@ -27,8 +28,9 @@ inline constexpr double kPlateletTableError = 6e-5;
 /// Reflectance and transmittance of a flake against the cosine of incidence on it.
 class FlakeOptics {
  public:
+    /// @throws DomainError, Stopped as optics::platelet_table()
     FlakeOptics(const paint::FlakeSpecies& species, const optics::Material& binder,
-                std::span<const double> wavelengths_nm);
+                std::span<const double> wavelengths_nm, SharedProgress* work = nullptr);
     /// From tables on the uniform cosine grid, or of one node each.
     FlakeOptics(std::vector<Lanes> reflectances, std::vector<Lanes> transmittances)
         : reflectance_(std::move(reflectances)), transmittance_(std::move(transmittances)) {}
@@ -112,7 +114,9 @@ struct Medium {
     Lanes substrate_reflectance{};
 
     /// @param wavelengths_nm  1 to kLanes of them, at which the binder's index is the same
-    Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_nm);
+    /// @throws DomainError, Stopped as optics::platelet_table()
+    Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_nm,
+           SharedProgress* work = nullptr);
 };
 
 // The same recipe at the many sets of wavelengths of a renderer: films are computed once.
@@ -122,7 +126,9 @@ class MediumGrid {
  public:
     /// @param wavelengths_nm  strictly increasing, at least one
     /// @throws DomainError as paint::validate() does, or if the wavelengths do not increase
-    MediumGrid(const paint::Recipe& recipe, std::vector<double> wavelengths_nm);
+    /// @throws Stopped if `progress`, which is asked while films are computed, says so
+    MediumGrid(const paint::Recipe& recipe, std::vector<double> wavelengths_nm,
+               const Progress& progress = {});
 
     /// The medium at up to kLanes wavelengths; beyond the ends of the grid it is that of the end.
     /// Medium::index is that of the first; see index().

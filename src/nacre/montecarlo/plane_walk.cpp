@@ -199,8 +199,9 @@ class BoundPlaneWalk final : public BoundWalk {
 
 }  // namespace
 
-PlaneWalk::PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm)
-    : tables_(std::make_shared<const WalkTables>(recipe, wavelengths_nm)) {}
+PlaneWalk::PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                     const Progress& progress)
+    : tables_(std::make_shared<const WalkTables>(recipe, wavelengths_nm, progress)) {}
 
 PlaneWalk::~PlaneWalk() = default;
 
@@ -222,8 +223,9 @@ constinit const bsdf::ModelInfo WalkModel::info = {
     .standard = bsdf::standard_model<WalkModel>};
 
 std::shared_ptr<const bsdf::Bsdf> WalkModel::make(const bsdf::ModelInput& input,
-                                                  const Progress&) const {
-    return std::make_shared<const PlaneWalk>(input.recipe);
+                                                  const Progress& progress) const {
+    return std::make_shared<const PlaneWalk>(input.recipe, spectra::default_wavelengths_nm(),
+                                             progress);
 }
 
 }  // namespace nacre::montecarlo

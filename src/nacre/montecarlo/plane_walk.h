@@ -31,8 +31,9 @@ struct WalkTables {
     paint::Recipe recipe;
     MediumGrid grid;
 
-    WalkTables(const paint::Recipe& r, const std::vector<double>& wavelengths_nm)
-        : recipe(r), grid(r, wavelengths_nm) {}
+    WalkTables(const paint::Recipe& r, const std::vector<double>& wavelengths_nm,
+               const Progress& progress)
+        : recipe(r), grid(r, wavelengths_nm, progress) {}
 };
 
 // What PlaneWalk, ShellWalk and DiscWalk share: the random choice between specular reflection and
@@ -131,8 +132,11 @@ class PlaneWalk final : public bsdf::Bsdf {
     /// @param wavelengths_nm  where films are computed; between them, R, T and all else are linear
     ///                        in wavelength, beyond them constant
     /// @throws DomainError if the recipe is not valid at these wavelengths
-    explicit PlaneWalk(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm =
-                                                        spectra::default_wavelengths_nm());
+    /// @throws Stopped if `progress`, which is asked while films are computed, says so
+    explicit PlaneWalk(
+        const paint::Recipe& recipe,
+        const std::vector<double>& wavelengths_nm = spectra::default_wavelengths_nm(),
+        const Progress& progress = {});
     ~PlaneWalk() override;
 
     std::unique_ptr<const bsdf::BoundBsdf> bind(

@@ -179,5 +179,11 @@ TEST(PlaneWalk, RefusesWhatIsNoPaint) {
     EXPECT_THROW(PlaneWalk{recipe}, DomainError);
 }
 
+TEST(PlaneWalk, StopsWhileFilmsAreComputed) {
+    const std::vector<double> nm = spectra::default_wavelengths_nm();
+    const Progress never = [](double) { return false; };
+    EXPECT_THROW(PlaneWalk(test::pearl(), nm, never), Stopped);
+}
+
 }  // namespace
 }  // namespace nacre::montecarlo

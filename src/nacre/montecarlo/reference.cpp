@@ -147,9 +147,10 @@ void run_all(const paint::Recipe& recipe, std::span<const Direction> incident,
     SharedProgress blocks(progress,
                           static_cast<double>(all_batches.size() * groups * incident.size() *
                                               Experiment::block_count(settings.samples)));
+    blocks.add(0);
     std::uint64_t number = 0;
     for (const std::span<const double>& batch : all_batches) {
-        const Medium medium(recipe, batch);
+        const Medium medium(recipe, batch, &blocks);
         const auto interface = make_air_interface(recipe, medium.index);
         for (std::size_t group = 0; group < groups; ++group) {
             const std::size_t first_detector = group * kMaxDetectorsPerWalk;

@@ -298,6 +298,17 @@ TEST(Reference, AsksWithinABlockOfLongWalks) {
     EXPECT_EQ(calls, 2);
 }
 
+TEST(Reference, StopsWhileFilmsAreComputed) {
+    int calls = 0;
+    const Progress never = [&](double) { return ++calls < 1; };
+    EXPECT_EQ(message_of<Stopped>([&] {
+                  reference_albedo(test::pearl(), std::vector<Direction>{{45, 0}}, kGreen,
+                                   {.samples = 1000}, never);
+              }),
+              "computing the films of a flake was stopped");
+    EXPECT_EQ(calls, 1);
+}
+
 TEST(Reference, AnInterruptEndsAWalk) {
     const InterruptHandler handler;
     raise(SIGINT);

@@ -62,9 +62,10 @@ void check(const paint::Recipe& recipe, const VolumeModel& settings) {
 }  // namespace
 
 ShellWalk::ShellWalk(const paint::Recipe& recipe, const VolumeModel& settings,
-                     const std::vector<double>& wavelengths_nm)
-    : tables_(std::make_shared<const WalkTables>(recipe, wavelengths_nm)), settings_(settings) {
-    check(recipe, settings);
+                     const std::vector<double>& wavelengths_nm, const Progress& progress)
+    : settings_(settings) {
+    check(recipe, settings);  // before the work
+    tables_ = std::make_shared<const WalkTables>(recipe, wavelengths_nm, progress);
 }
 
 ShellWalk::~ShellWalk() = default;
@@ -217,8 +218,9 @@ std::string VolumeModel::text() const {
 }
 
 std::shared_ptr<const bsdf::Bsdf> VolumeModel::make(const bsdf::ModelInput& input,
-                                                    const Progress&) const {
-    return std::make_shared<const ShellWalk>(input.recipe, *this);
+                                                    const Progress& progress) const {
+    return std::make_shared<const ShellWalk>(input.recipe, *this, spectra::default_wavelengths_nm(),
+                                             progress);
 }
 
 void VolumeModel::lie_on(const std::string& material, std::span<const bsdf::PaintedShape> shapes) {

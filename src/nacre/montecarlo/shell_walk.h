@@ -59,8 +59,10 @@ class ShellWalk final : public bsdf::Bsdf {
     /// @param wavelengths_nm  as in PlaneWalk
     /// @throws DomainError if the recipe is not valid at these wavelengths, has a rough clearcoat
     ///         or is thicker than the sphere, or if a setting is out of range
+    /// @throws Stopped as PlaneWalk
     ShellWalk(const paint::Recipe& recipe, const VolumeModel& settings,
-              const std::vector<double>& wavelengths_nm = spectra::default_wavelengths_nm());
+              const std::vector<double>& wavelengths_nm = spectra::default_wavelengths_nm(),
+              const Progress& progress = {});
     ~ShellWalk() override;
 
     std::unique_ptr<const bsdf::BoundBsdf> bind(

@@ -239,5 +239,11 @@ TEST(ShellWalk, RefusesWhatItCannotFollowAndSaysWhy) {
     EXPECT_THAT(message(rough, {}), HasSubstr("clearcoat.roughness = 0.1"));
 }
 
+TEST(ShellWalk, StopsWhileFilmsAreComputed) {
+    const std::vector<double> nm = spectra::default_wavelengths_nm();
+    const Progress never = [](double) { return false; };
+    EXPECT_THROW(ShellWalk(test::pearl(), {}, nm, never), Stopped);
+}
+
 }  // namespace
 }  // namespace nacre::montecarlo

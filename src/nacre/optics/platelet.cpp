@@ -8,6 +8,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/optics/thin_film.h"
@@ -83,8 +84,8 @@ struct Lanes {
 class PlateletAverage {
  public:
     PlateletAverage(const Platelet& platelet, const Material& binder,
-                    std::span<const double> wavelengths_nm)
-        : wavelengths_nm_(wavelengths_nm) {
+                    std::span<const double> wavelengths_nm, SharedProgress* work)
+        : work_(work), wavelengths_nm_(wavelengths_nm) {
         films_.push_back(&platelet.core);
         for (const auto& coat : platelet.coats) films_.push_back(&coat);
         for (double w : wavelengths_nm) {
@@ -127,6 +128,7 @@ class PlateletAverage {
         }
         std::vector<ComplexLanes> w;
         for (std::size_t first = 0; first < wavelengths_nm_.size(); first += kLanes) {
+            require_going();
             const Lanes lanes = make(cosine, first);
             DoubleLanes r{}, t{};
             if (core_spreads_ && lanes.core_transmits) {
@@ -143,6 +145,10 @@ class PlateletAverage {
     }
 
  private:
+    void require_going() const {
+        if (work_) work_->require_going("computing the films of a flake");
+    }
+
     Lanes make(double cosine, std::size_t first) const {
         const std::size_t count = films_.size();
         Lanes lanes;
@@ -200,6 +206,7 @@ class PlateletAverage {
             for (int p = 0; p < 2; ++p) use(above[p], weight);
             return;
         }
+        require_going();  // up to a million combinations of thicknesses follow
         const ThicknessRule& rule = *rules[film];
         for (std::size_t i = 0; i < rule.weights.size(); ++i) {
             const ComplexLanes e = exp_i(splat(rule.thickness_nm[i]) * lanes.phase_rate[film]);
@@ -336,6 +343,7 @@ class PlateletAverage {
         return nodes;
     }
 
+    SharedProgress* work_;
     std::span<const double> wavelengths_nm_;
     std::vector<const FilmPopulation*> films_;  // core first
     std::vector<double> binder_;
@@ -357,7 +365,7 @@ void require_film(const FilmPopulation& film) {
 
 PlateletTable platelet_table(const Platelet& platelet, const Material& binder,
                              std::span<const double> cosines,
-                             std::span<const double> wavelengths_nm) {
+                             std::span<const double> wavelengths_nm, SharedProgress* work) {
     require_film(platelet.core);
     for (const auto& coat : platelet.coats) require_film(coat);
     for (double c : cosines) require_in_range(c, 0, 1, "cosine of the incidence on a flake");
@@ -365,7 +373,7 @@ PlateletTable platelet_table(const Platelet& platelet, const Material& binder,
         require_in_range(w, kThinFilmWavelengthRange.lo, kThinFilmWavelengthRange.hi,
                          "wavelength in nm");
     }
-    PlateletAverage average(platelet, binder, wavelengths_nm);
+    PlateletAverage average(platelet, binder, wavelengths_nm, work);
     average.prepare(cosines);
     const std::size_t columns = wavelengths_nm.size();
     PlateletTable table;

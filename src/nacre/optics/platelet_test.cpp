@@ -6,6 +6,7 @@
 #include <random>
 
 #include "nacre/core/error.h"
+#include "nacre/core/progress.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/optics/thin_film.h"
@@ -234,6 +235,20 @@ TEST(Platelet, RefusesWhatItCannotAverage) {
     Platelet wide = mica;
     for (int i = 0; i < 6; ++i) wide.coats.push_back(film("TiO2_anatase", 2000, 600));
     EXPECT_THROW(platelet_table(wide, 1.5, one, visible), DomainError);
+}
+
+// Films of wide spreads take up to a million combinations of thicknesses for each cosine.
+TEST(Platelet, StopsAmongTheCombinationsOfThicknesses) {
+    const Platelet platelet{film("mica", 500, 100),
+                            {film("TiO2_anatase", 80, 5), film("SiO2", 300, 20)}};
+    const auto table = [&](SharedProgress* work) {
+        return platelet_table(platelet, 1.5, kCosines, kWavelengths, work).reflectance;
+    };
+    const Progress always = [](double) { return true; }, never = [](double) { return false; };
+    SharedProgress going(always, 1), stopped(never, 1);
+    EXPECT_EQ(table(&going), table(nullptr));
+    stopped.add(0);
+    EXPECT_THROW(table(&stopped), Stopped);
 }
 
 }  // namespace

@@ -8,6 +8,10 @@
 
 // Reflectance and transmittance of stacks of flat, coherent films.
 
+namespace nacre {
+class SharedProgress;
+}
+
 namespace nacre::optics {
 
 inline constexpr Range kFilmThicknessRange{.lo = 0, .hi = 1e9, .unit = "nm"};
@@ -85,6 +89,7 @@ struct PlateletTable {
 /// @param wavelengths_nm  in vacuum, within the data of all materials
 /// @throws DomainError naming the argument, its value and its range; if the binder absorbs; if so
 ///         many films vary that the average would take more than some seconds
+/// @throws Stopped if `work`, which is asked where it is not null, says so
 ///
 /// Both sides of a coat vary together, so the two coats share their amplitudes, and the core
 /// between them is averaged with one complex sum per coat thickness. Wavelengths are vector lanes
@@ -92,6 +97,7 @@ struct PlateletTable {
 /// light within one wavelength sample need the spread, or finer wavelengths, to lose their fringes.
 PlateletTable platelet_table(const Platelet& platelet, const Material& binder,
                              std::span<const double> cosines,
-                             std::span<const double> wavelengths_nm);
+                             std::span<const double> wavelengths_nm,
+                             SharedProgress* work = nullptr);
 
 }  // namespace nacre::optics

@@ -132,10 +132,12 @@ FlakeTable FlakeTable::from_chebyshev(int cosine_count, int wavelength_count,
 }
 
 FlakeTable FlakeTable::of_platelet(const optics::Platelet& platelet, const optics::Material& binder,
-                                   std::span<const double> wavelengths_nm, int max_cosines) {
+                                   std::span<const double> wavelengths_nm, int max_cosines,
+                                   SharedProgress* work) {
     const int wavelengths = static_cast<int>(wavelengths_nm.size());
     int count = kFirstCosines;
-    auto table = optics::platelet_table(platelet, binder, chebyshev_cosines(count), wavelengths_nm);
+    auto table =
+        optics::platelet_table(platelet, binder, chebyshev_cosines(count), wavelengths_nm, work);
     while (2 * count - 1 <= max_cosines &&
            (unresolved(count, wavelengths, table.reflectance) > kResolved ||
             unresolved(count, wavelengths, table.transmittance) > kResolved)) {
@@ -143,7 +145,8 @@ FlakeTable FlakeTable::of_platelet(const optics::Platelet& platelet, const optic
         const std::vector<double> all = chebyshev_cosines(count);
         std::vector<double> added;
         for (int i = 1; i < count; i += 2) added.push_back(all[i]);
-        const auto midpoints = optics::platelet_table(platelet, binder, added, wavelengths_nm);
+        const auto midpoints =
+            optics::platelet_table(platelet, binder, added, wavelengths_nm, work);
         table.reflectance = interleave(wavelengths, table.reflectance, midpoints.reflectance);
         table.transmittance = interleave(wavelengths, table.transmittance, midpoints.transmittance);
     }

@@ -28,9 +28,10 @@ class FlakeTable {
                                      std::span<const double> transmittance);
     /// A platelet in a binder; raises the number of cosines, 33 at first, until R and T are
     /// resolved to 1e-6, or until it is `max_cosines`.
+    /// @throws DomainError, Stopped as optics::platelet_table()
     static FlakeTable of_platelet(const optics::Platelet& platelet, const optics::Material& binder,
                                   std::span<const double> wavelengths_nm,
-                                  int max_cosines = kMaxCosines);
+                                  int max_cosines = kMaxCosines, SharedProgress* work = nullptr);
 
     int wavelength_count() const { return wavelength_count_; }
     int cosine_count() const { return cosine_count_; }

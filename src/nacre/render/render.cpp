@@ -1,11 +1,14 @@
 #include "nacre/render/render.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 
 #include "nacre/core/error.h"
+#include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
 #include "nacre/io/image.h"
 #include "nacre/render/camera.h"
@@ -20,18 +23,29 @@ constexpr int kAlbedoPasses = 16;
 /// through the ray-tracing structure and its cache lines.
 constexpr int kTile = 16;
 
-void require_valid(const RenderOptions& options) {
+// Bytes a pixel: sums and the developed picture, or that and the channels of its image.
+constexpr double kBytesPerPixel = 120, kSparkleBytesPerPixel = 50, kBytesPerBin = 8.5;
+
+}  // namespace
+
+void check(const RenderOptions& options) {
     require_in_range(options.width, 1, io::kMaxPixelsPerSide, "width in pixels");
     require_in_range(options.height, 1, io::kMaxPixelsPerSide, "height in pixels");
     require_in_range(options.samples_per_pixel, 1, 1 << 24, "samples per pixel");
     require_in_range(options.max_depth, 1, 1000, "max depth");
     require_in_range(options.footprint_pixels, 0, 1000, "footprint in pixels");
     require_in_range(options.spectral_bins, 0, 300, "spectral bins");
-    // Sums take about 100 bytes a pixel and 4 more per bin.
     const double pixels = static_cast<double>(options.width) * options.height;
     require_in_range(pixels, 1, 1 << 27, "width x height in pixels");
     require_in_range(pixels * options.spectral_bins, 0, 0x1p32, "width x height x spectral bins");
+    require_memory(pixels * (kBytesPerPixel + (options.sparkle ? kSparkleBytesPerPixel : 0.0) +
+                             kBytesPerBin * options.spectral_bins),
+                   fmt::format("a picture of {} x {} pixels with {} spectral bins", options.width,
+                               options.height, options.spectral_bins),
+                   "choose fewer pixels or bins");
 }
+
+namespace {
 
 /// A tent of half-width 1 pixel about 0, from a number in [0, 1).       [ernst-2006]
 /// Drawing positions by the filter, not weighting by it, lets each pixel keep its own sums.
@@ -189,7 +203,7 @@ double default_footprint_pixels(int samples_per_pixel) {
 
 RenderResult render_with(const Scene& scene, const RenderOptions& options, DirectLight direct_light,
                          const Progress& progress) {
-    require_valid(options);
+    check(options);
     const auto start = std::chrono::steady_clock::now();
     Renderer renderer(scene.compiled(), options, direct_light);
 

@@ -56,12 +56,17 @@ struct RenderResult {
     bool complete = true;  ///< false: stopped by `progress`; a valid picture of `samples` samples
 };
 
+/// What render() refuses, before any work.
+/// @throws DomainError naming an option out of range; Error if the machine has less memory than the
+///         picture takes until it is written
+void check(const RenderOptions& options);
+
 /// Renders by unidirectional path tracing with multiple importance sampling. Uses the threads of
 /// the caller's oneTBB arena; for a given seed the result is the same, bit for bit, however many
 /// there are.
 ///
-/// @param progress  may be empty; asked after each pass over the picture (one sample per pixel)
-/// @throws DomainError naming an option out of range
+/// @param progress  may be empty; asked several times a second
+/// @throws DomainError, Error as check()
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const Progress& progress = {});
 

@@ -338,6 +338,7 @@ TEST(Render, OptionsOutOfRangeAreRefusedByName) {
         return message_of<DomainError>([&] { render(scene, options); });
     };
     EXPECT_THAT(message({.width = 0}), ::testing::HasSubstr("width in pixels = 0"));
+    EXPECT_NO_THROW(check({.width = 100, .height = 100, .spectral_bins = 300}));
     EXPECT_THAT(message({.height = -3}), ::testing::HasSubstr("height in pixels = -3"));
     EXPECT_THAT(message({.width = 32768, .height = 32768}), ::testing::HasSubstr("width x height"));
     EXPECT_THAT(message({.samples_per_pixel = 0}), ::testing::HasSubstr("samples per pixel = 0"));

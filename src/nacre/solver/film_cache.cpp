@@ -4,9 +4,10 @@
 
 namespace nacre::solver {
 
-std::shared_ptr<const paint::FlakeTable> FilmCache::table(
-    const optics::Platelet& platelet, const optics::Material& binder,
-    const std::vector<double>& wavelengths_nm) {
+std::shared_ptr<const paint::FlakeTable> FilmCache::table(const optics::Platelet& platelet,
+                                                          const optics::Material& binder,
+                                                          const std::vector<double>& wavelengths_nm,
+                                                          SharedProgress* work) {
     {
         const std::lock_guard lock(mutex_);
         const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
@@ -20,7 +21,7 @@ std::shared_ptr<const paint::FlakeTable> FilmCache::table(
     }
     // Unlocked meanwhile: two threads may compute the same table, with the same bits.
     auto table = std::make_shared<const paint::FlakeTable>(
-        paint::FlakeTable::of_platelet(platelet, binder, wavelengths_nm, max_cosines_));
+        paint::FlakeTable::of_platelet(platelet, binder, wavelengths_nm, max_cosines_, work));
     const std::lock_guard lock(mutex_);
     entries_.push_front({platelet, binder, wavelengths_nm, table});
     if (entries_.size() > max_tables_) entries_.pop_back();

@@ -24,7 +24,8 @@ class FilmCache {
     /// paint::FlakeTable::of_platelet(), computed or from the cache: the same bits.
     std::shared_ptr<const paint::FlakeTable> table(const optics::Platelet& platelet,
                                                    const optics::Material& binder,
-                                                   const std::vector<double>& wavelengths_nm);
+                                                   const std::vector<double>& wavelengths_nm,
+                                                   SharedProgress* work = nullptr);
 
     std::size_t computed() const;  ///< number of tables computed so far
 

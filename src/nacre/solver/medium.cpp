@@ -18,10 +18,12 @@ std::vector<double> sampled(const spectra::Spectrum& spectrum, std::span<const d
 }
 
 paint::FlakeTable make_table(const paint::FlakeSpecies& species, const optics::Material& binder,
-                             const std::vector<double>& wavelengths, FilmCache* films) {
+                             const std::vector<double>& wavelengths, FilmCache* films,
+                             SharedProgress* work) {
     if (const auto* platelet = std::get_if<optics::Platelet>(&species.body)) {
-        if (films) return *films->table(*platelet, binder, wavelengths);
-        return paint::FlakeTable::of_platelet(*platelet, binder, wavelengths);
+        if (films) return *films->table(*platelet, binder, wavelengths, work);
+        return paint::FlakeTable::of_platelet(*platelet, binder, wavelengths,
+                                              paint::FlakeTable::kMaxCosines, work);
     }
     const auto& flake = std::get<paint::PrescribedFlake>(species.body);
     return paint::FlakeTable::constant(sampled(flake.reflectance, wavelengths),
@@ -39,7 +41,7 @@ DoubleLanes block_lanes(std::span<const double> values, int block) {
 }
 
 PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
-                        FilmCache* films) {
+                        FilmCache* films, SharedProgress* work) {
     validate(recipe, wavelengths_nm);
     PaintMedium medium;
     medium.wavelengths_nm = wavelengths_nm;
@@ -55,7 +57,7 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
         out.thickness_um = layer.thickness_um;
         for (const paint::FlakeSpecies& species : layer.flakes) {
             out.flakes.push_back({species.area_density_per_um(), species.orientation.beckmann_alpha,
-                                  make_table(species, recipe.binder, wavelengths_nm, films)});
+                                  make_table(species, recipe.binder, wavelengths_nm, films, work)});
         }
         for (const paint::Pigment& pigment : layer.pigments) {
             out.pigments.push_back(

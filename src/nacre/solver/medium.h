@@ -48,9 +48,10 @@ struct PaintMedium {
 };
 
 /// @param films  cache of the flakes' tables; null: none
-/// @throws DomainError as validate() does
+/// @throws DomainError as validate() and optics::platelet_table() do
+/// @throws Stopped if `work`, which is asked where it is not null, says so
 PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
-                        FilmCache* films = nullptr);
+                        FilmCache* films = nullptr, SharedProgress* work = nullptr);
 
 /// Extinction sigma_t(mu), in 1/um, of the eight wavelengths of `block`.
 DoubleLanes extinction(const LayerMedium& layer, double mu, int block);

@@ -209,21 +209,6 @@ std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
            tensors * pairs * wavelengths * sizeof(double);
 }
 
-// @throws Error if the machine has less memory than a solution takes
-void require_memory(const PaintMedium& medium, const WavelengthGroups& groups,
-                    const Resolution& resolution) {
-    constexpr double kGigabyte = 1e9;
-    const std::size_t needed = memory_of(medium, groups, resolution);
-    const std::size_t available = available_memory();
-    if (needed <= available) return;
-    throw Error(fmt::format(
-        "solving {} wavelengths with {} + {} nodes and {} azimuthal orders takes {:.1f} GB of "
-        "memory, and {:.1f} GB are free: solve fewer wavelengths at a time, or set fewer nodes and "
-        "orders",
-        medium.wavelength_count(), resolution.exit_nodes, resolution.inner_nodes, resolution.orders,
-        needed / kGigabyte, available / kGigabyte));
-}
-
 }  // namespace
 
 SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
@@ -231,13 +216,21 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
     SolvedPaint paint;
     paint.recipe = recipe;
     paint.settings = settings;
-    paint.medium = make_medium(recipe, wavelengths_nm, films);
+    SharedProgress asking(progress, 1);  // how much there is to do is not known yet
+    asking.add(0);
+    paint.medium = make_medium(recipe, wavelengths_nm, films, &asking);
+    asking.require_going(kSolving);
     Resolution resolution = choose_resolution(paint.medium, settings);
     const WavelengthGroups groups = group_wavelengths(paint.medium);
     std::vector<GroupSolution> solutions;
     double unresolved, tail;
     do {
-        require_memory(paint.medium, groups, resolution);
+        require_memory(
+            static_cast<double>(memory_of(paint.medium, groups, resolution)),
+            fmt::format("solving {} wavelengths with {} + {} nodes and {} azimuthal orders",
+                        wavelengths_nm.size(), resolution.exit_nodes, resolution.inner_nodes,
+                        resolution.orders),
+            "solve fewer wavelengths at a time, or set fewer nodes and orders");
         double total = 0;
         for (const WavelengthGroup& group : groups) {
             total += GroupSolver::work(static_cast<int>(group.distinct.size()), resolution);

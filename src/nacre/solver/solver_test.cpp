@@ -173,5 +173,14 @@ TEST(Solver, RefusesWhatTheMemoryCannotHold) {
                 "solving 301 wavelengths with .* GB of memory");
 }
 
+TEST(Solver, StopsWhileFilmsAreComputed) {
+    paint::Recipe recipe = flake_paint(0.1, 0.6, 0, 1, 1.5);
+    recipe.layers[0].flakes[0].body = optics::Platelet{{optics::find_material("mica"), 500, {100}},
+                                                       {{optics::find_material("SiO2"), 80, {20}}}};
+    const Progress never = [](double) { return false; };
+    EXPECT_EQ(message_of<Stopped>([&] { solve(recipe, kOneWavelength, {}, nullptr, never); }),
+              "computing the films of a flake was stopped");
+}
+
 }  // namespace
 }  // namespace nacre::solver

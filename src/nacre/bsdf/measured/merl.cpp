@@ -102,8 +102,11 @@ Neighbours periodic_neighbours(double cells_from_edge, int count) {
 
 }  // namespace
 
+/// Between two looks at whether to go on: some milliseconds.
+constexpr std::size_t kCellsAtOnce = 1 << 16;
+
 struct MeasuredMerl::Tables {
-    explicit Tables(const MerlTable& table);
+    Tables(const MerlTable& table, SharedProgress* work);
 
     int half, difference, azimuths;
     std::vector<Rgb> values;  ///< 1/sr; negative red: not measured
@@ -139,11 +142,12 @@ struct MeasuredMerl::Tables {
     Row fit_row(float theta_i) const;
 };
 
-MeasuredMerl::Tables::Tables(const MerlTable& table)
+MeasuredMerl::Tables::Tables(const MerlTable& table, SharedProgress* work)
     : half(table.half), difference(table.difference), azimuths(table.azimuths) {
     validate(table);
     values.resize(table.cells());
     for (std::size_t i = 0; i < values.size(); ++i) {
+        if (work && i % kCellsAtOnce == 0) work->require_going("preparing a measured BRDF");
         for (int c = 0; c < 3; ++c) {
             const double v = table.values[c * values.size() + i];
             // A cell counts as measured if all its channels do.
@@ -275,8 +279,8 @@ class BoundMeasuredMerl final : public BoundBsdf {
 
 }  // namespace
 
-MeasuredMerl::MeasuredMerl(const MerlTable& table)
-    : tables_(std::make_shared<const Tables>(table)) {}
+MeasuredMerl::MeasuredMerl(const MerlTable& table, SharedProgress* work)
+    : tables_(std::make_shared<const Tables>(table, work)) {}
 
 MeasuredMerl::~MeasuredMerl() = default;
 

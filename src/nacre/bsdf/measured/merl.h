@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/core/progress.h"
 #include "nacre/core/vec.h"
 
 // A measured isotropic BRDF over half and difference angles, as the MERL database keeps it.
@@ -72,8 +73,9 @@ DirectionPair directions_of(const HalfDifference& angles);
 /// fits.
 class MeasuredMerl final : public Bsdf {
  public:
-    /// @throws DomainError as validate(table)
-    explicit MeasuredMerl(const MerlTable& table);
+    /// @throws DomainError as validate(table); Stopped if `work`, which is asked where it is not
+    ///         null, says so
+    explicit MeasuredMerl(const MerlTable& table, SharedProgress* work = nullptr);
     ~MeasuredMerl() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;

@@ -127,14 +127,15 @@ float read_square(const SquareTable& table, Vec2f point) {
     return low + cell.row_fraction * (high - low);
 }
 
-RglMap::RglMap(const RglTable& table)
+RglMap::RglMap(const RglTable& table, SharedProgress* work)
     : isotropic_(checked(table).isotropic()),
       jacobian_(table.jacobian),
       parts_(parts_of_circle(table)),
       grid_(table.phi_i, table.theta_i),
       ndf_(table.ndf),
       sigma_(table.sigma),
-      vndf_(table.vndf, static_cast<int>(table.slices()), table.vndf_rows, table.vndf_columns) {}
+      vndf_(table.vndf, static_cast<int>(table.slices()), table.vndf_rows, table.vndf_columns,
+            work) {}
 
 // Half the circle was measured where the surface looks the same after half a turn, from -180 to
 // 0 deg; a quarter where it has two mirror planes, from -180 to -90 deg.
@@ -192,7 +193,7 @@ float RglMap::solid_angle_density(const RglIncident& i, const RglPoint& point) c
 }
 
 struct MeasuredRgl::Tables {
-    explicit Tables(const RglTable& table);
+    Tables(const RglTable& table, SharedProgress* work);
 
     RglMap map;
     SquareWarp luminance;
@@ -334,17 +335,19 @@ class BoundMeasuredRgl final : public BoundBsdf {
 
 }  // namespace
 
-MeasuredRgl::Tables::Tables(const RglTable& table)
-    : map(table),
+MeasuredRgl::Tables::Tables(const RglTable& table, SharedProgress* work)
+    : map(table, work),
       luminance(table.luminance, static_cast<int>(table.slices()), table.resolution,
-                table.resolution),
+                table.resolution, work),
       resolution(table.resolution),
       channels(static_cast<int>(table.channels())),
       wavelengths_nm(table.wavelengths.begin(), table.wavelengths.end()),
-      values(table.spectra.size()),
       albedo_grid(make_albedo_grid(table)) {
     const std::size_t square = static_cast<std::size_t>(resolution) * resolution;
+    values.reserve(table.spectra.size());
     for (std::size_t slice = 0; slice < table.slices(); ++slice) {
+        if (work) work->require_going("preparing a measured BRDF");
+        values.resize((slice + 1) * square * channels);
         for (int c = 0; c < channels; ++c) {
             const float* from = table.spectra.data() + (slice * channels + c) * square;
             float* to = values.data() + slice * square * channels + c;
@@ -385,7 +388,8 @@ void MeasuredRgl::Tables::tabulate_albedo() {
     });
 }
 
-MeasuredRgl::MeasuredRgl(const RglTable& table) : tables_(std::make_shared<const Tables>(table)) {}
+MeasuredRgl::MeasuredRgl(const RglTable& table, SharedProgress* work)
+    : tables_(std::make_shared<const Tables>(table, work)) {}
 
 MeasuredRgl::~MeasuredRgl() = default;
 

@@ -101,7 +101,7 @@ struct RglPoint {
 
 class RglMap {
  public:
-    explicit RglMap(const RglTable& table);
+    explicit RglMap(const RglTable& table, SharedProgress* work = nullptr);
 
     RglIncident incident(Vec3f wi) const;
     /// The point for a pair of directions; wo in the same frame as i.direction.
@@ -141,8 +141,9 @@ float read_square(const SquareTable& table, Vec2f point);
 /// part of the lamp in the measurement, whichever way the light goes. There is no specular lobe.
 class MeasuredRgl final : public Bsdf {
  public:
-    /// @throws DomainError as validate(table)
-    explicit MeasuredRgl(const RglTable& table);
+    /// @throws DomainError as validate(table); Stopped if `work`, which is asked where it is not
+    ///         null, says so
+    explicit MeasuredRgl(const RglTable& table, SharedProgress* work = nullptr);
     ~MeasuredRgl() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;

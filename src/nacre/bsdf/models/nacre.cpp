@@ -68,7 +68,8 @@ std::vector<double> returned_light(const Microflake::Tables& tables) {
 
 }  // namespace
 
-Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings)
+Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
+                      SharedProgress& work)
     : smooth(std::make_shared<Microflake::Tables>(paint)) {
     const paint::Recipe& recipe = paint->recipe;
     const std::vector<double> returned = returned_light(*smooth);
@@ -82,7 +83,7 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
             if (const auto* platelet = std::get_if<optics::Platelet>(&flake.body);
                 platelet && FlakeFilms::vary(*platelet)) {
                 films.emplace(*platelet, recipe.binder, paint->wavelengths_nm(),
-                              min_half_cosine(smooth->mean_ior));
+                              min_half_cosine(smooth->mean_ior), &work);
             }
             const float fraction = static_cast<float>(returned[species.size()] / all);
             species.push_back(
@@ -94,14 +95,17 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
     if (settings.hot_spot) hot_spot.emplace(*paint);
 }
 
-Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings) {
+Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
+             const Progress& progress) {
     if (paint->medium.roughness > 0) {
         throw DomainError(
             fmt::format("clearcoat.roughness = {}: the model nacre needs a smooth clearcoat, with "
                         "roughness = 0",
                         paint->medium.roughness));
     }
-    auto tables = std::make_shared<Tables>(std::move(paint), settings);
+    SharedProgress work(progress, 1);
+    work.add(0);
+    auto tables = std::make_shared<Tables>(std::move(paint), settings, work);
     tabulate_albedo(*tables->smooth, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundNacre>(tables, wavelengths_nm);
     });
@@ -711,8 +715,9 @@ std::string NacreModel::text() const {
     return fmt::format("specimen={} hot_spot={}", specimen, hot_spot);
 }
 
-std::shared_ptr<const Bsdf> NacreModel::make(const ModelInput& input, const Progress&) const {
-    return std::make_shared<const Nacre>(input.solved, *this);
+std::shared_ptr<const Bsdf> NacreModel::make(const ModelInput& input,
+                                             const Progress& progress) const {
+    return std::make_shared<const Nacre>(input.solved, *this, progress);
 }
 
 }  // namespace nacre::bsdf

@@ -45,8 +45,9 @@ class Nacre final : public Bsdf, public SingleFlakes {
  public:
     /// @throws DomainError if the paint's clearcoat is rough, or its flakes are outside the range
     ///         of FlakeField
+    /// @throws Stopped if `progress`, which is asked while films are computed, says so
     explicit Nacre(std::shared_ptr<const solver::SolvedPaint> paint,
-                   const NacreModel& settings = {});
+                   const NacreModel& settings = {}, const Progress& progress = {});
     ~Nacre() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
@@ -141,7 +142,8 @@ struct NacreSpecies {
 };
 
 struct Nacre::Tables {
-    Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings);
+    Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
+           SharedProgress& work);
 
     std::shared_ptr<Microflake::Tables> smooth;
     std::vector<NacreSpecies> species;       ///< layer by layer

@@ -160,5 +160,12 @@ TEST(HotSpot, MeanOverPatchesIsItsOwnMean) {
     EXPECT_NEAR(model.bound->albedo(wi)[4], mean, 4 * error + 5e-3);
 }
 
+TEST(Nacre, StopsWhileFilmsAreComputed) {
+    const auto paint = std::make_shared<const solver::SolvedPaint>(
+        solver::solve(paint_of({pearl_flake(12)}), {500, 600}));
+    EXPECT_NO_THROW(Nacre(paint, {}, [](double) { return true; }));
+    EXPECT_THROW(Nacre(paint, {}, [](double) { return false; }), Stopped);
+}
+
 }  // namespace
 }  // namespace nacre::bsdf

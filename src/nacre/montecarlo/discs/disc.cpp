@@ -7,6 +7,7 @@
 #include <random>
 
 #include "nacre/core/error.h"
+#include "nacre/core/memory.h"
 #include "nacre/montecarlo/events.h"
 #include "nacre/sparkle/flake_sizes.h"
 
@@ -49,8 +50,22 @@ double expected_discs(const paint::Recipe& recipe, const Tile& tile) {
     return sum;
 }
 
-std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
-                             const std::vector<int>& film_counts, std::uint64_t seed) {
+double expected_copies(const paint::Recipe& recipe, const Tile& tile) {
+    double sum = 0;
+    for_each_species(recipe, [&](const auto& layer, const auto& species, double) {
+        const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
+        double copies = 0;  // of one flake: those with their centre within its radius of the tile
+        for (std::uint32_t i = 0; i < sparkle::FlakeSizes::kSizes; ++i) {
+            const double d = sizes.diameter_um(i);
+            copies += (1 + d / tile.width_um) * (1 + d / tile.height_um);
+        }
+        sum += discs_per_um2(species, layer.thickness_um) * tile.width_um * tile.height_um *
+               (copies / sparkle::FlakeSizes::kSizes);
+    });
+    return sum;
+}
+
+void require_discs(const paint::Recipe& recipe, const Tile& tile) {
     const double expected = expected_discs(recipe, tile);
     if (!(expected <= kMaxDiscs)) {
         throw DomainError(fmt::format(
@@ -58,6 +73,24 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
             "most {:.3g}: take a smaller panel",
             1e-3 * tile.width_um, 1e-3 * tile.height_um, expected, kMaxDiscs));
     }
+    const double copies = expected_copies(recipe, tile);
+    constexpr double kMaxCopies = 2 * kMaxDiscs;
+    if (!(copies <= kMaxCopies)) {
+        throw DomainError(fmt::format(
+            "the flakes in a piece of {} mm x {} mm of this paint reach so far over its edges that "
+            "light meets {:.3g} of them; explicit flakes and their repetitions are at most {:.3g}: "
+            "take a larger panel, or smaller flakes",
+            1e-3 * tile.width_um, 1e-3 * tile.height_um, copies, kMaxCopies));
+    }
+    require_memory(kBytesPerDisc * copies, fmt::format("laying out {:.3g} flakes", copies),
+                   "take a smaller panel");
+}
+
+std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
+                             const std::vector<int>& film_counts, std::uint64_t seed,
+                             SharedProgress* work) {
+    require_discs(recipe, tile);
+    const double expected = expected_discs(recipe, tile);
     std::vector<Disc> discs;
     discs.reserve(static_cast<std::size_t>(expected + 6 * std::sqrt(expected) + 16));
     const double paint_um = recipe.thickness_um();
@@ -70,6 +103,7 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
         const std::uint64_t count = poisson(mean, count_rng);
         RandomStream random(seed, 1, index);
         for (std::uint64_t i = 0; i < count; ++i) {
+            if (work) work->require_going("laying out the flakes");
             Disc disc;
             const double x = tile.width_um * random.uniform();
             const double y = tile.height_um * random.uniform();

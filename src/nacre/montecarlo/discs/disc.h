@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
+#include "nacre/core/progress.h"
 #include "nacre/core/vec.h"
 #include "nacre/paint/recipe.h"
 
@@ -64,11 +65,22 @@ struct Disc {
     std::uint16_t species;  ///< counted through all layers from the top down
 };
 
-/// At some 150 bytes each, Embree's acceleration structure included.
 inline constexpr double kMaxDiscs = 8e6;
+
+/// Of memory that a disc takes, Embree's acceleration structure included.
+inline constexpr double kBytesPerDisc = 150;
 
 /// Mean number of discs in a tile: rho H area, summed over all species.
 double expected_discs(const paint::Recipe& recipe, const Tile& tile);
+/// Mean number of discs with their copies from the tiles around that reach into it: many more where
+/// flakes are wider than the tile.
+double expected_copies(const paint::Recipe& recipe, const Tile& tile);
+
+/// What draw_discs() refuses, before any work.
+/// @throws DomainError naming the number of discs if it exceeds kMaxDiscs, or that of their copies
+///         if it exceeds twice as many
+/// @throws Error if the machine has less memory than they take
+void require_discs(const paint::Recipe& recipe, const Tile& tile);
 
 /// Draws the flakes of a recipe: of each species a Poisson number, centres uniform over the tile
 /// and the thickness of their layer, Gaussian slopes of variance alpha^2 / 2 per component,
@@ -80,8 +92,10 @@ double expected_discs(const paint::Recipe& recipe, const Tile& tile);
 /// and crosses both; no light reaches its ends.
 ///
 /// @param film_counts  DiscFilms::count() by species
-/// @throws DomainError naming the number of discs if it exceeds kMaxDiscs
+/// @throws DomainError, Error as require_discs()
+/// @throws Stopped if `work`, which is asked where it is not null, says so
 std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
-                             const std::vector<int>& film_counts, std::uint64_t seed);
+                             const std::vector<int>& film_counts, std::uint64_t seed,
+                             SharedProgress* work = nullptr);
 
 }  // namespace nacre::montecarlo

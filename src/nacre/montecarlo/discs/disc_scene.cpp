@@ -20,17 +20,24 @@ namespace {
 /// front of either for ever. Hits nearer than this are missed, one in 1e5.
 constexpr float kMinFlight_um = 1e-4f;
 
+constexpr const char* kBuilding = "building the paint's flakes";
+
 }  // namespace
 
-DiscScene::DiscScene(std::vector<Disc> discs, const Tile& tile)
+DiscScene::DiscScene(std::vector<Disc> discs, const Tile& tile, SharedProgress* work)
     : tile_(tile),
       count_(discs.size()),
       discs_(std::move(discs)),
       device_(rtcNewDevice(nullptr), [](RTCDeviceTy* d) { rtcReleaseDevice(d); }),
       scene_(nullptr, [](RTCSceneTy* s) { rtcReleaseScene(s); }) {
     embree::check(device_.get(), "starting");
-    add_copies();
+    add_copies(work);
     scene_.reset(rtcNewScene(device_.get()));
+    if (work) {
+        rtcSetSceneProgressMonitorFunction(
+            scene_.get(),
+            [](void* asked, double) { return static_cast<SharedProgress*>(asked)->ask(); }, work);
+    }
     if (!discs_.empty()) {
         RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
         // Embree reads centre and radius as one vector of four, the normal as one of three.
@@ -47,19 +54,24 @@ DiscScene::DiscScene(std::vector<Disc> discs, const Tile& tile)
         embree::check(device_.get(), "making discs");
     }
     rtcCommitScene(scene_.get());
+    if (work) {
+        work->require_going(kBuilding);
+        rtcSetSceneProgressMonitorFunction(scene_.get(), nullptr, nullptr);
+    }
     embree::check(device_.get(), "building the paint");
 }
 
 DiscScene::~DiscScene() = default;
 
 // Every disc at all places, other than its own, from which it reaches into the tile.
-void DiscScene::add_copies() {
+void DiscScene::add_copies(SharedProgress* work) {
     const auto width = static_cast<float>(tile_.width_um);
     const auto height = static_cast<float>(tile_.height_um);
     // Distance, in tiles, from which a copy can reach in: more than one if a flake is wider than a
     // tile.
     const auto reach = [](float radius, float side) { return 1 + static_cast<int>(radius / side); };
     for (std::size_t i = 0; i < count_; ++i) {
+        if (work) work->require_going(kBuilding);
         const Disc disc = discs_[i];
         const float r = disc.radius_um, x = disc.centre_um.x, y = disc.centre_um.y;
         if (x >= r && x + r <= width && y >= r && y + r <= height) continue;

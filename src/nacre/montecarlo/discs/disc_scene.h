@@ -19,8 +19,9 @@ class DiscScene {
  public:
     /// @param discs  with their centres in the tile; those that reach over an edge are met from the
     ///               other side too
-    /// @throws Error if the ray tracer runs out of memory
-    DiscScene(std::vector<Disc> discs, const Tile& tile);
+    /// @throws Error if the ray tracer runs out of memory; Stopped if `work`, which is asked where it
+    ///         is not null, says so
+    DiscScene(std::vector<Disc> discs, const Tile& tile, SharedProgress* work = nullptr);
     ~DiscScene();
     DiscScene(const DiscScene&) = delete;
     DiscScene& operator=(const DiscScene&) = delete;
@@ -44,7 +45,7 @@ class DiscScene {
     std::size_t count() const { return count_; }
 
  private:
-    void add_copies();
+    void add_copies(SharedProgress* work);
 
     Tile tile_;
     std::size_t count_;

@@ -127,5 +127,16 @@ TEST(Visibility, FlakesArePartlyHidden) {
     EXPECT_LT(v.mean_square, 0.8 * mean);
 }
 
+TEST(DiscScene, StopsWhileItIsBuilt) {
+    const Progress always = [](double) { return true; }, never = [](double) { return false; };
+    SharedProgress going(always, 1), stopped(never, 1);
+    stopped.add(0);
+    const std::vector<Disc> one = {disc({50, 30, -10}, 8)};
+    EXPECT_THROW(DiscScene(one, kTile, &stopped), Stopped);
+    EXPECT_THROW(DiscScene({}, kTile, &stopped), Stopped);
+    const DiscScene scene(one, kTile, &going);
+    EXPECT_TRUE(scene.intersect({50, 30, 0}, kDown, 100, DiscScene::kNone));
+}
+
 }  // namespace
 }  // namespace nacre::montecarlo

@@ -1,14 +1,18 @@
 #include "nacre/montecarlo/discs/disc.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "nacre/core/error.h"
 #include "nacre/testing/discs.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre::montecarlo {
 namespace {
+
+using nacre::test::message_of;
 
 /// Mean and its standard error.
 template <class F>
@@ -102,6 +106,27 @@ TEST(Disc, SameSeedSameFlakes) {
 
 TEST(Disc, RefusesMoreFlakesThanFit) {
     EXPECT_THROW(draw_discs(test::opaque(2, 15, 1), {1e5, 1e5}, {1}, 0), DomainError);
+}
+
+// Flakes far wider than the tile are met again and again: a few of them make a million copies.
+TEST(Disc, RefusesFlakesThatReachFarOverTheEdges) {
+    const paint::Recipe recipe = test::opaque(1000, 15, 10000);
+    const Tile tile{20, 20};
+    EXPECT_LT(expected_discs(recipe, tile), 1);
+    EXPECT_NEAR(expected_copies(recipe, tile) / expected_discs(recipe, tile), 501 * 501, 1);
+    EXPECT_NO_THROW(require_discs(recipe, tile));
+    const paint::Recipe many = test::opaque(1e6, 15, 10000);
+    EXPECT_LT(expected_discs(many, tile), 10);
+    EXPECT_NO_THROW(require_discs(many, tile));
+    EXPECT_THAT(message_of<DomainError>([&] { require_discs(test::opaque(1e9, 15, 10000), tile); }),
+                testing::HasSubstr("light meets 1.28e+09 of them"));
+}
+
+TEST(Disc, StopsWhileTheyAreDrawn) {
+    const Progress never = [](double) { return false; };
+    SharedProgress stopped(never, 1);
+    stopped.add(0);
+    EXPECT_THROW(draw_discs(test::opaque(2, 15, 10), {1000, 1000}, {1}, 0, &stopped), Stopped);
 }
 
 }  // namespace

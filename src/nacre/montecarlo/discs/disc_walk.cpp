@@ -98,14 +98,16 @@ std::vector<optics::Platelet> draw(const optics::Platelet& platelet, int count, 
 }  // namespace
 
 DiscFilms::DiscFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
-                     const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+                     const std::vector<double>& wavelengths_nm, std::uint64_t seed,
+                     SharedProgress* work) {
     // A node beyond the last wavelength, which is read with weight zero.
     stride_ = wavelengths_nm.size() + 1;
-    fill(species, binder, wavelengths_nm, seed);
+    fill(species, binder, wavelengths_nm, seed, work);
 }
 
 void DiscFilms::fill(const paint::FlakeSpecies& species, const optics::Material& binder,
-                     const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+                     const std::vector<double>& wavelengths_nm, std::uint64_t seed,
+                     SharedProgress* work) {
     const auto append = [&](std::vector<float>& to, auto&& value) {
         for (std::size_t i = 0; i < stride_; ++i) {
             const std::size_t j = std::min(i, wavelengths_nm.size() - 1);
@@ -125,7 +127,7 @@ void DiscFilms::fill(const paint::FlakeSpecies& species, const optics::Material&
     Rng rng(seed);
     const std::size_t wavelengths = wavelengths_nm.size();
     for (const optics::Platelet& flake : draw(platelet, count_, rng)) {
-        const auto table = optics::platelet_table(flake, binder, cosines, wavelengths_nm);
+        const auto table = optics::platelet_table(flake, binder, cosines, wavelengths_nm, work);
         for (std::size_t i = 0; i < cosines.size(); ++i) {
             append(reflectance_, [&](auto j) { return table.reflectance[i * wavelengths + j]; });
             append(transmittance_,
@@ -294,11 +296,13 @@ paint::Recipe without_flakes(paint::Recipe recipe) {
 }
 
 std::vector<DiscFilms> make_films(const paint::Recipe& recipe,
-                                  const std::vector<double>& wavelengths_nm, std::uint64_t seed) {
+                                  const std::vector<double>& wavelengths_nm, std::uint64_t seed,
+                                  SharedProgress& work) {
     std::vector<DiscFilms> films;
     for (const paint::Layer& layer : recipe.layers) {
         for (const paint::FlakeSpecies& species : layer.flakes) {
-            films.emplace_back(species, recipe.binder, wavelengths_nm, hash_of(seed, films.size()));
+            films.emplace_back(species, recipe.binder, wavelengths_nm, hash_of(seed, films.size()),
+                               &work);
         }
     }
     return films;
@@ -366,11 +370,12 @@ struct DiscWalkTables {
     bool diffraction;
 
     DiscWalkTables(const paint::Recipe& recipe, const Tile& tile,
-                   const ExplicitFlakesModel& settings, const std::vector<double>& grid_nm)
-        : medium(without_flakes(recipe), grid_nm),
+                   const ExplicitFlakesModel& settings, const std::vector<double>& grid_nm,
+                   SharedProgress& work)
+        : medium(without_flakes(recipe), grid_nm, {}),
           wavelengths_nm(grid_nm),
-          films(make_films(recipe, grid_nm, settings.specimen)),
-          scene(draw_discs(recipe, tile, counts(films), settings.specimen), tile),
+          films(make_films(recipe, grid_nm, settings.specimen, work)),
+          scene(draw_discs(recipe, tile, counts(films), settings.specimen, &work), tile, &work),
           diffraction(settings.diffraction) {}
 };
 
@@ -420,10 +425,13 @@ class BoundDiscWalk final : public BoundWalk {
 }  // namespace
 
 DiscWalk::DiscWalk(const paint::Recipe& recipe, const ExplicitFlakesModel& settings,
-                   const std::vector<double>& wavelengths_nm) {
+                   const std::vector<double>& wavelengths_nm, const Progress& progress) {
     paint::validate(recipe, wavelengths_nm);
     const Tile tile = checked_tile(settings, recipe);
-    tables_ = std::make_shared<const DiscWalkTables>(recipe, tile, settings, wavelengths_nm);
+    require_discs(recipe, tile);
+    SharedProgress work(progress, 1);
+    work.add(0);
+    tables_ = std::make_shared<const DiscWalkTables>(recipe, tile, settings, wavelengths_nm, work);
 }
 
 DiscWalk::~DiscWalk() = default;
@@ -476,8 +484,9 @@ std::string ExplicitFlakesModel::text() const {
 }
 
 std::shared_ptr<const bsdf::Bsdf> ExplicitFlakesModel::make(const bsdf::ModelInput& input,
-                                                            const Progress&) const {
-    return std::make_shared<const DiscWalk>(input.recipe, *this);
+                                                            const Progress& progress) const {
+    return std::make_shared<const DiscWalk>(input.recipe, *this, spectra::default_wavelengths_nm(),
+                                            progress);
 }
 
 void ExplicitFlakesModel::lie_on(const std::string& material,

@@ -52,9 +52,10 @@ using WavelengthPlaces = std::array<bsdf::WavelengthPosition, kLanes>;
 class DiscFilms {
  public:
     /// @param wavelengths_nm  within the data of all materials, increasing
-    /// @throws DomainError as optics::platelet_table()
+    /// @throws DomainError, Stopped as optics::platelet_table()
     DiscFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
-              const std::vector<double>& wavelengths_nm, std::uint64_t seed);
+              const std::vector<double>& wavelengths_nm, std::uint64_t seed,
+              SharedProgress* work = nullptr);
 
     /// How many different flakes there are: one where no film varies.
     int count() const { return count_; }
@@ -72,7 +73,7 @@ class DiscFilms {
 
  private:
     void fill(const paint::FlakeSpecies& species, const optics::Material& binder,
-              const std::vector<double>& wavelengths_nm, std::uint64_t seed);
+              const std::vector<double>& wavelengths_nm, std::uint64_t seed, SharedProgress* work);
 
     int count_ = 1, intervals_ = 0;
     std::size_t stride_ = 0;
@@ -163,9 +164,11 @@ class DiscWalk final : public bsdf::Bsdf {
  public:
     /// @param wavelengths_nm  as for PlaneWalk
     /// @throws DomainError if the recipe is not valid at these wavelengths, naming a setting out of
-    ///         range, or as draw_discs()
+    ///         range, or as require_discs()
+    /// @throws Error as require_discs(); Stopped if `progress` says so
     DiscWalk(const paint::Recipe& recipe, const ExplicitFlakesModel& settings,
-             const std::vector<double>& wavelengths_nm = spectra::default_wavelengths_nm());
+             const std::vector<double>& wavelengths_nm = spectra::default_wavelengths_nm(),
+             const Progress& progress = {});
     ~DiscWalk() override;
 
     std::unique_ptr<const bsdf::BoundBsdf> bind(

@@ -394,5 +394,16 @@ TEST(DiscWalk, RefusesWhatItCannotDo) {
     EXPECT_THROW(DiscWalk(bad, {}), DomainError);
 }
 
+TEST(DiscWalk, StopsWhileItIsMade) {
+    for (const paint::Recipe& recipe : {test::opaque(1, 15, 20), test::pearl()}) {
+        int calls = 0;
+        EXPECT_THROW(
+            DiscWalk(recipe, {.tile_width_mm = 1, .tile_height_mm = 1},
+                     spectra::default_wavelengths_nm(), [&](double) { return ++calls < 1; }),
+            Stopped);
+        EXPECT_EQ(calls, 1);
+    }
+}
+
 }  // namespace
 }  // namespace nacre::montecarlo
