@@ -16,10 +16,19 @@ constexpr int kSamples = 43;  // to 780 nm, where the table of D65 ends
 using Samples = std::array<double, kSamples>;
 
 // Linear Rec. 709 = sum over samples of weights * rho, the white being (1, 1, 1).
-std::vector<Vec3d> make_weights() {
+struct ColourWeights {
+    std::array<Samples, 3> rgb;  // by channel
+};
+
+ColourWeights make_colour_weights() {
     std::vector<double> wavelengths_nm;
     for (int i = 0; i < kSamples; ++i) wavelengths_nm.push_back(kFirst_nm + i * kStep_nm);
-    return rec709_weights(wavelengths_nm);
+    const std::vector<Vec3d> by_sample = rec709_weights(wavelengths_nm);
+    ColourWeights weights;
+    for (int i = 0; i < kSamples; ++i) {
+        for (int c = 0; c < 3; ++c) weights.rgb[c][i] = by_sample[i][c];
+    }
+    return weights;
 }
 
 double square(double x) { return x * x; }
@@ -114,13 +123,13 @@ class LeastSlope {
         double merit = 0;
     };
 
-    static const std::vector<Vec3d>& weights() {
-        static const std::vector<Vec3d> weights = make_weights();
+    const ColourWeights& weights() const {
+        static const ColourWeights weights = make_colour_weights();
         return weights;
     }
-    static double pull(const State& s, int i) {
-        const Vec3d& w = weights()[i];
-        return s.lambda[0] * w[0] + s.lambda[1] * w[1] + s.lambda[2] * w[2];
+    double pull(const State& s, int i) const {
+        const auto& w = weights().rgb;
+        return s.lambda[0] * w[0][i] + s.lambda[1] * w[1][i] + s.lambda[2] * w[2][i];
     }
 
     void evaluate(State& s) const {
@@ -133,7 +142,7 @@ class LeastSlope {
             const double right = i + 1 < kSamples ? s.z[i + 1] - s.z[i] : 0;
             s.gradient[i] = 2 * (left - right) + kRidge * (s.z[i] - z0_) + s.slope[i] * pull(s, i);
             s.merit += square(s.gradient[i]);
-            for (int c = 0; c < 3; ++c) s.miss[c] += weights()[i][c] * s.rho[i];
+            for (int c = 0; c < 3; ++c) s.miss[c] += weights().rgb[c][i] * s.rho[i];
         }
         // Both residuals must vanish; the colour counts more, so that it is met before the
         // slope is polished.
@@ -166,7 +175,7 @@ class LeastSlope {
         for (int i = 0; i < kSamples; ++i) {
             const double curvature = 2 * at_.slope[i] * (1 - 2 * at_.rho[i]);
             diagonal[i] = (i == 0 || i == kSamples - 1 ? 2 : 4) + kRidge + curvature * pull(at_, i);
-            for (int c = 0; c < 3; ++c) x[i][c] = at_.slope[i] * weights()[i][c];
+            for (int c = 0; c < 3; ++c) x[i][c] = at_.slope[i] * weights().rgb[c][i];
             x[i][3] = at_.gradient[i];
         }
         const auto border = x;
