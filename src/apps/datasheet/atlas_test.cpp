@@ -118,7 +118,7 @@ constexpr const char* kCoat = "layer[0].flakes[0].coats[0].thickness_nm";
 
 // Films of wide spreads take seconds.
 TEST(RecipeAtlas, StopsWhileAPaintIsSolved) {
-    paint::Recipe recipe = pearl();
+    paint::Recipe recipe = opaque_pearl();
     std::get<optics::Platelet>(recipe.layers[0].flakes[0].body).coats = {
         {optics::find_material("TiO2_anatase"), 80, {80}},
         {optics::find_material("SiO2"), 300, {1000}}};

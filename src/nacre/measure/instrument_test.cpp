@@ -273,7 +273,7 @@ TEST(Instrument, StopsWithinAReading) {
     const Brdf slow = [&](double, double, double) {
         ++values;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        return std::vector<double>(2, 1 / kPi);
+        return std::vector<double>(2, 1 / std::numbers::pi);
     };
     EXPECT_THROW(measure("", slow, kTwo, std::vector{in_plane(45, 15)}, with_aperture(5, 5),
                          [&](double fraction) {

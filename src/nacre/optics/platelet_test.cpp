@@ -242,7 +242,7 @@ TEST(Platelet, StopsAmongTheCombinationsOfThicknesses) {
     const Platelet platelet{film("mica", 500, 100),
                             {film("TiO2_anatase", 80, 5), film("SiO2", 300, 20)}};
     const auto table = [&](SharedProgress* work) {
-        return platelet_table(platelet, 1.5, kCosines, kWavelengths, work).reflectance;
+        return platelet_table(platelet, 1.5, kTableCosines, kWavelengths, work).reflectance;
     };
     const Progress always = [](double) { return true; }, never = [](double) { return false; };
     SharedProgress going(always, 1), stopped(never, 1);

@@ -26,22 +26,25 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
     EXPECT_EQ(picture.metadata.at("nacre:scene"), "sphere");
     EXPECT_EQ(picture.metadata.at("nacre:recipe_sha256:paint"), paint.recipe_sha256());
     EXPECT_EQ(picture.image().width, 8);
-    // Other flakes, another picture; the paint is not solved again for it.
+    // Flakes, and other flakes, make other pictures; the paint is not solved again for them.
     const auto solved = paint.solved();
-    const Scene sparkling(find_scene("sphere"),
-                          {.slot = paint, .model = NacreModel{.specimen = 1}});
-    EXPECT_NE(sparkling.render(kTiny).result.rgb, picture.result.rgb);
+    render::SceneDescription close = find_scene("macro");
+    const auto flakes_of = [&](std::uint64_t specimen) {
+        return Scene(close, {.slot = paint, .model = NacreModel{.specimen = specimen}});
+    };
+    const Scene first = flakes_of(0), second = flakes_of(1);
+    EXPECT_NE(Scene(close, {.slot = paint}).render(kTiny).result.rgb,
+              first.render(kTiny).result.rgb);
+    EXPECT_NE(second.render(kTiny).result.rgb, first.render(kTiny).result.rgb);
     EXPECT_EQ(paint.solved(), solved);
+    EXPECT_EQ(second.render(kTiny).metadata.at("nacre:specimen"), "1");
+    EXPECT_EQ(second.render(kTiny).metadata.at("nacre:seed"), "0");
+    EXPECT_EQ(Scene(close, {.slot = paint}).specimen(), std::nullopt);
     // The scene may say which specimen; the model's own counts more.
-    render::SceneDescription second = find_scene("sphere");
-    second.specimen = 1;
-    EXPECT_EQ(Scene(second, {.slot = paint, .model = NacreModel{}}).specimen(), 1u);
-    EXPECT_EQ(Scene(second, {.slot = paint, .model = NacreModel{.specimen = 2}}).specimen(), 2u);
-    EXPECT_EQ(Scene(second, {.slot = paint}).specimen(), std::nullopt);
-    EXPECT_EQ(Scene(second, {.slot = paint, .model = NacreModel{}}).render(kTiny).result.rgb,
-              sparkling.render(kTiny).result.rgb);
-    EXPECT_EQ(sparkling.render(kTiny).metadata.at("nacre:specimen"), "1");
-    EXPECT_EQ(sparkling.render(kTiny).metadata.at("nacre:seed"), "0");
+    close.specimen = 1;
+    EXPECT_EQ(flakes_of(0).specimen(), 1u);
+    EXPECT_EQ(flakes_of(2).specimen(), 2u);
+    EXPECT_EQ(flakes_of(0).render(kTiny).result.rgb, second.render(kTiny).result.rgb);
     RenderSettings two_passes = kTiny;
     two_passes.samples_per_pixel = 2;
     EXPECT_FALSE(scene.render(two_passes, [](double) { return false; }).result.complete);
