@@ -491,8 +491,8 @@ def slow_interrupts(lab: Lab, tries: int) -> Iterator[str]:
         which = number % len(commands)
         command = commands[which]
         output = lab.path(command[command.index("-o") + 1])
-        output.write_bytes(b"old")
         output.with_suffix(".png").unlink(missing_ok=True)
+        output.write_bytes(b"old")
         sent = lab.random.choice([signal.SIGINT, signal.SIGTERM])
         begun = time.monotonic()
         process = lab.start(command)
