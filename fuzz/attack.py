@@ -487,8 +487,9 @@ def slow_interrupts(lab: Lab, tries: int) -> Iterator[str]:
     commands = long_work(lab)
     lasts_s = [6.0] * len(commands)  # as far as has been seen
     slowest, slowest_command = 0.0, ""
-    for number in range(max(len(commands), tries)):
-        which = number % len(commands)
+    order = lab.random.sample(range(len(commands)), len(commands))
+    for number in range(tries):
+        which = order[number % len(commands)]
         command = commands[which]
         output = lab.path(command[command.index("-o") + 1])
         output.with_suffix(".png").unlink(missing_ok=True)
