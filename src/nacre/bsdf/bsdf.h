@@ -153,10 +153,9 @@ class BoundBsdf {
     virtual float narrow_light(Vec3f /*wi*/) const {
         return std::numeric_limits<float>::infinity();
     }
-    /// Asks the flakes of a patch, each once: draws a direction out of the lobe of each.
-    /// @param random  32 random bits
-    /// @param list    room for kMaxAskedFlakes
-    /// @return        how many there are
+    /// Asks the flakes of a patch, each once: draws a direction out of the lobe of each, with 32
+    /// random bits, and writes it to the list, which has room for kMaxAskedFlakes.
+    /// @return  how many there are
     virtual int ask_flakes(const Patch&, Vec3f /*wi*/, std::uint32_t /*random*/,
                            AskedFlake* /*list*/) const {
         return 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace nacre::render {
@@ -243,10 +244,12 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
 // adds no noise but that of what stands in between.         [resampling: talbot-2005]
 void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                             const LocalSurface& surface) {
-    std::array<bsdf::AskedFlake, bsdf::kMaxAskedFlakes> flakes;
+    // Room for all, which a constructor would spend more time on than the few that come.
+    alignas(bsdf::AskedFlake) std::byte room[bsdf::kMaxAskedFlakes * sizeof(bsdf::AskedFlake)];
+    auto* const flakes = reinterpret_cast<bsdf::AskedFlake*>(room);
     const std::array<float, PathSampler::kNumbers> u = sampler_.draw(kFlakeVertex);
     const int count = surface.bsdf.ask_flakes(
-        *surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u, flakes.data());
+        *surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u, flakes);
     if (count == 0) return;
     std::array<float, bsdf::kMaxAskedFlakes> brightness;
     float answers = 0, strengths = 0;

@@ -73,6 +73,9 @@ struct AskedPart {
 /// Surfaces that vary are looked at through the footprint of the pixel as long as the path has met
 /// specular reflections only; further on, where neighbouring paths run apart, their mean is taken.
 ///
+/// At the first surface the flakes of those that tell them apart are asked one by one, by the samples
+/// that `asked` says.                                          [docs/nacre-model.md, sparkle in pictures]
+///
 /// @param memory  of pass.patch_memory_bytes; what it held is lost
 PathLight trace_path(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
                      const CameraRay& camera_ray, const AskedPart& asked,

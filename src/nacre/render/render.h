@@ -17,8 +17,9 @@ struct RenderOptions {
     int samples_per_pixel = 64;  ///< [1, 2^24]
     std::uint64_t seed = 0;
     int max_depth = 8;  ///< surface reflections along a path, [1, 1000]
-    /// Side of the piece of surface over which a sample averages where single flakes show,
-    /// [0, 1000] pixels; 0: default_footprint_pixels().
+    /// Side of the piece of surface that each sample shows where single flakes do, [0, 1000] pixels.
+    /// 0: flakes that can be asked one by one are asked (docs/nacre-model.md), and where they cannot,
+    /// as those of surfaces seen in a mirror, default_footprint_pixels().
     double footprint_pixels = 0;
     bool sparkle = false;   ///< RenderResult::sparkle is asked for
     int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
