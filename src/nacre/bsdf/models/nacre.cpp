@@ -6,15 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <new>
-#include <numbers>
 
 #include "nacre/core/error.h"
 #include "nacre/core/lane_math.h"
-#include "nacre/core/parallel.h"
-#include "nacre/core/quadrature.h"
 #include "nacre/core/random.h"
-#include "nacre/paint/beckmann.h"
-#include "nacre/solver/directions.h"
 #include "nacre/sparkle/flake_sizes.h"
 
 namespace nacre::bsdf {
@@ -124,138 +119,6 @@ double Nacre::exact_patch_mm() const {
 
 std::unique_ptr<const BoundBsdf> Nacre::bind(const Wavelengths& wavelengths_nm) const {
     return std::make_unique<const BoundNacre>(tables_, wavelengths_nm);
-}
-
-namespace {
-
-// The mean of d weighted by the area of the flakes: Int O dz of a flake goes with area times d.
-float mean_diameter_um(const paint::FlakeSpecies& species) {
-    const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
-    double square = 0, cube = 0;
-    for (int i = 0; i < sparkle::FlakeSizes::kSizes; ++i) {
-        const double d = sizes.diameter_um(i);
-        square += d * d;
-        cube += d * d * d;
-    }
-    return static_cast<float>(cube / square);
-}
-
-// c Int (1-T)^2 |w.m| D(m) dm / mu at the wavelengths of one block.
-DoubleLanes shared_blocking(const solver::FlakeMedium& flake, double mu, int block) {
-    DoubleLanes sum{};
-    paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
-        const DoubleLanes blocked = 1.0 - flake.table.transmittance(cosine, block);
-        sum += weight * blocked * blocked;
-    });
-    return flake.area_density_per_um / mu * sum;
-}
-
-}  // namespace
-
-HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
-    : wavelength_count_(paint.medium.wavelength_count()) {
-    const solver::PaintMedium& medium = paint.medium;
-    float top_um = 0;
-    for (std::size_t l = 0; l < medium.layers.size(); ++l) {
-        top_um_.push_back(top_um);
-        thickness_um_.push_back(static_cast<float>(medium.layers[l].thickness_um));
-        top_um += thickness_um_.back();
-        for (std::size_t f = 0; f < medium.layers[l].flakes.size(); ++f) {
-            const solver::FlakeMedium& flake = medium.layers[l].flakes[f];
-            Species& species = species_.emplace_back();
-            species.layer = l;
-            species.diameter_um = mean_diameter_um(paint.recipe.layers[l].flakes[f]);
-            species.coupling.resize(static_cast<std::size_t>(kDirectionIntervals + 1) *
-                                    wavelength_count_);
-            parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {
-                const double theta = direction_angle(static_cast<int>(row));
-                for (int w = 0; w < wavelength_count_; ++w) {
-                    const double mu = solver::inside_cosine(medium.ior[w], theta);
-                    species.coupling[row * wavelength_count_ + w] = static_cast<float>(
-                        std::sqrt(shared_blocking(flake, mu, w / kLanes)[w % kLanes]));
-                }
-            });
-        }
-    }
-}
-
-double disc_overlap_integral(double x) {
-    constexpr double kFullOverlap = 4 / (3 * std::numbers::pi);
-    if (x >= 1) return kFullOverlap;
-    const double chord2 = 1 - x * x, chord = std::sqrt(chord2);
-    return 2 * std::numbers::inv_pi * (x * std::acos(x) - chord + chord * chord2 / 3 + 2.0 / 3);
-}
-
-HotSpot::HotSpot(const HotSpotTables& tables, const std::array<WavelengthPosition, kLanes>& where)
-    : top_um_(tables.top_um_), thickness_um_(tables.thickness_um_) {
-    for (const HotSpotTables::Species& from : tables.species_) {
-        Species& to = species_.emplace_back();
-        to.layer = from.layer;
-        to.diameter_um = from.diameter_um;
-        for (int row = 0; row <= kDirectionIntervals; ++row) {
-            const float* values =
-                from.coupling.data() + static_cast<std::size_t>(row) * tables.wavelength_count_;
-            to.coupling.push_back(at_wavelengths(where, [&](int w) { return values[w]; }));
-        }
-    }
-}
-
-HotSpot::Pair::Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o)
-    : hot_spot_(&hot_spot), i_(&i), o_(&o) {
-    const float x = i.inside.x / i.inside.z - o.inside.x / o.inside.z;
-    const float y = i.inside.y / i.inside.z - o.inside.y / o.inside.z;
-    // Beyond the upper bound, at grazing incidence without a coat, the integrals below are nil; at
-    // the lower one they are those of rays that coincide.
-    spread_ = std::clamp(std::sqrt(x * x + y * y), 1e-4f, 1e6f);
-}
-
-template <class Add>
-void HotSpot::Pair::for_each_species(std::size_t layer, Add&& add) const {
-    const HotSpot& h = *hot_spot_;
-    for (const Species& s : h.species_) {
-        if (s.layer > layer) break;
-        // Heights between which the species lies, from the flake upwards, in um.
-        const float over_top = h.top_um_[layer] - h.top_um_[s.layer];
-        const float within = s.layer == layer ? 0.0f : h.thickness_um_[s.layer];
-        const float step = spread_ / s.diameter_um;
-        add(i_->look_up(s.coupling) * o_->look_up(s.coupling), [=, &h](float u) {
-            const float far = u * h.thickness_um_[layer] + over_top;
-            const float near = within > 0 ? far - within : 0.0f;
-            return static_cast<float>(
-                (disc_overlap_integral(far * step) - disc_overlap_integral(near * step)) / step);
-        });
-    }
-}
-
-FloatLanes HotSpot::Pair::gain(std::size_t layer, float u) const {
-    FloatLanes sum{};
-    for_each_species(layer, [&](const FloatLanes& coupling, auto&& length_um) {
-        sum += coupling * length_um(u);
-    });
-    return sum;
-}
-
-FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const {
-    // What comes from below 24 optical depths, 12 with all of the gain, is 6e-6 of the whole.
-    constexpr float kDeep = 24;
-    constexpr int kNodes = 16;
-    const Quadrature& rule = unit_gauss_legendre(kNodes);
-    const FloatLanes safe = max_lanes(depth, splat(1e-20f));
-    const float reach = std::min(1.0f, kDeep / -lane_max(-safe));
-    std::array<FloatLanes, kNodes> exponent;
-    for (int n = 0; n < kNodes; ++n) {
-        exponent[n] = -safe * (reach * static_cast<float>(rule.nodes[n]));
-    }
-    for_each_species(layer, [&](const FloatLanes& coupling, auto&& length_um) {
-        for (int n = 0; n < kNodes; ++n) {
-            exponent[n] += coupling * length_um(reach * static_cast<float>(rule.nodes[n]));
-        }
-    });
-    FloatLanes sum{};
-    for (int n = 0; n < kNodes; ++n) {
-        sum += static_cast<float>(rule.weights[n]) * exp_lanes(exponent[n]);
-    }
-    return sum * reach * safe / one_minus_exp_lanes(safe);
 }
 
 namespace {

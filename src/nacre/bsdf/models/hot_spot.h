@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/lanes.h"
+#include "nacre/solver/solved_paint.h"
+
+namespace nacre::bsdf {
+
+// The hot spot of large flakes: attenuation on the way in and on the way out is correlated.
+//
+// Discs of diameter d block a ray with the rate q c where their centres lie within d/2 of it,
+// q = s(mu)/mu. Two rays that leave one flake are g dz apart after a step dz in height,
+// g = |tan_i e_i - tan_o e_o|; discs that block both count once:
+//
+//     V(z) = exp(-kappa z + c sqrt(q_i q_o) Int_0^z O(g z'/d) dz'),
+//     O(x) = (2/pi) (acos x - x sqrt(1 - x^2))     for x < 1, the overlap of two discs,
+//
+// as in the theory of leaf canopies [kuusk-1985]. A disc with transmittance T blocks neither ray
+// wholly: both together pass T^2, so that 1 - T enters squared. Each layer and species above the
+// flake adds its part. With g -> 0 (towards the light) or d -> infinity a flake that is lit is
+// seen; with d -> 0 the transfer equation holds again.
+
+/// What does not depend on the wavelengths that are bound.
+class HotSpotTables {
+ public:
+    explicit HotSpotTables(const solver::SolvedPaint& paint);
+
+ private:
+    friend class HotSpot;
+    struct Species {
+        std::size_t layer;
+        float diameter_um;            // mean, weighted by area
+        std::vector<float> coupling;  // [direction][wavelength]: sqrt(c Int (1-T)^2 |w.m| D / mu)
+    };
+    std::vector<Species> species_;
+    std::vector<float> top_um_, thickness_um_;  // by layer
+    int wavelength_count_;
+};
+
+/// Int_0^x O(t) dt; 4 / (3 pi) for x >= 1.
+double disc_overlap_integral(double x);
+
+class HotSpot {
+ public:
+    HotSpot(const HotSpotTables& tables, const std::array<WavelengthPosition, kLanes>& where);
+
+    /// A pair of directions.
+    class Pair {
+     public:
+        Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o);
+        /// ln of the attenuation over exp(-kappa z), at the fraction u of the layer's thickness.
+        FloatLanes gain(std::size_t layer, float u) const;
+        /// The mean of the attenuation over that of exp(-kappa z), for a layer whose optical depth
+        /// along both directions is `depth`.
+        FloatLanes mean(std::size_t layer, const FloatLanes& depth) const;
+
+     private:
+        // Calls add(coupling, length_um(u) as a function) for the species that lie over the layer.
+        template <class Add>
+        void for_each_species(std::size_t layer, Add&& add) const;
+
+        const HotSpot* hot_spot_;
+        const Ray *i_, *o_;
+        float spread_;  // g
+    };
+
+ private:
+    struct Species {
+        std::size_t layer;
+        float diameter_um;
+        std::vector<FloatLanes> coupling;  // by direction
+    };
+    std::vector<Species> species_;
+    std::vector<float> top_um_, thickness_um_;
+};
+
+}  // namespace nacre::bsdf
