@@ -56,6 +56,11 @@ function(nacre_module name)
   if(NACRE_TESTS AND tests)
     add_executable(nacre_${name}_test ${tests})
     target_link_libraries(nacre_${name}_test PRIVATE nacre::${name} ${ARG_TEST_DEPENDS})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # Tests run in the libraries, not in their own code: this saves a third of their compilation.
+      # Products and sums must be contracted as in the libraries, whose bits some tests expect.
+      target_compile_options(nacre_${name}_test PRIVATE $<$<CONFIG:Release>:-O1 -fexpensive-optimizations>)
+    endif()
     nacre_discover_tests(nacre_${name}_test)
   endif()
 endfunction()

@@ -392,7 +392,7 @@ TEST_F(Files, TheSameInputGivesTheSameBytesAtAnyTime) {
             const Outcome outcome = nacre(arguments + name + extension);
             ASSERT_EQ(outcome.status, 0) << arguments << '\n' << outcome.err;
         }
-        shell("sleep 1.1");  // HDF5 counts seconds
+        if (name == std::string_view("one")) shell("sleep 1.1");  // HDF5 counts seconds
     }
     for (const auto& [arguments, extension] : writers) {
         EXPECT_TRUE(contents(folder_ / ("one" + extension)) ==

@@ -320,7 +320,7 @@ coats = [{ material = "TiO2_anatase", thickness_nm = 80, spread_nm = 80 }, { mat
               "render sphere --paint lossless.toml --model volume --size 4096x4096 -o old.exr",
               "old.exr"}}) {
         write(file, "old");
-        const Outcome outcome = nacre(command, "timeout --foreground --preserve-status -s INT 1");
+        const Outcome outcome = nacre(command, "timeout --foreground --preserve-status -s INT 0.5");
         EXPECT_EQ(outcome.status, 3) << command << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("stopped")) << command;
         EXPECT_EQ(contents(folder_ / file), "old") << command;

@@ -22,61 +22,55 @@ void for_each_number(const json& value, const Visit& visit) {
     for (const json& part : value) for_each_number(part, visit);
 }
 
-class MirNacre : public ::testing::Test {
- protected:
-    // Once for all tests of a process: some seconds.
-    void SetUp() override {
-        if (!html_.empty()) return;
-        const test::TempFolder folder;
-        const auto page = run_mir_2022(
-            {.folder = folder.path(),
-             .size = 16,
-             .samples = 8,
-             .quick = true,
-             .parts = {MirPart::table_3, MirPart::nacre}},
-            [](const std::string&, const std::function<void(const Progress&)>& work) { work({}); });
-        html_ = read_file(page);
-        results_ = json::parse(read_file(folder / "results.json"));
-    }
-
-    static inline std::string html_;
-    static inline json results_;
+struct Page {
+    std::string html;
+    json results;
 };
 
-TEST_F(MirNacre, TableThreeHasOneModelWithAllCapabilities) {
-    const json& row = results_.at("table_3").at("nacre");
-    EXPECT_TRUE(row.at("goniochromism"));
-    EXPECT_TRUE(row.at("sparkle"));
-    EXPECT_TRUE(row.at("multiple_scattering"));
-    int others_do_all = 0;
-    for (const auto& [name, can] : results_.at("table_3").items()) {
-        others_do_all += name != "nacre" && can.at("goniochromism") && can.at("sparkle") &&
-                         can.at("multiple_scattering");
-    }
-    EXPECT_EQ(others_do_all, 0);  // what the paper ends with
-    EXPECT_THAT(html_, HasSubstr("<code>nacre</code>"));
+/// What the study of the model nacre writes, at the least size; some seconds.
+Page make_page() {
+    const test::TempFolder folder;
+    const auto page = run_mir_2022(
+        {.folder = folder.path(),
+         .size = 16,
+         .samples = 8,
+         .quick = true,
+         .parts = {MirPart::table_3, MirPart::nacre}},
+        [](const std::string&, const std::function<void(const Progress&)>& work) { work({}); });
+    return {read_file(page), json::parse(read_file(folder / "results.json"))};
 }
 
-TEST_F(MirNacre, PicturesAreTimedForEveryNumberOfFlakes) {
-    const json& rows = results_.at("nacre").at("by_number");
+void expect_one_model_with_all_capabilities(const Page& page) {
+    const json& table = page.results.at("table_3");
+    const auto does_all = [](const json& can) {
+        return can.at("goniochromism") && can.at("sparkle") && can.at("multiple_scattering");
+    };
+    for (const auto& [name, can] : table.items()) {
+        EXPECT_EQ(does_all(can), name == "nacre") << name;  // what the paper ends with
+    }
+    EXPECT_THAT(page.html, HasSubstr("<code>nacre</code>"));
+}
+
+void expect_timed_pictures(const Page& page) {
+    const json& rows = page.results.at("nacre").at("by_number");
     for (const char* key : {"microflake", "1e7", "1e12"}) {
         EXPECT_GT(rows.at(key).at("seconds"), 0) << key;
         EXPECT_GT(rows.at(key).at("peak_mib"), 0) << key;
     }
     EXPECT_EQ(rows.at("microflake").at("ratio_to_microflake"), 1);
-    EXPECT_THAT(html_, HasSubstr("10¹²"));
+    EXPECT_THAT(page.html, HasSubstr("10¹²"));
 }
 
-TEST_F(MirNacre, EveryCurveOfQueriesHasAPointForEachFootprint) {
-    const json& queries = results_.at("nacre").at("query_ns");
+void expect_a_point_for_each_footprint(const Page& page) {
+    const json& queries = page.results.at("nacre").at("query_ns");
     const std::size_t footprints = queries.at("footprints").size();
     EXPECT_GE(footprints, 3u);
     EXPECT_EQ(queries.size(), 8u);  // the footprints and seven curves
     for (const auto& [name, curve] : queries.items()) EXPECT_EQ(curve.size(), footprints) << name;
 }
 
-TEST_F(MirNacre, ErrorsFallWithTime) {
-    const json& cases = results_.at("nacre").at("equal_time");
+void expect_errors_that_fall(const Page& page) {
+    const json& cases = page.results.at("nacre").at("equal_time");
     EXPECT_EQ(cases.size(), 2u);
     for (const auto& [name, result] : cases.items()) {
         for (const char* model : {"special-effect", "nacre"}) {
@@ -92,13 +86,23 @@ TEST_F(MirNacre, ErrorsFallWithTime) {
     }
 }
 
-TEST_F(MirNacre, AllThatIsMeasuredIsFiniteAndPositive) {
+void expect_finite_and_positive(const Page& page) {
     int count = 0;
-    for_each_number(results_.at("nacre"), [&](double x) {
+    for_each_number(page.results.at("nacre"), [&](double x) {
         EXPECT_TRUE(std::isfinite(x) && x > 0) << x;
         ++count;
     });
     EXPECT_GT(count, 60);
+}
+
+// One test, as CTest starts a program for each.
+TEST(MirNacre, ResultsAreCompleteAndInOrder) {
+    const Page page = make_page();
+    expect_one_model_with_all_capabilities(page);
+    expect_timed_pictures(page);
+    expect_a_point_for_each_footprint(page);
+    expect_errors_that_fall(page);
+    expect_finite_and_positive(page);
 }
 
 }  // namespace
