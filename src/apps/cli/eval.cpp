@@ -124,7 +124,7 @@ Command add_eval(CLI::App& program) {
                                                 "U,V in the object's unit square")));
     eval->add_option(
         "--footprint", options->footprint,
-        "Side of that patch; " + by_coordinates("in mm", "as a share of the unit square's"));
+        "Side of that patch; " + by_coordinates("in mm", "as a fraction of the unit square's"));
     eval->add_option("--wavelength", options->wavelengths,
                      "Vacuum wavelengths, nm [those of a solved paint, else 400:700:10]");
     add_output(*eval, *options);
@@ -132,9 +132,9 @@ Command add_eval(CLI::App& program) {
     eval->footer(
         "phi_o - phi_i = 180 is the mirror side; theta and phi may be first:last:step. Writes "
         "CSV:\n"
-        "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf, in 1/sr; the mirror of a smooth "
-        "interface\n"
-        "is left out.\n\n"
+        "theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf, in 1/sr; the specular "
+        "reflection of\n"
+        "a smooth interface is left out.\n\n"
         "Example: the flop of a pearl, lit from 45 deg\n"
         "  nacre eval paints/tio2-mica-80.toml --incident 45 --outgoing 0:75:5,180 \\\n"
         "             --wavelength 450,550,650");

@@ -193,7 +193,7 @@ Command add_measure(CLI::App& program) {
         "Writes CSV: geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z, a column R<nm> a wavelength, "
         "and\n"
         "the conditions. Reflectance is relative to the perfect diffuser, which has Y = 100; the\n"
-        "mirror of a smooth interface is left out. Flop index and colour travel go to stderr and "
+        "specular reflection of a smooth interface is left out. Flop index and colour travel go to stderr and "
         "into\n"
         "JSON. With --versus: the colour difference at each angle.\n\n"
         "Examples:\n"

@@ -26,7 +26,7 @@ float turn(Rng& rng) { return 2 * std::numbers::pi_v<float> * rng.uniform_float(
 
 std::vector<bsdf::Patch> square_patches(double area_mm2, double fraction, int count) {
     require_in_range(area_mm2, 1e-12, 1e6, "area of a patch in mm2");
-    require_in_range(fraction, 1e-18, 0.25, "share of the unit square");
+    require_in_range(fraction, 1e-18, 0.25, "fraction of the unit square");
     constexpr float kRadius_mm = 50;
     const auto side_mm = static_cast<float>(std::sqrt(area_mm2));
     const double side = std::sqrt(fraction), room = std::max(0.0, 1 - std::numbers::sqrt2 * side);

@@ -104,7 +104,7 @@ std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
             {SolverWarning::What::azimuthal_series, settings.max_orders != 0,
              fmt::format("{}: the azimuthal series ends after {} orders at {:.2g} of its peak, "
                          "not at {:g} (azimuthal_tail and tolerance), so that its multiple "
-                         "scattering may ring around the azimuth by a share like that",
+                         "scattering may ring around the azimuth by as much of it",
                          file, report.orders, report.azimuthal_tail, settings.tolerance)});
     }
     return warnings;
