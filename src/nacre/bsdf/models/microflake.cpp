@@ -81,56 +81,9 @@ void MicroflakeModel::require_kind(const BrdfTable& read, const std::string& fil
     }
 }
 
-// Directional-hemispherical reflectance by the model's own sampling at 512 low-discrepancy points:
-// deterministic, and within 5e-3 (microflake_test.cpp).
-void tabulate_albedo(
-    Microflake::Tables& tables,
-    const std::function<std::unique_ptr<const BoundBsdf>(const Wavelengths&)>& bind) {
-    constexpr int kStride = 8, kPoints = 512;
-    const int count = tables.wavelength_count();
-    tables.albedo.assign(static_cast<std::size_t>(kDirectionIntervals + 1) * count, 0.0f);
-    const std::vector<double>& grid = tables.paint->wavelengths_nm();
-    for (int block = 0; block < paint::block_count(count); ++block) {
-        Wavelengths wavelengths;
-        for (int i = 0; i < kLanes; ++i) {
-            wavelengths[i] = grid[std::min(block * kLanes + i, count - 1)];
-        }
-        const auto bound = bind(wavelengths);
-        const int lanes = std::min(kLanes, count - block * kLanes);
-        parallel_for(0, kDirectionIntervals / kStride + 1, [&](std::size_t step) {
-            const int row = static_cast<int>(step) * kStride;
-            const double theta = direction_angle(row);
-            const Vec3f wi = {static_cast<float>(std::sin(theta)), 0,
-                              static_cast<float>(std::cos(theta))};
-            FloatLanes sum{};
-            for (unsigned p = 0; p < kPoints; ++p) {
-                unsigned bits = p * 0x9E3779B9u;  // Weyl sequence for the third coordinate
-                const auto radical = static_cast<float>(radical_inverse(p, 2));
-                const float u_select = static_cast<float>(bits >> 8) * 0x1p-24f;
-                if (const auto s = bound->sample(wi, u_select, {(p + 0.5f) / kPoints, radical})) {
-                    sum += s->weight;
-                }
-            }
-            for (int lane = 0; lane < lanes; ++lane) {
-                tables.albedo[static_cast<std::size_t>(row) * count + block * kLanes + lane] =
-                    std::min(1.0f, sum[lane] / kPoints);
-            }
-        });
-    }
-    for (int row = 0; row < kDirectionIntervals; ++row) {
-        const int from = row / kStride * kStride;
-        const float f = static_cast<float>(row - from) / kStride;
-        for (int w = 0; w < count; ++w) {
-            const float a = tables.albedo[from * count + w];
-            tables.albedo[row * count + w] =
-                a + f * (tables.albedo[(from + kStride) * count + w] - a);
-        }
-    }
-}
-
 Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint) {
     auto tables = std::make_shared<Tables>(std::move(paint));
-    tabulate_albedo(*tables, [&](const Wavelengths& wavelengths_nm) {
+    tabulate_sampling(*tables, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundMicroflake>(tables, wavelengths_nm);
     });
     tables_ = std::move(tables);
@@ -172,30 +125,6 @@ double mean(const std::vector<double>& v) {
     return sum / static_cast<double>(v.size());
 }
 
-// Fraction of the incident flux that leaves the paint after one reflection at a flake, roughly: as
-// if the outgoing cosine were the incident one. theta outside the coat, rad.
-double single_scattering_fraction(const solver::PaintMedium& medium, double theta) {
-    const double ior = mean(medium.ior);
-    const double mu = solver::inside_cosine(ior, theta);
-    const double t = 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta));
-    double fraction = 0, depth = 0;
-    for (const auto& layer : medium.layers) {
-        const DoubleLanes rate = 2.0 * solver::extinction(layer, mu, 0) / mu;
-        const double here = layer.thickness_um * lane_mean(rate);
-        double scattering = 0;
-        for (const auto& flake : layer.flakes) {
-            paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
-                scattering += flake.area_density_per_um * weight *
-                              lane_mean(flake.table.reflectance(cosine, 0));
-            });
-        }
-        fraction += t * t * scattering / mu * std::exp(-depth) * layer.thickness_um *
-                    (here > 1e-9 ? -std::expm1(-here) / here : 1.0);
-        depth += here;
-    }
-    return fraction;
-}
-
 }  // namespace
 
 double direction_angle(int row) {
@@ -209,7 +138,6 @@ Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
       rough(has_rough_interface(*paint)),
       smooth(tensors(), narrowest_alpha(paint->medium), mean_ior) {
     tabulate_extinction();
-    choose_lobes();
 }
 
 std::vector<const solver::MultipleScattering*> Microflake::Tables::tensors() const {
@@ -240,93 +168,12 @@ void Microflake::Tables::tabulate_extinction() {
     }
 }
 
-void Microflake::Tables::choose_lobes() {
-    const auto& medium = paint->medium;
-    double weight = 0, sum = 0;
-    for (const auto& layer : medium.layers) {
-        for (const auto& flake : layer.flakes) {
-            const double w = flake.area_density_per_um * layer.thickness_um;
-            weight += w;
-            sum += w * flake.alpha;
-        }
-    }
-    const bool has_flakes = weight > 0;
-    if (has_flakes) flake_alpha = static_cast<float>(sum / weight);
-    // A facet of slope m turns refracted light by about half as much as a flake of that slope turns
-    // reflected light.
-    if (rough) flake_alpha = static_cast<float>(std::hypot(flake_alpha, 0.5 * medium.roughness));
-    // Three reflections off Gaussian slopes spread like sqrt(3); five and more, wider still.
-    wide_alpha = 2 * flake_alpha;
-
-    const double ior = mean_ior;
-    const Quadrature polar = gauss_legendre(12, 0.0, std::numbers::pi / 2);
-    constexpr int kAzimuths = 12;
-    probability.resize(kDirectionIntervals + 1);
-    constexpr int kStride = 8;  // the smooth part changes slowly with direction
-    parallel_for(0, kDirectionIntervals / kStride + 1, [&](std::size_t step) {
-        const int row = static_cast<int>(step) * kStride;
-        const double theta_i = direction_angle(row);
-        const double interface =
-            rough ? solver::rough_interface(ior, medium.roughness)->albedo(theta_i)
-                  : optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
-        // Albedo of the multiple scattering, and twice its part on the side of the incident light,
-        // away from the lobe of the flakes: an estimate of its diffuse part.
-        const solver::MultipleScatteringSlice slice(paint->multiple_scattering, theta_i);
-        std::vector<double> coefficient(paint->multiple_scattering.rank());
-        double energy = 0, diffuse_part = 0;
-        for (std::size_t t = 0; t < polar.nodes.size(); ++t) {
-            const double theta_o = polar.nodes[t];
-            const double fresnel =
-                (1 - interface) *
-                (1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta_o))) / (ior * ior);
-            for (int p = 0; p < kAzimuths; ++p) {
-                const double phi = std::numbers::pi * (p + 0.5) / kAzimuths;
-                slice.coefficients(theta_o, phi, coefficient);
-                double f = 0;
-                for (int k = 0; k < paint->multiple_scattering.rank(); ++k) {
-                    for (int w = 0; w < wavelength_count(); ++w) {
-                        f += coefficient[k] *
-                             paint->multiple_scattering.basis[k * wavelength_count() + w];
-                    }
-                }
-                const double flux = std::max(0.0, f / wavelength_count()) * fresnel *
-                                    polar.weights[t] * std::sin(theta_o) * std::cos(theta_o) * 2 *
-                                    std::numbers::pi / kAzimuths;
-                energy += flux;
-                if (phi < std::numbers::pi / 2) diffuse_part += 2 * flux;
-            }
-        }
-        const double single = has_flakes ? single_scattering_fraction(medium, theta_i) : 0.0;
-        const double total = interface + single + energy + 1e-6;
-        // A tenth of the multiple scattering at least, and a hundredth of all, is sampled by the
-        // cosine lobe: that bounds the weights.
-        double diffuse = std::max(std::min(diffuse_part, energy), 0.1 * energy) / total + 0.01;
-        double wide = has_flakes ? std::max(energy / total + 0.01 - diffuse, 0.01) : 0.0;
-        double flake = single / total + (has_flakes ? 0.01 : 0.0);
-        const double sum_all = interface / total + flake + wide + diffuse;
-        probability[row] = {static_cast<float>(interface / total / sum_all),
-                            static_cast<float>(flake / sum_all), static_cast<float>(wide / sum_all),
-                            static_cast<float>(diffuse / sum_all)};
-    });
-    for (int row = 0; row < kDirectionIntervals; ++row) {
-        const int from = row / kStride * kStride;
-        const float f = static_cast<float>(row - from) / kStride;
-        const LobeProbabilities &a = probability[from], &b = probability[from + kStride];
-        if (row == from) continue;
-        const auto mix = [&](float LobeProbabilities::*m) { return a.*m + f * (b.*m - a.*m); };
-        probability[row] = {mix(&LobeProbabilities::interface), mix(&LobeProbabilities::flakes),
-                            mix(&LobeProbabilities::wide), mix(&LobeProbabilities::diffuse)};
-    }
-}
-
 BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> tables,
                                  const Wavelengths& wavelengths)
     : tables_(std::move(tables)),
       where_(locate_wavelengths(tables_->paint->wavelengths_nm(), wavelengths)),
       grid_(tables_->smooth.grid()),
-      smooth_(grid_.cells(), FloatLanes{}),
-      flake_lobe_(tables_->flake_alpha),
-      wide_lobe_(tables_->wide_alpha) {
+      smooth_(grid_.cells(), FloatLanes{}) {
     const solver::SolvedPaint& paint = *tables_->paint;
     const int count = tables_->wavelength_count();
 
@@ -460,18 +307,25 @@ FloatLanes BoundMicroflake::rough_lobe(const Ray& i, const Ray& o) const {
     return f;
 }
 
-const LobeProbabilities& BoundMicroflake::probabilities_at(const Ray& i) const {
+const SamplingProbabilities& BoundMicroflake::probabilities_at(const Ray& i) const {
     return tables_->probability[i.row + (i.fraction > 0.5f)];
 }
 
-float BoundMicroflake::density(const LobeProbabilities& probability, const Ray& i,
+float BoundMicroflake::density(const SamplingProbabilities& probability, const Ray& i,
                                const Ray& o) const {
-    const float inside =
-        flake_lobe_.mixed_pdf(i.inside, o.inside, probability.flakes, probability.wide);
+    const Vec3f half = i.inside + o.inside;
+    const float slopes = tables_->warp->slope_pdf({i.outside, i.inside, i.x}, half);
+    // Area of slopes per solid angle of w_o: sec^3 / (4 w_i.h), and that outside.
+    const float table =
+        slopes * solid_angle_ratio(o) * 0.5f * dot(half, half) / (half.z * half.z * half.z);
     const float interface =
         rough_ ? probability.interface * rough_->lobe.pdf(i.outside, o.outside) : 0.0f;
-    return interface + o.outside.z * (probability.diffuse * std::numbers::inv_pi_v<float> +
-                                      inside * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z);
+    return interface + probability.table * table +
+           probability.diffuse * std::numbers::inv_pi_v<float> * o.outside.z;
+}
+
+FloatLanes BoundMicroflake::interface_lobe(Vec3f wi, Vec3f wo) const {
+    return rough_ ? rough_lobe(make_ray(wi), make_ray(wo)) : FloatLanes{};
 }
 
 FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
@@ -500,20 +354,12 @@ BsdfSample BoundMicroflake::specular_sample(Vec3f wi, float probability) const {
     return s;
 }
 
-Vec3f BoundMicroflake::draw(const LobeProbabilities& probability, const Ray& i, float u_select,
+Vec3f BoundMicroflake::draw(const SamplingProbabilities& probability, const Ray& i, float u_select,
                             Vec2f u) const {
-    constexpr Vec3f kNothing{0, 0, 0};
     if (u_select < probability.interface)
         return rough_->lobe.sample(i.outside, u_select / probability.interface, u);
-    u_select -= probability.interface;
-    if (u_select < probability.flakes + probability.wide) {
-        const bool narrow = u_select < probability.flakes;
-        const float u_sign = narrow ? u_select / probability.flakes
-                                    : (u_select - probability.flakes) / probability.wide;
-        const Vec3f inside = (narrow ? flake_lobe_ : wide_lobe_).sample(i.inside, u_sign, u);
-        return leave(inside).value_or(kNothing);
-    }
-    return cosine_hemisphere(u);
+    if (u_select - probability.interface < probability.diffuse) return cosine_hemisphere(u);
+    return tables_->warp->sample({i.outside, i.inside, i.x}, u).value_or(Vec3f{0, 0, 0});
 }
 
 std::optional<BsdfSample> BoundMicroflake::sample(Vec3f wi, float u_select, Vec2f u) const {

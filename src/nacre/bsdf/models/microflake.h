@@ -12,6 +12,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/flake_lobe.h"
 #include "nacre/bsdf/model.h"
+#include "nacre/bsdf/reflection_warp.h"
 #include "nacre/bsdf/smooth_table.h"
 #include "nacre/bsdf/tabulated/compression.h"
 #include "nacre/bsdf/wavelength_lanes.h"
@@ -71,14 +72,20 @@ inline constexpr double kMicroflakeError = 2e-3;
 /// The same under a rough clearcoat, where the table holds single scattering too.
 inline constexpr double kMicroflakeRoughError = 5e-3;
 
+class BoundMicroflake;
+
 // What the micro-flake model works out once a paint, before any wavelength is chosen.
 
 /// Functions of one direction are tabulated over x = tan(theta/2), even in x.
 inline constexpr int kDirectionIntervals = 128;
 
-/// Probability of the sampling strategies at one incident direction; they sum to 1.
-struct LobeProbabilities {
-    float interface = 0, flakes = 0, wide = 0, diffuse = 0;
+/// Probability of the ways to draw a direction, by incident direction; they sum to 1.
+struct SamplingProbabilities {
+    float interface = 0;  ///< its lobe, or its specular reflection
+    float table = 0;      ///< ReflectionWarp
+    float diffuse = 0;
+    /// Of what the table stands for, the fraction that is scattered once, roughly.
+    float single = 0;
 };
 
 struct Microflake::Tables {
@@ -88,15 +95,12 @@ struct Microflake::Tables {
     float mean_ior;  ///< of the binder over the paint's wavelengths
     bool rough;      ///< the interface: its lobe takes the place of the specular one
     SmoothTable smooth;
-    /// Roughness of the sampled lobes inside the coat: of single scattering (area-weighted mean of
-    /// the flakes) and, twice that, of multiple scattering.
-    float flake_alpha = 0.1f, wide_alpha = 0.2f;
     /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
     std::vector<std::vector<float>> extinction;
-    std::vector<LobeProbabilities> probability;  ///< by direction
-    /// [direction][wavelength]: directional-hemispherical reflectance; filled by
-    /// tabulate_albedo(), which needs the model itself.
-    std::vector<float> albedo;
+    // Filled by tabulate_sampling(), which needs the model itself.
+    std::shared_ptr<const ReflectionWarp> warp;      ///< all but the interface
+    std::vector<SamplingProbabilities> probability;  ///< by direction
+    std::vector<float> albedo;  ///< [direction][wavelength]: directional-hemispherical reflectance
 
     /// What the smooth table sums, in the order of its basis.
     std::vector<const solver::MultipleScattering*> tensors() const;
@@ -104,14 +108,12 @@ struct Microflake::Tables {
 
  private:
     void tabulate_extinction();
-    void choose_lobes();
 };
 
-/// Fills tables.albedo with the mean weight of sample() of the surface that `bind` makes of the
-/// tables.
-void tabulate_albedo(
+/// Fills the tables by which the surface that `bind` makes of them is sampled, and its albedo.
+void tabulate_sampling(
     Microflake::Tables& tables,
-    const std::function<std::unique_ptr<const BoundBsdf>(const Wavelengths&)>& bind);
+    const std::function<std::unique_ptr<const BoundMicroflake>(const Wavelengths&)>& bind);
 
 /// Angle outside the coat of a row of the direction tables, just short of the horizon at the last.
 double direction_angle(int row);
@@ -178,6 +180,8 @@ class BoundMicroflake : public BoundBsdf {
     float pdf(Vec3f wi, Vec3f wo) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
+    /// The lobe of a rough interface, part of eval(); 0 of a smooth one.
+    FloatLanes interface_lobe(Vec3f wi, Vec3f wo) const;
 
  protected:
     // For models that keep the smooth part and the ways to sample it, and change the flakes.
@@ -190,16 +194,17 @@ class BoundMicroflake : public BoundBsdf {
     template <class Flakes>
     FloatLanes single_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
 
-    const LobeProbabilities& probabilities_at(const Ray& i) const;
+    const SamplingProbabilities& probabilities_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these probabilities.
-    float density(const LobeProbabilities& probability, const Ray& i, const Ray& o) const;
+    float density(const SamplingProbabilities& probability, const Ray& i, const Ray& o) const;
     /// Whether u_select, in [0, sum of the probabilities), selects the specular lobe of a smooth
     /// interface.
-    bool draws_specular(const LobeProbabilities& probability, float u_select) const {
+    bool draws_specular(const SamplingProbabilities& probability, float u_select) const {
         return u_select < probability.interface && !rough_;
     }
-    /// By the lobe that u_select selects, not the specular one; not upwards where no light leaves.
-    Vec3f draw(const LobeProbabilities& probability, const Ray& i, float u_select, Vec2f u) const;
+    /// In the way that u_select selects, not the specular one; not upwards where no light leaves.
+    Vec3f draw(const SamplingProbabilities& probability, const Ray& i, float u_select,
+               Vec2f u) const;
     /// As sample(), of a surface whose value towards a ray is value_to(ray).
     template <class Value>
     std::optional<BsdfSample> sample_by(const Ray& i, float u_select, Vec2f u,
@@ -248,7 +253,6 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes clearcoat_depth_, ior_, inverse_ior2_;
     bool dispersive_ = false;
     float mean_ior_, inverse_mean_ior_;
-    FlakeLobe flake_lobe_, wide_lobe_;  // the second twice as rough
     /// By direction: transmittance of a smooth interface over the cosine, finite at grazing.
     std::vector<FloatLanes> transmittance_over_cosine_;
     /// A rough interface: its facets, and by direction the masking over the cosine and the fraction
@@ -266,7 +270,7 @@ class BoundMicroflake : public BoundBsdf {
 template <class Value>
 std::optional<BsdfSample> BoundMicroflake::sample_by(const Ray& i, float u_select, Vec2f u,
                                                      const Value& value_to) const {
-    const LobeProbabilities& probability = probabilities_at(i);
+    const SamplingProbabilities& probability = probabilities_at(i);
     if (draws_specular(probability, u_select)) {
         return specular_sample(i.outside, probability.interface);
     }

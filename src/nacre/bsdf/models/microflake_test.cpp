@@ -148,6 +148,29 @@ TEST(Microflake, SamplesFollowTheDensity) {
     EXPECT_EQ(tests, 8);
 }
 
+// Directions are drawn in proportion to what is reflected: single samples of a grey paint scatter by
+// some 15 %, and few are lost to total reflection inside the coat.
+TEST(Microflake, WeightsVaryLittle) {
+    for (const double alpha : {0.05, 0.16, 0.4}) {
+        const Model model(metallic(alpha, 0.7));
+        const auto bound = model.bsdf->bind(kOnGrid);
+        Rng rng(6, 1);
+        for (const double theta_i : {0.5, 30.0, 60.0, 75.0}) {
+            constexpr int kSamples = 20000;
+            double sum = 0, squares = 0;
+            for (int i = 0; i < kSamples; ++i) {
+                const auto s = bound->sample(direction(theta_i, 10), rng.uniform_float(),
+                                             {rng.uniform_float(), rng.uniform_float()});
+                const double weight = s ? s->weight[4] : 0.0;
+                sum += weight;
+                squares += weight * weight;
+            }
+            EXPECT_LT(squares * kSamples / (sum * sum) - 1, 0.05)
+                << "alpha " << alpha << ", theta_i " << theta_i;
+        }
+    }
+}
+
 TEST(Microflake, WeightsStayBoundedUpToGrazing) {
     for (const double alpha : {0.03, 0.1, 0.5}) {
         const Model model(metallic(alpha, 1.0));
@@ -161,8 +184,7 @@ TEST(Microflake, WeightsStayBoundedUpToGrazing) {
                 if (s) largest = std::max(largest, static_cast<double>(lane_max(s->weight)));
             }
             EXPECT_GT(largest, 0.3);
-            // The tenth of the multiple scattering that the cosine lobe samples bounds the weight
-            // by about ten.
+            // The cosine lobe, which a thirtieth samples, bounds the weight.
             EXPECT_LT(largest, 10) << "alpha " << alpha << ", theta_i " << theta_i;
         }
     }

@@ -101,7 +101,7 @@ Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel&
     SharedProgress work(progress, 1);
     work.add(0);
     auto tables = std::make_shared<Tables>(std::move(paint), settings, work);
-    tabulate_albedo(*tables->smooth, [&](const Wavelengths& wavelengths_nm) {
+    tabulate_sampling(*tables->smooth, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundNacre>(tables, wavelengths_nm);
     });
     tables_ = std::move(tables);
@@ -345,7 +345,7 @@ FloatLanes BoundNacre::value_on(const Patch& patch, const Look& look, const Ray&
 }
 
 BoundNacre::Probability BoundNacre::probability_on(const Look& look, const Ray& i) const {
-    const LobeProbabilities& mean = probabilities_at(i);
+    const SamplingProbabilities& mean = probabilities_at(i);
     float background = 0, resolved = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         const float fraction = tables_->species[s].fraction;
@@ -354,17 +354,16 @@ BoundNacre::Probability BoundNacre::probability_on(const Look& look, const Ray& 
     }
     Probability probability;
     probability.lobes = mean;
-    probability.lobes.flakes *= std::max(background, kMinMeanProbability);
-    probability.flakes = mean.flakes * resolved;
-    const float scale =
-        1 / (probability.lobes.interface + probability.lobes.flakes + probability.lobes.wide +
-             probability.lobes.diffuse + probability.flakes);
+    const float flakes = mean.table * mean.single;
+    probability.lobes.table += flakes * (std::max(background, kMinMeanProbability) - 1);
+    probability.flakes = flakes * resolved;
+    const float scale = 1 / (probability.lobes.interface + probability.lobes.table +
+                             probability.lobes.diffuse + probability.flakes);
     probability.lobes.interface *= scale;
-    probability.lobes.flakes *= scale;
-    probability.lobes.wide *= scale;
+    probability.lobes.table *= scale;
     probability.lobes.diffuse *= scale;
     probability.flakes *= scale;
-    probability.per_species = mean.flakes * scale;
+    probability.per_species = flakes * scale;
     return probability;
 }
 

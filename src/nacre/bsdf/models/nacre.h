@@ -128,7 +128,7 @@ class BoundNacre final : public BoundMicroflake {
     // Probability of the ways to sample a patch, in proportion to the light that they are expected
     // to find on it; with those of single flakes they add up to 1.
     struct Probability {
-        LobeProbabilities lobes;
+        SamplingProbabilities lobes;
         float flakes;       // all resolved
         float per_species;  // times NacreSpecies::fraction times weight_sum: those of one species
     };

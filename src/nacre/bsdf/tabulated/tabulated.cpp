@@ -31,6 +31,11 @@ struct TableRay {
     float transmittance;    ///< of a smooth interface over n; 1 for a rough one
 };
 
+/// Of the lobes at one incident direction; they sum to 1.
+struct LobeProbabilities {
+    float interface = 0, flakes = 0, wide = 0, diffuse = 0;
+};
+
 struct Tabulated::Tables {
     using Data = std::variant<std::shared_ptr<const RawBrdfTable>,
                               std::shared_ptr<const CompressedBrdfTable>>;

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "nacre/bsdf/warp.h"
+#include "nacre/core/vec.h"
+
+namespace nacre::bsdf {
+
+/// Draws directions nearly in proportion to what an isotropic paint under a flat interface
+/// reflects, from a table of it: one map of the unit square to directions, without samples lost to
+/// total reflection.
+///
+/// The square's first side is the slope r of the half vector inside, as r / (r + alpha) over its
+/// largest value, the other its azimuth from the plane of incidence, both halves alike. So lobes of
+/// flakes lie across many cells whatever their roughness. Between the nodes the density is
+/// bilinear, and between incident directions linear: it is exact for what sample() draws.
+///                                     [tabulated inverse transforms: dupuy-jakob-2018, rosenblatt-1952]
+class ReflectionWarp {
+ public:
+    /// What is reflected from wi towards wo per solid angle, for white light from wi: BRDF times the
+    /// cosine of wo; not negative. Called from several threads.
+    using Flux = std::function<float(Vec3f wi, Vec3f wo)>;
+
+    /// @param ior    of the coat, at least 1
+    /// @param alpha  roughness of the narrowest lobes, inside
+    ReflectionWarp(float ior, float alpha, const Flux& flux);
+
+    /// What is known of an incident direction: outside, inside, and tan(theta/2) outside.
+    struct Incident {
+        Vec3f outside, inside;
+        float x;
+    };
+    /// The direction outside for a point of [0, 1)^2; empty where light cannot leave.
+    std::optional<Vec3f> sample(const Incident& i, Vec2f u) const;
+    /// Density of sample(), per area of the slopes of half vectors inside.
+    /// @param half  sum of both directions inside
+    float slope_pdf(const Incident& i, Vec3f half) const;
+
+    /// Integral of the flux over all wo: a guide, within a few per cent for paints, a quarter at worst.
+    float albedo(float x) const;
+
+ private:
+    SliceMix slices(float x) const;
+    Vec2f direction_of(const Incident& i) const;
+    float radius(float u) const { return alpha_ * u / (1 - u); }
+
+    float ior_, alpha_, end_;  // end_: r / (r + alpha) of the largest slope
+    std::vector<float> albedo_;
+    SquareWarp warp_;
+};
+
+}  // namespace nacre::bsdf
