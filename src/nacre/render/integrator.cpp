@@ -53,7 +53,8 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& h
                       const Frame& frame, Vec3f wi, LocalSurface& surface, const VertexNumbers& u,
                       DirectLight strategy) {
     const auto light =
-        scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data());
+        scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data(),
+                             strategy == DirectLight::light_sampling);
     if (!light || dot(light->direction, hit.geometric_normal) <= 0) return {};
     const Vec3f wo = frame.to_local(light->direction);
     if (wo.z <= 0) return {};

@@ -31,14 +31,26 @@ double disk_solid_angle(const DistantDisk& disk) { return std::numbers::pi * dis
 
 LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environment>& environment,
                    Vec3f center_mm, float radius_mm, EmissionBasis& basis) {
+    double peaks_estimate = 0;
     if (environment) {
         CompiledEnvironment compiled = compile_environment(*environment, basis);
         environment_ = std::move(compiled.radiance);
-        table_.emplace(compiled.table_columns, compiled.table_rows,
-                       [this](Vec3f d) { return environment_->luminance(d); });
-        add(Kind::environment, 0, std::numbers::pi * table_->mean_brightness());
-        environment_brightness_ =
-            static_cast<float>(4 * std::numbers::pi) * table_->mean_brightness();
+        const auto luminance = [this](Vec3f d) { return environment_->luminance(d); };
+        const DirectionTable& all =
+            alone_.environment.emplace(compiled.table_columns, compiled.table_rows, luminance);
+        const float mean = all.mean_brightness();
+        add(Kind::environment, 0, std::numbers::pi * mean);
+        environment_brightness_ = static_cast<float>(4 * std::numbers::pi) * mean;
+        const DirectionTable& peaks = beside_.environment.emplace(
+            compiled.table_columns, compiled.table_rows,
+            [&](Vec3f d) { return std::max(0.0f, luminance(d) - mean); });
+        // What is left of an even sky is rounding.
+        constexpr float kLeast = 1e-4f;
+        if (peaks.mean_brightness() > kLeast * mean) {
+            peaks_estimate = std::numbers::pi * peaks.mean_brightness();
+        } else {
+            beside_.environment.reset();
+        }
         sun_ = compiled.sun;
         if (sun_) add(Kind::sun, 0, sun_->luminance * disk_solid_angle(*sun_));
     }
@@ -59,44 +71,53 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
                  basis.add(unit_illuminant(directional.irradiance.illuminant))});
         }
     }
-    normalise();
+    for (Entry entry : alone_.entries) {
+        if (entry.kind == Kind::environment) {
+            entry.probability = static_cast<float>(peaks_estimate);
+        }
+        if (entry.probability > 0) beside_.entries.push_back(entry);
+    }
+    normalise(alone_);
+    normalise(beside_);
 }
 
 void LightSet::add(Kind kind, int index, double estimate) {
     // Black lights are never sampled.
-    if (estimate > 0) entries_.push_back({kind, index, static_cast<float>(estimate), 0});
+    if (estimate > 0) alone_.entries.push_back({kind, index, static_cast<float>(estimate), 0});
 }
 
-void LightSet::normalise() {
+void LightSet::normalise(Choice& choice) const {
     // A tenth of the probability is uniform: the estimate may be far off for a given point.
     constexpr double kEvenFraction = 0.1;
     double total = 0;
-    for (const Entry& e : entries_) total += e.probability;
+    for (const Entry& e : choice.entries) total += e.probability;
     double sum = 0;
-    rectangle_probability_.assign(rectangles_.size(), 0);
-    for (Entry& e : entries_) {
+    choice.rectangle_probability.assign(rectangles_.size(), 0);
+    for (Entry& e : choice.entries) {
         const double p = (1 - kEvenFraction) * e.probability / total +
-                         kEvenFraction / static_cast<double>(entries_.size());
+                         kEvenFraction / static_cast<double>(choice.entries.size());
         sum += p;
         e.probability = static_cast<float>(p);
         e.cumulative = static_cast<float>(sum);
-        if (e.kind == Kind::environment) environment_probability_ = e.probability;
+        if (e.kind == Kind::environment) choice.environment_probability = e.probability;
         if (e.kind == Kind::sun) {
-            sun_pdf_ = {e.probability, static_cast<float>(1 / disk_solid_angle(*sun_))};
+            choice.sun = {e.probability, static_cast<float>(1 / disk_solid_angle(*sun_))};
         }
-        if (e.kind == Kind::rectangle) rectangle_probability_[e.index] = e.probability;
+        if (e.kind == Kind::rectangle) choice.rectangle_probability[e.index] = e.probability;
     }
-    if (!entries_.empty()) entries_.back().cumulative = 1;
+    if (!choice.entries.empty()) choice.entries.back().cumulative = 1;
 }
 
 std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f u,
-                                            const FloatLanes* basis) const {
-    const Entry* entry = entries_.data();
+                                            const FloatLanes* basis, bool alone) const {
+    const Choice& choice = alone ? alone_ : beside_;
+    if (choice.entries.empty()) return std::nullopt;
+    const Entry* entry = choice.entries.data();
     while (u_light >= entry->cumulative) ++entry;  // the last one's is 1
     switch (entry->kind) {
         case Kind::environment: {
-            const DirectionSample s = table_->sample(u);
-            const float pdf = environment_probability_ * s.pdf;
+            const DirectionSample s = choice.environment->sample(u);
+            const float pdf = choice.environment_probability * s.pdf;
             if (!(pdf > 0)) return std::nullopt;
             return LightSample{s.direction, kInfinity, pdf,
                                s.pdf,       false,     environment_->radiance(s.direction, basis)};
@@ -108,8 +129,8 @@ std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f
             const Vec3f local{sine * std::cos(angle), sine * std::sin(angle), 1 - drop};
             return LightSample{Frame::around(sun_->direction).to_world(local),
                                kInfinity,
-                               sun_pdf_.value(),
-                               sun_pdf_.density,
+                               choice.sun.value(),
+                               choice.sun.density,
                                false,
                                sun_radiance(basis)};
         }
@@ -118,7 +139,7 @@ std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f
             const Vec3f to = r.corner_mm + u.x * r.edge_u_mm + u.y * r.edge_v_mm - point_mm;
             const float distance = length(to);
             const Vec3f direction = (1 / distance) * to;
-            const LightPdf pdf = rectangle_pdf(entry->index, direction, distance);
+            const LightPdf pdf = rectangle_pdf(choice, entry->index, direction, distance);
             if (!(pdf.value() > 0) || !(pdf.value() < kInfinity)) return std::nullopt;
             return LightSample{direction,   distance,   pdf.value(),
                                pdf.density, !r.visible, rectangle_radiance(entry->index, basis)};
@@ -132,11 +153,12 @@ std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f
     return std::nullopt;
 }
 
-LightPdf LightSet::rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const {
+LightPdf LightSet::rectangle_pdf(const Choice& choice, int rectangle, Vec3f direction,
+                                 float distance_mm) const {
     const CompiledRectangle& r = rectangles_[rectangle];
     const float cos_light = -dot(direction, r.normal);
     if (cos_light <= 0) return {};
-    return {rectangle_probability_[rectangle],
+    return {choice.rectangle_probability[rectangle],
             distance_mm * distance_mm / (cos_light * r.area_mm2)};
 }
 

@@ -10,6 +10,10 @@
 // The lights of a scene, ready to be sampled. Lights are chosen with fixed probabilities after a
 // rough estimate of what each gives at the middle of the scene; every pdf below includes that
 // probability.
+//
+// Where samples of surfaces find light as well, the environment is sampled in proportion to what
+// exceeds its mean: surfaces find the rest, which is everywhere, with less noise.
+//                                                              [MIS compensation: karlik-2019]
 
 namespace nacre::render {
 
@@ -45,15 +49,17 @@ class LightSet {
     LightSet(const std::vector<Light>& lights, const std::optional<Environment>& environment,
              Vec3f center_mm, float radius_mm, EmissionBasis& basis);
 
-    bool empty() const { return entries_.empty(); }
+    bool empty() const { return alone_.entries.empty(); }
     const std::vector<CompiledRectangle>& rectangles() const { return rectangles_; }
 
-    /// Draws a light and a direction towards it. Empty where the light's dark side faces the point.
+    /// Draws a light and a direction towards it. Empty where the light's dark side faces the point,
+    /// or where surfaces find all there is.
+    /// @param alone  whether samples of surfaces find no light, so that these must find all of it
     std::optional<LightSample> sample(Vec3f point_mm, float u_light, Vec2f u,
-                                      const FloatLanes* basis) const;
+                                      const FloatLanes* basis, bool alone) const;
 
     /// Radiance from infinity, of environment and sun, each weighted by `weight(pdf)`, where pdf,
-    /// a LightPdf, is that with which sample() draws this direction from that light.
+    /// a LightPdf, is that with which sample() draws this direction from that light beside surfaces.
     template <class Weight>
     FloatLanes escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const;
 
@@ -66,8 +72,11 @@ class LightSet {
         const CompiledRectangle& r = rectangles_[rectangle];
         return r.radiance * basis[r.spectrum];
     }
-    /// Of sample() for a point of the rectangle seen at `distance_mm` in `direction`.
-    LightPdf rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const;
+    /// Of sample() beside surfaces, for a point of the rectangle seen at `distance_mm` in
+    /// `direction`.
+    LightPdf rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const {
+        return rectangle_pdf(beside_, rectangle, direction, distance_mm);
+    }
 
  private:
     enum class Kind { environment, sun, rectangle, directional };
@@ -82,33 +91,42 @@ class LightSet {
         int spectrum;
     };
 
+    /// How light samples choose: alone, or beside samples of surfaces.
+    struct Choice {
+        std::vector<Entry> entries;
+        std::optional<DirectionTable> environment;
+        std::vector<float> rectangle_probability;
+        float environment_probability = 0;
+        LightPdf sun;
+    };
     void add(Kind kind, int index, double estimate);
-    void normalise();
+    void normalise(Choice& choice) const;
+    LightPdf rectangle_pdf(const Choice& choice, int rectangle, Vec3f direction,
+                           float distance_mm) const;
+    LightPdf environment_pdf(Vec3f direction) const {
+        return {beside_.environment_probability,
+                beside_.environment ? beside_.environment->pdf(direction) : 0.0f};
+    }
     FloatLanes sun_radiance(const FloatLanes* basis) const {
         return sun_->radiance * basis[sun_->spectrum];
     }
 
-    std::vector<Entry> entries_;
+    Choice alone_, beside_;
     std::vector<CompiledRectangle> rectangles_;
-    std::vector<float> rectangle_probability_;
     std::vector<Directional> directionals_;
     std::unique_ptr<const EnvironmentRadiance> environment_;
-    std::optional<DirectionTable> table_;
     std::optional<DistantDisk> sun_;
-    LightPdf sun_pdf_;
-    float environment_probability_ = 0;
-    float environment_brightness_ = 0;  // luminance per density of table_
+    float environment_brightness_ = 0;  // luminance per density of alone_.environment
 };
 
 template <class Weight>
 FloatLanes LightSet::escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const {
     FloatLanes sum{};
     if (environment_) {
-        const LightPdf pdf{environment_probability_, table_->pdf(direction)};
-        sum += weight(pdf) * environment_->radiance(direction, basis);
+        sum += weight(environment_pdf(direction)) * environment_->radiance(direction, basis);
     }
     if (sun_ && sun_->contains(direction)) {
-        sum += weight(sun_pdf_) * sun_radiance(basis);
+        sum += weight(beside_.sun) * sun_radiance(basis);
     }
     return sum;
 }
@@ -117,11 +135,11 @@ template <class Weight>
 float LightSet::brightness(Vec3f point_mm, Vec3f direction, const Weight& weight) const {
     float sum = 0;
     if (environment_) {
-        const LightPdf pdf{environment_probability_, table_->pdf(direction)};
-        sum += weight(pdf) * environment_brightness_ * pdf.density;
+        sum += weight(environment_pdf(direction)) * environment_brightness_ *
+               alone_.environment->pdf(direction);
     }
     if (sun_ && sun_->contains(direction)) {
-        sum += weight(sun_pdf_) * static_cast<float>(sun_->luminance);
+        sum += weight(beside_.sun) * static_cast<float>(sun_->luminance);
     }
     for (std::size_t i = 0; i < rectangles_.size(); ++i) {
         const CompiledRectangle& r = rectangles_[i];
