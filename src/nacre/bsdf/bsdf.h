@@ -64,8 +64,6 @@ struct AskedFlake {
     float strength = 0;  ///< roughly what it reflects of light from wo, to choose among flakes by
     int species = 0, flake = 0;
 };
-/// More than a patch shows.
-inline constexpr int kMaxAskedFlakes = 512;
 
 /// A cache of what a surface has computed for a patch, so that it need not be computed again for
 /// the next pair of directions. Owned by whoever asks, one a thread.
@@ -81,6 +79,10 @@ class PatchMemory {
     std::byte* data() { return blocks_.empty() ? nullptr : blocks_[0].bytes; }
     /// Bits set by the surface once parts of data() tell about the patch.
     unsigned filled = 0;
+    /// Room for the flakes of a patch that are asked, and a number for each; kept from patch to
+    /// patch, so that nothing is allocated once the largest has been seen.
+    std::vector<AskedFlake> asked;
+    std::vector<float> brightness;
 
  private:
     struct Block {  // no value: whole vectors are written before they are read
@@ -154,11 +156,10 @@ class BoundBsdf {
         return std::numeric_limits<float>::infinity();
     }
     /// Asks the flakes of a patch, each once: draws a direction out of the lobe of each, with 32
-    /// random bits, and writes it to the list, which has room for kMaxAskedFlakes.
-    /// @return  how many there are
-    virtual int ask_flakes(const Patch&, Vec3f /*wi*/, std::uint32_t /*random*/,
-                           AskedFlake* /*list*/) const {
-        return 0;
+    /// random bits, for a list that is written anew.
+    virtual void ask_flakes(const Patch&, Vec3f /*wi*/, std::uint32_t /*random*/,
+                            std::vector<AskedFlake>& list) const {
+        list.clear();
     }
     /// f |cos| / pdf of the flake alone, at the direction that was drawn.
     virtual FloatLanes flake_weight(const Patch&, Vec3f /*wi*/, const AskedFlake&) const {

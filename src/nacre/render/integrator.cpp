@@ -245,16 +245,16 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
 // adds no noise but that of what stands in between.         [resampling: talbot-2005]
 void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                             const LocalSurface& surface) {
-    // Room for all, which a constructor would spend more time on than the few that come.
-    alignas(bsdf::AskedFlake) std::byte room[bsdf::kMaxAskedFlakes * sizeof(bsdf::AskedFlake)];
-    auto* const flakes = reinterpret_cast<bsdf::AskedFlake*>(room);
+    std::vector<bsdf::AskedFlake>& flakes = memory_.asked;
     const std::array<float, PathSampler::kNumbers> u = sampler_.draw(kFlakeVertex);
-    const int count = surface.bsdf.ask_flakes(
-        *surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u, flakes);
+    surface.bsdf.ask_flakes(*surface.patch, wi, static_cast<std::uint32_t>(u[0] * 0x1p24f) * 256u,
+                            flakes);
+    const std::size_t count = flakes.size();
     if (count == 0) return;
-    std::array<float, bsdf::kMaxAskedFlakes> brightness;
+    std::vector<float>& brightness = memory_.brightness;
+    brightness.resize(count);
     float answers = 0, strengths = 0;
-    for (int k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
         const bsdf::AskedFlake& flake = flakes[k];
         const Vec3f direction = frame.to_world(flake.wo);
         brightness[k] = 0;
@@ -275,27 +275,28 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
     const float blind = answers > 0 ? kBlind : 1.0f;
     const bool by_strength = u[1] < blind;
     float rest = by_strength ? u[1] / blind * strengths : (u[1] - blind) / (1 - blind) * answers;
-    int chosen = -1;
-    for (int k = 0; k < count; ++k) {
+    std::optional<std::size_t> chosen;
+    for (std::size_t k = 0; k < count; ++k) {
         const float part = by_strength ? flakes[k].strength : brightness[k];
         if (part == 0) continue;
         chosen = k;
         if (rest < part) break;
         rest -= part;
     }
-    if (chosen < 0) return;
-    const float probability = blind * flakes[chosen].strength / strengths +
-                              (answers > 0 ? (1 - blind) * brightness[chosen] / answers : 0.0f);
+    if (!chosen) return;
+    const bsdf::AskedFlake& flake = flakes[*chosen];
+    const float probability = blind * flake.strength / strengths +
+                              (answers > 0 ? (1 - blind) * brightness[*chosen] / answers : 0.0f);
     if (!(probability > 0)) return;
-    const Vec3f direction = frame.to_world(flakes[chosen].wo);
+    const Vec3f direction = frame.to_world(flake.wo);
     if (dot(direction, hit.geometric_normal) <= 0) return;
-    const FloatLanes throughput = (surface.asked_weight / probability) *
-                                  surface.bsdf.flake_weight(*surface.patch, wi, flakes[chosen]);
+    const FloatLanes throughput =
+        (surface.asked_weight / probability) * surface.bsdf.flake_weight(*surface.patch, wi, flake);
     if (!(lane_max(throughput) > 0)) return;
     flake_ = Branch{.ray = {hit.origin(), direction},
                     .depth = 1,
                     .throughput = {throughput, {}},
-                    .surface_pdf = flakes[chosen].pdf,
+                    .surface_pdf = flake.pdf,
                     .weighable = true,
                     .narrow_light = surface.narrow_light,
                     .first_vertex = kFlakeVertex + 1};

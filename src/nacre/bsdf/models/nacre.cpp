@@ -446,13 +446,13 @@ std::optional<BsdfSample> BoundNacre::sample_on(const Patch& patch, Vec3f wi, fl
     return s;
 }
 
-int BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                           AskedFlake* list) const {
+void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                            std::vector<AskedFlake>& list) const {
+    list.clear();
     constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
-    if (wi.z <= 0) return 0;
+    if (wi.z <= 0) return;
     const Look look(*this, patch, wi);
     const Ray i = make_ray(wi);
-    int count = 0;
     std::size_t layer = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         while (layer + 1 < tables_->first_species.size() && tables_->first_species[layer + 1] <= s)
@@ -481,17 +481,16 @@ int BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                                         exp_lanes(-view.depths(first) * depth);
             const auto leaves = (oz2 > 1e-6f) & (z > 0.0f) & (pdf > 0.0f) & (strength > 0.0f);
             const int last = std::min(kLanes, view.count - first);
-            for (int lane = 0; lane < last && count < kMaxAskedFlakes; ++lane) {
+            for (int lane = 0; lane < last; ++lane) {
                 if (!leaves[lane]) continue;
-                list[count++] = {{ox[lane], oy[lane], oz[lane]},
-                                 pdf[lane],
-                                 strength[lane],
-                                 static_cast<int>(s),
-                                 first + lane};
+                list.push_back({{ox[lane], oy[lane], oz[lane]},
+                                pdf[lane],
+                                strength[lane],
+                                static_cast<int>(s),
+                                first + lane});
             }
         }
     }
-    return count;
 }
 
 float BoundNacre::flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake,

@@ -103,8 +103,8 @@ class BoundNacre final : public BoundMicroflake {
     }
     bool tells_flakes_apart() const override { return true; }
     float narrow_light(Vec3f wi) const override;
-    int ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
-                   AskedFlake* list) const override;
+    void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                    std::vector<AskedFlake>& list) const override;
     FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
     FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
 

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,9 +59,9 @@ TEST(NacreAsked, LobesReflectWhatTheirFlakesDo) {
     int most = 0;
     for (int n = 0; n < 40000; ++n) {
         const Patch patch = apart(rng, side_of_flakes(4));
-        std::array<AskedFlake, kMaxAskedFlakes> flakes;
-        const int count =
-            model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes.data());
+        std::vector<AskedFlake> flakes;
+        model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
+        const int count = static_cast<int>(flakes.size());
         most = std::max(most, count);
         double sum = 0;
         for (int k = 0; k < count; ++k) {
@@ -92,9 +93,9 @@ TEST(NacreAsked, WeighedWaysAddUp) {
     Sample alone, both;
     for (int n = 0; n < 20000; ++n) {
         const Patch patch = apart(rng, side_of_flakes(4));
-        std::array<AskedFlake, kMaxAskedFlakes> flakes;
-        const int count =
-            model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes.data());
+        std::vector<AskedFlake> flakes;
+        model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
+        const int count = static_cast<int>(flakes.size());
         double unweighed = 0, weighed = 0;
         for (int k = 0; k < count; ++k) {
             const double w = model.bound->flake_weight(patch, wi, flakes[k])[3];
@@ -109,6 +110,24 @@ TEST(NacreAsked, WeighedWaysAddUp) {
     }
     EXPECT_NEAR(alone.mean(), both.mean(), kWorstZ * std::hypot(alone.error(), both.error()));
     EXPECT_LT(both.error(), 0.02 * both.mean());
+}
+
+// However many species there are, none of their flakes is forgotten: some ten of each are asked.
+TEST(NacreAsked, FlakesOfManySpeciesAreAllAsked) {
+    std::vector<paint::FlakeSpecies> species;
+    constexpr int kSpecies = 64;
+    for (int s = 0; s < kSpecies; ++s) {
+        species.push_back(metal_flake(10, 0.5));
+        species.back().amount = paint::AreaDensity{0.004};
+    }
+    const SparklingModel model(paint_of(std::move(species)));
+    Rng rng(2, 1);
+    std::vector<AskedFlake> flakes;
+    model.bound->ask_flakes(apart(rng, 0.1), direction(30, 20), 1, flakes);
+    EXPECT_GT(flakes.size(), 512u);
+    std::vector<int> by_species(kSpecies);
+    for (const AskedFlake& flake : flakes) ++by_species[flake.species];
+    EXPECT_THAT(by_species, testing::Each(testing::Gt(0)));
 }
 
 TEST(NacreAsked, WhatIsLeftDoesNotDependOnWhoAsks) {
