@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/bsdf/models/hot_spot_closing.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
@@ -26,6 +27,17 @@ float mean_diameter_um(const paint::FlakeSpecies& species) {
     return static_cast<float>(cube / square);
 }
 
+// A function of the binder's index and the block, at all wavelengths of a row.
+template <class F>
+void fill_row(const solver::PaintMedium& medium, float* row, F&& f) {
+    DoubleLanes value{};
+    for (int w = 0; w < medium.wavelength_count(); ++w) {
+        if (w % kLanes == 0 || medium.ior[w] != medium.ior[w - 1])
+            value = f(medium.ior[w], w / kLanes);
+        row[w] = static_cast<float>(value[w % kLanes]);
+    }
+}
+
 // c Int (1-T)^2 |w.m| D(m) dm / mu at the wavelengths of one block.
 DoubleLanes shared_blocking(const solver::FlakeMedium& flake, double mu, int block) {
     DoubleLanes sum{};
@@ -39,7 +51,8 @@ DoubleLanes shared_blocking(const solver::FlakeMedium& flake, double mu, int blo
 }  // namespace
 
 HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
-    : wavelength_count_(paint.medium.wavelength_count()) {
+    : wavelength_count_(paint.medium.wavelength_count()),
+      extinction_(extinction_by_direction(paint.medium)) {
     const solver::PaintMedium& medium = paint.medium;
     float top_um = 0;
     for (std::size_t l = 0; l < medium.layers.size(); ++l) {
@@ -55,12 +68,34 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
                                     wavelength_count_);
             parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {
                 const double theta = direction_angle(static_cast<int>(row));
-                for (int w = 0; w < wavelength_count_; ++w) {
-                    const double mu = solver::inside_cosine(medium.ior[w], theta);
-                    species.coupling[row * wavelength_count_ + w] = static_cast<float>(
-                        std::sqrt(shared_blocking(flake, mu, w / kLanes)[w % kLanes]));
-                }
+                fill_row(medium, &species.coupling[row * wavelength_count_],
+                         [&](double ior, int block) {
+                             const double mu = solver::inside_cosine(ior, theta);
+                             return sqrt_lanes(shared_blocking(flake, mu, block));
+                         });
             });
+        }
+    }
+    if (species_.empty()) return;
+    if (getenv("NACRE_UNCLOSED")) return;
+    tabulate_ground(medium);
+    closing_ = closing_factors(paint, *this);
+}
+
+void HotSpotTables::tabulate_ground(const solver::PaintMedium& medium) {
+    const auto& reflectance = medium.substrate_reflectance;
+    if (*std::max_element(reflectance.begin(), reflectance.end()) <= 0) return;
+    ground_.resize(static_cast<std::size_t>(kDirectionIntervals + 1) * wavelength_count_);
+    for (int row = 0; row <= kDirectionIntervals; ++row) {
+        for (int w = 0; w < wavelength_count_; ++w) {
+            const std::size_t at = static_cast<std::size_t>(row) * wavelength_count_ + w;
+            double depth = medium.clearcoat_depth[w];
+            for (std::size_t l = 0; l < medium.layers.size(); ++l) {
+                depth += medium.layers[l].thickness_um * extinction_[l][at];
+            }
+            const double mu = solver::inside_cosine(medium.ior[w], direction_angle(row));
+            ground_[at] = static_cast<float>(std::sqrt(std::numbers::inv_pi * reflectance[w]) *
+                                             std::exp(-depth / mu));
         }
     }
 }
@@ -84,6 +119,13 @@ HotSpot::HotSpot(const HotSpotTables& tables, const std::array<WavelengthPositio
             to.coupling.push_back(at_wavelengths(where, [&](int w) { return values[w]; }));
         }
     }
+    const auto bind = [&](const std::vector<float>& from, std::vector<FloatLanes>& to) {
+        for (std::size_t row = 0; row < from.size(); row += tables.wavelength_count_) {
+            to.push_back(at_wavelengths(where, [&](int w) { return from[row + w]; }));
+        }
+    };
+    bind(tables.ground_, ground_);
+    bind(tables.closing_, closing_);
 }
 
 HotSpot::Pair::Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o)
@@ -142,6 +184,24 @@ FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const
         sum += static_cast<float>(rule.weights[n]) * exp_lanes(exponent[n]);
     }
     return sum * reach * safe / one_minus_exp_lanes(safe);
+}
+
+FloatLanes HotSpot::Pair::ground() const {
+    const std::vector<FloatLanes>& table = hot_spot_->ground_;
+    return table.empty() ? FloatLanes{} : i_->look_up(table) * o_->look_up(table);
+}
+
+FloatLanes HotSpot::Pair::ground_gain() const {
+    return exp_lanes(gain(hot_spot_->thickness_um_.size() - 1, 1));
+}
+
+FloatLanes HotSpot::Pair::multiple(const FloatLanes& multiple) const {
+    const HotSpot& h = *hot_spot_;
+    if (h.closing_.empty()) return multiple;
+    const FloatLanes closing = i_->look_up(h.closing_) * o_->look_up(h.closing_);
+    if (h.ground_.empty()) return closing * multiple;
+    const FloatLanes once = ground();
+    return closing * max_lanes(multiple - once, FloatLanes{}) + ground_gain() * once;
 }
 
 }  // namespace nacre::bsdf

@@ -23,12 +23,19 @@ namespace nacre::bsdf {
 // as in the theory of leaf canopies [kuusk-1985]. A disc with transmittance T blocks neither ray
 // wholly: both together pass T^2, so that 1 - T enters squared. Each layer and species above the
 // flake adds its part. With g -> 0 (towards the light) or d -> infinity a flake that is lit is
-// seen; with d -> 0 the transfer equation holds again.
+// seen; with d -> 0 the transfer equation holds again. The same holds for light that a pigment or
+// the ground scatters once.
+//
+// Light that leaves after it was scattered once is missing from what is scattered again, which is
+// dimmed by g(i) g(o) (hot_spot_closing.h).
 
 /// What does not depend on the wavelengths that are bound.
 class HotSpotTables {
  public:
+    /// @throws Error as closing_factors()
     explicit HotSpotTables(const solver::SolvedPaint& paint);
+
+    const std::vector<std::vector<float>>& extinction() const { return extinction_; }
 
  private:
     friend class HotSpot;
@@ -37,9 +44,16 @@ class HotSpotTables {
         float diameter_um;            // mean, weighted by area
         std::vector<float> coupling;  // [direction][wavelength]: sqrt(c Int (1-T)^2 |w.m| D / mu)
     };
+    void tabulate_ground(const solver::PaintMedium& medium);
+
     std::vector<Species> species_;
     std::vector<float> top_um_, thickness_um_;  // by layer
     int wavelength_count_;
+    std::vector<std::vector<float>> extinction_;  // extinction_by_direction()
+    // [direction][wavelength]. The product of two directions: of ground_, the light that the ground
+    // alone has scattered, without Fresnel factors; of closing_, what multiple scattering is
+    // multiplied by. Empty where that is 0, or 1.
+    std::vector<float> ground_, closing_;
 };
 
 /// Int_0^x O(t) dt; 4 / (3 pi) for x >= 1.
@@ -58,6 +72,13 @@ class HotSpot {
         /// The mean of the attenuation over that of exp(-kappa z), for a layer whose optical depth
         /// along both directions is `depth`.
         FloatLanes mean(std::size_t layer, const FloatLanes& depth) const;
+        /// All light that was not scattered once in a layer, without Fresnel factors.
+        /// @param multiple  the same by the equation of transfer
+        FloatLanes multiple(const FloatLanes& multiple) const;
+        /// Of it, what the ground alone has scattered, by the equation of transfer; and the factor
+        /// of the hot spot.
+        FloatLanes ground() const;
+        FloatLanes ground_gain() const;
 
      private:
         // Calls add(coupling, length_um(u) as a function) for the species that lie over the layer.
@@ -77,6 +98,7 @@ class HotSpot {
     };
     std::vector<Species> species_;
     std::vector<float> top_um_, thickness_um_;
+    std::vector<FloatLanes> ground_, closing_;  // by direction, or empty
 };
 
 }  // namespace nacre::bsdf

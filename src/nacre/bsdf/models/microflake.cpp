@@ -136,18 +136,17 @@ Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
     : paint(std::move(solved)),
       mean_ior(static_cast<float>(mean(paint->medium.ior))),
       rough(has_rough_interface(*paint)),
-      smooth(tensors(), narrowest_alpha(paint->medium), mean_ior) {
-    tabulate_extinction();
-}
+      smooth(tensors(), narrowest_alpha(paint->medium), mean_ior),
+      extinction(extinction_by_direction(paint->medium)) {}
 
 std::vector<const solver::MultipleScattering*> Microflake::Tables::tensors() const {
     if (rough) return {&paint->multiple_scattering, &paint->rough_single};
     return {&paint->multiple_scattering};
 }
 
-void Microflake::Tables::tabulate_extinction() {
-    const auto& medium = paint->medium;
-    const int count = wavelength_count();
+std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium) {
+    const int count = medium.wavelength_count();
+    std::vector<std::vector<float>> extinction;
     for (const auto& layer : medium.layers) {
         auto& table = extinction.emplace_back((kDirectionIntervals + 1) * count);
         parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {
@@ -166,6 +165,7 @@ void Microflake::Tables::tabulate_extinction() {
             }
         });
     }
+    return extinction;
 }
 
 BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> tables,
@@ -279,10 +279,10 @@ template FloatLanes BoundMicroflake::value(const Ray&, const Ray&, const MeanFla
 template FloatLanes BoundMicroflake::single(Vec3f, Vec3f, const Ray&, const Ray&,
                                             const MeanFlakes&) const;
 
-Ray BoundMicroflake::make_ray(Vec3f w) const {
+Ray make_ray(Vec3f w, float inverse_mean_ior) {
     Ray ray;
     ray.outside = w;
-    ray.inside = refract_in(w, inverse_mean_ior_);
+    ray.inside = refract_in(w, inverse_mean_ior);
     ray.sine = std::sqrt(w.x * w.x + w.y * w.y);
     ray.x = ray.sine / (1 + w.z);
     const float at = ray.x * kDirectionIntervals;

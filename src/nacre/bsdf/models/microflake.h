@@ -95,8 +95,7 @@ struct Microflake::Tables {
     float mean_ior;  ///< of the binder over the paint's wavelengths
     bool rough;      ///< the interface: its lobe takes the place of the specular one
     SmoothTable smooth;
-    /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
-    std::vector<std::vector<float>> extinction;
+    std::vector<std::vector<float>> extinction;  ///< extinction_by_direction()
     // Filled by tabulate_sampling(), which needs the model itself.
     std::shared_ptr<const ReflectionWarp> warp;      ///< all but the interface
     std::vector<SamplingProbabilities> probability;  ///< by direction
@@ -105,15 +104,15 @@ struct Microflake::Tables {
     /// What the smooth table sums, in the order of its basis.
     std::vector<const solver::MultipleScattering*> tensors() const;
     int wavelength_count() const { return paint->medium.wavelength_count(); }
-
- private:
-    void tabulate_extinction();
 };
 
 /// Fills the tables by which the surface that `bind` makes of them is sampled, and its albedo.
 void tabulate_sampling(
     Microflake::Tables& tables,
     const std::function<std::unique_ptr<const BoundMicroflake>(const Wavelengths&)>& bind);
+
+/// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
+std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium);
 
 /// Angle outside the coat of a row of the direction tables, just short of the horizon at the last.
 double direction_angle(int row);
@@ -156,13 +155,18 @@ struct Ray {
     }
 };
 
+/// @param w  outside, in the upper hemisphere
+Ray make_ray(Vec3f w, float inverse_mean_ior);
+
 /// Which flakes scatter once: all of them, as their mean.
 ///
 /// Any class with this function may take its place: the factor by which the single scattering of a
 /// species differs from its mean, for the `flake`-th species of a layer whose optical depth along
 /// both directions together is `depth`, at eight wavelengths.
 ///
-/// A class with kFlakesAlone set leaves out everything but flakes.
+/// A class may change the rest too: pigments by pigment_factor(layer, depth), which is like
+/// factor(), and multiple scattering without Fresnel factors by multiple(by the equation of
+/// transfer). A class with kFlakesAlone set leaves out everything but flakes.
 struct MeanFlakes {
     FloatLanes factor(std::size_t /*layer*/, std::size_t /*flake*/,
                       const FloatLanes& /*depth*/) const {
@@ -186,7 +190,7 @@ class BoundMicroflake : public BoundBsdf {
  protected:
     // For models that keep the smooth part and the ways to sample it, and change the flakes.
 
-    Ray make_ray(Vec3f w) const;
+    Ray make_ray(Vec3f w) const { return bsdf::make_ray(w, inverse_mean_ior_); }
     /// BRDF without the specular lobe.
     template <class Flakes>
     FloatLanes value(const Ray& i, const Ray& o, const Flakes& flakes) const;
@@ -331,7 +335,11 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
             const float g = pigment.g, turn = 1 + g * g + 2 * g * dot(inside_i, inside_o);
             const float phase =
                 (1 - g * g) * 0.25f * std::numbers::inv_pi_v<float> / (turn * std::sqrt(turn));
-            kernel += phase * pigment.scattering;
+            if constexpr (requires { flakes.pigment_factor(at_layer, here); }) {
+                kernel += phase * pigment.scattering * flakes.pigment_factor(at_layer, here);
+            } else {
+                kernel += phase * pigment.scattering;
+            }
         }
         if (any) {
             FloatLanes escape;
@@ -354,8 +362,9 @@ template <class Flakes>
 FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flakes) const {
     const SmoothCell cell = locate(grid_, i.outside, o.outside, i.sine, o.sine, i.x, o.x);
     // The truncated Fourier series may dip below zero by its own error.
-    const FloatLanes smooth = max_lanes(interpolate(grid_, smooth_.data(), cell), FloatLanes{}) *
-                              (1 / (i.inside.z + o.inside.z));
+    FloatLanes smooth = max_lanes(interpolate(grid_, smooth_.data(), cell), FloatLanes{}) *
+                        (1 / (i.inside.z + o.inside.z));
+    if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
     if (rough_) return smooth + rough_lobe(i, o);
     return (once(i, o, flakes) + smooth) * interface_factor(i, o);
 }

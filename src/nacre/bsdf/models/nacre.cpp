@@ -157,18 +157,37 @@ class BoundNacre::MeanHotSpot {
     FloatLanes factor(std::size_t layer, std::size_t, const FloatLanes& depth) const {
         return pair_.mean(layer, depth);
     }
+    FloatLanes pigment_factor(std::size_t layer, const FloatLanes& depth) const {
+        return pair_.mean(layer, depth);
+    }
+    FloatLanes multiple(const FloatLanes& multiple) const { return pair_.multiple(multiple); }
 
  private:
     HotSpot::Pair pair_;
 };
 
-// In place of MeanFlakes: those of a patch.
-class BoundNacre::FlakesOfPatch {
+// What is the same on every patch: all but the flakes.
+class BoundNacre::BesideThem {
  public:
-    FlakesOfPatch(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
-        : surface_(surface), look_(look), half_(i, o) {
+    BesideThem(const BoundNacre& surface, const Ray& i, const Ray& o) {
         if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
     }
+    FloatLanes pigment_factor(std::size_t layer, const FloatLanes& depth) const {
+        return pair_ ? pair_->mean(layer, depth) : splat(1.0f);
+    }
+    FloatLanes multiple(const FloatLanes& multiple) const {
+        return pair_ ? pair_->multiple(multiple) : multiple;
+    }
+
+ protected:
+    std::optional<HotSpot::Pair> pair_;
+};
+
+// In place of MeanFlakes: those of a patch.
+class BoundNacre::FlakesOfPatch : public BesideThem {
+ public:
+    FlakesOfPatch(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
+        : BesideThem(surface, i, o), surface_(surface), look_(look), half_(i, o) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
         const std::size_t at = surface_.tables_->first_species[layer] + flake;
@@ -197,16 +216,16 @@ class BoundNacre::FlakesOfPatch {
     const BoundNacre& surface_;
     const Look& look_;
     HalfVector half_;
-    std::optional<HotSpot::Pair> pair_;
 };
 
 // In place of MeanFlakes: what is left where flakes are asked one by one.
-class BoundNacre::BesideFlakes {
+class BoundNacre::BesideFlakes : public BesideThem {
  public:
     BesideFlakes(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
-        : surface_(surface), look_(look), slope2_(HalfVector(i, o).slope2) {
-        if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
-    }
+        : BesideThem(surface, i, o),
+          surface_(surface),
+          look_(look),
+          slope2_(HalfVector(i, o).slope2) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
         const std::size_t at = surface_.tables_->first_species[layer] + flake;
@@ -219,7 +238,6 @@ class BoundNacre::BesideFlakes {
     const BoundNacre& surface_;
     const Look& look_;
     float slope2_;
-    std::optional<HotSpot::Pair> pair_;
 };
 
 // In place of MeanFlakes: flakes of one species of a patch, and nothing else.

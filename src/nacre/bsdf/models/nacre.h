@@ -110,6 +110,7 @@ class BoundNacre final : public BoundMicroflake {
 
  private:
     class MeanHotSpot;
+    class BesideThem;
     class FlakesOfPatch;
     class BesideFlakes;
     class SomeFlakes;
