@@ -149,7 +149,7 @@ TEST_F(Program, MeasureByTheReferenceAgreesWithinItsStandardErrors) {
         }
     }
     EXPECT_THAT(nacre("measure gray.toml --model walk --aperture 1,1").err, HasSubstr("points"));
-    EXPECT_THAT(nacre("measure gray.toml --model walk --hot-spot").err, HasSubstr("belongs to"));
+    EXPECT_THAT(nacre("measure gray.toml --model walk --no-hot-spot").err, HasSubstr("belongs to"));
 }
 
 TEST_F(Program, MeasureSaysWhatIsWrong) {

@@ -52,6 +52,9 @@ std::string value_of(const ModelOptions& options, const Owned& owned) {
     return value.on ? "on" : "off";
 }
 
+/// "--no-flag", which turns a switch off.
+std::string negative(std::string_view flag) { return fmt::format("--no-{}", flag.substr(2)); }
+
 void add_option(CLI::App& command, ModelOptions& options, const Owned& owned) {
     const ModelOption& option = *owned.option;
     const std::string flag(option.flag), help(option.help);
@@ -65,7 +68,8 @@ void add_option(CLI::App& command, ModelOptions& options, const Owned& owned) {
             ->check(CLI::Range(option.range->first, option.range->second))
             ->capture_default_str();
     } else {
-        command.add_flag(flag, value.on, help);
+        value.on = option.get(owned.model->standard()) != 0;
+        command.add_flag(fmt::format("{},!{}", flag, negative(flag)), value.on, help);
     }
 }
 
@@ -144,7 +148,8 @@ Model parse_model_settings(const ModelOptions& options) {
     for (const Owned& owned : all_options()) {
         const std::string value = value_of(options, owned);
         if (value == default_text(owned)) continue;
-        require_owner(owned.option->flag, *owned.model, info);
+        const std::string flag(owned.option->flag);
+        require_owner(value == "off" ? negative(flag) : flag, *owned.model, info);
         chosen.emplace_back(owned.option, value);
     }
     for (const ModelInfo* traced : models::traced_models()) {

@@ -59,7 +59,7 @@ TEST(Gallery, WhateverChangesThePictureChangesItsFingerprint) {
     add([](PictureJob& job) { job.scene = "panel-sun"; });
     add([](PictureJob& job) { job.model = bsdf::MicroflakeModel{}; });
     add([](PictureJob& job) { job.model = bsdf::NacreModel{.specimen = 2}; });
-    add([](PictureJob& job) { job.model = bsdf::NacreModel{.hot_spot = true}; });
+    add([](PictureJob& job) { job.model = bsdf::NacreModel{.hot_spot = false}; });
     add([](PictureJob& job) { job.render.footprint_pixels = 0.5; });
     EXPECT_EQ(prints.size(), 8u);
 }

@@ -36,6 +36,13 @@ inline std::array<WavelengthPosition, kLanes> locate_wavelengths(const std::vect
     return out;
 }
 
+/// The eight of a block of the paint's own wavelengths, the last one repeated.
+inline std::array<WavelengthPosition, kLanes> wavelengths_of_block(int count, int block) {
+    std::array<WavelengthPosition, kLanes> out;
+    for (int i = 0; i < kLanes; ++i) out[i].lower = std::min(block * kLanes + i, count - 1);
+    return out;
+}
+
 /// Lanes of a function of the wavelength index.
 template <class F>
 FloatLanes at_wavelengths(const std::array<WavelengthPosition, kLanes>& where, F&& f) {

@@ -290,7 +290,7 @@ TEST(Models, AlternativesTakeOverWhatWasChosen) {
         EXPECT_EQ(alternative.from(other), same);
     }
     EXPECT_THROW(
-        montecarlo::ExplicitFlakesModel::info.alternative->from(bsdf::NacreModel{.hot_spot = true}),
+        montecarlo::ExplicitFlakesModel::info.alternative->from(bsdf::NacreModel{.hot_spot = false}),
         DomainError);
 }
 

@@ -10,14 +10,13 @@
 
 namespace nacre::solver {
 
-namespace {
-
-// Fresnel transmittances in and out over n^2, the change of solid angle across the interface.
 double interface_factor(double ior, double theta_i, double theta_o) {
     const double t_i = 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta_i));
     const double t_o = 1 - optics::dielectric_reflectance(1.0, ior, std::cos(theta_o));
     return t_i * t_o / (ior * ior);
 }
+
+namespace {
 
 template <class F>
 DoubleLanes map_lanes(const DoubleLanes& x, F&& f) {
@@ -29,16 +28,18 @@ double escape(double x) { return x > 1e-12 ? -std::expm1(-x) / x : 1.0; }
 
 // Single scattering of one block whose wavelengths share the binder's index.
 DoubleLanes single_block(const PaintMedium& medium, int block, double ior, double theta_i,
-                         double theta_o, double phi) {
+                         double theta_o, double phi, const LayerFactor& factor) {
     const double mu_i = inside_cosine(ior, theta_i), mu_o = inside_cosine(ior, theta_o);
     DoubleLanes depth = block_lanes(medium.clearcoat_depth, block) * (1 / mu_i + 1 / mu_o);
     DoubleLanes sum{};
-    for (const LayerMedium& layer : medium.layers) {
+    for (std::size_t l = 0; l < medium.layers.size(); ++l) {
+        const LayerMedium& layer = medium.layers[l];
         const DoubleLanes here = layer.thickness_um * (extinction(layer, mu_i, block) / mu_i +
                                                        extinction(layer, mu_o, block) / mu_o);
-        sum += backscattering(layer, mu_i, mu_o, phi, block) *
-               (layer.thickness_um / (mu_i * mu_o)) * map_lanes(here, escape) *
-               map_lanes(-depth, [](double x) { return std::exp(x); });
+        const DoubleLanes once = backscattering(layer, mu_i, mu_o, phi, block) *
+                                 (layer.thickness_um / (mu_i * mu_o)) * map_lanes(here, escape) *
+                                 map_lanes(-depth, [](double x) { return std::exp(x); });
+        sum += factor ? once * factor(l, block, here) : once;
         depth += here;
     }
     return interface_factor(ior, theta_i, theta_o) * sum;
@@ -63,7 +64,7 @@ void add_tensor(const MultipleScattering& tensor, double theta_i, double theta_o
 }  // namespace
 
 std::vector<double> single_scattering(const PaintMedium& medium, double theta_i, double theta_o,
-                                      double phi) {
+                                      double phi, const LayerFactor& factor) {
     const int count = medium.wavelength_count();
     std::vector<double> f(count);
     for (int block = 0; block < paint::block_count(count); ++block) {
@@ -72,7 +73,7 @@ std::vector<double> single_scattering(const PaintMedium& medium, double theta_i,
         for (int lane = 0; lane < end; ++lane) {
             const int w = block * kLanes + lane;
             if (lane == 0 || medium.ior[w] != medium.ior[w - 1]) {
-                value = single_block(medium, block, medium.ior[w], theta_i, theta_o, phi);
+                value = single_block(medium, block, medium.ior[w], theta_i, theta_o, phi, factor);
             }
             f[w] = value[lane];
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -67,10 +68,20 @@ struct SolvedPaint {
     friend bool operator==(const SolvedPaint&, const SolvedPaint&) = default;
 };
 
+/// A factor of the light that was scattered in a layer whose optical depth along both directions
+/// together is `depth`, at the wavelengths of a block.
+using LayerFactor =
+    std::function<DoubleLanes(std::size_t layer, int block, const DoubleLanes& depth)>;
+
 /// Closed form of the light that met exactly one flake or pigment, in 1/sr, at all wavelengths,
 /// under a smooth interface, its Fresnel factors included; theta outside the coat, phi = phi_o -
 /// phi_i.
+/// @param factor  by which it differs from the equation of transfer; empty: not at all
 std::vector<double> single_scattering(const PaintMedium& medium, double theta_i, double theta_o,
-                                      double phi);
+                                      double phi, const LayerFactor& factor = {});
+
+/// Fresnel transmittances in and out over n^2, the change of solid angle across a smooth interface:
+/// of light that is given without Fresnel factors.
+double interface_factor(double ior, double theta_i, double theta_o);
 
 }  // namespace nacre::solver

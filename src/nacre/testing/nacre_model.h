@@ -55,8 +55,9 @@ struct SparklingModel {
     Nacre nacre;
     std::unique_ptr<const BoundBsdf> bound;
 
+    /// @param settings  without the hot spot: flakes are dimmed by the closed form of attenuation
     explicit SparklingModel(const paint::Recipe& recipe,
-                            const NacreModel& settings = {.specimen = 1})
+                            const NacreModel& settings = {.specimen = 1, .hot_spot = false})
         : paint(std::make_shared<const solver::SolvedPaint>(
               solver::solve(recipe, spectra::default_wavelengths_nm()))),
           nacre(paint, settings),

@@ -34,12 +34,12 @@ inline paint::Recipe recipe_of(const PlainFlakes& plain) {
     return recipe;
 }
 
-/// Solved at one wavelength, as nothing depends on it.
+/// Solved at one wavelength, as nothing depends on it; without the hot spot, for closed forms.
 inline std::shared_ptr<const bsdf::Bsdf> nacre_surface(const paint::Recipe& recipe,
                                                        std::uint64_t seed) {
     const auto solved =
         std::make_shared<const solver::SolvedPaint>(solver::solve(recipe, {550}, {}));
-    return std::make_shared<const bsdf::Nacre>(solved, bsdf::NacreModel{.specimen = seed});
+    return std::make_shared<const bsdf::Nacre>(solved, bsdf::NacreModel{.specimen = seed, .hot_spot = false});
 }
 
 }  // namespace nacre::models::testing

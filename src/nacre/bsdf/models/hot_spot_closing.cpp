@@ -18,13 +18,14 @@
 namespace nacre::bsdf {
 
 std::vector<double> balance(const std::vector<double>& matrix, const std::vector<double>& sum) {
-    constexpr int kMaxRounds = 10000;
+    constexpr int kMaxRounds = 2000;
     constexpr double kTolerance = 1e-6;
     const std::size_t n = sum.size();
     std::vector<double> g(n, 1.0), next(n, 1.0);
     double error = 0;
     for (int round = 0; round < kMaxRounds; ++round) {
         error = 0;
+        bool converged = true;
         for (std::size_t a = 0; a < n; ++a) {
             double row = 0;
             for (std::size_t b = 0; b < n; ++b) row += matrix[a * n + b] * g[b];
@@ -32,9 +33,12 @@ std::vector<double> balance(const std::vector<double>& matrix, const std::vector
             if (row <= 0 && sum[a] <= 0) continue;
             // The geometric mean with Sinkhorn's step, which alone would swing to and fro.
             next[a] = g[a] * std::sqrt(sum[a] / row);
-            error = std::max(error, std::abs(row - sum[a]) / sum[a]);
+            const double here = std::abs(row - sum[a]) / sum[a];
+            // Not a number where scales run off to 0 and infinity.
+            converged = converged && here <= kTolerance;
+            error = std::max(error, here);
         }
-        if (error <= kTolerance) return g;
+        if (converged) return g;
         g.swap(next);
     }
     throw Error(
@@ -66,11 +70,9 @@ class Block {
     Block(const solver::SolvedPaint& paint, const HotSpotTables& tables, int block)
         : medium_(paint.medium),
           block_(block),
-          where_(of_grid(medium_.wavelength_count(), block)),
+          where_(wavelengths_of_block(medium_.wavelength_count(), block)),
           hot_spot_(tables, where_),
-          mean_ior_(
-              static_cast<float>(std::accumulate(medium_.ior.begin(), medium_.ior.end(), 0.0) /
-                                 medium_.wavelength_count())),
+          mean_ior_(mean_ior(medium_)),
           ior_(lanes(medium_.ior)),
           clearcoat_depth_(lanes(medium_.clearcoat_depth)),
           ground_reflectance_(lanes(medium_.substrate_reflectance)) {
@@ -105,13 +107,6 @@ class Block {
     }
 
  private:
-    static std::array<WavelengthPosition, kLanes> of_grid(int count, int block) {
-        std::array<WavelengthPosition, kLanes> where;
-        for (int lane = 0; lane < kLanes; ++lane) {
-            where[lane].lower = std::min(block * kLanes + lane, count - 1);
-        }
-        return where;
-    }
     FloatLanes lanes(const std::vector<double>& values) const {
         return at_wavelengths(where_, [&](int w) { return values[w]; });
     }

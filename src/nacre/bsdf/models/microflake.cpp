@@ -127,6 +127,8 @@ double mean(const std::vector<double>& v) {
 
 }  // namespace
 
+float mean_ior(const solver::PaintMedium& medium) { return static_cast<float>(mean(medium.ior)); }
+
 double direction_angle(int row) {
     const double x = static_cast<double>(row) / kDirectionIntervals;
     return std::min(2 * std::atan(x), std::numbers::pi / 2 - 1e-4);
@@ -134,7 +136,7 @@ double direction_angle(int row) {
 
 Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
     : paint(std::move(solved)),
-      mean_ior(static_cast<float>(mean(paint->medium.ior))),
+      mean_ior(bsdf::mean_ior(paint->medium)),
       rough(has_rough_interface(*paint)),
       smooth(tensors(), narrowest_alpha(paint->medium), mean_ior),
       extinction(extinction_by_direction(paint->medium)) {}

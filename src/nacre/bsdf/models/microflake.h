@@ -114,6 +114,9 @@ void tabulate_sampling(
 /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
 std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium);
 
+/// Of the binder, over the paint's wavelengths.
+float mean_ior(const solver::PaintMedium& medium);
+
 /// Angle outside the coat of a row of the direction tables, just short of the horizon at the last.
 double direction_angle(int row);
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <new>
 
-#include "nacre/core/error.h"
+#include "nacre/bsdf/models/hot_spot_brdf.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/random.h"
 #include "nacre/sparkle/flake_sizes.h"
@@ -92,12 +92,7 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
 
 Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
              const Progress& progress) {
-    if (paint->medium.roughness > 0) {
-        throw DomainError(
-            fmt::format("clearcoat.roughness = {}: the model nacre needs a smooth clearcoat, with "
-                        "roughness = 0",
-                        paint->medium.roughness));
-    }
+    require_smooth_clearcoat(paint->medium);
     SharedProgress work(progress, 1);
     work.add(0);
     auto tables = std::make_shared<Tables>(std::move(paint), settings, work);
@@ -572,8 +567,8 @@ namespace {
 
 constexpr ModelOption kNacreOptions[] = {OptionFor<&NacreModel::hot_spot>::toggle(
     "--hot-spot",
-    "nacre: light that came in between large flakes finds the same gaps on its way out; the mean "
-    "is then brighter than the solver's")};
+    "nacre: light that came in between large flakes finds the same gaps on its way out (the "
+    "default); without, the mean is that of microflake")};
 
 }  // namespace
 

@@ -20,8 +20,8 @@ namespace nacre::bsdf {
 struct NacreModel {
     std::uint64_t specimen = 0;  ///< which panel of the batch: the seed of its flakes
     /// Large flakes: light that has come in between the flakes finds the same gaps on its way out
-    /// (HotSpotTables). Then the mean is no longer that of the solver.
-    bool hot_spot = false;
+    /// (HotSpotTables). Without it the mean is that of the solver, exactly.
+    bool hot_spot = true;
 
     static constexpr std::string_view kName = "nacre";  ///< its alternatives' as well
     static const ModelInfo info;
@@ -36,8 +36,8 @@ struct NacreModel {
 ///
 /// Single scattering is a sum over the flakes of the patch that is looked at, each with its own
 /// place, size, slope, depth and films (sparkle/flake_field.h); the interface and multiple
-/// scattering are those of Microflake. Without a patch it is Microflake: that is the mean over all
-/// patches, exactly. A patch is read from Patch::rest, in millimetres; which flakes there are
+/// scattering are those of Microflake, with the hot spot of large flakes. Without a patch it is the
+/// mean over all patches, exactly; without the hot spot that is Microflake. A patch is read from Patch::rest, in millimetres; which flakes there are
 /// depends on the specimen alone.                                      [docs/nacre-model.md]
 ///
 /// Under a binder whose index depends on the wavelength, which flakes reflect is decided with the

@@ -455,9 +455,9 @@ constexpr bsdf::Alternative kInPlaceOfHashedFlakes{
     .value = "explicit",
     .from = [](const bsdf::Model& other) -> bsdf::Model {
         const bsdf::NacreModel& nacre = *other.get<bsdf::NacreModel>();
-        if (nacre.hot_spot) {
+        if (!nacre.hot_spot) {
             throw DomainError(
-                "--hot-spot is for hashed flakes: explicit ones have it by themselves");
+                "--no-hot-spot is for hashed flakes: explicit ones have a hot spot by themselves");
         }
         return ExplicitFlakesModel{.specimen = nacre.specimen};
     }};

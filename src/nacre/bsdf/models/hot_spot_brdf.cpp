@@ -1,0 +1,73 @@
+#include "nacre/bsdf/models/hot_spot_brdf.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "nacre/core/error.h"
+
+namespace nacre::bsdf {
+
+void require_smooth_clearcoat(const solver::PaintMedium& medium) {
+    if (medium.roughness > 0) {
+        throw DomainError(
+            fmt::format("clearcoat.roughness = {}: the model nacre needs a smooth clearcoat, with "
+                        "roughness = 0",
+                        medium.roughness));
+    }
+}
+
+HotSpotBrdf::HotSpotBrdf(std::shared_ptr<const solver::SolvedPaint> paint)
+    : paint_(std::move(paint)), inverse_mean_ior_(1 / mean_ior(paint_->medium)) {
+    require_smooth_clearcoat(paint_->medium);
+    const HotSpotTables tables(*paint_);
+    const int count = paint_->medium.wavelength_count();
+    for (int block = 0; block < paint::block_count(count); ++block) {
+        blocks_.emplace_back(tables, wavelengths_of_block(count, block));
+    }
+}
+
+std::vector<double> HotSpotBrdf::operator()(double theta_i, double theta_o, double phi,
+                                            Part part) const {
+    const auto ray = [&](double theta, double azimuth) {
+        const double sine = std::sin(theta);
+        return make_ray(
+            {static_cast<float>(sine * std::cos(azimuth)),
+             static_cast<float>(sine * std::sin(azimuth)), static_cast<float>(std::cos(theta))},
+            inverse_mean_ior_);
+    };
+    const Ray i = ray(theta_i, 0), o = ray(theta_o, phi);
+    std::vector<double> f(paint_->medium.wavelength_count(), 0.0);
+    if (part != Part::single) {
+        f = paint_->brdf(theta_i, theta_o, phi, Part::multiple);
+        for (std::size_t block = 0; block < blocks_.size(); ++block) {
+            const HotSpot::Pair pair(blocks_[block], i, o);
+            FloatLanes bare{};
+            std::array<double, kLanes> factor;
+            const std::size_t first = block * kLanes, last = std::min(first + kLanes, f.size());
+            for (std::size_t w = first; w < last; ++w) {
+                factor[w - first] =
+                    solver::interface_factor(paint_->medium.ior[w], theta_i, theta_o);
+                bare[w - first] = static_cast<float>(f[w] / factor[w - first]);
+            }
+            const FloatLanes changed = pair.multiple(bare);
+            for (std::size_t w = first; w < last; ++w) {
+                f[w] = factor[w - first] * changed[w - first];
+            }
+        }
+    }
+    if (part != Part::multiple) {
+        const std::vector<double> single = solver::single_scattering(
+            paint_->medium, theta_i, theta_o, phi,
+            [&](std::size_t layer, int block, const DoubleLanes& depth) {
+                return __builtin_convertvector(
+                    HotSpot::Pair(blocks_[block], i, o)
+                        .mean(layer, __builtin_convertvector(depth, FloatLanes)),
+                    DoubleLanes);
+            });
+        for (std::size_t w = 0; w < f.size(); ++w) f[w] += single[w];
+    }
+    return f;
+}
+
+}  // namespace nacre::bsdf

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "nacre/bsdf/models/hot_spot.h"
+#include "nacre/core/part.h"
+#include "nacre/solver/solved_paint.h"
+
+namespace nacre::bsdf {
+
+/// The mean of the model nacre by values, from the solved paint itself: SolvedPaint::brdf() with the
+/// hot spot, where the model that a renderer gets has a table.
+class HotSpotBrdf {
+ public:
+    /// @throws DomainError if the clearcoat is rough; Error as closing_factors()
+    explicit HotSpotBrdf(std::shared_ptr<const solver::SolvedPaint> paint);
+
+    /// As SolvedPaint::brdf(). What the ground alone has scattered is part of the multiple.
+    std::vector<double> operator()(double theta_i, double theta_o, double phi,
+                                   Part part = Part::total) const;
+
+ private:
+    std::shared_ptr<const solver::SolvedPaint> paint_;
+    float inverse_mean_ior_;
+    std::vector<HotSpot> blocks_;  // eight wavelengths each
+};
+
+/// What models without a rough clearcoat say about one. @throws DomainError
+void require_smooth_clearcoat(const solver::PaintMedium& medium);
+
+}  // namespace nacre::bsdf
