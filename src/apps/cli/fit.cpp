@@ -82,7 +82,9 @@ ExitStatus run(const FitOptions& options) {
     fit::FitOptions how = parse(options);
     InstrumentRequest instrument = parse_instrument(options.instrument);
     instrument.settings.seed = options.seed;
-    parse_model(options.model);
+    const bsdf::Model model = parse_model_settings(options.model);
+    const auto* nacre = model.get<NacreModel>();
+    how.target.hot_spot = nacre && nacre->hot_spot;
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Paint start = open_input(options, options.start);
@@ -93,7 +95,9 @@ ExitStatus run(const FitOptions& options) {
     const std::vector<std::string> keys = free_keys(options, start);
     fit::FreeNumbers(start.recipe(), keys, start.bounds());  // before any work
     const Paint standard = open_input(options, options.standard);
-    instrument.settings.model = model_for({&standard}, options.model, true);
+    ModelOptions of_standard = options.model;
+    of_standard.model_given = false;  // also for the paint that is sought
+    instrument.settings.model = model_for({&standard}, of_standard, true);
     const Measurement wanted = [&] {
         ProgressBar bar("measure", options.quiet);
         return standard.measure(instrument.geometries, instrument.settings, bar.callback())
@@ -109,6 +113,8 @@ ExitStatus run(const FitOptions& options) {
     nlohmann::json document = fit_json(found);
     document["standard"] = standard.file();
     document["start"] = options.start;
+    document["model"] = options.model.model;
+    document["hot_spot"] = how.target.hot_spot;
     document["recipe_sha256"] = io::recipe_hash(found.recipe);
     require_going();
     if (!options.output.empty()) {
@@ -167,7 +173,10 @@ Command add_fit(CLI::App& program) {
     add_run_options(*command, *options);
     command->footer(
         "Bounds come from the table [fit] of the starting recipe; without them a third to three\n"
-        "times the start (docs/fit.md). --model is what a STANDARD that is a recipe is seen by.\n"
+        "times the start (docs/fit.md). --model is what a STANDARD that is a recipe is seen by; "
+        "the\n"
+        "paint that is sought is seen by nacre with its hot spot if it is that, else by "
+        "microflake.\n"
         "Ctrl-C stops the fit; nothing is written then.\n\n"
         "Example: how thick the film of a pearl is\n"
         "  nacre fit paints/tio2-mica-110.toml --start paints/tio2-mica-80.toml \\\n"

@@ -73,6 +73,35 @@ TEST_F(Program, FitTakesMeasuredFilesAndSpeaksJson) {
     EXPECT_TRUE(json["other_lights"].contains("FL11"));
 }
 
+TEST_F(Program, FitAgreesWithTheModelOfItsStandard) {
+    // Large flakes, whose hot spot microflake does not have.
+    std::string large = kStart;
+    large.replace(large.find("reflectance"), 0, "diameter_um = 40\n");
+    write("start.toml", large);
+    ASSERT_EQ(nacre("measure start.toml -q --model nacre -o seen.csv").status, 0);
+    const auto matched = [&](const std::string& arguments) {
+        const Outcome fit = nacre("fit " + arguments +
+                                  " --start start.toml --free area_density_per_um --starts 1 "
+                                  "--format json -q");
+        EXPECT_EQ(fit.status, 0) << fit.err;
+        return nlohmann::json::parse(fit.out);
+    };
+    for (const char* standard : {"seen.csv", "start.toml"}) {
+        const auto json = matched(std::string(standard) + " --model nacre");
+        EXPECT_EQ(json["hot_spot"], true);
+        EXPECT_NEAR(value_of(json, 0), 0.05, 5e-4) << standard;  // the tables of the model
+        EXPECT_LT(json["difference"]["mean_delta_e_2000"], 0.05);
+    }
+    EXPECT_GT(std::abs(value_of(matched("seen.csv"), 0) - 0.05), 2e-3);
+    EXPECT_EQ(matched("start.toml --model nacre --no-hot-spot")["hot_spot"], false);
+    // Then sizes matter too.
+    const Outcome sizes = nacre(
+        "fit seen.csv --start start.toml --free diameter_um --starts 1 "
+        "--model nacre --format json -q");
+    ASSERT_EQ(sizes.status, 0) << sizes.err;
+    EXPECT_NEAR(value_of(nlohmann::json::parse(sizes.out), 0), 40, 1);
+}
+
 TEST_F(Program, FitRefusesWhatItCannotDo) {
     write("start.toml", kStart);
     write("lab.csv", "geometry,L,a,b\n45as15,90,1,2\n");

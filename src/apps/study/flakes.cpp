@@ -125,6 +125,7 @@ std::filesystem::path run_flakes(const FlakesSettings& settings, const Stage& st
     FlakesContext context{settings, close_ups, report, results};
     add_introduction(context);
     stage("what hides a flake", [&](const Progress& progress) { add_hiding(context, progress); });
+    stage("the mean by direction", [&](const Progress& progress) { add_means(context, progress); });
     std::vector<FlakesVerdict> verdicts;
     for (const char* file : kRecipes) {
         FlakePaint paint(file, settings.seed);

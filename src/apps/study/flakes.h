@@ -101,6 +101,9 @@ std::string flake_count(double per_mm2);
 /// Renders, measures and describes one recipe.
 FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint);
 
+/// The mean by direction: of discs, by the equation of transfer, and with the hot spot of the model.
+void add_means(FlakesContext& context, const Progress& progress);
+
 /// The fraction of a flake that is both lit and seen: of discs, and by the equation of transfer.
 void add_hiding(FlakesContext& context, const Progress& progress);
 

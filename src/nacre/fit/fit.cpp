@@ -28,19 +28,32 @@ void check(const FitOptions& options) {
     }
 }
 
+/// Diameters and their spreads, which the hot spot depends on.
+std::vector<double> flake_sizes(const paint::Recipe& recipe) {
+    std::vector<double> sizes;
+    for (const paint::Layer& layer : recipe.layers) {
+        for (const paint::FlakeSpecies& flake : layer.flakes) {
+            sizes.push_back(flake.diameter_um);
+            sizes.push_back(flake.diameter_spread_um);
+        }
+    }
+    return sizes;
+}
+
 /// A number that only matters elsewhere (the diameter of flakes to the mean colour, a clearcoat's
 /// thickness if it absorbs nothing) cannot be found from colours.
-void require_effect(const FreeNumbers& numbers, SharedProgress& work) {
+void require_effect(const FreeNumbers& numbers, bool hot_spot, SharedProgress& work) {
     const std::vector<double> wavelengths = {450, 550, 650};
     const std::vector<double> start = numbers.start_point();
-    const solver::PaintMedium here =
-        solver::make_medium(numbers.at(start), wavelengths, nullptr, &work);
+    const paint::Recipe recipe_here = numbers.at(start);
+    const solver::PaintMedium here = solver::make_medium(recipe_here, wavelengths, nullptr, &work);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         std::vector<double> moved = start;
         moved[i] = start[i] > 0.5 ? start[i] - 0.25 : start[i] + 0.25;
         try {
             const paint::Recipe recipe = numbers.at(moved);
             if (!(solver::make_medium(recipe, wavelengths, nullptr, &work) == here)) continue;
+            if (hot_spot && flake_sizes(recipe) != flake_sizes(recipe_here)) continue;
         } catch (const DomainError&) {
             continue;  // invalid with the other numbers as they are: it may have an effect
         }
@@ -120,7 +133,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     const Target target(standard, options.target);
     paint::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
     SharedProgress work(progress, 1);
-    require_effect(numbers, work);
+    require_effect(numbers, target.hot_spot(), work);
     ColourModel model(numbers, target, work);
 
     Fit out;

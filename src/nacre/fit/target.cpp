@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/bsdf/models/hot_spot_brdf.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/measure/difference.h"
@@ -79,6 +80,7 @@ Target::Target(const measure::Measurement& standard, const TargetOptions& option
     if (standard.readings.empty()) throw DomainError("the standard has no reading at any angle");
     measure::difference(standard, standard, options.weights);  // checks the weights
     has_spectra_ = has_all_spectra(standard);
+    hot_spot_ = options.hot_spot;
 
     double sum = 0;
     for (const measure::Reading& reading : standard.readings) {
@@ -122,12 +124,12 @@ std::size_t Target::residual_count() const {
 }
 
 measure::Measurement Target::read(const solver::SolvedPaint& paint, Detail detail) const {
-    return measure::measure(
-        paint.recipe.name,
-        [&](double theta_i, double theta_o, double phi) {
-            return paint.brdf(theta_i, theta_o, phi);
-        },
-        wavelengths_nm(detail), geometries_, standards(detail)[0].conditions);
+    measure::Brdf brdf = [&](double theta_i, double theta_o, double phi) {
+        return paint.brdf(theta_i, theta_o, phi);
+    };
+    if (hot_spot_) brdf = bsdf::HotSpotBrdf(paint);
+    return measure::measure(paint.recipe.name, brdf, wavelengths_nm(detail), geometries_,
+                            standards(detail)[0].conditions);
 }
 
 std::vector<double> Target::residuals(const solver::SolvedPaint& paint, Detail detail) const {

@@ -26,6 +26,9 @@ struct TargetOptions {
     std::vector<spectra::Illuminant> illuminants;
     /// By the geometry's name, >= 0; those not named weigh 1.
     std::map<std::string, double> weights;
+    /// Paints are read as the model nacre shows them, with its hot spot (bsdf::NacreModel), instead
+    /// of by the equation of transfer. Then the diameter of flakes changes colours too.
+    bool hot_spot = false;
 };
 
 /// How accurately a paint is solved: for screening points far apart (every 40 nm), coarse for
@@ -40,6 +43,7 @@ class Target {
     ///         geometries, or all weights are 0
     Target(const measure::Measurement& standard, const TargetOptions& options);
 
+    bool hot_spot() const { return hot_spot_; }
     /// The standard under the first illuminant.
     const measure::Measurement& standard() const { return standards_.back()[0]; }
     bool has_spectra() const { return has_spectra_; }
@@ -48,6 +52,7 @@ class Target {
     std::size_t residual_count() const;
     /// What the standard's instrument reads on a paint that was solved at wavelengths_nm(detail),
     /// under the first illuminant.
+    /// @throws DomainError, Error as bsdf::HotSpotBrdf with the hot spot
     measure::Measurement read(const solver::SolvedPaint& paint, Detail detail) const;
     /// For each illuminant and geometry the three components of the CIEDE2000 difference
     /// (spectra::delta_e_2000_vector), times the square root of the geometry's weight over the mean
@@ -66,7 +71,7 @@ class Target {
     }
 
     static constexpr std::size_t kDetails = 3;
-    bool has_spectra_ = false;
+    bool has_spectra_ = false, hot_spot_ = false;
     std::vector<measure::Geometry> geometries_;
     std::vector<double> root_weight_;  // by geometry
     std::size_t geometry_count_ = 0;   // with a weight above 0

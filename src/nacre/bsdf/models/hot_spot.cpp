@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include "nacre/bsdf/models/hot_spot_closing.h"
@@ -77,7 +78,6 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
         }
     }
     if (species_.empty()) return;
-    if (getenv("NACRE_UNCLOSED")) return;
     tabulate_ground(medium);
     closing_ = closing_factors(paint, *this);
 }
@@ -107,8 +107,33 @@ double disc_overlap_integral(double x) {
     return 2 * std::numbers::inv_pi * (x * std::acos(x) - chord + chord * chord2 / 3 + 2.0 / 3);
 }
 
+namespace {
+
+constexpr int kOverlapIntervals = 512;
+
+std::span<const float> overlap_table() {
+    static const std::vector<float> table = [] {
+        std::vector<float> values;
+        for (int n = 0; n <= kOverlapIntervals; ++n) {
+            values.push_back(
+                static_cast<float>(disc_overlap_integral(n / double{kOverlapIntervals})));
+        }
+        return values;
+    }();
+    return table;
+}
+
+}  // namespace
+
+float HotSpot::overlap(float x) const {
+    const float at = x * kOverlapIntervals;
+    if (!(at < kOverlapIntervals)) return overlap_[kOverlapIntervals];
+    const int n = static_cast<int>(at);
+    return overlap_[n] + (at - n) * (overlap_[n + 1] - overlap_[n]);
+}
+
 HotSpot::HotSpot(const HotSpotTables& tables, const std::array<WavelengthPosition, kLanes>& where)
-    : top_um_(tables.top_um_), thickness_um_(tables.thickness_um_) {
+    : top_um_(tables.top_um_), thickness_um_(tables.thickness_um_), overlap_(overlap_table()) {
     for (const HotSpotTables::Species& from : tables.species_) {
         Species& to = species_.emplace_back();
         to.layer = from.layer;
@@ -149,8 +174,8 @@ void HotSpot::Pair::for_each_species(std::size_t layer, Add&& add) const {
         add(i_->look_up(s.coupling) * o_->look_up(s.coupling), [=, &h](float u) {
             const float far = u * h.thickness_um_[layer] + over_top;
             const float near = within > 0 ? far - within : 0.0f;
-            return static_cast<float>(
-                (disc_overlap_integral(far * step) - disc_overlap_integral(near * step)) / step);
+            const float shared = h.overlap(far * step);
+            return (near > 0 ? shared - h.overlap(near * step) : shared) / step;
         });
     }
 }
@@ -164,26 +189,34 @@ FloatLanes HotSpot::Pair::gain(std::size_t layer, float u) const {
 }
 
 FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const {
+    if (layer == mean_layer_ && std::memcmp(&depth, &mean_depth_, sizeof depth) == 0) return mean_;
     // What comes from below 24 optical depths, 12 with all of the gain, is 6e-6 of the whole.
     constexpr float kDeep = 24;
-    constexpr int kNodes = 16;
-    const Quadrature& rule = unit_gauss_legendre(kNodes);
+    constexpr int kMaxNodes = 16;
     const FloatLanes safe = max_lanes(depth, splat(1e-20f));
     const float reach = std::min(1.0f, kDeep / -lane_max(-safe));
-    std::array<FloatLanes, kNodes> exponent;
-    for (int n = 0; n < kNodes; ++n) {
+    const float deepest = reach * lane_max(safe);
+    static const Quadrature &few = unit_gauss_legendre(4), &some = unit_gauss_legendre(8),
+                            &many = unit_gauss_legendre(kMaxNodes);
+    const Quadrature& rule = deepest < 2 ? few : deepest < 8 ? some : many;
+    const std::size_t count = rule.nodes.size();
+    std::array<FloatLanes, kMaxNodes> exponent;
+    for (std::size_t n = 0; n < count; ++n) {
         exponent[n] = -safe * (reach * static_cast<float>(rule.nodes[n]));
     }
     for_each_species(layer, [&](const FloatLanes& coupling, auto&& length_um) {
-        for (int n = 0; n < kNodes; ++n) {
+        for (std::size_t n = 0; n < count; ++n) {
             exponent[n] += coupling * length_um(reach * static_cast<float>(rule.nodes[n]));
         }
     });
     FloatLanes sum{};
-    for (int n = 0; n < kNodes; ++n) {
+    for (std::size_t n = 0; n < count; ++n) {
         sum += static_cast<float>(rule.weights[n]) * exp_lanes(exponent[n]);
     }
-    return sum * reach * safe / one_minus_exp_lanes(safe);
+    mean_layer_ = layer;
+    mean_depth_ = depth;
+    mean_ = sum * reach * safe / one_minus_exp_lanes(safe);
+    return mean_;
 }
 
 FloatLanes HotSpot::Pair::ground() const {

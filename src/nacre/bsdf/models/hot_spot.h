@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "nacre/bsdf/models/microflake.h"
@@ -88,6 +89,9 @@ class HotSpot {
         const HotSpot* hot_spot_;
         const Ray *i_, *o_;
         float spread_;  // g
+        // What mean() gave last: all that lies in a layer asks for the same.
+        mutable std::size_t mean_layer_ = ~std::size_t{0};
+        mutable FloatLanes mean_depth_, mean_;
     };
 
  private:
@@ -96,9 +100,13 @@ class HotSpot {
         float diameter_um;
         std::vector<FloatLanes> coupling;  // by direction
     };
+    // disc_overlap_integral() to 1e-6.
+    float overlap(float x) const;
+
     std::vector<Species> species_;
     std::vector<float> top_um_, thickness_um_;
     std::vector<FloatLanes> ground_, closing_;  // by direction, or empty
+    std::span<const float> overlap_;            // disc_overlap_integral() at even x, 0 to 1
 };
 
 }  // namespace nacre::bsdf

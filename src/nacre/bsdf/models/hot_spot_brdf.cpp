@@ -17,11 +17,11 @@ void require_smooth_clearcoat(const solver::PaintMedium& medium) {
     }
 }
 
-HotSpotBrdf::HotSpotBrdf(std::shared_ptr<const solver::SolvedPaint> paint)
-    : paint_(std::move(paint)), inverse_mean_ior_(1 / mean_ior(paint_->medium)) {
-    require_smooth_clearcoat(paint_->medium);
-    const HotSpotTables tables(*paint_);
-    const int count = paint_->medium.wavelength_count();
+HotSpotBrdf::HotSpotBrdf(const solver::SolvedPaint& paint)
+    : paint_(paint), inverse_mean_ior_(1 / mean_ior(paint.medium)) {
+    require_smooth_clearcoat(paint_.medium);
+    const HotSpotTables tables(paint_);
+    const int count = paint_.medium.wavelength_count();
     for (int block = 0; block < paint::block_count(count); ++block) {
         blocks_.emplace_back(tables, wavelengths_of_block(count, block));
     }
@@ -37,9 +37,9 @@ std::vector<double> HotSpotBrdf::operator()(double theta_i, double theta_o, doub
             inverse_mean_ior_);
     };
     const Ray i = ray(theta_i, 0), o = ray(theta_o, phi);
-    std::vector<double> f(paint_->medium.wavelength_count(), 0.0);
+    std::vector<double> f(paint_.medium.wavelength_count(), 0.0);
     if (part != Part::single) {
-        f = paint_->brdf(theta_i, theta_o, phi, Part::multiple);
+        f = paint_.brdf(theta_i, theta_o, phi, Part::multiple);
         for (std::size_t block = 0; block < blocks_.size(); ++block) {
             const HotSpot::Pair pair(blocks_[block], i, o);
             FloatLanes bare{};
@@ -47,7 +47,7 @@ std::vector<double> HotSpotBrdf::operator()(double theta_i, double theta_o, doub
             const std::size_t first = block * kLanes, last = std::min(first + kLanes, f.size());
             for (std::size_t w = first; w < last; ++w) {
                 factor[w - first] =
-                    solver::interface_factor(paint_->medium.ior[w], theta_i, theta_o);
+                    solver::interface_factor(paint_.medium.ior[w], theta_i, theta_o);
                 bare[w - first] = static_cast<float>(f[w] / factor[w - first]);
             }
             const FloatLanes changed = pair.multiple(bare);
@@ -58,7 +58,7 @@ std::vector<double> HotSpotBrdf::operator()(double theta_i, double theta_o, doub
     }
     if (part != Part::multiple) {
         const std::vector<double> single = solver::single_scattering(
-            paint_->medium, theta_i, theta_o, phi,
+            paint_.medium, theta_i, theta_o, phi,
             [&](std::size_t layer, int block, const DoubleLanes& depth) {
                 return __builtin_convertvector(
                     HotSpot::Pair(blocks_[block], i, o)

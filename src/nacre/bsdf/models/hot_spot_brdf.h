@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "nacre/bsdf/models/hot_spot.h"
@@ -13,15 +12,16 @@ namespace nacre::bsdf {
 /// hot spot, where the model that a renderer gets has a table.
 class HotSpotBrdf {
  public:
+    /// @param paint  outlives this
     /// @throws DomainError if the clearcoat is rough; Error as closing_factors()
-    explicit HotSpotBrdf(std::shared_ptr<const solver::SolvedPaint> paint);
+    explicit HotSpotBrdf(const solver::SolvedPaint& paint);
 
     /// As SolvedPaint::brdf(). What the ground alone has scattered is part of the multiple.
     std::vector<double> operator()(double theta_i, double theta_o, double phi,
                                    Part part = Part::total) const;
 
  private:
-    std::shared_ptr<const solver::SolvedPaint> paint_;
+    const solver::SolvedPaint& paint_;
     float inverse_mean_ior_;
     std::vector<HotSpot> blocks_;  // eight wavelengths each
 };

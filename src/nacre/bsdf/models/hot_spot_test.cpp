@@ -156,7 +156,7 @@ double albedo(const HotSpotBrdf& brdf, double theta, double ior, Part part = Par
 
 TEST(HotSpotClosing, WhiteFlakesOverWhiteGroundLoseNoLight) {
     const auto paint = solved(white_paint(1));
-    const HotSpotBrdf brdf(paint);
+    const HotSpotBrdf brdf(*paint);
     for (const double theta_deg : {5.0, 30.0, 60.0, 75.0}) {
         EXPECT_NEAR(albedo(brdf, theta_deg * kDegree, 1.5), 1, 2e-3) << theta_deg;
     }
@@ -179,7 +179,7 @@ TEST(HotSpotClosing, SmallFlakesLeaveTheEquationOfTransferAsItIs) {
         layer.flakes[0].diameter_spread_um = 0;
     }
     const auto paint = solved(recipe);
-    const HotSpotBrdf brdf(paint);
+    const HotSpotBrdf brdf(*paint);
     for (const double theta_o : {0.0, 0.5, 1.2}) {
         const auto f = brdf(0.6, theta_o, 2.5), expected = paint->brdf(0.6, theta_o, 2.5);
         for (std::size_t w = 0; w < f.size(); ++w)
@@ -211,7 +211,7 @@ std::vector<paint::Recipe> various_paints() {
 TEST(HotSpotClosing, ValuesAreThoseOfTheModel) {
     for (const paint::Recipe& recipe : various_paints()) {
         const SparklingModel model(recipe, {.specimen = 1});
-        const HotSpotBrdf brdf(model.paint);
+        const HotSpotBrdf brdf(*model.paint);
         for (const double theta_i : {15.0, 45.0}) {
             double peak = 0, worst = 0;
             for (double theta_o = 0; theta_o < 80; theta_o += 7) {
