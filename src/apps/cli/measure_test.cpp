@@ -124,10 +124,12 @@ TEST_F(Program, MeasureTakesASolvedPaintAndAnyModelWithValues) {
     ASSERT_EQ(nacre("solve gray.toml -q -o gray.h5").status, 0);
     EXPECT_EQ(nacre("measure gray.h5 -q").out, nacre("measure gray.toml -q").out);
     const auto exact = measured(nacre("measure gray.toml")),
-               sparkling = measured(nacre("measure gray.toml --model nacre"));
+               sparkling = measured(nacre("measure gray.toml --model nacre --no-hot-spot")),
+               hot_spot = measured(nacre("measure gray.toml --model nacre"));
     for (std::size_t i = 0; i < exact.readings.size(); ++i) {
         // The renderer's tables are in single precision.
         EXPECT_NEAR(sparkling.readings[i].lab[0], exact.readings[i].lab[0], 0.2) << i;
+        if (i < 3) EXPECT_GT(hot_spot.readings[i].lab[0], sparkling.readings[i].lab[0] + 1) << i;
     }
 }
 

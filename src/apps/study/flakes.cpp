@@ -57,7 +57,7 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
     report::Table table{
         .columns = {"recipe", "flakes deep", "diameter, um", "flakes a mm²", "mean, hashed / discs",
                     "... without diffraction", "contrast, hashed / discs", "farthest from 1",
-                    "mean, with hot spot", "contrast, with hot spot", "ΔE of the means",
+                    "mean, without hot spot", "contrast, without hot spot", "ΔE of the means",
                     "spread of a*, ratio", "spread of b*, ratio"}};
     for (const FlakesVerdict& v : verdicts) {
         table.rows.push_back(
@@ -70,9 +70,9 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
              report::number_cell(number(v.mean_ratio_mirrors)),
              report::number_cell(number(v.contrast_ratio)),
              report::number_cell(number(v.worst_contrast_ratio)),
-             report::number_cell(fmt::format("{} ± {}", number(v.mean_ratio_hot_spot.value),
-                                             number(v.mean_ratio_hot_spot.standard_error, 1))),
-             report::number_cell(number(v.contrast_ratio_hot_spot)),
+             report::number_cell(fmt::format("{} ± {}", number(v.mean_ratio_no_hot_spot.value),
+                                             number(v.mean_ratio_no_hot_spot.standard_error, 1))),
+             report::number_cell(number(v.contrast_ratio_no_hot_spot)),
              report::number_cell(number(v.mean_delta_e)),
              report::number_cell(number(v.a_ratio)),
              report::number_cell(number(v.b_ratio))});
@@ -86,12 +86,13 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
         "included.");
     context.report.heading(1, "What may differ, and why", "why");
     context.report.bullets(
-        {"*The mean*, where opaque flakes are as wide as the layer is thick: the hot spot. The "
-         "mean "
-         "of the hashed flakes is that of the equation of transfer, by construction; discs are "
-         "brighter. The model's own hot spot dims each flake as discs do on average. It does not "
-         "take from what is scattered again the light that has then left already, so that it ends "
-         "up somewhat too bright.",
+        {"*The mean without the hot spot*, where opaque flakes are as wide as the layer is thick: "
+         "it "
+         "is that of the equation of transfer, and discs are brighter. The hot spot takes each "
+         "flake "
+         "for as lit and seen as discs are on average, and that light from what is scattered "
+         "again: "
+         "[the mean by direction](#directions).",
          "*The mean of small flakes*: diffraction. Discs with the recipe's tilts mirror into a "
          "lobe "
          "that is wider than that of their normals; the model takes the recipe's roughness for "
@@ -150,8 +151,8 @@ std::string name(Way way) {
             return "mirrors";
         case Way::hashed:
             return "hashed";
-        case Way::hot_spot:
-            return "hot-spot";
+        case Way::no_hot_spot:
+            return "no-hot-spot";
         case Way::smooth:
             return "smooth";
     }
@@ -185,19 +186,20 @@ std::shared_ptr<const bsdf::Bsdf> FlakePaint::surface(Way way, double side_mm,
         solved_ = std::make_shared<const solver::SolvedPaint>(
             solver::solve(recipe_, spectra::default_wavelengths_nm(), {}, nullptr, progress));
     }
-    auto& made = way == Way::hashed ? hashed_ : way == Way::hot_spot ? hot_spot_ : smooth_;
+    auto& made = way == Way::hashed ? hashed_ : way == Way::no_hot_spot ? no_hot_spot_ : smooth_;
     if (!made) {
         const bsdf::Model model =
             way == Way::smooth
                 ? bsdf::Model(bsdf::MicroflakeModel{})
-                : bsdf::NacreModel{.specimen = seed_, .hot_spot = way == Way::hot_spot};
+                : bsdf::NacreModel{.specimen = seed_, .hot_spot = way == Way::hashed};
         made = model.make({recipe_, solved_}, progress);
     }
     return made;
 }
 
 std::string FlakePaint::identity(Way way, double side_mm) const {
-    return fmt::format("{} {} seed {} side {}", io::recipe_hash(recipe_), name(way), seed_,
+    const char* gaps = way == Way::hashed ? " hot spot" : "";
+    return fmt::format("{} {}{} seed {} side {}", io::recipe_hash(recipe_), name(way), gaps, seed_,
                        is_explicit(way) ? side_mm : 0);
 }
 

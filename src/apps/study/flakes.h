@@ -34,11 +34,11 @@ std::filesystem::path run_flakes(const FlakesSettings& settings, const Stage& st
 
 /// How the flakes of a paint are shown.
 enum class Way {
-    discs,     ///< explicit: each in its place, light traced among them
-    mirrors,   ///< the same without diffraction
-    hashed,    ///< the model `nacre`
-    hot_spot,  ///< the same with its hot spot
-    smooth     ///< their mean: `microflake`
+    discs,        ///< explicit: each in its place, light traced among them
+    mirrors,      ///< the same without diffraction
+    hashed,       ///< the model `nacre`
+    no_hot_spot,  ///< the same without its hot spot
+    smooth        ///< the mean of that: `microflake`
 };
 
 /// In file names and results.
@@ -69,7 +69,7 @@ class FlakePaint {
     std::uint64_t seed_;
     paint::Recipe recipe_;
     std::shared_ptr<const solver::SolvedPaint> solved_;
-    std::shared_ptr<const bsdf::Bsdf> hashed_, hot_spot_, smooth_;
+    std::shared_ptr<const bsdf::Bsdf> hashed_, no_hot_spot_, smooth_;
 };
 
 // The parts of the study of flakes, one file each.
@@ -85,11 +85,11 @@ struct FlakesContext {
 struct FlakesVerdict {
     std::string name;
     double depth = 0, diameter_um = 0, flakes_per_mm2 = 0;
-    Estimate mean_ratio;            ///< mean luminance of hashed over that of discs
-    double mean_ratio_mirrors = 0;  ///< over that of discs without diffraction
-    double contrast_ratio = 0;      ///< of hashed over discs: geometric mean over the footprints
-    Estimate mean_ratio_hot_spot;   ///< the same two with the model's hot spot
-    double contrast_ratio_hot_spot = 0;
+    Estimate mean_ratio;              ///< mean luminance of hashed over that of discs
+    double mean_ratio_mirrors = 0;    ///< over that of discs without diffraction
+    double contrast_ratio = 0;        ///< of hashed over discs: geometric mean over the footprints
+    Estimate mean_ratio_no_hot_spot;  ///< the same two without the model's hot spot
+    double contrast_ratio_no_hot_spot = 0;
     double worst_contrast_ratio = 1;  ///< farthest from 1
     double mean_delta_e = 0;          ///< between the mean colours at equal luminance
     double a_ratio = 0, b_ratio = 0;  ///< of the deviations of a* and b* over the pixels

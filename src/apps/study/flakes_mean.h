@@ -26,10 +26,10 @@ paint::Recipe recipe_of(const MeanCase& paint);
 struct MeanRatios {
     double theta_deg = 0, phi_deg = 0;  ///< phi 180: the mirror side
     /// BRDF of discs without diffraction, weighted by the cosine over a cone of kExitCone_deg.
-    Estimate discs;
+    Estimate discs = {};
     /// Over it, with the discs' standard error: the equation of transfer; with the hot spot alone,
     /// nothing taken from multiple scattering; the model nacre.
-    Estimate transfer, gain_alone, nacre;
+    Estimate transfer = {}, gain_alone = {}, nacre = {};
 };
 
 inline constexpr double kExitCone_deg = 4;

@@ -63,8 +63,8 @@ std::string of_name(Way way) {
     switch (way) {
         case Way::discs:
             return "explicit discs";
-        case Way::hot_spot:
-            return "nacre with its hot spot";
+        case Way::no_hot_spot:
+            return "nacre without its hot spot";
         default:
             return "nacre, hashed flakes";
     }
@@ -127,7 +127,7 @@ struct Ratios {
 /// Contrast against footprint. Adds to the verdict.
 void add_contrast(FlakesContext& context, const FlakePaint& paint, const Look& look,
                   FlakesVerdict& verdict) {
-    constexpr Way kWays[] = {Way::discs, Way::hashed, Way::hot_spot};
+    constexpr Way kWays[] = {Way::discs, Way::hashed, Way::no_hot_spot};
     std::vector<double> footprints{0.25, 1, 4, 16, 64, 256};
     if (context.settings.quick) footprints = {1, 4};
     report::Plot plot{
@@ -137,11 +137,12 @@ void add_contrast(FlakesContext& context, const FlakePaint& paint, const Look& l
             "error.",
         .x = {.label = "flakes in the pixel's area, on average", .logarithmic = true},
         .y = {.label = "contrast", .logarithmic = true}};
-    report::Table table{.columns = {"flakes a pixel", "contrast, discs", "hashed", "with hot spot",
-                                    "mean, discs", "hashed", "with hot spot", "smooth"}};
+    report::Table table{.columns = {"flakes a pixel", "contrast, discs", "hashed",
+                                    "without hot spot", "mean, discs", "hashed", "without hot spot",
+                                    "smooth"}};
     report::Series series[3];
     nlohmann::json& results = context.results["recipes"][paint.key()]["contrast"];
-    Ratios hashed, hot_spot;
+    Ratios hashed, no_hot_spot;
     for (double n : footprints) {
         Estimate c[3], mean[3];
         for (int i = 0; i < 3; ++i) {
@@ -161,7 +162,7 @@ void add_contrast(FlakesContext& context, const FlakePaint& paint, const Look& l
         }
         const Pixels s = look.take(Way::smooth, n, "contrast", {kContrast.pixels, 0, 32}, 0);
         hashed.add(n, {c[0], c[1]}, {mean[0], mean[1]});
-        hot_spot.add(n, {c[0], c[2]}, {mean[0], mean[2]});
+        no_hot_spot.add(n, {c[0], c[2]}, {mean[0], mean[2]});
         table.rows.push_back({report::number_cell(number(n))});
         for (const Estimate& m : c) table.rows.back().push_back(report::number_cell(with_error(m)));
         for (const Estimate& m : mean)
@@ -171,8 +172,8 @@ void add_contrast(FlakesContext& context, const FlakePaint& paint, const Look& l
     verdict.contrast_ratio = hashed.contrast();
     verdict.worst_contrast_ratio = hashed.worst;
     verdict.mean_ratio = hashed.of_means();
-    verdict.contrast_ratio_hot_spot = hot_spot.contrast();
-    verdict.mean_ratio_hot_spot = hot_spot.of_means();
+    verdict.contrast_ratio_no_hot_spot = no_hot_spot.contrast();
+    verdict.mean_ratio_no_hot_spot = no_hot_spot.of_means();
     for (int i = 0; i < 3; ++i) {
         series[i].name = of_name(kWays[i]);
         series[i].dots = true;
@@ -301,8 +302,8 @@ FlakesVerdict add_flake_paint(FlakesContext& context, FlakePaint& paint) {
         {"mean_hashed_over_mirrors", verdict.mean_ratio_mirrors},
         {"contrast_hashed_over_discs", verdict.contrast_ratio},
         {"contrast_hashed_over_discs_worst", verdict.worst_contrast_ratio},
-        {"mean_hot_spot_over_discs", verdict.mean_ratio_hot_spot.value},
-        {"contrast_hot_spot_over_discs", verdict.contrast_ratio_hot_spot},
+        {"mean_no_hot_spot_over_discs", verdict.mean_ratio_no_hot_spot.value},
+        {"contrast_no_hot_spot_over_discs", verdict.contrast_ratio_no_hot_spot},
         {"delta_e_of_means", verdict.mean_delta_e}};
     return verdict;
 }

@@ -240,10 +240,11 @@ TEST(Models, TextsTellAnyTwoModelsApart) {
     for (const ModelInfo* model : all_entries()) {
         different.push_back(model->standard());
         for (const bsdf::ModelOption& option : model->options) {
-            const int last = option.range           ? option.range->second
-                             : option.names.empty() ? 1
-                                                    : static_cast<int>(option.names.size()) - 1;
             different.push_back(model->standard());
+            const bool on = option.get(different.back()) != 0;
+            const int last = option.range           ? option.range->second
+                             : option.names.empty() ? !on
+                                                    : static_cast<int>(option.names.size()) - 1;
             option.set(different.back(), last);
         }
         if (!model->can.sparkle) continue;
@@ -289,9 +290,9 @@ TEST(Models, AlternativesTakeOverWhatWasChosen) {
         same.set_specimen(7);
         EXPECT_EQ(alternative.from(other), same);
     }
-    EXPECT_THROW(
-        montecarlo::ExplicitFlakesModel::info.alternative->from(bsdf::NacreModel{.hot_spot = false}),
-        DomainError);
+    EXPECT_THROW(montecarlo::ExplicitFlakesModel::info.alternative->from(
+                     bsdf::NacreModel{.hot_spot = false}),
+                 DomainError);
 }
 
 TEST(Models, ModelsThatFollowAShapeRefuseOthers) {
