@@ -129,7 +129,9 @@ TEST_F(Program, MeasureTakesASolvedPaintAndAnyModelWithValues) {
     for (std::size_t i = 0; i < exact.readings.size(); ++i) {
         // The renderer's tables are in single precision.
         EXPECT_NEAR(sparkling.readings[i].lab[0], exact.readings[i].lab[0], 0.2) << i;
-        if (i < 3) EXPECT_GT(hot_spot.readings[i].lab[0], sparkling.readings[i].lab[0] + 1) << i;
+        if (i < 3) {
+            EXPECT_GT(hot_spot.readings[i].lab[0], sparkling.readings[i].lab[0] + 1) << i;
+        }
     }
 }
 
