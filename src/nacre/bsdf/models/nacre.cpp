@@ -87,7 +87,8 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
                  std::move(films), fraction});
         }
     }
-    if (settings.hot_spot) hot_spot.emplace(*paint);
+    // Under a rough clearcoat neighbouring rays are refracted apart: not modelled.
+    if (settings.hot_spot && !smooth->rough) hot_spot.emplace(*paint);
 }
 
 Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
