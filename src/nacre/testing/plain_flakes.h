@@ -39,7 +39,8 @@ inline std::shared_ptr<const bsdf::Bsdf> nacre_surface(const paint::Recipe& reci
                                                        std::uint64_t seed) {
     const auto solved =
         std::make_shared<const solver::SolvedPaint>(solver::solve(recipe, {550}, {}));
-    return std::make_shared<const bsdf::Nacre>(solved, bsdf::NacreModel{.specimen = seed, .hot_spot = false});
+    return std::make_shared<const bsdf::Nacre>(
+        solved, bsdf::NacreModel{.specimen = seed, .hot_spot = false});
 }
 
 }  // namespace nacre::models::testing

@@ -162,10 +162,10 @@ class BoundNacre::MeanHotSpot {
     HotSpot::Pair pair_;
 };
 
-// What is the same on every patch: all but the flakes.
-class BoundNacre::BesideThem {
+// What is the same on every patch, all but the flakes, with the hot spot if there is one.
+class BoundNacre::WithHotSpot {
  public:
-    BesideThem(const BoundNacre& surface, const Ray& i, const Ray& o) {
+    WithHotSpot(const BoundNacre& surface, const Ray& i, const Ray& o) {
         if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
     }
     FloatLanes pigment_factor(std::size_t layer, const FloatLanes& depth) const {
@@ -180,10 +180,10 @@ class BoundNacre::BesideThem {
 };
 
 // In place of MeanFlakes: those of a patch.
-class BoundNacre::FlakesOfPatch : public BesideThem {
+class BoundNacre::FlakesOfPatch : public WithHotSpot {
  public:
     FlakesOfPatch(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
-        : BesideThem(surface, i, o), surface_(surface), look_(look), half_(i, o) {}
+        : WithHotSpot(surface, i, o), surface_(surface), look_(look), half_(i, o) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
         const std::size_t at = surface_.tables_->first_species[layer] + flake;
@@ -215,10 +215,10 @@ class BoundNacre::FlakesOfPatch : public BesideThem {
 };
 
 // In place of MeanFlakes: what is left where flakes are asked one by one.
-class BoundNacre::BesideFlakes : public BesideThem {
+class BoundNacre::BesideFlakes : public WithHotSpot {
  public:
     BesideFlakes(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
-        : BesideThem(surface, i, o),
+        : WithHotSpot(surface, i, o),
           surface_(surface),
           look_(look),
           slope2_(HalfVector(i, o).slope2) {}

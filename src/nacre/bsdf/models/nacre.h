@@ -110,7 +110,7 @@ class BoundNacre final : public BoundMicroflake {
 
  private:
     class MeanHotSpot;
-    class BesideThem;
+    class WithHotSpot;
     class FlakesOfPatch;
     class BesideFlakes;
     class SomeFlakes;
