@@ -20,10 +20,10 @@
 namespace nacre::study {
 namespace {
 
-constexpr double kLayer_um = 15, kWavelength_nm = 550;
+constexpr double kPaintThickness_um = 15, kWavelength_nm = 550;
 constexpr double kUmPerMm = 1e3;
 
-Vec3d towards(double theta_deg, double phi_deg) {
+Vec3d direction_at(double theta_deg, double phi_deg) {
     const double theta = theta_deg * kDegree, phi = phi_deg * kDegree;
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
@@ -49,7 +49,7 @@ std::vector<double> flux_of_discs(const paint::Recipe& recipe, double side_mm, d
     bsdf::Wavelengths wavelengths;
     wavelengths.fill(kWavelength_nm);
     const auto bound = paint.bind(wavelengths);
-    const Vec3f wi = to_float(towards(incidence_deg, 0));
+    const Vec3f wi = to_float(direction_at(incidence_deg, 0));
     const double edge = std::cos(kExitCone_deg * kDegree);
     std::vector<double> flux(exits.size(), 0.0);
     Rng rng(seed);
@@ -62,7 +62,7 @@ std::vector<double> flux_of_discs(const paint::Recipe& recipe, double side_mm, d
         for (std::size_t e = 0; e < exits.size(); ++e) {
             // The paint is symmetric about the plane of incidence: twice the directions.
             for (const double side : {-1.0, 1.0}) {
-                const Vec3d middle = towards(exits[e].theta_deg, side * exits[e].phi_deg);
+                const Vec3d middle = direction_at(exits[e].theta_deg, side * exits[e].phi_deg);
                 if (dot(wo, middle) > edge) flux[e] += 0.5 * sample->weight[0] / walks;
             }
         }
@@ -93,12 +93,12 @@ double flux_in_cone(const Brdf& brdf, const Vec3d& middle) {
 
 paint::Recipe recipe_of(const MeanCase& paint) {
     paint::FlakeSpecies species;
-    species.amount = paint::AreaDensity{paint.depth / kLayer_um};
+    species.amount = paint::AreaDensity{paint.depth / kPaintThickness_um};
     species.diameter_um = paint.diameter_um;
     species.orientation.beckmann_alpha = paint.alpha;
     species.body = paint::PrescribedFlake{paint.reflectance, paint.transmittance, 0.3};
     paint::Layer layer;
-    layer.thickness_um = kLayer_um;
+    layer.thickness_um = kPaintThickness_um;
     layer.flakes.push_back(species);
     paint::Recipe recipe;
     recipe.name =
@@ -132,7 +132,7 @@ std::vector<MeanRatios> compare_means(const MeanCase& paint, double incidence_de
     const double theta_i = incidence_deg * kDegree;
     for (std::size_t e = 0; e < exits.size(); ++e) {
         MeanRatios& exit = exits[e];
-        const Vec3d middle = towards(exit.theta_deg, exit.phi_deg);
+        const Vec3d middle = direction_at(exit.theta_deg, exit.phi_deg);
         double sum = 0, squares = 0;
         for (const auto& specimen : flux) {
             sum += specimen[e];
@@ -159,7 +159,7 @@ std::vector<MeanRatios> compare_means(const MeanCase& paint, double incidence_de
 
 namespace {
 
-constexpr MeanCase kCases[] = {
+constexpr MeanCase kMeanCases[] = {
     {},
     {.depth = 0.3},
     {.depth = 3},
@@ -193,15 +193,15 @@ void add_means(FlakesContext& context, const Progress& progress) {
         "among those directions that have {} of the mirror direction's light: the equation of "
         "transfer (`microflake`), the hot spot with nothing taken from multiple scattering, and "
         "the hot spot of `nacre`. All layers are {} um thick.",
-        kExitCone_deg, kDim, kLayer_um));
+        kExitCone_deg, kDim, kPaintThickness_um));
     report::Table table{.columns = {"flakes deep", "um", "alpha", "R", "T", "ground", "light",
                                     "transfer", "gain alone", "nacre", "standard error",
                                     "farthest: transfer", "gain alone", "nacre"}};
     const bool quick = context.settings.quick;
-    const int cases = quick ? 1 : static_cast<int>(std::size(kCases));
+    const int cases = quick ? 1 : static_cast<int>(std::size(kMeanCases));
     const int lights = quick ? 1 : static_cast<int>(std::size(kIncidences_deg));
     for (int n = 0; n < cases * lights; ++n) {
-        const MeanCase& paint = kCases[n / lights];
+        const MeanCase& paint = kMeanCases[n / lights];
         const double light = kIncidences_deg[n % lights];
         const auto exits =
             compare_means(paint, light, quick ? 20000 : 1600000, hash_of(context.settings.seed, n),
