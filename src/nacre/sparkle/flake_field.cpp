@@ -57,20 +57,27 @@ float FlakeField::lobe_area() const {
     return 5 * std::numbers::pi_v<float> / 9 * radius * radius;  // Int K^2 = 9 / (5 pi w^2)
 }
 
-float FlakeField::background(const ObjectSpaceFootprint& patch, const StandIns& stand_ins) const {
-    const float side_mm[] = {length(patch.edge_mm[0]), length(patch.edge_mm[1])};
-    return 1 - level_weights(side_mm, stand_ins).resolved;
-}
-
-void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
-                      const StandIns& stand_ins) const {
-    const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
-    const Weights weights = level_weights(outline.size_mm, stand_ins);
+FlakeField::Weights FlakeField::begin(const float* side_mm, const StandIns& stand_ins,
+                                      FlakeView& view) const {
+    const Weights weights = level_weights(side_mm, stand_ins);
     view.count = 0;
     view.weight_sum = 0;
     view.background = 1 - weights.resolved;
     view.widening = weights.widening;
     view.typical_radius = typical_radius_;
+    return weights;
+}
+
+void FlakeField::leave_out(const ObjectSpaceFootprint& patch, FlakeView& view,
+                           const StandIns& stand_ins) const {
+    const float side_mm[] = {length(patch.edge_mm[0]), length(patch.edge_mm[1])};
+    begin(side_mm, stand_ins, view);
+}
+
+void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
+                      const StandIns& stand_ins) const {
+    const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
+    const Weights weights = begin(outline.size_mm, stand_ins, view);
     if (weights.resolved == 0) return;
     const Projections projections = projections_of(patch.normal);
     for (int i = 0; i < projections.count; ++i) {
@@ -106,8 +113,8 @@ FlakeField::Weights FlakeField::level_weights(const float* side_mm,
     // Scaled up to the mean of all flakes, those resolved have deviation_ratio^2 times their
     // variance. Lobes wider by deviation_ratio undo that, but a lobe must stay narrower than the
     // distribution of slopes: the remaining excess is removed by background. There is always some
-    // background, for variance_correction().                         [docs/nacre-model.md: k]
-    constexpr float kWidest = 0.35f, kMaxResolved = 0.95f;
+    // background, for answer_factor().                               [docs/nacre-model.md: k]
+    constexpr float kWidest = 0.32f, kMaxResolved = 0.95f;
     const float deviation_ratio = std::sqrt(second) / first;
     const float area = stand_ins.light_area;
     if (area <= 1) {

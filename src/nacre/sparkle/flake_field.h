@@ -52,8 +52,9 @@ class FlakeField {
     /// Replaces `view` by what the patch shows.
     void look(const ObjectSpaceFootprint& patch, FlakeView& view, const StandIns& stand_ins) const;
     void look(const ObjectSpaceFootprint& patch, FlakeView& view) const { look(patch, view, {}); }
-    /// FlakeView::background of look(), at a fraction of its cost.
-    float background(const ObjectSpaceFootprint& patch, const StandIns& stand_ins) const;
+    /// As look(), but the view lists no flakes: its background, at a fraction of the cost.
+    void leave_out(const ObjectSpaceFootprint& patch, FlakeView& view,
+                   const StandIns& stand_ins) const;
     /// Area of slopes, for a typical flake at perpendicular incidence, over which the square of its
     /// lobe has the integral that it would have if even: 1 / Int K^2.
     float lobe_area() const;
@@ -94,6 +95,8 @@ class FlakeField {
 
     /// @param side_mm  the two of the patch
     Weights level_weights(const float* side_mm, const StandIns& stand_ins) const;
+    /// A view that lists no flakes yet.
+    Weights begin(const float* side_mm, const StandIns& stand_ins, FlakeView& view) const;
     void find(const FlakePlane& plane, const Weights& weights, Found& found) const;
     void find_in_cell(const Cell& cell, const FlakePlane& plane, const Weights& weights,
                       Found& found) const;

@@ -24,7 +24,7 @@ struct FlakeView {
     static constexpr int kMax = 128;
 
     int count = 0;
-    /// For half vectors of slope alpha; for_each_answer() returns it for any other.
+    /// What is not resolved; background_at() adds what does not lie in the lobes of the flakes.
     float background = 1;
     float weight_sum = 0;
     float widening = 1;
@@ -62,18 +62,26 @@ struct FlakeView {
     /// What for_each_answer() passes for one flake; 0 if it does not reflect.
     float fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake) const;
 
-    /// Factor on the flakes that reflect, so that the variance is that of all flakes. The integral
-    /// of K^2 P / (P * K)^2 goes with w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening
-    /// keeps its leading term, and this the next.
+    /// Factor on the flakes that reflect: the lobes' share of the light, and so that the variance is
+    /// that of all flakes. The integral of K^2 P / (P * K)^2 goes with
+    /// w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening keeps its leading term, and this
+    /// the next.
     /// @param exponent  DiffractionLobe::exponent() of the half vector
     /// @param scale     DiffractionLobe::widening() of the half vector
-    float variance_correction(float exponent, float scale) const {
-        if (widening == 1) return 1;
+    float answer_factor(float exponent, float scale) const {
         const float radius = typical_radius * scale;
+        const float share = DiffractionLobe::share(exponent, radius);
+        if (widening == 1) return share;
         const float bend = (exponent - 1) * radius * radius * (1.0f / 3);
         const float upper_bound = background < 1 ? 1 / (1 - background) : 1;
-        return std::min(upper_bound, std::sqrt(std::max(1 - bend, 0.25f) /
-                                               std::max(1 - widening * widening * bend, 0.25f)));
+        return std::min(upper_bound,
+                        share * std::sqrt(std::max(1 - bend, 0.25f) /
+                                          std::max(1 - widening * widening * bend, 0.25f)));
+    }
+    /// What for_each_answer() returns.
+    float background_at(const DiffractionLobe& lobe, float slope2, float cosine) const {
+        return 1 - (1 - background) *
+                       answer_factor(lobe.exponent(slope2), lobe.widening(1 + slope2, cosine));
     }
 
     /// Slopes of half vectors near those of eight flakes, one each, with their densities. The lobes
@@ -111,7 +119,7 @@ float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float
                                  Visit&& visit) const {
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     const float scale = lobe.widening(1 + slope2, cosine);
-    const float correction = variance_correction(lobe.exponent(slope2), scale);
+    const float factor = answer_factor(lobe.exponent(slope2), scale);
     float inverse_density = 0;  // worked out with the first answer
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes dx = load_lanes(&slope_x[first]) - slope.x;
@@ -120,13 +128,13 @@ float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float
         const FloatLanes width =
             min_lanes(load_lanes(&lobe_radius[first]) * scale, splat(lobe.max_radius()));
         for_each_set_lane(distance2 < width * width, [&](int lane) {
-            if (inverse_density == 0) inverse_density = correction / lobe.slope_density(slope2);
+            if (inverse_density == 0) inverse_density = factor / lobe.slope_density(slope2);
             const float w = width[lane];
             visit(first + lane, weight[first + lane] * lobe.density(distance2[lane], w) *
                                     inverse_density / lobe.blur(slope2, w));
         });
     }
-    return 1 - (1 - background) * correction;
+    return 1 - (1 - background) * factor;
 }
 
 inline float FlakeView::fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine,
@@ -139,7 +147,7 @@ inline float FlakeView::fraction(const DiffractionLobe& lobe, Vec2f slope, float
     const float distance2 = dx * dx + dy * dy;
     if (distance2 >= width * width) return 0;
     return weight[flake] * lobe.density(distance2, width) *
-           variance_correction(lobe.exponent(slope2), scale) /
+           answer_factor(lobe.exponent(slope2), scale) /
            (lobe.slope_density(slope2) * lobe.blur(slope2, width));
 }
 

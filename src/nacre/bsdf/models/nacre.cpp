@@ -126,9 +126,9 @@ namespace {
 constexpr float kWide = std::numeric_limits<float>::infinity();
 
 // On a patch the flake lobe of the mean keeps at least this fraction of its probability: multiple
-// scattering follows that lobe too, and it bounds the weights of directions for which no single
-// flake is sampled.
-constexpr float kMinMeanProbability = 0.1f;
+// scattering follows that lobe too, as do the rings of the flakes' patterns, and it bounds the weights
+// of directions for which no single flake is sampled.
+constexpr float kMinMeanProbability = 0.15f;
 
 // The half vector inside, as the flakes see it.
 struct HalfVector {
@@ -204,21 +204,23 @@ class BoundNacre::FlakesOfPatch {
 class BoundNacre::BesideFlakes {
  public:
     BesideFlakes(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
-        : surface_(surface), look_(look), slope2_(HalfVector(i, o).slope2) {
+        : surface_(surface), look_(look), half_(i, o) {
         if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
     }
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
         const std::size_t at = surface_.tables_->first_species[layer] + flake;
-        const bool reaches = surface_.tables_->species[at].field.lobe().reaches(slope2_);
-        const float background = reaches ? look_[at].background : 1.0f;
+        const sparkle::DiffractionLobe& lobe = surface_.tables_->species[at].field.lobe();
+        const float background = lobe.reaches(half_.slope2)
+                                     ? look_[at].background_at(lobe, half_.slope2, half_.cosine)
+                                     : 1.0f;
         return pair_ && background > 0 ? background * pair_->mean(layer, depth) : splat(background);
     }
 
  private:
     const BoundNacre& surface_;
     const Look& look_;
-    float slope2_;
+    HalfVector half_;
     std::optional<HotSpot::Pair> pair_;
 };
 
@@ -292,7 +294,7 @@ BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch, Vec3f wi)
         if (patch.flakes == Patch::Flakes::apart) {
             field.look(patch.footprint, view, stand_ins);
         } else {
-            view.background = field.background(patch.footprint, stand_ins);
+            field.leave_out(patch.footprint, view, stand_ins);
         }
     }
     memory.filled |= bit;

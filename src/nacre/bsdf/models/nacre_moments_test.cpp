@@ -147,15 +147,17 @@ struct Campbell {
         return sum / std::pow(side_mm * side_mm * cover, 2);
     }
 
-    // Int P(p) K(p_h - p)^2 dp / (P*K)(p_h)^2, with the lobe of docs/nacre-model.md.
+    // e^2 Int P(p) K(p_h - p)^2 dp / (P*A)(p_h)^2, with the lobe of docs/nacre-model.md and the Airy
+    // pattern A.
     double slope(Vec3f inside_i, Vec3f inside_o) const {
         const Vec3f h = inside_i + inside_o;
         const double hx = h.x / h.z, hy = h.y / h.z, sec = std::sqrt(1 + hx * hx + hy * hy);
         const double cosine = 0.5 * length(h);
-        const double w = 1.26 * 0.55 / ior / (2 * diameter_um * cosine) * std::pow(sec, 1.5);
+        const double pattern = 0.55 / ior / (2 * diameter_um * cosine) * std::pow(sec, 1.5);
+        const double e = 0.92, w = e * 1.26 * pattern;
         const Quadrature radial = gauss_legendre(40, 0.0, w);
         constexpr int kAngles = 64;
-        double once = 0, twice = 0;
+        double twice = 0;
         for (std::size_t i = 0; i < radial.nodes.size(); ++i) {
             for (int j = 0; j < kAngles; ++j) {
                 const double t = radial.nodes[i], angle = 2 * std::numbers::pi * j / kAngles;
@@ -164,11 +166,26 @@ struct Campbell {
                                  (std::numbers::pi * alpha * alpha);
                 const double k = 3 / (std::numbers::pi * w * w) * std::pow(1 - t * t / (w * w), 2);
                 const double weight = radial.weights[i] * t * 2 * std::numbers::pi / kAngles * p;
-                once += weight * k;
                 twice += weight * k * k;
             }
         }
-        return twice / (once * once);
+        const double airy = airy_lit(std::hypot(hx, hy), pattern);
+        return e * e * twice / (airy * airy);
+    }
+
+    // (P*A)(p_h): of the pattern 2 J_1(x)^2 / x dx lies on a circle about p_h, with P's mean there.
+    double airy_lit(double h, double pattern) const {
+        const Quadrature rule = gauss_legendre(400, 0.0, 5 * alpha);
+        double sum = 0;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            const double t = rule.nodes[i], x = std::numbers::pi * t / pattern;
+            const double p = std::exp(-(h * h + t * t) / (alpha * alpha)) *
+                             std::cyl_bessel_i(0.0, 2 * h * t / (alpha * alpha)) /
+                             (std::numbers::pi * alpha * alpha);
+            const double j = std::cyl_bessel_j(1.0, x);
+            sum += rule.weights[i] * p * 2 * j * j / x * std::numbers::pi / pattern;
+        }
+        return sum;
     }
 
     // E[v^2] for v = x e^(-u x) / (1 - e^-x), u uniform in [0, 1].
