@@ -80,7 +80,7 @@ const Table& log_blur_over_y2() {
 }
 
 // Nearly linear in y; the rings alone grow with e^(x^2).
-const Table& inverse_share() {
+const Table& inverse_lobe_fraction() {
     static const Table table = tabulate([](double x, double y) {
         const double e = DiffractionLobe::kLobePower;
         return y == 0 ? 1 / e : airy_blur_of(x, y) / (e * blur_of(x, y));
@@ -107,8 +107,8 @@ float DiffractionLobe::blur(float slope2, float width) const {
     return std::exp(y * y * look_up(table, slope2 * inverse_alpha2_, y));
 }
 
-float DiffractionLobe::share(float exponent, float width) {
-    static const Table& table = inverse_share();
+float DiffractionLobe::lobe_fraction(float exponent, float width) {
+    static const Table& table = inverse_lobe_fraction();
     return 1 / std::max(1.0f, look_up(table, exponent, width));
 }
 

@@ -28,7 +28,7 @@ namespace nacre::sparkle {
 /// the wavelength, 0.73 times it at 400 nm and 1.27 times at 700 nm.
 ///
 /// So that the mean over flakes whose slopes are Gaussian is exactly the distribution of slopes P,
-/// and not P blurred by the pattern, the flakes of slope p_m count as share() times K / (P convolved
+/// and not P blurred by the pattern, the flakes of slope p_m count as lobe_fraction() times K / (P convolved
 /// with K), and the background as the rest to 1.
 class DiffractionLobe {
  public:
@@ -86,8 +86,8 @@ class DiffractionLobe {
     /// there are few such flakes, and at its peak many.
     /// @param exponent  as of blur(): (slope / alpha)^2, at most kMaxExponent
     /// @param width     of K, over alpha
-    static float share(float exponent, float width);
-    static constexpr double kShareError = 5e-3;  ///< absolute
+    static float lobe_fraction(float exponent, float width);
+    static constexpr double kLobeFractionError = 5e-3;  ///< absolute
     /// P, per unit area of slopes.
     float slope_density(float slope2) const { return norm_ * std::exp(-exponent(slope2)); }
 

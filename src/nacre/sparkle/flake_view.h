@@ -62,7 +62,7 @@ struct FlakeView {
     /// What for_each_answer() passes for one flake; 0 if it does not reflect.
     float fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake) const;
 
-    /// Factor on the flakes that reflect: the lobes' share of the light, and so that the variance is
+    /// Factor on the flakes that reflect: the lobes' fraction of the light, and so that the variance is
     /// that of all flakes. The integral of K^2 P / (P * K)^2 goes with
     /// w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening keeps its leading term, and this
     /// the next.
@@ -70,12 +70,12 @@ struct FlakeView {
     /// @param scale     DiffractionLobe::widening() of the half vector
     float answer_factor(float exponent, float scale) const {
         const float radius = typical_radius * scale;
-        const float share = DiffractionLobe::share(exponent, radius);
-        if (widening == 1) return share;
+        const float lobes = DiffractionLobe::lobe_fraction(exponent, radius);
+        if (widening == 1) return lobes;
         const float bend = (exponent - 1) * radius * radius * (1.0f / 3);
         const float upper_bound = background < 1 ? 1 / (1 - background) : 1;
         return std::min(upper_bound,
-                        share * std::sqrt(std::max(1 - bend, 0.25f) /
+                        lobes * std::sqrt(std::max(1 - bend, 0.25f) /
                                           std::max(1 - widening * widening * bend, 0.25f)));
     }
     /// What for_each_answer() returns.

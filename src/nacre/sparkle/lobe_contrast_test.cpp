@@ -110,15 +110,15 @@ TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternWhereSlopesAreFew) {
                 const Narrow slopes{a, x * a};
                 const double reach = (x + 5) * a;
                 const double lit = slopes.mean(reach, 600, airy), own = slopes.mean(kW, 64, lobe);
-                const double share = std::min(1.0, kE * own / lit);
-                const auto found = static_cast<double>(
-                    DiffractionLobe::share(static_cast<float>(x * x), static_cast<float>(kW / a)));
-                EXPECT_NEAR(found, share, DiffractionLobe::kShareError)
+                const double fraction = std::min(1.0, kE * own / lit);
+                const auto found = static_cast<double>(DiffractionLobe::lobe_fraction(
+                    static_cast<float>(x * x), static_cast<float>(kW / a)));
+                EXPECT_NEAR(found, fraction, DiffractionLobe::kLobeFractionError)
                     << alpha << ' ' << diameter_um << ' ' << x;
                 const double truth = slopes.mean(reach, 600, [](double u) {
                     return airy(u) * airy(u);
                 }) / (lit * lit);
-                const double model = share * share * slopes.mean(kW, 64, [](double u) {
+                const double model = fraction * fraction * slopes.mean(kW, 64, [](double u) {
                     return lobe(u) * lobe(u);
                 }) / (own * own);
                 // A lobe as wide as P holds more than the light that there is: up to 6 %.
@@ -179,7 +179,7 @@ TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternWhereSlopesAreFewAndLampsWid
                             const auto square =
                                 static_cast<float>((p.x * p.x + p.y * p.y) / (a * a));
                             const auto width = static_cast<float>(kW / a);
-                            p.gain = p.weight * DiffractionLobe::share(square, width) /
+                            p.gain = p.weight * DiffractionLobe::lobe_fraction(square, width) /
                                      slope_lobe.blur(square * static_cast<float>(alpha * alpha),
                                                      width * static_cast<float>(alpha));
                             lamp.push_back(p);
