@@ -90,9 +90,11 @@ const Table& inverse_lobe_fraction() {
 
 }  // namespace
 
-DiffractionLobe::DiffractionLobe(double alpha, double ior) {
+DiffractionLobe::DiffractionLobe(double alpha, double ior, double coat_roughness) {
     require_in_range(alpha, 1e-3, 1, "roughness alpha of the flakes");
     require_in_range(ior, 1, 3, "refractive index of the binder");
+    require_in_range(coat_roughness, 0, 1, "roughness of the clearcoat");
+    coat_ = CoatTilt(coat_roughness, ior);
     inverse_alpha2_ = static_cast<float>(1 / (alpha * alpha));
     norm_ = std::numbers::inv_pi_v<float> * inverse_alpha2_;
     inverse_alpha_ = static_cast<float>(1 / alpha);
@@ -107,9 +109,9 @@ float DiffractionLobe::blur(float slope2, float width) const {
     return std::exp(y * y * look_up(table, slope2 * inverse_alpha2_, y));
 }
 
-float DiffractionLobe::lobe_fraction(float exponent, float width) {
+float DiffractionLobe::lobe_fraction(float exponent, float width, float power) {
     static const Table& table = inverse_lobe_fraction();
-    return 1 / std::max(1.0f, look_up(table, exponent, width));
+    return 1 / std::max(1.0f, kLobePower / power * look_up(table, exponent, width));
 }
 
 }  // namespace nacre::sparkle

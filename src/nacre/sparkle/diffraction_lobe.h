@@ -6,6 +6,7 @@
 
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
+#include "nacre/sparkle/coat_tilt.h"
 
 namespace nacre::sparkle {
 
@@ -30,12 +31,16 @@ namespace nacre::sparkle {
 /// So that the mean over flakes whose slopes are Gaussian is exactly the distribution of slopes P,
 /// and not P blurred by the pattern, the flakes of slope p_m count as lobe_fraction() times K / (P convolved
 /// with K), and the background as the rest to 1.
+///
+/// A rough clearcoat convolves lobes with the Gaussian of CoatTilt. The square of that Gaussian has
+/// the integral of the square of a K of radius sqrt(18/5) a; radii add in squares.
 class DiffractionLobe {
  public:
-    /// @param alpha  Beckmann roughness of the flakes
-    /// @param ior    of the binder
+    /// @param alpha           Beckmann roughness of the flakes
+    /// @param ior             of the binder
+    /// @param coat_roughness  that of the clearcoat
     /// @throws DomainError naming the argument, its value and its range
-    DiffractionLobe(double alpha, double ior);
+    DiffractionLobe(double alpha, double ior, double coat_roughness = 0);
 
     /// The radius in slopes at perpendicular incidence on a flake of this diameter.
     template <class V>
@@ -50,11 +55,19 @@ class DiffractionLobe {
         const float sec = std::sqrt(sec2);
         return sec * std::sqrt(sec) / std::max(cosine, kMinCosine);
     }
+    /// The square of the radius that a rough coat adds.
+    /// @param spread2  of coat()
+    static constexpr float coat_radius2(float spread2) { return 18.0f / 5 * spread2; }
+    /// How the clearcoat tilts half vectors.
+    const CoatTilt& coat() const { return coat_; }
     /// The radius then, at most max_radius().
-    FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine) const {
+    /// @param coat_radius2  what the coat adds to its square
+    FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine,
+                         FloatLanes coat_radius2 = FloatLanes{}) const {
         const FloatLanes sec = sqrt_lanes(sec2);
-        return min_lanes(radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine)),
-                         splat(max_radius_));
+        const FloatLanes own =
+            radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine));
+        return min_lanes(sqrt_lanes(own * own + coat_radius2), splat(max_radius_));
     }
     /// 4 alpha: beyond it P is negligible, and a wider lobe would change nothing.
     float max_radius() const { return max_radius_; }
@@ -86,7 +99,17 @@ class DiffractionLobe {
     /// there are few such flakes, and at its peak many.
     /// @param exponent  as of blur(): (slope / alpha)^2, at most kMaxExponent
     /// @param width     of K, over alpha
-    static float lobe_fraction(float exponent, float width);
+    /// @param power     e, in general of power_of()
+    static float lobe_fraction(float exponent, float width, float power = kLobePower);
+    /// e under a rough coat. Where its spread is wide against the pattern, the rings stay within it,
+    /// but for 0.2 w / a of the light: then Int (e K)^2 is that of the pattern so spread.
+    /// @param relative_spread2  spread2 over the square of the radius that diffraction gives
+    static float power_of(float relative_spread2) {
+        return relative_spread2 > 0 ? std::max(kLobePower, 1 - 0.2f / std::sqrt(relative_spread2))
+                                    : kLobePower;
+    }
+    /// Of Int (e K)^2 for e of power_of() and radii that add in squares, in contrast.
+    static constexpr double kSpreadError = 0.04;
     static constexpr double kLobeFractionError = 5e-3;  ///< absolute
     /// P, per unit area of slopes.
     float slope_density(float slope2) const { return norm_ * std::exp(-exponent(slope2)); }
@@ -103,6 +126,7 @@ class DiffractionLobe {
     static constexpr float kMinCosine = 0.1f;
 
     float inverse_alpha_, inverse_alpha2_, norm_, max_radius_, radius_um_;
+    CoatTilt coat_;
 };
 
 }  // namespace nacre::sparkle
