@@ -78,6 +78,23 @@ TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternUnderWideLamps) {
     EXPECT_GT(worst_without, 0.1);
 }
 
+// Under a rough coat that spreads the pattern by exp(-u^2/a^2) / (pi a^2), the lamp a point.
+TEST(DiffractionLobe, HasTheContrastOfTheAiryPatternThatACoatSpreads) {
+    double worst = 0;
+    for (const double a : {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1.2, 2.0, 3.0, 5.0, 10.0, 30.0}) {
+        const double spread = integrate(std::min(1.0, 3 / a), 400, [&](double s) {
+            return 2 * kPi * s *
+                   std::pow(airy_transform(s) * std::exp(-std::pow(kPi * s * a, 2)), 2);
+        });
+        const double radius2 = kW * kW + DiffractionLobe::coat_radius2(static_cast<float>(a * a));
+        const double e = DiffractionLobe::power_of(static_cast<float>(a * a / (kW * kW)));
+        const double lobe = e * e * 9 / (5 * kPi * radius2);
+        worst = std::max(worst, std::abs(std::sqrt(lobe / spread) - 1));
+    }
+    EXPECT_LT(worst, DiffractionLobe::kSpreadError);
+    EXPECT_GT(worst, 0.5 * DiffractionLobe::kSpreadError);
+}
+
 // P as narrow as it comes, the lamp a point: there is no transform in this.
 struct Narrow {
     double alpha, h;  // in patterns
