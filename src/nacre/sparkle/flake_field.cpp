@@ -92,7 +92,11 @@ void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
         find(plane, weights, found);
         show(found, plane, outline, weights.widening, view);
     }
-    // Padding to a whole vector: flakes of lobe radius 0, which reflect nothing.
+    // Padding to a whole vector: flakes beyond the widest lobe that a coat may make, which reflect
+    // nothing.
+    constexpr float kBeyond = 1e3f;
+    store_lanes(&view.slope_x[view.count], splat(kBeyond));
+    store_lanes(&view.slope_y[view.count], splat(kBeyond));
     store_lanes(&view.lobe_radius[view.count], FloatLanes{});
 }
 

@@ -29,7 +29,7 @@ struct FlakeView {
     float weight_sum = 0;
     float widening = 1;
     float typical_radius = 0;  ///< lobe_radius of a flake of the mean diameter, over alpha
-    // By flake, padded to a whole vector with flakes of radius 0.
+    // By flake, padded to a whole vector with flakes whose slopes no lobe reaches.
     template <class T>
     using List = std::array<T, kMax + kLanes>;
     alignas(64) List<float> weight;
