@@ -335,14 +335,14 @@ TEST_F(Program, SingleFlakesAreEvaluatedInMillimetresAndRendered) {
         EXPECT_EQ(render.status, 0) << render.err;
         EXPECT_THAT(nacre("info a.exr").out, HasSubstr("channel sparkle.B:")) << scene;
     }
-    // The model has no rough clearcoat.
     std::string matte = contents(folder_ / "gray.toml");
     matte.insert(0, "clearcoat = { thickness_um = 40, roughness = 0.2 }\n");
     write("matte.toml", matte);
-    const Outcome rough = nacre("render sphere --paint matte.toml --model nacre -o b.exr");
-    EXPECT_EQ(rough.status, 2) << rough.err;
-    EXPECT_THAT(rough.err, HasSubstr("clearcoat.roughness"));
-    EXPECT_FALSE(exists("b.exr"));
+    const Outcome rough = nacre(
+        "render sphere --paint matte.toml --model nacre --sparkle --quiet --spp 1 --size 16x16 -o "
+        "b.exr");
+    EXPECT_EQ(rough.status, 0) << rough.err;
+    EXPECT_THAT(nacre("info b.exr").out, HasSubstr("channel sparkle.B:"));
 }
 
 TEST_F(Program, StudyWritesOnePageAndGoesOnWhereItStopped) {

@@ -103,8 +103,8 @@ void add_verdicts(FlakesContext& context, const std::vector<FlakesVerdict>& verd
          "whole flakes.",
          "*Contrast under wide lamps*: rings of the diffraction pattern reach beyond the lamp's "
          "image. "
-         "The model's lobe ends; it has the pattern's contrast under a point of light, and some "
-         "per cent more under a lamp that is about as wide as the lobe.",
+         "The model takes their light for an even background, which is within 5 % of the "
+         "pattern's contrast.",
          "*Dark pixels*: between flakes that answer, discs leave gaps that are darker than the "
          "model's, which spreads all light that met more than one flake evenly.",
          "*Crescents* in close-ups: a disc cut off by another, which the model does not know."});

@@ -1,15 +1,44 @@
 #include "nacre/sparkle/diffraction_lobe.h"
 
+#include <array>
+
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
 
 namespace nacre::sparkle {
 namespace {
 
-// The blur is tabulated as  log(blur) / y^2  over slope^2/alpha^2 in [0, kMaxSquare] and
-// y = width/alpha in [0, kMaxWidth]: nearly linear in both, as blur = 1 + (x^2 - 1) y^2/4 + ...
+// Tables over slope^2/alpha^2 in [0, kMaxSquare] and y = width/alpha in [0, kMaxWidth].
 constexpr int kSquareNodes = 65, kWidthNodes = 65;
 constexpr float kMaxSquare = DiffractionLobe::kMaxExponent, kMaxWidth = 4;
+using Table = std::array<float, kSquareNodes * kWidthNodes>;
+
+// entry(slope/alpha, y) at the nodes.
+template <class Entry>
+Table tabulate(const Entry& entry) {
+    Table table;
+    for (int i = 0; i < kWidthNodes; ++i) {
+        const double y = kMaxWidth * i / (kWidthNodes - 1.0);
+        for (int j = 0; j < kSquareNodes; ++j) {
+            const double square = kMaxSquare * j / (kSquareNodes - 1.0);
+            table[i * kSquareNodes + j] = static_cast<float>(entry(std::sqrt(square), y));
+        }
+    }
+    return table;
+}
+
+float look_up(const Table& table, float square, float y) {
+    constexpr float kSquareScale = (kSquareNodes - 1) / kMaxSquare;
+    constexpr float kWidthScale = (kWidthNodes - 1) / kMaxWidth;
+    const float a = std::min(y * kWidthScale, kWidthNodes - 1.001f);
+    const float b = std::min(square * kSquareScale, kSquareNodes - 1.001f);
+    const int i = static_cast<int>(a), j = static_cast<int>(b);
+    const float fa = a - i, fb = b - j;
+    const float* p = table.data() + i * kSquareNodes + j;
+    const float low = p[0] + fb * (p[1] - p[0]);
+    const float high = p[kSquareNodes] + fb * (p[kSquareNodes + 1] - p[kSquareNodes]);
+    return low + fa * (high - low);
+}
 
 // Int_0^1 3 (1 - t)^2 exp(-t y^2) I_0(2 x y sqrt(t)) dt: the integral over the circle of
 // K(s) P(p - s) / P(p), with t = s^2/w^2.
@@ -25,49 +54,64 @@ double blur_of(double x, double y) {
     return sum;
 }
 
-std::shared_ptr<const std::vector<float>> blur_table() {
-    static const auto table = [] {
-        auto values = std::make_shared<std::vector<float>>();
-        for (int i = 0; i < kWidthNodes; ++i) {
-            const double y = kMaxWidth * i / (kWidthNodes - 1.0);
-            for (int j = 0; j < kSquareNodes; ++j) {
-                const double square = kMaxSquare * j / (kSquareNodes - 1.0);
-                values->push_back(
-                    static_cast<float>(i == 0 ? 0.25 * (square - 1)
-                                              : std::log(blur_of(std::sqrt(square), y)) / (y * y)));
-            }
-        }
-        return values;
-    }();
+// The same for the Airy pattern, by Hankel transforms: that of the pattern is the overlap of two
+// discs, 2/pi (acos s - s sqrt(1 - s^2)) at the frequency s d/lambda', that of P a Gaussian.
+//                                                          [born-wolf-1999, sections 8.5.2 and 9.5]
+double airy_blur_of(double x, double y) {
+    static const Quadrature rule = gauss_legendre(96, 0.0, 1.0);
+    const double cutoff = std::numbers::pi * DiffractionLobe::kLobeRadius / y;  // s = 1, by alpha
+    const double reach = std::min(cutoff, 7.0);                                 // e^-49
+    double sum = 0;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        const double t = reach * rule.nodes[i], s = t / cutoff;
+        sum += reach * rule.weights[i] * 2 * t * std::exp(-t * t) *
+               std::cyl_bessel_j(0.0, 2 * x * t) * 2 * std::numbers::inv_pi *
+               (std::acos(s) - s * std::sqrt(1 - s * s));
+    }
+    return sum * std::exp(x * x);
+}
+
+// Nearly linear in both, as blur = 1 + (x^2 - 1) y^2/4 + ...
+const Table& log_blur_over_y2() {
+    static const Table table = tabulate([](double x, double y) {
+        return y == 0 ? 0.25 * (x * x - 1) : std::log(blur_of(x, y)) / (y * y);
+    });
+    return table;
+}
+
+// Nearly linear in y; the rings alone grow with e^(x^2).
+const Table& inverse_lobe_fraction() {
+    static const Table table = tabulate([](double x, double y) {
+        const double e = DiffractionLobe::kLobePower;
+        return y == 0 ? 1 / e : airy_blur_of(x, y) / (e * blur_of(x, y));
+    });
     return table;
 }
 
 }  // namespace
 
-DiffractionLobe::DiffractionLobe(double alpha, double ior) {
+DiffractionLobe::DiffractionLobe(double alpha, double ior, double coat_roughness) {
     require_in_range(alpha, 1e-3, 1, "roughness alpha of the flakes");
     require_in_range(ior, 1, 3, "refractive index of the binder");
+    require_in_range(coat_roughness, 0, 1, "roughness of the clearcoat");
+    coat_ = CoatTilt(coat_roughness, ior);
     inverse_alpha2_ = static_cast<float>(1 / (alpha * alpha));
     norm_ = std::numbers::inv_pi_v<float> * inverse_alpha2_;
     inverse_alpha_ = static_cast<float>(1 / alpha);
     max_radius_ = static_cast<float>(kMaxWidth * alpha);
     // Half, as the half vector turns by half; |q| = 2 (w_i.h) |h - m|.
-    radius_um_ = static_cast<float>(0.5 * kAiryRadius * kWavelength_um / ior);
-    blur_table_ = blur_table();
+    radius_um_ = static_cast<float>(0.5 * kLobeRadius * kWavelength_um / ior);
 }
 
 float DiffractionLobe::blur(float slope2, float width) const {
-    constexpr float kSquareScale = (kSquareNodes - 1) / kMaxSquare;
-    constexpr float kWidthScale = (kWidthNodes - 1) / kMaxWidth;
+    static const Table& table = log_blur_over_y2();
     const float y = width * inverse_alpha_;
-    const float a = std::min(y * kWidthScale, kWidthNodes - 1.001f);
-    const float b = std::min(slope2 * inverse_alpha2_ * kSquareScale, kSquareNodes - 1.001f);
-    const int i = static_cast<int>(a), j = static_cast<int>(b);
-    const float fa = a - i, fb = b - j;
-    const float* p = blur_table_->data() + i * kSquareNodes + j;
-    const float low = p[0] + fb * (p[1] - p[0]);
-    const float high = p[kSquareNodes] + fb * (p[kSquareNodes + 1] - p[kSquareNodes]);
-    return std::exp(y * y * (low + fa * (high - low)));
+    return std::exp(y * y * look_up(table, slope2 * inverse_alpha2_, y));
+}
+
+float DiffractionLobe::lobe_fraction(float exponent, float width, float power) {
+    static const Table& table = inverse_lobe_fraction();
+    return 1 / std::max(1.0f, kLobePower / power * look_up(table, exponent, width));
 }
 
 }  // namespace nacre::sparkle

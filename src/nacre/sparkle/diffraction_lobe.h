@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
-#include <vector>
 
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
+#include "nacre/sparkle/coat_tilt.h"
 
 namespace nacre::sparkle {
 
@@ -18,24 +17,30 @@ namespace nacre::sparkle {
 /// x = pi d |q| / lambda', where q is the part of w_i + w_o parallel to the disc and lambda' the
 /// wavelength in the binder [born-wolf-1999, section 8.5.2]. As w_i + w_o = 2 (w_i.h) h, that is a
 /// lobe of the half vector h about the normal m, isotropic, of an angle
-/// proportional to 1 / (d w_i.h): it depends on h alone and is reciprocal. Here the pattern is
-/// replaced by
+/// proportional to 1 / (d w_i.h): it depends on h alone and is reciprocal. Here the pattern A is
+/// replaced by a lobe that holds e = kLobePower of the light,
 ///
 ///     K(p) = 3 / (pi w^2) (1 - |p - p_m|^2 / w^2)^2     for |p - p_m| < w,
 ///
-/// over slopes p = (h_x, h_y) / h_z, with the radius that gives the same integral of K^2: the same
-/// contrast of the light that many flakes reflect. The radius is that of 550 nm at all wavelengths;
-/// the true one goes with the wavelength, 0.73 times it at 400 nm and 1.27 times at 700 nm.
+/// over slopes p = (h_x, h_y) / h_z, and rings so wide that those of many flakes add up to an even
+/// background. With the radius for which the integral of (e K)^2 is that of A^2, the contrast of
+/// the light that many flakes reflect of a small lamp is the same; e makes that of wide lamps right
+/// within kContrastError. The radius is that of 550 nm at all wavelengths; the true one goes with
+/// the wavelength, 0.73 times it at 400 nm and 1.27 times at 700 nm.
 ///
 /// So that the mean over flakes whose slopes are Gaussian is exactly the distribution of slopes P,
-/// and not P blurred by K, the flakes of slope p_m count as K / (P convolved with K) instead of K /
-/// P.
+/// and not P blurred by the pattern, the flakes of slope p_m count as lobe_fraction() times K / (P convolved
+/// with K), and the background as the rest to 1.
+///
+/// A rough clearcoat convolves lobes with the Gaussian of CoatTilt. The square of that Gaussian has
+/// the integral of the square of a K of radius sqrt(18/5) a; radii add in squares.
 class DiffractionLobe {
  public:
-    /// @param alpha  Beckmann roughness of the flakes
-    /// @param ior    of the binder
+    /// @param alpha           Beckmann roughness of the flakes
+    /// @param ior             of the binder
+    /// @param coat_roughness  that of the clearcoat
     /// @throws DomainError naming the argument, its value and its range
-    DiffractionLobe(double alpha, double ior);
+    DiffractionLobe(double alpha, double ior, double coat_roughness = 0);
 
     /// The radius in slopes at perpendicular incidence on a flake of this diameter.
     template <class V>
@@ -50,11 +55,19 @@ class DiffractionLobe {
         const float sec = std::sqrt(sec2);
         return sec * std::sqrt(sec) / std::max(cosine, kMinCosine);
     }
+    /// The square of the radius that a rough coat adds.
+    /// @param spread2  of coat()
+    static constexpr float coat_radius2(float spread2) { return 18.0f / 5 * spread2; }
+    /// How the clearcoat tilts half vectors.
+    const CoatTilt& coat() const { return coat_; }
     /// The radius then, at most max_radius().
-    FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine) const {
+    /// @param coat_radius2  what the coat adds to its square
+    FloatLanes radius_at(FloatLanes radius, FloatLanes sec2, FloatLanes cosine,
+                         FloatLanes coat_radius2 = FloatLanes{}) const {
         const FloatLanes sec = sqrt_lanes(sec2);
-        return min_lanes(radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine)),
-                         splat(max_radius_));
+        const FloatLanes own =
+            radius * sec * sqrt_lanes(sec) / max_lanes(cosine, splat(kMinCosine));
+        return min_lanes(sqrt_lanes(own * own + coat_radius2), splat(max_radius_));
     }
     /// 4 alpha: beyond it P is negligible, and a wider lobe would change nothing.
     float max_radius() const { return max_radius_; }
@@ -70,6 +83,34 @@ class DiffractionLobe {
     /// @param width   at most max_radius()
     float blur(float slope2, float width) const;
     static constexpr double kBlurError = 1e-3;  ///< relative
+
+    /// e, the fraction of a flake's light that its lobe holds.
+    static constexpr float kLobePower = 0.92f;
+    /// The radius of the lobe in |q|, in lambda' / d. With 1.25984 the integral of K^2 is that of the
+    /// Airy pattern: the latter's is pi/8 (d/lambda')^2 Int x (2 J_1(x)/x)^4 dx, and the integral is
+    /// 0.91924 (by quadrature).
+    static constexpr double kLobeRadius = kLobePower * 1.25984;
+    /// Of the contrast under lamps of 0 to 8 deg, for flakes of 5 to 100 um and half vectors within
+    /// 1.6 alpha; 6 % where a lobe is as wide as the distribution of slopes.
+    static constexpr double kContrastError = 0.05;
+
+    /// Fraction of the mean light with a half vector that comes from flakes in whose lobes it lies;
+    /// the rest comes from the rings of all others: min(1, e P * K / (P * A)). On the flank of P
+    /// there are few such flakes, and at its peak many.
+    /// @param exponent  as of blur(): (slope / alpha)^2, at most kMaxExponent
+    /// @param width     of K, over alpha
+    /// @param power     e, in general of power_of()
+    static float lobe_fraction(float exponent, float width, float power = kLobePower);
+    /// e under a rough coat. Where its spread is wide against the pattern, the rings stay within it,
+    /// but for 0.2 w / a of the light: then Int (e K)^2 is that of the pattern so spread.
+    /// @param relative_spread2  spread2 over the square of the radius that diffraction gives
+    static float power_of(float relative_spread2) {
+        return relative_spread2 > 0 ? std::max(kLobePower, 1 - 0.2f / std::sqrt(relative_spread2))
+                                    : kLobePower;
+    }
+    /// Of Int (e K)^2 for e of power_of() and radii that add in squares, in contrast.
+    static constexpr double kSpreadError = 0.04;
+    static constexpr double kLobeFractionError = 5e-3;  ///< absolute
     /// P, per unit area of slopes.
     float slope_density(float slope2) const { return norm_ * std::exp(-exponent(slope2)); }
 
@@ -80,16 +121,12 @@ class DiffractionLobe {
     bool reaches(float slope2) const { return exponent(slope2) < kMaxExponent; }
 
  private:
-    /// The radius in |q|, in lambda' / d, of the K whose integral of K^2 is that of the Airy
-    /// pattern: the latter's is pi/8 (d/lambda')^2 Int x (2 J_1(x)/x)^4 dx, and the integral is
-    /// 0.91924 (by quadrature).
-    static constexpr double kAiryRadius = 1.25984;
     static constexpr double kWavelength_um = 0.55;
     /// At grazing incidence, which a clearcoat rules out, the lobe stops growing.
     static constexpr float kMinCosine = 0.1f;
 
     float inverse_alpha_, inverse_alpha2_, norm_, max_radius_, radius_um_;
-    std::shared_ptr<const std::vector<float>> blur_table_;
+    CoatTilt coat_;
 };
 
 }  // namespace nacre::sparkle

@@ -13,7 +13,7 @@ namespace nacre::sparkle {
 FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     : population_(population),
       sizes_(population.diameter_um, population.diameter_spread_um),
-      lobe_(population.alpha, population.ior) {
+      lobe_(population.alpha, population.ior, population.coat_roughness) {
     require_in_range(population.density_per_mm2, 1e-9, 1e15, "flakes per mm^2");
     const double density = population.density_per_mm2;
     double all = 0;
@@ -37,6 +37,11 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     smallest_radius_mm_ = static_cast<float>(0.5e-3 * sizes_.smallest_um());
     inverse_cover_ = static_cast<float>(1 / (density * sizes_.mean_area_um2() * 1e-6));
     typical_radius_ = lobe_.radius(static_cast<float>(population.diameter_um)) / alpha_;
+    constexpr float kWidest = 0.32f;
+    max_widening_ = std::max(
+        1.0f,
+        kWidest / std::hypot(typical_radius_,
+                             std::sqrt(lobe_.coat_radius2(lobe_.coat().spread2(1, 1))) / alpha_));
     // A point resolves its flakes, unless too many lie over each other.
     constexpr float kFewestCells = 6, kMaxCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
@@ -52,25 +57,33 @@ double FlakeField::exact_side_mm() const {
     return kSafety * std::max(0.0, side);
 }
 
-float FlakeField::lobe_area() const {
-    const float radius = typical_radius_ * alpha_;
-    return 5 * std::numbers::pi_v<float> / 9 * radius * radius;  // Int K^2 = 9 / (5 pi w^2)
+float FlakeField::lobe_area(float cosine) const {
+    const float radius = typical_radius_ * alpha_ * lobe_.widening(1, cosine);
+    const float coat = lobe_.coat_radius2(lobe_.coat().spread2(cosine, cosine));
+    return 5 * std::numbers::pi_v<float> / 9 * (radius * radius + coat);  // Int K^2 = 9/(5 pi w^2)
 }
 
-float FlakeField::background(const ObjectSpaceFootprint& patch, const StandIns& stand_ins) const {
-    const float side_mm[] = {length(patch.edge_mm[0]), length(patch.edge_mm[1])};
-    return 1 - level_weights(side_mm, stand_ins).resolved;
-}
-
-void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
-                      const StandIns& stand_ins) const {
-    const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
-    const Weights weights = level_weights(outline.size_mm, stand_ins);
+FlakeField::Weights FlakeField::begin(const float* side_mm, const StandIns& stand_ins,
+                                      FlakeView& view) const {
+    const Weights weights = level_weights(side_mm, stand_ins);
     view.count = 0;
     view.weight_sum = 0;
     view.background = 1 - weights.resolved;
     view.widening = weights.widening;
     view.typical_radius = typical_radius_;
+    return weights;
+}
+
+void FlakeField::leave_out(const ObjectSpaceFootprint& patch, FlakeView& view,
+                           const StandIns& stand_ins) const {
+    const float side_mm[] = {length(patch.edge_mm[0]), length(patch.edge_mm[1])};
+    begin(side_mm, stand_ins, view);
+}
+
+void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
+                      const StandIns& stand_ins) const {
+    const PatchOutline outline(patch, smallest_radius_mm_, largest_radius_mm_);
+    const Weights weights = begin(outline.size_mm, stand_ins, view);
     if (weights.resolved == 0) return;
     const Projections projections = projections_of(patch.normal);
     for (int i = 0; i < projections.count; ++i) {
@@ -79,7 +92,11 @@ void FlakeField::look(const ObjectSpaceFootprint& patch, FlakeView& view,
         find(plane, weights, found);
         show(found, plane, outline, weights.widening, view);
     }
-    // Padding to a whole vector: flakes of lobe radius 0, which reflect nothing.
+    // Padding to a whole vector: flakes beyond the widest lobe that a coat may make, which reflect
+    // nothing.
+    constexpr float kBeyond = 1e3f;
+    store_lanes(&view.slope_x[view.count], splat(kBeyond));
+    store_lanes(&view.slope_y[view.count], splat(kBeyond));
     store_lanes(&view.lobe_radius[view.count], FloatLanes{});
 }
 
@@ -106,13 +123,12 @@ FlakeField::Weights FlakeField::level_weights(const float* side_mm,
     // Scaled up to the mean of all flakes, those resolved have deviation_ratio^2 times their
     // variance. Lobes wider by deviation_ratio undo that, but a lobe must stay narrower than the
     // distribution of slopes: the remaining excess is removed by background. There is always some
-    // background, for variance_correction().                         [docs/nacre-model.md: k]
-    constexpr float kWidest = 0.35f, kMaxResolved = 0.95f;
+    // background, for answer_factor().                               [docs/nacre-model.md: k]
+    constexpr float kMaxResolved = 0.95f;
     const float deviation_ratio = std::sqrt(second) / first;
     const float area = stand_ins.light_area;
     if (area <= 1) {
-        weights.widening = std::clamp(kMaxResolved * deviation_ratio, 1.0f,
-                                      std::max(1.0f, kWidest / typical_radius_));
+        weights.widening = std::clamp(kMaxResolved * deviation_ratio, 1.0f, max_widening_);
     }
     // The variance of what lobes of an area show of a light goes with 1 / (their area + its own).
     const float contrast = std::sqrt((weights.widening * weights.widening + area) / (1 + area));

@@ -18,6 +18,7 @@ struct FlakePopulation {
     double diameter_spread_um = 0;  ///< standard deviation (flake_sizes.h)
     double alpha = 0.1;             ///< Beckmann roughness: slopes of variance alpha^2 / 2
     double ior = 1.5;               ///< of the binder, for diffraction
+    double coat_roughness = 0;      ///< Beckmann alpha of the clearcoat
 };
 
 /// The flakes of one population on a shape: any number, none of them stored, and always the same.
@@ -52,11 +53,12 @@ class FlakeField {
     /// Replaces `view` by what the patch shows.
     void look(const ObjectSpaceFootprint& patch, FlakeView& view, const StandIns& stand_ins) const;
     void look(const ObjectSpaceFootprint& patch, FlakeView& view) const { look(patch, view, {}); }
-    /// FlakeView::background of look(), at a fraction of its cost.
-    float background(const ObjectSpaceFootprint& patch, const StandIns& stand_ins) const;
-    /// Area of slopes, for a typical flake at perpendicular incidence, over which the square of its
-    /// lobe has the integral that it would have if even: 1 / Int K^2.
-    float lobe_area() const;
+    /// As look(), but the view lists no flakes: its background, at a fraction of the cost.
+    void leave_out(const ObjectSpaceFootprint& patch, FlakeView& view,
+                   const StandIns& stand_ins) const;
+    /// Area of slopes, for a typical flake that mirrors the direction of this cosine inside upwards,
+    /// over which the square of its lobe has the integral that it would have if even: 1 / Int K^2.
+    float lobe_area(float cosine) const;
 
     /// Side of the largest square, on a flat surface across an axis of the object space, that
     /// resolves every flake: FlakeView::widening is 1 and nothing is approximated. 0 if so many
@@ -94,6 +96,8 @@ class FlakeField {
 
     /// @param side_mm  the two of the patch
     Weights level_weights(const float* side_mm, const StandIns& stand_ins) const;
+    /// A view that lists no flakes yet.
+    Weights begin(const float* side_mm, const StandIns& stand_ins, FlakeView& view) const;
     void find(const FlakePlane& plane, const Weights& weights, Found& found) const;
     void find_in_cell(const Cell& cell, const FlakePlane& plane, const Weights& weights,
                       Found& found) const;
@@ -117,6 +121,7 @@ class FlakeField {
     float alpha_, largest_radius_mm_, smallest_radius_mm_;
     float inverse_cover_;   // 1 / (density x mean area)
     float typical_radius_;  // FlakeView::typical_radius
+    float max_widening_;    // of a typical lobe, which must stay narrow against the slopes
 };
 
 }  // namespace nacre::sparkle

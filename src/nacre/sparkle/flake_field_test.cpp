@@ -76,8 +76,9 @@ double place_factor(double side_mm, double diameter_mm, double apart_mm = 0) {
     return sum * 4 * reach * reach / (kSteps * kSteps) / std::pow(side_mm, 4);
 }
 
-// Campbell's formula for the covariance of sum_k W_k K_k / (rho blur P), discs all alike:
-// (1/rho) Int W_1 W_2 Int K_1 K_2 P / ((blur P)_1 (blur P)_2), of patches and of slopes apart.
+// Campbell's formula for the covariance of sum_k W_k g K_k / (rho blur P), discs all alike, g = lobe_fraction():
+// (1/rho) Int W_1 W_2 Int K_1 K_2 P (g / (blur P))_1 (g / (blur P))_2, of patches and of
+// slopes apart.
 double campbell(const FlakePopulation& population, const FlakeField& field, double side_mm,
                 Vec2f slope, float cosine, double apart_mm = 0, Vec2f turn = {0, 0}) {
     const double d = population.diameter_um * 1e-3, area = std::numbers::pi / 4 * d * d;
@@ -105,7 +106,9 @@ double campbell(const FlakePopulation& population, const FlakeField& field, doub
     }
     const auto blurred = [&](Vec2f p) {
         const float square = p.x * p.x + p.y * p.y;
-        return lobe.slope_density(square) * lobe.blur(square, width);
+        return lobe.slope_density(square) * lobe.blur(square, width) /
+               lobe.lobe_fraction(lobe.exponent(square),
+                                  width / static_cast<float>(population.alpha));
     };
     return place_factor(side_mm, d, apart_mm) / (area * area) * lobe_integral /
            (blurred(slope) * blurred(other)) / population.density_per_mm2;
@@ -217,7 +220,7 @@ TEST(FlakeField, KeepsNearlyTheSkewnessWhereFewStandForMany) {
         // Of all flakes: W = 1/M inside large patches; K = 3 (1 - t)^2 / (pi w^2), t even in [0,
         // 1], so Int K^3 = 27/7 / (pi w^2)^2 against Int K^2 = 9/5 / (pi w^2): the skewness is
         // (27/7) / (9/5)^(3/2) / sqrt(reflecting), reflecting = M P pi w^2; the rims of the patch
-        // and the bend of P are neglected.
+        // and the bend of P are neglected. g cancels.
         const DiffractionLobe& lobe = field.lobe();
         const float slope2 = slope.x * slope.x;
         const double w = lobe.radius(20.0f) * lobe.widening(1 + slope2, cosine);

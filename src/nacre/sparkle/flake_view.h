@@ -24,12 +24,12 @@ struct FlakeView {
     static constexpr int kMax = 128;
 
     int count = 0;
-    /// For half vectors of slope alpha; for_each_answer() returns it for any other.
+    /// What is not resolved; background_at() adds what does not lie in the lobes of the flakes.
     float background = 1;
     float weight_sum = 0;
     float widening = 1;
     float typical_radius = 0;  ///< lobe_radius of a flake of the mean diameter, over alpha
-    // By flake, padded to a whole vector with flakes of radius 0.
+    // By flake, padded to a whole vector with flakes whose slopes no lobe reaches.
     template <class T>
     using List = std::array<T, kMax + kLanes>;
     alignas(64) List<float> weight;
@@ -55,25 +55,41 @@ struct FlakeView {
     /// @param lobe      of the population
     /// @param slope     (h_x / h_z, h_y / h_z)
     /// @param cosine    w_i . h
+    /// @param spread2   CoatTilt::spread2() of the two directions
     template <class Visit>
-    float for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine,
-                          Visit&& visit) const;
+    float for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine, Visit&& visit,
+                          float spread2 = 0) const;
 
     /// What for_each_answer() passes for one flake; 0 if it does not reflect.
-    float fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake) const;
+    float fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake,
+                   float spread2 = 0) const;
 
-    /// Factor on the flakes that reflect, so that the variance is that of all flakes. The integral
-    /// of K^2 P / (P * K)^2 goes with w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening
-    /// keeps its leading term, and this the next.
-    /// @param exponent  DiffractionLobe::exponent() of the half vector
-    /// @param scale     DiffractionLobe::widening() of the half vector
-    float variance_correction(float exponent, float scale) const {
-        if (widening == 1) return 1;
-        const float radius = typical_radius * scale;
-        const float bend = (exponent - 1) * radius * radius * (1.0f / 3);
+    /// Factor on the flakes that reflect: the lobes' fraction of the light, and so that the variance is
+    /// that of all flakes. The integral of K^2 P / (P * K)^2 goes with
+    /// w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening keeps its leading term, and this
+    /// the next.
+    /// @param scale  DiffractionLobe::widening() of the half vector
+    float answer_factor(const DiffractionLobe& lobe, float slope2, float scale,
+                        float spread2) const {
+        const float exponent = lobe.exponent(slope2), radius = typical_radius * scale;
+        // The coat spreads slopes and rings alike.
+        const float relative = lobe.exponent(spread2), narrower = 1 / (1 + relative);
+        const float lobes =
+            DiffractionLobe::lobe_fraction(exponent * narrower, radius * std::sqrt(narrower),
+                                           DiffractionLobe::power_of(relative / (radius * radius)));
+        if (widening == 1) return lobes;
+        const float radius2 = radius * radius + DiffractionLobe::coat_radius2(relative);
+        const float bend = (exponent - 1) * radius2 * (1.0f / 3);
         const float upper_bound = background < 1 ? 1 / (1 - background) : 1;
-        return std::min(upper_bound, std::sqrt(std::max(1 - bend, 0.25f) /
-                                               std::max(1 - widening * widening * bend, 0.25f)));
+        return std::min(upper_bound,
+                        lobes * std::sqrt(std::max(1 - bend, 0.25f) /
+                                          std::max(1 - widening * widening * bend, 0.25f)));
+    }
+    /// What for_each_answer() returns.
+    float background_at(const DiffractionLobe& lobe, float slope2, float cosine,
+                        float spread2) const {
+        return 1 - (1 - background) *
+                       answer_factor(lobe, slope2, lobe.widening(1 + slope2, cosine), spread2);
     }
 
     /// Slopes of half vectors near those of eight flakes, one each, with their densities. The lobes
@@ -96,6 +112,21 @@ struct FlakeView {
     Vec2f sample_slope(const DiffractionLobe& lobe, Vec3f wi, float u_flake, Vec2f u) const;
     /// The density, per unit square of slopes, with which sample_slope() draws the slope.
     float slope_pdf(const DiffractionLobe& lobe, Vec3f wi, Vec2f slope) const;
+
+ private:
+    /// Radii of the lobes of flakes of these slopes about the direction into which they mirror wi.
+    /// @param radius  lobe_radius
+    FloatLanes own_radius(const DiffractionLobe& lobe, Vec3f wi, FloatLanes x, FloatLanes y,
+                          FloatLanes radius, float factor = 1) const {
+        const FloatLanes sec2 = 1.0f + x * x + y * y;
+        const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
+        const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
+        if (!lobe.coat().rough()) return lobe.radius_at(factor * radius, sec2, cosine);
+        const FloatLanes spread2 = lobe.coat().spread2(wi.z, 2.0f * facing / sec2 - wi.z);
+        const float wider = factor * widening;
+        return lobe.radius_at(factor * radius, sec2, cosine,
+                              spread2 * (wider * wider * DiffractionLobe::coat_radius2(1)));
+    }
 };
 
 namespace detail {
@@ -108,38 +139,42 @@ inline constexpr float kSampledWidening = 1.1f;
 
 template <class Visit>
 float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine,
-                                 Visit&& visit) const {
+                                 Visit&& visit, float spread2) const {
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     const float scale = lobe.widening(1 + slope2, cosine);
-    const float correction = variance_correction(lobe.exponent(slope2), scale);
+    const float factor = answer_factor(lobe, slope2, scale, spread2);
+    const float coat2 = widening * widening * DiffractionLobe::coat_radius2(spread2);
+    const FloatLanes max2 = splat(lobe.max_radius() * lobe.max_radius());
     float inverse_density = 0;  // worked out with the first answer
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes dx = load_lanes(&slope_x[first]) - slope.x;
         const FloatLanes dy = load_lanes(&slope_y[first]) - slope.y;
         const FloatLanes distance2 = dx * dx + dy * dy;
-        const FloatLanes width =
-            min_lanes(load_lanes(&lobe_radius[first]) * scale, splat(lobe.max_radius()));
-        for_each_set_lane(distance2 < width * width, [&](int lane) {
-            if (inverse_density == 0) inverse_density = correction / lobe.slope_density(slope2);
-            const float w = width[lane];
+        const FloatLanes own = load_lanes(&lobe_radius[first]) * scale;
+        const FloatLanes width2 = min_lanes(own * own + coat2, max2);
+        for_each_set_lane(distance2 < width2, [&](int lane) {
+            if (inverse_density == 0) inverse_density = factor / lobe.slope_density(slope2);
+            const float w = std::sqrt(width2[lane]);
             visit(first + lane, weight[first + lane] * lobe.density(distance2[lane], w) *
                                     inverse_density / lobe.blur(slope2, w));
         });
     }
-    return 1 - (1 - background) * correction;
+    return 1 - (1 - background) * factor;
 }
 
-inline float FlakeView::fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine,
-                                 int flake) const {
+inline float FlakeView::fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake,
+                                 float spread2) const {
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     if (!lobe.reaches(slope2)) return 0;
     const float scale = lobe.widening(1 + slope2, cosine);
-    const float width = std::min(lobe_radius[flake] * scale, lobe.max_radius());
+    const float coat2 = widening * widening * DiffractionLobe::coat_radius2(spread2);
+    const float width =
+        std::min(std::hypot(lobe_radius[flake] * scale, std::sqrt(coat2)), lobe.max_radius());
     const float dx = slope_x[flake] - slope.x, dy = slope_y[flake] - slope.y;
     const float distance2 = dx * dx + dy * dy;
     if (distance2 >= width * width) return 0;
     return weight[flake] * lobe.density(distance2, width) *
-           variance_correction(lobe.exponent(slope2), scale) /
+           answer_factor(lobe, slope2, scale, spread2) /
            (lobe.slope_density(slope2) * lobe.blur(slope2, width));
 }
 
@@ -148,11 +183,9 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
     float rest = u_flake * weight_sum;
     int k = 0;
     while (k + 1 < count && rest >= weight[k]) rest -= weight[k++];
-    const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
-    const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
-    // As slope_pdf() does it, in lanes: the same bits.
-    const float width = lobe.radius_at(splat(detail::kSampledWidening * lobe_radius[k]),
-                                       splat(sec2), splat(cosine))[0];
+    const float x = slope_x[k], y = slope_y[k];
+    const float width = own_radius(lobe, wi, splat(x), splat(y), splat(lobe_radius[k]),
+                                   detail::kSampledWidening)[0];
     // The inverse of 1 - (1 - r^2/w^2)^3.
     const float r = width * std::sqrt(std::max(0.0f, 1 - std::cbrt(1 - u.x)));
     const float angle = 2 * std::numbers::pi_v<float> * u.y;
@@ -162,10 +195,7 @@ inline Vec2f FlakeView::sample_slope(const DiffractionLobe& lobe, Vec3f wi, floa
 inline FlakeView::LobeSamples FlakeView::sample_lobes(const DiffractionLobe& lobe, Vec3f wi,
                                                       int first, UintLanes random) const {
     const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
-    const FloatLanes sec2 = 1.0f + x * x + y * y;
-    const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
-    const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
-    const FloatLanes width = lobe.radius_at(load_lanes(&lobe_radius[first]), sec2, cosine);
+    const FloatLanes width = own_radius(lobe, wi, x, y, load_lanes(&lobe_radius[first]));
     // The least of three even numbers has the distribution 1 - (1 - t)^3 of r^2/w^2.
     const UintLanes a = mix_bits_32(random), b = mix_bits_32(a ^ 0x9e3779b9u);
     const FloatLanes t =
@@ -185,9 +215,8 @@ inline FloatLanes FlakeView::depths(int first) const {
 }
 
 inline float FlakeView::lobe_pdf(const DiffractionLobe& lobe, Vec3f wi, int k, Vec2f slope) const {
-    const float x = slope_x[k], y = slope_y[k], sec2 = 1 + x * x + y * y;
-    const float cosine = std::abs(wi.x * x + wi.y * y + wi.z) / std::sqrt(sec2);
-    const float width = lobe.radius_at(splat(lobe_radius[k]), splat(sec2), splat(cosine))[0];
+    const float x = slope_x[k], y = slope_y[k];
+    const float width = own_radius(lobe, wi, splat(x), splat(y), splat(lobe_radius[k]))[0];
     const float dx = x - slope.x, dy = y - slope.y, distance2 = dx * dx + dy * dy;
     return distance2 < width * width ? lobe.density(distance2, width) : 0.0f;
 }
@@ -197,12 +226,8 @@ inline float FlakeView::slope_pdf(const DiffractionLobe& lobe, Vec3f wi, Vec2f s
     for (int first = 0; first < count; first += kLanes) {
         const FloatLanes x = load_lanes(&slope_x[first]), y = load_lanes(&slope_y[first]);
         const FloatLanes dx = x - slope.x, dy = y - slope.y, distance2 = dx * dx + dy * dy;
-        // radius_at() of the flakes' own slopes: sec^(3/2) / cosine, the cosine over sec.
-        const FloatLanes sec2 = 1.0f + x * x + y * y;
-        const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
-        const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
-        const FloatLanes width = lobe.radius_at(
-            detail::kSampledWidening * load_lanes(&lobe_radius[first]), sec2, cosine);
+        const FloatLanes width =
+            own_radius(lobe, wi, x, y, load_lanes(&lobe_radius[first]), detail::kSampledWidening);
         for_each_set_lane(distance2 < width * width, [&](int lane) {
             sum += weight[first + lane] * lobe.density(distance2[lane], width[lane]);
         });

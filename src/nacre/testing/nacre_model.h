@@ -77,6 +77,17 @@ inline const SparklingModel& model_with_every_feature() {
     return model;
 }
 
+/// The same, or under a satin clearcoat.
+inline const SparklingModel& model_with_every_feature(bool rough) {
+    if (!rough) return model_with_every_feature();
+    static const SparklingModel model = [] {
+        paint::Recipe recipe = recipe_with_every_feature();
+        recipe.clearcoat->roughness = 0.12;
+        return SparklingModel(recipe);
+    }();
+    return model;
+}
+
 /// A rotated square of this side on a plane normal to one of the axes, at a random position within
 /// 2 m.
 inline Patch random_square_patch(Rng& rng, double side_mm) {

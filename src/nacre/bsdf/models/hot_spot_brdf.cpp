@@ -1,25 +1,12 @@
 #include "nacre/bsdf/models/hot_spot_brdf.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
-
-#include "nacre/core/error.h"
 
 namespace nacre::bsdf {
 
-void require_smooth_clearcoat(const solver::PaintMedium& medium) {
-    if (medium.roughness > 0) {
-        throw DomainError(
-            fmt::format("clearcoat.roughness = {}: the model nacre needs a smooth clearcoat, with "
-                        "roughness = 0",
-                        medium.roughness));
-    }
-}
-
 HotSpotBrdf::HotSpotBrdf(const solver::SolvedPaint& paint)
     : paint_(paint), inverse_mean_ior_(1 / mean_ior(paint.medium)) {
-    require_smooth_clearcoat(paint_.medium);
+    if (paint_.medium.roughness > 0) return;
     const HotSpotTables tables(paint_);
     const int count = paint_.medium.wavelength_count();
     for (int block = 0; block < paint::block_count(count); ++block) {
@@ -29,6 +16,7 @@ HotSpotBrdf::HotSpotBrdf(const solver::SolvedPaint& paint)
 
 std::vector<double> HotSpotBrdf::operator()(double theta_i, double theta_o, double phi,
                                             Part part) const {
+    if (blocks_.empty()) return paint_.brdf(theta_i, theta_o, phi, part);
     const auto ray = [&](double theta, double azimuth) {
         const double sine = std::sin(theta);
         return make_ray(

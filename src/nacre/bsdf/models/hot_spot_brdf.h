@@ -9,11 +9,12 @@
 namespace nacre::bsdf {
 
 /// The mean of the model nacre by values, from the solved paint itself: SolvedPaint::brdf() with the
-/// hot spot, where the model that a renderer gets has a table.
+/// hot spot, where the model that a renderer gets has a table. Under a rough clearcoat, as there,
+/// without it.
 class HotSpotBrdf {
  public:
     /// @param paint  outlives this
-    /// @throws DomainError if the clearcoat is rough; Error as closing_factors()
+    /// @throws Error as closing_factors()
     explicit HotSpotBrdf(const solver::SolvedPaint& paint);
 
     /// As SolvedPaint::brdf(). What the ground alone has scattered is part of the multiple.
@@ -25,8 +26,5 @@ class HotSpotBrdf {
     float inverse_mean_ior_;
     std::vector<HotSpot> blocks_;  // eight wavelengths each
 };
-
-/// What models without a rough clearcoat say about one. @throws DomainError
-void require_smooth_clearcoat(const solver::PaintMedium& medium);
 
 }  // namespace nacre::bsdf

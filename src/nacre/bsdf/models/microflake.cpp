@@ -174,20 +174,9 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
                                  const Wavelengths& wavelengths)
     : tables_(std::move(tables)),
       where_(locate_wavelengths(tables_->paint->wavelengths_nm(), wavelengths)),
-      grid_(tables_->smooth.grid()),
-      smooth_(grid_.cells(), FloatLanes{}) {
+      grid_(tables_->smooth.grid()) {
     const solver::SolvedPaint& paint = *tables_->paint;
-    const int count = tables_->wavelength_count();
-
-    std::vector<FloatLanes> basis;
-    for (const solver::MultipleScattering* tensor : tables_->tensors()) {
-        for (int k = 0; k < tensor->rank(); ++k) {
-            basis.push_back(
-                at_wavelengths(where_, [&](int w) { return tensor->basis[k * count + w]; }));
-        }
-    }
-    tables_->smooth.bind(basis, smooth_.data());
-
+    smooth_ = bind_tensors(false);
     clearcoat_depth_ =
         at_wavelengths(where_, [&](int w) { return paint.medium.clearcoat_depth[w]; });
     ior_ = at_wavelengths(where_, [&](int w) { return paint.medium.ior[w]; });
@@ -204,6 +193,28 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
     }
 }
 
+std::vector<FloatLanes> BoundMicroflake::bind_tensors(bool single_alone) const {
+    const int count = tables_->wavelength_count();
+    std::vector<FloatLanes> basis, values(grid_.cells(), FloatLanes{});
+    for (const solver::MultipleScattering* tensor : tables_->tensors()) {
+        const bool left_out = single_alone && tensor != &tables_->paint->rough_single;
+        for (int k = 0; k < tensor->rank(); ++k) {
+            basis.push_back(left_out ? FloatLanes{} : at_wavelengths(where_, [&](int w) {
+                return tensor->basis[k * count + w];
+            }));
+        }
+    }
+    tables_->smooth.bind(basis, values.data());
+    return values;
+}
+
+void BoundMicroflake::bind_rough_single() {
+    if (!rough_) return;
+    rough_->single = bind_tensors(true);
+    coat_ = sparkle::CoatTilt(tables_->paint->medium.roughness, mean_ior_);
+    bind_layers();
+}
+
 void BoundMicroflake::bind_smooth_interface() {
     for (int row = 0; row <= kDirectionIntervals; ++row) {
         const float cosine = static_cast<float>(std::cos(direction_angle(row)));
@@ -212,7 +223,7 @@ void BoundMicroflake::bind_smooth_interface() {
     }
 }
 
-// Single scattering of a smooth paint.
+// Single scattering in closed form.
 void BoundMicroflake::bind_layers() {
     const solver::SolvedPaint& paint = *tables_->paint;
     const int count = tables_->wavelength_count();
@@ -253,7 +264,7 @@ void BoundMicroflake::bind_layers() {
 void BoundMicroflake::bind_rough_interface() {
     const double alpha = tables_->paint->medium.roughness;
     const float a = static_cast<float>(alpha);
-    Rough rough{FlakeLobe(a), 1 / (a * a), {}, {}, {}};
+    Rough rough{FlakeLobe(a), 1 / (a * a), {}, {}, {}, {}};
     std::array<std::shared_ptr<const solver::RoughInterface>, kLanes> by_lane;
     for (int lane = 0; lane < kLanes; ++lane) {
         by_lane[lane] = lane > 0 && ior_[lane] == ior_[lane - 1]

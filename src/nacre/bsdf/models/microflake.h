@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "nacre/bsdf/bsdf.h"
@@ -18,6 +19,7 @@
 #include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/solver/solved_paint.h"
+#include "nacre/sparkle/coat_tilt.h"
 
 namespace nacre::bsdf {
 
@@ -236,6 +238,12 @@ class BoundMicroflake : public BoundBsdf {
 
     const std::array<WavelengthPosition, kLanes>& where() const { return where_; }
 
+    /// Under a rough clearcoat, for models that change the flakes: must be called before value() or
+    /// single_value() of other flakes than the mean.
+    void bind_rough_single();
+    /// How a rough clearcoat spreads half vectors; nothing under a smooth one.
+    const sparkle::CoatTilt& coat() const { return coat_; }
+
  private:
     void bind_smooth_interface();
     void bind_rough_interface();
@@ -243,6 +251,19 @@ class BoundMicroflake : public BoundBsdf {
 
     template <class Flakes>
     FloatLanes once(const Ray& i, const Ray& o, const Flakes& flakes) const;
+    /// Of the single scattering under a rough clearcoat, which a table holds as a whole, that of
+    /// some flakes over that of all: by the closed form under a smooth one, with the slopes of all
+    /// flakes spread as half vectors are.
+    template <class Flakes>
+    FloatLanes rough_ratio(const Ray& i, const Ray& o, const Flakes& flakes) const;
+    /// Values of a table that is bound to the wavelengths; a truncated Fourier series may dip below
+    /// zero by its own error.
+    FloatLanes tabulated(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o) const {
+        const SmoothCell cell = locate(grid_, i.outside, o.outside, i.sine, o.sine, i.x, o.x);
+        return max_lanes(interpolate(grid_, table.data(), cell), FloatLanes{}) *
+               (1 / (i.inside.z + o.inside.z));
+    }
+    std::vector<FloatLanes> bind_tensors(bool single_alone) const;
     FloatLanes interface_factor(const Ray& i, const Ray& o) const {
         return i.look_up(transmittance_over_cosine_) * o.look_up(transmittance_over_cosine_) *
                inverse_ior2_ * (i.outside.z * o.outside.z);
@@ -270,8 +291,10 @@ class BoundMicroflake : public BoundBsdf {
         std::vector<float> masking;
         std::vector<FloatLanes> masked;
         FloatLanes diffuse_scale;
+        std::vector<FloatLanes> single;  // single scattering alone: bind_rough_single()
     };
     std::optional<Rough> rough_;
+    sparkle::CoatTilt coat_;
 };
 
 template <class Value>
@@ -302,6 +325,7 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
     const float tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z);
     const float sec2 = 1 + tan2, sec = std::sqrt(sec2);
     const float cosine = std::min(1.0f, 0.5f * h.z * sec);
+    const float spread2 = coat_.spread2(inside_i.z, inside_o.z);
 
     FloatLanes sum{};
     FloatLanes depth = clearcoat_depth_ * (inverse_mu_i + inverse_mu_o);
@@ -317,14 +341,15 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
         std::size_t at_flake = 0;
         for (const BoundFlake& flake : layer.flakes) {
             const std::size_t f = at_flake++;
-            const float exponent = tan2 * flake.inverse_alpha2;
+            const float narrower = spread2 > 0 ? 1 / (1 + spread2 * flake.inverse_alpha2) : 1.0f;
+            const float exponent = tan2 * flake.inverse_alpha2 * narrower;
             if (exponent > 60) continue;  // e^-60: outside the lobe
             if constexpr (kFlakesAlone) {
                 if (!flakes.reflects(at_layer, f)) continue;
             }
             any = true;
             const float density =
-                flake.half_density * flake.norm * sec2 * sec * std::exp(-exponent);
+                flake.half_density * flake.norm * narrower * sec2 * sec * std::exp(-exponent);
             const float x = cosine * flake.intervals;
             const int at = std::min(static_cast<int>(x), std::max(flake.intervals - 1, 0));
             FloatLanes reflectance = flake.reflectance[at];
@@ -363,18 +388,38 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
 
 template <class Flakes>
 FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flakes) const {
-    const SmoothCell cell = locate(grid_, i.outside, o.outside, i.sine, o.sine, i.x, o.x);
-    // The truncated Fourier series may dip below zero by its own error.
-    FloatLanes smooth = max_lanes(interpolate(grid_, smooth_.data(), cell), FloatLanes{}) *
-                        (1 / (i.inside.z + o.inside.z));
+    FloatLanes smooth = tabulated(smooth_, i, o);
+    if (rough_) {
+        const FloatLanes mean = smooth + rough_lobe(i, o);
+        if constexpr (std::is_same_v<Flakes, MeanFlakes>) {
+            return mean;
+        } else {
+            const FloatLanes single = min_lanes(tabulated(rough_->single, i, o), smooth);
+            return mean + single * (rough_ratio(i, o, flakes) - 1.0f);
+        }
+    }
     if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
-    if (rough_) return smooth + rough_lobe(i, o);
     return (once(i, o, flakes) + smooth) * interface_factor(i, o);
 }
 
 template <class Flakes>
 FloatLanes BoundMicroflake::single_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
+    if (rough_) {
+        const FloatLanes single =
+            min_lanes(tabulated(rough_->single, i, o), tabulated(smooth_, i, o));
+        return single * rough_ratio(i, o, flakes);
+    }
     return once(i, o, flakes) * interface_factor(i, o);
+}
+
+template <class Flakes>
+FloatLanes BoundMicroflake::rough_ratio(const Ray& i, const Ray& o, const Flakes& flakes) const {
+    constexpr float kDark = 1e-30f;
+    // Where nothing is scattered once, nothing is changed.
+    constexpr float kNothing = requires { Flakes::kFlakesAlone; }
+    ? 0 : 1;
+    const FloatLanes all = once(i, o, MeanFlakes{}), some = once(i, o, flakes);
+    return all > kDark ? some / max_lanes(all, splat(kDark)) : splat(kNothing);
 }
 
 template <class Flakes>

@@ -16,12 +16,14 @@ namespace nacre::bsdf {
 namespace {
 
 sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
-                                       const paint::Layer& layer, double ior) {
+                                       const paint::Layer& layer, double ior,
+                                       double coat_roughness) {
     sparkle::FlakePopulation out;
     out.diameter_um = species.diameter_um;
     out.diameter_spread_um = species.diameter_spread_um;
     out.alpha = species.orientation.beckmann_alpha;
     out.ior = ior;
+    out.coat_roughness = coat_roughness;
     constexpr double kSquareUmPerMm2 = 1e6;
     const double area_um2 =
         sparkle::FlakeSizes(species.diameter_um, species.diameter_spread_um).mean_area_um2();
@@ -68,6 +70,7 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
     : smooth(std::make_shared<Microflake::Tables>(paint)) {
     const paint::Recipe& recipe = paint->recipe;
     const std::vector<double> returned = returned_light(*smooth);
+    const double coat_roughness = smooth->rough ? paint->medium.roughness : 0;
     double all = 0;
     for (const double r : returned) all += r;
     for (std::size_t l = 0; l < recipe.layers.size(); ++l) {
@@ -81,10 +84,10 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
                               min_half_cosine(smooth->mean_ior), &work);
             }
             const float fraction = static_cast<float>(returned[species.size()] / all);
-            species.push_back(
-                {sparkle::FlakeField(population_of(flake, recipe.layers[l], smooth->mean_ior),
-                                     hash_of(settings.specimen, l, f)),
-                 std::move(films), fraction});
+            species.push_back({sparkle::FlakeField(population_of(flake, recipe.layers[l],
+                                                                 smooth->mean_ior, coat_roughness),
+                                                   hash_of(settings.specimen, l, f)),
+                               std::move(films), fraction});
         }
     }
     // Under a rough clearcoat neighbouring rays are refracted apart: not modelled.
@@ -93,7 +96,6 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
 
 Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
              const Progress& progress) {
-    require_smooth_clearcoat(paint->medium);
     SharedProgress work(progress, 1);
     work.add(0);
     auto tables = std::make_shared<Tables>(std::move(paint), settings, work);
@@ -122,17 +124,19 @@ namespace {
 constexpr float kWide = std::numeric_limits<float>::infinity();
 
 // On a patch the flake lobe of the mean keeps at least this fraction of its probability: multiple
-// scattering follows that lobe too, and it bounds the weights of directions for which no single
-// flake is sampled.
-constexpr float kMinMeanProbability = 0.1f;
+// scattering follows that lobe too, as do the rings of the flakes' patterns, and it bounds the weights
+// of directions for which no single flake is sampled.
+constexpr float kMinMeanProbability = 0.15f;
 
 // The half vector inside, as the flakes see it.
 struct HalfVector {
     Vec2f slope;
     float slope2, cosine;   // cosine: w_i . h
     float per_solid_angle;  // area of slopes per solid angle of w_o
+    float spread2;          // by a rough clearcoat
 
-    HalfVector(const Ray& i, const Ray& o) {
+    HalfVector(const Ray& i, const Ray& o, const sparkle::CoatTilt& coat)
+        : spread2(coat.spread2(i.inside.z, o.inside.z)) {
         const Vec3f sum = i.inside + o.inside;
         const float inverse = 1 / sum.z;
         slope = {sum.x * inverse, sum.y * inverse};
@@ -183,7 +187,7 @@ class BoundNacre::WithHotSpot {
 class BoundNacre::FlakesOfPatch : public WithHotSpot {
  public:
     FlakesOfPatch(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
-        : WithHotSpot(surface, i, o), surface_(surface), look_(look), half_(i, o) {}
+        : WithHotSpot(surface, i, o), surface_(surface), look_(look), half_(i, o, surface.coat()) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
         const std::size_t at = surface_.tables_->first_species[layer] + flake;
@@ -192,13 +196,15 @@ class BoundNacre::FlakesOfPatch : public WithHotSpot {
         const sparkle::FlakeView& view = look_[at];
         FloatLanes reflected{};
         bool any = false;
-        const float background =
-            view.for_each_answer(lobe, half_.slope, half_.cosine, [&](int k, float fraction) {
+        const float background = view.for_each_answer(
+            lobe, half_.slope, half_.cosine,
+            [&](int k, float fraction) {
                 any = true;
                 reflected +=
                     fraction * surface_.relative_attenuation(at, layer, view, k, half_.cosine,
                                                              depth, pair_ ? &*pair_ : nullptr);
-            });
+            },
+            half_.spread2);
         FloatLanes sum = splat(background);
         if (pair_ && background > 0) sum *= pair_->mean(layer, depth);
         if (any) {
@@ -218,22 +224,22 @@ class BoundNacre::FlakesOfPatch : public WithHotSpot {
 class BoundNacre::BesideFlakes : public WithHotSpot {
  public:
     BesideFlakes(const BoundNacre& surface, const Look& look, const Ray& i, const Ray& o)
-        : WithHotSpot(surface, i, o),
-          surface_(surface),
-          look_(look),
-          slope2_(HalfVector(i, o).slope2) {}
+        : WithHotSpot(surface, i, o), surface_(surface), look_(look), half_(i, o, surface.coat()) {}
 
     FloatLanes factor(std::size_t layer, std::size_t flake, const FloatLanes& depth) const {
         const std::size_t at = surface_.tables_->first_species[layer] + flake;
-        const bool reaches = surface_.tables_->species[at].field.lobe().reaches(slope2_);
-        const float background = reaches ? look_[at].background : 1.0f;
+        const sparkle::DiffractionLobe& lobe = surface_.tables_->species[at].field.lobe();
+        const float background =
+            lobe.reaches(half_.slope2)
+                ? look_[at].background_at(lobe, half_.slope2, half_.cosine, half_.spread2)
+                : 1.0f;
         return pair_ && background > 0 ? background * pair_->mean(layer, depth) : splat(background);
     }
 
  private:
     const BoundNacre& surface_;
     const Look& look_;
-    float slope2_;
+    HalfVector half_;
 };
 
 // In place of MeanFlakes: flakes of one species of a patch, and nothing else.
@@ -243,7 +249,10 @@ class BoundNacre::SomeFlakes {
 
     SomeFlakes(const BoundNacre& surface, std::size_t species, const sparkle::FlakeView& view,
                const Ray& i, const Ray& o)
-        : surface_(surface), species_(species), view_(view), cosine_(HalfVector(i, o).cosine) {
+        : surface_(surface),
+          species_(species),
+          view_(view),
+          cosine_(HalfVector(i, o, surface.coat()).cosine) {
         if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
     }
     /// @param fraction  of the mean of the species
@@ -306,7 +315,7 @@ BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch, Vec3f wi)
         if (patch.flakes == Patch::Flakes::apart) {
             field.look(patch.footprint, view, stand_ins);
         } else {
-            view.background = field.background(patch.footprint, stand_ins);
+            field.leave_out(patch.footprint, view, stand_ins);
         }
     }
     memory.filled |= bit;
@@ -314,10 +323,8 @@ BoundNacre::Look::Look(const BoundNacre& surface, const Patch& patch, Vec3f wi)
 
 float BoundNacre::slope_density(std::size_t species, Vec3f wi) const {
     const Ray i = make_ray(wi);
-    const HalfVector half(i, i);
-    const sparkle::FlakeField& field = tables_->species[species].field;
-    const float widening = field.lobe().widening(1, i.inside.z);
-    return half.per_solid_angle * solid_angle_ratio(i) / (field.lobe_area() * widening * widening);
+    return HalfVector(i, i, coat()).per_solid_angle * solid_angle_ratio(i) /
+           tables_->species[species].field.lobe_area(i.inside.z);
 }
 
 float BoundNacre::narrow_light(Vec3f wi) const {
@@ -330,6 +337,7 @@ float BoundNacre::narrow_light(Vec3f wi) const {
 
 BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavelengths& wavelengths)
     : BoundMicroflake(tables->smooth, wavelengths), tables_(std::move(tables)) {
+    bind_rough_single();
     for (const NacreSpecies& species : tables_->species) {
         films_.push_back(species.films ? species.films->bind(where()) : BoundFlakeFilms());
     }
@@ -406,7 +414,7 @@ std::optional<Vec3f> BoundNacre::draw_flake(const Look& look, const Probability&
 float BoundNacre::flake_density(const Look& look, const Probability& probability, const Ray& i,
                                 const Ray& o) const {
     if (probability.flakes == 0) return 0;
-    const HalfVector half(i, o);
+    const HalfVector half(i, o, coat());
     float sum = 0;
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         const sparkle::FlakeView& view = look[s];
@@ -509,7 +517,7 @@ void BoundNacre::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
 
 float BoundNacre::flake_pdf(const sparkle::FlakeView& view, std::size_t species, int flake,
                             const Ray& i, const Ray& o) const {
-    const HalfVector half(i, o);
+    const HalfVector half(i, o, coat());
     return view.lobe_pdf(tables_->species[species].field.lobe(), i.inside, flake, half.slope) *
            half.per_solid_angle * solid_angle_ratio(o);
 }
@@ -517,11 +525,11 @@ float BoundNacre::flake_pdf(const sparkle::FlakeView& view, std::size_t species,
 FloatLanes BoundNacre::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& asked) const {
     const Look look(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(asked.wo);
-    const HalfVector half(i, o);
+    const HalfVector half(i, o, coat());
     const auto species = static_cast<std::size_t>(asked.species);
     const sparkle::FlakeView& view = look[species];
-    const float fraction =
-        view.fraction(tables_->species[species].field.lobe(), half.slope, half.cosine, asked.flake);
+    const float fraction = view.fraction(tables_->species[species].field.lobe(), half.slope,
+                                         half.cosine, asked.flake, half.spread2);
     if (fraction == 0) return FloatLanes{};
     SomeFlakes flakes(*this, species, view, i, o);
     flakes.add(asked.flake, fraction);
@@ -532,16 +540,19 @@ FloatLanes BoundNacre::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float p
     if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
     const Look look(*this, patch, wi);
     const Ray i = make_ray(wi), o = make_ray(wo);
-    const HalfVector half(i, o);
+    const HalfVector half(i, o, coat());
     FloatLanes sum{};
     for (std::size_t s = 0; s < tables_->species.size(); ++s) {
         const sparkle::DiffractionLobe& lobe = tables_->species[s].field.lobe();
         const sparkle::FlakeView& view = look[s];
         if (view.count == 0 || !lobe.reaches(half.slope2)) continue;
         SomeFlakes flakes(*this, s, view, i, o);
-        view.for_each_answer(lobe, half.slope, half.cosine, [&](int k, float fraction) {
-            flakes.add(k, fraction * power_heuristic(pdf, flake_pdf(view, s, k, i, o)));
-        });
+        view.for_each_answer(
+            lobe, half.slope, half.cosine,
+            [&](int k, float fraction) {
+                flakes.add(k, fraction * power_heuristic(pdf, flake_pdf(view, s, k, i, o)));
+            },
+            half.spread2);
         if (!flakes.empty()) sum += single_value(i, o, flakes);
     }
     return sum;

@@ -44,8 +44,7 @@ struct NacreModel {
 /// mean index; the mean of each wavelength stays its own.
 class Nacre final : public Bsdf, public SingleFlakes {
  public:
-    /// @throws DomainError if the paint's clearcoat is rough, or its flakes are outside the range
-    ///         of FlakeField
+    /// @throws DomainError if the paint's flakes are outside the range of FlakeField
     /// @throws Stopped if `progress`, which is asked while films are computed, says so
     explicit Nacre(std::shared_ptr<const solver::SolvedPaint> paint,
                    const NacreModel& settings = {}, const Progress& progress = {});

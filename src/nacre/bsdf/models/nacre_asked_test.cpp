@@ -31,85 +31,94 @@ double side_of_flakes(double flakes) {
 // Over all patches the flakes and what is left beside them add up to the mean, whether each flake
 // is resolved (4 a patch) or some stand for many (1000).
 TEST(NacreAsked, FlakesAndTheRestAddUpToTheMean) {
-    const SparklingModel& model = model_with_every_feature();
-    const Vec3f wi = direction(30, 20), wo = direction(24, 205);
-    const FloatLanes mean = model.bound->eval(wi, wo);
-    for (const double flakes : {4.0, 1000.0}) {
-        Rng rng(31, 1);
-        Sample ratio;
-        for (int n = 0; n < 80000; ++n) {
-            const Patch patch = apart(rng, side_of_flakes(flakes));
-            const FloatLanes f = model.bound->evaluate_on(patch, wi, wo).f +
-                                 model.bound->flakes_at(patch, wi, wo, kUnweighed);
-            ratio.add(f[3] / mean[3]);
+    for (const bool rough : {false, true}) {
+        SCOPED_TRACE(rough);
+        const SparklingModel& model = model_with_every_feature(rough);
+        const Vec3f wi = direction(30, 20), wo = direction(24, 205);
+        const FloatLanes mean = model.bound->eval(wi, wo);
+        for (const double flakes : {4.0, 1000.0}) {
+            Rng rng(31, 1);
+            Sample ratio;
+            for (int n = 0; n < 80000; ++n) {
+                const Patch patch = apart(rng, side_of_flakes(flakes));
+                const FloatLanes f = model.bound->evaluate_on(patch, wi, wo).f +
+                                     model.bound->flakes_at(patch, wi, wo, kUnweighed);
+                ratio.add(f[3] / mean[3]);
+            }
+            EXPECT_NEAR(ratio.mean(), 1, kWorstZ * ratio.error()) << flakes;
+            EXPECT_GT(ratio.error(), 1e-4);
+            EXPECT_LT(ratio.error(), 0.03);
         }
-        EXPECT_NEAR(ratio.mean(), 1, kWorstZ * ratio.error()) << flakes;
-        EXPECT_GT(ratio.error(), 1e-4);
-        EXPECT_LT(ratio.error(), 0.03);
     }
 }
 
 // Under light from everywhere: each flake asked in its own lobe, against directions drawn without
 // knowing of flakes. The two share the value of a flake and nothing of the sampling.
 TEST(NacreAsked, LobesReflectWhatTheirFlakesDo) {
-    const SparklingModel& model = model_with_every_feature();
-    const Vec3f wi = direction(30, 20);
-    Rng rng(7, 1);
-    Sample asked, drawn;
-    int most = 0;
-    for (int n = 0; n < 40000; ++n) {
-        const Patch patch = apart(rng, side_of_flakes(4));
-        std::vector<AskedFlake> flakes;
-        model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
-        const int count = static_cast<int>(flakes.size());
-        most = std::max(most, count);
-        double sum = 0;
-        for (int k = 0; k < count; ++k) {
-            EXPECT_GT(flakes[k].strength, 0);
-            sum += model.bound->flake_weight(patch, wi, flakes[k])[3];
+    for (const bool rough : {false, true}) {
+        SCOPED_TRACE(rough);
+        const SparklingModel& model = model_with_every_feature(rough);
+        const Vec3f wi = direction(30, 20);
+        Rng rng(7, 1);
+        Sample asked, drawn;
+        int most = 0;
+        for (int n = 0; n < 40000; ++n) {
+            const Patch patch = apart(rng, side_of_flakes(4));
+            std::vector<AskedFlake> flakes;
+            model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
+            const int count = static_cast<int>(flakes.size());
+            most = std::max(most, count);
+            double sum = 0;
+            for (int k = 0; k < count; ++k) {
+                EXPECT_GT(flakes[k].strength, 0);
+                sum += model.bound->flake_weight(patch, wi, flakes[k])[3];
+            }
+            asked.add(sum);
+            for (int draw = 0; draw < 2; ++draw) {
+                const auto s = model.bound->sample(wi, rng.uniform_float(),
+                                                   {rng.uniform_float(), rng.uniform_float()});
+                drawn.add(s && s->kind == SampleKind::density
+                              ? model.bound->flakes_at(patch, wi, s->wo, kUnweighed)[3] * s->wo.z /
+                                    s->pdf
+                              : 0.0);
+            }
         }
-        asked.add(sum);
-        for (int draw = 0; draw < 2; ++draw) {
-            const auto s = model.bound->sample(wi, rng.uniform_float(),
-                                               {rng.uniform_float(), rng.uniform_float()});
-            drawn.add(s && s->kind == SampleKind::density
-                          ? model.bound->flakes_at(patch, wi, s->wo, kUnweighed)[3] * s->wo.z /
-                                s->pdf
-                          : 0.0);
-        }
+        EXPECT_GT(most, 4);
+        EXPECT_LT(asked.error(), 0.01 * asked.mean());
+        EXPECT_LT(drawn.error(), 0.1 * drawn.mean());
+        EXPECT_NEAR(asked.mean(), drawn.mean(), kWorstZ * std::hypot(asked.error(), drawn.error()));
     }
-    EXPECT_GT(most, 4);
-    EXPECT_LT(asked.error(), 0.01 * asked.mean());
-    EXPECT_LT(drawn.error(), 0.1 * drawn.mean());
-    EXPECT_NEAR(asked.mean(), drawn.mean(), kWorstZ * std::hypot(asked.error(), drawn.error()));
 }
 
 // The two ways to find light, weighed against each other, find it once.
 TEST(NacreAsked, WeighedWaysAddUp) {
-    const SparklingModel& model = model_with_every_feature();
-    const Vec3f wi = direction(30, 20);
-    constexpr float kPdf = 0.5f * std::numbers::inv_pi_v<float>;  // of a direction upwards
-    Rng rng(9, 1);
-    Sample alone, both;
-    for (int n = 0; n < 20000; ++n) {
-        const Patch patch = apart(rng, side_of_flakes(4));
-        std::vector<AskedFlake> flakes;
-        model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
-        const int count = static_cast<int>(flakes.size());
-        double unweighed = 0, weighed = 0;
-        for (int k = 0; k < count; ++k) {
-            const double w = model.bound->flake_weight(patch, wi, flakes[k])[3];
-            unweighed += w;
-            weighed += w * power_heuristic(flakes[k].pdf, kPdf);
+    for (const bool rough : {false, true}) {
+        SCOPED_TRACE(rough);
+        const SparklingModel& model = model_with_every_feature(rough);
+        const Vec3f wi = direction(30, 20);
+        constexpr float kPdf = 0.5f * std::numbers::inv_pi_v<float>;  // of a direction upwards
+        Rng rng(9, 1);
+        Sample alone, both;
+        for (int n = 0; n < 20000; ++n) {
+            const Patch patch = apart(rng, side_of_flakes(4));
+            std::vector<AskedFlake> flakes;
+            model.bound->ask_flakes(patch, wi, static_cast<std::uint32_t>(n) * 977u, flakes);
+            const int count = static_cast<int>(flakes.size());
+            double unweighed = 0, weighed = 0;
+            for (int k = 0; k < count; ++k) {
+                const double w = model.bound->flake_weight(patch, wi, flakes[k])[3];
+                unweighed += w;
+                weighed += w * power_heuristic(flakes[k].pdf, kPdf);
+            }
+            const float z = rng.uniform_float();
+            const Vec3f wo = direction(std::acos(z) / kDegree, 360 * rng.uniform_double());
+            weighed += model.bound->flakes_at(patch, wi, wo, kPdf)[3] * wo.z / kPdf;
+            alone.add(unweighed);
+            both.add(weighed);
         }
-        const float z = rng.uniform_float();
-        const Vec3f wo = direction(std::acos(z) / kDegree, 360 * rng.uniform_double());
-        weighed += model.bound->flakes_at(patch, wi, wo, kPdf)[3] * wo.z / kPdf;
-        alone.add(unweighed);
-        both.add(weighed);
+        EXPECT_NEAR(alone.mean(), both.mean(), kWorstZ * std::hypot(alone.error(), both.error()));
+        EXPECT_LT(both.error(), 0.02 * both.mean());
     }
-    EXPECT_NEAR(alone.mean(), both.mean(), kWorstZ * std::hypot(alone.error(), both.error()));
-    EXPECT_LT(both.error(), 0.02 * both.mean());
 }
 
 // However many species there are, none of their flakes is forgotten: some ten of each are asked.
@@ -131,17 +140,20 @@ TEST(NacreAsked, FlakesOfManySpeciesAreAllAsked) {
 }
 
 TEST(NacreAsked, WhatIsLeftDoesNotDependOnWhoAsks) {
-    const SparklingModel& model = model_with_every_feature();
-    const Vec3f wi = direction(30, 20), wo = direction(24, 205);
-    Rng rng(3, 1);
-    for (const double flakes : {0.5, 20.0, 1e4}) {
-        Patch patch = apart(rng, side_of_flakes(flakes));
-        const BsdfValue asking = model.bound->evaluate_on(patch, wi, wo);
-        patch.flakes = Patch::Flakes::left_out;
-        const BsdfValue not_asking = model.bound->evaluate_on(patch, wi, wo);
-        EXPECT_NEAR(asking.f[3], not_asking.f[3], 1e-6f * asking.f[3]) << flakes;
-        EXPECT_EQ(asking.pdf, not_asking.pdf);
-        EXPECT_LT(asking.f[3], model.bound->eval(wi, wo)[3]);
+    for (const bool rough : {false, true}) {
+        SCOPED_TRACE(rough);
+        const SparklingModel& model = model_with_every_feature(rough);
+        const Vec3f wi = direction(30, 20), wo = direction(24, 205);
+        Rng rng(3, 1);
+        for (const double flakes : {0.5, 20.0, 1e4}) {
+            Patch patch = apart(rng, side_of_flakes(flakes));
+            const BsdfValue asking = model.bound->evaluate_on(patch, wi, wo);
+            patch.flakes = Patch::Flakes::left_out;
+            const BsdfValue not_asking = model.bound->evaluate_on(patch, wi, wo);
+            EXPECT_NEAR(asking.f[3], not_asking.f[3], 1e-6f * asking.f[3]) << flakes;
+            EXPECT_EQ(asking.pdf, not_asking.pdf);
+            EXPECT_LT(asking.f[3], model.bound->eval(wi, wo)[3]);
+        }
     }
 }
 

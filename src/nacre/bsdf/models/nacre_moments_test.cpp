@@ -24,47 +24,54 @@ namespace {
 constexpr int kTurns = 8;
 
 TEST(Nacre, MeanOverPatchesIsTheMicroflakeModel) {
-    const SparklingModel& model = model_with_every_feature();
-    const auto smooth = Microflake(model.paint).bind(kOnGrid);
-    PatchMemory memory(model.bound->patch_memory_bytes());
-    struct Pair {
-        double theta_i, theta_o, phi;
-    };
-    const std::vector<Pair> pairs = {{35, 27, 176}, {60, 50, 190}};
-    for (const double flakes : {0.0, 0.25, 4.0, 64.0, 1e3, 1e4, 1e6}) {
-        const double side = std::sqrt(flakes / model.flakes_per_mm2());
-        // Patches of a million flakes overlap if there are more.
-        const int count = flakes > 1e5 ? 10000 : 50000;
-        std::vector<DoubleLanes> sum(pairs.size()), squares(pairs.size());
-        Rng rng(21, static_cast<std::uint64_t>(flakes));
-        for (int n = 0; n < count; ++n) {
-            Patch patch = random_square_patch(rng, side);
-            memory.forget();
-            patch.memory = &memory;
-            for (std::size_t p = 0; p < pairs.size(); ++p) {
-                FloatLanes f{};
-                for (int t = 0; t < kTurns; ++t) {
-                    const double turn = 360.0 * t / kTurns;
-                    f += model.bound
-                             ->evaluate_on(patch, direction(pairs[p].theta_i, turn),
-                                           direction(pairs[p].theta_o, pairs[p].phi + turn))
-                             .f;
+    for (const bool rough : {false, true}) {
+        SCOPED_TRACE(rough);
+        const SparklingModel& model = model_with_every_feature(rough);
+        const auto smooth = Microflake(model.paint).bind(kOnGrid);
+        PatchMemory memory(model.bound->patch_memory_bytes());
+        struct Pair {
+            double theta_i, theta_o, phi;
+        };
+        const std::vector<Pair> pairs = {{35, 27, 176}, {60, 50, 190}};
+        const std::vector<double> numbers =
+            rough ? std::vector<double>{0.25, 64, 1e4}
+                  : std::vector<double>{0, 0.25, 4, 64, 1e3, 1e4, 1e6};
+        for (const double flakes : numbers) {
+            const double side = std::sqrt(flakes / model.flakes_per_mm2());
+            // Patches of a million flakes overlap if there are more.
+            const int count = flakes > 1e5 ? 10000 : 50000;
+            std::vector<DoubleLanes> sum(pairs.size()), squares(pairs.size());
+            Rng rng(21, static_cast<std::uint64_t>(flakes));
+            for (int n = 0; n < count; ++n) {
+                Patch patch = random_square_patch(rng, side);
+                memory.forget();
+                patch.memory = &memory;
+                for (std::size_t p = 0; p < pairs.size(); ++p) {
+                    FloatLanes f{};
+                    for (int t = 0; t < kTurns; ++t) {
+                        const double turn = 360.0 * t / kTurns;
+                        f += model.bound
+                                 ->evaluate_on(patch, direction(pairs[p].theta_i, turn),
+                                               direction(pairs[p].theta_o, pairs[p].phi + turn))
+                                 .f;
+                    }
+                    const DoubleLanes d = __builtin_convertvector(f * (1.0f / kTurns), DoubleLanes);
+                    sum[p] += d;
+                    squares[p] += d * d;
                 }
-                const DoubleLanes d = __builtin_convertvector(f * (1.0f / kTurns), DoubleLanes);
-                sum[p] += d;
-                squares[p] += d * d;
             }
-        }
-        for (std::size_t p = 0; p < pairs.size(); ++p) {
-            const FloatLanes expected = smooth->eval(direction(pairs[p].theta_i, 0),
-                                                     direction(pairs[p].theta_o, pairs[p].phi));
-            for (const int lane : {0, 4, 7}) {
-                const double mean = sum[p][lane] / count;
-                const double error = std::sqrt((squares[p][lane] / count - mean * mean) / count);
-                EXPECT_GT(error, 0);
-                EXPECT_LT(error, 0.025 * mean);
-                EXPECT_NEAR(mean, expected[lane], test::kWorstZ * error)
-                    << flakes << " flakes, pair " << p << ", lane " << lane;
+            for (std::size_t p = 0; p < pairs.size(); ++p) {
+                const FloatLanes expected = smooth->eval(direction(pairs[p].theta_i, 0),
+                                                         direction(pairs[p].theta_o, pairs[p].phi));
+                for (const int lane : {0, 4, 7}) {
+                    const double mean = sum[p][lane] / count;
+                    const double error =
+                        std::sqrt((squares[p][lane] / count - mean * mean) / count);
+                    EXPECT_GT(error, 0);
+                    EXPECT_LT(error, 0.025 * mean);
+                    EXPECT_NEAR(mean, expected[lane], test::kWorstZ * error)
+                        << flakes << " flakes, pair " << p << ", lane " << lane;
+                }
             }
         }
     }
@@ -98,24 +105,28 @@ TEST(Nacre, MeanOverPatchesHoldsForABinderThatDisperses) {
 }
 
 TEST(Nacre, WithoutAPatchIsTheMicroflakeModel) {
-    const SparklingModel& model = model_with_every_feature();
-    const auto smooth = Microflake(model.paint).bind(kOnGrid);
-    Rng rng(2);
-    for (int n = 0; n < 200; ++n) {
-        const Vec3f wi = direction(89 * rng.uniform_double(), 360 * rng.uniform_double());
-        const float u_select = rng.uniform_float();
-        const Vec2f u = {rng.uniform_float(), rng.uniform_float()};
-        const auto a = smooth->sample(wi, u_select, u), b = model.bound->sample(wi, u_select, u);
-        ASSERT_EQ(a.has_value(), b.has_value());
-        const FloatLanes albedo_a = smooth->albedo(wi), albedo_b = model.bound->albedo(wi);
-        for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(albedo_a[lane], albedo_b[lane]);
-        if (!a || a->kind == SampleKind::specular) continue;
-        EXPECT_EQ(a->pdf, b->pdf);
-        EXPECT_EQ(smooth->pdf(wi, a->wo), model.bound->pdf(wi, a->wo));
-        const FloatLanes f_a = smooth->eval(wi, a->wo), f_b = model.bound->eval(wi, a->wo);
-        for (int lane = 0; lane < kLanes; ++lane) {
-            EXPECT_EQ(a->weight[lane], b->weight[lane]);
-            EXPECT_EQ(f_a[lane], f_b[lane]);
+    for (const bool rough : {false, true}) {
+        SCOPED_TRACE(rough);
+        const SparklingModel& model = model_with_every_feature(rough);
+        const auto smooth = Microflake(model.paint).bind(kOnGrid);
+        Rng rng(2);
+        for (int n = 0; n < 200; ++n) {
+            const Vec3f wi = direction(89 * rng.uniform_double(), 360 * rng.uniform_double());
+            const float u_select = rng.uniform_float();
+            const Vec2f u = {rng.uniform_float(), rng.uniform_float()};
+            const auto a = smooth->sample(wi, u_select, u),
+                       b = model.bound->sample(wi, u_select, u);
+            ASSERT_EQ(a.has_value(), b.has_value());
+            const FloatLanes albedo_a = smooth->albedo(wi), albedo_b = model.bound->albedo(wi);
+            for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(albedo_a[lane], albedo_b[lane]);
+            if (!a || a->kind == SampleKind::specular) continue;
+            EXPECT_EQ(a->pdf, b->pdf);
+            EXPECT_EQ(smooth->pdf(wi, a->wo), model.bound->pdf(wi, a->wo));
+            const FloatLanes f_a = smooth->eval(wi, a->wo), f_b = model.bound->eval(wi, a->wo);
+            for (int lane = 0; lane < kLanes; ++lane) {
+                EXPECT_EQ(a->weight[lane], b->weight[lane]);
+                EXPECT_EQ(f_a[lane], f_b[lane]);
+            }
         }
     }
 }
@@ -147,15 +158,17 @@ struct Campbell {
         return sum / std::pow(side_mm * side_mm * cover, 2);
     }
 
-    // Int P(p) K(p_h - p)^2 dp / (P*K)(p_h)^2, with the lobe of docs/nacre-model.md.
+    // e^2 Int P(p) K(p_h - p)^2 dp / (P*A)(p_h)^2, with the lobe of docs/nacre-model.md and the Airy
+    // pattern A.
     double slope(Vec3f inside_i, Vec3f inside_o) const {
         const Vec3f h = inside_i + inside_o;
         const double hx = h.x / h.z, hy = h.y / h.z, sec = std::sqrt(1 + hx * hx + hy * hy);
         const double cosine = 0.5 * length(h);
-        const double w = 1.26 * 0.55 / ior / (2 * diameter_um * cosine) * std::pow(sec, 1.5);
+        const double pattern = 0.55 / ior / (2 * diameter_um * cosine) * std::pow(sec, 1.5);
+        const double e = 0.92, w = e * 1.26 * pattern;
         const Quadrature radial = gauss_legendre(40, 0.0, w);
         constexpr int kAngles = 64;
-        double once = 0, twice = 0;
+        double twice = 0;
         for (std::size_t i = 0; i < radial.nodes.size(); ++i) {
             for (int j = 0; j < kAngles; ++j) {
                 const double t = radial.nodes[i], angle = 2 * std::numbers::pi * j / kAngles;
@@ -164,11 +177,26 @@ struct Campbell {
                                  (std::numbers::pi * alpha * alpha);
                 const double k = 3 / (std::numbers::pi * w * w) * std::pow(1 - t * t / (w * w), 2);
                 const double weight = radial.weights[i] * t * 2 * std::numbers::pi / kAngles * p;
-                once += weight * k;
                 twice += weight * k * k;
             }
         }
-        return twice / (once * once);
+        const double airy = airy_lit(std::hypot(hx, hy), pattern);
+        return e * e * twice / (airy * airy);
+    }
+
+    // (P*A)(p_h): of the pattern 2 J_1(x)^2 / x dx lies on a circle about p_h, with P's mean there.
+    double airy_lit(double h, double pattern) const {
+        const Quadrature rule = gauss_legendre(400, 0.0, 5 * alpha);
+        double sum = 0;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            const double t = rule.nodes[i], x = std::numbers::pi * t / pattern;
+            const double p = std::exp(-(h * h + t * t) / (alpha * alpha)) *
+                             std::cyl_bessel_i(0.0, 2 * h * t / (alpha * alpha)) /
+                             (std::numbers::pi * alpha * alpha);
+            const double j = std::cyl_bessel_j(1.0, x);
+            sum += rule.weights[i] * p * 2 * j * j / x * std::numbers::pi / pattern;
+        }
+        return sum;
     }
 
     // E[v^2] for v = x e^(-u x) / (1 - e^-x), u uniform in [0, 1].

@@ -17,13 +17,6 @@ namespace {
 
 using nacre::test::message_of;
 
-TEST(Nacre, RefusesARoughClearcoat) {
-    paint::Recipe recipe = paint_of({metal_flake(20, 0.6)});
-    recipe.clearcoat = paint::Clearcoat{40, spectra::Spectrum(0.0), 0.25};
-    EXPECT_THAT(message_of<DomainError>([&] { const SparklingModel model(recipe); }),
-                testing::HasSubstr("clearcoat.roughness = 0.25"));
-}
-
 TEST(Nacre, WithoutFlakesNothingSparkles) {
     paint::Recipe recipe = paint_of({});
     recipe.layers[0].pigments = {{200.0, 50.0, 0.3}};
