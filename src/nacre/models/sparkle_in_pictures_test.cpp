@@ -21,14 +21,14 @@ namespace {
 
 constexpr int kPixels = 32;  // a side
 
-struct Light {
+struct PanelLight {
     std::string name;
     bool sky = false;
     double side_mm = 0;  ///< of a lamp at 1.2 m, 45 deg
 };
 
 /// A panel that lies in the plane of the table, seen from 3 m.
-render::SceneDescription panel(const Light& light, double pixel_mm) {
+render::SceneDescription panel(const PanelLight& light, double pixel_mm) {
     render::SceneDescription scene;
     scene.materials["paint"] = render::PaintMaterial{};
     scene.shapes.push_back({render::FlatPanel{.width_mm = 300, .height_mm = 300}, "paint", {}});
@@ -107,7 +107,7 @@ Contrast contrast_at(const render::Scene& scene, int samples, double footprint_p
 constexpr int kSpecimens = 3;
 
 struct Case {
-    Light light;
+    PanelLight light;
     double pixel_mm;
     // Over the specimens, by pictures of 512 samples that look at .06 pixels each:
     // NACRE_WRITE_TRUTH=1 writes them.
