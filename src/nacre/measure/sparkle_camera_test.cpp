@@ -13,6 +13,7 @@
 #include "nacre/core/parallel.h"
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/solver/solver.h"
+#include "nacre/sparkle/diffraction_lobe.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/paints.h"
 
@@ -113,6 +114,7 @@ TEST(SparkleCamera, SeesOnAverageWhatTheSmoothPaintShows) {
 // A few specular flakes under uniform light: all are equally bright, whatever their slopes. Then
 // the picture is shot noise of discs, whose relative power spectrum is, by Campbell's theorem,
 //   P(q) = (2 J_1(x)/x)^2 / density,  x = pi d q                       [kingman-1993, section 3.2]
+// but for the light in the rings of the lobes, which the model spreads over all flakes.
 TEST(SparkleCamera, GrainOfSparseMirrorsIsThatOfShotNoise) {
     constexpr double kDiameter_mm = 0.06, kDepth = 0.02;
     paint::Recipe recipe = mirrors(1e3 * kDiameter_mm, kDepth);
@@ -140,7 +142,8 @@ TEST(SparkleCamera, GrainOfSparseMirrorsIsThatOfShotNoise) {
         const double s = contrast_sensitivity(u, luminance, kPanelSide_mm / per_degree);
         squared += 2 * std::numbers::pi * u * kStep * s * s * disc * disc;
     }
-    const double expected = std::sqrt(2 * squared / density) / per_degree;
+    const double expected =
+        sparkle::DiffractionLobe::kLobePower * std::sqrt(2 * squared / density) / per_degree;
     EXPECT_LT(error, 0.04 * expected);
     // Light reflected by two flakes, and the depth of a flake, contribute 2 % at most.
     EXPECT_NEAR(mean, expected, 4 * error + 0.02 * expected);

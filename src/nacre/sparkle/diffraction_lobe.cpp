@@ -101,6 +101,9 @@ DiffractionLobe::DiffractionLobe(double alpha, double ior, double coat_roughness
     max_radius_ = static_cast<float>(kMaxWidth * alpha);
     // Half, as the half vector turns by half; |q| = 2 (w_i.h) |h - m|.
     radius_um_ = static_cast<float>(0.5 * kLobeRadius * kWavelength_um / ior);
+    // The tables are made now, as queries allocate nothing.
+    log_blur_over_y2();
+    inverse_lobe_fraction();
 }
 
 float DiffractionLobe::blur(float slope2, float width) const {
