@@ -139,7 +139,8 @@ Command add_export(CLI::App& program) {
     add_run_options(*command, *options);
     command->footer(
         "The specular reflection of a smooth interface is not part of a BRDF: add it in the other\n"
-        "renderer as a coat of the binder's index. Says on stderr by how much the file misses the BRDF.\n\n"
+        "renderer as a coat of the binder's index. Says on stderr by how much the file misses the "
+        "BRDF.\n\n"
         "Example: for Mitsuba's plugin \"measured\"\n"
         "  nacre export paints/red-gold.toml -o red-gold.bsdf");
     return {command, [options] { return files_of(*options, {options->paint}); },

@@ -242,7 +242,7 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
 
 // Each flake of the patch is asked for the light that lights alone would send along the direction
 // in which it mirrors the eye. One is chosen by the answers, and its ray is followed: the choice
-// adds no noise but that of what stands in between.         [resampling: talbot-2005]
+// adds no noise but that of what stands in between.         [talbot-2005]
 void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                             const LocalSurface& surface) {
     std::vector<bsdf::AskedFlake>& flakes = memory_.asked;

@@ -13,7 +13,7 @@
 //
 // Where samples of surfaces find light as well, the environment is sampled in proportion to what
 // exceeds its mean: surfaces find the rest, which is everywhere, with less noise.
-//                                                              [MIS compensation: karlik-2019]
+//                                                              [karlik-2019]
 
 namespace nacre::render {
 

@@ -182,7 +182,8 @@ void describe(Visitor& visit, RectangleLight& light) {
           light.up);
     visit({.key = "width_mm", .range = kLength}, light.width_mm);
     visit({.key = "height_mm", .range = kLength}, light.height_mm);
-    visit({.key = "visible", .meaning = "to the camera and in the specular reflection of a clearcoat"},
+    visit({.key = "visible",
+           .meaning = "to the camera and in the specular reflection of a clearcoat"},
           light.visible);
     describe(visit, light.radiance, "luminance of the light itself");
 }
