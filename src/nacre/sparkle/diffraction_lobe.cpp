@@ -83,7 +83,10 @@ const Table& log_blur_over_y2() {
 const Table& inverse_lobe_fraction() {
     static const Table table = tabulate([](double x, double y) {
         const double e = DiffractionLobe::kLobePower;
-        return y == 0 ? 1 / e : airy_blur_of(x, y) / (e * blur_of(x, y));
+        if (y == 0) return 1 / e;
+        const double log_blur =
+            y * y * look_up(log_blur_over_y2(), static_cast<float>(x * x), static_cast<float>(y));
+        return airy_blur_of(x, y) / (e * std::exp(log_blur));
     });
     return table;
 }
