@@ -29,22 +29,38 @@ seeds() {
     done
 }
 
-failed=
-for target in $targets; do
-    found="$build_dir/found/$target"
+# Runs one target, and keeps what it prints.
+run_target() {
+    found="$build_dir/found/$1"
     mkdir -p "$found"
     # Assimp 5.2 loses what it has allocated for a glTF that it refuses halfway.
     leaks=1
-    [ "$target" != mesh ] || leaks=0
+    [ "$1" != mesh ] || leaks=0
     # The libraries below are not built with the sanitizer: containers that cross the border would
     # be reported as overflows that are none.
-    if ASAN_OPTIONS="detect_container_overflow=0:detect_leaks=$leaks" "$build_dir/fuzz/fuzz_$target" \
+    ASAN_OPTIONS="detect_container_overflow=0:detect_leaks=$leaks" "$build_dir/fuzz/fuzz_$1" \
         -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
-        -verbosity=0 -close_fd_mask=1 -artifact_prefix="$found/../$target-" \
-        "$found" $(seeds "$target"); then
-        echo "fuzz_$target: nothing found in $seconds s"
-    else
-        failed="$failed $target"
+        -verbosity=0 -close_fd_mask=1 -artifact_prefix="$found/../$1-" \
+        "$found" $(seeds "$1") >"$found/../$1.log" 2>&1
+}
+
+# As many at once as there are processors.
+failed=
+set --
+for target in $targets end; do
+    if [ "$target" = end ] || [ $# -ge "$(nproc)" ]; then
+        for pair in "$@"; do
+            if wait "${pair#*:}"; then
+                echo "fuzz_${pair%%:*}: nothing found in $seconds s"
+            else
+                cat "$build_dir/found/${pair%%:*}.log"
+                failed="$failed ${pair%%:*}"
+            fi
+        done
+        set --
     fi
+    [ "$target" != end ] || break
+    run_target "$target" &
+    set -- "$@" "$target:$!"
 done
 [ -z "$failed" ] || { echo "failed:$failed; the inputs are in $build_dir/found" >&2; exit 1; }
