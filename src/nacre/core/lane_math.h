@@ -163,6 +163,15 @@ inline DoubleLanes norm(const ComplexLanes& a) { return a.re * a.re + a.im * a.i
 inline ComplexLanes operator/(const ComplexLanes& a, const ComplexLanes& b) {
     return (1.0 / norm(b)) * (a * conj(b));
 }
+/// The root with Re, Im >= 0 of z with Im z >= 0; its relative error is at most 1e-15
+/// for |z| in [1e-150, 1e150].
+inline ComplexLanes sqrt_upper(const ComplexLanes& z) {
+    // The larger part from a sum without cancellation, the other from z.im = 2 Re Im.
+    const DoubleLanes zero{}, size = z.re < 0.0 ? -z.re : z.re;
+    const DoubleLanes larger = sqrt_lanes(0.5 * (sqrt_lanes(norm(z)) + size));
+    const DoubleLanes smaller = larger > 0.0 ? 0.5 * z.im / larger : zero;
+    return {z.re < 0.0 ? smaller : larger, z.re < 0.0 ? larger : smaller};
+}
 inline ComplexLanes splat_complex(std::complex<double> a) {
     return {nacre::splat(a.real()), nacre::splat(a.imag())};
 }

@@ -116,6 +116,25 @@ TEST(ComplexLanes, ArithmeticIsThatOfStdComplex) {
     EXPECT_NEAR(norm(x)[0], std::norm(a), 1e-15);
 }
 
+TEST(ComplexLanes, RootsOfTheUpperHalfPlaneAreThoseOfStdComplex) {
+    using Complex = std::complex<double>;
+    for (double size : {1e-150, 1e-3, 1.0, 7e5, 1e150}) {
+        for (double degrees : {0.0, 1e-12, 3.0, 45.0, 89.999, 90.0, 91.0, 179.0, 180 - 1e-9}) {
+            const Complex z = std::polar(size, degrees * std::numbers::pi / 180);
+            const ComplexLanes found = sqrt_upper(splat_complex(z));
+            EXPECT_LE(std::abs(Complex(found.re[3], found.im[3]) - std::sqrt(z)),
+                      1e-15 * std::sqrt(size))
+                << z;
+        }
+    }
+    const ComplexLanes decaying = sqrt_upper(splat_complex(-4)),
+                       none = sqrt_upper(splat_complex(0));
+    EXPECT_EQ(decaying.re[0], 0);
+    EXPECT_EQ(decaying.im[0], 2);
+    EXPECT_EQ(none.re[0], 0);
+    EXPECT_EQ(none.im[0], 0);
+}
+
 // Largest error over [-5, 5] turns, of arguments as they are after rounding to the lanes' type.
 template <class V>
 double worst_turns_error() {

@@ -4,6 +4,7 @@
 #include <complex>
 #include <type_traits>
 
+#include "nacre/core/lane_math.h"
 #include "nacre/core/lanes.h"
 #include "nacre/optics/material.h"
 
@@ -39,6 +40,14 @@ FresnelAmplitudes fresnel(ComplexIndex n_i, ComplexIndex n_t, double cos_i);
 /// wavelength: the root with Im >= 0, and with Re >= 0 where it is real.
 /// Takes n_i cos_i from the incident side; no range checks.
 std::complex<double> normal_wavevector(ComplexIndex n_i, ComplexIndex n_t, double cos_i);
+/// The same at a vector of wavelengths, from a transparent medium.
+inline ComplexLanes normal_wavevector(const DoubleLanes& n_i, const ComplexLanes& n_t,
+                                      double cos_i) {
+    const ComplexLanes from{n_i, {}};
+    ComplexLanes square = (n_t - from) * (n_t + from);
+    square.re += n_i * n_i * (cos_i * cos_i);
+    return sqrt_upper(square);
+}
 
 // The interface between two transparent media, fast: one function for double, float, FloatLanes
 // and DoubleLanes. No argument is checked here; the callers are inner loops.

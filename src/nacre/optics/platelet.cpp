@@ -71,6 +71,12 @@ constexpr double kTargetErrors[] = {1e-7, 1e-5, 1e-4};
 constexpr double kMinCosine = 1e-9;  // in place of 0, where the amplitudes are 0/0
 constexpr double kMaxNodes = 1e6;    // product over the films: some seconds of work
 
+/// Refractive indices at one lane vector of wavelengths.
+struct Block {
+    DoubleLanes wavelength_nm, binder;
+    std::vector<ComplexLanes> index;  // [film]
+};
+
 /// Wave vectors and interfaces at one cosine for one lane vector of wavelengths.
 struct Lanes {
     /// e^(i phase_rate d) is a film's factor for the way there and back; core first.
@@ -102,6 +108,22 @@ class PlateletAverage {
             index_.emplace_back();
             for (double w : wavelengths_nm) index_.back().push_back(film->material.index(w));
         }
+        for (std::size_t first = 0; first < wavelengths_nm.size(); first += kLanes) {
+            const auto at = [&](const auto& values) {
+                return [&values, first](int l) {  // the last block repeats the last wavelength
+                    return values[std::min(first + static_cast<std::size_t>(l), values.size() - 1)];
+                };
+            };
+            Block& block = blocks_.emplace_back();
+            block.wavelength_nm = make_lanes<DoubleLanes>(at(wavelengths_nm));
+            block.binder = make_lanes<DoubleLanes>(at(binder_));
+            for (const std::vector<ComplexIndex>& index : index_) {
+                const auto n = at(index);
+                block.index.push_back(
+                    {make_lanes<DoubleLanes>([&](int l) { return n(l).real(); }),
+                     make_lanes<DoubleLanes>([&](int l) { return n(l).imag(); })});
+            }
+        }
         core_spreads_ = films_[0]->spread.standard_deviation_nm > 0;
         if (core_spreads_) arc_ = thickness_arc(films_[0]->thickness_nm, films_[0]->spread);
     }
@@ -129,7 +151,7 @@ class PlateletAverage {
         std::vector<ComplexLanes> w;
         for (std::size_t first = 0; first < wavelengths_nm_.size(); first += kLanes) {
             require_going();
-            const Lanes lanes = make(cosine, first);
+            const Lanes lanes = make(cosine, blocks_[first / kLanes]);
             DoubleLanes r{}, t{};
             if (core_spreads_ && lanes.core_transmits) {
                 average_arc(lanes, rules, w, r, t);
@@ -149,37 +171,34 @@ class PlateletAverage {
         if (work_) work_->require_going("computing the films of a flake");
     }
 
-    Lanes make(double cosine, std::size_t first) const {
+    Lanes make(double cosine, const Block& block) const {
         const std::size_t count = films_.size();
         Lanes lanes;
         lanes.phase_rate.resize(count);
         for (auto& list : lanes.interface) list.resize(count);
-        for (int l = 0; l < kLanes; ++l) {
-            const std::size_t j =
-                std::min(first + static_cast<std::size_t>(l), wavelengths_nm_.size() - 1);
-            std::complex<double> y_s = binder_[j] * cosine, y_p = cosine / binder_[j];
-            for (std::size_t f = count; f-- > 0;) {
-                const ComplexIndex n = index_[f][j];
-                std::complex<double> q = normal_wavevector(binder_[j], n, cosine);
-                // Exactly at the critical angle both waves in the film are the same, and the sums
-                // below would be 0/0; moving q by 1e-9 changes R and T by as little.
-                constexpr double lower_bound = 1e-9;
-                if (std::abs(q) < lower_bound) q = lower_bound;
-                const auto below_s = q, below_p = q / (n * n);
-                set(lanes.interface[0][count - 1 - f], l, (y_s - below_s) / (y_s + below_s));
-                set(lanes.interface[1][count - 1 - f], l, (y_p - below_p) / (y_p + below_p));
-                set(lanes.phase_rate[f], l, 4 * std::numbers::pi / wavelengths_nm_[j] * q);
-                y_s = below_s;
-                y_p = below_p;
-                if (f == 0 && (n.imag() != 0 || q.imag() != 0)) lanes.core_transmits = false;
+        const DoubleLanes none{};
+        ComplexLanes y_s{block.binder * cosine, none}, y_p{cosine / block.binder, none};
+        for (std::size_t f = count; f-- > 0;) {
+            const ComplexLanes n = block.index[f];
+            ComplexLanes q = normal_wavevector(block.binder, n, cosine);
+            if (f == 0) {
+                for (int l = 0; l < kLanes; ++l) {
+                    if (n.im[l] != 0 || q.im[l] != 0) lanes.core_transmits = false;
+                }
             }
+            // Exactly at the critical angle both waves in the film are the same, and the sums
+            // below would be 0/0; moving q by 1e-9 changes R and T by as little.
+            constexpr double lower_bound = 1e-9;
+            const auto vanishes = norm(q) < lower_bound * lower_bound;
+            q = {vanishes ? splat(lower_bound) : q.re, vanishes ? none : q.im};
+            const ComplexLanes below_s = q, below_p = q / (n * n);
+            lanes.interface[0][count - 1 - f] = (y_s - below_s) / (y_s + below_s);
+            lanes.interface[1][count - 1 - f] = (y_p - below_p) / (y_p + below_p);
+            lanes.phase_rate[f] = (4 * std::numbers::pi / block.wavelength_nm) * q;
+            y_s = below_s;
+            y_p = below_p;
         }
         return lanes;
-    }
-
-    static void set(ComplexLanes& lanes, int l, std::complex<double> value) {
-        lanes.re[l] = value.real();
-        lanes.im[l] = value.imag();
     }
 
     struct Coat {
@@ -302,6 +321,10 @@ class PlateletAverage {
     std::vector<int> node_counts(double cosine, double target_error) const {
         const std::size_t count = films_.size();
         std::vector<int> nodes(count, 1);
+        const bool spread = std::any_of(films_.begin(), films_.end(), [](const FilmPopulation* f) {
+            return f->spread.standard_deviation_nm > 0;
+        });
+        if (!spread) return nodes;
         // Amplitudes in s are the larger ones; two interfaces together reflect at most
         // (a + b)/(1 + a b).
         const auto together = [](double a, double b) { return (a + b) / (1 + a * b); };
@@ -348,6 +371,7 @@ class PlateletAverage {
     std::vector<const FilmPopulation*> films_;  // core first
     std::vector<double> binder_;
     std::vector<std::vector<ComplexIndex>> index_;  // [film][wavelength]
+    std::vector<Block> blocks_;
     bool core_spreads_ = false;
     ThicknessArc arc_;
     std::map<std::pair<std::size_t, int>, ThicknessRule> rules_;  // by film and count

@@ -13,15 +13,15 @@ constexpr int kSquareNodes = 65, kWidthNodes = 65;
 constexpr float kMaxSquare = DiffractionLobe::kMaxExponent, kMaxWidth = 4;
 using Table = std::array<float, kSquareNodes * kWidthNodes>;
 
-// entry(slope/alpha, y) at the nodes.
-template <class Entry>
-Table tabulate(const Entry& entry) {
+// Row(y)(slope/alpha) at the nodes.
+template <class Row>
+Table tabulate() {
     Table table;
     for (int i = 0; i < kWidthNodes; ++i) {
-        const double y = kMaxWidth * i / (kWidthNodes - 1.0);
+        const Row row(kMaxWidth * i / (kWidthNodes - 1.0));
         for (int j = 0; j < kSquareNodes; ++j) {
             const double square = kMaxSquare * j / (kSquareNodes - 1.0);
-            table[i * kSquareNodes + j] = static_cast<float>(entry(std::sqrt(square), y));
+            table[i * kSquareNodes + j] = static_cast<float>(row(std::sqrt(square)));
         }
     }
     return table;
@@ -40,54 +40,81 @@ float look_up(const Table& table, float square, float y) {
     return low + fa * (high - low);
 }
 
-// Int_0^1 3 (1 - t)^2 exp(-t y^2) I_0(2 x y sqrt(t)) dt: the integral over the circle of
-// K(s) P(p - s) / P(p), with t = s^2/w^2.
-double blur_of(double x, double y) {
-    static const Quadrature rule = gauss_legendre(64, 0.0, 1.0);
-    double sum = 0;
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-        // sqrt(t) as the variable: the integrand is entire in it.
-        const double root = rule.nodes[i], t = root * root;
-        sum += rule.weights[i] * 2 * root * 3 * (1 - t) * (1 - t) * std::exp(-t * y * y) *
-               std::cyl_bessel_i(0.0, 2 * x * y * root);
+// log(blur)/y^2 for K, nearly linear in x^2 and y: blur = 1 + (x^2 - 1) y^2/4 + ...
+//
+// The blur, the integral over the circle of K(s) P(p - s) / P(p), is with t = s^2/w^2
+//     Int_0^1 3 (1 - t)^2 exp(-t y^2) I_0(2 x y sqrt(t)) dt
+// and I_0(2 sqrt(z)) = Sum_k z^k / k!^2, whose terms are all positive.
+class LogBlurOverY2 {
+ public:
+    explicit LogBlurOverY2(double y) : y_(y) {
+        const Quadrature& rule = unit_gauss_legendre(64);
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            const double t = rule.nodes[i];
+            double term = rule.weights[i] * 3 * (1 - t) * (1 - t) * std::exp(-t * y * y);
+            for (int k = 0; k < kTerms; ++k) {
+                series_[k] += term;
+                term *= t * y * y / ((k + 1.0) * (k + 1.0));
+            }
+        }
     }
-    return sum;
-}
-
-// The same for the Airy pattern, by Hankel transforms: that of the pattern is the overlap of two
-// discs, 2/pi (acos s - s sqrt(1 - s^2)) at the frequency s d/lambda', that of P a Gaussian.
-//                                                          [born-wolf-1999, sections 8.5.2 and 9.5]
-double airy_blur_of(double x, double y) {
-    static const Quadrature rule = gauss_legendre(96, 0.0, 1.0);
-    const double cutoff = std::numbers::pi * DiffractionLobe::kLobeRadius / y;  // s = 1, by alpha
-    const double reach = std::min(cutoff, 7.0);                                 // e^-49
-    double sum = 0;
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-        const double t = reach * rule.nodes[i], s = t / cutoff;
-        sum += reach * rule.weights[i] * 2 * t * std::exp(-t * t) *
-               std::cyl_bessel_j(0.0, 2 * x * t) * 2 * std::numbers::inv_pi *
-               (std::acos(s) - s * std::sqrt(1 - s * s));
+    double operator()(double x) const {
+        if (y_ == 0) return 0.25 * (x * x - 1);
+        double sum = 0;
+        for (int k = kTerms; k-- > 0;) sum = sum * x * x + series_[k];
+        return std::log(sum) / (y_ * y_);
     }
-    return sum * std::exp(x * x);
-}
 
-// Nearly linear in both, as blur = 1 + (x^2 - 1) y^2/4 + ...
+ private:
+    static constexpr int kTerms = 60;  // the rest is below e^-80 of the sum for x^2 y^2 = 224
+    double y_;
+    std::array<double, kTerms> series_{};
+};
+
 const Table& log_blur_over_y2() {
-    static const Table table = tabulate([](double x, double y) {
-        return y == 0 ? 0.25 * (x * x - 1) : std::log(blur_of(x, y)) / (y * y);
-    });
+    static const Table table = tabulate<LogBlurOverY2>();
     return table;
 }
 
-// Nearly linear in y; the rings alone grow with e^(x^2).
-const Table& inverse_lobe_fraction() {
-    static const Table table = tabulate([](double x, double y) {
+// 1/lobe_fraction, the blur by the Airy pattern over e times that by K, nearly linear in y; the
+// rings alone grow with e^(x^2).
+//
+// The former by Hankel transforms: that of the pattern is the overlap of two discs,
+// 2/pi (acos s - s sqrt(1 - s^2)) at the frequency s d/lambda', that of P a Gaussian.
+//                                                          [born-wolf-1999, sections 8.5.2 and 9.5]
+class InverseLobeFraction {
+ public:
+    explicit InverseLobeFraction(double y) : y_(y) {
+        if (y == 0) return;
+        const Quadrature& rule = unit_gauss_legendre(kNodes);
+        const double cutoff = std::numbers::pi * DiffractionLobe::kLobeRadius / y;  // s = 1
+        const double end = std::min(cutoff, 7.0);                                   // e^-49
+        for (int i = 0; i < kNodes; ++i) {
+            const double t = end * rule.nodes[i], s = t / cutoff;
+            frequencies_[i] = t;
+            weights_[i] = end * rule.weights[i] * 2 * t * std::exp(-t * t) * 2 *
+                          std::numbers::inv_pi * (std::acos(s) - s * std::sqrt(1 - s * s));
+        }
+    }
+    double operator()(double x) const {
         const double e = DiffractionLobe::kLobePower;
-        if (y == 0) return 1 / e;
+        if (y_ == 0) return 1 / e;
+        double sum = 0;
+        for (int i = 0; i < kNodes; ++i) sum += weights_[i] * ::j0(2 * x * frequencies_[i]);
         const double log_blur =
-            y * y * look_up(log_blur_over_y2(), static_cast<float>(x * x), static_cast<float>(y));
-        return airy_blur_of(x, y) / (e * std::exp(log_blur));
-    });
+            y_ * y_ *
+            look_up(log_blur_over_y2(), static_cast<float>(x * x), static_cast<float>(y_));
+        return sum * std::exp(x * x - log_blur) / e;
+    }
+
+ private:
+    static constexpr int kNodes = 48;
+    double y_;
+    std::array<double, kNodes> frequencies_{}, weights_{};
+};
+
+const Table& inverse_lobe_fraction() {
+    static const Table table = tabulate<InverseLobeFraction>();
     return table;
 }
 
