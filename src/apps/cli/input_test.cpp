@@ -171,7 +171,7 @@ TEST_F(Program, EveryInputMayComeThroughAPipe) {
     const std::string small = "--spp 1 --size 2x2 --model walk -o x.exr";
     for (const char* make :
          {"solve gray.toml --wavelength 500,600 -o gray.h5",
-          "solve gray.toml --wavelength 400:700:20 --table svd -o table.h5",
+          "solve gray.toml --wavelength 400:700:100 --table svd -o table.h5",
           "export gray.toml --cells 8,8,16 -o gray.binary",
           "export gray.toml --resolution 4 --incidences 2 -o gray.bsdf",
           "measure gray.toml --geometry 45as15,45as45 -o gray.csv",
@@ -219,16 +219,13 @@ TEST_F(Program, EveryInputMayComeThroughAPipe) {
         {"glass.csv", "atlas --film mica --thickness 100 --ior @"}};
     int count = 0;
     for (const auto& [file, command] : commands) {
-        const Outcome expected = nacre(with_file(command, file) + " -q");
-        const bool quiet = expected.status == 0;  // the others have no --quiet
-        const std::string more = quiet ? " -q" : "";
-        const std::string out = quiet ? expected.out : nacre(with_file(command, file)).out;
         const char* name = ++count % 2 ? "-" : "/dev/stdin";
-        const Outcome piped = nacre(with_file(command, name) + more, "cat " + file + " |");
+        const Outcome piped = nacre(with_file(command, name), "cat " + file + " |");
         EXPECT_EQ(piped.status, 0) << command << ' ' << file << '\n' << piped.err;
         const bool tells = command.starts_with("info") || command.starts_with("fit");
-        if (!tells) {  // the name of the file
-            EXPECT_EQ(piped.out, out) << command;
+        const bool writes = command.find(" -o ") != std::string::npos;
+        if (!tells && !writes) {  // neither the name of the file nor nothing at all
+            EXPECT_EQ(piped.out, nacre(with_file(command, file)).out) << command;
         }
     }
 }

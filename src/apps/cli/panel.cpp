@@ -38,11 +38,11 @@ struct Quality {
 
 Quality quality_of(const PanelOptions& options) {
     Quality quality =
-        options.quality == "low" ? Quality{240, 160, 96, 16, {}} : Quality{600, 400, 300, 64, {}};
+        options.quality == "low" ? Quality{240, 160, 96, 8, {}} : Quality{600, 400, 300, 64, {}};
     quality.camera.seed = options.seed;
     if (options.quality == "low") {
-        quality.camera.field_mm = 4;
-        quality.camera.diffuse_samples = 8;
+        quality.camera.field_mm = 2;
+        quality.camera.diffuse_samples = 4;
     }
     return quality;
 }
