@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Renders anew the pictures of docs/ that one command each makes: docs/images/make.sh [program]
-# Each holds its samples, seed and specimen (exiftool NAME.png shows them). Some minutes.
+# Renders anew the pictures of docs/ that need nothing but the program, and ImageMagick to put some
+# side by side: docs/images/make.sh [program]
+# Each single one holds its samples, seed and specimen (exiftool NAME.png shows them). Some minutes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 nacre=${1:-build/nacre}
@@ -25,3 +26,26 @@ for paint in metallic-silver satin-silver tio2-mica-80 tio2-mica-110 ruby glitte
         render "$scene" "$paint" nacre 200 256 "flakes/$scene-$paint.png"
     done
 done
+
+printf 'nacre.png\n' >&2
+tiles=()
+for scene in macro panel-sun sphere; do
+    for paint in metallic-silver tio2-mica-80 tio2-mica-110 glitter-100um ruby; do
+        "$nacre" render "$scene" --paint "paints/$paint.toml" --model nacre --size 150x150 \
+            --spp 256 --quiet -o "$scratch/$scene-$paint.exr"
+        tiles+=("$scratch/$scene-$paint.png")
+    done
+done
+montage "${tiles[@]}" -tile 5x3 -geometry 150x150+0+0 docs/images/nacre.png
+
+printf 'sparkle.png\n' >&2
+tiles=()
+for paint in metallic-silver ruby tio2-mica-110 glitter-100um; do
+    field=(--field 3.75 --pixel 25)
+    # The glitter of specimen 1 has a flash.
+    if [[ $paint == glitter-100um ]]; then field=(--field 9 --pixel 60 --specimen 1); fi
+    "$nacre" sparkle "paints/$paint.toml" "${field[@]}" --pictures "$scratch/$paint" --quiet \
+        -o "$scratch/sparkle.csv"
+    tiles+=("$scratch/$paint/"{15s,45s,75s,diffuse}.png)
+done
+montage "${tiles[@]}" -tile 4x4 -geometry 150x150+2+2 docs/images/sparkle.png
