@@ -28,7 +28,8 @@ struct PanelLight {
 };
 
 /// A panel that lies in the plane of the table, seen from 3 m.
-render::SceneDescription panel(const PanelLight& light, double pixel_mm) {
+/// @param blur_mm  diameter of the disc over which a lens spreads each point of the panel
+render::SceneDescription panel(const PanelLight& light, double pixel_mm, double blur_mm = 0) {
     render::SceneDescription scene;
     scene.materials["paint"] = render::PaintMaterial{};
     scene.shapes.push_back({render::FlatPanel{.width_mm = 300, .height_mm = 300}, "paint", {}});
@@ -37,7 +38,9 @@ render::SceneDescription panel(const PanelLight& light, double pixel_mm) {
                      static_cast<float>(distance_mm * std::cos(deg * kDegree))};
     };
     scene.camera = {.position_mm = at(3000, -20),
-                    .vertical_fov_deg = 2 * std::atan(kPixels / 2 * pixel_mm / 3000) / kDegree};
+                    .vertical_fov_deg = 2 * std::atan(kPixels / 2 * pixel_mm / 3000) / kDegree,
+                    .aperture_radius_mm = blur_mm / 2,  // as the focus lies halfway
+                    .focus_distance_mm = blur_mm > 0 ? 1500.0 : 0.0};
     if (light.sky) {
         scene.environment = render::ConstantEnvironment{};
     } else {
@@ -112,6 +115,7 @@ struct Case {
     // Over the specimens, by pictures of 512 samples that look at .06 pixels each:
     // NACRE_WRITE_TRUTH=1 writes them.
     double mean, mean_error, shared;
+    double blur_mm = 0;
 };
 
 const Case kCases[] = {
@@ -121,6 +125,8 @@ const Case kCases[] = {
     {{"soft box", false, 500}, 0.3, 0.230641, 0.0011, 0.1319},
     {{"lamp of 1 deg", false, 21}, 0.06, 0.000387407, 4.7e-05, 4.461},
     {{"lamp of 1 deg", false, 21}, 0.3, 0.000440616, 1.6e-05, 1.046},
+    {{"soft box", false, 500}, 0.3, 0.230575, 0.00015, 0.06847, 0.6},
+    {{"lamp of 1 deg", false, 21}, 0.3, 0.000442398, 1.9e-05, 0.6137, 0.6},
 };
 
 struct OverSpecimens {
@@ -133,7 +139,7 @@ OverSpecimens measure(const Case& at, int samples, double footprint_pixels = 0) 
         testing::recipe_of({.diameter_um = 20, .alpha = 0.15, .cover = 0.8});
     OverSpecimens over;
     for (std::uint64_t specimen = 1; specimen <= kSpecimens; ++specimen) {
-        const render::Scene scene(panel(at.light, at.pixel_mm),
+        const render::Scene scene(panel(at.light, at.pixel_mm, at.blur_mm),
                                   {{"paint", testing::nacre_surface(recipe, specimen)}});
         const Contrast one = contrast_at(scene, samples, footprint_pixels);
         over.means.add(one.mean);
@@ -147,8 +153,8 @@ OverSpecimens measure(const Case& at, int samples, double footprint_pixels = 0) 
 // 100 are independent, and flashes have heavy tails; the truth's own three scatter by 7 %.
 TEST(SparkleInPictures, HasTheContrastOfItsFlakesAtAnyNumberOfSamples) {
     for (const Case& at : kCases) {
-        SCOPED_TRACE(::testing::Message()
-                     << at.light.name << ", pixels of " << at.pixel_mm << " mm");
+        SCOPED_TRACE(::testing::Message() << at.light.name << ", pixels of " << at.pixel_mm
+                                          << " mm, blurred over " << at.blur_mm);
         if (std::getenv("NACRE_WRITE_TRUTH")) {
             const OverSpecimens truth = measure(at, 512, 0.06);
             std::printf("%-14s %.2f: %.6g, %.2g, %.4g\n", at.light.name.c_str(), at.pixel_mm,

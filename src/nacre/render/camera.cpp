@@ -43,6 +43,7 @@ CameraRay CameraRays::operator()(float x, float y, Vec2f lens) const {
     CameraRay result = ray(position_mm_ + offset, to_focus, focus_distance_mm_ * per_x_,
                            focus_distance_mm_ * per_y_);
     result.lens_radius_mm = aperture_radius_mm_;
+    result.lens_mm = {aperture_radius_mm_ * disk.x, -aperture_radius_mm_ * disk.y};
     result.focus_mm = length(to_focus);
     return result;
 }

@@ -49,6 +49,7 @@ struct CameraRay {
     Vec3f origin_mm, direction;
     RayDifferential differential;  ///< from pixel to pixel
     float lens_radius_mm = 0;
+    Vec2f lens_mm{};     ///< where it leaves the lens, from the middle to the right and down
     float focus_mm = 1;  ///< along the ray, to the plane of focus
 
     /// Side of the square as large as the disc that the lens spreads a point of the picture over,
@@ -56,6 +57,11 @@ struct CameraRay {
     float blur_mm(float distance_mm) const {
         constexpr float kSideOfDisc = 1.7724539f;  // sqrt(pi)
         return kSideOfDisc * lens_radius_mm * std::abs(distance_mm - focus_mm) / focus_mm;
+    }
+    /// From the ray through the middle of the lens to this one there, to the right and down.
+    Vec2f lens_shift_mm(float distance_mm) const {
+        const float fraction = 1 - distance_mm / focus_mm;
+        return {fraction * lens_mm.x, fraction * lens_mm.y};
     }
 };
 

@@ -219,9 +219,11 @@ LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& bran
         const float pixel_mm = length(hit.distance_mm * branch.differential->direction[0]);
         const float blur = camera_ray_.blur_mm(hit.distance_mm) / (kFilterSide * pixel_mm);
         const float widened = std::sqrt(1 + blur * blur);
-        surface.patch =
-            scene_.patch(hit, asked_.offset.x * across + asked_.offset.y * down,
-                         widened * asked_.size.x * across, widened * asked_.size.y * down);
+        const Vec2f shift_mm = camera_ray_.lens_shift_mm(hit.distance_mm);
+        const float x = widened * asked_.middle.x - asked_.place.x - shift_mm.x / pixel_mm;
+        const float y = widened * asked_.middle.y - asked_.place.y - shift_mm.y / pixel_mm;
+        surface.patch = scene_.patch(hit, x * across + y * down, widened * asked_.size.x * across,
+                                     widened * asked_.size.y * down);
         surface.patch->flakes =
             asked_.weight > 0 ? bsdf::Patch::Flakes::apart : bsdf::Patch::Flakes::left_out;
         surface.patch->footprint.tilt[0] = asked_.tilt.x / widened;

@@ -58,9 +58,9 @@ struct PathOptions {
 /// The samples that ask divide what the pixel sees between them, so that each flake is asked once,
 /// or once for each of the parts that it touches.
 struct AskedPart {
-    /// Of its middle from the sample's own place, and its sides, in pixels across and down.
-    Vec2f offset, size;
-    Vec2f tilt;  ///< of the pixel filter over it (ObjectSpaceFootprint::tilt)
+    Vec2f place;         ///< of the sample in its pixel's filter, in pixels across and down
+    Vec2f middle, size;  ///< of the part, its sides across and down
+    Vec2f tilt;          ///< of the pixel filter over it (ObjectSpaceFootprint::tilt)
     /// By how many samples its flakes are asked less often than others: the weight of their light.
     /// 0: this sample asks none.
     float weight = 0;

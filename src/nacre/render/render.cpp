@@ -86,7 +86,8 @@ class AskedParts {
     AskedPart part(Vec2f u, Vec2f place, std::uint32_t sample_index) const {
         const Side& x = columns_[static_cast<std::size_t>(u.x * columns_.size())];
         const Side& y = rows_[static_cast<std::size_t>(u.y * rows_.size())];
-        return {.offset = {x.middle - place.x, y.middle - place.y},
+        return {.place = place,
+                .middle = {x.middle, y.middle},
                 .size = {x.length, y.length},
                 .tilt = {x.tilt, y.tilt},
                 .weight = sample_index < count() ? weight_ : 0.0f};
