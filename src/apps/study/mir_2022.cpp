@@ -224,7 +224,7 @@ struct Film {
 };
 constexpr Film kFilms[] = {
     {"1.8 on 1.08 + 0.51i, in air", 1, 1.8, 1.08, 0.51},
-    {"1.97 on 1.08 + 0.51i, in air", 1, 1.97, 1.08, 0.51},
+    {"1.97 on 1.12, in air", 1, 1.97, 1.12, 0},
     {"2.5 (titania) on 1.58 (mica), in resin", 1.5, 2.5, 1.58, 0},
     {"1.45 (silica) on 1.0 + 6.7i (aluminium), in resin", 1.5, 1.45, 1.0, 6.7}};
 

@@ -8,6 +8,7 @@
 
 #include "apps/report/report.h"
 #include "apps/study/gallery.h"
+#include "apps/study/mir_printed.h"
 
 namespace nacre::study {
 
@@ -27,8 +28,8 @@ std::set<MirPart> all_mir_parts();
 
 struct MirSettings {
     std::filesystem::path folder;
-    int size = 512;      ///< pixels a side, [16, 4096]
-    int samples = 1024;  ///< per pixel, [8, 2^20]
+    int size = printed::kPictureSize;  ///< pixels a side, [16, 4096]
+    int samples = printed::kSamples;   ///< per pixel, [8, 2^20]
     std::uint64_t seed = 0;
     bool quick = false;  ///< smaller tables, fewer curves: to see that all works
     std::set<MirPart> parts = all_mir_parts();

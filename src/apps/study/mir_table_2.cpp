@@ -229,9 +229,9 @@ void add_table_2(MirContext& context) {
         "number at a given share of volume, and by diffraction the lobe. So from left to right the "
         "same paint is ground finer, at the same coverage, which leaves its mean as it is. "
         "Their hue is that of the facets' mean, 15° from the mirror direction: 93 nm of titania "
-        "for the film of 570 nm, 115 nm for that of 665 nm; it is paler, as the base of the "
-        "facets is no pigment's. The light that flakes scatter on to other flakes fills what "
-        "is black beside the facets' highlights.");
+        "for the film of 570 nm, 128 nm for that of 665 nm; their chroma there is 56 for the "
+        "facets' 54, and 79 for their 55. The light that flakes scatter on to other flakes fills "
+        "what is black beside the facets' highlights.");
     report.paragraph(
         "*Sparkle contrast*: root mean square of the relative deviation of a pixel's luminance "
         "from the picture without facets, over the lit half of the ball. It contains the noise of "
@@ -247,9 +247,9 @@ void add_table_2(MirContext& context) {
         "counts of the upper levels are drawn once. Nothing is allocated, and eight wavelengths "
         "share a query. Details: docs/special-effect.md.");
     report.paragraph(
-        "*What the paper leaves out, and what we chose.* Base index and extinction of the second "
-        "set (as in the first), the spread of thickness (10 nm standard deviation, uniform), how "
-        "facets are laid out on the ball (an equal-area square), and the footprint of a sample.");
+        "*What the paper leaves out, and what we chose.* The spread of thickness (10 nm standard "
+        "deviation, uniform), how facets are laid out on the ball (an equal-area square), and the "
+        "footprint of a sample.");
 }
 
 }  // namespace nacre::study
