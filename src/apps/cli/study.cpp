@@ -28,7 +28,8 @@ struct StudyOptions : CommonOptions {
     bool quick = false;
     std::vector<int> tables, figures;
     std::vector<std::string> parts;
-    std::string references, document;
+    std::string references;
+    std::vector<std::string> documents;
 };
 
 /// Parts of mir-2022 that are neither a table nor a figure.
@@ -74,11 +75,12 @@ std::filesystem::path run_mir_2022(const StudyOptions& options, const study::Sta
     if (options.output.empty()) return written;
     settings.folder = options.output;
     const auto page = study::run_mir_2022(settings, stage);
-    if (!options.document.empty()) {
+    if (!options.documents.empty()) {
         const auto results = nlohmann::json::parse(
             read_file(std::filesystem::path(options.output) / "results.json"));
-        write_file_atomically(options.document, study::with_tables(read_file(options.document),
-                                                                   options.document, results));
+        for (const std::string& file : options.documents) {
+            write_file_atomically(file, study::with_tables(read_file(file), file, results));
+        }
     }
     return page;
 }
@@ -88,7 +90,7 @@ void refuse_parts(const StudyOptions& options) {
     const StudyOptions standard;
     if (options.samples != standard.samples || options.size != standard.size ||
         !options.tables.empty() || !options.figures.empty() || !options.parts.empty() ||
-        !options.references.empty() || !options.document.empty()) {
+        !options.references.empty() || !options.documents.empty()) {
         throw UsageError(
             fmt::format("--spp, --size, --table, --figure, --part, --references and --document "
                         "belong to the study mir-2022, not to {}",
@@ -121,7 +123,7 @@ ExitStatus run(const StudyOptions& options) {
     if (options.output.empty() && options.references.empty()) {
         throw UsageError("--output is required");
     }
-    if (!options.document.empty() && options.output.empty()) {
+    if (!options.documents.empty() && options.output.empty()) {
         throw UsageError("--document needs --output");
     }
     const ThreadLimit threads(options.threads);
@@ -168,9 +170,9 @@ Command add_study(CLI::App& program) {
                      "scenes and checksums to this folder; without --output, nothing else")
         ->type_name("DIR");
     study
-        ->add_option("--document", options->document,
+        ->add_option("--document", options->documents,
                      "mir-2022: a Markdown file whose tables, between the markers <!-- begin: NAME "
-                     "--> and <!-- end: NAME -->, are written from the results")
+                     "--> and <!-- end: NAME -->, are written from the results (may be repeated)")
         ->type_name("FILE");
     study->add_option("--spp", options->samples, "mir-2022: samples per pixel")
         ->check(CLI::Range(8, 1 << 20))

@@ -26,8 +26,8 @@ namespace nacre::study {
 ///     README.md   what the files are
 ///
 /// A picture that is there unaltered, made with the same settings by the same version, is kept.
-/// settings.samples is that of the study; a reference has four times as many. The parts of the
-/// study play no role.
+/// settings.samples is that of the study; a reference has four times as many. Where it is quick,
+/// two pictures only. The parts of the study play no role.
 ///
 /// @return the folder
 /// @throws as run_mir_2022()

@@ -5,6 +5,7 @@
 
 #include "apps/study/folder.h"
 #include "apps/study/mir_2022.h"
+#include "apps/study/mir_storage.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/core/file.h"
 #include "nacre/io/image_difference.h"
@@ -231,6 +232,7 @@ void add_table_1(MirContext& context) {
         "(0.89, 0, 0.13), and light that meets several flakes is more saturated still: its green "
         "is negative, outside the gamut. We keep it; left out, as in the row of that name, the "
         "size is the paper's. Our split data are spectral, 31 wavelengths.");
+    add_storage(context);
 }
 
 }  // namespace nacre::study
