@@ -82,7 +82,7 @@ nlohmann::json z_score_json(const io::ImageZScores& z) {
 
 ExitStatus run(const DiffOptions& options) {
     if (!options.output.empty()) is_exr_name(options.output);  // before any work
-    const io::Image a = io::read_image(options.a), b = io::read_image(options.b);
+    const io::Image b = io::read_image(options.b), a = io::read_image(options.a);
     const io::ImageDifference d = io::image_difference(a, b, options.a, options.b);
     const auto z = io::image_z_scores(a, b, options.a, options.b);
     write_picture(options, d);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/study/mir_printed.h"
 #include "nacre/core/error.h"
 
 namespace nacre::study {
@@ -41,12 +42,18 @@ std::string markdown_table(const json& table) {
 }
 
 std::string setting_line(const json& results) {
+    const int size = results.at("size"), samples = results.at("samples_per_pixel");
+    const bool scaled_down = size < printed::kPictureSize || samples < printed::kSamples;
     return fmt::format(
-        "\n{0} x {0} pixels, {1} samples each{2}; nacre {3}, seed {4}; {5}.\n\n",
-        results.at("size").get<int>(), results.at("samples_per_pixel").get<int>(),
+        "\n{0} x {0} pixels, {1} samples each{2}; nacre {3}, seed {4}; {5}.{6}\n\n", size, samples,
         results.at("quick").get<bool>() ? " (a quick run: smaller tables, fewer curves)" : "",
         results.at("version").get<std::string>(), results.at("seed").get<std::uint64_t>(),
-        results.at("hardware").get<std::string>());
+        results.at("hardware").get<std::string>(),
+        scaled_down
+            ? fmt::format(" **Scaled down** from {0} x {0} pixels at {1} samples: times, noise and "
+                          "the ratios that follow are those of small pictures.",
+                          printed::kPictureSize, printed::kSamples)
+            : "");
 }
 
 }  // namespace

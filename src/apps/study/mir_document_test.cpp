@@ -13,14 +13,14 @@ namespace nacre::study {
 namespace {
 
 using nlohmann::json;
-using ::testing::HasSubstr;
+using ::testing::HasSubstr, ::testing::Not;
 
 json small_results() {
     return {{"study", "mir-2022"},
             {"version", "1.2"},
             {"hardware", "an abacus"},
-            {"size", 16},
-            {"samples_per_pixel", 8},
+            {"size", 512},
+            {"samples_per_pixel", 1024},
             {"seed", 3},
             {"quick", false},
             {"tables",
@@ -36,10 +36,18 @@ TEST(StudyDocument, TablesReplaceWhatStandsBetweenTheirMarkers) {
         "<!-- begin: setting --><!-- end: setting -->\n";
     const std::string expected =
         "# Title\n<!-- begin: times -->\n\n| model | time |\n| --- | ---: |\n| a\\|b | 3 s |\n"
-        "| | 4 s |\n\n<!-- end: times -->\nprose\n<!-- begin: setting -->\n\n16 x 16 pixels, 8 "
-        "samples each; nacre 1.2, seed 3; an abacus.\n\n<!-- end: setting -->\n";
+        "| | 4 s |\n\n<!-- end: times -->\nprose\n<!-- begin: setting -->\n\n512 x 512 pixels, "
+        "1024 samples each; nacre 1.2, seed 3; an abacus.\n\n<!-- end: setting -->\n";
     EXPECT_EQ(with_tables(text, "page.md", small_results()), expected);
     EXPECT_EQ(with_tables(expected, "page.md", small_results()), expected);
+}
+
+TEST(StudyDocument, SaysThatResultsAreScaledDown) {
+    json results = small_results();
+    const std::string text = "<!-- begin: setting --><!-- end: setting -->";
+    EXPECT_THAT(with_tables(text, "page.md", results), Not(HasSubstr("Scaled down")));
+    results["samples_per_pixel"] = 64;
+    EXPECT_THAT(with_tables(text, "page.md", results), HasSubstr("Scaled down"));
 }
 
 TEST(StudyDocument, RefusesMarkersThatLeadNowhere) {

@@ -85,7 +85,7 @@ TEST(FourierTable, ReflectanceIsThatOfTheFlakesAndIsDividedOutWhereItCanBe) {
     }
     // What is dark in one channel is not divided by that.
     const FourierBrdfTable red =
-        make_fourier_table(solved_flakes(spectra::Spectrum({590.0, 600.0}, {0.0, 0.9})), {8, 8});
+        make_fourier_table(solved_flakes(spectra::Spectrum({600.0, 650.0}, {0.0, 0.9})), {8, 8});
     EXPECT_NE(red.reflectance[0][0], 1);
     EXPECT_EQ(red.reflectance[0][1], 1);
     EXPECT_EQ(red.reflectance[0][2], 1);
