@@ -277,10 +277,10 @@ void add_table_2(MirContext& context) {
         "met more than one of them.");
     add_cost_curve(context);
     report.paragraph(
-        "*Why minutes and not hours.* The growth with the number of facets is near the paper's "
-        "1.57 "
-        "and 1.58, as both walk a tree that is deeper by the logarithm of their number; the level "
-        "is not. A query visits only the facets whose cell of the surface "
+        "*Why minutes and not hours.* At full size the time grows with the number of facets about "
+        "as in the paper (1.57 and 1.58), by a deeper tree; small pictures of few samples ask for "
+        "larger patches, with more facets in each. The level is not the paper's. A query visits "
+        "only the facets whose cell of the surface "
         "meets the footprint of one sample, a share of 1/samples of the pixel: with 10⁹ facets, "
         "512 pixels and 1024 samples some three facets, not the three thousand of a whole pixel. "
         "Places are split before normals, so that the tree is walked along few branches, and "
