@@ -55,17 +55,43 @@ bool is_within_bounds(const DiffOptions& options, const io::ImageDifference& d) 
     return ok;
 }
 
+/// Of pictures that tell their standard errors: more lines of the table.
+std::string z_score_lines(const io::ImageZScores& z) {
+    return fmt::format(
+        "z_values,{}\nz_mean_square,{:.6g}\nz_mean_square_expected,{:.6g}\nz_above_3,{:.6g}\n"
+        "z_above_3_expected,{:.6g}\nz_of_mean,{:.6g}\nz_unexplained,{}\n",
+        z.values, z.mean_square, z.expected_mean_square, z.fraction_above_3,
+        z.expected_fraction_above_3, z.of_mean, z.unexplained);
+}
+
+nlohmann::json z_score_json(const io::ImageZScores& z) {
+    nlohmann::json json = {{"channels", z.channels},
+                           {"standard_error_of_a", z.has_error_a},
+                           {"standard_error_of_b", z.has_error_b},
+                           {"values", z.values},
+                           {"mean_square", z.mean_square},
+                           {"above_3", z.fraction_above_3},
+                           {"above_3_expected", z.expected_fraction_above_3},
+                           {"of_mean", z.of_mean},
+                           {"unexplained", z.unexplained}};
+    if (std::isfinite(z.expected_mean_square)) {
+        json["mean_square_expected"] = z.expected_mean_square;
+    }
+    return json;
+}
+
 ExitStatus run(const DiffOptions& options) {
     if (!options.output.empty()) is_exr_name(options.output);  // before any work
-    const io::ImageDifference d = io::image_difference(
-        io::read_image(options.a), io::read_image(options.b), options.a, options.b);
+    const io::Image b = io::read_image(options.b), a = io::read_image(options.a);
+    const io::ImageDifference d = io::image_difference(a, b, options.a, options.b);
+    const auto z = io::image_z_scores(a, b, options.a, options.b);
     write_picture(options, d);
-    print_data(
-        fmt::format("quantity,value\nmse,{:.9g}\npsnr_db,{:.6g}\nrelative_error,{:.9g}\n"
-                    "delta_e_2000_mean,{:.6g}\ndelta_e_2000_95th_percentile,{:.6g}\n"
-                    "delta_e_2000_max,{:.6g}\n",
-                    d.mean_square_error, d.psnr_db, d.relative_error, d.delta_e_mean,
-                    d.delta_e_95th, d.delta_e_max));
+    print_data(fmt::format("quantity,value\nmse,{:.9g}\npsnr_db,{:.6g}\nrelative_error,{:.9g}\n"
+                           "delta_e_2000_mean,{:.6g}\ndelta_e_2000_95th_percentile,{:.6g}\n"
+                           "delta_e_2000_max,{:.6g}\n",
+                           d.mean_square_error, d.psnr_db, d.relative_error, d.delta_e_mean,
+                           d.delta_e_95th, d.delta_e_max) +
+               (z ? z_score_lines(*z) : std::string()));
     const bool ok = is_within_bounds(options, d);
     nlohmann::json report = {{"a", options.a},
                              {"b", options.b},
@@ -75,6 +101,7 @@ ExitStatus run(const DiffOptions& options) {
                              {"delta_e_2000_95th_percentile", d.delta_e_95th},
                              {"delta_e_2000_max", d.delta_e_max},
                              {"within_bounds", ok}};
+    if (z) report["z_scores"] = z_score_json(*z);
     if (std::isfinite(d.psnr_db)) report["psnr_db"] = d.psnr_db;  // JSON has no infinity
     write_report(options, "diff", std::move(report));
     return ok ? ExitStatus::ok : ExitStatus::comparison_failed;
@@ -104,7 +131,9 @@ Command add_diff(CLI::App& program) {
     diff->footer(
         "Writes CSV: quantity,value. Over R, G, B in linear light: mse; psnr_db =\n"
         "10 log10(1 / mse), inf if equal; relative_error, the mean of |a - b| / (|b| + 0.01); and\n"
-        "CIEDE2000 under D65, white being the perfect diffuser. Exit status 4 if a bound given is\n"
+        "CIEDE2000 under D65, white being the perfect diffuser. Where a picture has channels\n"
+        "stderr.NAME, standard errors of NAME (nacre study mir-2022 --references): z-scores, the\n"
+        "error of a picture without them being taken as 0. Exit status 4 if a bound given is\n"
         "broken.\n\n"
         "Example:\n  nacre diff new.exr approved.exr --max-delta-e-mean 1 -o difference.png");
     return {diff,

@@ -3,13 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "apps/cli/options.h"
 #include "apps/study/flakes.h"
 #include "apps/study/mir_2022.h"
+#include "apps/study/mir_document.h"
+#include "apps/study/mir_references.h"
 #include "apps/study/sparkle.h"
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 
@@ -24,13 +28,16 @@ struct StudyOptions : CommonOptions {
     bool quick = false;
     std::vector<int> tables, figures;
     std::vector<std::string> parts;
+    std::string references;
+    std::vector<std::string> documents;
 };
 
 /// Parts of mir-2022 that are neither a table nor a figure.
 const std::map<std::string, study::MirPart> kPartNames = {
     {"agreement", study::MirPart::agreement},
     {"antialiasing", study::MirPart::antialiasing},
-    {"nacre", study::MirPart::nacre}};
+    {"nacre", study::MirPart::nacre},
+    {"quality", study::MirPart::quality}};
 
 std::set<study::MirPart> chosen_parts(const StudyOptions& options) {
     using study::MirPart;
@@ -51,7 +58,6 @@ std::set<study::MirPart> chosen_parts(const StudyOptions& options) {
 
 std::filesystem::path run_mir_2022(const StudyOptions& options, const study::Stage& stage) {
     study::MirSettings settings;
-    settings.folder = options.output;
     settings.quick = options.quick;
     settings.size = options.quick ? std::min(options.size, 32) : options.size;
     settings.samples = options.quick ? std::min(options.samples, 8) : options.samples;
@@ -61,17 +67,33 @@ std::filesystem::path run_mir_2022(const StudyOptions& options, const study::Sta
         say(options, fmt::format("nacre: scaled down: {0} x {0} pixels at {1} samples each",
                                  settings.size, settings.samples));
     }
-    return study::run_mir_2022(settings, stage);
+    std::filesystem::path written;
+    if (!options.references.empty()) {
+        settings.folder = options.references;
+        written = study::write_references(settings, stage);
+    }
+    if (options.output.empty()) return written;
+    settings.folder = options.output;
+    const auto page = study::run_mir_2022(settings, stage);
+    if (!options.documents.empty()) {
+        const auto results = nlohmann::json::parse(
+            read_file(std::filesystem::path(options.output) / "results.json"));
+        for (const std::string& file : options.documents) {
+            write_file_atomically(file, study::with_tables(read_file(file), file, results));
+        }
+    }
+    return page;
 }
 
 /// Of the options that choose parts of mir-2022, none may be given.
 void refuse_parts(const StudyOptions& options) {
     const StudyOptions standard;
     if (options.samples != standard.samples || options.size != standard.size ||
-        !options.tables.empty() || !options.figures.empty() || !options.parts.empty()) {
+        !options.tables.empty() || !options.figures.empty() || !options.parts.empty() ||
+        !options.references.empty() || !options.documents.empty()) {
         throw UsageError(
-            fmt::format("--spp, --size, --table, --figure and --part belong to the study mir-2022, "
-                        "not to {}",
+            fmt::format("--spp, --size, --table, --figure, --part, --references and --document "
+                        "belong to the study mir-2022, not to {}",
                         options.study));
     }
 }
@@ -98,6 +120,12 @@ ExitStatus run(const StudyOptions& options) {
         throw UsageError(
             fmt::format("STUDY = {}: must be one of flakes, mir-2022, sparkle", options.study));
     }
+    if (options.output.empty() && options.references.empty()) {
+        throw UsageError("--output is required");
+    }
+    if (!options.documents.empty() && options.output.empty()) {
+        throw UsageError("--document needs --output");
+    }
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const study::Stage stage = [&](const std::string& label,
@@ -111,11 +139,12 @@ ExitStatus run(const StudyOptions& options) {
         say(options, fmt::format("{}", page.string()));
     } catch (const Error&) {
         if (!interrupt_requested()) throw;
-        say(options, options.study == "sparkle"
-                         ? "nacre: stopped; no page was written"
-                         : fmt::format("nacre: stopped; what is finished is kept in {}, and the "
-                                       "same command goes on from there",
-                                       options.output));
+        say(options,
+            options.study == "sparkle"
+                ? "nacre: stopped; no page was written"
+                : fmt::format("nacre: stopped; what is finished is kept in {}, and the "
+                              "same command goes on from there",
+                              options.output.empty() ? options.references : options.output));
         return ExitStatus::failure;
     }
     return ExitStatus::ok;
@@ -134,8 +163,17 @@ Command add_study(CLI::App& program) {
             "discs; sparkle: how sparkle and graininess follow from the flakes")
         ->required();
     study->add_option("-o,--output", options->output, "Folder for the report and its pictures")
-        ->required()
         ->type_name("DIR");
+    study
+        ->add_option("--references", options->references,
+                     "mir-2022: write converged spectral pictures with standard errors, recipes, "
+                     "scenes and checksums to this folder; without --output, nothing else")
+        ->type_name("DIR");
+    study
+        ->add_option("--document", options->documents,
+                     "mir-2022: a Markdown file whose tables, between the markers <!-- begin: NAME "
+                     "--> and <!-- end: NAME -->, are written from the results (may be repeated)")
+        ->type_name("FILE");
     study->add_option("--spp", options->samples, "mir-2022: samples per pixel")
         ->check(CLI::Range(8, 1 << 20))
         ->capture_default_str();
@@ -148,8 +186,8 @@ Command add_study(CLI::App& program) {
         ->check(CLI::Range(2, 4));
     study
         ->add_option("--part", options->parts,
-                     "mir-2022: only agreement, antialiasing or nacre (may be repeated)")
-        ->check(CLI::IsMember({"agreement", "antialiasing", "nacre"}));
+                     "mir-2022: only agreement, antialiasing, nacre or quality (may be repeated)")
+        ->check(CLI::IsMember({"agreement", "antialiasing", "nacre", "quality"}));
     study->add_flag("--quick", options->quick,
                     "Tiny pictures (at most 32 pixels, 8 samples), to see that all works");
     add_seed(*study, *options);
@@ -163,8 +201,10 @@ Command add_study(CLI::App& program) {
         "  nacre study flakes -o out/flakes\n  nacre study sparkle -o out/sparkle");
     return {study,
             [options] {
-                return CommandFiles{
-                    .inputs = {}, .files = {}, .folders = {{"--output", options->output}}};
+                return CommandFiles{.inputs = {},
+                                    .files = {},
+                                    .folders = {{"--output", options->output},
+                                                {"--references", options->references}}};
             },
             [options] { return run(*options); }};
 }

@@ -50,6 +50,17 @@ std::optional<double> error_at(const ErrorCurve& curve, double seconds) {
     return curve.error[i - 1] * std::pow(curve.error[i] / curve.error[i - 1], along);
 }
 
+std::optional<double> seconds_at(const ErrorCurve& curve, double error) {
+    const std::vector<double>& e = curve.error;
+    if (e.empty() || e.front() < error) return std::nullopt;
+    const auto below = std::find_if(e.begin(), e.end(), [&](double x) { return x <= error; });
+    if (below == e.end()) return std::nullopt;
+    const auto i = static_cast<std::size_t>(below - e.begin());
+    if (i == 0) return curve.seconds[0];
+    const double along = std::log(error / e[i - 1]) / std::log(e[i] / e[i - 1]);
+    return curve.seconds[i - 1] * std::pow(curve.seconds[i] / curve.seconds[i - 1], along);
+}
+
 std::optional<double> equal_time_ratio(const ErrorCurve& a, const ErrorCurve& b) {
     if (a.seconds.empty() || b.seconds.empty()) return std::nullopt;
     const double first = std::max(a.seconds.front(), b.seconds.front());

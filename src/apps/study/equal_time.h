@@ -33,6 +33,10 @@ struct ErrorCurve {
 /// noise falls as a power of time. Empty outside.
 std::optional<double> error_at(const ErrorCurve& curve, double seconds);
 
+/// The time at which the error has fallen to this, by the same lines. Empty if it has not by the
+/// last time, or had before the first.
+std::optional<double> seconds_at(const ErrorCurve& curve, double error);
+
 /// How many times the error of `a` is that of `b` at equal times: the geometric mean over the times
 /// that both have, in equal steps of their logarithm. Empty if there are none.
 std::optional<double> equal_time_ratio(const ErrorCurve& a, const ErrorCurve& b);

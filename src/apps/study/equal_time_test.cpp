@@ -55,6 +55,18 @@ TEST(EqualTime, PowerLawsAreMetBetweenThePoints) {
     EXPECT_FALSE(error_at({}, 1));
 }
 
+TEST(EqualTime, TimeToAnErrorIsTheInverseOfErrorAtATime) {
+    const ErrorCurve curve = power_law(3, 1.2, 0.5);
+    for (double t : {0.7, 2.0, 11.0, 127.0}) {
+        EXPECT_NEAR(seconds_at(curve, 3 * std::pow(t, -1.2)).value() / t, 1, 1e-9) << t;
+    }
+    EXPECT_EQ(seconds_at(curve, curve.error.front()), curve.seconds.front());
+    EXPECT_NEAR(seconds_at(curve, curve.error.back()).value(), curve.seconds.back(), 1e-9);
+    EXPECT_FALSE(seconds_at(curve, 3 * std::pow(0.49, -1.2)));
+    EXPECT_FALSE(seconds_at(curve, 3 * std::pow(129, -1.2)));
+    EXPECT_FALSE(seconds_at({}, 1));
+}
+
 TEST(EqualTime, RatioIsThatOfTwoPowerLawsWhereverTheirTimesBegin) {
     for (double first_s : {0.01, 1.0, 7.0, 100.0}) {
         EXPECT_NEAR(equal_time_ratio(power_law(50, 1, 1), power_law(2, 1, first_s)).value(), 25,

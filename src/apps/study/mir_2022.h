@@ -8,6 +8,7 @@
 
 #include "apps/report/report.h"
 #include "apps/study/gallery.h"
+#include "apps/study/mir_printed.h"
 
 namespace nacre::study {
 
@@ -19,6 +20,7 @@ enum class MirPart {
     table_3,       ///< what the models can do
     table_4,       ///< the models on two pearls; with Figure 4
     agreement,     ///< three solutions of one paint, pixel by pixel
+    quality,       ///< time to a picture of a given quality; a query of each model
     antialiasing,  ///< spectral antialiasing against integration
     nacre          ///< what the model that the paper asks for costs, and how it errs
 };
@@ -27,12 +29,15 @@ std::set<MirPart> all_mir_parts();
 
 struct MirSettings {
     std::filesystem::path folder;
-    int size = 512;      ///< pixels a side, [16, 4096]
-    int samples = 1024;  ///< per pixel, [8, 2^20]
+    int size = printed::kPictureSize;  ///< pixels a side, [16, 4096]
+    int samples = printed::kSamples;   ///< per pixel, [8, 2^20]
     std::uint64_t seed = 0;
     bool quick = false;  ///< smaller tables, fewer curves: to see that all works
     std::set<MirPart> parts = all_mir_parts();
 };
+
+/// @throws DomainError naming a setting out of range
+void require_valid(const MirSettings& settings);
 
 /// Reproduces the comparison of Mir, Yildirim and Kurt [mir-2022]: renders what is not yet in
 /// `folder`, and writes index.html (one self-contained page) and results.json (every figure) there.
@@ -54,16 +59,36 @@ struct MirContext {
     report::Report& report;
     nlohmann::json& results;
 
+    /// Adds a table to the page and to the results, from where the documentation takes it
+    /// (mir_document.h).
+    void table(const std::string& name, const report::Table& table);
+
     /// A picture at the study's size and samples.
     PictureJob job(std::string key, std::string title, const std::string& paint,
                    bsdf::Model model) const;
 };
+
+/// A row of Figure 4 and Table 4 as printed: flakes for the model of Ergun et al., a set of Table 2
+/// for those of Belcour and Barla and of Guo et al.
+struct MirFigure4Row {
+    const char* flakes_name;
+    const char* flakes;  ///< shipped recipe
+    const char* facets_name;
+    const char* facets;
+    printed::ModelTimes paper;
+};
+inline constexpr MirFigure4Row kFigure4Rows[] = {
+    {"80 nm of TiO₂", "paints/tio2-mica-80.toml", "570 nm", "studies/mir-2022/facets-570.toml",
+     printed::kTable4[0]},
+    {"110 nm of TiO₂", "paints/tio2-mica-110.toml", "665 nm", "studies/mir-2022/facets-665.toml",
+     printed::kTable4[1]}};
 
 void add_table_1(MirContext& context);
 void add_table_2(MirContext& context);
 void add_table_3(MirContext& context);
 void add_table_4(MirContext& context);
 void add_agreement(MirContext& context);
+void add_quality(MirContext& context);
 void add_antialiasing(MirContext& context);
 void add_nacre(MirContext& context);
 

@@ -58,7 +58,7 @@ void add_table_3(MirContext& context) {
             {"multiple_scattering", can.multiple_scattering},
             {"reference_only", can.reference_only}};
     }
-    context.report.table(table);
+    context.table("table-3", table);
     context.report.paragraph(
         "The rows come from the program's list of its models; a test measures each entry. The two "
         "walks are references: unbiased, without values to ask for, hence slow to converge.");
@@ -156,7 +156,7 @@ void add_cost_by_number(MirContext& context) {
     }
     context.results["nacre"]["largest_ratio_to_microflake"] = largest;
     context.results["nacre"]["dearest_over_cheapest_number"] = largest / smallest;
-    report.table(table);
+    context.table("by-number", table);
     report.paragraph(fmt::format(
         "The dearest number of flakes takes {:.2f} times as long as their mean (the goal: at "
         "most 1.5), and {:.0f} % longer than the cheapest number (the goal: 20 %). Memory is "
@@ -247,7 +247,7 @@ void add_table(MirContext& context, const std::vector<Curve>& curves,
         ratio(0, 4);
         table.rows.push_back(std::move(row));
     }
-    context.report.table(table);
+    context.table("query-by-footprint", table);
 }
 
 }  // namespace
@@ -480,7 +480,7 @@ void add_equal_time_errors(MirContext& context) {
         if (absolute) results["absolute_ratio"] = *absolute;
         plots.push_back(std::move(plot));
     }
-    report.table(table);
+    context.table("equal-time", table);
     report.pictures(
         pictures, 4,
         fmt::format("{} flakes or facets on the ball, seen through patches of 1/{} of a "

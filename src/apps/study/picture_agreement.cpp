@@ -2,27 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/core/estimate.h"
 
 namespace nacre::study {
 namespace {
-
-/// Probability that |t| exceeds x for Student's t with nu degrees of freedom, by the midpoint rule
-/// on its density after t = tan(u) sqrt(nu).
-double student_two_sided(double x, double nu) {
-    // The density in u is proportional to cos(u)^(nu - 1).
-    constexpr int kSteps = 4000;
-    const double half_pi = std::numbers::pi / 2, u0 = std::atan(x / std::sqrt(nu));
-    const auto integral = [&](double from) {
-        const double h = (half_pi - from) / kSteps;
-        double sum = 0;
-        for (int i = 0; i < kSteps; ++i) sum += std::pow(std::cos(from + (i + 0.5) * h), nu - 1);
-        return sum * h;
-    };
-    return integral(u0) / integral(0);
-}
 
 struct Moments {
     double mean, variance_of_mean;

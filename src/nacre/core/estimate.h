@@ -33,6 +33,10 @@ inline double z_score(const Estimate& a, const Estimate& b) {
     return z_score(a, b.value, b.standard_error);
 }
 
+/// Probability that |t| exceeds x for Student's t with nu degrees of freedom: of z-scores whose
+/// standard errors are estimated from nu + 1 batches. To 1e-6 for nu in [2, 1e4].
+double student_two_sided(double x, double nu);
+
 /// A statistic of sums over a picture, with its standard error: pieces of the picture are left out
 /// in turn, so that neighbours that share a flake do not count as independent.
 /// [efron-stein-1981]

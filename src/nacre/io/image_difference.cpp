@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "nacre/core/error.h"
+#include "nacre/core/estimate.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/text.h"
 #include "nacre/spectra/colour.h"
 
 namespace nacre::io {
@@ -29,6 +32,14 @@ std::vector<float> finite_rgb(const Image& image, const std::string& name) {
     return rgb;
 }
 
+void require_same_size(const Image& a, const Image& b, const std::string& name_a,
+                       const std::string& name_b) {
+    if (a.width != b.width || a.height != b.height) {
+        throw InputError(fmt::format("{} has {} x {} pixels, {} has {} x {}: must be equal", name_a,
+                                     a.width, a.height, name_b, b.width, b.height));
+    }
+}
+
 /// The value below which the given fraction of the values lies.
 double quantile(std::vector<float> values, double fraction) {
     const auto at = values.begin() +
@@ -41,10 +52,7 @@ double quantile(std::vector<float> values, double fraction) {
 
 ImageDifference image_difference(const Image& a, const Image& b, const std::string& name_a,
                                  const std::string& name_b) {
-    if (a.width != b.width || a.height != b.height) {
-        throw InputError(fmt::format("{} has {} x {} pixels, {} has {} x {}: must be equal", name_a,
-                                     a.width, a.height, name_b, b.width, b.height));
-    }
+    require_same_size(a, b, name_a, name_b);
     const std::vector<float> rgb_a = finite_rgb(a, name_a), rgb_b = finite_rgb(b, name_b);
     const std::size_t pixels = a.pixel_count();
 
@@ -82,6 +90,70 @@ ImageDifference image_difference(const Image& a, const Image& b, const std::stri
                        {"deltaE2000", std::move(delta_e)}},
                       {}};
     return result;
+}
+
+std::string standard_error_channel(const std::string& name) { return "stderr." + name; }
+
+namespace {
+
+/// Student's degrees of freedom of a picture's standard errors; infinite if it does not tell.
+double degrees_of_freedom(const Image& image, const std::string& name) {
+    const auto found = image.metadata.find(kBatchesKey);
+    if (found == image.metadata.end()) return std::numeric_limits<double>::infinity();
+    const auto batches = parse_number(found->second);
+    if (!batches || *batches < 2 || *batches != std::floor(*batches)) {
+        throw InputError(fmt::format("{}: {} = {}: must be a whole number >= 2", name, kBatchesKey,
+                                     found->second));
+    }
+    return *batches - 1;
+}
+
+}  // namespace
+
+std::optional<ImageZScores> image_z_scores(const Image& a, const Image& b,
+                                           const std::string& name_a, const std::string& name_b) {
+    require_same_size(a, b, name_a, name_b);
+    ImageZScores z;
+    double square = 0, above = 0, sum = 0, variance_of_sum = 0;
+    for (const Channel& channel : a.channels) {
+        const Channel* other = b.find(channel.name);
+        const std::string error_name = standard_error_channel(channel.name);
+        const Channel *error_a = a.find(error_name), *error_b = b.find(error_name);
+        if (!other || (!error_a && !error_b)) continue;
+        z.has_error_a |= error_a != nullptr;
+        z.has_error_b |= error_b != nullptr;
+        z.channels.push_back(channel.name);
+        for (std::size_t i = 0; i < channel.pixels.size(); ++i) {
+            const double va = channel.pixels[i], vb = other->pixels[i];
+            const double error =
+                std::hypot(error_a ? error_a->pixels[i] : 0.0, error_b ? error_b->pixels[i] : 0.0);
+            const double rounding = ImageZScores::kRounding * std::max(std::abs(va), std::abs(vb));
+            if (!(error > 0.1 * rounding) || !std::isfinite(error)) {
+                z.unexplained += !(std::abs(va - vb) <= rounding);
+                continue;
+            }
+            const double score = (va - vb) / error;
+            square += score * score;
+            above += std::abs(score) > 3;
+            ++z.values;
+            if (z.channels.size() > 3) continue;
+            sum += va - vb;
+            variance_of_sum += error * error;
+        }
+    }
+    if (z.channels.empty()) return std::nullopt;
+    const double nu = std::min(z.has_error_a ? degrees_of_freedom(a, name_a) : 1e300,
+                               z.has_error_b ? degrees_of_freedom(b, name_b) : 1e300);
+    constexpr double kNearlyNormal = 1e4;
+    z.expected_mean_square = nu > 2 ? (nu < kNearlyNormal ? nu / (nu - 2) : 1.0)
+                                    : std::numeric_limits<double>::infinity();
+    z.expected_fraction_above_3 = student_two_sided(3, std::min(nu, kNearlyNormal));
+    if (z.values > 0) {
+        z.mean_square = square / static_cast<double>(z.values);
+        z.fraction_above_3 = above / static_cast<double>(z.values);
+        if (variance_of_sum > 0) z.of_mean = sum / std::sqrt(variance_of_sum);
+    }
+    return z;
 }
 
 Image difference_heat_map(const ImageDifference& difference, double full_scale) {

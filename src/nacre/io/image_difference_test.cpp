@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/core/random.h"
 #include "nacre/spectra/colour.h"
 
 namespace nacre::io {
@@ -80,6 +82,76 @@ TEST(DifferenceHeatMap, RunsFromBlackOverRedToWhite) {
     EXPECT_EQ(colour(10), (std::array{1.0f, 1.0f, 1.0f}));
     EXPECT_EQ(colour(300)[2], 0);
     EXPECT_NEAR(colour(300)[0], 1, 1e-3);
+}
+
+/// A picture whose values are normal about 1 with the standard deviation `error`, which it tells.
+Image noisy_picture(double error, std::uint64_t seed, double shift = 0) {
+    constexpr int kSide = 64;
+    Image image{kSide, kSide, {}, {}};
+    Rng rng(seed, 1);
+    for (const char* name : {"R", "G", "B"}) {
+        Channel channel{name, {}};
+        for (int i = 0; i < kSide * kSide; ++i) {
+            // By Box and Muller.
+            const double u = 1 - rng.uniform_double(), v = rng.uniform_double();
+            const double normal = std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
+            channel.pixels.push_back(static_cast<float>(1 + shift + error * normal));
+        }
+        image.channels.push_back(std::move(channel));
+    }
+    for (int c = 0; c < 3; ++c) {
+        image.channels.push_back({standard_error_channel(image.channels[c].name),
+                                  std::vector<float>(kSide * kSide, static_cast<float>(error))});
+    }
+    return image;
+}
+
+TEST(ImageZScores, OfTwoPicturesOfTheSameMeanAreStandardNormal) {
+    const Image a = noisy_picture(0.01, 1), b = noisy_picture(0.03, 2);
+    const auto z = image_z_scores(a, b, "a", "b");
+    ASSERT_TRUE(z);
+    EXPECT_TRUE(z->has_error_a && z->has_error_b);
+    EXPECT_EQ(z->values, 3u * 64 * 64);
+    // The mean square of n normal numbers is 1 +- sqrt(2 / n).
+    EXPECT_NEAR(z->mean_square, 1, 4 * std::sqrt(2.0 / 12288));
+    EXPECT_NEAR(z->fraction_above_3, 0.0027, 4 * std::sqrt(0.0027 / 12288));
+    EXPECT_LT(std::abs(z->of_mean), 4);
+    EXPECT_EQ(z->unexplained, 0u);
+    EXPECT_EQ(z->expected_mean_square, 1);
+    EXPECT_NEAR(z->expected_fraction_above_3, 0.0027, 1e-5);
+}
+
+TEST(ImageZScores, FindAShiftThatNoPixelShows) {
+    // A tenth of the error: the mean over 12288 values finds it with 11 standard errors.
+    const auto z = image_z_scores(noisy_picture(0.01, 1, 0.001), noisy_picture(1e-4, 2), "a", "b");
+    ASSERT_TRUE(z);
+    EXPECT_NEAR(z->of_mean, 0.1 * std::sqrt(12288.0), 4);
+    EXPECT_NEAR(z->mean_square, 1.01, 0.06);
+}
+
+TEST(ImageZScores, ExpectStudentsLawOfFewBatches) {
+    Image a = noisy_picture(0.01, 1);
+    a.metadata[kBatchesKey] = "16";
+    const auto z = image_z_scores(a, noisy_picture(0.01, 2), "a", "b");
+    ASSERT_TRUE(z);
+    EXPECT_NEAR(z->expected_mean_square, 15.0 / 13, 1e-12);
+    EXPECT_NEAR(z->expected_fraction_above_3, 0.00897, 1e-5);  // two-sided, 15 degrees of freedom
+    a.metadata[kBatchesKey] = "1";
+    EXPECT_THROW(image_z_scores(a, a, "a", "b"), InputError);
+}
+
+TEST(ImageZScores, AreNotThereWithoutErrorsAndCountWhatNoErrorExplains) {
+    Image plain = noisy_picture(0.01, 1);
+    plain.channels.resize(3);
+    EXPECT_FALSE(image_z_scores(plain, plain, "a", "b"));
+    Image exact = noisy_picture(0.01, 1);
+    for (int c = 3; c < 6; ++c) exact.channels[c].pixels.assign(64 * 64, 0.0f);
+    const auto same = image_z_scores(exact, plain, "a", "b");
+    ASSERT_TRUE(same);
+    EXPECT_EQ(same->values, 0u);
+    EXPECT_EQ(same->unexplained, 0u);
+    plain.channels[1].pixels[7] += 0.1f;
+    EXPECT_EQ(image_z_scores(exact, plain, "a", "b")->unexplained, 1u);
 }
 
 }  // namespace

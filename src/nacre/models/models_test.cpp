@@ -232,7 +232,7 @@ TEST(Models, OptionsTakeWhatIsAllowedAndNameItWhenTheyRefuse) {
             }
         }
     }
-    EXPECT_EQ(found, 5);
+    EXPECT_EQ(found, 6);
 }
 
 TEST(Models, TextsTellAnyTwoModelsApart) {

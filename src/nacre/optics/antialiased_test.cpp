@@ -183,6 +183,40 @@ TEST(AntialiasedRgb, OfThePaperIsWhatItsObserverSeesOfTheTransferMatrix) {
     }
 }
 
+// X, Y, Z that the listing of the supplement computes, in double precision, by a second program
+// written from it in another language: Fresnel terms, phases, three orders and sensitivities are all
+// its own. Its base has the index eta_3 (1 + i kappa_3), its D_inc is 2 eta_2 d.
+struct SupplementValue {
+    double path_um, film, base, base_k, degrees;
+    Vec3d xyz;
+};
+constexpr SupplementValue kSupplementValues[] = {
+    {0.57, 1.8, 1.08, 0.51, 0, {0.102651616439, 0.060868603411, 0.067104386436}},
+    {0.57, 1.8, 1.08, 0.51, 30, {0.129384142900, 0.092412677554, 0.036212018439}},
+    {0.57, 1.8, 1.08, 0.51, 60, {0.250797111062, 0.248216930681, 0.073377108206}},
+    {0.665, 1.97, 1.12, 0, 0, {0.100336055144, 0.129245823775, 0.291092144852}},
+    {0.665, 1.97, 1.12, 0, 45, {0.067690518259, 0.078784442105, 0.269561445572}},
+    {0.665, 1.97, 1.12, 0, 75, {0.190143717003, 0.180197731152, 0.393001320791}},
+    {1.5, 1.3333, 1.5, 0, 20, {0.014943562843, 0.017836418925, 0.026804297580}},
+    {2.4, 1.45, 1.2, 2.5, 50, {0.527759259662, 0.577780198347, 0.548064639217}}};
+// Of its sensitivities for no path and no phase: they are normalised to 1 but for rounding.
+constexpr Vec3d kSupplementWhite{1.0004583088164927, 1.0002218935839293, 1.0011224857215686};
+
+TEST(AntialiasedRgb, OfThePaperIsWhatTheListingOfItsSupplementComputes) {
+    const Vec3d d65 = spectra::linear_rec709_to_xyz({1, 1, 1});
+    for (const SupplementValue& v : kSupplementValues) {
+        const AiryFilm film(1, v.film, v.base, v.base * v.base_k);
+        const double thickness_nm = 1e3 * v.path_um / (2 * v.film);
+        const Vec3d xyz = spectra::linear_rec709_to_xyz(antialiased_rgb(
+            film, std::cos(v.degrees * std::numbers::pi / 180), thickness_nm, kPaper));
+        // Its white is that of equal energy, ours that of D65, channel by channel.
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(xyz[c] / d65[c] * kSupplementWhite[c], v.xyz[c], 2e-6)
+                << v.path_um << " um, " << v.degrees << " deg, channel " << c;
+        }
+    }
+}
+
 TEST(AntialiasedRgb, OfAPerfectMirrorIsWhite) {
     // The wrong white in the matrix would tint it. Total reflection off a lossless base.
     const AiryFilm film(1, 2.5, 0.5, 0);

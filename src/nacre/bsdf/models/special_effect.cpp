@@ -67,6 +67,7 @@ struct SpecialEffect::Tables {
     optics::ThicknessRange thickness;
     MicrofacetDistribution facets;
     sparkle::FacetField field;
+    bool smooth_ndf;
 };
 
 namespace {
@@ -133,7 +134,7 @@ class BoundSpecialEffect final : public BoundMicrofacets<BoundSpecialEffect> {
     }
 
     FloatLanes value(const sparkle::Footprint& footprint, const Pair& p) const {
-        if (!(footprint.area() > 0)) return mean_value(p);
+        if (tables_->smooth_ndf || !(footprint.area() > 0)) return mean_value(p);
         const sparkle::FacetField& field = tables_->field;
         const sparkle::FacetTally tally = field.count(footprint, p.i.inside, p.o.inside);
         if (tally.count == 0) return FloatLanes{};
@@ -161,7 +162,8 @@ class BoundSpecialEffect final : public BoundMicrofacets<BoundSpecialEffect> {
     float inverse_solid_angle_;
 };
 
-SpecialEffect::Tables make_tables(const paint::Recipe& recipe, std::uint64_t seed) {
+SpecialEffect::Tables make_tables(const paint::Recipe& recipe, std::uint64_t seed,
+                                  bool smooth_ndf) {
     validate_microfacet_recipe(recipe);
     const paint::Microfacet& m = *recipe.microfacet;
     if (!m.facets) {
@@ -198,19 +200,33 @@ SpecialEffect::Tables make_tables(const paint::Recipe& recipe, std::uint64_t see
         optics::AiryFilm(index_around_facets(recipe), m.film_ior, m.base_ior, m.base_extinction),
         {m.film_thickness_nm - reach_nm, m.film_thickness_nm + reach_nm},
         MicrofacetDistribution(m.distribution, m.alpha),
-        sparkle::FacetField(m.facets->count, m.alpha, m.facets->cone_deg, seed)};
+        sparkle::FacetField(m.facets->count, m.alpha, m.facets->cone_deg, seed),
+        smooth_ndf};
 }
 
 }  // namespace
 
-SpecialEffect::SpecialEffect(const paint::Recipe& recipe, std::uint64_t seed)
-    : tables_(std::make_shared<const Tables>(make_tables(recipe, seed))) {}
+SpecialEffect::SpecialEffect(const paint::Recipe& recipe, std::uint64_t seed, bool smooth_ndf)
+    : tables_(std::make_shared<const Tables>(make_tables(recipe, seed, smooth_ndf))) {}
 
 SpecialEffect::~SpecialEffect() = default;
 
 std::unique_ptr<const BoundBsdf> SpecialEffect::bind(const Wavelengths& wavelengths_nm) const {
     return std::make_unique<const BoundSpecialEffect>(tables_, wavelengths_nm);
 }
+
+SurfaceCoordinates SpecialEffect::surface_coordinates() const {
+    return tables_->smooth_ndf ? SurfaceCoordinates::none : SurfaceCoordinates::unit_square;
+}
+
+namespace {
+
+constexpr ModelOption kSpecialEffectOptions[] = {OptionFor<&SpecialEffectModel::smooth_ndf>::toggle(
+    "--smooth-ndf",
+    "special-effect: the mean over all facets, without sparkle (as in Table 4 of the comparison of "
+    "2022)")};
+
+}  // namespace
 
 constinit const ModelInfo SpecialEffectModel::info = {
     .name = "special-effect",
@@ -220,13 +236,16 @@ constinit const ModelInfo SpecialEffectModel::info = {
     .solution = Solution::none,
     .can = {.goniochromism = true, .sparkle = true},
     .coordinates = SurfaceCoordinates::unit_square,
-    .standard = standard_model<SpecialEffectModel>};
+    .standard = standard_model<SpecialEffectModel>,
+    .options = kSpecialEffectOptions};
 
-std::string SpecialEffectModel::text() const { return fmt::format("specimen={}", specimen); }
+std::string SpecialEffectModel::text() const {
+    return fmt::format("specimen={} smooth_ndf={}", specimen, smooth_ndf);
+}
 
 std::shared_ptr<const Bsdf> SpecialEffectModel::make(const ModelInput& input,
                                                      const Progress&) const {
-    return std::make_shared<const SpecialEffect>(input.recipe, specimen);
+    return std::make_shared<const SpecialEffect>(input.recipe, specimen, smooth_ndf);
 }
 
 }  // namespace nacre::bsdf

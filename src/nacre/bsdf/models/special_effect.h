@@ -15,6 +15,9 @@ namespace nacre::bsdf {
 /// Chooses the model SpecialEffect.
 struct SpecialEffectModel {
     std::uint64_t specimen = 0;  ///< which panel of the batch: the seed of its facets
+    /// Shows the mean over all facets everywhere: the model without sparkle, which [mir-2022] time
+    /// as "smooth NDF".
+    bool smooth_ndf = false;
 
     static const ModelInfo info;
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress) const;
@@ -82,16 +85,15 @@ class SpecialEffect final : public Bsdf {
     /// Reads recipe.microfacet with `facets`, recipe.clearcoat and, under a clearcoat, the binder's
     /// index at 550 nm; layers and substrate play no part.
     /// @param seed  which facets there are
+    /// @param smooth_ndf  the mean over all patches on each of them
     /// @throws DomainError if there is no [microfacet] or [microfacet.facets], a number is out of
     ///         range, the clearcoat is rough, the distribution is not Beckmann's, or the spread
     ///         reaches below zero thickness (spread > thickness / sqrt 3)
-    SpecialEffect(const paint::Recipe& recipe, std::uint64_t seed);
+    SpecialEffect(const paint::Recipe& recipe, std::uint64_t seed, bool smooth_ndf = false);
     ~SpecialEffect() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
-    SurfaceCoordinates surface_coordinates() const override {
-        return SurfaceCoordinates::unit_square;
-    }
+    SurfaceCoordinates surface_coordinates() const override;
 
     struct Tables;
 

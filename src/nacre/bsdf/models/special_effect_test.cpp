@@ -261,6 +261,24 @@ TEST(SpecialEffect, APatchWithoutAreaGivesTheMean) {
     for (int i = 0; i < kLanes; ++i) EXPECT_EQ(point[i], mean[i]);
 }
 
+TEST(SpecialEffect, WithASmoothDistributionEveryPatchGivesTheMean) {
+    const SpecialEffect counted(pigment(1e7), 1), smooth(pigment(1e7), 1, true);
+    EXPECT_TRUE(counted.varies_over_surface());
+    EXPECT_FALSE(smooth.varies_over_surface());
+    const auto bound = counted.bind(kOnGrid), bound_smooth = smooth.bind(kOnGrid);
+    const Vec3f wi = direction(30, 0), wo = direction(31, 179);
+    const FloatLanes mean = bound->eval(wi, wo);
+    Rng rng(2);
+    int differ = 0;
+    for (int n = 0; n < 20; ++n) {
+        const Patch patch = somewhere(rng, 1e-6);
+        const FloatLanes f = bound_smooth->evaluate_on(patch, wi, wo).f;
+        for (int i = 0; i < kLanes; ++i) EXPECT_EQ(f[i], mean[i]);
+        differ += bound->evaluate_on(patch, wi, wo).f[0] != mean[0];
+    }
+    EXPECT_GT(differ, 10);  // the patches hold few facets
+}
+
 TEST(SpecialEffect, StaysFiniteForAnyPatchAndDirection) {
     const auto bound = SpecialEffect(pigment(1e9, true), 1).bind(kOnGrid);
     constexpr float inf = std::numeric_limits<float>::infinity();

@@ -129,6 +129,11 @@ void BrdfTableRows::evaluate(Workspace& work, int o, float* out) const {
     for (int j = 0; j < grid_.azimuths; ++j) {
         work.azimuth[j] = grid_.azimuth(work.theta_i, theta_o, j);
     }
+    evaluate_at_azimuths(work, o, out);
+}
+
+void BrdfTableRows::evaluate_at_azimuths(Workspace& work, int o, float* out) const {
+    const double theta_o = grid_.angle(o);
     std::fill(work.rgb.begin(), work.rgb.end(), Vec3d{});
     add_tensors(work, theta_o);
     for (const Group& group : groups_) {
@@ -238,6 +243,8 @@ double narrowest_lobe(const solver::PaintMedium& medium, double ior) {
     return alpha;
 }
 
+}  // namespace
+
 BrdfGrid make_grid(const solver::SolvedPaint& paint, const BrdfTableSettings& settings) {
     const solver::PaintMedium& medium = paint.medium;
     for (int w = 0; w < medium.wavelength_count(); ++w) {
@@ -256,8 +263,6 @@ BrdfGrid make_grid(const solver::SolvedPaint& paint, const BrdfTableSettings& se
     validate(grid);
     return grid;
 }
-
-}  // namespace
 
 RawBrdfTable make_raw_table(const solver::SolvedPaint& paint, const BrdfTableSettings& settings,
                             const Progress& progress) {

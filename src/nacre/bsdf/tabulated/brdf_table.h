@@ -138,6 +138,8 @@ class BrdfTableRows {
 
     /// g of the incident node and one outgoing node: `out` holds [azimuth][channel].
     void evaluate(Workspace& work, int o, float* out) const;
+    /// The same at the azimuths phi_o - phi_i that stand in work.azimuth, as many as the grid has.
+    void evaluate_at_azimuths(Workspace& work, int o, float* out) const;
 
  private:
     // Wavelengths at which the binder has one index, and the paint differs.
@@ -203,6 +205,10 @@ struct BrdfTableSettings {
 
     friend bool operator==(const BrdfTableSettings&, const BrdfTableSettings&) = default;
 };
+
+/// The grid of a paint's tables: the mean index of its binder, its narrowest lobe.
+/// @throws as make_raw_table()
+BrdfGrid make_grid(const solver::SolvedPaint& paint, const BrdfTableSettings& settings);
 
 /// Tabulates solver::SolvedPaint::brdf (the total) at all nodes: the spectrum at the paint's
 /// wavelengths becomes linear Rec. 709 under D65 by spectra::rec709_weights. At a node f equals the

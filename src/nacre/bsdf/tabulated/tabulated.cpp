@@ -38,7 +38,8 @@ struct LobeProbabilities {
 
 struct Tabulated::Tables {
     using Data = std::variant<std::shared_ptr<const RawBrdfTable>,
-                              std::shared_ptr<const CompressedBrdfTable>>;
+                              std::shared_ptr<const CompressedBrdfTable>,
+                              std::shared_ptr<const FourierBrdfTable>>;
 
     explicit Tables(Data table);
 
@@ -95,6 +96,27 @@ void check(const CompressedBrdfTable& table) {
     require_size(table.left.size(), table.grid.pairs() * table.terms(), "left factors");
     require_size(table.right.size(), static_cast<std::size_t>(table.grid.azimuths) * table.terms(),
                  "right factors");
+}
+
+void check(const FourierBrdfTable& table) {
+    std::visit([](const auto& coefficients) { check(coefficients); }, table.coefficients);
+    require_size(table.reflectance.size(), FourierBrdfTable::kReflectanceIntervals + 1,
+                 "values of the flakes' reflectance");
+}
+
+// The lookup of each kind of table, in a cell between two directions.
+template <class Table>
+spectra::Rgb look_up(const Table& table, const BrdfCell& cell, const TableRay&, const TableRay&) {
+    return table.interpolate(cell);
+}
+
+spectra::Rgb look_up(const FourierBrdfTable& table, const BrdfCell& cell, const TableRay& i,
+                     const TableRay& o) {
+    const float sines = i.sine * o.sine;
+    const float cos_phi =
+        sines > 0 ? (i.outside.x * o.outside.x + i.outside.y * o.outside.y) / sines : 1.0f;
+    const float cos_d = std::sqrt(std::max(0.0f, 0.5f * (1 + dot(i.inside, o.inside))));
+    return table.interpolate(cell, std::clamp(cos_phi, -1.0f, 1.0f), cos_d);
 }
 
 BrdfGrid checked_grid(const Tabulated::Tables::Data& data) {
@@ -166,7 +188,8 @@ TableRay Tabulated::Tables::make_ray(Vec3f w) const {
 spectra::Rgb Tabulated::Tables::rgb(const TableRay& i, const TableRay& o) const {
     const BrdfCell cell =
         locate(grid, i.outside, o.outside, i.sine, o.sine, i.side_cosine, o.side_cosine);
-    spectra::Rgb g = std::visit([&](const auto& table) { return table->interpolate(cell); }, data);
+    spectra::Rgb g =
+        std::visit([&](const auto& table) { return look_up(*table, cell, i, o); }, data);
     const float cosines = std::max(i.side_cosine + o.side_cosine, kMinCosines);
     const float factor = i.transmittance * o.transmittance / cosines;
     return factor * g;
@@ -338,7 +361,11 @@ Tabulated::Tabulated(std::shared_ptr<const CompressedBrdfTable> table)
     : tables_(std::make_shared<const Tables>(Tables::Data(std::move(table)))) {}
 
 Tabulated::Tabulated(const BrdfTable& table)
-    : tables_(std::make_shared<const Tables>(Tables::Data(table))) {}
+    : tables_(std::make_shared<const Tables>(
+          std::visit([](const auto& t) { return Tables::Data(t); }, table))) {}
+
+Tabulated::Tabulated(std::shared_ptr<const FourierBrdfTable> table)
+    : tables_(std::make_shared<const Tables>(Tables::Data(std::move(table)))) {}
 
 Tabulated::~Tabulated() = default;
 

@@ -5,6 +5,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/model.h"
 #include "nacre/bsdf/tabulated/compression.h"
+#include "nacre/bsdf/tabulated/fourier_table.h"
 
 namespace nacre::bsdf {
 
@@ -30,6 +31,8 @@ class Tabulated final : public Bsdf {
     explicit Tabulated(std::shared_ptr<const RawBrdfTable> table);
     explicit Tabulated(std::shared_ptr<const CompressedBrdfTable> table);
     explicit Tabulated(const BrdfTable& table);
+    /// Stored as the paper stores its tables.
+    explicit Tabulated(std::shared_ptr<const FourierBrdfTable> table);
     ~Tabulated() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;

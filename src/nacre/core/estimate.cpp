@@ -1,0 +1,21 @@
+#include "nacre/core/estimate.h"
+
+#include <numbers>
+
+namespace nacre {
+
+// By the midpoint rule on the density after t = tan(u) sqrt(nu), which is proportional to
+// cos(u)^(nu - 1).
+double student_two_sided(double x, double nu) {
+    constexpr int kSteps = 4000;
+    const double half_pi = std::numbers::pi / 2, u0 = std::atan(x / std::sqrt(nu));
+    const auto integral = [&](double from) {
+        const double h = (half_pi - from) / kSteps;
+        double sum = 0;
+        for (int i = 0; i < kSteps; ++i) sum += std::pow(std::cos(from + (i + 0.5) * h), nu - 1);
+        return sum * h;
+    };
+    return integral(u0) / integral(0);
+}
+
+}  // namespace nacre
