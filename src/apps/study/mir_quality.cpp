@@ -101,7 +101,7 @@ PictureJob job_of(const MirContext& context, const Group& group, const Subject& 
     return job;
 }
 
-struct Outcome {
+struct QualityOutcome {
     double prepare_s = 0;
     double us_per_sample = 0;
     ErrorCurve curve;               ///< mean square errors by processor time of a full picture
@@ -109,10 +109,10 @@ struct Outcome {
     double best_db = 0;             ///< of most samples
 };
 
-Outcome measure_quality(const MirContext& context, const Group& group, const Subject& subject,
-                        std::optional<io::Image>& common) {
+QualityOutcome measure_quality(const MirContext& context, const Group& group,
+                               const Subject& subject, std::optional<io::Image>& common) {
     const int most = context.settings.quick ? 16 : 4 * context.settings.samples;
-    Outcome out;
+    QualityOutcome out;
     std::vector<double> samples, each_s;
     const auto picture = [&](int count, std::uint64_t seed) {
         PictureJob job = job_of(context, group, subject);
@@ -237,7 +237,7 @@ void add_quality(MirContext& context) {
         std::optional<io::Image> common;
         std::optional<double> first_s;
         for (const Subject& subject : group.subjects) {
-            const Outcome out = measure_quality(context, group, subject, common);
+            const QualityOutcome out = measure_quality(context, group, subject, common);
             const bool first = &subject == group.subjects.data();
             if (first) first_s = out.seconds;
             const bool has_ratio = out.seconds && first_s;

@@ -32,7 +32,7 @@ using nlohmann::json;
 
 constexpr int kSpectralBins = 30;
 
-struct Reference {
+struct ReferencePicture {
     const char* name;
     const char* paint;
     bsdf::Model model;
@@ -40,20 +40,21 @@ struct Reference {
 };
 
 /// quick: two of them, to see that all works.
-std::vector<Reference> all_references(bool quick) {
+std::vector<ReferencePicture> all_references(bool quick) {
     const char* walks = "random walks through the layers of the paint, unbiased";
     const char* film = "microfacets under one film, exact at each wavelength";
     const char* mean = "the mean over all facets, by quadrature over thickness and cone";
     const bsdf::Model walk = named_model("walk"), thin_film = named_model("thin-film");
     const bsdf::Model smooth = bsdf::SpecialEffectModel{.smooth_ndf = true};
-    std::vector<Reference> all = {{"metallic-gray", "paints/metallic-gray.toml", walk, walks},
-                                  {"cadmium-red", "paints/cadmium-red.toml", walk, walks},
-                                  {"tio2-mica-80", "paints/tio2-mica-80.toml", walk, walks},
-                                  {"tio2-mica-110", "paints/tio2-mica-110.toml", walk, walks},
-                                  {"film-570", "studies/mir-2022/facets-570.toml", thin_film, film},
-                                  {"film-665", "studies/mir-2022/facets-665.toml", thin_film, film},
-                                  {"facets-570", "studies/mir-2022/facets-570.toml", smooth, mean},
-                                  {"facets-665", "studies/mir-2022/facets-665.toml", smooth, mean}};
+    std::vector<ReferencePicture> all = {
+        {"metallic-gray", "paints/metallic-gray.toml", walk, walks},
+        {"cadmium-red", "paints/cadmium-red.toml", walk, walks},
+        {"tio2-mica-80", "paints/tio2-mica-80.toml", walk, walks},
+        {"tio2-mica-110", "paints/tio2-mica-110.toml", walk, walks},
+        {"film-570", "studies/mir-2022/facets-570.toml", thin_film, film},
+        {"film-665", "studies/mir-2022/facets-665.toml", thin_film, film},
+        {"facets-570", "studies/mir-2022/facets-570.toml", smooth, mean},
+        {"facets-665", "studies/mir-2022/facets-665.toml", smooth, mean}};
     if (quick) all = {all[0], all[4]};
     return all;
 }
@@ -84,7 +85,7 @@ io::Image render_batch(const render::Scene& scene, render::RenderOptions options
 }
 
 /// The files of one reference, but for its record.
-std::vector<fs::path> files_of(const fs::path& folder, const Reference& reference) {
+std::vector<fs::path> files_of(const fs::path& folder, const ReferencePicture& reference) {
     std::vector<fs::path> files;
     for (const char* ending : {".exr", ".png", ".toml", ".scene.toml"}) {
         files.push_back(folder / (std::string(reference.name) + ending));
@@ -92,7 +93,7 @@ std::vector<fs::path> files_of(const fs::path& folder, const Reference& referenc
     return files;
 }
 
-json description_of(const MirSettings& settings, const Reference& reference) {
+json description_of(const MirSettings& settings, const ReferencePicture& reference) {
     return {{"study", "mir-2022"},
             {"version", version()},
             {"name", reference.name},
@@ -106,7 +107,8 @@ json description_of(const MirSettings& settings, const Reference& reference) {
             {"spectral_bins", kSpectralBins}};
 }
 
-void write_reference(const MirSettings& settings, const Reference& reference, const Stage& stage) {
+void write_reference(const MirSettings& settings, const ReferencePicture& reference,
+                     const Stage& stage) {
     const fs::path record_file = settings.folder / (std::string(reference.name) + ".json");
     const std::vector<fs::path> files = files_of(settings.folder, reference);
     json record = description_of(settings, reference);
@@ -161,7 +163,7 @@ std::string readme(const MirSettings& settings) {
         "To compare a picture: `nacre diff PICTURE.exr NAME.exr` reports z-scores.\n\n"
         "| name | model | how |\n| --- | --- | --- |\n",
         settings.size, 4 * settings.samples, kReferenceBatches, version());
-    for (const Reference& reference : all_references(settings.quick)) {
+    for (const ReferencePicture& reference : all_references(settings.quick)) {
         text += fmt::format("| {} | {} | {} |\n", reference.name, reference.model.info().name,
                             reference.how);
     }
@@ -210,7 +212,7 @@ fs::path write_references(const MirSettings& settings, const Stage& stage) {
     const fs::path sums_file = settings.folder / "SHA256SUMS",
                    about = settings.folder / "README.md";
     std::string sums;
-    for (const Reference& reference : all_references(settings.quick)) {
+    for (const ReferencePicture& reference : all_references(settings.quick)) {
         write_reference(settings, reference, stage);
         std::vector<fs::path> files = files_of(settings.folder, reference);
         files.push_back(settings.folder / (std::string(reference.name) + ".json"));
