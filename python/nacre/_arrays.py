@@ -39,11 +39,13 @@ def texts(values: str | Sequence[str] | None) -> list[str]:
     return [values] if isinstance(values, str) else list(values)
 
 
-def optional(module: str, what: str) -> Any:
-    """An optional package. @raises ImportError saying what it is for"""
+def optional(module: str, what: str, package: str | None = None) -> Any:
+    """A module of an optional package. Raises ImportError saying what it is for."""
     import importlib
 
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        raise ImportError(f"{what} needs the package {module}: pip install {module}") from error
+        raise ImportError(
+            f"{what} needs another package: pip install {package or module}"
+        ) from error

@@ -59,6 +59,7 @@ def curves(x: Floats, ys: Floats, colours: Sequence[str], label: str) -> str:
         f'{lines}<text x="0" y="10" {text}>{top:.3g}</text>'
         f'<text x="{left}" y="{height + 12}" {text}>{x[0]:g} nm</text>'
         f'<text x="{width}" y="{height + 12}" text-anchor="end" {text}>{x[-1]:g} nm</text>'
-        f'<text x="{width / 2}" y="{height + 12}" text-anchor="middle" {text}>{escape(label)}</text>'
+        f'<text x="{width / 2}" y="{height + 12}" text-anchor="middle" {text}>'
+        f"{escape(label)}</text>"
         "</svg>"
     )

@@ -321,7 +321,7 @@ class Measurement:
         """
         if self.wavelengths_nm.size == 0:
             raise SettingError("to_colour(): the readings have no spectra")
-        colour = optional("colour", "to_colour(), of colour-science,")
+        colour = optional("colour", "to_colour()", "colour-science")
         return colour.MultiSpectralDistributions(
             self.R.T, self.wavelengths_nm, labels=self.geometries, name=self.name
         )

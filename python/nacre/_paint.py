@@ -82,8 +82,8 @@ class Export:
 
 
 class Paint:
-    """A paint, from a file of any kind that Nacre reads: a recipe (.toml), a solved paint or a table
-    (.h5), a measured BRDF (.bsdf, .binary), measured colours (.csv, .json). Its contents tell.
+    """A paint, from a file of any kind that Nacre reads: a recipe (.toml), a solved paint or a
+    table (.h5), a measured BRDF (.bsdf, .binary), measured colours (.csv, .json). Contents tell.
 
     The recipe is solved once, when values are first asked for; ``paint[key] = value`` makes it
     another paint, to be solved anew.
@@ -125,7 +125,7 @@ class Paint:
 
     @classmethod
     def from_dict(cls, recipe: Mapping[str, Any], folder: Path | None = None) -> Paint:
-        """From a recipe as a dictionary with the keys of its file, as :meth:`to_dict` returns it."""
+        """From a recipe as a dictionary, with the keys of its file, as :meth:`to_dict` gives it."""
         return cls.from_toml(_toml.dumps(recipe), folder)
 
     def copy(self) -> Paint:

@@ -86,7 +86,12 @@ std::shared_ptr<const PaintBrdf> brdf_of(const PaintHandle& handle, const BrdfSe
 /// The polar angle of a direction, which need not be of length 1.
 double polar_angle(const double* w) { return std::atan2(std::hypot(w[0], w[1]), w[2]); }
 
-double azimuth(const double* w) { return std::atan2(w[1], w[0]); }
+/// phi_o - phi_i; 0 where one of them is the normal, which has no azimuth.
+double azimuth_between(const double* wi, const double* wo) {
+    const auto is_normal = [](const double* w) { return w[0] == 0 && w[1] == 0; };
+    if (is_normal(wi) || is_normal(wo)) return 0;
+    return std::atan2(wo[1], wo[0]) - std::atan2(wi[1], wi[0]);
+}
 
 void require_direction(const char* name, const double* w) {
     const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
@@ -111,7 +116,7 @@ NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& 
         require_direction("wo", o);
         if (i[2] <= 0 || o[2] <= 0) return;  // below the horizon: opaque
         const std::vector<double> f =
-            (*brdf)(polar_angle(i), polar_angle(o), azimuth(o) - azimuth(i));
+            (*brdf)(polar_angle(i), polar_angle(o), azimuth_between(i, o));
         std::copy(f.begin(), f.end(), values.begin() + static_cast<std::ptrdiff_t>(place * width));
     });
     return to_numpy(std::move(values), places.shape_with(width));
