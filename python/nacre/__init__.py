@@ -9,10 +9,12 @@ Arrays: leading axes are broadcast, wavelengths come last. Lengths, angles and w
 their unit in their name; directions point away from the surface, z being its normal.
 """
 
+from . import _cpu  # isort: skip: before the extensions
 from ._arrays import direction
 from ._errors import DomainError, Error, InputError, SettingError, Stopped
 from ._film import (
     WAVELENGTHS_NM,
+    Chips,
     Film,
     Material,
     delta_e_2000,
@@ -31,10 +33,12 @@ from ._picture import Image, Picture, read_image, render, scene_names
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
 from ._threads import set_threads, threads
 
+del _cpu
 __version__: str = version()
 
 __all__ = [
     "WAVELENGTHS_NM",
+    "Chips",
     "Difference",
     "DiffuseReading",
     "DomainError",

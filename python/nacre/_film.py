@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -214,3 +214,25 @@ def srgb(lab: ArrayLike, *, full_light: bool = False) -> Floats:
     them down until they fit.
     """
     return _nacre.srgb_chip(doubles(lab), full_light)
+
+
+@dataclass(frozen=True)
+class Chips:
+    """Colours as a notebook shows them: a row of squares, labelled.
+
+    >>> Chips([[50, 0, 0]], ["grey"]).css
+    ['#777777']
+    """
+
+    Lab: ArrayLike
+    """(N, 3)"""
+    labels: Sequence[str]
+    """(N,)"""
+
+    @property
+    def css(self) -> list[str]:
+        """`#rrggbb`, bright colours scaled down until they fit."""
+        return [_html.css(chip) for chip in srgb(self.Lab, full_light=True).reshape(-1, 3)]
+
+    def _repr_html_(self) -> str:
+        return _html.chips(srgb(self.Lab, full_light=True).reshape(-1, 3), self.labels)

@@ -125,3 +125,14 @@ def test_bars(capsys: pytest.CaptureFixture[str], flakes: nacre.Paint) -> None:
     assert "render" in capsys.readouterr().err
     nacre.render("sphere", flakes, spp=1, size=(8, 8))
     assert capsys.readouterr().err == ""
+
+
+def test_processors_that_would_not_do() -> None:
+    from nacre._cpu import missing
+
+    flags = "fpu sse4_2 avx avx2 bmi1 bmi2 f16c fma abm movbe"
+    old = flags.replace(" avx2", "").replace(" fma", "")
+    assert missing("x86-64-v3", f"processor : 0\nflags\t\t: {flags}\n") == set()
+    assert missing("x86-64-v3", f"flags : {old}\n") == {"avx2", "fma"}
+    assert missing("", f"flags : {old}\n") == set()
+    assert missing("x86-64-v3", "") == set()
