@@ -19,7 +19,10 @@ def doubles(values: ArrayLike) -> Floats:
 
 def wavelengths(values: ArrayLike | None) -> Floats | None:
     """One axis, or None where they are chosen by the paint."""
-    return None if values is None else np.atleast_1d(doubles(values)).reshape(-1)
+    if values is None:
+        return None
+    array = doubles(values)
+    return array if array.ndim == 1 else array.reshape(-1)
 
 
 def direction(theta_deg: ArrayLike, phi_deg: ArrayLike = 0.0) -> Floats:

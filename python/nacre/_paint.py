@@ -243,7 +243,7 @@ class Paint:
         arguments = (
             doubles(wi),
             doubles(wo),
-            None if wavelengths_nm is None else wavelengths(wavelengths_nm),
+            wavelengths(wavelengths_nm),
             chosen,
             part,
             as_rendered,

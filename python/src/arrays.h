@@ -39,6 +39,28 @@ NumpyArray<T> to_numpy(std::vector<T> values, const Shape& shape) {
     return NumpyArray<T>(data, shape.size(), shape.data(), capsule);
 }
 
+/// Memory for numbers of which each will be written: large arrays are not filled with zeros first,
+/// by one thread.
+template <class T>
+class Unwritten {
+ public:
+    explicit Unwritten(std::size_t size)
+        : size_(size), values_(std::make_unique_for_overwrite<T[]>(size)) {}
+
+    T* at(std::size_t i) { return values_.get() + i; }
+    std::size_t size() const { return size_; }
+    /// Hands it over to numpy.
+    NumpyArray<T> to_numpy(const Shape& shape) && {
+        const nb::capsule capsule(values_.get(),
+                                  [](void* p) noexcept { delete[] static_cast<T*>(p); });
+        return NumpyArray<T>(values_.release(), shape.size(), shape.data(), capsule);
+    }
+
+ private:
+    std::size_t size_;
+    std::unique_ptr<T[]> values_;
+};
+
 template <class T>
 NumpyArray<T> to_numpy(std::vector<T> values) {
     const Shape shape = {values.size()};

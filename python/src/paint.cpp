@@ -109,17 +109,21 @@ NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& 
     const auto brdf =
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
-    std::vector<double> values(places.size() * width);
+    Unwritten<double> values(places.size() * width);
     for_each(places.size(), [&](std::size_t place) {
         const double *i = places.at(0, place), *o = places.at(1, place);
         require_direction("wi", i);
         require_direction("wo", o);
-        if (i[2] <= 0 || o[2] <= 0) return;  // below the horizon: opaque
+        double* const to = values.at(place * width);
+        if (i[2] <= 0 || o[2] <= 0) {  // below the horizon: opaque
+            std::fill_n(to, width, 0.0);
+            return;
+        }
         const std::vector<double> f =
             (*brdf)(polar_angle(i), polar_angle(o), azimuth_between(i, o));
-        std::copy(f.begin(), f.end(), values.begin() + static_cast<std::ptrdiff_t>(place * width));
+        std::copy(f.begin(), f.end(), to);
     });
-    return to_numpy(std::move(values), places.shape_with(width));
+    return std::move(values).to_numpy(places.shape_with(width));
 }
 
 NumpyArray<double> brdf_by_angles(const PaintHandle& handle, const Doubles& theta_i_deg,
@@ -133,14 +137,14 @@ NumpyArray<double> brdf_by_angles(const PaintHandle& handle, const Doubles& thet
     const auto brdf =
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
-    std::vector<double> values(places.size() * width);
+    Unwritten<double> values(places.size() * width);
     for_each(places.size(), [&](std::size_t place) {
         const std::vector<double> f =
             (*brdf)(*places.at(0, place) * kDegree, *places.at(1, place) * kDegree,
                     *places.at(2, place) * kDegree);
-        std::copy(f.begin(), f.end(), values.begin() + static_cast<std::ptrdiff_t>(place * width));
+        std::copy(f.begin(), f.end(), values.at(place * width));
     });
-    return to_numpy(std::move(values), places.shape_with(width));
+    return std::move(values).to_numpy(places.shape_with(width));
 }
 
 using Parameter = std::tuple<std::string, double, double, double, std::string>;
