@@ -23,8 +23,13 @@ target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:$<${gcc_12}:-Wn
 # Vectors of lanes are passed in registers whose width depends on the processor, so that a program
 # that uses the installed libraries must be compiled for the same one: -march is exported. GCC 12
 # takes its own AVX-512 headers for uninitialised variables (GCC bug 105593).
+if(NACRE_MARCH)
+  set(march -march=${NACRE_MARCH})
+elseif(NACRE_NATIVE)
+  set(march -march=native)
+endif()
 target_compile_options(nacre_options INTERFACE
-  -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<BOOL:${NACRE_NATIVE}>:-march=native>)
+  -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> ${march})
 if(NACRE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC warns of anonymous namespaces in files that others include, which here are no headers.
   target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:-Wno-subobject-linkage>)

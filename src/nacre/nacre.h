@@ -224,6 +224,9 @@ SparkleReadings measure_sparkle(const bsdf::Bsdf& look, const SparkleSettings& s
                                 const Progress& progress = {});
 
 using FitSettings = fit::FitOptions;
+/// Whether a fit sees paints as this model shows them, with its hot spot
+/// (fit::TargetOptions::hot_spot); by the equation of transfer for every other model.
+bool shows_hot_spot(const Model& model);
 struct Match;
 
 class Paint;

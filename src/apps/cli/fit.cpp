@@ -82,9 +82,7 @@ ExitStatus run(const FitOptions& options) {
     fit::FitOptions how = parse(options);
     InstrumentRequest instrument = parse_instrument(options.instrument);
     instrument.settings.seed = options.seed;
-    const bsdf::Model model = parse_model_settings(options.model);
-    const auto* nacre = model.get<NacreModel>();
-    how.target.hot_spot = nacre && nacre->hot_spot;
+    how.target.hot_spot = shows_hot_spot(parse_model_settings(options.model));
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Paint start = open_input(options, options.start);

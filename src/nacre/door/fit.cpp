@@ -8,6 +8,11 @@
 
 namespace nacre {
 
+bool shows_hot_spot(const Model& model) {
+    const auto* nacre = model.get<NacreModel>();
+    return nacre && nacre->hot_spot;
+}
+
 std::vector<std::string> Paint::free_keys(const std::vector<std::string>& patterns) const {
     std::vector<std::string> keys;
     for (const std::string& pattern : patterns) {

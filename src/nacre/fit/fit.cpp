@@ -151,7 +151,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     const auto at_best = model.evaluate(best.x, Detail::fine);
     const auto jacobian =
         at_best ? model.central_jacobian(best.x, *at_best, Detail::fine) : std::nullopt;
-    if (work.stopped()) throw Error(kStopped);
+    if (work.stopped()) throw Stopped(kStopped);
     if (!jacobian) throw Error(model.first_failure());
     out.certainty = certainty(at_best->residuals, *jacobian, numbers.size(),
                               {options.noise_delta_e, 3 * target.geometry_count(),

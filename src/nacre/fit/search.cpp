@@ -194,7 +194,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 void require_going(const ColourModel& model) {
-    if (model.stopped()) throw Error(kStopped);
+    if (model.stopped()) throw Stopped(kStopped);
 }
 
 struct Candidate {

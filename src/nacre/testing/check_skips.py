@@ -3,8 +3,10 @@
 
 usage: check_skips.py FILE   what ctest --output-junit FILE has written
 
-Tests in C++ give their reason by GTEST_SKIP() << "..."; main.cpp prints it behind the mark below. A
-test that is disabled, or that another program skips, has no reason.
+Tests in C++ give their reason by GTEST_SKIP() << "..."; main.cpp prints it behind the mark below.
+Files of tests in Python run as one test each, and print a line with the mark for each that they
+skipped (python/tests/conftest.py). A test that is disabled, or that another program skips, has no
+reason.
 """
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -13,14 +15,17 @@ MARK = "skipped, for a reason: "
 
 
 def skips(path):
-    """(name, reason or None) of each test that was not run, and how many tests there are."""
+    """(name, reason or None) of each test that was not run, or not all of it, and how many tests
+    there are."""
     cases = ElementTree.parse(path).getroot().findall(".//testcase")
     found = []
     for case in cases:
+        lines = (case.findtext("system-out") or "").splitlines()
+        reasons = [line[len(MARK):] for line in lines if line.startswith(MARK)]
         if case.get("status") not in ("run", "fail"):
-            lines = (case.findtext("system-out") or "").splitlines()
-            reasons = [line[len(MARK):] for line in lines if line.startswith(MARK)]
             found.append((case.get("name"), reasons[0] if reasons else None))
+        else:
+            found += [(case.get("name"), reason) for reason in reasons]
     return found, len(cases)
 
 

@@ -1,0 +1,81 @@
+"""Nacre predicts the look of special-effect coatings from their composition.
+
+>>> import nacre
+>>> stack = nacre.film([("TiO2_anatase", 80)], substrate="mica", wavelengths_nm=[550])
+>>> stack.R.shape
+(1,)
+
+Arrays: leading axes are broadcast, wavelengths come last. Lengths, angles and wavelengths carry
+their unit in their name; directions point away from the surface, z being its normal.
+"""
+
+from . import _cpu  # isort: skip: before the extensions
+from ._arrays import direction
+from ._errors import DomainError, Error, InputError, SettingError, Stopped
+from ._film import (
+    WAVELENGTHS_NM,
+    Chips,
+    Film,
+    Material,
+    delta_e_2000,
+    film,
+    lab,
+    material_names,
+    srgb,
+    xyz,
+)
+from ._fit import FittedParameter, Match, fit
+from ._measurement import Difference, Measurement, geometry_sets
+from ._model import Model, model_names
+from ._nacre import version
+from ._paint import Export, Paint, Parameter, Sample, Solution
+from ._picture import Image, Picture, read_image, render, scene_names
+from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
+from ._threads import set_threads, threads
+
+del _cpu
+__version__: str = version()
+
+__all__ = [
+    "WAVELENGTHS_NM",
+    "Chips",
+    "Difference",
+    "DiffuseReading",
+    "DomainError",
+    "Error",
+    "Estimate",
+    "Export",
+    "Film",
+    "FittedParameter",
+    "Image",
+    "InputError",
+    "LampReading",
+    "Match",
+    "Material",
+    "Measurement",
+    "Model",
+    "Paint",
+    "Parameter",
+    "Picture",
+    "Sample",
+    "SettingError",
+    "Solution",
+    "Sparkle",
+    "Stopped",
+    "__version__",
+    "delta_e_2000",
+    "direction",
+    "film",
+    "fit",
+    "geometry_sets",
+    "lab",
+    "material_names",
+    "model_names",
+    "read_image",
+    "render",
+    "scene_names",
+    "set_threads",
+    "srgb",
+    "threads",
+    "xyz",
+]

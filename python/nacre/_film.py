@@ -1,0 +1,238 @@
+"""Materials, thin films, and colours of spectra."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _html, _nacre
+from ._arrays import Floats, doubles
+
+WAVELENGTHS_NM: Floats = np.arange(400.0, 701.0, 10.0)
+"""The default wavelengths, nm."""
+WAVELENGTHS_NM.flags.writeable = False
+
+
+class Material:
+    """A substance by its refractive index n + ik; k >= 0 absorbs.
+
+    Parameters
+    ----------
+    index
+        A number, complex or as text ("3.18+3.33i"); the name of a shipped material
+        (:func:`material_names`); or the path of a file (.csv, .yml of refractiveindex.info).
+
+    Raises
+    ------
+    InputError
+        With what was tried and the names that exist.
+    DomainError
+        If a number is out of range.
+    """
+
+    def __init__(self, index: str | complex) -> None:
+        if isinstance(index, str):
+            self._material = _nacre.Material(index)
+        else:
+            self._material = _nacre.Material.constant(complex(index))
+
+    @classmethod
+    def sampled(
+        cls, name: str, wavelengths_nm: ArrayLike, n: ArrayLike, k: ArrayLike = 0.0
+    ) -> Material:
+        """From samples (W,) between which n and k are linear."""
+        nm, n_values = doubles(wavelengths_nm), doubles(n)
+        material = cls.__new__(cls)
+        k_values = np.ascontiguousarray(np.broadcast_to(doubles(k), nm.shape))
+        material._material = _nacre.Material.sampled(name, nm, n_values, k_values)
+        return material
+
+    @property
+    def name(self) -> str:
+        return str(self._material.name)
+
+    @property
+    def source(self) -> str:
+        """Where the data come from."""
+        return str(self._material.source)
+
+    def index(self, wavelengths_nm: ArrayLike) -> NDArray[np.complex128]:
+        """n + ik at vacuum wavelengths in nm, of their shape.
+
+        Raises
+        ------
+        DomainError
+            If the data do not reach there.
+        """
+        return self._material.index(doubles(wavelengths_nm))
+
+    def __repr__(self) -> str:
+        return f"Material({self.name!r})"
+
+
+MaterialLike = Material | str | complex | float
+
+
+def material_names() -> list[str]:
+    """Names of the shipped materials."""
+    return list(_nacre.material_names())
+
+
+def _native(material: MaterialLike) -> Any:
+    return material._material if isinstance(material, Material) else Material(material)._material
+
+
+@dataclass(frozen=True)
+class Film:
+    """Reflectance and transmittance of a stack of films."""
+
+    R: Floats
+    """(..., W)"""
+    T: Floats
+    """(..., W): the power that enters the substrate; 1 - R - T is absorbed in the films"""
+    wavelengths_nm: Floats
+    """(W,) vacuum wavelengths"""
+    angles_deg: Floats
+    """(...) angles of incidence in the ambient"""
+
+    @property
+    def Lab(self) -> Floats:
+        """(..., 3) CIELAB of R under D65 for 10 degrees."""
+        return lab(self.wavelengths_nm, self.R)
+
+    @property
+    def srgb(self) -> Floats:
+        """(..., 3) chips of R: encoded sRGB in [0, 1]."""
+        return srgb(self.Lab)
+
+    def _repr_html_(self) -> str:
+        chips = self.srgb.reshape(-1, 3)[:16]
+        labels = [f"{angle:g}°" for angle in self.angles_deg.reshape(-1)[:16]]
+        rows = self.R.reshape(-1, self.wavelengths_nm.size)[:16]
+        colours = [_html.css(chip) for chip in chips]
+        return _html.chips(chips, labels) + _html.curves(
+            self.wavelengths_nm, rows, colours, "reflectance"
+        )
+
+
+def film(
+    layers: Iterable[tuple[MaterialLike, float]],
+    *,
+    ambient: MaterialLike = 1.0,
+    substrate: MaterialLike = 1.0,
+    angles_deg: ArrayLike = 0.0,
+    wavelengths_nm: ArrayLike = WAVELENGTHS_NM,
+    polarization: str = "u",
+) -> Film:
+    """A stack of flat, coherent films between two half spaces.
+
+    Parameters
+    ----------
+    layers
+        Index and thickness in nm of each film, from the ambient inwards.
+    ambient, substrate
+        Above and below; the ambient must be transparent.
+    angles_deg
+        Angles of incidence in the ambient, [0, 90], of any shape (...).
+    wavelengths_nm
+        Vacuum wavelengths (W,).
+    polarization
+        ``s`` (perpendicular to the plane of incidence), ``p`` (parallel) or ``u`` (unpolarised).
+
+    Returns
+    -------
+    Film
+        R and T of shape (..., W).
+
+    Raises
+    ------
+    InputError
+        If there is no such material.
+    DomainError
+        If a number is out of range.
+    """
+    stack = [(_native(material), float(thickness)) for material, thickness in layers]
+    angles, nm = doubles(angles_deg), np.atleast_1d(doubles(wavelengths_nm))
+    reflected, transmitted = _nacre.film(
+        _native(ambient),
+        [material for material, _ in stack],
+        [thickness for _, thickness in stack],
+        _native(substrate),
+        angles,
+        nm,
+        polarization,
+    )
+    return Film(reflected, transmitted, nm, angles)
+
+
+def xyz(
+    wavelengths_nm: ArrayLike,
+    reflectance: ArrayLike,
+    *,
+    illuminant: str = "D65",
+    observer: str | int = "10",
+) -> Floats:
+    """XYZ (..., 3) of reflectances (..., W) at wavelengths in equal steps; the perfect diffuser has
+    Y = 100. Illuminants: A, D50, D65, FL2, FL11, E; observers: 2 and 10 degrees.
+
+    Raises
+    ------
+    DomainError
+        If wavelengths are not in equal steps, or a name is none of these.
+    """
+    nm, values = doubles(wavelengths_nm), doubles(reflectance)
+    colours: tuple[Floats, Floats] = _nacre.colours(nm, values, illuminant, str(observer))
+    return colours[0]
+
+
+def lab(
+    wavelengths_nm: ArrayLike,
+    reflectance: ArrayLike,
+    *,
+    illuminant: str = "D65",
+    observer: str | int = "10",
+) -> Floats:
+    """CIELAB (..., 3), relative to the perfect diffuser, of reflectances, as :func:`xyz`."""
+    nm, values = doubles(wavelengths_nm), doubles(reflectance)
+    colours: tuple[Floats, Floats] = _nacre.colours(nm, values, illuminant, str(observer))
+    return colours[1]
+
+
+def delta_e_2000(lab1: ArrayLike, lab2: ArrayLike) -> Floats:
+    """CIEDE2000 differences (...) of CIELAB colours (..., 3), broadcast together."""
+    return _nacre.delta_e_2000(doubles(lab1), doubles(lab2))
+
+
+def srgb(lab: ArrayLike, *, full_light: bool = False) -> Floats:
+    """Chips (..., 3) of CIELAB colours: encoded sRGB in [0, 1], the perfect diffuser being white.
+
+    Colours outside the gamut are clipped; brighter ones too, unless with `full_light`, which scales
+    them down until they fit.
+    """
+    return _nacre.srgb_chip(doubles(lab), full_light)
+
+
+@dataclass(frozen=True)
+class Chips:
+    """Colours as a notebook shows them: a row of squares, labelled.
+
+    >>> Chips([[50, 0, 0]], ["grey"]).css
+    ['#777777']
+    """
+
+    Lab: ArrayLike
+    """(N, 3)"""
+    labels: Sequence[str]
+    """(N,)"""
+
+    @property
+    def css(self) -> list[str]:
+        """`#rrggbb`, bright colours scaled down until they fit."""
+        return [_html.css(chip) for chip in srgb(self.Lab, full_light=True).reshape(-1, 3)]
+
+    def _repr_html_(self) -> str:
+        return _html.chips(srgb(self.Lab, full_light=True).reshape(-1, 3), self.labels)

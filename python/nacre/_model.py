@@ -1,0 +1,81 @@
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+from . import _nacre
+
+
+def model_names() -> list[str]:
+    """The names of the appearance models, the default first."""
+    return list(_nacre.model_names())
+
+
+def _text(value: object) -> str:
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return str(value)
+
+
+class Model:
+    """An appearance model and what is chosen about it.
+
+    Parameters
+    ----------
+    name
+        One of :func:`model_names`: ``microflake``, ``nacre``, ...
+    **options
+        Those of the command line with ``_`` for ``-``: ``Model("nacre", specimen=1,
+        hot_spot=False)``. A switch is True or False, a choice its name.
+
+    Raises
+    ------
+    SettingError
+        If there is no such model, it has no such option, or a value is not allowed.
+    """
+
+    def __init__(self, name: str, **options: bool | int | str) -> None:
+        self.name = name
+        self.options = {key: _text(value) for key, value in sorted(options.items())}
+        # flakes="explicit" is for pictures alone, and known to _render.
+        here = {key: value for key, value in self.options.items() if key != "flakes"}
+        self._model = _nacre.Model(name, here)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and (self.name, self.options) == (other.name, other.options)
+
+    def __hash__(self) -> int:
+        return hash((self.name, *self.options.items()))
+
+    def __repr__(self) -> str:
+        options = "".join(f", {key}={value!r}" for key, value in self.options.items())
+        return f"Model({self.name!r}{options})"
+
+
+ModelLike = Model | str | None
+"""A model, the name of one with its default options, or None for the default one."""
+
+
+@lru_cache(maxsize=64)
+def _named(name: str) -> Model:
+    return Model(name)
+
+
+def settings_of(model: ModelLike, what: str = "values") -> Any:
+    """For the extension _nacre."""
+    if model is None:
+        return None
+    chosen = _named(model) if isinstance(model, str) else model
+    if chosen.options.get("flakes", "hashed") != "hashed":
+        from ._errors import SettingError
+
+        raise SettingError(f"flakes = {chosen.options['flakes']}: is for pictures, not for {what}")
+    return chosen._model
+
+
+def choice_of(model: ModelLike) -> tuple[str, dict[str, str]] | None:
+    """For the extension _render."""
+    if model is None:
+        return None
+    chosen = _named(model) if isinstance(model, str) else model
+    return chosen.name, chosen.options

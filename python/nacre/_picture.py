@@ -1,0 +1,218 @@
+"""Pictures: rendered, read and written."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from . import _nacre
+from ._arrays import Floats, Floats32
+from ._model import ModelLike, choice_of
+from ._paint import Paint
+from ._progress import Progress, reporter
+
+Path = str | os.PathLike[str]
+
+
+@dataclass(frozen=True)
+class Image:
+    """A picture of linear light by channels, as files hold it."""
+
+    channels: dict[str, Floats32]
+    """(H, W) by name: "R", "albedo.R", "S0.550,000000nm" """
+    metadata: dict[str, str]
+
+    @property
+    def rgb(self) -> Floats32:
+        """(H, W, 3) linear Rec. 709. Raises KeyError if there are no such channels."""
+        return np.stack([self.channels[c] for c in "RGB"], axis=-1)
+
+    def write(self, path: Path, *, exposure_stops: float = 0.0) -> None:
+        """As .exr, every channel, or .png, tone-mapped; whole or not at all."""
+        _nacre.write_image(path, _contiguous(self.channels), self.metadata, exposure_stops)
+
+    def _repr_png_(self) -> bytes:
+        return _png(self.rgb)
+
+
+def _contiguous(channels: Mapping[str, ArrayLike]) -> dict[str, Floats32]:
+    return {name: np.ascontiguousarray(c, dtype=np.float32) for name, c in channels.items()}
+
+
+def _png(rgb: Floats32, exposure_stops: float = 0.0) -> bytes:
+    channels = _contiguous({name: rgb[..., i] for i, name in enumerate("RGB")})
+    return bytes(_nacre.encode_png(channels, exposure_stops))
+
+
+def read_image(path: Path) -> Image:
+    """Reads OpenEXR, Radiance HDR or PNG (decoded from sRGB).
+
+    Raises
+    ------
+    InputError
+        If the file is none of these, is damaged, or unfolds to too much.
+    """
+    return Image(*_nacre.read_image(path))
+
+
+class Picture:
+    """A rendered picture; ``numpy.asarray(picture)`` is its ``rgb``."""
+
+    def __init__(self, picture: Any) -> None:
+        """From the extension; see :func:`render`."""
+        self._picture = picture
+
+    @property
+    def rgb(self) -> Floats32:
+        """(H, W, 3) linear Rec. 709, from the top left; 1 is the perfect diffuser in full light."""
+        values: Floats32 = self._picture.rgb
+        return values
+
+    @property
+    def albedo(self) -> Floats32:
+        """(H, W, 3) of the first surface, for denoisers."""
+        values: Floats32 = self._picture.albedo
+        return values
+
+    @property
+    def normal(self) -> Floats32:
+        """(H, W, 3) of the first surface."""
+        values: Floats32 = self._picture.normal
+        return values
+
+    @property
+    def alpha(self) -> Floats32:
+        """(H, W) fraction of the samples that met a surface."""
+        values: Floats32 = self._picture.alpha
+        return values
+
+    @property
+    def sparkle(self) -> Floats32 | None:
+        """(H, W, 3) light of single flakes less that of their mean, where asked for."""
+        values: Floats32 | None = self._picture.sparkle
+        return values
+
+    @property
+    def spectral(self) -> Floats32 | None:
+        """(H, W, B) spectral radiance about each centre, where asked for."""
+        values: Floats32 | None = self._picture.spectral
+        return values
+
+    @property
+    def bin_centres_nm(self) -> Floats:
+        """(B,)"""
+        values: Floats = self._picture.bin_centres_nm
+        return values
+
+    @property
+    def samples(self) -> int:
+        """Per pixel."""
+        return int(self._picture.samples)
+
+    @property
+    def complete(self) -> bool:
+        """False: stopped early, a valid picture of that many samples."""
+        return bool(self._picture.complete)
+
+    @property
+    def seconds(self) -> float:
+        """Wall-clock time."""
+        return float(self._picture.seconds)
+
+    @property
+    def image(self) -> Image:
+        """A copy, channel by channel, with what a file says about it."""
+        return Image(*self._picture.image())
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        if dtype is None or np.dtype(dtype) == self.rgb.dtype:
+            return self.rgb.copy() if copy else self.rgb
+        if copy is False:
+            raise ValueError(f"another type than {self.rgb.dtype} needs a copy")
+        return self.rgb.astype(dtype)
+
+    def write(self, path: Path, *, exposure_stops: float = 0.0) -> None:
+        """As .exr, with every channel, or .png, tone-mapped; whole or not at all."""
+        self._picture.write(path, exposure_stops)
+
+    def _repr_png_(self) -> bytes:
+        return _png(self.rgb)
+
+
+def scene_names() -> list[str]:
+    """The built-in scenes."""
+    from . import _render
+
+    return list(_render.scene_names())
+
+
+def render(
+    scene: Path,
+    paint: Paint | None = None,
+    *,
+    spp: int = 64,
+    size: tuple[int, int] = (512, 512),
+    model: ModelLike = None,
+    seed: int = 0,
+    depth: int = 8,
+    footprint_pixels: float = 0.0,
+    sparkle: bool = False,
+    spectral_bins: int = 0,
+    progress: Progress = False,
+) -> Picture:
+    """A picture of a painted scene by spectral path tracing; the same bits for any number of
+    threads.
+
+    Parameters
+    ----------
+    scene
+        A scene file, or one of :func:`scene_names`.
+    paint
+        For the scene's materials that name no recipe.
+    spp
+        Samples per pixel.
+    size
+        Width and height in pixels.
+    model
+        Of all recipes; ``Model("nacre", flakes="explicit")`` follows light among discs.
+    depth
+        Surface reflections along a path.
+    footprint_pixels
+        Side of the patch that each sample shows; 0: chosen.
+    sparkle
+        Keeps the light of single flakes apart as well.
+    spectral_bins
+        Spectral channels over 400 to 700 nm.
+
+    Raises
+    ------
+    InputError
+        If the scene or a recipe is wrong.
+    DomainError
+        If a setting is out of range, a slot has no paint, or the model does not go on a shape.
+    """
+    from . import _render
+
+    width, height = size
+    with reporter(progress, "render") as report:
+        return Picture(
+            _render.render(
+                os.fspath(scene),
+                None if paint is None else paint._paint,
+                choice_of(model),
+                width,
+                height,
+                spp,
+                seed,
+                depth,
+                footprint_pixels,
+                sparkle,
+                spectral_bins,
+                report,
+            )
+        )

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <map>
+#include <string>
+
+#include "nacre/bsdf/model.h"
+#include "nacre/measure/measurement.h"
+
+// The parts of the extensions: each adds its classes and functions to a module. The package's
+// Python (python/nacre) gives them their public face; nothing here is computed twice or otherwise
+// than by the front door, nacre/nacre.h.
+
+namespace nacre::python {
+
+namespace nb = nanobind;
+
+void bind_paint(nb::module_& module);
+void bind_look(nb::module_& module);
+void bind_optics(nb::module_& module);
+void bind_measurement(nb::module_& module);
+void bind_sparkle(nb::module_& module);
+void bind_fit(nb::module_& module);
+void bind_images(nb::module_& module);
+
+/// Turns exceptions of the library into those of nacre/_errors.py, with the same texts as the
+/// command line prints.
+void translate_errors();
+
+/// The options of a model by name, as users write their values: {"hot_spot": "off"}.
+using ModelChoices = std::map<std::string, std::string>;
+
+/// The model of that name with these options.
+/// @throws SettingError naming the model and those that there are, or the option and its values
+bsdf::Model configured_model(const std::string& name, const ModelChoices& options);
+
+/// The illuminant or observer of that name. @throws SettingError
+spectra::Illuminant illuminant(const std::string& name);
+spectra::Observer observer(const std::string& name);
+
+}  // namespace nacre::python

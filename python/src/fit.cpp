@@ -1,0 +1,124 @@
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "arrays.h"
+#include "bind.h"
+#include "nacre/nacre.h"
+#include "paint_handle.h"
+#include "readings_handle.h"
+#include "work.h"
+
+namespace nacre::python {
+
+namespace {
+
+using namespace nb::literals;
+
+nb::list parameters_of(const Match& match) {
+    nb::list all;
+    for (const fit::FittedParameter& p : match.parameters) {
+        nb::dict one;
+        one["key"] = p.number.bounds.key;
+        one["value"] = p.value;
+        one["standard_error"] = p.standard_error;
+        one["start"] = p.number.start;
+        one["lo"] = p.number.bounds.lo;
+        one["hi"] = p.number.bounds.hi;
+        one["at_bound"] = p.at_lower_bound || p.at_upper_bound;
+        all.append(one);
+    }
+    return all;
+}
+
+nb::list tradeoffs_of(const Match& match) {
+    nb::list all;
+    for (const fit::Tradeoff& tradeoff : match.tradeoffs) {
+        nb::dict changes;
+        for (const auto& change : tradeoff.changes) {
+            changes[change.key.c_str()] = nb::make_tuple(change.from, change.to);
+        }
+        nb::dict one;
+        one["changes"] = changes;
+        one["rms_dE"] = tradeoff.rms_delta_e;
+        all.append(one);
+    }
+    return all;
+}
+
+nb::list alternatives_of(const Match& match) {
+    nb::list all;
+    for (const fit::Minimum& minimum : match.alternatives) {
+        nb::dict values;
+        for (std::size_t i = 0; i < minimum.values.size(); ++i) {
+            values[match.parameters[i].number.bounds.key.c_str()] = minimum.values[i];
+        }
+        nb::dict one;
+        one["values"] = values;
+        one["mean_dE2000"] = minimum.mean_delta_e_2000;
+        one["max_dE2000"] = minimum.max_delta_e_2000;
+        all.append(one);
+    }
+    return all;
+}
+
+nb::dict other_lights_of(const Match& match) {
+    nb::dict all;
+    for (const auto& [light, difference] : match.other_lights) {
+        all[spectra::name(light).c_str()] = difference_of(difference);
+    }
+    return all;
+}
+
+nb::dict match_of(const Match& match) {
+    nb::dict result;
+    result["paint"] = PaintHandle{match.paint};
+    result["parameters"] = parameters_of(match);
+    result["standard"] = Readings{match.standard};
+    result["colours"] = Readings{match.colours};
+    result["difference"] = difference_of(match.difference);
+    result["at_start"] = difference_of(match.at_start);
+    result["other_lights"] = other_lights_of(match);
+    result["converged"] = match.converged;
+    result["ended"] = match.ended;
+    result["tradeoffs"] = tradeoffs_of(match);
+    result["alternatives"] = alternatives_of(match);
+    result["solves"] = match.effort.solves;
+    result["seconds"] = match.effort.seconds;
+    return result;
+}
+
+}  // namespace
+
+void bind_fit(nb::module_& module) {
+    module.def(
+        "fit",
+        [](const Readings& standard, const PaintHandle& start, const std::vector<std::string>& free,
+           const std::optional<Model>& model, const std::vector<std::string>& also,
+           const std::map<std::string, double>& weights, int starts, std::uint64_t seed,
+           const std::optional<double>& noise_dE, double equal_dE, const nb::object& progress) {
+            FitSettings settings;
+            settings.starts = starts;
+            settings.seed = seed;
+            settings.noise_delta_e = noise_dE;
+            settings.equal_delta_e = equal_dE;
+            settings.target.weights = weights;
+            settings.target.hot_spot = model && shows_hot_spot(*model);
+            if (!also.empty()) {
+                settings.target.illuminants = {standard.measurement.conditions.illuminant};
+                for (const std::string& name : also) {
+                    settings.target.illuminants.push_back(illuminant(name));
+                }
+            }
+            const Match match = run(progress, [&](const Progress& ask) {
+                return start.paint.fit(standard.measurement, start.paint.free_keys(free), settings,
+                                       ask);
+            });
+            return match_of(match);
+        },
+        "standard"_a, "start"_a, "free"_a, "model"_a.none(), "also"_a, "weights"_a, "starts"_a,
+        "seed"_a, "noise_dE"_a.none(), "equal_dE"_a, "progress"_a.none());
+}
+
+}  // namespace nacre::python

@@ -1,0 +1,310 @@
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <memory>
+#include <optional>
+#include <tuple>
+
+#include "arrays.h"
+#include "bind.h"
+#include "nacre/core/angles.h"
+#include "nacre/core/file.h"
+#include "nacre/io/recipe_file.h"
+#include "nacre/models/models.h"
+#include "nacre/nacre.h"
+#include "paint_handle.h"
+#include "work.h"
+
+namespace nacre::python {
+
+namespace {
+
+using namespace nb::literals;
+
+using OptionalDoubles = std::optional<Doubles>;
+using Patch = std::optional<std::tuple<double, double, double>>;
+
+Part part_of(const std::string& text) {
+    if (text == "total") return Part::total;
+    if (text == "single") return Part::single;
+    if (text == "multiple") return Part::multiple;
+    throw SettingError("part", "must be total, single or multiple", text);
+}
+
+const char* name_of(Kind kind) {
+    switch (kind) {
+        case Kind::recipe:
+            return "recipe";
+        case Kind::solved_paint:
+            return "solved_paint";
+        case Kind::brdf_table:
+            return "brdf_table";
+        case Kind::measured_brdf:
+            return "measured_brdf";
+        case Kind::measured_colours:
+            return "measured_colours";
+    }
+    return "";
+}
+
+BrdfSettings settings_of(const OptionalDoubles& wavelengths_nm, const std::optional<Model>& model,
+                         const std::string& part, bool as_rendered) {
+    BrdfSettings settings{.model = model, .part = part_of(part), .as_rendered = as_rendered};
+    if (wavelengths_nm) settings.wavelengths_nm = to_vector(*wavelengths_nm);
+    return settings;
+}
+
+std::shared_ptr<const PaintBrdf> brdf_of(const PaintHandle& handle, const BrdfSettings& settings,
+                                         const Patch& patch, const nb::object& progress) {
+    for (const auto& known : handle.brdfs) {
+        if (known.model == settings.model && known.part == settings.part &&
+            known.as_rendered == settings.as_rendered && known.patch == patch &&
+            known.wavelengths_nm == settings.wavelengths_nm) {
+            return known.brdf;
+        }
+    }
+    auto brdf = run(progress, [&](const Progress& ask) {
+        PaintBrdf values = handle.paint.brdf(settings, ask);
+        if (patch) {
+            const auto& [x, y, side] = *patch;
+            values = values.on(x, y, side);
+        }
+        return std::make_shared<const PaintBrdf>(std::move(values));
+    });
+    constexpr std::size_t kKept = 8;
+    if (handle.brdfs.size() == kKept) handle.brdfs.erase(handle.brdfs.begin());
+    handle.brdfs.push_back({settings.wavelengths_nm, settings.model, settings.part,
+                            settings.as_rendered, patch, brdf});
+    return brdf;
+}
+
+/// The polar angle of a direction, which need not be of length 1.
+double polar_angle(const double* w) { return std::atan2(std::hypot(w[0], w[1]), w[2]); }
+
+/// phi_o - phi_i; 0 where one of them is the normal, which has no azimuth.
+double azimuth_between(const double* wi, const double* wo) {
+    const auto is_normal = [](const double* w) { return w[0] == 0 && w[1] == 0; };
+    if (is_normal(wi) || is_normal(wo)) return 0;
+    return std::atan2(wo[1], wo[0]) - std::atan2(wi[1], wi[0]);
+}
+
+void require_direction(const char* name, const double* w) {
+    const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    if (!(square > 0) || !std::isfinite(square)) {
+        throw DomainError(std::string(name) + ": a direction must be finite and have a length");
+    }
+}
+
+NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& wi,
+                                      const Doubles& wo, const OptionalDoubles& wavelengths_nm,
+                                      const std::optional<Model>& model, const std::string& part,
+                                      bool as_rendered, const Patch& patch,
+                                      const nb::object& progress) {
+    const Broadcast<2> places({&wi, &wo}, {"wi", "wo"}, 3);
+    const auto brdf =
+        brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
+    const std::size_t width = brdf->wavelengths_nm().size();
+    Unwritten<double> values(places.size() * width);
+    for_each(places.size(), [&](std::size_t place) {
+        const double *i = places.at(0, place), *o = places.at(1, place);
+        require_direction("wi", i);
+        require_direction("wo", o);
+        double* const to = values.at(place * width);
+        if (i[2] <= 0 || o[2] <= 0) {  // below the horizon: opaque
+            std::fill_n(to, width, 0.0);
+            return;
+        }
+        const std::vector<double> f =
+            (*brdf)(polar_angle(i), polar_angle(o), azimuth_between(i, o));
+        std::copy(f.begin(), f.end(), to);
+    });
+    return std::move(values).to_numpy(places.shape_with(width));
+}
+
+NumpyArray<double> brdf_by_angles(const PaintHandle& handle, const Doubles& theta_i_deg,
+                                  const Doubles& theta_o_deg, const Doubles& phi_deg,
+                                  const OptionalDoubles& wavelengths_nm,
+                                  const std::optional<Model>& model, const std::string& part,
+                                  bool as_rendered, const Patch& patch,
+                                  const nb::object& progress) {
+    const Broadcast<3> places({&theta_i_deg, &theta_o_deg, &phi_deg},
+                              {"theta_i_deg", "theta_o_deg", "phi_deg"}, 1);
+    const auto brdf =
+        brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
+    const std::size_t width = brdf->wavelengths_nm().size();
+    Unwritten<double> values(places.size() * width);
+    for_each(places.size(), [&](std::size_t place) {
+        const std::vector<double> f =
+            (*brdf)(*places.at(0, place) * kDegree, *places.at(1, place) * kDegree,
+                    *places.at(2, place) * kDegree);
+        std::copy(f.begin(), f.end(), values.at(place * width));
+    });
+    return std::move(values).to_numpy(places.shape_with(width));
+}
+
+using Parameter = std::tuple<std::string, double, double, double, std::string>;
+
+std::vector<Parameter> parameters(const PaintHandle& handle) {
+    std::vector<Parameter> all;
+    for (const paint::RecipeParameter& p : paint::recipe_parameters(handle.paint.recipe())) {
+        all.emplace_back(p.key, p.value, p.range.lo, p.range.hi, p.range.unit);
+    }
+    return all;
+}
+
+double value_of(const PaintHandle& handle, const std::string& key) {
+    const paint::Recipe& recipe = handle.paint.recipe();
+    return paint::find_parameter(recipe, paint::matching_parameters(recipe, key).at(0)).value;
+}
+
+nb::dict solve(const PaintHandle& handle, const OptionalDoubles& wavelengths_nm, int exit_nodes,
+               int inner_nodes, int max_orders, double tolerance, const nb::object& progress) {
+    SolveSettings settings;
+    if (wavelengths_nm) settings.wavelengths_nm = to_vector(*wavelengths_nm);
+    settings.resolution = {exit_nodes, inner_nodes, max_orders, tolerance};
+    const auto solved =
+        run(progress, [&](const Progress& ask) { return handle.paint.solved(settings, ask); });
+    nb::dict result;
+    result["wavelengths_nm"] = to_numpy(std::vector<double>(solved->wavelengths_nm()));
+    result["exit_nodes"] = solved->report.exit_nodes;
+    result["inner_nodes"] = solved->report.inner_nodes;
+    result["orders"] = solved->report.orders;
+    result["unresolved_scattering"] = solved->report.unresolved_scattering;
+    result["azimuthal_tail"] = solved->report.azimuthal_tail;
+    return result;
+}
+
+std::vector<std::string> warnings(const PaintHandle& handle) {
+    std::vector<std::string> texts;
+    for (const SolverWarning& warning : handle.paint.warnings()) texts.push_back(warning.message);
+    return texts;
+}
+
+using Error2 = std::pair<double, double>;
+
+Error2 write(const Exported& exported, const std::filesystem::path& path) {
+    exported.write(path);
+    return {exported.error.flux, exported.error.peak};
+}
+
+BrdfSettings export_settings(const OptionalDoubles& wavelengths_nm,
+                             const std::optional<Model>& model) {
+    return settings_of(wavelengths_nm, model, "total", true);
+}
+
+Error2 write_rgl(const PaintHandle& handle, const std::filesystem::path& path, int resolution,
+                 int incidences, bool rgb, const OptionalDoubles& wavelengths_nm,
+                 const std::optional<Model>& model, const nb::object& progress) {
+    const RglSettings rgl{.resolution = resolution, .incident = incidences, .rgb = rgb};
+    return run(progress, [&](const Progress& ask) {
+        return write(handle.paint.export_rgl(rgl, export_settings(wavelengths_nm, model), ask),
+                     path);
+    });
+}
+
+Error2 write_merl(const PaintHandle& handle, const std::filesystem::path& path,
+                  const std::tuple<int, int, int>& cells, const OptionalDoubles& wavelengths_nm,
+                  const std::optional<Model>& model, const nb::object& progress) {
+    const auto& [half, difference, azimuths] = cells;
+    return run(progress, [&](const Progress& ask) {
+        return write(handle.paint.export_merl({half, difference, azimuths},
+                                              export_settings(wavelengths_nm, model), ask),
+                     path);
+    });
+}
+
+/// The solution, or the table that the model makes of it.
+std::size_t write_solved(const PaintHandle& handle, const std::filesystem::path& path,
+                         const OptionalDoubles& wavelengths_nm, const std::optional<Model>& model,
+                         const nb::object& progress) {
+    SolveSettings settings;
+    if (wavelengths_nm) settings.wavelengths_nm = to_vector(*wavelengths_nm);
+    return run(progress, [&](const Progress& ask) {
+        const std::string bytes = model && model->makes_table()
+                                      ? handle.paint.export_table(*model, settings, ask)
+                                      : handle.paint.export_solved(settings, ask);
+        write_file_atomically(path, bytes, ask);
+        return bytes.size();
+    });
+}
+
+PaintHandle from_bytes(const nb::bytes& bytes, const std::string& name,
+                       const std::optional<std::filesystem::path>& folder) {
+    std::string contents(bytes.c_str(), bytes.size());
+    const nb::gil_scoped_release release;
+    return {open_text(std::move(contents), name,
+                      folder ? References::anywhere(*folder) : References())};
+}
+
+std::vector<std::string> model_names() {
+    std::vector<std::string> names;
+    for (const bsdf::ModelInfo* model : models::all_models()) names.emplace_back(model->name);
+    return names;
+}
+
+}  // namespace
+
+void bind_paint(nb::module_& module) {
+    nb::class_<bsdf::Model>(module, "Model")
+        .def(nb::new_(&configured_model), "name"_a, "options"_a)
+        .def("text", &bsdf::Model::text);
+    module.def("model_names", &model_names);
+
+    const auto wavelengths = nb::arg("wavelengths_nm").none();
+    const auto model = nb::arg("model").none();
+    nb::class_<PaintHandle>(module, "Paint")
+        .def_static(
+            "open",
+            [](const std::filesystem::path& path) { return PaintHandle{nacre::open(path)}; },
+            "path"_a, nb::call_guard<nb::gil_scoped_release>())
+        .def_static("from_bytes", &from_bytes, "data"_a, "name"_a, "folder"_a.none())
+        .def_prop_ro("kind", [](const PaintHandle& p) { return name_of(p.paint.kind()); })
+        .def_prop_ro("file", [](const PaintHandle& p) { return p.paint.file(); })
+        .def_prop_ro("name", [](const PaintHandle& p) { return p.paint.name(); })
+        .def_prop_ro("sha256", [](const PaintHandle& p) { return p.paint.recipe_sha256(); })
+        .def("toml",
+             [](const PaintHandle& p) {
+                 return io::write_recipe(p.paint.recipe(), p.paint.bounds());
+             })
+        .def("parameters", &parameters)
+        .def("value", &value_of, "key"_a)
+        .def(
+            "with_value",
+            [](const PaintHandle& p, const std::string& key, double value) {
+                return PaintHandle{p.paint.with(key, value)};
+            },
+            "key"_a, "value"_a)
+        .def(
+            "free_keys",
+            [](const PaintHandle& p, const std::vector<std::string>& patterns) {
+                return p.paint.free_keys(patterns);
+            },
+            "patterns"_a)
+        .def("solve", &solve, wavelengths, "exit_nodes"_a, "inner_nodes"_a, "max_orders"_a,
+             "tolerance"_a, "progress"_a.none())
+        .def("warnings", &warnings)
+        .def(
+            "wavelengths_nm",
+            [](const PaintHandle& p, const std::optional<Model>& chosen) {
+                const auto brdf =
+                    brdf_of(p, settings_of({}, chosen, "total", false), {}, nb::none());
+                return to_numpy(std::vector<double>(brdf->wavelengths_nm()));
+            },
+            model)
+        .def("brdf", &brdf_by_directions, "wi"_a, "wo"_a, wavelengths, model, "part"_a,
+             "as_rendered"_a, "patch"_a.none(), "progress"_a.none())
+        .def("brdf_at", &brdf_by_angles, "theta_i_deg"_a, "theta_o_deg"_a, "phi_deg"_a, wavelengths,
+             model, "part"_a, "as_rendered"_a, "patch"_a.none(), "progress"_a.none())
+        .def("write_rgl", &write_rgl, "path"_a, "resolution"_a, "incidences"_a, "rgb"_a,
+             wavelengths, model, "progress"_a.none())
+        .def("write_merl", &write_merl, "path"_a, "cells"_a, wavelengths, model,
+             "progress"_a.none())
+        .def("write_solved", &write_solved, "path"_a, wavelengths, model, "progress"_a.none());
+}
+
+}  // namespace nacre::python

@@ -1,0 +1,152 @@
+#include "nacre/render.h"
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "arrays.h"
+#include "bind.h"
+#include "nacre/models/traced/traced_models.h"
+#include "nacre/render/builtin_scenes.h"
+#include "paint_handle.h"
+#include "work.h"
+
+// The extension nacre._render: pictures, which need Embree and assimp. It shares the classes of
+// nacre._nacre, which must be imported first, and makes models of its own: only it knows those that
+// trace rays among flakes.
+
+namespace nacre::python {
+
+namespace {
+
+using namespace nb::literals;
+
+/// A model, or the one that shows its paint in another way: {"flakes": "explicit"}.
+Model render_model(const std::string& name, ModelChoices options) {
+    for (const bsdf::ModelInfo* traced : models::traced_models()) {
+        const bsdf::Alternative& alternative = *traced->alternative;
+        if (alternative.to->name != name) continue;
+        const std::string key(alternative.flag.substr(2));
+        const auto given = options.find(key);
+        if (given == options.end()) continue;
+        const std::string value = given->second;
+        options.erase(given);
+        const Model model = configured_model(name, options);
+        if (value == alternative.value) return alternative.from(model);
+        if (value != alternative.usual) {
+            throw SettingError(key,
+                               "must be one of " + std::string(alternative.usual) + ", " +
+                                   std::string(alternative.value),
+                               value);
+        }
+        return model;
+    }
+    return configured_model(name, options);
+}
+
+using FloatView = nb::ndarray<nb::numpy, const float>;
+
+/// A picture's memory as numpy sees it: it keeps the picture alive. None where it is empty.
+nb::object view(nb::handle owner, const Picture& picture, const std::vector<float>& values,
+                std::size_t depth) {
+    if (values.empty()) return nb::none();
+    Shape shape = {static_cast<std::size_t>(picture.result.height),
+                   static_cast<std::size_t>(picture.result.width)};
+    if (depth > 0) shape.push_back(depth);
+    return nb::cast(FloatView(values.data(), shape.size(), shape.data(), owner));
+}
+
+/// A property with `depth` values a pixel; 0: one, without an axis of its own.
+auto pixels(std::vector<float> render::RenderResult::*member, std::size_t depth) {
+    return [member, depth](nb::handle self) {
+        const Picture& picture = nb::cast<const Picture&>(self);
+        return view(self, picture, picture.result.*member, depth);
+    };
+}
+
+nb::object spectral(nb::handle self) {
+    const Picture& picture = nb::cast<const Picture&>(self);
+    return view(self, picture, picture.result.spectral, picture.result.bin_centres_nm.size());
+}
+
+nb::tuple image(const Picture& picture) {
+    io::Image image = picture.image();
+    const Shape shape = {static_cast<std::size_t>(image.height),
+                         static_cast<std::size_t>(image.width)};
+    nb::dict channels;
+    for (io::Channel& channel : image.channels) {
+        channels[channel.name.c_str()] = to_numpy(std::move(channel.pixels), shape);
+    }
+    return nb::make_tuple(channels, nb::cast(image.metadata));
+}
+
+Picture render(const std::string& scene_name, const std::optional<PaintHandle>& paint,
+               const std::optional<std::pair<std::string, ModelChoices>>& model,
+               const RenderSettings& settings, const nb::object& progress) {
+    return run(progress, [&](const Progress& ask) {
+        render::check(settings);  // before the paint is solved
+        ScenePaints paints;
+        if (paint) paints.slot = paint->paint;
+        if (model) paints.model = render_model(model->first, model->second);
+        const Scene scene(find_scene(scene_name), paints, [&](double) { return ask(0); });
+        return scene.render(settings, ask);
+    });
+}
+
+}  // namespace
+
+}  // namespace nacre::python
+
+NB_MODULE(_render, module) {
+    using namespace nacre::python;
+    using namespace nanobind::literals;
+    nanobind::module_::import_("nacre._nacre");
+    translate_errors();
+    using nacre::Picture;
+    using nacre::render::RenderResult;
+    nanobind::class_<Picture>(module, "Picture")
+        .def_prop_ro("rgb", pixels(&RenderResult::rgb, 3))
+        .def_prop_ro("albedo", pixels(&RenderResult::albedo, 3))
+        .def_prop_ro("normal", pixels(&RenderResult::normal, 3))
+        .def_prop_ro("alpha", pixels(&RenderResult::alpha, 0))
+        .def_prop_ro("sparkle", pixels(&RenderResult::sparkle, 3))
+        .def_prop_ro("spectral", &spectral)
+        .def_prop_ro(
+            "bin_centres_nm",
+            [](const Picture& p) { return to_numpy(std::vector<double>(p.result.bin_centres_nm)); },
+            kOwned)
+        .def_prop_ro("samples", [](const Picture& p) { return p.result.samples; })
+        .def_prop_ro("complete", [](const Picture& p) { return p.result.complete; })
+        .def_prop_ro("seconds", [](const Picture& p) { return p.result.seconds; })
+        .def("image", &image)
+        .def(
+            "write",
+            [](const Picture& p, const std::filesystem::path& path, double exposure_stops) {
+                p.write(path, {exposure_stops});
+            },
+            "path"_a, "exposure_stops"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
+    module.def(
+        "render",
+        [](const std::string& scene, const std::optional<PaintHandle>& paint,
+           const std::optional<std::pair<std::string, ModelChoices>>& model, int width, int height,
+           int spp, std::uint64_t seed, int depth, double footprint_pixels, bool sparkle,
+           int spectral_bins, const nanobind::object& progress) {
+            return render(scene, paint, model,
+                          {.width = width,
+                           .height = height,
+                           .samples_per_pixel = spp,
+                           .seed = seed,
+                           .max_depth = depth,
+                           .footprint_pixels = footprint_pixels,
+                           .sparkle = sparkle,
+                           .spectral_bins = spectral_bins},
+                          progress);
+        },
+        "scene"_a, "paint"_a.none(), "model"_a.none(), "width"_a, "height"_a, "spp"_a, "seed"_a,
+        "depth"_a, "footprint_pixels"_a, "sparkle"_a, "spectral_bins"_a, "progress"_a.none());
+    module.def("scene_names", &nacre::render::builtin_scene_names);
+}

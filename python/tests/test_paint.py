@@ -1,0 +1,214 @@
+"""Paints as values: opened, changed, evaluated, and what is wrong with them said."""
+
+from __future__ import annotations
+
+import gc
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nacre
+from nacre import _toml
+
+NM = [500.0, 600.0]
+
+
+@pytest.fixture
+def pearl(paints: Path) -> nacre.Paint:
+    return nacre.Paint(paints / "tio2-mica-80.toml")
+
+
+def test_every_recipe_survives_being_a_dictionary(paints: Path) -> None:
+    files = sorted(paints.glob("*.toml"))
+    assert len(files) > 5
+    for file in files:
+        paint = nacre.Paint(file)
+        raw = tomllib.loads(file.read_text())
+        assert nacre.Paint.from_dict(raw, folder=paints).sha256 == paint.sha256, file.name
+        assert nacre.Paint.from_dict(paint.to_dict()).sha256 == paint.sha256, file.name
+        assert nacre.Paint.from_toml(paint.to_toml()).sha256 == paint.sha256, file.name
+
+
+@pytest.mark.parametrize(
+    "table",
+    [
+        {"a": True, "b": -3, "c": 1e-9, "d": 'quote " \\ \n \x7f \x01 é', "with space": [1, 2.5]},
+        {"t": {"u": {"v": 1}}, "list": [{"x": 1, "y": {"z": []}}, {"x": 2}], "last": "top"},
+        {"empty": {}, "nested": [[1, 2], ["a"]], "inf": float("inf")},
+    ],
+)
+def test_toml_is_read_back(table: dict[str, Any]) -> None:
+    assert tomllib.loads(_toml.dumps(table)) == table
+
+
+def test_what_is_no_toml() -> None:
+    with pytest.raises(TypeError, match="binder: a recipe holds no NoneType"):
+        nacre.Paint.from_dict({"binder": None})
+    with pytest.raises(TypeError, match="are text"):
+        nacre.Paint.from_dict({1: 2})  # type: ignore[dict-item]
+    assert tomllib.loads(_toml.dumps({"a": np.array([1.5, 2]), "b": np.float64(3)})) == {
+        "a": [1.5, 2.0],
+        "b": 3.0,
+    }
+
+
+def test_a_new_value_is_another_paint(pearl: nacre.Paint) -> None:
+    key = "coats[0].thickness_nm"
+    before = pearl.brdf_at(45, 30, 180, NM)
+    other = pearl.copy()
+    other[key] = 95
+    assert (pearl[key], other[key]) == (80, 95)
+    assert f"layer[0].flakes[0].{key}" in other.parameters
+    assert other.sha256 != pearl.sha256
+    after = other.brdf_at(45, 30, 180, NM)
+    assert not np.allclose(before, after, rtol=1e-2)
+    np.testing.assert_array_equal(pearl.brdf_at(45, 30, 180, NM), before)
+    np.testing.assert_array_equal(pearl.with_values({key: 95}).brdf_at(45, 30, 180, NM), after)
+    with pytest.raises(nacre.DomainError, match=r"thickness_nm = -1: must be in \(0, 100000\] nm"):
+        other[key] = -1
+    with pytest.raises(nacre.DomainError, match="no"):
+        other["coats[7].thickness_nm"]
+
+
+def test_leading_axes_are_broadcast(pearl: nacre.Paint) -> None:
+    wi = nacre.direction([20, 40])[:, None, :]
+    wo = nacre.direction([0, 30, 50], 180)
+    values = pearl.brdf(wi, wo, NM)
+    assert values.shape == (2, 3, 2)
+    for i in range(2):
+        for o in range(3):
+            np.testing.assert_array_equal(values[i, o], pearl.brdf(wi[i, 0], wo[o], NM))
+    assert pearl.brdf(nacre.direction(10), nacre.direction(20), 550).shape == (1,)
+    assert pearl.brdf_at(10, 20, np.zeros((0, 4)), NM).shape == (0, 4, 2)
+    many = np.broadcast_to(wo, (50, 3, 3))  # so many that threads share them
+    np.testing.assert_array_equal(pearl.brdf(wi[0], many, NM)[49], values[0])
+
+
+def test_reciprocal_and_black_below_the_horizon(pearl: nacre.Paint) -> None:
+    wi, wo = nacre.direction(25, 10), nacre.direction(60, 150)
+    np.testing.assert_allclose(pearl.brdf(wi, wo, NM), pearl.brdf(wo, wi, NM), rtol=1e-6)
+    assert not pearl.brdf(wi, [0, 0.1, -1], NM).any()
+    assert not pearl.brdf([1, 0, 0], wo, NM).any()
+
+
+@pytest.mark.parametrize(
+    ("wi", "message"),
+    [
+        ([0, 1], r"wi: has the shape \(2,\); its last axis must have 3 values"),
+        ([0, 0, 0], "wi: a direction must be finite"),
+        ([np.nan, 0, 1], "wi: a direction must be finite"),
+        (np.ones((4, 3)), r"wi of leading axes \(4,\) and wo of \(2,\) cannot be broadcast"),
+    ],
+)
+def test_wrong_directions(pearl: nacre.Paint, wi: Any, message: str) -> None:
+    wo = np.ones((2, 3))
+    for call in (pearl.brdf, pearl.pdf):
+        with pytest.raises(nacre.DomainError, match=message):
+            call(wi, wo, NM)
+
+
+def test_wrong_settings(pearl: nacre.Paint) -> None:
+    with pytest.raises(
+        nacre.SettingError, match=r"model = nacer: is no model \(did you mean 'nacre'"
+    ):
+        pearl.brdf_at(0, 0, 0, NM, model="nacer")
+    with pytest.raises(nacre.SettingError, match="hot_spots: the model nacre has no such option"):
+        nacre.Model("nacre", hot_spots=True)
+    with pytest.raises(nacre.SettingError, match="table") as raised:
+        nacre.Model("microflake", table="no")
+    assert "raw" in str(raised.value)
+    with pytest.raises(nacre.SettingError, match="part = half: must be total"):
+        pearl.brdf_at(0, 0, 0, NM, part="half")
+    with pytest.raises(nacre.DomainError):
+        pearl.brdf_at(95, 0, 0, NM)
+    with pytest.raises(nacre.SettingError, match="illuminant = D64") as light:
+        pearl.measure(illuminant="D64")
+    assert light.value.setting == "illuminant"
+    with pytest.raises(nacre.SettingError, match="9 wavelengths; 1 to 8"):
+        pearl.sample([0, 0, 1], np.arange(9) * 10.0 + 500)
+    with pytest.raises(nacre.DomainError, match=r"u: must be in \[0, 1\)"):
+        pearl.sample([0, 0, 1], NM, u=[0, 1, 0])
+    assert issubclass(nacre.SettingError, ValueError)
+    assert issubclass(nacre.InputError, nacre.Error)
+
+
+@pytest.mark.parametrize("model", ["microflake", "thin-film", "nacre"])
+def test_samples_have_their_density_and_add_up_to_the_albedo(
+    model: str, pearl: nacre.Paint
+) -> None:
+    n = 20000
+    wi = nacre.direction(35, 20)
+    sample = pearl.sample(np.broadcast_to(wi, (n, 3)), NM, rng=7, model=model)
+    assert sample.valid.mean() > 0.5
+    drawn = sample.valid & ~sample.specular
+    density = pearl.pdf(wi, sample.wo[drawn], NM, model=model)
+    np.testing.assert_allclose(density, sample.pdf[drawn], rtol=2e-3)
+    brdf = pearl.brdf(wi, sample.wo[drawn], NM, model=model, as_rendered=True)
+    cosine = sample.wo[drawn, 2:]
+    # The scattering lobe's weight is f cos / pdf.
+    np.testing.assert_allclose(brdf * cosine / density[:, None], sample.weight[drawn], rtol=2e-2)
+    mean = sample.weight.mean(axis=0)
+    error = sample.weight.std(axis=0) / np.sqrt(n)
+    albedo = pearl.albedo(wi, NM, model=model)
+    assert (np.abs(mean - albedo) < 4 * error + 0.01 * albedo).all()
+    again = pearl.sample(np.broadcast_to(wi, (n, 3)), NM, rng=7, model=model)
+    np.testing.assert_array_equal(again.wo, sample.wo)
+
+
+def test_arrays_own_their_memory(pearl: nacre.Paint, paints: Path) -> None:
+    values = pearl.brdf_at(45, 30, 180, NM)
+    kept = values.copy()
+    reading = pearl.measure(wavelengths_nm=[450, 550, 650])
+    spectra = reading.R
+    expected = spectra.copy()
+    picture = nacre.render("sphere", nacre.Paint(paints / "red-gold.toml"), spp=1, size=(8, 8))
+    rgb = picture.rgb
+    assert not rgb.flags.writeable  # the picture's own
+    pixels = rgb.copy()
+    del reading, picture
+    gc.collect()
+    np.testing.assert_array_equal(values, kept)
+    np.testing.assert_array_equal(spectra, expected)
+    np.testing.assert_array_equal(rgb, pixels)
+    assert values.flags.writeable
+    assert values.dtype == np.float64
+
+
+def test_solutions(pearl: nacre.Paint) -> None:
+    solution = pearl.solve([550.0], exit_nodes=16, inner_nodes=8)
+    assert solution.exit_nodes == 16
+    np.testing.assert_array_equal(solution.wavelengths_nm, [550])
+    assert any("nodes miss" in text for text in pearl.warnings) == (
+        solution.unresolved_scattering > 0.02
+    )
+    with pytest.raises(nacre.InputError, match="exit_nodes = 7 is not a multiple of 4"):
+        pearl.solve([550.0], exit_nodes=7)
+
+
+def test_paints_without_a_recipe(paints: Path, tmp_path: Path, pearl: nacre.Paint) -> None:
+    reading = pearl.measure(wavelengths_nm=[450, 550, 650])
+    colours = nacre.Paint.from_bytes(reading.csv().encode(), "panel.csv")
+    assert colours.kind == "measured_colours"
+    with pytest.raises(nacre.InputError, match=r"panel\.csv: holds measured colours; a recipe is"):
+        colours.to_toml()
+    np.testing.assert_array_equal(colours.measure("45as45").Lab[0], reading.Lab[3])
+    # What no file of its own may be named by.
+    text = pearl.to_toml().replace('"mica"', '"mica.csv"')
+    assert '"mica.csv"' in text
+    with pytest.raises(nacre.InputError, match=r"mica\.csv"):
+        nacre.Paint.from_toml(text)
+
+
+def test_explicit_flakes_are_for_pictures(pearl: nacre.Paint) -> None:
+    model = nacre.Model("nacre", flakes="explicit")
+    with pytest.raises(nacre.SettingError, match="is for pictures, not for values"):
+        pearl.brdf_at(0, 0, 0, NM, model=model)
+    with pytest.raises(nacre.DomainError, match="flakes = no: must be one of hashed, explicit"):
+        nacre.render("macro", pearl, model=nacre.Model("nacre", flakes="no"), spp=1, size=(4, 4))
+    with pytest.raises(nacre.InputError, match="explicit flakes are at most 8e"):
+        nacre.render("macro", pearl, model=model, spp=1, size=(4, 4))
+    with pytest.raises(nacre.DomainError, match="flat panel"):
+        nacre.render("sphere", pearl, model=model, spp=1, size=(4, 4))

@@ -1,0 +1,120 @@
+"""Results as tables of other packages, and as notebooks show them."""
+
+from __future__ import annotations
+
+import builtins
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+import nacre
+
+
+@pytest.fixture(scope="module")
+def reading(paints: Path) -> nacre.Measurement:
+    return nacre.Paint(paints / "tio2-mica-80.toml").measure(wavelengths_nm=range(400, 701, 20))
+
+
+def test_pandas(reading: nacre.Measurement) -> None:
+    pytest.importorskip("pandas", reason="pandas is not installed")
+    table = reading.to_pandas()
+    assert list(table.index) == reading.geometries
+    np.testing.assert_array_equal(table[["L", "a", "b"]], reading.Lab)
+    np.testing.assert_array_equal(table["R560"], reading.R[:, 8])
+    differences = reading.difference(reading).to_pandas()
+    assert (differences["dE2000"] == 0).all()
+
+
+def test_pandas_of_sparkle(paints: Path) -> None:
+    pytest.importorskip("pandas", reason="pandas is not installed")
+    sparkle = nacre.Paint(paints / "glitter-100um.toml").sparkle(
+        lamps_deg=[15], field_mm=3, pixel_um=60, diffuse_samples=2
+    )
+    table = sparkle.to_pandas()
+    assert list(table.index) == ["15s", "diffuse"]
+    assert table.loc["15s", "spots_per_cm2"] == sparkle.lamps[0].spots_per_cm2.value
+    assert "graininess" in sparkle._repr_html_()
+
+
+def test_xarray(reading: nacre.Measurement) -> None:
+    pytest.importorskip("xarray", reason="xarray is not installed")
+    data = reading.to_xarray()
+    np.testing.assert_array_equal(
+        data["R"].sel(geometry="45as45", wavelength_nm=500), reading.R[3, 5]
+    )
+    np.testing.assert_array_equal(data["Lab"].sel(lab="L"), reading.Lab[:, 0])
+    assert data.attrs["illuminant"] == "D65"
+
+
+def test_colour(reading: nacre.Measurement) -> None:
+    pytest.importorskip("colour", reason="colour-science is not installed")
+    spectra = reading.to_colour()
+    assert spectra.labels == reading.geometries
+    np.testing.assert_array_equal(spectra.values.T, reading.R)
+    np.testing.assert_array_equal(spectra.wavelengths, reading.wavelengths_nm)
+
+
+def test_a_package_that_is_missing_is_named(
+    reading: nacre.Measurement, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    genuine = builtins.__import__
+
+    def without(name: str, *rest: Any) -> Any:
+        if name in ("pandas", "xarray", "colour"):
+            raise ImportError(name)
+        return genuine(name, *rest)
+
+    import importlib
+
+    monkeypatch.setattr(importlib, "import_module", without)
+    for call, package in (
+        (reading.to_pandas, "pandas"),
+        (reading.to_xarray, "xarray"),
+        (reading.to_colour, "colour-science"),
+    ):
+        with pytest.raises(ImportError, match=f"pip install {package}"):
+            call()
+
+
+def test_html(reading: nacre.Measurement, paints: Path) -> None:
+    film = nacre.film([("TiO2_anatase", 100)], angles_deg=[0, 60])
+    paint = nacre.Paint(paints / "tio2-mica-80.toml")
+    for thing in (reading, film, paint, reading.difference(reading)):
+        html = thing._repr_html_()
+        root = ElementTree.fromstring(f"<p>{html}</p>")
+        if thing is reading:
+            chips = [e for e in root.iter("div") if "background:#" in e.get("style", "")]
+            assert len(chips) == len(reading.geometries)
+            assert len(list(root.iter("polyline"))) == len(reading.geometries)
+    assert "coats[0].thickness_nm" in paint._repr_html_()
+    assert reading.srgb.min() >= 0
+    assert reading.srgb.max() <= 1
+
+
+def test_html_escapes_what_files_say() -> None:
+    text = 'name = "<script>"\nior = 1.5\n[[layer]]\nthickness_um = 10\n'
+    html = nacre.Paint.from_toml(text)._repr_html_()
+    assert "<script>" not in html
+    assert "&lt;script&gt;" in html
+
+
+def test_spectra_of_ones_own() -> None:
+    nm = np.arange(400.0, 701, 10)
+    grey = np.full((2, nm.size), 0.18)
+    reading = nacre.Measurement.from_spectra(["45as15", "45as110"], nm, grey, name="card")
+    np.testing.assert_allclose(reading.XYZ[:, 1], 18, rtol=1e-12)
+    np.testing.assert_allclose(reading.Lab[:, 1:], 0, atol=1e-9)
+    assert reading.name == "card"
+    assert reading.flop_index is None
+    with pytest.raises(nacre.DomainError, match=r"R: must have the shape \(2, 31\)"):
+        nacre.Measurement.from_spectra(["45as15", "45as110"], nm, grey[:1])
+    # Colours alone have no spectra.
+    colours = "geometry,L,a,b\n45as15,50,1,2\n45as45,40,1,2\n"
+    alone = nacre.Paint.from_bytes(colours.encode(), "panel.csv").measure()
+    assert alone.R.shape == (2, 0)
+    with pytest.raises(nacre.SettingError, match="no spectra"):
+        alone.to_colour()
+    assert "svg" not in alone._repr_html_()

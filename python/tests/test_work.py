@@ -1,0 +1,138 @@
+"""Work that takes long: progress, Ctrl-C, threads, the interpreter's lock."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nacre
+
+
+@pytest.fixture
+def flakes(paints: Path) -> nacre.Paint:
+    return nacre.Paint(paints / "metallic-silver.toml")
+
+
+LONG = 1 << 20  # samples per pixel of a picture that nobody waits for
+
+
+def test_progress_is_told_and_may_stop_a_picture(flakes: nacre.Paint) -> None:
+    told: list[float] = []
+    caller = threading.get_ident()
+
+    def three_times(fraction: float) -> bool:
+        assert threading.get_ident() == caller
+        told.append(fraction)
+        return len(told) < 3
+
+    picture = nacre.render("sphere", flakes, spp=LONG, size=(16, 16), progress=three_times)
+    assert not picture.complete
+    assert len(told) >= 3
+    assert all(0 <= fraction <= 1 for fraction in told)
+
+
+def test_what_has_nothing_to_hand_over_raises_stopped(paints: Path) -> None:
+    paint = nacre.Paint(paints / "tio2-mica-80.toml")
+    with pytest.raises(nacre.Stopped, match="stopped"):
+        paint.solve(np.linspace(400, 700, 301), progress=lambda _: False)
+    with pytest.raises(nacre.Stopped):
+        nacre.fit(paint, paint, "coats[0].thickness_nm", progress=lambda _: False)
+
+
+def test_what_progress_raises_is_raised(flakes: nacre.Paint) -> None:
+    def fail(_: float) -> None:
+        raise LookupError("of mine")
+
+    with pytest.raises(LookupError, match="of mine"):
+        nacre.render("sphere", flakes, spp=LONG, size=(16, 16), progress=fail)
+
+
+@pytest.mark.parametrize("work", ["picture", "values"])
+def test_ctrl_c(work: str, flakes: nacre.Paint) -> None:
+    timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+    many = np.full(5_000_000, 30.0)  # minutes
+    flakes.brdf_at(0, 0, 0, [550.0])  # solved
+
+    def long_work() -> None:
+        if work == "picture":
+            nacre.render("sphere", flakes, spp=LONG, size=(16, 16))
+        else:
+            flakes.brdf_at(many, 20, 180, [550.0])
+
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        long_work()
+    timer.join()
+
+
+def test_others_work_meanwhile(flakes: nacre.Paint) -> None:
+    steps = 0
+    done = threading.Event()
+
+    def count() -> None:
+        nonlocal steps
+        while not done.is_set():
+            steps += 1
+            time.sleep(1e-3)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    nacre.render("sphere", flakes, spp=64, size=(64, 64))
+    done.set()
+    counter.join()
+    assert steps > 5
+
+
+def test_threads_are_bounded_and_change_nothing(flakes: nacre.Paint) -> None:
+    theta = np.linspace(0, 80, 200)
+    everywhere = flakes.brdf_at(30, theta, 170, [500.0])
+    with nacre.threads(1):
+        assert nacre._nacre.threads() == 1
+        np.testing.assert_array_equal(flakes.brdf_at(30, theta, 170, [500.0]), everywhere)
+        with nacre.threads(2):
+            assert nacre._nacre.threads() == 2
+        assert nacre._nacre.threads() == 1
+    with pytest.raises(nacre.DomainError, match="threads = -1 is negative"):
+        nacre.set_threads(-1)
+
+
+def test_many_threads_of_python_share_a_paint(flakes: nacre.Paint) -> None:
+    angles = np.linspace(0, 60, 7)
+    expected = [flakes.copy().brdf_at(a, 10, 180, [450.0, 550.0]) for a in angles]
+    shared = nacre.Paint(flakes.file)
+    found: dict[int, object] = {}
+
+    def ask(i: int) -> None:
+        found[i] = shared.brdf_at(angles[i], 10, 180, [450.0, 550.0])
+
+    threads = [threading.Thread(target=ask, args=(i,)) for i in range(len(angles))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for i, values in enumerate(expected):
+        np.testing.assert_array_equal(found[i], values)
+
+
+def test_bars(capsys: pytest.CaptureFixture[str], flakes: nacre.Paint) -> None:
+    nacre.render("sphere", flakes, spp=1, size=(8, 8), progress=True)
+    assert "render" in capsys.readouterr().err
+    nacre.render("sphere", flakes, spp=1, size=(8, 8))
+    assert capsys.readouterr().err == ""
+
+
+def test_processors_that_would_not_do() -> None:
+    from nacre._cpu import missing
+
+    flags = "fpu sse4_2 avx avx2 bmi1 bmi2 f16c fma abm movbe"
+    old = flags.replace(" avx2", "").replace(" fma", "")
+    assert missing("x86-64-v3", f"processor : 0\nflags\t\t: {flags}\n") == set()
+    assert missing("x86-64-v3", f"flags : {old}\n") == {"avx2", "fma"}
+    assert missing("", f"flags : {old}\n") == set()
+    assert missing("x86-64-v3", "") == set()
