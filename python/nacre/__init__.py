@@ -28,10 +28,11 @@ from ._fit import FittedParameter, Match, fit
 from ._measurement import Difference, Measurement, geometry_sets
 from ._model import Model, model_names
 from ._nacre import version
-from ._paint import Export, Paint, Parameter, Sample, Solution
+from ._paint import Paint
 from ._picture import Image, Picture, read_image, render, scene_names
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
 from ._threads import set_threads, threads
+from ._values import Export, Parameter, Sample, Solution
 
 del _cpu
 __version__: str = version()

@@ -5,11 +5,10 @@ from __future__ import annotations
 import os
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _html, _nacre, _toml
 from ._arrays import Floats, Floats32, doubles, wavelengths
@@ -18,67 +17,9 @@ from ._measurement import Geometries, Measurement, geometry_text
 from ._model import ModelLike, settings_of
 from ._progress import Progress, reporter
 from ._sparkle import Sparkle, sparkle_of
+from ._values import Export, Parameter, Sample, Solution
 
 Path = str | os.PathLike[str]
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A number of a recipe, by its key."""
-
-    key: str
-    value: float
-    lo: float
-    hi: float
-    unit: str
-
-
-@dataclass(frozen=True)
-class Solution:
-    """How finely a paint was solved, and the solver's estimates of its own errors."""
-
-    wavelengths_nm: Floats
-    """(W,)"""
-    exit_nodes: int
-    inner_nodes: int
-    orders: int
-    """azimuthal Fourier orders"""
-    unresolved_scattering: float
-    """fraction by which the quadrature misses scattering in some direction"""
-    azimuthal_tail: float
-    """last azimuthal orders over the peak"""
-
-
-@dataclass(frozen=True)
-class Sample:
-    """Directions drawn by a paint's BRDF."""
-
-    wo: Floats32
-    """(..., 3) unit vectors; zero where no light leaves"""
-    weight: Floats32
-    """(..., W): f cos / pdf, or the reflectance over its probability for the specular lobe"""
-    pdf: Floats32
-    """(...) per solid angle, 1/sr; of the specular lobe, its probability"""
-    kind: NDArray[np.int8]
-    """(...) -1 none, 0 by density, 1 specular, 2 by a random walk of unknown density"""
-
-    @property
-    def valid(self) -> NDArray[np.bool_]:
-        valid: NDArray[np.bool_] = self.kind >= 0
-        return valid
-
-    @property
-    def specular(self) -> NDArray[np.bool_]:
-        specular: NDArray[np.bool_] = self.kind == 1
-        return specular
-
-
-@dataclass(frozen=True)
-class Export:
-    """The error of a written table against the BRDF, over incidences from 5 to 80 deg."""
-
-    error_of_flux: float
-    error_over_peak: float
 
 
 class Paint:

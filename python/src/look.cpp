@@ -1,4 +1,5 @@
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
@@ -21,13 +22,6 @@ namespace {
 using namespace nb::literals;
 using bsdf::BoundBsdf;
 using bsdf::Wavelengths;
-
-struct Look {
-    std::shared_ptr<const bsdf::Bsdf> surface;
-    /// The wavelengths that were bound last, by threads that hold the GIL.
-    mutable std::vector<std::pair<std::vector<double>, std::shared_ptr<const BoundBsdf>>> bound =
-        {};
-};
 
 Vec3f direction(const char* name, const double* w) {
     const Vec3d v{w[0], w[1], w[2]};
@@ -132,6 +126,21 @@ NumpyArray<float> albedo(const Look& look, const Doubles& wi, const Doubles& nm)
     return to_numpy(std::move(values), places.shape_with(width));
 }
 
+/// Made once and kept with the paint, as its tables take tenths of a second.
+std::shared_ptr<const Look> look_of(const PaintHandle& handle, const std::optional<Model>& model,
+                                    const nb::object& progress) {
+    for (const auto& [known, look] : handle.looks) {
+        if (known == model) return look;
+    }
+    const auto look = run(progress, [&](const Progress& ask) {
+        return std::make_shared<const Look>(Look{handle.paint.appearance(model, {}, ask)});
+    });
+    constexpr std::size_t kKept = 2;
+    if (handle.looks.size() == kKept) handle.looks.erase(handle.looks.begin());
+    handle.looks.emplace_back(model, look);
+    return look;
+}
+
 }  // namespace
 
 void bind_look(nb::module_& module) {
@@ -139,15 +148,7 @@ void bind_look(nb::module_& module) {
         .def("sample", &sample, "wi"_a, "u"_a, "wavelengths_nm"_a)
         .def("pdf", &pdf, "wi"_a, "wo"_a, "wavelengths_nm"_a)
         .def("albedo", &albedo, "wi"_a, "wavelengths_nm"_a);
-    module.def(
-        "look",
-        [](const PaintHandle& handle, const std::optional<Model>& model,
-           const nb::object& progress) {
-            return run(progress, [&](const Progress& ask) {
-                return Look{handle.paint.appearance(model, {}, ask)};
-            });
-        },
-        "paint"_a, "model"_a.none(), "progress"_a.none());
+    module.def("look", &look_of, "paint"_a, "model"_a.none(), "progress"_a.none());
 }
 
 }  // namespace nacre::python

@@ -3,14 +3,23 @@
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "nacre/nacre.h"
 
 namespace nacre::python {
 
-/// A paint, and the BRDFs that were last asked of it, so that a call for one value costs no more
-/// than that. Those are read and written by threads that hold the GIL.
+/// The surface that a renderer sees.
+struct Look {
+    std::shared_ptr<const bsdf::Bsdf> surface;
+    /// For the wavelengths that were asked for last, by threads that hold the GIL.
+    mutable std::vector<std::pair<std::vector<double>, std::shared_ptr<const bsdf::BoundBsdf>>>
+        bound = {};
+};
+
+/// A paint, and the BRDFs and looks that were last asked of it, so that a call for one value costs
+/// no more than that. Those are read and written by threads that hold the GIL.
 struct PaintHandle {
     struct Known {
         std::vector<double> wavelengths_nm;
@@ -23,6 +32,7 @@ struct PaintHandle {
 
     Paint paint;
     mutable std::vector<Known> brdfs = {};
+    mutable std::vector<std::pair<std::optional<Model>, std::shared_ptr<const Look>>> looks = {};
 };
 
 }  // namespace nacre::python

@@ -27,12 +27,25 @@ def run_cell(source: str, name: str, variables: dict[str, Any]) -> Any:
     return eval(compile(ast.Expression(last.value), name, "eval"), variables)
 
 
+def how_to() -> list[str]:
+    """The blocks of docs/python.md."""
+    document = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    return re.findall(r"^```python\n(.*?)^```$", document, flags=re.DOTALL | re.MULTILINE)
+
+
+def cells(notebook: Path) -> list[str]:
+    """The code of a notebook, which must be without outputs."""
+    found = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+    code = [cell for cell in found if cell["cell_type"] == "code"]
+    assert all(cell["outputs"] == [] for cell in code)
+    return ["".join(cell["source"]) for cell in code]
+
+
 def test_how_to(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pandas", reason="pandas, which docs/python.md shows, is not installed")
-    document = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    blocks = how_to()
     shutil.copytree(ROOT / "paints", tmp_path / "paints")
     monkeypatch.chdir(tmp_path)
-    blocks = re.findall(r"^```python\n(.*?)^```$", document, flags=re.DOTALL | re.MULTILINE)
     assert len(blocks) > 5
     variables: dict[str, Any] = {}
     for i, block in enumerate(blocks):
@@ -43,8 +56,7 @@ def test_how_to(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_an_error_is_quoted_as_it_is(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    document = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
-    block = document[document.rindex("```python\n") + 10 : document.rindex("```")]
+    block = how_to()[-1]
     quoted = block.split("print(error)  # ")[1].strip()
     monkeypatch.chdir(ROOT)
     start = 'import nacre\npaint = nacre.Paint("paints/tio2-mica-80.toml")\n'
@@ -54,15 +66,13 @@ def test_an_error_is_quoted_as_it_is(
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: str(path.stem))
 def test_notebook(notebook: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
-    code = [cell for cell in cells if cell["cell_type"] == "code"]
+    code = cells(notebook)
     assert len(code) >= 3
     monkeypatch.chdir(notebook.parent)
     variables: dict[str, Any] = {}
     shown = 0
     for i, cell in enumerate(code):
-        assert cell["outputs"] == []
-        value = run_cell("".join(cell["source"]), f"{notebook.name}, cell {i + 1}", variables)
+        value = run_cell(cell, f"{notebook.name}, cell {i + 1}", variables)
         for representation in ("_repr_html_", "_repr_png_"):
             if hasattr(value, representation):
                 assert getattr(value, representation)()
@@ -72,3 +82,14 @@ def test_notebook(notebook: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_there_are_notebooks() -> None:
     assert len(NOTEBOOKS) == 3
+
+
+def test_types_of_what_is_shown(tmp_path: Path) -> None:
+    mypy = pytest.importorskip("mypy.api", reason="mypy is not installed")
+    shown = {"how_to": "\n".join(how_to())}
+    shown |= {path.stem.replace("-", "_"): "\n".join(cells(path)) for path in NOTEBOOKS}
+    for name, code in shown.items():
+        (tmp_path / f"{name}.py").write_text(code, encoding="utf-8")
+    files = [str(tmp_path / f"{name}.py") for name in shown]
+    text, errors, status = mypy.run(["--config-file", str(ROOT / "pyproject.toml"), *files])
+    assert status == 0, text + errors

@@ -417,7 +417,13 @@ TEST(Fit, StopsWhenAskedTo) {
     const Measurement standard = fit::testing::read(fit::testing::pearl(110));
     EXPECT_THROW(Paint(fit::testing::pearl())
                      .fit(standard, {"coats[0].thickness_nm"}, {}, [](double) { return false; }),
-                 Error);
+                 Stopped);
+}
+
+TEST(Fit, SeesTheHotSpotOfTheModelThatHasOne) {
+    EXPECT_TRUE(shows_hot_spot(NacreModel{.specimen = 2}));
+    EXPECT_FALSE(shows_hot_spot(NacreModel{.hot_spot = false}));
+    EXPECT_FALSE(shows_hot_spot(MicroflakeModel{}));
 }
 
 }  // namespace

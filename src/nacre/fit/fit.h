@@ -90,7 +90,7 @@ struct Fit {
 /// @param progress  asked between solves
 /// @throws DomainError as FreeNumbers and Target, or if a free number does not change the colours
 ///         at all, or an option is out of range
-/// @throws Error if the paint cannot be solved at the start, or `progress` asks to stop
+/// @throws Error if the paint cannot be solved at the start; Stopped if `progress` asks to stop
 Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers,
         const FitOptions& options = {}, const Progress& progress = {});
 

@@ -198,7 +198,7 @@ TEST(Fit, StopsWhenAsked) {
         last = fraction;
         return ++asked < 5;
     };
-    EXPECT_THROW(fit(read(pearl(90)), FreeNumbers(pearl(), {kFilm}, {}), {}, progress), Error);
+    EXPECT_THROW(fit(read(pearl(90)), FreeNumbers(pearl(), {kFilm}, {}), {}, progress), Stopped);
     EXPECT_EQ(asked, 5);
 }
 
