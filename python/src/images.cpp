@@ -5,6 +5,7 @@
 
 #include "arrays.h"
 #include "bind.h"
+#include "image_arrays.h"
 #include "nacre/io/image.h"
 #include "nacre/nacre.h"
 
@@ -38,13 +39,7 @@ nb::tuple read_image(const std::filesystem::path& path) {
         const nb::gil_scoped_release release;
         return io::read_image(path);
     }();
-    const Shape shape = {static_cast<std::size_t>(image.height),
-                         static_cast<std::size_t>(image.width)};
-    nb::dict channels;
-    for (io::Channel& channel : image.channels) {
-        channels[channel.name.c_str()] = to_numpy(std::move(channel.pixels), shape);
-    }
-    return nb::make_tuple(channels, nb::cast(image.metadata));
+    return to_arrays(std::move(image));
 }
 
 void write_image(const std::filesystem::path& path, const std::map<std::string, Floats>& channels,

@@ -10,6 +10,7 @@
 
 #include "arrays.h"
 #include "bind.h"
+#include "image_arrays.h"
 #include "nacre/models/traced/traced_models.h"
 #include "nacre/render/builtin_scenes.h"
 #include "paint_handle.h"
@@ -73,16 +74,7 @@ nb::object spectral(nb::handle self) {
     return view(self, picture, picture.result.spectral, picture.result.bin_centres_nm.size());
 }
 
-nb::tuple image(const Picture& picture) {
-    io::Image image = picture.image();
-    const Shape shape = {static_cast<std::size_t>(image.height),
-                         static_cast<std::size_t>(image.width)};
-    nb::dict channels;
-    for (io::Channel& channel : image.channels) {
-        channels[channel.name.c_str()] = to_numpy(std::move(channel.pixels), shape);
-    }
-    return nb::make_tuple(channels, nb::cast(image.metadata));
-}
+nb::tuple image(const Picture& picture) { return to_arrays(picture.image()); }
 
 Picture render(const std::string& scene_name, const std::optional<PaintHandle>& paint,
                const std::optional<std::pair<std::string, ModelChoices>>& model,

@@ -126,6 +126,7 @@ ExitStatus run(const StudyOptions& options) {
     if (!options.documents.empty() && options.output.empty()) {
         throw UsageError("--document needs --output");
     }
+    for (const std::string& file : options.documents) study::require_markers(read_file(file), file);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const study::Stage stage = [&](const std::string& label,

@@ -12,6 +12,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::string_view kBegin = "<!-- begin: ", kClose = " -->";
+
 /// A cell must not end the cell or the row.
 std::string cell_text(const std::string& text) {
     std::string out;
@@ -58,11 +60,16 @@ std::string setting_line(const json& results) {
 
 }  // namespace
 
+void require_markers(const std::string& markdown, const std::string& name) {
+    if (markdown.find(kBegin) == std::string::npos) {
+        throw InputError(fmt::format("{}: has no marker '{}NAME{}'", name, kBegin, kClose));
+    }
+}
+
 std::string with_tables(const std::string& markdown, const std::string& name, const json& results) {
-    static constexpr std::string_view kBegin = "<!-- begin: ", kClose = " -->";
+    require_markers(markdown, name);
     std::string out;
     std::size_t at = 0;
-    int tables = 0;
     try {
         while (true) {
             const std::size_t begin = markdown.find(kBegin, at);
@@ -89,14 +96,11 @@ std::string with_tables(const std::string& markdown, const std::string& name, co
             }
             out += end_marker;
             at = end + end_marker.size();
-            ++tables;
         }
     } catch (const json::exception& e) {
         throw InputError(
             fmt::format("{}: the results are not those of a study: {}", name, e.what()));
     }
-    if (tables == 0)
-        throw InputError(fmt::format("{}: has no marker '{}NAME{}'", name, kBegin, kClose));
     return out + markdown.substr(at);
 }
 

@@ -15,9 +15,12 @@ namespace nacre::study {
 /// replaced, everything else stays as it is.
 ///
 /// @param name  of the text, for messages
-/// @throws InputError if a marker lacks its other one, names no table of the results, or none is
-///         there at all
+/// @throws InputError if a marker lacks its other one, names no table of the results, or as
+///         require_markers() does
 std::string with_tables(const std::string& markdown, const std::string& name,
                         const nlohmann::json& results);
+
+/// Before hours of work. @throws InputError if the text has no marker at all
+void require_markers(const std::string& markdown, const std::string& name);
 
 }  // namespace nacre::study

@@ -195,8 +195,7 @@ TEST(HotSpotClosing, WithoutFlakesThereIsNothingToClose) {
     const Vec3f wi = direction(30, 0), wo = direction(40, 100);
     for (int lane = 0; lane < kLanes; ++lane) {
         // The same sum in two functions, whose products are contracted differently.
-        const float expected = plain.bound->eval(wi, wo)[lane];
-        EXPECT_NEAR(hot.bound->eval(wi, wo)[lane], expected, 1e-6 * expected);
+        EXPECT_FLOAT_EQ(hot.bound->eval(wi, wo)[lane], plain.bound->eval(wi, wo)[lane]);
     }
 }
 
