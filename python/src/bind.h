@@ -18,6 +18,7 @@ namespace nb = nanobind;
 
 void bind_paint(nb::module_& module);
 void bind_look(nb::module_& module);
+void bind_appearance_arrays(nb::module_& module);
 void bind_optics(nb::module_& module);
 void bind_measurement(nb::module_& module);
 void bind_sparkle(nb::module_& module);

@@ -15,6 +15,7 @@ NB_MODULE(_nacre, module) {
     translate_errors();
     bind_paint(module);
     bind_look(module);
+    bind_appearance_arrays(module);
     bind_optics(module);
     bind_measurement(module);
     bind_sparkle(module);

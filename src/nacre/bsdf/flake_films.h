@@ -57,6 +57,11 @@ class FlakeFilms {
                std::span<const double> wavelengths_nm, double min_cosine,
                SharedProgress* work = nullptr);
 
+    /// [set][cosine][wavelength], the last wavelength twice; cosines even from min_cosine() to 1.
+    std::span<const float> ratios() const { return ratio_; }
+    std::size_t sets() const { return sets_; }
+    double min_cosine() const { return min_cosine_; }
+
     BoundFlakeFilms bind(const std::array<WavelengthPosition, kLanes>& where) const;
 
  private:

@@ -85,6 +85,10 @@ class SmoothTable {
 
     const SmoothGrid& grid() const { return grid_; }
 
+    /// [cell][k], for programs that look them up themselves.
+    std::span<const float> coefficients() const { return coefficient_; }
+    int rank() const { return rank_; }
+
     /// Values at eight wavelengths: for each cell sum over k of basis[k] coefficient[k], added to
     /// `out` (grid().cells() values).
     void bind(std::span<const FloatLanes> basis, FloatLanes* out) const;

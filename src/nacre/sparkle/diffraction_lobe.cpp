@@ -9,8 +9,9 @@ namespace nacre::sparkle {
 namespace {
 
 // Tables over slope^2/alpha^2 in [0, kMaxSquare] and y = width/alpha in [0, kMaxWidth].
-constexpr int kSquareNodes = 65, kWidthNodes = 65;
-constexpr float kMaxSquare = DiffractionLobe::kMaxExponent, kMaxWidth = 4;
+constexpr int kSquareNodes = DiffractionLobe::kSquareNodes,
+              kWidthNodes = DiffractionLobe::kWidthNodes;
+constexpr float kMaxSquare = DiffractionLobe::kMaxExponent, kMaxWidth = DiffractionLobe::kMaxWidth;
 using Table = std::array<float, kSquareNodes * kWidthNodes>;
 
 // Row(y)(slope/alpha) at the nodes.
@@ -134,6 +135,12 @@ DiffractionLobe::DiffractionLobe(double alpha, double ior, double coat_roughness
     // The tables are made now, as queries allocate nothing.
     log_blur_over_y2();
     inverse_lobe_fraction();
+}
+
+std::span<const float> DiffractionLobe::log_blur_table() { return log_blur_over_y2(); }
+
+std::span<const float> DiffractionLobe::inverse_lobe_fraction_table() {
+    return sparkle::inverse_lobe_fraction();
 }
 
 float DiffractionLobe::blur(float slope2, float width) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
@@ -111,6 +112,13 @@ class DiffractionLobe {
     /// Of Int (e K)^2 for e of power_of() and radii that add in squares, in contrast.
     static constexpr double kSpreadError = 0.04;
     static constexpr double kLobeFractionError = 5e-3;  ///< absolute
+    /// The tables of blur() and lobe_fraction(), for programs that look them up themselves: log(blur) /
+    /// y^2 and 1 / lobe_fraction before it is bounded, [y][x^2], both even in x^2 = (slope / alpha)^2
+    /// from 0 to kMaxExponent and in y = width / alpha from 0 to kMaxWidth.
+    static constexpr int kSquareNodes = 65, kWidthNodes = 65;
+    static constexpr float kMaxWidth = 4;
+    static std::span<const float> log_blur_table();
+    static std::span<const float> inverse_lobe_fraction_table();
     /// P, per unit area of slopes.
     float slope_density(float slope2) const { return norm_ * std::exp(-exponent(slope2)); }
 

@@ -63,6 +63,21 @@ float FlakeField::lobe_area(float cosine) const {
     return 5 * std::numbers::pi_v<float> / 9 * (radius * radius + coat);  // Int K^2 = 9/(5 pi w^2)
 }
 
+FlakeField::Constants FlakeField::constants() const {
+    Constants out;
+    for (int level = 0; level < kLevels; ++level) {
+        out.cell_mm[level] = levels_[level].cell_mm;
+        out.key[level] = levels_[level].key;
+        out.fraction[level] = fraction_[level];
+    }
+    out.cumulative = cumulative_;
+    out.full_cells = full_cells_;
+    out.inverse_cover = inverse_cover_;
+    out.typical_radius = typical_radius_;
+    out.max_widening = max_widening_;
+    return out;
+}
+
 FlakeField::Weights FlakeField::begin(const float* side_mm, const StandIns& stand_ins,
                                       FlakeView& view) const {
     const Weights weights = level_weights(side_mm, stand_ins);

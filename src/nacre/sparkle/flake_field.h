@@ -65,14 +65,31 @@ class FlakeField {
     /// flakes lie over each other that not even a point does.
     double exact_side_mm() const;
 
+    /// What look() works with, for programs that look themselves, such as shaders.
+    struct Constants {
+        static constexpr int kLevels = 5;
+        static constexpr int kSideBits = 2;  ///< the sides of the cells double as often from level
+                                             ///< to level
+        static constexpr int kMaxFlakesPerCell = 24;
+        std::array<double, kLevels> cell_mm;              ///< side of the cells, by level
+        std::array<std::uint64_t, kLevels> key;           ///< of their hashes
+        std::array<float, kLevels> fraction;              ///< of all flakes
+        std::array<float, kMaxFlakesPerCell> cumulative;  ///< probability of at most n in a cell
+        float full_cells;      ///< a level begins to fade where a patch touches so many cells
+        float inverse_cover;   ///< 1 / (density x mean area)
+        float typical_radius;  ///< FlakeView::typical_radius
+        float max_widening;    ///< of FlakeView::widening
+    };
+    Constants constants() const;
+
     const FlakePopulation& population() const { return population_; }
     const DiffractionLobe& lobe() const { return lobe_; }
     const FlakeSizes& sizes() const { return sizes_; }
 
  private:
-    static constexpr int kLevels = 5;
+    static constexpr int kLevels = Constants::kLevels, kSideBits = Constants::kSideBits;
     // Of densities; the sides of the cells grow by its root.
-    static constexpr int kLevelRatio = 16, kSideBits = 2;
+    static constexpr int kLevelRatio = 1 << (2 * kSideBits);
     struct Level {
         double cell_mm;  // side of its cells
         std::uint64_t key;
@@ -106,7 +123,7 @@ class FlakeField {
 
     /// Flakes that a cell generates on average; kMaxStretch times fewer where one side serves.
     static constexpr double kFlakesPerCell = 4;
-    static constexpr int kMaxFlakesPerCell = 24;
+    static constexpr int kMaxFlakesPerCell = Constants::kMaxFlakesPerCell;
 
     FlakePopulation population_;
     FlakeSizes sizes_;

@@ -36,24 +36,28 @@ class HotSpotTables {
     /// @throws Error as closing_factors()
     explicit HotSpotTables(const solver::SolvedPaint& paint);
 
+    struct Species {
+        std::size_t layer;
+        float diameter_um;            ///< mean, weighted by area
+        std::vector<float> coupling;  ///< [direction][wavelength]: sqrt(c Int (1-T)^2 |w.m| D / mu)
+    };
+    const std::vector<Species>& species() const { return species_; }
+    /// [direction][wavelength]. The product of two directions: of ground(), the light that the
+    /// ground alone has scattered, without Fresnel factors; of closing(), what multiple scattering
+    /// is multiplied by. Empty where that is 0, or 1.
+    const std::vector<float>& ground() const { return ground_; }
+    const std::vector<float>& closing() const { return closing_; }
+
     const std::vector<std::vector<float>>& extinction() const { return extinction_; }
 
  private:
     friend class HotSpot;
-    struct Species {
-        std::size_t layer;
-        float diameter_um;            // mean, weighted by area
-        std::vector<float> coupling;  // [direction][wavelength]: sqrt(c Int (1-T)^2 |w.m| D / mu)
-    };
     void tabulate_ground(const solver::PaintMedium& medium);
 
     std::vector<Species> species_;
     std::vector<float> top_um_, thickness_um_;  // by layer
     int wavelength_count_;
     std::vector<std::vector<float>> extinction_;  // extinction_by_direction()
-    // [direction][wavelength]. The product of two directions: of ground_, the light that the ground
-    // alone has scattered, without Fresnel factors; of closing_, what multiple scattering is
-    // multiplied by. Empty where that is 0, or 1.
     std::vector<float> ground_, closing_;
 };
 

@@ -65,6 +65,7 @@ class Microflake final : public Bsdf {
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
 
     struct Tables;
+    const Tables& tables() const { return *tables_; }
 
  private:
     std::shared_ptr<const Tables> tables_;

@@ -57,6 +57,7 @@ class Nacre final : public Bsdf, public SingleFlakes {
     double exact_patch_mm() const override;
 
     struct Tables;
+    const Tables& tables() const { return *tables_; }
 
  private:
     std::shared_ptr<const Tables> tables_;

@@ -1,0 +1,99 @@
+"""The hot spot of large flakes: light that came in through a gap finds it again on its way out.
+
+What stands here is src/nacre/bsdf/models/hot_spot.h.                       [kuusk-1985]
+"""
+
+from __future__ import annotations
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+from ._bands import Arrays, Float, Wide
+from ._microflake import MeanFlakes, Microflake, Pair, mean_escape
+
+NODES = 10
+"""Of the quadrature over depth, densest at the top: relative error below 2e-3."""
+
+
+def overlap_integral(x: Float) -> Float:
+    """Int_0^x O(t) dt, O the overlap of two discs; 4 / (3 pi) from x = 1 on."""
+    x = dr.minimum(x, 1)
+    chord2 = 1 - x * x
+    chord = dr.sqrt(dr.maximum(chord2, 0))
+    return (2 / dr.pi) * (x * dr.safe_acos(x) - chord + chord * chord2 * (1 / 3) + 2 / 3)
+
+
+class HotSpot(MeanFlakes):
+    """The mean of all flakes, with the hot spot."""
+
+    def __init__(self, smooth: Microflake, a: Arrays) -> None:
+        self.smooth = smooth
+        species = a["hot_spot"]["species"]
+        self.species = [(int(s["layer"]), float(s["diameter_um"])) for s in species]
+        self.thickness = [float(layer["thickness_um"]) for layer in a["layers"]]
+        self.top = np.concatenate([[0], np.cumsum(self.thickness)]).tolist()
+        nodes, weights = np.polynomial.legendre.leggauss(NODES)
+        s = 0.5 * (nodes + 1)
+        # u = s^2, du = 2 s ds: light of a deep layer comes from its top.
+        self.nodes = (s * s).tolist()
+        self.weights = (weights * s).tolist()  # half the interval's weight, times 2 s
+
+    @staticmethod
+    def spread(pair: Pair) -> Float:
+        """How far apart both rays are after a step in height."""
+        i, o = pair.i.inside, pair.o.inside
+        x, y = i.x / i.z - o.x / o.z, i.y / i.z - o.y / o.z
+        return dr.clip(dr.sqrt(x * x + y * y), 1e-4, 1e6)
+
+    def couplings(self, pair: Pair) -> list[Wide]:
+        of = self.smooth.directions.of
+        return [
+            of(pair.i, f"coupling {n}") * of(pair.o, f"coupling {n}")
+            for n in range(len(self.species))
+        ]
+
+    def gain(self, pair: Pair, layer: int, u: Float, spread: Float, couplings: list[Wide]) -> Wide:
+        """ln of the attenuation over exp(-kappa z), at a fraction of the layer's thickness."""
+        total: Wide = self.smooth.bands.constant(0)
+        for (own, diameter), coupling in zip(self.species, couplings, strict=True):
+            if own > layer:
+                break
+            step = spread / diameter
+            far = u * self.thickness[layer] + (self.top[layer] - self.top[own])
+            shared = overlap_integral(far * step)
+            if own < layer:
+                near = dr.maximum(far - self.thickness[own], 0)
+                shared -= overlap_integral(near * step)
+            total += coupling * (shared / step)
+        return total
+
+    def mean(self, pair: Pair, layer: int, depth: Wide) -> Wide:
+        """Of the attenuation, over that of exp(-kappa z), for a layer of this optical depth."""
+        spread, couplings = self.spread(pair), self.couplings(pair)
+        # What comes from below 24 optical depths is 6e-6 of the whole.
+        reach = dr.minimum(1, 24 / dr.maximum(dr.min(depth), 1e-20))
+        total: Wide = self.smooth.bands.constant(0)
+        for node, weight in zip(self.nodes, self.weights, strict=True):
+            u = reach * node
+            total += weight * dr.exp(self.gain(pair, layer, u, spread, couplings) - depth * u)
+        return total * reach / mean_escape(depth)
+
+    def factor(self, pair: Pair, layer: int, flake: int, depth: Wide) -> Wide | Float:
+        return self.mean(pair, layer, depth)
+
+    def rest_factor(self, pair: Pair, layer: int, depth: Wide) -> Wide | Float:
+        return self.mean(pair, layer, depth)
+
+    def multiple(self, pair: Pair, value: Wide) -> Wide:
+        tables = self.smooth.directions
+        if not tables.has("closing"):
+            return value
+        closing = tables.of(pair.i, "closing") * tables.of(pair.o, "closing")
+        if not tables.has("ground"):
+            return closing * value
+        once = tables.of(pair.i, "ground") * tables.of(pair.o, "ground")
+        gain = self.gain(
+            pair, len(self.thickness) - 1, mi.Float(1), self.spread(pair), self.couplings(pair)
+        )
+        return closing * dr.maximum(value - once, 0) + dr.exp(gain) * once

@@ -1,0 +1,513 @@
+"""The micro-flake model in Dr.Jit: single scattering in closed form, the rest from a table.
+
+What stands here is src/nacre/bsdf/models/microflake.h, for arrays of samples instead of lanes of
+wavelengths; docs/microflake.md has the formulas. Local frame: z is the normal, both directions point
+away from the surface.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+from numpy.typing import NDArray
+
+from ._bands import Arrays, Bands, Float, Source, Table, Where, Wide, dr_array, texture
+
+Vector = Any
+
+
+@dataclass
+class Ray:
+    """A direction, and what evaluation needs of it (bsdf::Ray)."""
+
+    outside: Vector
+    sine2: Float
+    x: Float
+    """tan(theta / 2) outside: the coordinate of tables by direction."""
+    inside: Vector
+    """Refracted with the mean index."""
+    tables: list[Wide]
+    """The channels of DirectionTables."""
+
+
+@dataclass
+class Pair:
+    """Two directions and what both together determine."""
+
+    i: Ray
+    o: Ray
+    where: Where
+    slope: Any
+    """(h_x, h_y) / h_z of the half vector inside, at the mean index."""
+    slope2: Float
+    cosine: Float
+    """w_i . h there."""
+    slopes_per_solid_angle: Float
+    """Area of slopes per solid angle of w_o inside."""
+
+
+class Flakes(Protocol):
+    """Which flakes scatter once: what takes the place of their mean (MeanFlakes in C++)."""
+
+    def start(self, random: Any = None) -> None:
+        """Before each pair of directions."""
+
+    def factor(self, pair: Pair, layer: int, flake: int, depth: Wide) -> Wide | Float:
+        """By which a species' light differs from its mean; depth: of the layer, both ways."""
+
+    def rest_factor(self, pair: Pair, layer: int, depth: Wide) -> Wide | Float:
+        """The same for what is no flake."""
+
+    def multiple(self, pair: Pair, value: Wide) -> Wide:
+        """Light scattered more than once, given that of the equation of transfer."""
+
+
+class MeanFlakes:
+    def start(self, random: Any = None) -> None:
+        pass
+
+    def factor(self, pair: Pair, layer: int, flake: int, depth: Wide) -> Wide | Float:
+        return 1
+
+    def rest_factor(self, pair: Pair, layer: int, depth: Wide) -> Wide | Float:
+        return 1
+
+    def multiple(self, pair: Pair, value: Wide) -> Wide:
+        return value
+
+
+def refract_out(w: Vector, ior: float) -> Vector:
+    """The direction outside of one inside; below the horizon beyond the critical angle."""
+    if ior == 1:
+        return w
+    x, y = ior * w.x, ior * w.y
+    z2 = 1 - x * x - y * y
+    z = dr.select((w.z > 0) & (z2 > 0), dr.sqrt(dr.maximum(z2, 0)), -1)
+    return mi.Vector3f(x, y, z)
+
+
+def mean_escape(depth: Wide) -> Wide:
+    """(1 - exp(-x)) / x, which is the mean of exp(-x u) over u in [0, 1]."""
+    small = depth < 1e-2
+    safe = dr.select(small, 1, depth)
+    return dr.select(small, 1 - depth * (0.5 - depth * (1 / 6)), (1 - dr.exp(-safe)) * dr.rcp(safe))
+
+
+class FlakeLobe:
+    """Reflection off Beckmann flakes that are visible from wi (bsdf::FlakeLobe)."""
+
+    def __init__(self, alpha: Float) -> None:
+        self.alpha = alpha
+
+    def sample(self, wi: Vector, u_sign: Float, u: Any) -> Vector:
+        s = dr.sqrt(wi.x * wi.x + wi.y * wi.y)
+        r = self.alpha * dr.sqrt(-dr.log(1 - u.x))
+        sin, cos = dr.sincos(2 * dr.pi * u.y)
+        x, y = r * cos, r * sin
+        x = dr.select((x > 0) & (u_sign * wi.z < x * s), -x, x)
+        safe = dr.select(s > 0, s, 1)
+        ex, ey = dr.select(s > 0, wi.x / safe, 1), wi.y / safe
+        m = dr.normalize(mi.Vector3f(-(x * ex - y * ey), -(x * ey + y * ex), 1))
+        return 2 * dr.dot(wi, m) * m - wi
+
+    def pdf(self, wi: Vector, wo: Vector) -> Float:
+        h = wi + wo
+        inverse = dr.rcp(h.z)
+        tan2 = (h.x * h.x + h.y * h.y) * inverse * inverse
+        tilt = (h.x * wi.x + h.y * wi.y) * inverse * dr.rcp(wi.z)
+        exponent = dr.minimum(tan2 / (self.alpha * self.alpha), 80)
+        return (
+            dr.exp(-exponent)
+            * (dr.inv_pi / (self.alpha * self.alpha))
+            * dr.clip(1 + tilt, 0, 2)
+            * (1 + tan2)
+            * 0.5
+            * inverse
+        )
+
+
+class DirectionTables:
+    """All that depends on one direction and the wavelength, as channels of one texture."""
+
+    def __init__(self, bands: Bands, source: Source) -> None:
+        self.names = list(self.channels(source.base))
+        self.table = Table(bands, source, lambda a: list(self.channels(a).values()))
+
+    @staticmethod
+    def channels(a: Arrays) -> dict[str, NDArray[Any]]:
+        named = {
+            f"extinction {n}": layer["extinction_per_um"] for n, layer in enumerate(a["layers"])
+        }
+        if a["coat_roughness"] > 0:
+            named["masked"] = a["masked"]
+        hot_spot = a["hot_spot"]
+        if hot_spot is not None:
+            for n, species in enumerate(hot_spot["species"]):
+                named[f"coupling {n}"] = species["coupling"]
+            for name in ("ground", "closing"):
+                if len(hot_spot[name]):
+                    named[name] = hot_spot[name]
+        # Of what is looked up together a power of two is fetched at once.
+        while len(named) & (len(named) - 1):
+            named[f"nothing {len(named)}"] = np.zeros_like(a["clearcoat_depth"])
+        return named
+
+    def of(self, ray: Ray, name: str) -> Wide:
+        return ray.tables[self.names.index(name)]
+
+    def has(self, name: str) -> bool:
+        return name in self.names
+
+
+@dataclass
+class _Flake:
+    half_density: Float
+    alpha: Float
+    reflectance: int  # channel
+
+
+class Microflake:
+    """The mean over all flakes."""
+
+    def __init__(self, source: Source, bands: Bands) -> None:
+        a = source.base
+        self.bands = bands
+        self.mean_ior = float(a["mean_ior"])
+        self.rough = float(a["coat_roughness"])
+        self.dispersive = bool(np.ptp(a["ior"]) > 0)
+        self.directions = DirectionTables(bands, source)
+        self.by_wavelength = Table(bands, source, self._by_wavelength)
+        self._set_smooth(source)
+        self._set_layers(source)
+        self._set_sampling(a)
+
+    @staticmethod
+    def _by_wavelength(a: Arrays) -> list[NDArray[Any]]:
+        channels = [a["ior"], a["clearcoat_depth"]]
+        if a["coat_roughness"] > 0:
+            channels.append(a["diffuse_scale"])
+        for layer in a["layers"]:
+            channels += [pigment["scattering_per_um"] for pigment in layer["pigments"]]
+        return channels
+
+    # What is not closed
+
+    def _set_smooth(self, source: Source) -> None:
+        # Of each arrays: the table, the spectral basis, and what the values are multiplied by.
+        terms: list[tuple[Arrays, Float]] = [(source.base, None)]
+        for t in source.tangents:
+            terms += [(t.plus, t.delta / t.step), (t.minus, -t.delta / t.step)]
+        self.smooth: list[tuple[Any, tuple[int, ...], Any, Float]] = []
+        for a, factor in terms:
+            coefficients, basis = a["smooth"], self.bands.even(a["smooth_basis"])
+            rank = coefficients.shape[-1]
+            padded = 1 << (rank - 1).bit_length()  # which are fetched at once
+            coefficients = np.pad(coefficients, [(0, 0)] * 3 + [(0, padded - rank)])
+            table = texture(3, mi.TensorXf(coefficients.astype(np.float32)))
+            if self.bands.spectral:
+                spectra: Any = texture(
+                    1, mi.TensorXf(np.pad(basis, [(0, padded - rank), (0, 0)]).T.astype(np.float32))
+                )
+            else:
+                spectra = basis
+            self.smooth.append((table, coefficients.shape, spectra, factor))
+        self.single_rank = int(source.base["single_rank"])
+
+    def _tabulated(self, pair: Pair, active: Any) -> Wide:
+        """Multiple scattering without Fresnel factors; under a rough coat all but the interface."""
+        total: Wide = 0
+        for table, shape, spectra, factor in self.smooth:
+            value = self._smooth_value(pair, table, shape, spectra, active)
+            total = value if factor is None else total + factor * value
+        return dr.maximum(total, 0) * dr.rcp(pair.i.inside.z + pair.o.inside.z)
+
+    def _smooth_value(
+        self, pair: Pair, table: Any, shape: tuple[int, ...], spectra: Any, active: Any
+    ) -> Wide:
+        # bsdf::locate()
+        i, o = pair.i, pair.o
+        a = dr.minimum(dr.maximum(i.x, o.x), 1)
+        b = dr.select(a > 0, dr.abs(i.x - o.x) / dr.select(a > 0, a, 1), 0)
+        s_i, s_o = dr.sqrt(i.sine2), dr.sqrt(o.sine2)
+        ux = s_i * o.outside.x + s_o * i.outside.x
+        uy = s_i * o.outside.y + s_o * i.outside.y
+        scale = 4 * i.sine2 * o.sine2
+        q2 = dr.select(
+            scale > 1e-14, dr.minimum((ux * ux + uy * uy) / dr.maximum(scale, 1e-14), 1), 0
+        )
+        # Not by a root's slope at zero, which is infinite: what follows is not differentiated.
+        lines = [dr.sqrt(dr.sqrt(q2)), dr.sqrt(b), dr.sqrt(a)]
+        n = [shape[2], shape[1], shape[0]]
+        at = [
+            dr.detach(dr.fma(line, (k - 1) / k, 0.5 / k)) for line, k in zip(lines, n, strict=True)
+        ]
+        coefficients = table.eval(dr_array(3)(*at), active)
+        if not self.bands.spectral:
+            rank = len(spectra)
+            return self.bands.wide(
+                [
+                    sum(
+                        (float(spectra[k][n]) * coefficients[k] for k in range(rank)),
+                        start=mi.Float(0),
+                    )
+                    for n in range(len(self.bands.nm))
+                ]
+            )
+        values = []
+        for x in pair.where.coordinates:
+            basis = spectra.eval(dr_array(1)(x), active)
+            value = mi.Float(0)
+            for c, weight in zip(coefficients, basis, strict=True):
+                value = dr.fma(c, weight, value)
+            values.append(value)
+        return self.bands.wide(values)
+
+    # What is closed
+
+    def _set_layers(self, source: Source) -> None:
+        a = source.base
+        self.layers: list[tuple[Float, list[_Flake], list[tuple[float, int]]]] = []
+        reflectances: list[tuple[int, int]] = []
+        channel = 2 + (self.rough > 0)
+        for n, layer in enumerate(a["layers"]):
+            flakes = []
+            for f in range(len(layer["flakes"])):
+
+                def of(arrays: Arrays, key: str, n: int = n, f: int = f) -> float:
+                    return float(arrays["layers"][n]["flakes"][f][key])
+
+                flakes.append(
+                    _Flake(
+                        0.5 * source.scalar(lambda x: of(x, "area_density_per_um")),  # noqa: B023
+                        source.scalar(lambda x: of(x, "alpha")),  # noqa: B023
+                        len(reflectances),
+                    )
+                )
+                reflectances.append((n, f))
+            pigments = []
+            for pigment in layer["pigments"]:
+                pigments.append((float(pigment["anisotropy"]), channel))
+                channel += 1
+            thickness = source.scalar(lambda x, n=n: x["layers"][n]["thickness_um"])
+            self.layers.append((thickness, flakes, pigments))
+        self.reflectance = (
+            Table(
+                self.bands,
+                source,
+                lambda x: [x["layers"][n]["flakes"][f]["reflectance"] for n, f in reflectances],
+            )
+            if reflectances
+            else None
+        )
+
+    def ray(self, w: Vector, where: Where, active: Any) -> Ray:
+        """w: unit, in the upper hemisphere."""
+        sine2 = dr.minimum(w.x * w.x + w.y * w.y, 1)
+        x = dr.sqrt(sine2) * dr.rcp(1 + w.z)
+        rows = self.directions.table.rows
+        tables = self.directions.table.look_up(x * (rows - 1), where, active)
+        return Ray(w, sine2, x, self.refract_in(w, 1 / self.mean_ior), tables)
+
+    @staticmethod
+    def refract_in(w: Vector, inverse_ior: float) -> Vector:
+        if inverse_ior == 1:
+            return w
+        x, y = w.x * inverse_ior, w.y * inverse_ior
+        return mi.Vector3f(x, y, dr.sqrt(dr.maximum(1 - x * x - y * y, 0)))
+
+    def pair(self, i: Ray, o: Ray, where: Where) -> Pair:
+        h = i.inside + o.inside
+        inverse = dr.rcp(h.z)
+        slope = mi.Vector2f(h.x * inverse, h.y * inverse)
+        slope2 = dr.dot(slope, slope)
+        sec2 = 1 + slope2
+        cosine = dr.minimum(0.5 * h.z * dr.sqrt(sec2), 1)
+        return Pair(i, o, where, slope, slope2, cosine, 0.5 * inverse * sec2)
+
+    def once(self, pair: Pair, flakes: Flakes, numbers: Sequence[Wide], active: Any) -> Wide:
+        """Single scattering without Fresnel factors: BoundMicroflake::single()."""
+        i, o = pair.i, pair.o
+        if self.dispersive:
+            inverse_ior = dr.rcp(numbers[0])
+            mu_i = dr.sqrt(dr.maximum(1 - i.sine2 * inverse_ior * inverse_ior, 0))
+            mu_o = dr.sqrt(dr.maximum(1 - o.sine2 * inverse_ior * inverse_ior, 0))
+            hx = (i.outside.x + o.outside.x) * inverse_ior
+            hy = (i.outside.y + o.outside.y) * inverse_ior
+            hz = mu_i + mu_o
+            between = (
+                i.outside.x * o.outside.x + i.outside.y * o.outside.y
+            ) * inverse_ior * inverse_ior + mu_i * mu_o
+            tan2 = (hx * hx + hy * hy) / (hz * hz)
+            cosine = dr.minimum(0.5 * hz * dr.sqrt(1 + tan2), 1)
+        else:
+            mu_i, mu_o = i.inside.z, o.inside.z
+            between = dr.dot(i.inside, o.inside)
+            tan2, cosine = pair.slope2, pair.cosine
+        inverse_i, inverse_o = dr.rcp(mu_i), dr.rcp(mu_o)
+        sec2 = 1 + tan2
+        sec3 = sec2 * dr.sqrt(sec2)
+        reflectances = self._reflectances(pair, cosine, active)
+        total: Wide = self.bands.constant(0)
+        depth = numbers[1] * (inverse_i + inverse_o)
+        for n, (thickness, species, pigments) in enumerate(self.layers):
+            name = f"extinction {n}"
+            rate = self.directions.of(i, name) * inverse_i + self.directions.of(o, name) * inverse_o
+            here = thickness * rate
+            kernel: Wide = self.bands.constant(0)
+            for f, flake in enumerate(species):
+                alpha2 = flake.alpha * flake.alpha
+                density = (
+                    (flake.half_density * (0.5 * dr.inv_pi) / alpha2)
+                    * sec3
+                    * dr.exp(-dr.minimum(tan2 / alpha2, 80))
+                )
+                kernel += (
+                    density * reflectances[flake.reflectance] * flakes.factor(pair, n, f, here)
+                )
+            rest = flakes.rest_factor(pair, n, here) if pigments else 1
+            for g, channel in pigments:
+                turn = dr.maximum(1 + g * g + 2 * g * between, 1e-6)
+                phase = (1 - g * g) * 0.25 * dr.inv_pi / (turn * dr.sqrt(turn))
+                kernel += phase * numbers[channel] * rest
+            total += kernel * dr.exp(-depth) * (thickness * mean_escape(here))
+            depth += here
+        return total * (inverse_i * inverse_o)
+
+    def _reflectances(self, pair: Pair, cosine: Any, active: Any) -> list[Wide]:
+        if self.reflectance is None:
+            return []
+        last = self.reflectance.rows - 1
+        if not self.dispersive:
+            return self.reflectance.look_up(cosine * last, pair.where, active)
+        # A cosine of its own at each wavelength.
+        if self.bands.spectral:
+            each = [
+                self.reflectance.look_up(cosine[k] * last, Where([x]), active)
+                for k, x in enumerate(pair.where.coordinates)
+            ]
+            return [self.bands.wide([e[c][0] for e in each]) for c in range(self.reflectance.count)]
+        rows = [
+            self.reflectance.look_up(cosine[k] * last, pair.where, active)
+            for k in range(len(self.bands.nm))
+        ]
+        return [
+            self.bands.wide([rows[k][c][k] for k in range(len(self.bands.nm))])
+            for c in range(self.reflectance.count)
+        ]
+
+    def fresnel(self, cosine: Float, ior: Wide) -> Wide:
+        """Reflectance of the smooth interface from outside, unpolarised."""
+        inside = dr.sqrt(dr.maximum(1 - (1 - cosine * cosine) / (ior * ior), 0))
+        s = (cosine - ior * inside) / (cosine + ior * inside)
+        p = (ior * cosine - inside) / (ior * cosine + inside)
+        return 0.5 * (s * s + p * p)
+
+    def value(self, pair: Pair, flakes: Flakes, active: Any) -> Wide:
+        """BRDF in 1/sr without the specular lobe of a smooth interface: BoundMicroflake::value()."""
+        numbers = self.by_wavelength.look_up(mi.Float(0), pair.where, active)
+        smooth = self._tabulated(pair, active)
+        if self.rough > 0:
+            return smooth + self._rough_lobe(pair, numbers)
+        ior = numbers[0]
+        through = (1 - self.fresnel(pair.i.outside.z, ior)) * (
+            1 - self.fresnel(pair.o.outside.z, ior)
+        )
+        once = self.once(pair, flakes, numbers, active)
+        return (once + flakes.multiple(pair, smooth)) * through / (ior * ior)
+
+    def specular(self, cosine: Float, where: Where, active: Any) -> Wide:
+        """Reflectance of a smooth interface."""
+        numbers = self.by_wavelength.look_up(mi.Float(0), where, active)
+        return self.fresnel(cosine, numbers[0])
+
+    def _rough_lobe(self, pair: Pair, numbers: Sequence[Wide]) -> Wide:
+        """solver::RoughInterface::brdf."""
+        i, o = pair.i, pair.o
+        h = i.outside + o.outside
+        tan2 = (h.x * h.x + h.y * h.y) / (h.z * h.z)
+        sec2, a2 = 1 + tan2, self.rough * self.rough
+        facets = dr.exp(-dr.minimum(tan2 / a2, 60)) * (dr.inv_pi / a2) * sec2 * sec2
+        facets = dr.select(tan2 < 60 * a2, facets, 0)
+        cosine = dr.minimum(0.5 * dr.norm(h), 1)
+        diffuse = numbers[2] * self.directions.of(i, "masked") * self.directions.of(o, "masked")
+        masking = self._masking(i) * self._masking(o)
+        return diffuse + (0.25 * facets * masking) * self.fresnel(cosine, numbers[0])
+
+    def _masking(self, ray: Ray) -> Float:
+        n = self.masking.shape[0]
+        return self.masking.eval(dr_array(1)(dr.fma(ray.x, (n - 1) / n, 0.5 / n)))[0]
+
+    # Sampling: the interface, flakes that are seen from wi, a lobe three times as rough, and evenly.
+
+    def _set_sampling(self, a: Arrays) -> None:
+        weights, alphas = [], []
+        for layer in a["layers"]:
+            for flake in layer["flakes"]:
+                weights.append(flake["area_density_per_um"] * layer["thickness_um"])
+                alphas.append(flake["alpha"])
+        alpha = float(np.average(alphas, weights=weights)) if alphas else 0.3
+        if self.rough > 0:
+            alpha = float(np.hypot(alpha, 0.5 * self.rough))
+        self.lobes = FlakeLobe(alpha), FlakeLobe(min(3 * alpha, 0.8))
+        self.coat_lobe = FlakeLobe(self.rough)
+        p = a["probability"].astype(np.float64)
+        interface, table, diffuse, single = p.T
+        narrow, wide = table * single * 0.9, table * (single * 0.1 + (1 - single) * 0.4)
+        even = diffuse + table * (1 - single) * 0.6
+        shares = np.stack([interface, narrow, wide, even], axis=-1)
+        self.shares = texture(1, mi.TensorXf(shares.astype(np.float32)))
+        if self.rough > 0:
+            masking = np.asarray(a["masking_over_cosine"])[:, None]
+            self.masking = texture(1, mi.TensorXf(masking.astype(np.float32)))
+
+    def probabilities(self, ray: Ray, specular: bool, rest: bool) -> tuple[Float, ...]:
+        """Of the interface, both lobes of flakes, and evenly; they add up to 1."""
+        n = self.shares.shape[0]
+        p = self.shares.eval(dr_array(1)(dr.fma(ray.x, (n - 1) / n, 0.5 / n)))
+        interface, narrow, wide, even = (dr.detach(x) for x in p)
+        if not rest:
+            return (mi.Float(1), *(mi.Float(0),) * 3)
+        if not specular and self.rough == 0:
+            interface = mi.Float(0)
+        scale = dr.rcp(interface + narrow + wide + even)
+        return interface * scale, narrow * scale, wide * scale, even * scale
+
+    def density(self, probabilities: tuple[Float, ...], i: Ray, o: Ray) -> Float:
+        """Per solid angle outside, of draw() with these probabilities."""
+        interface, narrow, wide, even = probabilities
+        ratio = o.outside.z / (self.mean_ior * self.mean_ior * o.inside.z)
+        flakes = narrow * self.lobes[0].pdf(i.inside, o.inside) + wide * self.lobes[1].pdf(
+            i.inside, o.inside
+        )
+        density = flakes * ratio + even * dr.inv_pi * o.outside.z
+        if self.rough > 0:
+            density += interface * self.coat_lobe.pdf(i.outside, o.outside)
+        return density
+
+    def draw(self, probabilities: tuple[Float, ...], i: Ray, u: Float, u2: Any) -> Vector:
+        """A direction outside, by all but a smooth interface; below the horizon where none leaves.
+
+        u: uniform in [0, 1), which selects.
+        """
+        interface, narrow, wide, _ = probabilities
+        sum_narrow = interface + narrow
+        sum_wide = sum_narrow + wide
+        is_narrow = u < sum_narrow
+        lobe = FlakeLobe(dr.select(is_narrow, self.lobes[0].alpha, self.lobes[1].alpha))
+        low = dr.select(is_narrow, interface, sum_narrow)
+        span = dr.select(is_narrow, narrow, wide)
+        inside = lobe.sample(i.inside, (u - low) / dr.maximum(span, 1e-12), u2)
+        wo = dr.select(
+            u < sum_wide,
+            refract_out(inside, self.mean_ior),
+            mi.warp.square_to_cosine_hemisphere(u2),
+        )
+        if self.rough > 0:
+            facet = self.coat_lobe.sample(i.outside, u / dr.maximum(interface, 1e-12), u2)
+            wo = dr.select(u < interface, facet, wo)
+        return wo

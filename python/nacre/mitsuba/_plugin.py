@@ -1,0 +1,345 @@
+"""The BSDF `nacre` of Mitsuba 3."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+
+from .. import _nacre
+from .._errors import InputError, SettingError
+from .._model import Model
+from .._paint import Paint
+from ._bands import Bands, Source, Tangent
+from ._flakes import Footprint, Sparkle, SparkleModel, no
+from ._microflake import MeanFlakes, Microflake, Pair
+
+MODELS = ("nacre", "microflake")
+DEFAULT_BANDS = 16
+FLAKES = 0.85
+"""Of the probability of flakes' lobe, what goes to single flakes where all are resolved."""
+STEP = 0.01
+"""Of the differences by which tables are differentiated, relative to the parameter."""
+
+
+def _paint_of(props: Any) -> Paint:
+    if "paint" in props:
+        paint = props["paint"]
+        if not isinstance(paint, Paint):
+            raise SettingError(f"paint = {paint!r}: must be a nacre.Paint")
+        return paint
+    if "recipe" not in props:
+        raise SettingError("recipe: is missing; it names the paint's file")
+    name = str(props["recipe"])
+    found = Path(str(mi.file_resolver().resolve(name)))
+    return Paint(found if found.exists() else Path(name))
+
+
+def random_bits(u: Any) -> Any:
+    """32 bits of a number in [0, 1)."""
+    if mi.Float is float:
+        return int(u * 2**32) & 0xFFFFFFFF
+    return dr.reinterpret_array(mi.UInt32, u) * mi.UInt32(0x9E3779B9)
+
+
+class Camera:
+    """Whose pixels decide how much of the paint a sample sees."""
+
+    def __init__(self, sensor: Any, footprint: float) -> None:
+        """footprint: sides of a sample's patch in pixels; 0: of its share of the pixel."""
+        params = mi.traverse(sensor)
+        if "x_fov" not in params:
+            raise SettingError("sensor: must be perspective or thinlens, to know what a pixel sees")
+        to_world = params["to_world"].matrix
+        width, height = sensor.film().size()
+
+        def column(n: int) -> Any:
+            return mi.ScalarVector3f([float(dr.slice(to_world[row, n])) for row in range(3)])
+
+        self.origin = mi.ScalarPoint3f(column(3))
+        self.forward = dr.normalize(column(2))
+        pixel = 2 * dr.tan(0.5 * dr.deg2rad(float(dr.slice(params["x_fov"])))) / width
+        if footprint == 0:
+            footprint = 1 / sensor.sampler().sample_count() ** 0.5
+        self.right = dr.normalize(column(0)) * pixel * footprint
+        self.up = dr.normalize(column(1)) * pixel * footprint
+        radius = float(dr.slice(params["aperture_radius"])) if "aperture_radius" in params else 0.0
+        self.aperture = radius
+
+
+def make_plugin() -> Any:
+    """The class for the variant that is set."""
+
+    class Nacre(mi.BSDF):  # type: ignore[misc]
+        """A paint, from its recipe.
+
+        Parameters
+        ----------
+        recipe
+            A file that Nacre reads: a recipe or a solved paint.
+        model
+            ``nacre`` (the default), which shows single flakes where a camera is attached
+            (:func:`nacre.mitsuba.attach`), else their mean; or ``microflake``.
+        specimen
+            Which panel of the batch: the same number shows the same flakes as in Nacre.
+        hot_spot
+            Of the model ``nacre``: light finds gaps between large flakes again on its way out.
+        footprint
+            Sides of the patch of flakes that a sample shows, in pixels; 0, the default: so that the
+            samples share out the pixel.
+        to_rest
+            From the world to the space in which flakes lie still, the object before it was turned
+            and moved. For spheres, rectangles and the like attach() finds it.
+        unit_mm
+            Of the world, in mm; 1 by default.
+        bands
+            In RGB variants: wavelengths over which spectra are integrated, 16 by default.
+        differentiate
+            Keys of the recipe, separated by commas, that appear as differentiable parameters.
+        """
+
+        def __init__(self, props: Any) -> None:
+            mi.BSDF.__init__(self, props)
+            self.paint = _paint_of(props)
+            name = str(props.get("model", MODELS[0]))
+            if name not in MODELS:
+                raise SettingError(f"model = {name}: must be {' or '.join(MODELS)}")
+            if name == "nacre":
+                self.model = Model(
+                    name,
+                    specimen=int(props.get("specimen", 0)),
+                    hot_spot=bool(props.get("hot_spot", True)),
+                )
+            else:
+                self.model = Model(name)
+            self.footprint = float(props.get("footprint", 0.0))
+            if not 0 <= self.footprint <= 1e4:
+                raise SettingError(f"footprint = {self.footprint}: must be in [0, 1e4] pixels")
+            self.unit_mm = float(props.get("unit_mm", 1.0))
+            if not 1e-6 <= self.unit_mm <= 1e6:
+                raise SettingError(f"unit_mm = {self.unit_mm}: must be in [1e-6, 1e6]")
+            self.own_rest = "to_rest" in props
+            self.to_rest = props.get("to_rest", mi.ScalarTransform4f())
+            self.bands = int(props.get("bands", DEFAULT_BANDS))
+            if not 1 <= self.bands <= 256:
+                raise SettingError(f"bands = {self.bands}: must be in [1, 256]")
+            self.camera: Camera | None = None
+            keys = [k.strip() for k in str(props.get("differentiate", "")).split(",")]
+            self.parameters = {k: mi.Float(self.paint[k]) for k in keys if k}
+            self._build()
+            glossy = mi.BSDFFlags.GlossyReflection | mi.BSDFFlags.FrontSide
+            first = (
+                mi.BSDFFlags.DeltaReflection | mi.BSDFFlags.FrontSide
+                if self.smooth.rough == 0
+                else glossy
+            )
+            self.m_components = [int(first), int(glossy)]
+            self.m_flags = self.m_components[0] | self.m_components[1]
+
+        # From the recipe to the arrays
+
+        def _arrays(self, paint: Paint) -> Any:
+            return _nacre.appearance_arrays(paint._paint, self.model._model, None)
+
+        def _build(self) -> None:
+            paint = self.paint
+            for key, value in self.parameters.items():
+                paint = paint.with_values({key: float(dr.slice(dr.detach(value)))})
+            base = self._arrays(paint)
+            tangents = []
+            for key, value in self.parameters.items():
+                at, limits = float(dr.slice(dr.detach(value))), paint.parameters[key]
+                half = max(abs(at) * STEP, 1e-6)
+                low, high = max(at - half, limits.low), min(at + half, limits.high)
+                tangents.append(
+                    Tangent(
+                        value - dr.detach(value),
+                        self._arrays(paint.with_values({key: high})),
+                        self._arrays(paint.with_values({key: low})),
+                        high - low,
+                    )
+                )
+            source = Source(base, tangents)
+            self.table_bands = Bands(base["wavelengths_nm"], self.bands)
+            self.smooth = Microflake(source, self.table_bands)
+            self.sparkle = SparkleModel(self.smooth, source) if self.model.name == "nacre" else None
+            self.mean = self.sparkle.mean if self.sparkle else MeanFlakes()
+
+        def traverse(self, callback: Any) -> None:
+            for key, value in self.parameters.items():
+                callback.put(key, value, mi.ParamFlags.Differentiable)
+
+        def parameters_changed(self, keys: Any = ()) -> None:
+            if self.parameters:
+                self._build()
+
+        # Flakes
+
+        def attach(self, camera: Camera, to_rest: Any) -> None:
+            self.camera = camera
+            if not self.own_rest:
+                self.to_rest = to_rest
+
+        @property
+        def shows_flakes(self) -> bool:
+            return (
+                self.camera is not None
+                and self.sparkle is not None
+                and bool(self.sparkle.fields)
+                and self.smooth.rough == 0
+            )
+
+        def _flakes(self, si: Any, i: Any, active: Any) -> Any:
+            if not self.shows_flakes:
+                return self.mean
+            camera, n = self.camera, si.sh_frame.n
+            to_rest = mi.AffineTransform4f(self.to_rest)
+            assert camera is not None
+            assert self.sparkle is not None
+            q = si.p - mi.Point3f(camera.origin)
+            depth = dr.dot(q, mi.Vector3f(camera.forward))
+            q = q / dr.select(dr.abs(depth) > 1e-20, depth, 1e-20)
+            facing = dr.dot(n, q)
+            facing = dr.select(dr.abs(facing) > 1e-6, facing, -1e-6)
+
+            def edge(step: Any) -> Any:
+                """What a step from pixel to pixel is on the surface, in mm."""
+                step = mi.Vector3f(step)
+                moved = depth * (step - q * (dr.dot(n, step) / facing))
+                return self.unit_mm * (to_rest @ moved)
+
+            rest = to_rest @ si.p
+            normal = dr.normalize(to_rest @ mi.Vector3f(n))
+            tangent = to_rest @ si.sh_frame.s
+            tangent = dr.normalize(tangent - normal * dr.dot(normal, tangent))
+            patch = Footprint(
+                self.unit_mm * mi.Vector3f(rest),
+                normal,
+                tangent,
+                edge(camera.right),
+                edge(camera.up),
+            )
+            # What is not seen by the camera itself gets the mean.
+            towards = -dr.normalize(q)
+            slack = 1e-5 + camera.aperture / dr.maximum(depth, 1e-20)
+            seen = dr.norm(si.to_world(si.wi) - towards) < slack
+            return Sparkle(self.sparkle, patch, i, active, seen)
+
+        # mi.BSDF
+
+        def _chances(self, ctx: Any, i: Any, flakes: Any) -> tuple[Any, Any]:
+            """Probabilities of the ways to draw, and apart from them that of a single flake."""
+            chances = self.smooth.probabilities(
+                i,
+                ctx.is_enabled(mi.BSDFFlags.DeltaReflection, 0),
+                ctx.is_enabled(mi.BSDFFlags.GlossyReflection, 1),
+            )
+            if not isinstance(flakes, Sparkle):
+                return chances, mi.Float(0)
+            # What flakes reflect one by one is no longer drawn from the lobe of all.
+            one = chances[1] * FLAKES * dr.detach(flakes.resolved)
+            one = dr.select(flakes.any, one, 0)
+            return (chances[0], chances[1] - one, *chances[2:]), one
+
+        def _density(self, pair: Pair, flakes: Any, chances: Any, one: Any) -> Any:
+            density = self.smooth.density(chances, pair.i, pair.o)
+            if isinstance(flakes, Sparkle):
+                density += one * flakes.density(pair)
+            return dr.detach(density)
+
+        def _ask(
+            self,
+            ctx: Any,
+            si: Any,
+            wo: Any,
+            sample1: Any,
+            sample2: Any,
+            active: Any,
+        ) -> tuple[Any, Any, Any, Any]:
+            """Value times cosine and density of wo, a sample and its weight; each only if wo, or
+            sample1, is not None. The flakes of the patch are found once for both."""
+            smooth, bands = self.smooth, self.table_bands
+            specular = ctx.is_enabled(mi.BSDFFlags.DeltaReflection, 0) and smooth.rough == 0
+            rest = ctx.is_enabled(mi.BSDFFlags.GlossyReflection, 1)
+            bs = mi.BSDFSample3f()
+            black = bands.colour(bands.constant(0))
+            if not rest and not specular:
+                return black, mi.Float(0), bs, black
+            active = mi.Bool(active) & (si.wi.z > 0)
+            where = bands.at(si)
+            up = mi.Vector3f(0, 0, 1)
+            i = smooth.ray(dr.select(active, si.wi, up), where, active)
+            flakes = self._flakes(si, i, active) if rest else self.mean
+            random = None if sample1 is None else random_bits(sample1)
+
+            value, f, pair = black, None, None
+            if wo is not None and rest:
+                lit = active & (wo.z > 0)
+                pair = smooth.pair(i, smooth.ray(dr.select(lit, wo, up), where, lit), where)
+                flakes.start(random)
+                f = smooth.value(pair, flakes, lit)
+                value = bands.colour(dr.select(lit, dr.maximum(f, 0) * wo.z, 0))
+            elif isinstance(flakes, Sparkle):
+                flakes.start(random)
+                flakes.survey()
+            chances, one = self._chances(ctx, i, flakes)
+            density = mi.Float(0)
+            if pair is not None:
+                density = dr.select(lit, self._density(pair, flakes, chances, one), 0)
+            if sample1 is None:
+                return value, density, bs, black
+
+            # In this order: the interface, lobes of all flakes, evenly, one flake.
+            is_delta = mi.Bool(smooth.rough == 0) & (sample1 < chances[0])
+            drawn = smooth.draw(chances, i, dr.minimum(sample1, 1 - one), sample2)
+            if isinstance(flakes, Sparkle):
+                drawn = dr.select(sample1 >= 1 - one, flakes.draw(sample2), drawn)
+            drawn = dr.select(is_delta, mi.reflect(si.wi), dr.detach(drawn))
+            active &= drawn.z > 0
+            drawn = dr.select(active, drawn, up)
+            pair = smooth.pair(i, smooth.ray(drawn, where, active), where)
+            glossy = active & no(is_delta)
+            flakes.start()
+            f = smooth.value(pair, flakes, glossy)
+            pdf = self._density(pair, flakes, chances, one)
+            glossy &= pdf > 0
+            weight = dr.select(glossy, dr.maximum(f, 0) * (drawn.z / dr.maximum(pdf, 1e-30)), 0)
+            reflected = smooth.specular(si.wi.z, where, active) / dr.maximum(chances[0], 1e-30)
+            weight = dr.select(active & is_delta, reflected, weight)
+            bs.wo = drawn
+            bs.pdf = dr.select(active, dr.select(is_delta, chances[0], pdf), 0)
+            bs.eta = 1.0
+            bs.sampled_type = dr.select(
+                is_delta,
+                mi.UInt32(int(mi.BSDFFlags.DeltaReflection)),
+                mi.UInt32(int(mi.BSDFFlags.GlossyReflection)),
+            )
+            bs.sampled_component = dr.select(is_delta, mi.UInt32(0), mi.UInt32(1))
+            return value, density, bs, bands.colour(weight)
+
+        def eval(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
+            return self._ask(ctx, si, wo, None, None, active)[0]
+
+        def pdf(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
+            return self._ask(ctx, si, wo, None, None, active)[1]
+
+        def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
+            return self._ask(ctx, si, wo, None, None, active)[:2]
+
+        def sample(self, ctx: Any, si: Any, sample1: Any, sample2: Any, active: Any = True) -> Any:
+            return self._ask(ctx, si, None, sample1, sample2, active)[2:]
+
+        def eval_pdf_sample(
+            self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Any = True
+        ) -> Any:
+            return self._ask(ctx, si, wo, sample1, sample2, active)
+
+        def to_string(self) -> str:
+            return f"Nacre[recipe={self.paint.name}, model={self.model!r}]"
+
+    return Nacre
+
+
+__all__ = ["Camera", "InputError", "make_plugin"]

@@ -1,0 +1,140 @@
+#include "nacre/bsdf/models/nacre_arrays.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/solver/rough_interface.h"
+
+namespace nacre::bsdf {
+namespace {
+
+void add_smooth(const Microflake::Tables& tables, NacreArrays& out) {
+    out.grid = tables.smooth.grid();
+    out.rank = tables.smooth.rank();
+    const auto coefficients = tables.smooth.coefficients();
+    out.smooth.assign(coefficients.begin(), coefficients.end());
+    for (const solver::MultipleScattering* tensor : tables.tensors()) {
+        if (tensor == &tables.paint->rough_single) out.single_rank = tensor->rank();
+        const auto size = static_cast<std::size_t>(tensor->rank()) * tables.wavelength_count();
+        out.smooth_basis.insert(out.smooth_basis.end(), tensor->basis.begin(),
+                                tensor->basis.begin() + static_cast<std::ptrdiff_t>(size));
+    }
+}
+
+NacreArrays::Layer layer_arrays(const solver::LayerMedium& medium,
+                                const std::vector<float>& extinction, int wavelengths) {
+    NacreArrays::Layer layer;
+    layer.thickness_um = medium.thickness_um;
+    layer.extinction_per_um = extinction;
+    for (const solver::FlakeMedium& flake : medium.flakes) {
+        NacreArrays::Flake& to = layer.flakes.emplace_back();
+        to.area_density_per_um = flake.area_density_per_um;
+        to.alpha = flake.alpha;
+        to.cosines = flake.table.cosine_count() > 1 ? paint::FlakeTable::kFineIntervals + 1 : 1;
+        for (int c = 0; c < to.cosines; ++c) {
+            const double* row = flake.table.fine_reflectance(c);
+            to.reflectance.insert(to.reflectance.end(), row, row + wavelengths);
+        }
+    }
+    for (const solver::PigmentMedium& pigment : medium.pigments) {
+        NacreArrays::Pigment& to = layer.pigments.emplace_back();
+        to.anisotropy = pigment.anisotropy;
+        for (int w = 0; w < wavelengths; ++w)
+            to.scattering_per_um.push_back(pigment.scattering_per_um[w]);
+    }
+    return layer;
+}
+
+void add_rough_interface(const Microflake::Tables& tables, NacreArrays& out) {
+    const double alpha = tables.paint->medium.roughness;
+    const std::vector<double>& ior = tables.paint->medium.ior;
+    out.coat_roughness = alpha;
+    out.masked.resize(static_cast<std::size_t>(kDirectionIntervals + 1) * ior.size());
+    std::shared_ptr<const solver::RoughInterface> interface;
+    for (std::size_t w = 0; w < ior.size(); ++w) {
+        const bool known = w > 0 && ior[w] == ior[w - 1];
+        if (!known) interface = solver::rough_interface(ior[w], alpha);
+        out.diffuse_scale.push_back(interface->diffuse_scale());
+        for (int row = 0; row <= kDirectionIntervals; ++row) {
+            double* const to = &out.masked[static_cast<std::size_t>(row) * ior.size() + w];
+            *to = known ? to[-1] : interface->masked(direction_angle(row));
+        }
+    }
+    for (int row = 0; row <= kDirectionIntervals; ++row) {
+        const double theta = direction_angle(row);
+        out.masking_over_cosine.push_back(
+            solver::smith_beckmann_over_cosine(std::cos(theta), std::sin(theta), alpha));
+    }
+}
+
+NacreArrays arrays_of(const Microflake::Tables& tables) {
+    const solver::SolvedPaint& paint = *tables.paint;
+    NacreArrays out;
+    out.wavelengths_nm = paint.wavelengths_nm();
+    out.mean_ior = tables.mean_ior;
+    for (int w = 0; w < tables.wavelength_count(); ++w) {
+        out.ior.push_back(paint.medium.ior[w]);
+        out.clearcoat_depth.push_back(paint.medium.clearcoat_depth[w]);
+    }
+    add_smooth(tables, out);
+    for (std::size_t l = 0; l < paint.medium.layers.size(); ++l) {
+        out.layers.push_back(
+            layer_arrays(paint.medium.layers[l], tables.extinction[l], tables.wavelength_count()));
+    }
+    for (const SamplingProbabilities& p : tables.probability) {
+        out.probability.insert(out.probability.end(), {p.interface, p.table, p.diffuse, p.single});
+    }
+    out.albedo = tables.albedo;
+    if (tables.rough) add_rough_interface(tables, out);
+    return out;
+}
+
+NacreArrays::Species species_arrays(const NacreSpecies& species, std::size_t wavelengths) {
+    NacreArrays::Species out;
+    const sparkle::FlakeField& field = species.field;
+    out.field = field.constants();
+    out.density_per_mm2 = field.population().density_per_mm2;
+    out.alpha = field.population().alpha;
+    out.radius_um = field.lobe().radius(1.0);
+    const float* sizes = field.sizes().diameters_um();
+    out.diameter_um.assign(sizes, sizes + sparkle::FlakeSizes::kSizes);
+    if (species.films) {
+        const FlakeFilms& films = *species.films;
+        out.film_sets = static_cast<int>(films.sets());
+        out.film_min_cosine = films.min_cosine();
+        const std::size_t rows = films.sets() * (FlakeFilms::kCosineIntervals + 1);
+        const std::size_t stride = films.ratios().size() / rows;
+        for (std::size_t row = 0; row < rows; ++row) {
+            const float* from = films.ratios().data() + row * stride;
+            out.film_ratio.insert(out.film_ratio.end(), from, from + wavelengths);
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint) {
+    return arrays_of(Microflake(paint).tables());
+}
+
+NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                         const NacreModel& settings, const Progress& progress) {
+    const Nacre surface(paint, settings, progress);
+    const Nacre::Tables& tables = surface.tables();
+    NacreArrays out = arrays_of(*tables.smooth);
+    if (tables.hot_spot) {
+        NacreArrays::HotSpotArrays& hot_spot = out.hot_spot.emplace();
+        for (const HotSpotTables::Species& s : tables.hot_spot->species()) {
+            hot_spot.species.push_back({s.layer, s.diameter_um, s.coupling});
+        }
+        hot_spot.ground = tables.hot_spot->ground();
+        hot_spot.closing = tables.hot_spot->closing();
+    }
+    for (const NacreSpecies& species : tables.species) {
+        out.species.push_back(species_arrays(species, out.wavelengths_nm.size()));
+    }
+    return out;
+}
+
+}  // namespace nacre::bsdf

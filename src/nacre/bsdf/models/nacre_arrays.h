@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/models/nacre.h"
+
+namespace nacre::bsdf {
+
+/// The models `microflake` and `nacre` as arrays, for programs that evaluate them themselves:
+/// plug-ins of other renderers, shaders. What is done with them is written down where Nacre does it,
+/// BoundMicroflake and BoundNacre.
+///
+/// W: wavelengths of the solved paint. D = kDirectionIntervals + 1: directions, even in
+/// tan(theta / 2) outside the coat from 0 to 1.
+struct NacreArrays {
+    std::vector<double> wavelengths_nm;   ///< (W,)
+    std::vector<double> ior;              ///< (W,) of the binder
+    std::vector<double> clearcoat_depth;  ///< (W,) optical depth of the clearcoat
+    double mean_ior = 1;
+    double coat_roughness = 0;  ///< Beckmann alpha of the interface; 0: smooth
+
+    /// What is not closed: SmoothTable. Under a rough coat it holds single scattering as well, as
+    /// the last `single_rank` of its terms.
+    SmoothGrid grid;
+    int rank = 0, single_rank = 0;
+    std::vector<float> smooth;         ///< (a, b, q, rank)
+    std::vector<double> smooth_basis;  ///< (rank, W)
+
+    struct Flake {
+        double area_density_per_um;
+        double alpha;
+        int cosines;                      ///< 1: the reflectance does not depend on angle
+        std::vector<double> reflectance;  ///< (cosines, W), even in w.m from 0 to 1
+    };
+    struct Pigment {
+        double anisotropy;                      ///< g of Henyey and Greenstein's phase function
+        std::vector<double> scattering_per_um;  ///< (W,)
+    };
+    struct Layer {
+        double thickness_um;
+        std::vector<float> extinction_per_um;  ///< (D, W)
+        std::vector<Flake> flakes;
+        std::vector<Pigment> pigments;
+    };
+    std::vector<Layer> layers;
+
+    /// (D, 4): probabilities with which Nacre draws from the interface, from all else by a table,
+    /// and evenly, and the fraction of what the table stands for that is scattered once; and (D, W)
+    /// directional albedo.
+    std::vector<float> probability, albedo;
+
+    /// A rough interface: masking over the cosine (D,), what is masked (D, W), and the scale of the
+    /// light that comes of it (W,). Empty where it is smooth.
+    std::vector<double> masking_over_cosine, masked, diffuse_scale;
+
+    struct HotSpotSpecies {
+        std::size_t layer;
+        float diameter_um;
+        std::vector<float> coupling;  ///< (D, W)
+    };
+    struct HotSpotArrays {
+        std::vector<HotSpotSpecies> species;
+        std::vector<float> ground, closing;  ///< (D, W), or empty
+    };
+    std::optional<HotSpotArrays> hot_spot;  ///< of `nacre`
+
+    struct Species {
+        sparkle::FlakeField::Constants field;
+        double density_per_mm2;
+        double alpha;
+        double radius_um;                ///< DiffractionLobe::radius() is this over the diameter
+        std::vector<float> diameter_um;  ///< by the last 8 bits of a flake
+        int film_sets = 0;               ///< 0: all flakes alike
+        double film_min_cosine = 0;
+        std::vector<float> film_ratio;  ///< (sets, FlakeFilms::kCosineIntervals + 1, W)
+    };
+    std::vector<Species> species;  ///< of `nacre`: those of all layers, one after the other
+};
+
+/// @throws Error, DomainError, Stopped as Nacre's constructor
+NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                         const NacreModel& settings, const Progress& progress = {});
+/// Without hot spot and species. @throws Error as Microflake's constructor
+NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
+
+}  // namespace nacre::bsdf
