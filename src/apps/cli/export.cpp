@@ -123,7 +123,7 @@ Command add_export(CLI::App& program) {
         ->check(CLI::Range(4, 512))
         ->capture_default_str();
     only(command->add_option("--incidences", options->rgl.incident,
-                             ".bsdf: polar angles of incidence, even from 0 to 89 deg"),
+                             ".bsdf: polar angles of incidence, 0 to 89 deg, closest near grazing"),
          options->only_rgl)
         ->check(CLI::Range(2, 256))
         ->capture_default_str();
