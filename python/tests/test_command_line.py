@@ -148,7 +148,7 @@ def test_files_of_paints(nacre_program: Run, paints: Path, tmp_path: Path) -> No
     nacre_program("export", paint.file, "-o", tmp_path / "program.bsdf", *small, *grid)
     error = paint.write(tmp_path / "python.bsdf", resolution=8, incidences=4, wavelengths_nm=nm)
     assert (tmp_path / "python.bsdf").read_bytes() == (tmp_path / "program.bsdf").read_bytes()
-    assert error is not None
+    assert isinstance(error, nacre.Export)
     assert 0 < error.error_of_flux < error.error_over_peak
     nacre_program(
         "export", paint.file, "-o", tmp_path / "program.binary", "--cells", "6,5,4", *grid

@@ -11,7 +11,7 @@ namespace nacre::report {
 std::string chips_svg(const std::string& title, const std::vector<std::string>& lines,
                       const std::string& first, const std::string& second,
                       const std::vector<ChipGroup>& groups) {
-    constexpr int kMargin = 16, kLine = 20, kRow = 30, kChip = 130, kLabel = 110, kWidth = 620;
+    constexpr int kMargin = 16, kLine = 20, kRow = 30, kChip = 130, kLabel = 110, kWidth = 700;
     std::string body;
     int y = kMargin;
     const auto text = [&](int x, int at, const std::string& words, const char* style) {
