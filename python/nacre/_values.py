@@ -71,7 +71,7 @@ class Export:
 
 @dataclass(frozen=True)
 class FittedMaterial:
-    """A material of another renderer, and its CIEDE2000 from the paint by angle (docs/export.md)."""
+    """A material of another renderer, and its CIEDE2000 from the paint (docs/export.md)."""
 
     parameters: dict[str, float]
     """By the format's names."""

@@ -71,10 +71,11 @@ def test_materialx_is_valid_and_makes_a_shader(paints: Path, tmp_path: Path) -> 
         mx.readFromXmlFile(document, str(file))
         document.setDataLibrary(library)
         assert document.validate() == (True, "")
-        context = generators.GenContext(glsl.GlslShaderGenerator.create())
+        generator = glsl.GlslShaderGenerator.create()
+        context = generators.GenContext(generator)
         context.registerSourceCodeSearchPath(search)
         (material,) = generators.findRenderableElements(document)
-        shader = context.getShaderGenerator().generate("paint", material, context)
+        shader = generator.generate("paint", material, context)
         assert "cellnoise" in shader.getSourceCode("pixel")
 
 
