@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import ROOT, Run
+from conftest import ROOT
 
 import nacre
 
@@ -79,9 +79,9 @@ def test_materialx_is_valid_and_makes_a_shader(paints: Path, tmp_path: Path) -> 
         assert "cellnoise" in shader.getSourceCode("pixel")
 
 
-def test_a_fit_says_what_it_misses(nacre_program: Run, paints: Path, tmp_path: Path) -> None:
+def test_a_fit_says_what_it_misses(paints: Path, tmp_path: Path) -> None:
     paint = nacre.Paint(paints / "solid-red.toml")
-    fitted = paint.write(tmp_path / "python.gltf", wavelengths_nm=NM)
+    fitted = paint.write(tmp_path / "red.gltf", wavelengths_nm=NM)
     assert isinstance(fitted, nacre.FittedMaterial)
     assert list(fitted.delta_e_2000) == [
         *("45as-15", "45as15", "45as25", "45as45", "45as75", "45as110")
@@ -90,9 +90,3 @@ def test_a_fit_says_what_it_misses(nacre_program: Run, paints: Path, tmp_path: P
     assert len(fitted.tested_delta_e_2000) == 17
     assert fitted.tested_max_delta_e_2000 == max(fitted.tested_delta_e_2000.values())
     assert 0 <= fitted.parameters["roughnessFactor"] <= 1
-    grid = ",".join(f"{nm:g}" for nm in NM)
-    nacre_program("export", paint.file, "-o", tmp_path / "program.gltf", "--wavelength", grid)
-    ours, theirs = (
-        (tmp_path / f"{name}.gltf").read_text(encoding="utf-8") for name in ("python", "program")
-    )
-    assert ours == theirs

@@ -53,7 +53,7 @@ TEST(OpenPbr, ADiffuserUnderASmoothCoatLosesWhatTheCoatReflects) {
 }
 
 // The pixel shader that MaterialX 1.39.5 generates of open_pbr_surface with these inputs, for one
-// directional light, run by moderngl 5.12 on Mesa 22.3.6's llvmpipe; its colour over cos(theta_i).
+// directional light, run by moderngl 5.13.0 on Mesa 22.3.6's llvmpipe; its colour over cos(theta_i).
 // MaterialX takes directional albedos from a rational fit, which is off by up to 2 %.
 TEST(OpenPbr, AgreesWithTheShaderOfMaterialX) {
     OpenPbr s;

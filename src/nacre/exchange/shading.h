@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "nacre/core/vec.h"
 
@@ -27,7 +29,7 @@ inline ShadingAngles shading_angles(double theta_i, double theta_o, double phi) 
 /// The distribution of facets of Trowbridge and Reitz, in 1/sr.        [walter-2007, eq. 33]
 inline double ggx_distribution(double nh, double alpha) {
     const double a2 = alpha * alpha, root = nh * nh * (a2 - 1) + 1;
-    return a2 / (M_PI * root * root);
+    return a2 / (std::numbers::pi * root * root);
 }
 
 /// c^5 of 1 - cosine: what Schlick's approximation of Fresnel's reflectance adds.  [schlick-1994]
