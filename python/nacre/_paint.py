@@ -443,9 +443,8 @@ class Paint:
 
         ``.toml``: the recipe. ``.h5``: the solved paint, or the table that ``model`` renders from,
         as ``Model("microflake", table="svd")``. ``.bsdf``: the BRDF as in the RGL database, and
-        ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf``: a
-        material of glTF 2.0 on a sphere, and ``.mtlx``: OpenPBR in MaterialX, both fitted to the
-        paint's colours; these return what they miss.
+        ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf`` and
+        ``.mtlx``: glTF's material and OpenPBR, fitted; these return what they miss.
 
         Parameters
         ----------
@@ -477,10 +476,9 @@ class Paint:
             if extension == ".binary":
                 return Export(*self._paint.write_merl(path, cells, nm, chosen, report))
             if extension in (".gltf", ".mtlx"):
-                format_ = "gltf" if extension == ".gltf" else "materialx"
-                parameters, seen, _, tested = self._paint.write_material(
-                    path, format_, nm, chosen, report
-                )
+                kind = "gltf" if extension == ".gltf" else "materialx"
+                fit = self._paint.write_material(path, kind, nm, chosen, report)
+                parameters, seen, _, tested = fit
                 return FittedMaterial(
                     dict(parameters), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
                 )

@@ -132,9 +132,9 @@ TEST_F(Program, ExportFitsMaterialsAndSaysByHowMuchTheyMiss) {
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_THAT(run.err, HasSubstr("45as110"));
         EXPECT_THAT(run.err, HasSubstr("a fit, not the paint. Delta E 2000, mean and greatest: "));
-        EXPECT_THAT(contents(folder_ / file), HasSubstr(file == "gray.gltf"
-                                                            ? "\"nacre_delta_e_2000\""
-                                                            : "CIEDE2000 from the paint"));
+        EXPECT_THAT(
+            contents(folder_ / file),
+            HasSubstr(file == "gray.gltf" ? "\"nacre_delta_e_2000\"" : "CIEDE2000 from the paint"));
         EXPECT_THAT(contents(folder_ / (file + ".svg")), StartsWith("<!-- nacre:chips -->"));
         EXPECT_THAT(contents(folder_ / "r.json"), HasSubstr("\"tested\""));
     }

@@ -81,6 +81,14 @@ Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settin
 FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings& settings,
                                       const Progress& progress) const {
     state_->require_isotropic();
+    if (kind() == Kind::measured_colours) {
+        throw InputError(fmt::format(
+            "{}: holds measured colours; a material is fitted to a recipe or a BRDF, at {} lamps "
+            "and "
+            "views",
+            state_->label(),
+            exchange::fit_geometries().fitted.size() + exchange::fit_geometries().tested.size()));
+    }
     const bool coat = has_recipe() && !recipe().layers.empty();
     const bool rough = coat && recipe().clearcoat && recipe().clearcoat->roughness > 0;
     const exchange::FormatModel model = format == MaterialFormat::gltf

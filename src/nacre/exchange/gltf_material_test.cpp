@@ -108,7 +108,8 @@ TEST(GltfMaterial, IridescenceFollowsAirysFormulaAtNormalIncidence) {
             const double r = (base - 1) / (base + 1);
             const Vec3d f = gltf_iridescence(1, 1.5, nm, {r * r, r * r, r * r});
             const Vec3d wanted = exact_film(1.5, nm, base);
-            for (int c = 0; c < 3; ++c) EXPECT_NEAR(f[c], std::max(0.0, wanted[c]), 0.012) << nm << " " << base;
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(f[c], std::max(0.0, wanted[c]), 0.012) << nm << " " << base;
             ++compared;
         }
     }
