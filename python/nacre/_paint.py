@@ -477,10 +477,9 @@ class Paint:
                 return Export(*self._paint.write_merl(path, cells, nm, chosen, report))
             if extension in (".gltf", ".mtlx"):
                 kind = "gltf" if extension == ".gltf" else "materialx"
-                fit = self._paint.write_material(path, kind, nm, chosen, report)
-                parameters, seen, _, tested = fit
+                values, seen, _, tested = self._paint.write_material(path, kind, nm, chosen, report)
                 return FittedMaterial(
-                    dict(parameters), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
+                    dict(values), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
                 )
         raise SettingError(
             f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf or .mtlx"
