@@ -32,7 +32,7 @@ from ._paint import Paint
 from ._picture import Image, Picture, read_image, render, scene_names
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
 from ._threads import set_threads, threads
-from ._values import Export, Parameter, Sample, Solution
+from ._values import Export, FittedMaterial, Parameter, Sample, Solution
 
 del _cpu
 __version__: str = version()
@@ -47,6 +47,7 @@ __all__ = [
     "Estimate",
     "Export",
     "Film",
+    "FittedMaterial",
     "FittedParameter",
     "Image",
     "InputError",

@@ -17,7 +17,7 @@ from ._measurement import Geometries, Measurement, geometry_text
 from ._model import ModelLike, settings_of
 from ._progress import Progress, reporter
 from ._sparkle import Sparkle, sparkle_of
-from ._values import Export, Parameter, Sample, Solution
+from ._values import Export, FittedMaterial, Parameter, Sample, Solution
 
 Path = str | os.PathLike[str]
 
@@ -438,12 +438,13 @@ class Paint:
         rgb: bool = False,
         cells: tuple[int, int, int] = (90, 90, 180),
         progress: Progress = False,
-    ) -> Export | None:
+    ) -> Export | FittedMaterial | None:
         """Writes a file by its extension, whole or not at all.
 
         ``.toml``: the recipe. ``.h5``: the solved paint, or the table that ``model`` renders from,
         as ``Model("microflake", table="svd")``. ``.bsdf``: the BRDF as in the RGL database, and
-        ``.binary``: as in MERL's, for other renderers; these return their error.
+        ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf`` and
+        ``.mtlx``: glTF's material and OpenPBR, fitted; these return what they miss.
 
         Parameters
         ----------
@@ -474,7 +475,15 @@ class Paint:
                 )
             if extension == ".binary":
                 return Export(*self._paint.write_merl(path, cells, nm, chosen, report))
-        raise SettingError(f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf or .binary")
+            if extension in (".gltf", ".mtlx"):
+                kind = "gltf" if extension == ".gltf" else "materialx"
+                values, seen, _, tested = self._paint.write_material(path, kind, nm, chosen, report)
+                return FittedMaterial(
+                    dict(values), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
+                )
+        raise SettingError(
+            f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf or .mtlx"
+        )
 
     def __repr__(self) -> str:
         return f"<Paint {self.name!r}: {self.kind}>"

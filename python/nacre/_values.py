@@ -67,3 +67,19 @@ class Export:
 
     error_of_flux: float
     error_over_peak: float
+
+
+@dataclass(frozen=True)
+class FittedMaterial:
+    """A material of another renderer, and its CIEDE2000 from the paint (docs/export.md)."""
+
+    parameters: dict[str, float]
+    """By the format's names."""
+    delta_e_2000: dict[str, float]
+    """At byk-mac's angles, which are fitted among others."""
+    mean_delta_e_2000: float
+    max_delta_e_2000: float
+    tested_delta_e_2000: dict[str, float]
+    """At angles that the fit did not see."""
+    tested_mean_delta_e_2000: float
+    tested_max_delta_e_2000: float

@@ -218,6 +218,33 @@ Error2 write_merl(const PaintHandle& handle, const std::filesystem::path& path,
     });
 }
 
+/// Delta E 2000 by geometry, and mean and greatest.
+using Differences = std::tuple<std::vector<std::pair<std::string, double>>, double, double>;
+
+Differences differences(const measure::Difference& difference) {
+    std::vector<std::pair<std::string, double>> angles;
+    for (const measure::AngleDifference& angle : difference.angles) {
+        angles.emplace_back(angle.geometry.name, angle.delta_e_2000);
+    }
+    return {angles, difference.mean_delta_e_2000, difference.max_delta_e_2000};
+}
+
+using Fitted =
+    std::tuple<std::vector<std::pair<std::string, double>>, Differences, Differences, Differences>;
+
+Fitted write_material(const PaintHandle& handle, const std::filesystem::path& path,
+                      const std::string& format, const OptionalDoubles& wavelengths_nm,
+                      const std::optional<Model>& model, const nb::object& progress) {
+    return run(progress, [&](const Progress& ask) {
+        const FittedMaterial made = handle.paint.export_material(
+            format == "gltf" ? MaterialFormat::gltf : MaterialFormat::materialx,
+            export_settings(wavelengths_nm, model), ask);
+        made.write(path);
+        return Fitted{made.parameters, differences(made.fit.instrument),
+                      differences(made.fit.fitted), differences(made.fit.tested)};
+    });
+}
+
 /// The solution, or the table that the model makes of it.
 std::size_t write_solved(const PaintHandle& handle, const std::filesystem::path& path,
                          const OptionalDoubles& wavelengths_nm, const std::optional<Model>& model,
@@ -302,6 +329,8 @@ void bind_paint(nb::module_& module) {
              model, "part"_a, "as_rendered"_a, "patch"_a.none(), "progress"_a.none())
         .def("write_rgl", &write_rgl, "path"_a, "resolution"_a, "incidences"_a, "rgb"_a,
              wavelengths, model, "progress"_a.none())
+        .def("write_material", &write_material, "path"_a, "format"_a, wavelengths, model,
+             "progress"_a.none())
         .def("write_merl", &write_merl, "path"_a, "cells"_a, wavelengths, model,
              "progress"_a.none())
         .def("write_solved", &write_solved, "path"_a, wavelengths, model, "progress"_a.none());

@@ -148,7 +148,7 @@ def test_files_of_paints(nacre_program: Run, paints: Path, tmp_path: Path) -> No
     nacre_program("export", paint.file, "-o", tmp_path / "program.bsdf", *small, *grid)
     error = paint.write(tmp_path / "python.bsdf", resolution=8, incidences=4, wavelengths_nm=nm)
     assert (tmp_path / "python.bsdf").read_bytes() == (tmp_path / "program.bsdf").read_bytes()
-    assert error is not None
+    assert isinstance(error, nacre.Export)
     assert 0 < error.error_of_flux < error.error_over_peak
     nacre_program(
         "export", paint.file, "-o", tmp_path / "program.binary", "--cells", "6,5,4", *grid
@@ -156,6 +156,11 @@ def test_files_of_paints(nacre_program: Run, paints: Path, tmp_path: Path) -> No
     paint.write(tmp_path / "python.binary", cells=(6, 5, 4), wavelengths_nm=nm)
     assert (tmp_path / "python.binary").read_bytes() == (tmp_path / "program.binary").read_bytes()
     assert nacre.Paint(tmp_path / "python.binary").kind == "measured_brdf"
+    nacre_program("export", paint.file, "-o", tmp_path / "program.gltf", *grid)
+    assert isinstance(
+        paint.write(tmp_path / "python.gltf", wavelengths_nm=nm), nacre.FittedMaterial
+    )
+    assert (tmp_path / "python.gltf").read_bytes() == (tmp_path / "program.gltf").read_bytes()
     with pytest.raises(nacre.SettingError, match=r"must end in \.toml, \.h5"):
         paint.write(tmp_path / "python.xml")
 

@@ -19,6 +19,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/progress.h"
 #include "nacre/core/references.h"
+#include "nacre/exchange/material_fit.h"
 #include "nacre/fit/fit.h"
 #include "nacre/measure/acquire.h"
 #include "nacre/measure/geometry.h"
@@ -210,6 +211,19 @@ struct Exported {
     void write(const std::filesystem::path& path) const;
 };
 
+/// A material of another renderer's format that looks like the paint as nearly as a fit makes it.
+struct FittedMaterial {
+    std::string format;  ///< for people: "glTF 2.0"
+    std::string bytes;   ///< of the file
+    /// By the format's names, in its order.
+    std::vector<std::pair<std::string, double>> parameters;
+    exchange::MaterialFit fit;  ///< and how far it remains from the paint
+
+    /// Whole or not at all. @throws InputError, Error as core/file.h
+    void write(const std::filesystem::path& path) const;
+};
+enum class MaterialFormat { gltf, materialx };
+
 struct SparkleSettings {
     SparkleCamera camera = {};
     Viewing viewing = {};
@@ -305,6 +319,14 @@ class Paint {
                         const Progress& progress = {}) const;
     Exported export_merl(const MerlSettings& merl = {}, const BrdfSettings& settings = {},
                          const Progress& progress = {}) const;
+    /// A material of a renderer that knows no paints, fitted to the paint's colours at
+    /// exchange::fit_geometries(), and its differences there and at angles that the fit did not see.
+    /// A smooth interface of the paint becomes the format's clearcoat, whose reflection no angle
+    /// reads; a paint without a recipe is taken to have none.
+    /// @param settings  as_rendered and part have no part in it
+    /// @throws InputError, DomainError, Error as measure(); Error as exchange::fit_material()
+    FittedMaterial export_material(MaterialFormat format, const BrdfSettings& settings = {},
+                                   const Progress& progress = {}) const;
     /// The bytes of a file of the solved paint. @throws as solved() and io::solved_paint_bytes()
     std::string export_solved(const SolveSettings& settings = {},
                               const Progress& progress = {}) const;

@@ -7,8 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/cli/difference_table.h"
+#include "apps/cli/export_chips.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
+#include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/nacre.h"
@@ -24,8 +27,9 @@ struct ExportOptions : CommonOptions {
     std::string wavelengths;
     measure::RglSettings rgl;
     std::string cells = "90,90,180";
-    /// Given options that only one of the formats has; the last of each.
-    std::string only_rgl, only_merl;
+    std::string chips;
+    /// Given options that only one kind of formats has; the last of each.
+    std::string only_rgl, only_merl, only_fits;
 };
 
 measure::MerlSettings parse_cells(const std::string& text) {
@@ -39,40 +43,66 @@ measure::MerlSettings parse_cells(const std::string& text) {
     return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2])};
 }
 
-bool is_rgl_name(const std::string& output) {
+enum class ExportFormat { rgl, merl, gltf, materialx };
+
+ExportFormat format_of(const std::string& output) {
     const std::string extension = std::filesystem::path(output).extension().string();
-    if (extension == ".bsdf") return true;
-    if (extension == ".binary") return false;
+    if (extension == ".bsdf") return ExportFormat::rgl;
+    if (extension == ".binary") return ExportFormat::merl;
+    if (extension == ".gltf") return ExportFormat::gltf;
+    if (extension == ".mtlx") return ExportFormat::materialx;
     throw UsageError(
-        fmt::format("--output = {}: must end in .bsdf (RGL) or .binary (MERL)", output));
+        fmt::format("--output = {}: must end in .bsdf (RGL), .binary (MERL), .gltf (glTF 2.0) or "
+                    ".mtlx (MaterialX)",
+                    output));
 }
 
-void check_format_options(const ExportOptions& options, bool rgl) {
-    const std::string& stray = rgl ? options.only_merl : options.only_rgl;
-    if (!stray.empty()) {
-        throw UsageError(
-            fmt::format("{} belongs to files that end in {}", stray, rgl ? ".binary" : ".bsdf"));
-    }
+bool is_fit(ExportFormat format) {
+    return format == ExportFormat::gltf || format == ExportFormat::materialx;
 }
 
-ExitStatus run(const ExportOptions& options) {
-    const bool rgl = is_rgl_name(options.output);
-    check_format_options(options, rgl);
-    parse_cells(options.cells);
-    require_values(parse_model_settings(options.model).info());
+void check_format_options(const ExportOptions& options, ExportFormat format) {
+    const auto refuse = [](const std::string& stray, const char* suffixes) {
+        if (stray.empty()) return;
+        throw UsageError(fmt::format("{} belongs to files that end in {}", stray, suffixes));
+    };
+    if (format != ExportFormat::rgl) refuse(options.only_rgl, ".bsdf");
+    if (format != ExportFormat::merl) refuse(options.only_merl, ".binary");
+    if (!is_fit(format)) refuse(options.only_fits, ".gltf or .mtlx");
+}
+
+/// The picture of the colours, beside the material unless it was named.
+std::string chips_name(const ExportOptions& options) {
+    if (!options.chips.empty()) return options.chips;
+    return options.output + ".svg";
+}
+
+BrdfSettings brdf_settings(const ExportOptions& options) {
     BrdfSettings settings;
-    if (!options.wavelengths.empty()) {
-        settings.wavelengths_nm =
-            parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
-        std::vector<double>& nm = settings.wavelengths_nm;
-        std::sort(nm.begin(), nm.end());
-        nm.erase(std::unique(nm.begin(), nm.end()), nm.end());
-    }
-    const ThreadLimit threads(options.threads);
-    const InterruptHandler interrupt;
+    if (options.wavelengths.empty()) return settings;
+    settings.wavelengths_nm =
+        parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
+    std::vector<double>& nm = settings.wavelengths_nm;
+    std::sort(nm.begin(), nm.end());
+    nm.erase(std::unique(nm.begin(), nm.end()), nm.end());
+    return settings;
+}
+
+nlohmann::json report_of(const ExportOptions& options, const Paint& paint, const char* format,
+                         std::size_t bytes, double seconds) {
+    return {{"paint", options.paint},
+            {"recipe_sha256", paint.recipe_sha256()},
+            {"model", paint.is_measured() ? "measured" : options.model.model},
+            {"output", options.output},
+            {"format", format},
+            {"bytes", bytes},
+            {"total_s", seconds}};
+}
+
+/// A table of the BRDF, whose error is that of its interpolation.
+void write_table(const ExportOptions& options, const Paint& paint, const BrdfSettings& settings,
+                 bool rgl) {
     const Stopwatch watch;
-    const Paint paint = open_input(options, options.paint);
-    settings.model = model_for({&paint}, options.model);
     const Exported made = [&] {
         ProgressBar bar("measure", options.quiet);
         return rgl ? paint.export_rgl(options.rgl, settings, bar.callback())
@@ -84,17 +114,76 @@ ExitStatus run(const ExportOptions& options) {
                              "at most {:.2g} % of its peak (incidence 5 to 80 deg)",
                              options.output, made.bytes.size(), watch.seconds(),
                              100 * made.error.flux, 100 * made.error.peak));
-    write_report(options, "export",
-                 {{"paint", options.paint},
-                  {"recipe_sha256", paint.recipe_sha256()},
-                  {"model", paint.kind() == Kind::measured_brdf ? "measured" : options.model.model},
-                  {"output", options.output},
-                  {"format", rgl ? "rgl" : "merl"},
-                  {"bytes", made.bytes.size()},
-                  {"error_of_flux", made.error.flux},
-                  {"error_over_peak", made.error.peak},
-                  {"total_s", watch.seconds()}});
+    nlohmann::json report =
+        report_of(options, paint, rgl ? "rgl" : "merl", made.bytes.size(), watch.seconds());
+    report["error_of_flux"] = made.error.flux;
+    report["error_over_peak"] = made.error.peak;
+    write_report(options, "export", report);
+}
+
+/// A material of another renderer, whose error is that of its own BRDF.
+void write_material(const ExportOptions& options, const Paint& paint, const BrdfSettings& settings,
+                    MaterialFormat format) {
+    const Stopwatch watch;
+    const FittedMaterial made = [&] {
+        ProgressBar bar("fit", options.quiet);
+        return paint.export_material(format, settings, bar.callback());
+    }();
+    say_warnings(options, paint);
+    write_file_atomically(chips_name(options), material_chips(paint.name(), made));
+    emit(options, made.bytes);
+    const exchange::MaterialFit& fit = made.fit;
+    for (const measure::AngleDifference& angle : fit.instrument.angles) {
+        say(options,
+            fmt::format("  {:<8} Delta E 2000 {:5.2f}", angle.geometry.name, angle.delta_e_2000));
+    }
+    say(options,
+        fmt::format("{}: a fit, not the paint. Delta E 2000, mean and greatest: {:.1f}, {:.1f} at "
+                    "byk-mac's angles; {:.1f}, {:.1f} at {} angles that the fit did not see. "
+                    "Side by side: {}",
+                    options.output, fit.instrument.mean_delta_e_2000,
+                    fit.instrument.max_delta_e_2000, fit.tested.mean_delta_e_2000,
+                    fit.tested.max_delta_e_2000, fit.tested.angles.size(), chips_name(options)));
+    nlohmann::json report =
+        report_of(options, paint, format == MaterialFormat::gltf ? "gltf" : "materialx",
+                  made.bytes.size(), watch.seconds());
+    report["chips"] = chips_name(options);
+    for (const auto& [name, value] : made.parameters) report["parameters"][name] = value;
+    report["differences"] = {{"byk_mac", difference_json(fit.instrument)},
+                             {"fitted", difference_json(fit.fitted)},
+                             {"tested", difference_json(fit.tested)}};
+    write_report(options, "export", report);
+}
+
+ExitStatus run(const ExportOptions& options) {
+    const ExportFormat format = format_of(options.output);
+    check_format_options(options, format);
+    parse_cells(options.cells);
+    require_values(parse_model_settings(options.model).info());
+    BrdfSettings settings = brdf_settings(options);
+    if (is_fit(format) && options.chips.empty()) check_chips_beside(chips_name(options));
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    const Paint paint = open_input(options, options.paint);
+    settings.model = model_for({&paint}, options.model);
+    if (is_fit(format)) {
+        write_material(
+            options, paint, settings,
+            format == ExportFormat::gltf ? MaterialFormat::gltf : MaterialFormat::materialx);
+    } else {
+        write_table(options, paint, settings, format == ExportFormat::rgl);
+    }
     return ExitStatus::ok;
+}
+
+CommandFiles files_of_export(const ExportOptions& options) {
+    CommandFiles files = files_of(options, {options.paint});
+    // A name that is no format is refused by run().
+    const std::string extension = std::filesystem::path(options.output).extension().string();
+    if (extension == ".gltf" || extension == ".mtlx") {
+        files.files.push_back({"--chips", chips_name(options)});
+    }
+    return files;
 }
 
 }  // namespace
@@ -102,12 +191,13 @@ ExitStatus run(const ExportOptions& options) {
 Command add_export(CLI::App& program) {
     auto options = std::make_shared<ExportOptions>();
     CLI::App* command = program.add_subcommand(
-        "export", "Write the BRDF of a paint for other renderers, as a measured one");
+        "export", "Write a paint for other renderers: its BRDF, or a material fitted to it");
     command->add_option("PAINT", options->paint, "Recipe, solved paint, table or measured BRDF")
         ->required();
     command
         ->add_option("-o,--output", options->output,
-                     "File to write: .bsdf (RGL, spectra or RGB) or .binary (MERL, RGB)")
+                     "File to write: .bsdf (RGL, spectra or RGB), .binary (MERL, RGB), .gltf (glTF "
+                     "2.0) or .mtlx (MaterialX, OpenPBR)")
         ->required()
         ->type_name("FILE");
     add_model_options(*command, options->model);
@@ -123,7 +213,7 @@ Command add_export(CLI::App& program) {
         ->check(CLI::Range(4, 512))
         ->capture_default_str();
     only(command->add_option("--incidences", options->rgl.incident,
-                             ".bsdf: polar angles of incidence, even from 0 to 89 deg"),
+                             ".bsdf: polar angles of incidence, 0 to 89 deg, closest near grazing"),
          options->only_rgl)
         ->check(CLI::Range(2, 256))
         ->capture_default_str();
@@ -135,15 +225,23 @@ Command add_export(CLI::App& program) {
                              "phi_difference; most programs read no others than the database's"),
          options->only_merl)
         ->capture_default_str();
+    only(command->add_option("--chips", options->chips,
+                             ".gltf, .mtlx: picture of the paint's colours and the fit's, side by "
+                             "side [beside the output, .svg added]"),
+         options->only_fits)
+        ->type_name("FILE");
     add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The specular reflection of a smooth interface is not part of a BRDF: add it in the other\n"
         "renderer as a coat of the binder's index. Says on stderr by how much the file misses the "
-        "BRDF.\n\n"
+        "BRDF.\n"
+        "A .gltf or .mtlx is the format's own material fitted to the paint's colours, its "
+        "clearcoat "
+        "included;\nwhat it misses is written into it and shown in the picture of colours.\n\n"
         "Example: for Mitsuba's plugin \"measured\"\n"
         "  nacre export paints/red-gold.toml -o red-gold.bsdf");
-    return {command, [options] { return files_of(*options, {options->paint}); },
+    return {command, [options] { return files_of_export(*options); },
             [options] { return run(*options); }};
 }
 

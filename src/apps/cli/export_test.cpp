@@ -125,6 +125,32 @@ TEST_F(Program, BesideAMeasuredBrdfTheModelIsThatOfThePaint) {
     EXPECT_EQ(nacre("measure gray.bsdf --versus gray.bsdf --model microflake").status, 1);
 }
 
+TEST_F(Program, ExportFitsMaterialsAndSaysByHowMuchTheyMiss) {
+    for (const std::string file : {"gray.gltf", "gray.mtlx"}) {
+        const Outcome run =
+            nacre("export gray.toml -o " + file + " --wavelength 400:700:30 --report r.json");
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_THAT(run.err, HasSubstr("45as110"));
+        EXPECT_THAT(run.err, HasSubstr("a fit, not the paint. Delta E 2000, mean and greatest: "));
+        EXPECT_THAT(
+            contents(folder_ / file),
+            HasSubstr(file == "gray.gltf" ? "\"nacre_delta_e_2000\"" : "CIEDE2000 from the paint"));
+        EXPECT_THAT(contents(folder_ / (file + ".svg")), StartsWith("<!-- nacre:chips -->"));
+        EXPECT_THAT(contents(folder_ / "r.json"), HasSubstr("\"tested\""));
+    }
+    // The picture replaces one of Nacre's own, and no other.
+    EXPECT_EQ(nacre("export gray.toml -q -o gray.gltf --wavelength 400:700:30").status, 0);
+    write("gray.gltf.svg", "<svg/>");
+    const Outcome kept = nacre("export gray.toml -q -o gray.gltf --wavelength 400:700:30");
+    EXPECT_EQ(kept.status, 2);
+    EXPECT_THAT(kept.err, HasSubstr("gray.gltf.svg: is no picture of Nacre's"));
+    EXPECT_EQ(contents(folder_ / "gray.gltf.svg"), "<svg/>");
+    EXPECT_EQ(nacre("export gray.toml -q -o a.gltf --chips gray.toml").status, 1);
+    EXPECT_EQ(nacre("export gray.toml -q -o a.gltf --rgb").status, 1);
+    EXPECT_EQ(nacre("export gray.toml -q -o a.bsdf --chips a.svg").status, 1);
+    EXPECT_FALSE(exists("a.gltf"));
+}
+
 TEST_F(Program, ExportRefusesAnisotropicSurfaces) {
     constexpr float kPi = std::numbers::pi_v<float>;
     bsdf::RglTable table;

@@ -15,9 +15,6 @@ std::string clean_utf8(std::string_view text);
 /// attributes.
 std::string escape_html(std::string_view text);
 
-/// Bytes as base64 with padding and without line breaks.     [rfc-4648-2006, section 4]
-std::string base64(std::string_view bytes);
-
 /// HTML of a text with markup: `code`, *emphasis*, [words](address). Stars inside words mean
 /// nothing, so that L*a*b* stays as it is; nor do marks that do not close. A link whose address is
 /// neither http, https, mailto, #anchor nor a relative path is shown as it was written, so that no

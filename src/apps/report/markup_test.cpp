@@ -29,22 +29,6 @@ TEST(Escape, ReplacesWhatIsNoUtf8) {
     EXPECT_EQ(clean_utf8("\0a\x1B[31m\x7F\xC2\x85"s), r + "a" + r + "[31m" + r + r);  // controls
 }
 
-TEST(Base64, GivesTheTestVectorsOfTheStandard) {
-    // [rfc-4648-2006, section 10]
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foob"), "Zm9vYg==");
-    EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-}
-
-TEST(Base64, TakesEveryByte) {
-    // python3 -c "import base64; print(base64.b64encode(bytes([0, 127, 128, 255, 251, 239])))"
-    EXPECT_EQ(base64(std::string_view("\x00\x7f\x80\xff\xfb\xef", 6)), "AH+A//vv");
-}
-
 TEST(Markup, KnowsCodeEmphasisAndLinks) {
     EXPECT_EQ(markup_to_html("run `nacre *x* <y>` *at once*, see [Table *1*](#table-1)."),
               "run <code>nacre *x* &lt;y&gt;</code> <em>at once</em>, see "

@@ -8,6 +8,7 @@
 
 #include "apps/report/markup.h"
 #include "apps/report/plot_data.h"
+#include "nacre/core/base64.h"
 #include "nacre/core/error.h"
 
 namespace nacre::report {

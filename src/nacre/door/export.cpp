@@ -4,6 +4,9 @@
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/core/file.h"
 #include "nacre/door/state.h"
+#include "nacre/exchange/gltf_file.h"
+#include "nacre/exchange/gltf_material.h"
+#include "nacre/exchange/open_pbr.h"
 #include "nacre/io/brdf_table_file.h"
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/solved_paint_file.h"
@@ -33,6 +36,10 @@ std::string title(const Paint& paint, const std::optional<Model>& model) {
 }  // namespace
 
 void Exported::write(const std::filesystem::path& path) const {
+    write_file_atomically(path, bytes);
+}
+
+void FittedMaterial::write(const std::filesystem::path& path) const {
     write_file_atomically(path, bytes);
 }
 
@@ -69,6 +76,43 @@ Exported Paint::export_merl(const MerlSettings& merl, const BrdfSettings& settin
     return {io::merl_bytes(table, asking),
             measure::table_error(bsdf::MeasuredMerl(table, &work), values, values.wavelengths_nm(),
                                  true, asking)};
+}
+
+FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings& settings,
+                                      const Progress& progress) const {
+    state_->require_isotropic();
+    if (kind() == Kind::measured_colours) {
+        throw InputError(fmt::format(
+            "{}: holds measured colours; a material is fitted to a recipe or a BRDF, at {} lamps "
+            "and "
+            "views",
+            state_->label(),
+            exchange::fit_geometries().fitted.size() + exchange::fit_geometries().tested.size()));
+    }
+    const bool coat = has_recipe() && !recipe().layers.empty();
+    const bool rough = coat && recipe().clearcoat && recipe().clearcoat->roughness > 0;
+    const exchange::FormatModel model = format == MaterialFormat::gltf
+                                            ? exchange::gltf_model(coat, rough)
+                                            : exchange::open_pbr_model(coat, rough);
+    const exchange::FitGeometries& sets = exchange::fit_geometries();
+    const MeasureSettings seen{.model = settings.model,
+                               .illuminant = Illuminant::D65,
+                               .observer = Observer::cie1931_2deg,
+                               .wavelengths_nm = settings.wavelengths_nm};
+    const Progress asking = only_asking(progress);
+    FittedMaterial made;
+    made.format = model.format;
+    made.fit = exchange::fit_material(model, measure(sets.fitted, seen, asking).measurement,
+                                      measure(sets.tested, seen, asking).measurement, progress);
+    for (std::size_t i = 0; i < model.parameters.size(); ++i) {
+        made.parameters.emplace_back(model.parameters[i].name, made.fit.values[i]);
+    }
+    made.bytes =
+        format == MaterialFormat::gltf
+            ? exchange::gltf_text(exchange::gltf_material(model, made.fit.values), name(), made.fit)
+            : exchange::materialx_text(exchange::open_pbr(model, made.fit.values), name(),
+                                       made.fit);
+    return made;
 }
 
 std::string Paint::export_solved(const SolveSettings& settings, const Progress& progress) const {

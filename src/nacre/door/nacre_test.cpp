@@ -374,6 +374,27 @@ TEST(Measuring, APaintIsReadAsTheColoursBesideItWere) {
     EXPECT_EQ(second.measurement, sample.measurement);
 }
 
+TEST_F(Files, AFittedMaterialSaysWhatItMisses) {
+    const Paint paint(fit::testing::pearl());
+    const FittedMaterial made =
+        paint.export_material(MaterialFormat::gltf, {.wavelengths_nm = {450, 550, 650}});
+    made.write(folder_ / "pearl.gltf");
+    EXPECT_THAT(made.bytes, HasSubstr("KHR_materials_clearcoat"));
+    EXPECT_EQ(made.fit.instrument.angles.size(), exchange::kBykMacAngles);
+    // The differences are those from what an instrument reads on the paint.
+    const Measurement read =
+        paint
+            .measure(exchange::fit_geometries().tested,
+                     {.observer = Observer::cie1931_2deg, .wavelengths_nm = {450, 550, 650}})
+            .measurement;
+    for (std::size_t i = 0; i < read.readings.size(); ++i) {
+        EXPECT_EQ(made.fit.tested.angles[i].lab_standard, read.readings[i].lab);
+    }
+    const Paint colours = open_text(paint.measure(geometries("45as15")).csv(), "a.csv");
+    EXPECT_THAT(message_of<InputError>([&] { colours.export_material(MaterialFormat::materialx); }),
+                HasSubstr("a.csv: holds measured colours; a material is fitted to a recipe"));
+}
+
 TEST_F(Files, AnExportedBrdfGivesThePaintBack) {
     const Paint paint(fit::testing::pearl());
     const RglSettings small{.resolution = 24, .incident = 16};

@@ -158,26 +158,48 @@ bsdf::SquareTable same_at_every_azimuth(const std::vector<double>& values) {
     return table;
 }
 
-/// Appends the distribution of visible facets at each incidence, as a density over the square.
-void fill_visible(bsdf::RglTable& table, const bsdf::SquareTable& ndf, SharedProgress& work) {
+/// How closely nodes of the table lie, by half vector: a density over the square for each incidence,
+/// the same for all, so that nothing shifts between two of them. Nodes per angle fall with the cube
+/// root of the facets' distribution D, which spends them where the integral of the error of a linear
+/// interpolant is least [de-boor-2001, chapter XII], and never below an even part. Since x goes with
+/// the square root of theta_m, a density that vanishes like x at the pole spaces nodes evenly in
+/// theta_m there; one that followed visible facets, like x^3, would give the interpolant the slope of
+/// a square root at the very peak. By azimuth, nodes are twice as close across the plane of incidence
+/// as in it: there, at grazing incidence, the horizon crosses the rows.
+void fill_spacing(bsdf::RglTable& table, const Facets& facets, SharedProgress& work) {
+    constexpr double kEvenSpacing = 0.1;
+    const int count = static_cast<int>(facets.density.size());
+    const double even = kEvenFraction / std::numbers::pi;
+    const double largest = *std::max_element(facets.density.begin(), facets.density.end()) - even;
+    std::vector<double> along(table.vndf_columns);
+    for (int column = 0; column < table.vndf_columns; ++column) {
+        const double x = static_cast<double>(column) / (table.vndf_columns - 1);
+        const double at = x * (count - 1);
+        const int k = std::min(static_cast<int>(at), count - 2);
+        const double d =
+            facets.density[k] + (at - k) * (facets.density[k + 1] - facets.density[k]) - even;
+        along[column] = x * (std::cbrt(std::max(0.0, d) / largest) + kEvenSpacing);
+    }
     for (std::size_t slice = 0; slice < table.slices(); ++slice) {
-        const double theta_i = table.theta_i[slice];
         for (int row = 0; row < table.vndf_rows; ++row) {
             work.require_going(kMeasuring);
-            const double phi = (2.0 * row / (table.vndf_rows - 1) - 1) * std::numbers::pi;
-            for (int column = 0; column < table.vndf_columns; ++column) {
-                const double theta = polar_node(column, table.vndf_columns);
-                const double x = static_cast<double>(column) / (table.vndf_columns - 1);
-                const double seen = std::cos(theta_i) * std::cos(theta) +
-                                    std::sin(theta_i) * std::sin(theta) * std::cos(phi);
-                const double d = bsdf::read_square(ndf, {static_cast<float>(x), 0.5f});
-                table.vndf.push_back(static_cast<float>(
-                    d * std::max(0.0, seen) * 2 * std::numbers::pi * std::numbers::pi * x *
-                    std::sin(theta) /
-                    bsdf::read_square(table.sigma, bsdf::square_point(table.theta_i[slice], 0))));
+            const double sine =
+                std::sin((2.0 * row / (table.vndf_rows - 1) - 1) * std::numbers::pi);
+            for (const double density : along) {
+                table.vndf.push_back(static_cast<float>(density * (1 + sine * sine)));
             }
         }
     }
+}
+
+/// Polar angles of incidence from 0 to kMaxIncidence, the closer the nearer to grazing.
+std::vector<float> incidences(int count) {
+    std::vector<float> theta(count);
+    for (int i = 0; i < count; ++i) {
+        const double left = 1 - static_cast<double>(i) / (count - 1);
+        theta[i] = static_cast<float>(kMaxIncidence * (1 - left * std::sqrt(left)));
+    }
+    return theta;
 }
 
 void require_setting(const char* name, int value, int lo, int hi) {
@@ -205,15 +227,13 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
     bsdf::RglTable table;
     table.description = description;
     table.phi_i = {0.0f};
-    for (int i = 0; i < settings.incident; ++i) {
-        table.theta_i.push_back(static_cast<float>(kMaxIncidence * i / (settings.incident - 1)));
-    }
+    table.theta_i = incidences(settings.incident);
     table.ndf = same_at_every_azimuth(facets.density);
     table.sigma = same_at_every_azimuth(facets.area);
     const int n = settings.resolution;
     table.vndf_rows = n;
     table.vndf_columns = n;
-    fill_visible(table, table.ndf, asking);
+    fill_spacing(table, facets, asking);
     table.resolution = n;
     if (!settings.rgb) table.wavelengths.assign(wavelengths_nm.begin(), wavelengths_nm.end());
     const std::size_t square = static_cast<std::size_t>(n) * n, channels = table.channels();
@@ -235,11 +255,13 @@ bsdf::RglTable acquire_rgl(const std::string& description, const Brdf& brdf,
                 const double theta_o = std::min<double>(bsdf::polar_angle(wo), kMaxPolar);
                 const std::vector<double> f = brdf(theta_i, theta_o, std::atan2(wo.y, wo.x));
                 const double factor = wo.z / map.scale(i, point);
+                const double nodes = map.solid_angle_density(i, point);
                 const std::vector<double> values = settings.rgb ? colour.rgb(f) : f;
                 for (const int twin : {row, n - 1 - row}) {
                     const std::size_t at = static_cast<std::size_t>(twin) * n + column;
+                    // No node at the pole, and none of the light in its directions.
                     table.luminance[slice * square + at] =
-                        static_cast<float>(colour.luminance(f) * factor);
+                        nodes > 0 ? static_cast<float>(colour.luminance(f) * wo.z / nodes) : 0.0f;
                     for (std::size_t c = 0; c < channels; ++c) {
                         table.spectra[(slice * channels + c) * square + at] =
                             static_cast<float>(values[c] * factor);
@@ -289,20 +311,27 @@ TableError table_error(const bsdf::Bsdf& table, const Brdf& exact,
                           static_cast<float>(std::cos(theta_i))};
         Rng rng(hash_of(k));
         FloatLanes flux{}, wrong{}, peak{}, largest{};
+        const auto compare = [&](Vec3f wo, float area) {
+            if (wo.z < 1e-4f) return;
+            // Rounding may leave z above 1.
+            const double theta_o = std::acos(std::min(1.0, static_cast<double>(wo.z)));
+            const FloatLanes wanted = lanes(exact(theta_i, theta_o, std::atan2(wo.y, wo.x)));
+            const FloatLanes found = bound->eval(wi, wo);
+            const FloatLanes difference = max_lanes(found - wanted, wanted - found);
+            flux += wanted * (wo.z * area);
+            wrong += difference * (wo.z * area);
+            peak = max_lanes(peak, wanted * wo.z);
+            largest = max_lanes(largest, difference * wo.z);
+        };
         for (int n = 0; n < kSamplesPerIncidence; ++n) {
             work.require_going("comparing the table with the BRDF");
             const auto s =
                 bound->sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
-            if (!s || s->wo.z < 1e-4f) continue;
-            // Rounding may leave z above 1.
-            const double theta_o = std::acos(std::min(1.0, static_cast<double>(s->wo.z)));
-            const FloatLanes wanted = lanes(exact(theta_i, theta_o, std::atan2(s->wo.y, s->wo.x)));
-            const FloatLanes found = bound->eval(wi, s->wo);
-            const FloatLanes difference = max_lanes(found - wanted, wanted - found);
-            flux += wanted * (s->wo.z / s->pdf);
-            wrong += difference * (s->wo.z / s->pdf);
-            peak = max_lanes(peak, wanted * s->wo.z);
-            largest = max_lanes(largest, difference * s->wo.z);
+            if (s) compare(s->wo, 1 / s->pdf);
+            // Where the table has less light than the BRDF, its own samples seldom look.
+            const float z = rng.uniform_float(), phi = 2 * kPiF * rng.uniform_float();
+            const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+            compare({r * std::cos(phi), r * std::sin(phi), z}, 0);
         }
         for (int i = 0; i < kLanes; ++i) {
             if (!(flux[i] > 0)) continue;  // black

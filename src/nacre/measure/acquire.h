@@ -86,10 +86,13 @@ struct RglSettings {
 /// D(m) / (4 sigma(m)) to a factor, with sigma the projected area of D: an eigenvector, found by
 /// power iteration [dupuy-jakob-2018, section 5.1]. A fiftieth of it is made uniform, so that no
 /// direction is left without facets. It determines where the table is fine, not its values: at its
-/// nodes the table is exact to single precision.
+/// nodes the table is exact to single precision. The field `vndf`, by which a reader finds the
+/// nodes, is not the visible facets but a spacing of nodes that keeps the error small
+/// (docs/measured.md); `luminance` makes up for it, so that samples follow the light.
 ///
-/// Incidences are evenly spaced from 0 to kMaxIncidence. RGB is that of spectra::rec709_weights(),
-/// with components outside the gamut cut off at zero.
+/// Incidences reach from 0 to kMaxIncidence, the closer the nearer to grazing: count them by k from
+/// 0 to n; the k-th lies at (1 - (1 - k/n)^1.5) kMaxIncidence. RGB is that of
+/// spectra::rec709_weights(), with components outside the gamut cut off at zero.
 ///
 /// @param wavelengths_nm  those of `brdf`, increasing
 /// @throws DomainError if a setting is out of range, the table larger than 2 GiB, or the BRDF
@@ -110,7 +113,8 @@ struct TableError {
     double peak = 0;
 };
 
-/// Compared at eight of the wavelengths, at directions sampled from the table, off its nodes.
+/// Compared at eight of the wavelengths, at directions off the table's nodes: half of them sampled
+/// from the table, half evenly spread over the hemisphere, which count for `peak` only.
 /// @param rgb  the table holds colours: compared with the spectra of the exact ones
 /// @throws DomainError as SpectrumColour
 /// @throws Stopped if `progress` asks to stop

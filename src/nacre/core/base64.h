@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace nacre {
+
+/// Bytes as base64 with padding and without line breaks.     [rfc-4648-2006, section 4]
+std::string base64(std::string_view bytes);
+
+}  // namespace nacre

@@ -1,0 +1,25 @@
+#include "nacre/core/base64.h"
+
+#include <gtest/gtest.h>
+
+namespace nacre {
+namespace {
+
+TEST(Base64, GivesTheTestVectorsOfTheStandard) {
+    // [rfc-4648-2006, section 10]
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foob"), "Zm9vYg==");
+    EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(Base64, TakesEveryByte) {
+    // python3 -c "import base64; print(base64.b64encode(bytes([0, 127, 128, 255, 251, 239])))"
+    EXPECT_EQ(base64(std::string_view("\x00\x7f\x80\xff\xfb\xef", 6)), "AH+A//vv");
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "nacre/core/progress.h"
+#include "nacre/measure/difference.h"
+#include "nacre/measure/measurement.h"
+
+// A material of another renderer, made to look like a paint: least squares of CIEDE2000 over angles,
+// of the format's own BRDF, and how far it remains from the paint.
+
+namespace nacre::exchange {
+
+/// A number that a format gives its material.
+struct FormatParameter {
+    std::string name;  ///< as the format spells it
+    double lo = 0, hi = 1, start = 0.5;
+    double power = 1;  ///< a fit steps evenly in ((x - lo) / (hi - lo))^(1/power)
+};
+
+/// A material by its numbers, and their BRDF in 1/sr, linear Rec. 709, polar angles as
+/// measure::Brdf. `values` are in the order of the parameters.
+struct FormatModel {
+    std::string format;  ///< for people
+    std::vector<FormatParameter> parameters;
+    bool coat = false;  ///< a smooth or rough clearcoat lies on top
+    std::function<Vec3d(const std::vector<double>& values, double theta_i, double theta_o,
+                        double phi)>
+        brdf;
+};
+
+/// The lamps and views of a fit, and others that test it: no view of one is in the other.
+/// byk-mac's six angles come first in `fitted`.
+struct FitGeometries {
+    std::vector<measure::Geometry> fitted, tested;
+};
+const FitGeometries& fit_geometries();
+/// How many of `fitted` are byk-mac's.
+inline constexpr std::size_t kBykMacAngles = 6;
+
+struct MaterialFit {
+    std::vector<double> values;      ///< of the parameters
+    measure::Difference instrument;  ///< at byk-mac's angles, which are fitted
+    measure::Difference fitted;      ///< at all angles of the fit
+    measure::Difference tested;      ///< at angles that the fit did not see
+};
+
+/// The colours of a material under D65 for the 2 degree observer, whose white is (1, 1, 1).
+measure::Measurement read_material(const FormatModel& model, const std::vector<double>& values,
+                                   const std::vector<measure::Geometry>& geometries);
+
+/// Fits by trust regions from the best points of a Halton sequence and the parameters' own starts;
+/// the same result for the same colours.
+/// @param fitted, tested  the paint's colours at fit_geometries(), under D65 for 2 degrees
+/// @throws Stopped if `progress` asks to stop; Error if no start leads anywhere
+MaterialFit fit_material(const FormatModel& model, const measure::Measurement& fitted,
+                         const measure::Measurement& tested, const Progress& progress = {});
+
+}  // namespace nacre::exchange
