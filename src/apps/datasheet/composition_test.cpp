@@ -130,7 +130,8 @@ TEST(Composition, EveryKeyIsTold) {
 
 TEST(Composition, NumbersUnitsAndChoicesAreWrittenAsPeopleDo) {
     paint::Recipe recipe = nacre::test::full_recipe();
-    recipe.layers[0].pigments[0].absorption_per_mm = 2e-5;
+    std::get<paint::PigmentCoefficients>(recipe.layers[0].pigments[0].body).absorption_per_mm =
+        2e-5;
     auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
     platelet.coats[0].spread.law = optics::ThicknessSpread::Law::uniform;
     platelet.coats.push_back(platelet.coats[0]);

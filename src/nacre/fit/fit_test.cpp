@@ -132,7 +132,7 @@ TEST(Fit, SaysWhatColoursCannotTell) {
 
 TEST(Fit, AStandardOutOfReachLeavesItsResidual) {
     paint::Recipe green = solid();
-    green.layers[0].pigments[0].absorption_per_mm =
+    std::get<paint::PigmentCoefficients>(green.layers[0].pigments[0].body).absorption_per_mm =
         spectra::Spectrum({400, 480, 500, 570, 590, 700}, {60, 60, 2, 2, 60, 60});
     const FreeNumbers numbers(solid(), {kAbsorption}, {{kAbsorption, 30, 90}});
     const Fit found = fit(read(green), numbers, with_starts(2));

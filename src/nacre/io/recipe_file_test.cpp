@@ -115,9 +115,10 @@ TEST(RecipeFile, ReadsEveryKeyWithItsUnit) {
     EXPECT_EQ(platelet.coats[0].thickness_nm, 80);
     EXPECT_EQ(platelet.coats[0].spread.law, optics::ThicknessSpread::Law::uniform);
     ASSERT_EQ(layer.pigments.size(), 1u);
-    EXPECT_EQ(layer.pigments[0].scattering_per_mm(550), 200);
-    EXPECT_EQ(layer.pigments[0].absorption_per_mm(550), 50);
-    EXPECT_EQ(layer.pigments[0].anisotropy, 0.2);
+    const auto& pigment = std::get<paint::PigmentCoefficients>(layer.pigments[0].body);
+    EXPECT_EQ(pigment.scattering_per_mm(550), 200);
+    EXPECT_EQ(pigment.absorption_per_mm(550), 50);
+    EXPECT_EQ(pigment.anisotropy, 0.2);
     EXPECT_EQ(recipe.substrate_reflectance(550), 0.05);
     EXPECT_FALSE(recipe.microfacet);
 }

@@ -89,7 +89,7 @@ TEST(SolverAccuracy, NothingDependsOnAzimuthAtTheNormal) {
 
 TEST(SolverAccuracy, PigmentsAndMixtures) {
     paint::Recipe mixture = test::flake_paint(0.15, 0.7, 0.1, 1, 1.5);
-    mixture.layers[0].pigments.push_back({30.0, 3.0, 0.5});
+    mixture.layers[0].pigments.push_back({paint::PigmentCoefficients{30.0, 3.0, 0.5}});
     mixture.layers.push_back(test::pigment_paint(0.999, 20, 0.3, 1.5).layers[0]);
     mixture.substrate_reflectance = 0.5;
     EXPECT_LT(worst_error(mixture), 1e-3);
@@ -149,7 +149,7 @@ TEST(SolverEnergy, ReciprocalEvenAndNeverNegative) {
                                           flake_paint(0.3, 0.2, 0.7, 5, 1.0),
                                           pigment_paint(0.95, 10, 0.7, 1.5)};
     recipes.push_back(flake_paint(0.2, 0.5, 0.3, 0.5, 1.5));
-    recipes.back().layers[0].pigments.push_back({20.0, 2.0, 0.3});
+    recipes.back().layers[0].pigments.push_back({paint::PigmentCoefficients{20.0, 2.0, 0.3}});
     recipes.back().layers.push_back(pigment_paint(0.99, 3, 0, 1.5).layers[0]);
     recipes.back().clearcoat = paint::Clearcoat{50, 3.0, 0.0};
     recipes.back().substrate_reflectance = 0.4;
