@@ -21,8 +21,8 @@ paint::Recipe pearl() {
     flakes.orientation.beckmann_alpha = 0.1;
     flakes.body = optics::Platelet{{optics::find_material("mica"), 500, {100}},
                                    {{optics::find_material("TiO2_anatase"), 80, {5}}}};
-    paint::Recipe recipe =
-        test::paint_of(1.5, {{15, {flakes}, {{200.0, 50.0, 0}}}, {30, {}, {}}}, 0.03);
+    paint::Recipe recipe = test::paint_of(
+        1.5, {{15, {flakes}, {{paint::PigmentCoefficients{200.0, 50.0, 0}}}}, {30, {}, {}}}, 0.03);
     recipe.clearcoat = paint::Clearcoat{45, 0.0, 0};
     return recipe;
 }

@@ -177,9 +177,8 @@ TEST(Reference, WavelengthsWalkTogetherAsTheyWouldAlone) {
     paint::Layer layer;
     layer.thickness_um = 20;
     layer.flakes.push_back(test::flakes(.1, .3, rising, 0.05));
-    layer.pigments.push_back(
-        {paint::PigmentCoefficients{spectra::Spectrum({400, 680}, {200, 2}),
-                                    spectra::Spectrum({400, 680}, {1, 100}), 0.2}});
+    layer.pigments.push_back({paint::PigmentCoefficients{
+        spectra::Spectrum({400, 680}, {200, 2}), spectra::Spectrum({400, 680}, {1, 100}), 0.2}});
     auto recipe = test::paint_of(1.5, {layer});
     recipe.substrate_reflectance = falling;
     const std::vector<Direction> incident{{45, 0}}, outgoing{{30, 180}};
