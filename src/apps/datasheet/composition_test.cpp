@@ -71,6 +71,22 @@ TEST(Composition, TheTableHasARowForEachIngredient) {
                 ElementsAre("clear", "TiO2 on mica", "pigment", "binder alone", "reflects 3 %"));
 }
 
+TEST(Composition, ParticlesAreStatedByMaterialSizeAndAmount) {
+    paint::Recipe paint = pearl();
+    paint.layers[0].pigments = {{paint::PigmentParticles{paint::PigmentVolume{0.15},
+                                                         {optics::find_material("TiO2_rutile"), 250,
+                                                          0.2, optics::DiameterWeighting::volume}},
+                                 "rutile white"}};
+    EXPECT_THAT(layers_in_words(paint)[1],
+                HasSubstr("rutile white of TiO₂ (rutile), 250 nm across, median by "
+                          "volume, log-normal with a deviation of 0.2 in the logarithm, 15 % by "
+                          "volume"));
+    const auto& row = layers_table(paint).rows[2];
+    EXPECT_EQ(row[1].text, "rutile white");
+    EXPECT_EQ(row[2].text, "15 % by volume");
+    EXPECT_THAT(row[4].text, HasSubstr("TiO₂"));
+}
+
 TEST(Composition, SpectraAreStatedByTheirRange) {
     paint::Recipe paint = pearl();
     paint.substrate_reflectance = spectra::Spectrum({400, 700}, {0.02, 0.6});

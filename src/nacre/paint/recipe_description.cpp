@@ -214,11 +214,10 @@ constexpr const char* kMassKey = "mass_fraction";
 
 void describe(Visitor& visit, Pigment& pigment) {
     visit({.key = "name", .max_size = kMaxNameLength}, pigment.name);
-    constexpr const char* kOfParticles =
-        "a pigment with a material gets its coefficients from its particles";
     visit({.each = {{"scattering_per_mm", "goes with a material; this pigment has coefficients"},
-                    {"material", kOfParticles}},
-           .both = kOfParticles},
+                    {"material",
+                     "a pigment with a material gets its coefficients from its particles"}},
+           .both = "a pigment has either coefficients or a material, not both"},
           pigment.body);
 }
 
@@ -229,7 +228,7 @@ void describe(Visitor& visit, PigmentParticles& particles) {
            .meaning = "in place of coefficients: what the particles are made of, spheres by Mie's "
                       "series [bohren-huffman-1983]",
            .required = true,
-           .words = "particles of {}"},
+           .words = "{}"},
           spheres.material);
     visit({.each = {{kVolumeKey}, {kMassKey}},
            .both = "how much pigment there is is said twice; give volume_fraction or "

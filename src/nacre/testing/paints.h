@@ -77,7 +77,14 @@ inline paint::Recipe full_recipe() {
     FlakeSpecies mirror;
     mirror.amount = AreaDensity{0.1};
     mirror.body = PrescribedFlake{0.6, 0.2, 0.3};
-    recipe.layers = {{15, {pearl, mirror}, {{PigmentCoefficients{20.0, 5.0, 0.3}}}}, {10, {}, {}}};
+    const PigmentParticles white{
+        PigmentVolume{0.1}, {optics::Material(2.7), 250, 0.2, optics::DiameterWeighting::volume}};
+    const PigmentParticles black{PigmentMass{0.2, 1.8},
+                                 {optics::Material(optics::ComplexIndex(1.7, 0.6)), 20, 0.1}};
+    recipe.layers = {{15,
+                      {pearl, mirror},
+                      {{PigmentCoefficients{20.0, 5.0, 0.3}, "dye"}, {white}, {black, "black"}}},
+                     {10, {}, {}}};
     recipe.substrate_reflectance = 0.2;
     recipe.microfacet = Microfacet{};
     recipe.microfacet->facets = MicrofacetFacets{1e6, 3, 10};
