@@ -26,7 +26,7 @@ paint::Recipe everything() {
     platelet.coats = {{optics::find_material("TiO2_anatase"), 80, {5}}};
     paint::FlakeSpecies pearl = test::flakes(0.05, 0.2, 0.0);
     pearl.body = platelet;
-    const paint::PigmentParticles red{paint::PigmentVolume{0.01},
+    const paint::PigmentParticles red{paint::PigmentVolume{0.001},
                                       {optics::find_material("Fe2O3"), 250, 0.2}};
     recipe.layers.insert(
         recipe.layers.begin(),
