@@ -38,6 +38,8 @@ nb::dict layer_arrays(NacreArrays::Layer&& layer, std::size_t directions, std::s
         nb::dict d;
         d["anisotropy"] = pigment.anisotropy;
         d["scattering_per_um"] = array(std::move(pigment.scattering_per_um), {w});
+        const std::size_t angles = pigment.phase.size() / w;
+        d["phase"] = array(std::move(pigment.phase), {angles, w});
         pigments.append(d);
     }
     nb::dict d;

@@ -209,8 +209,14 @@ class Table:
             values = self.texture.eval(dr_array(1)(y), active)
             n = len(self.bands.nm)
             return [self.bands.wide(values[c * n : (c + 1) * n]) for c in range(self.count)]
-        each = [self.texture.eval(mi.Point2f(x, y), active) for x in where.coordinates]
+        each = [self.look_up_at(position, x, active) for x in where.coordinates]
         return [self.bands.wide([v[c] for v in each]) for c in range(self.count)]
+
+
+    def look_up_at(self, position: Float, wavelength: Float, active: Any = True) -> list[Float]:
+        """Of spectral variants, at one wavelength."""
+        at = mi.Point2f(wavelength, self.coordinate(position))
+        return list(self.texture.eval(at, active))
 
 
 def dr_array(size: int) -> Any:

@@ -171,6 +171,19 @@ class _Flake:
     reflectance: int  # channel
 
 
+@dataclass
+class _Pigment:
+    g: float
+    scattering: int  # channel
+    phase: int | None  # channel; None: Henyey and Greenstein's of g
+
+    def henyey_greenstein(self, cosine: Any) -> Any:
+        """In 1/sr, by the cosine of the angle by which light is turned."""
+        g = self.g
+        turn = dr.maximum(1 + g * g - 2 * g * cosine, 1e-6)
+        return (1 - g * g) * 0.25 * dr.inv_pi / (turn * dr.sqrt(turn))
+
+
 class Microflake:
     """The mean over all flakes."""
 
@@ -271,8 +284,9 @@ class Microflake:
 
     def _set_layers(self, source: Source) -> None:
         a = source.base
-        self.layers: list[tuple[Float, list[_Flake], list[tuple[float, int]]]] = []
+        self.layers: list[tuple[Float, list[_Flake], list[_Pigment]]] = []
         reflectances: list[tuple[int, int]] = []
+        phases: list[tuple[int, int]] = []
         channel = 2 + (self.rough > 0)
         for n, layer in enumerate(a["layers"]):
             flakes = []
@@ -290,9 +304,12 @@ class Microflake:
                 )
                 reflectances.append((n, f))
             pigments = []
-            for pigment in layer["pigments"]:
-                pigments.append((float(pigment["anisotropy"]), channel))
+            for k, pigment in enumerate(layer["pigments"]):
+                pigments.append(_Pigment(float(pigment["anisotropy"]), channel, None))
                 channel += 1
+                if len(pigment["phase"]):
+                    pigments[-1].phase = len(phases)
+                    phases.append((n, k))
             thickness = source.scalar(lambda x, n=n: x["layers"][n]["thickness_um"])
             self.layers.append((thickness, flakes, pigments))
         self.reflectance = (
@@ -302,6 +319,15 @@ class Microflake:
                 lambda x: [x["layers"][n]["flakes"][f]["reflectance"] for n, f in reflectances],
             )
             if reflectances
+            else None
+        )
+        self.phase = (
+            Table(
+                self.bands,
+                source,
+                lambda x: [x["layers"][n]["pigments"][k]["phase"] for n, k in phases],
+            )
+            if phases
             else None
         )
 
@@ -351,7 +377,9 @@ class Microflake:
         inverse_i, inverse_o = dr.rcp(mu_i), dr.rcp(mu_o)
         sec2 = 1 + tan2
         sec3 = sec2 * dr.sqrt(sec2)
-        reflectances = self._reflectances(pair, cosine, active)
+        reflectances = self._by_angle(self.reflectance, cosine, pair, active)
+        turned = dr.safe_acos(-between) * dr.inv_pi if self.phase else None
+        phases = self._by_angle(self.phase, turned, pair, active)
         total: Wide = self.bands.constant(0)
         depth = numbers[1] * (inverse_i + inverse_o)
         for n, (thickness, species, pigments) in enumerate(self.layers):
@@ -370,34 +398,34 @@ class Microflake:
                     density * reflectances[flake.reflectance] * flakes.factor(pair, n, f, here)
                 )
             rest = flakes.rest_factor(pair, n, here) if pigments else 1
-            for g, channel in pigments:
-                turn = dr.maximum(1 + g * g + 2 * g * between, 1e-6)
-                phase = (1 - g * g) * 0.25 * dr.inv_pi / (turn * dr.sqrt(turn))
-                kernel += phase * numbers[channel] * rest
+            for pigment in pigments:
+                phase = (
+                    pigment.henyey_greenstein(-between)
+                    if pigment.phase is None
+                    else phases[pigment.phase]
+                )
+                kernel += phase * numbers[pigment.scattering] * rest
             total += kernel * dr.exp(-depth) * (thickness * mean_escape(here))
             depth += here
         return total * (inverse_i * inverse_o)
 
-    def _reflectances(self, pair: Pair, cosine: Any, active: Any) -> list[Wide]:
-        if self.reflectance is None:
+    def _by_angle(self, table: Table | None, place: Any, pair: Pair, active: Any) -> list[Wide]:
+        """The channels of a table at a place from 0 to 1, under a dispersive binder another one at
+        each wavelength."""
+        if table is None:
             return []
-        last = self.reflectance.rows - 1
+        last, bands = table.rows - 1, self.bands
         if not self.dispersive:
-            return self.reflectance.look_up(cosine * last, pair.where, active)
-        # A cosine of its own at each wavelength.
-        if self.bands.spectral:
+            return table.look_up(place * last, pair.where, active)
+        if bands.spectral:
             each = [
-                self.reflectance.look_up(cosine[k] * last, Where([x]), active)
+                table.look_up_at(place[k] * last, x, active)
                 for k, x in enumerate(pair.where.coordinates)
             ]
-            return [self.bands.wide([e[c][0] for e in each]) for c in range(self.reflectance.count)]
-        rows = [
-            self.reflectance.look_up(cosine[k] * last, pair.where, active)
-            for k in range(len(self.bands.nm))
-        ]
+            return [bands.wide([row[c] for row in each]) for c in range(table.count)]
+        rows = [table.look_up(place[k] * last, pair.where, active) for k in range(len(bands.nm))]
         return [
-            self.bands.wide([rows[k][c][k] for k in range(len(self.bands.nm))])
-            for c in range(self.reflectance.count)
+            bands.wide([row[c][k] for k, row in enumerate(rows)]) for c in range(table.count)
         ]
 
     def fresnel(self, cosine: Float, ior: Wide) -> Wide:

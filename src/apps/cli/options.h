@@ -50,12 +50,13 @@ Command add_render(CLI::App& program);
 Command add_diff(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_study(CLI::App& program);
-Command add_measure(CLI::App& program);  ///< multi-angle colour
-Command add_sparkle(CLI::App& program);  ///< sparkle and graininess
-Command add_atlas(CLI::App& program);    ///< colours of a film by thickness and angle
-Command add_panel(CLI::App& program);    ///< a page about a paint
-Command add_fit(CLI::App& program);      ///< from colour back to composition
-Command add_export(CLI::App& program);   ///< formats of measured BRDFs
+Command add_measure(CLI::App& program);    ///< multi-angle colour
+Command add_sparkle(CLI::App& program);    ///< sparkle and graininess
+Command add_atlas(CLI::App& program);      ///< colours of a film by thickness and angle
+Command add_materials(CLI::App& program);  ///< what ships
+Command add_panel(CLI::App& program);      ///< a page about a paint
+Command add_fit(CLI::App& program);        ///< from colour back to composition
+Command add_export(CLI::App& program);     ///< formats of measured BRDFs
 
 /// Wall-clock time since it was made.
 class Stopwatch {

@@ -29,8 +29,9 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 TEST_F(Program, EveryCommandExplainsItselfWithAnExample) {
-    for (const char* command : {"film", "solve", "eval", "reference", "render", "diff", "study",
-                                "info", "measure", "atlas", "panel", "sparkle", "export", "fit"}) {
+    for (const char* command :
+         {"film", "solve", "eval", "reference", "render", "diff", "study", "info", "measure",
+          "atlas", "panel", "sparkle", "export", "fit", "materials"}) {
         const Outcome help = nacre(std::string(command) + " --help");
         EXPECT_EQ(help.status, 0) << command;
         EXPECT_THAT(help.out, HasSubstr("Example"));

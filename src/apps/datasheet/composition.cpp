@@ -140,6 +140,21 @@ FlakeWords flake_words(const paint::FlakeSpecies& flakes, const paint::Layer& la
     return words;
 }
 
+/// A pigment.
+struct PigmentWords {
+    std::string name, amount, size, build;
+};
+
+PigmentWords pigment_words(const paint::Pigment& pigment) {
+    Told told(pigment);
+    PigmentWords words{.name = pigment.name.empty() ? "pigment" : pigment.name,
+                       .amount = told.take({"volume_fraction", "mass_fraction"}),
+                       .size = told.take({"diameter_nm", "weighting", "spread"}),
+                       .build = {}};
+    words.build = told.rest();
+    return words;
+}
+
 struct ClearcoatWords {
     std::string thickness, surface, tint;
 };
@@ -199,7 +214,11 @@ std::vector<std::string> layers_in_words(const paint::Recipe& recipe) {
             joint = "; with ";
         }
         for (const paint::Pigment& pigment : layer.pigments) {
-            text += joint + ("a pigment that " + Told(pigment).rest());
+            const PigmentWords words = pigment_words(pigment);
+            const bool particles = !words.size.empty();
+            text += fmt::format("{}{} {}{}", joint, pigment.name.empty() ? "a pigment" : words.name,
+                                particles ? "of " : "that ", words.build);
+            if (particles) text += fmt::format(", {}, {}", words.size, words.amount);
             joint = "; with ";
         }
         sentences.push_back(text + ".");
@@ -231,7 +250,8 @@ report::Table layers_table(const paint::Recipe& recipe) {
             add(named(), words.name, words.amount, words.size, words.build);
         }
         for (const paint::Pigment& pigment : layer.pigments) {
-            add(named(), "pigment", "", "", Told(pigment).rest());
+            const PigmentWords words = pigment_words(pigment);
+            add(named(), words.name, words.amount, words.size, words.build);
         }
         if (!name.empty()) add(named(), "binder alone", "", "", material_text(recipe.binder));
     }

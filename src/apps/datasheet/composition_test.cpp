@@ -21,8 +21,8 @@ paint::Recipe pearl() {
     flakes.orientation.beckmann_alpha = 0.1;
     flakes.body = optics::Platelet{{optics::find_material("mica"), 500, {100}},
                                    {{optics::find_material("TiO2_anatase"), 80, {5}}}};
-    paint::Recipe recipe =
-        test::paint_of(1.5, {{15, {flakes}, {{200.0, 50.0, 0}}}, {30, {}, {}}}, 0.03);
+    paint::Recipe recipe = test::paint_of(
+        1.5, {{15, {flakes}, {{paint::PigmentCoefficients{200.0, 50.0, 0}}}}, {30, {}, {}}}, 0.03);
     recipe.clearcoat = paint::Clearcoat{45, 0.0, 0};
     return recipe;
 }
@@ -69,6 +69,22 @@ TEST(Composition, TheTableHasARowForEachIngredient) {
                 ElementsAre("Clear coat, 45 µm", "Layer 1, 15 µm", "", "Layer 2, 30 µm", "Ground"));
     EXPECT_THAT(second,
                 ElementsAre("clear", "TiO2 on mica", "pigment", "binder alone", "reflects 3 %"));
+}
+
+TEST(Composition, ParticlesAreStatedByMaterialSizeAndAmount) {
+    paint::Recipe paint = pearl();
+    paint.layers[0].pigments = {{paint::PigmentParticles{paint::PigmentVolume{0.15},
+                                                         {optics::find_material("TiO2_rutile"), 250,
+                                                          0.2, optics::DiameterWeighting::volume}},
+                                 "rutile white"}};
+    EXPECT_THAT(layers_in_words(paint)[1],
+                HasSubstr("rutile white of TiO₂ (rutile), 250 nm across, median by "
+                          "volume, log-normal with a deviation of 0.2 in the logarithm, 15 % by "
+                          "volume"));
+    const auto& row = layers_table(paint).rows[2];
+    EXPECT_EQ(row[1].text, "rutile white");
+    EXPECT_EQ(row[2].text, "15 % by volume");
+    EXPECT_THAT(row[4].text, HasSubstr("TiO₂"));
 }
 
 TEST(Composition, SpectraAreStatedByTheirRange) {
@@ -130,7 +146,8 @@ TEST(Composition, EveryKeyIsTold) {
 
 TEST(Composition, NumbersUnitsAndChoicesAreWrittenAsPeopleDo) {
     paint::Recipe recipe = nacre::test::full_recipe();
-    recipe.layers[0].pigments[0].absorption_per_mm = 2e-5;
+    std::get<paint::PigmentCoefficients>(recipe.layers[0].pigments[0].body).absorption_per_mm =
+        2e-5;
     auto& platelet = std::get<optics::Platelet>(recipe.layers[0].flakes[0].body);
     platelet.coats[0].spread.law = optics::ThicknessSpread::Law::uniform;
     platelet.coats.push_back(platelet.coats[0]);

@@ -108,6 +108,20 @@ TEST(Fit, FindsAmountsOfPigmentUnderSeveralLights) {
     EXPECT_EQ(found.standard.conditions.observer, spectra::Observer::cie1931_2deg);
 }
 
+TEST(Fit, FindsTheSizeAndTheAmountOfParticles) {
+    const std::string diameter = "layer[0].pigment[0].diameter_nm",
+                      amount = "layer[0].pigment[0].volume_fraction";
+    paint::Recipe guess = solid();
+    guess.layers[0].pigments = {{paint::PigmentParticles{
+        paint::PigmentVolume{0.03}, {optics::find_material("Fe2O3"), 250, 0.2}}}};
+    paint::Recipe hidden = guess;
+    paint::set_parameter(hidden, diameter, 180);
+    paint::set_parameter(hidden, amount, 0.04);
+    const Fit found = fit(read(hidden), FreeNumbers(guess, {diameter, amount}, {}), with_starts(1));
+    EXPECT_NEAR(found.parameters[0].value, 180, 1);
+    EXPECT_NEAR(found.parameters[1].value, 0.04, 4e-4);
+}
+
 // The colour of a layer of pigment depends on optical depths alone: twice as thick and half as
 // dense is the same.
 TEST(Fit, SaysWhatColoursCannotTell) {
@@ -132,7 +146,7 @@ TEST(Fit, SaysWhatColoursCannotTell) {
 
 TEST(Fit, AStandardOutOfReachLeavesItsResidual) {
     paint::Recipe green = solid();
-    green.layers[0].pigments[0].absorption_per_mm =
+    std::get<paint::PigmentCoefficients>(green.layers[0].pigments[0].body).absorption_per_mm =
         spectra::Spectrum({400, 480, 500, 570, 590, 700}, {60, 60, 2, 2, 60, 60});
     const FreeNumbers numbers(solid(), {kAbsorption}, {{kAbsorption, 30, 90}});
     const Fit found = fit(read(green), numbers, with_starts(2));

@@ -55,7 +55,7 @@ TEST(FreeNumbers, DefaultBoundsStayWithinWhatTheKeyMayBe) {
 
 TEST(FreeNumbers, ASizeOfZeroHasNoDefaultBounds) {
     paint::Recipe recipe = testing::solid();
-    recipe.layers[0].pigments[0].scattering_per_mm = 0.0;
+    std::get<paint::PigmentCoefficients>(recipe.layers[0].pigments[0].body).scattering_per_mm = 0.0;
     const std::string key = "layer[0].pigment[0].scattering_per_mm";
     const std::string message = message_of<DomainError>([&] { default_bounds(recipe, key); });
     EXPECT_THAT(message, HasSubstr(key + " = 0: has no size"));

@@ -115,11 +115,45 @@ TEST(RecipeFile, ReadsEveryKeyWithItsUnit) {
     EXPECT_EQ(platelet.coats[0].thickness_nm, 80);
     EXPECT_EQ(platelet.coats[0].spread.law, optics::ThicknessSpread::Law::uniform);
     ASSERT_EQ(layer.pigments.size(), 1u);
-    EXPECT_EQ(layer.pigments[0].scattering_per_mm(550), 200);
-    EXPECT_EQ(layer.pigments[0].absorption_per_mm(550), 50);
-    EXPECT_EQ(layer.pigments[0].anisotropy, 0.2);
+    const auto& pigment = std::get<paint::PigmentCoefficients>(layer.pigments[0].body);
+    EXPECT_EQ(pigment.scattering_per_mm(550), 200);
+    EXPECT_EQ(pigment.absorption_per_mm(550), 50);
+    EXPECT_EQ(pigment.anisotropy, 0.2);
     EXPECT_EQ(recipe.substrate_reflectance(550), 0.05);
     EXPECT_FALSE(recipe.microfacet);
+}
+
+const std::string kWhite = R"(ior = 1.5
+[[layer]]
+thickness_um = 30
+[[layer.pigment]]
+name = "rutile"
+material = "TiO2_rutile"
+volume_fraction = 0.15
+diameter_nm = 250
+spread = 0.2
+weighting = "volume"
+[[layer.pigment]]
+material = "carbon_black"
+mass_fraction = 0.01
+density_g_per_cm3 = 1.8
+diameter_nm = 20
+crowding = "independent"
+)";
+
+TEST(RecipeFile, ReadsPigmentsByTheirParticles) {
+    const paint::Recipe recipe = parse(kWhite);
+    ASSERT_EQ(recipe.layers[0].pigments.size(), 2u);
+    EXPECT_EQ(recipe.layers[0].pigments[0].name, "rutile");
+    const auto& white = std::get<paint::PigmentParticles>(recipe.layers[0].pigments[0].body);
+    EXPECT_EQ(volume_fraction(white.amount), 0.15);
+    EXPECT_EQ(white.spheres, (optics::Spheres{optics::find_material("TiO2_rutile"), 250, 0.2,
+                                              optics::DiameterWeighting::volume}));
+    const auto& black = std::get<paint::PigmentParticles>(recipe.layers[0].pigments[1].body);
+    EXPECT_EQ(std::get<paint::PigmentMass>(black.amount), (paint::PigmentMass{0.01, 1.8, 1.1}));
+    EXPECT_EQ(black.spheres.weighting, optics::DiameterWeighting::number);
+    EXPECT_EQ(black.spheres.crowding, optics::Crowding::independent);
+    EXPECT_EQ(parse(write_recipe(recipe)), recipe);
 }
 
 TEST(RecipeFile, ReadsTheDistributionOfFacets) {
@@ -312,7 +346,7 @@ const BadRecipe kBadRecipes[] = {
     {&kViolet, "[substrate]", "[subtrate]", "26:2", "subtrate = {...}",
      "did you mean 'substrate'?"},
     {&kViolet, "anisotropy", "colour", "24:1", "layer[0].pigment[0].colour = 0.2",
-     "allowed here: scattering_per_mm, absorption_per_mm, anisotropy"},
+     "allowed here: name, scattering_per_mm, absorption_per_mm, anisotropy"},
     {&kMicrofacet, "cone_deg", "cone", "10:1", "microfacet.facets.cone = 3",
      "did you mean 'cone_deg'?"},
     // missing keys
@@ -389,6 +423,22 @@ const BadRecipe kBadRecipes[] = {
      "18:", "layer[0].flakes[0].core.spread_nm = -60", "[0, 100000] nm"},
     {&kViolet, "anisotropy = 0.2", "anisotropy = 1", "24:14", "layer[0].pigment[0].anisotropy = 1",
      "(-1, 1)"},
+    {&kViolet, "anisotropy = 0.2", "material = \"ZnO\"", "24:12",
+     "layer[0].pigment[0].material = 'ZnO'", "either coefficients or a material"},
+    {&kWhite, "spread = 0.2", "anisotropy = 0.2", "9:14", "layer[0].pigment[0].anisotropy = 0.2",
+     "gets its coefficients from its particles"},
+    {&kViolet, "anisotropy = 0.2", "diameter_nm = 200", "24:15",
+     "layer[0].pigment[0].diameter_nm = 200", "this pigment has coefficients"},
+    {&kWhite, "volume_fraction = 0.15", "volume_fraction = 0.6", "7:19",
+     "layer[0].pigment[0].volume_fraction = 0.6", "(0, 0.5]"},
+    {&kWhite, "volume_fraction = 0.15", "volume_fraction = 0.15\nmass_fraction = 0.3", "8:17",
+     "layer[0].pigment[0].mass_fraction = 0.3", "is said twice"},
+    {&kWhite, "volume_fraction = 0.15", "", "4:1", "layer[0].pigment[0]", "is missing"},
+    {&kWhite, "density_g_per_cm3 = 1.8", "", "11:1", "layer[0].pigment[1].density_g_per_cm3",
+     "is missing"},
+    {&kWhite, "spread = 0.2", "spread = 50", "9:10", "layer[0].pigment[0].spread = 50", "[0, 1]"},
+    {&kWhite, "\"volume\"", "\"mass\"", "10:13", "layer[0].pigment[0].weighting = 'mass'",
+     "number"},
     {&kViolet, "reflectance = 0.05", "reflectance = 1.05", "27:15", "substrate.reflectance = 1.05",
      "[0, 1]"},
     {&kGray, "area_density_per_um = 0.1", "area_density_per_um = 0", "5:23",

@@ -17,16 +17,44 @@ void check_patience(std::uint64_t flights) {
                     kMaxFlights));
 }
 
+namespace {
+
+// Turned by the angle of this cosine, at a random azimuth.
+Vec3d turn_by(const Vec3d& in, double cosine, RandomStream& random) {
+    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    const auto [c, sn] = random.cos_sin();
+    const Vec3d across = perpendicular(in);
+    return normalize(cosine * in + sine * (c * across + sn * cross(in, across)));
+}
+
+}  // namespace
+
+Vec3d sample_pigment(const Pigment& pigment, const Vec3d& in, Lanes& weight, RandomStream& random) {
+    if (!pigment.phase) return sample_henyey_greenstein(in, pigment.anisotropy, random);
+    // One wavelength chooses the direction, as likely as its weight, and the others share it.
+    const double total = lane_sum(weight);
+    double choice = random.uniform() * total;
+    int lane = 0;
+    for (int i = 0; i < kLanes; ++i) {
+        if (weight[i] <= 0) continue;
+        lane = i;
+        choice -= weight[i];
+        if (choice < 0) break;
+    }
+    const double cosine = pigment.phase->cosine(lane, random.uniform());
+    const Lanes turned = weight * pigment.phase->value(cosine);
+    const double sum = lane_sum(turned);
+    if (sum > 0) weight = turned * (total / sum);
+    return turn_by(in, cosine, random);
+}
+
 Vec3d sample_henyey_greenstein(const Vec3d& in, double g, RandomStream& random) {
     const double s = 2 * random.uniform() - 1;
     const double d = 1 + g * s;
     const double cosine = std::clamp(
         (2 * s + g * (s * s + 3) + 2 * g * g * s + g * g * g * (s * s - 1)) / (2 * d * d), -1.0,
         1.0);
-    const double sine = std::sqrt(1 - cosine * cosine);
-    const auto [c, sn] = random.cos_sin();
-    const Vec3d across = perpendicular(in);
-    return normalize(cosine * in + sine * (c * across + sn * cross(in, across)));
+    return turn_by(in, cosine, random);
 }
 
 const Pigment* draw_pigment(const Slab& slab, Lanes& weight, RandomStream& random) {

@@ -114,6 +114,11 @@ inline Vec3d sample_beckmann_normal(double alpha, RandomStream& random) {
 /// The inversion of Henyey and Greenstein's phase function, without its cancellation at small g.
 Vec3d sample_henyey_greenstein(const Vec3d& in, double g, RandomStream& random);
 
+/// The direction into which a pigment turns light. Where its phase function depends on wavelength,
+/// the weight becomes that of each lane over the mean of all: their sum stays.
+/// @param weight  of the lanes, not all zero
+Vec3d sample_pigment(const Pigment& pigment, const Vec3d& in, Lanes& weight, RandomStream& random);
+
 /// Direction about z with a density proportional to its cosine: Lambert's law.
 inline Vec3d sample_lambert(RandomStream& random) {
     const double sine_sq = random.uniform();

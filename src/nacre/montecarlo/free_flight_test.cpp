@@ -184,7 +184,7 @@ namespace {
 /// Flakes and a pigment; the rate of candidates along a ray varies by a factor of 20.
 Slab mixed_slab() {
     paint::Layer layer = test::flake_layer(1, 0.05, 0.6, 0.2);
-    layer.pigments.push_back({2.0, 1.0, 0.3});
+    layer.pigments.push_back({paint::PigmentCoefficients{2.0, 1.0, 0.3}});
     const std::array wavelengths{550.};
     return Medium(test::paint_of(1.5, {layer}), wavelengths).slabs[0];
 }

@@ -30,6 +30,34 @@ Lanes interpolate(const std::vector<Lanes>& table, double cosine) {
     return table[i] + (x - static_cast<double>(i)) * (table[i + 1] - table[i]);
 }
 
+Lanes to_lanes(std::span<const double> values) {
+    Lanes lanes{};
+    for (std::size_t i = 0; i < values.size(); ++i) lanes[i] = values[i];
+    return lanes;
+}
+
+void add_pigment(const paint::Pigment& pigment, const optics::Material& binder,
+                 std::span<const double> wavelengths_nm, Slab& slab) {
+    if (const auto* particles = std::get_if<paint::PigmentParticles>(&pigment.body)) {
+        const optics::ParticleOptics optics = optics::particle_optics(
+            particles->spheres, volume_fraction(particles->amount), binder, wavelengths_nm);
+        std::vector<Lanes> density;
+        for (int node = 0; node <= optics::PhaseFunction::kIntervals; ++node) {
+            density.push_back(to_lanes({optics.phase.row(node), wavelengths_nm.size()}));
+        }
+        slab.pigments.push_back({to_lanes(optics.scattering_per_um), 0,
+                                 std::make_shared<PhaseTable>(std::move(density))});
+        slab.absorption_per_um += to_lanes(optics.absorption_per_um);
+        return;
+    }
+    const auto& given = std::get<paint::PigmentCoefficients>(pigment.body);
+    slab.pigments.push_back(
+        {kPerMmToPerUm * sample_spectrum(given.scattering_per_mm, wavelengths_nm),
+         given.anisotropy});
+    slab.absorption_per_um +=
+        kPerMmToPerUm * sample_spectrum(given.absorption_per_mm, wavelengths_nm);
+}
+
 }  // namespace
 
 FlakeOptics::FlakeOptics(const paint::FlakeSpecies& species, const optics::Material& binder,
@@ -115,10 +143,48 @@ Lanes Flakes::extinction(double mu) const {
     return (area_density_per_um / (std::numbers::pi * alpha * alpha)) * sum;
 }
 
-Lanes Pigment::scattering(const Vec3d& in, const Vec3d& out) const {
+PhaseTable::PhaseTable(std::vector<Lanes> density) : density_(std::move(density)) {
+    Lanes sum{};
+    for (int i = 0; i <= optics::PhaseFunction::kIntervals; ++i) {
+        if (i > 0) {
+            const double reach =
+                optics::PhaseFunction::node_cosine(i - 1) - optics::PhaseFunction::node_cosine(i);
+            sum += std::numbers::pi * reach * (density_[i - 1] + density_[i]);
+        }
+        below_.push_back(sum);
+    }
+}
+
+Lanes PhaseTable::value(double cosine) const {
+    const auto [node, fraction] = optics::PhaseFunction::locate(cosine);
+    return density_[node] + fraction * (density_[node + 1] - density_[node]);
+}
+
+double PhaseTable::cosine(int lane, double fraction) const {
+    const double sought = fraction * below_.back()[lane];
+    const auto above =
+        std::upper_bound(below_.begin() + 1, below_.end() - 1, sought,
+                         [lane](double x, const Lanes& sum) { return x < sum[lane]; });
+    const auto i = static_cast<int>(above - below_.begin()) - 1;
+    const double from = optics::PhaseFunction::node_cosine(i);
+    const double reach = from - optics::PhaseFunction::node_cosine(i + 1);
+    const double a = density_[i][lane], b = density_[i + 1][lane];
+    // a t + (b - a) t^2/2 = rest, for t in [0, 1], without cancellation.
+    const double rest = std::max(0.0, (sought - below_[i][lane]) / (2 * std::numbers::pi * reach));
+    const double root = std::sqrt(std::max(0.0, a * a + 2 * (b - a) * rest));
+    const double t = a + root > 0 ? 2 * rest / (a + root) : 0.0;
+    return from - std::min(t, 1.0) * reach;
+}
+
+Lanes Pigment::phase_value(double cosine) const {
+    if (phase) return phase->value(cosine);
     const double g = anisotropy;
-    const double d = 1 + g * g - 2 * g * dot(in, out);
-    return ((1 - g * g) / (4 * std::numbers::pi * d * std::sqrt(d))) * scattering_per_um;
+    const double d = 1 + g * g - 2 * g * cosine;
+    return splat((1 - g * g) / (4 * std::numbers::pi * d * std::sqrt(d)));
+}
+
+Lanes Pigment::scattering(const Vec3d& in, const Vec3d& out) const {
+    return phase_value(dot(in, out)) * scattering_per_um;
 }
 
 Lanes Slab::scattering(const Vec3d& in, const Vec3d& out) const {
@@ -170,11 +236,7 @@ Medium::Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_
             slab.flake_rate_per_um += slab.flakes.back().area_density_per_um;
         }
         for (const paint::Pigment& pigment : layer.pigments) {
-            slab.pigments.push_back(
-                {kPerMmToPerUm * sample_spectrum(pigment.scattering_per_mm, wavelengths_nm),
-                 pigment.anisotropy});
-            slab.absorption_per_um +=
-                kPerMmToPerUm * sample_spectrum(pigment.absorption_per_mm, wavelengths_nm);
+            add_pigment(pigment, recipe.binder, wavelengths_nm, slab);
         }
         slab.sum_pigments();
         slabs.push_back(std::move(slab));
@@ -267,6 +329,14 @@ Medium MediumGrid::at(std::span<const double> wavelengths_nm) const {
             slab.pigments[p].scattering_per_um = interpolate([&](const Medium& m) -> const Lanes& {
                 return m.slabs[s].pigments[p].scattering_per_um;
             });
+            if (!slab.pigments[p].phase) continue;
+            std::vector<Lanes> density(optics::PhaseFunction::kIntervals + 1);
+            for (std::size_t node = 0; node < density.size(); ++node) {
+                density[node] = interpolate([&](const Medium& m) -> const Lanes& {
+                    return m.slabs[s].pigments[p].phase->density()[node];
+                });
+            }
+            slab.pigments[p].phase = std::make_shared<PhaseTable>(std::move(density));
         }
         slab.sum_pigments();
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -70,12 +71,32 @@ struct Flakes {
 };
 inline constexpr double kExtinctionRelativeError = 2e-8;
 
-/// Particles that scatter by Henyey and Greenstein's phase function.
+/// A phase function at the wavelengths of the batch, as the table of optics::PhaseFunction: linear
+/// in the cosine between its nodes.
+class PhaseTable {
+ public:
+    /// @param density  [node] in 1/sr, which integrates to 1 in every lane in use
+    explicit PhaseTable(std::vector<Lanes> density);
+
+    const std::vector<Lanes>& density() const { return density_; }
+    Lanes value(double cosine) const;
+    /// The cosine beyond which, from 1 down, this fraction of the light of a lane is turned.
+    double cosine(int lane, double fraction) const;
+
+ private:
+    std::vector<Lanes> density_,
+        below_;  // below_: of the light turned by less than the node's angle
+};
+
+/// Particles that scatter by Henyey and Greenstein's phase function, or by a tabulated one.
 struct Pigment {
     Lanes scattering_per_um;
     double anisotropy;
+    std::shared_ptr<const PhaseTable> phase = {};  ///< null: Henyey and Greenstein's
 
-    /// [henyey-greenstein-1941, eq. 2], per sr and um of path.
+    /// In 1/sr.                                                [henyey-greenstein-1941, eq. 2]
+    Lanes phase_value(double cosine) const;
+    /// Per sr and um of path.
     Lanes scattering(const Vec3d& in, const Vec3d& out) const;
 };
 

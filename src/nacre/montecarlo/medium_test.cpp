@@ -9,6 +9,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
+#include "nacre/montecarlo/events.h"
 #include "nacre/testing/montecarlo.h"
 
 namespace nacre::montecarlo {
@@ -145,6 +146,77 @@ TEST(Flakes, TableOfAPlateletKeepsToTheTransferMatrix) {
     EXPECT_GT(worst, 0);
 }
 
+// Eight wavelengths of red iron oxide.
+Pigment red_oxide() {
+    paint::Recipe recipe = test::paint_of(1.5, {{10, {}, {}}});
+    recipe.layers[0].pigments = {{paint::PigmentParticles{
+        paint::PigmentVolume{0.05}, {optics::find_material("Fe2O3"), 400, 0.2}}}};
+    const std::vector<double> wavelengths{400, 440, 480, 520, 560, 600, 650, 700};
+    return Medium(recipe, wavelengths).slabs[0].pigments[0];
+}
+
+TEST(PhaseTable, IntegratesToOneInEveryLane) {
+    const Pigment pigment = red_oxide();
+    const auto& density = pigment.phase->density();
+    for (int lane = 0; lane < kLanes; ++lane) {
+        double sum = 0;
+        for (std::size_t i = 1; i < density.size(); ++i) {
+            const int node = static_cast<int>(i);
+            sum += std::numbers::pi * (density[i - 1][lane] + density[i][lane]) *
+                   (optics::PhaseFunction::node_cosine(node - 1) -
+                    optics::PhaseFunction::node_cosine(node));
+        }
+        EXPECT_NEAR(sum, 1, 1e-12);
+    }
+}
+
+TEST(PhaseTable, DrawsTheCosineOfEachFraction) {
+    const Pigment pigment = red_oxide();
+    for (const int lane : {0, 7}) {
+        EXPECT_NEAR(pigment.phase->cosine(lane, 0), 1, 1e-12);
+        EXPECT_NEAR(pigment.phase->cosine(lane, 1), -1, 1e-9);
+        // d fraction = -2 pi p d cosine
+        for (double f = 0.05; f < 1; f += 0.1) {
+            constexpr double kStep = 1e-6;
+            const double c = pigment.phase->cosine(lane, f);
+            const double slope =
+                (pigment.phase->cosine(lane, f - kStep) - pigment.phase->cosine(lane, f + kStep)) /
+                (2 * kStep);
+            EXPECT_NEAR(slope * 2 * std::numbers::pi * pigment.phase_value(c)[lane], 1, 1e-3);
+        }
+    }
+}
+
+// Weights, directions: the light of every wavelength goes where its own phase function says.
+TEST(SamplePigment, TurnsEachWavelengthByItsOwnPhaseFunction) {
+    const Pigment pigment = red_oxide();
+    const Lanes start = make_lanes<Lanes>([](int i) { return i == 3 ? 0.0 : 0.5 + 0.1 * i; });
+    const Vec3d in = at_cosine(0.4, 1);
+    RandomStream random(5, 0, 0);
+    constexpr int kCount = 200'000;
+    std::array<double, kLanes> sum{}, square{}, light{};
+    for (int k = 0; k < kCount; ++k) {
+        Lanes weight = start;
+        const double cosine = dot(in, sample_pigment(pigment, in, weight, random));
+        ASSERT_NEAR(lane_sum(weight), lane_sum(start), 1e-12);
+        for (int i = 0; i < kLanes; ++i) {
+            sum[i] += weight[i] * cosine;
+            square[i] += weight[i] * cosine * weight[i] * cosine;
+            light[i] += weight[i];
+        }
+    }
+    for (int i = 0; i < kLanes; ++i) {
+        const double mean_cosine = integrate_sphere(in, [&](const Vec3d& out) {
+            return dot(in, out) * pigment.phase_value(dot(in, out))[i];
+        });
+        const double mean = sum[i] / kCount;
+        const double error = std::sqrt((square[i] / kCount - mean * mean) / kCount);
+        // 16 means: one in 20000 beyond four standard errors.
+        EXPECT_NEAR(mean, start[i] * mean_cosine, 4 * error + 1e-4);
+        EXPECT_NEAR(light[i] / kCount, start[i], 4 * 2 / std::sqrt(1.0 * kCount));
+    }
+}
+
 TEST(Pigment, ScatteringIntegratesToItsRateWithItsMeanCosine) {
     for (double g : {-0.5, 0.0, 0.7}) {
         Pigment pigment{Lanes{}, g};
@@ -170,7 +242,10 @@ paint::Recipe coloured_paint() {
     platelet.coats = {{optics::find_material("TiO2_anatase"), 80, {}}};
     layer.flakes[0].body = platelet;
     const spectra::Spectrum rising({400, 700}, {1, 4});
-    layer.pigments = {{rising, 0.5, 0.2}, {3.0, rising, 0.0}};
+    layer.pigments = {{paint::PigmentCoefficients{rising, 0.5, 0.2}},
+                      {paint::PigmentCoefficients{3.0, rising, 0.0}},
+                      {paint::PigmentParticles{paint::PigmentVolume{0.01},
+                                               {optics::find_material("Fe2O3"), 200, 0.2}}}};
     paint::Recipe recipe = test::paint_of(1.5, {layer});
     recipe.substrate_reflectance = spectra::Spectrum({400, 700}, {0.1, 0.7});
     recipe.clearcoat = paint::Clearcoat{20, rising, 0};
@@ -207,8 +282,14 @@ void expect_equal(const Medium& a, const Medium& b, int lanes) {
                      q.flakes[f].optics.transmittance(cosine));
             }
         }
-        for (std::size_t k = 0; k < p.pigments.size(); ++k)
+        for (std::size_t k = 0; k < p.pigments.size(); ++k) {
             near(p.pigments[k].scattering_per_um, q.pigments[k].scattering_per_um);
+            ASSERT_EQ(!p.pigments[k].phase, !q.pigments[k].phase);
+            if (!p.pigments[k].phase) continue;
+            for (double c : {-0.9, 0.1, 0.99}) {
+                near(p.pigments[k].phase_value(c), q.pigments[k].phase_value(c));
+            }
+        }
     }
 }
 

@@ -180,8 +180,9 @@ paint::Recipe extreme_paint(Rng& rng) {
         }
         if (rng.uniform_double() < 0.5) {
             const double per_mm = std::min(1e3 * depth / thickness_um, 1e9);
-            layer.pigments.push_back({per_mm * rng.uniform_double(), per_mm * 0.1,
-                                      1.998 * rng.uniform_double() - 0.999});
+            layer.pigments.push_back(
+                {paint::PigmentCoefficients{per_mm * rng.uniform_double(), per_mm * 0.1,
+                                            1.998 * rng.uniform_double() - 0.999}});
         }
         recipe.layers.push_back(layer);
     }

@@ -63,7 +63,7 @@ TEST(Reference, MatchesTheWorkedValuesOfSingleScattering) {
 
 TEST(Reference, PartsAddUpToTheTotal) {
     auto recipe = test::paint_of(1.5, {test::flake_layer(1, .3, .6, .2)}, 0.5);
-    recipe.layers[0].pigments.push_back({20.0, 5.0, 0.3});
+    recipe.layers[0].pigments.push_back({paint::PigmentCoefficients{20.0, 5.0, 0.3}});
     const std::vector<Direction> outgoing{{30, 180}, {60, 70}};
     const auto part = [&](Part p, std::uint64_t seed) {
         return brdf(recipe, {40, 0}, outgoing, {.samples = 60'000, .seed = seed, .part = p});
@@ -177,8 +177,8 @@ TEST(Reference, WavelengthsWalkTogetherAsTheyWouldAlone) {
     paint::Layer layer;
     layer.thickness_um = 20;
     layer.flakes.push_back(test::flakes(.1, .3, rising, 0.05));
-    layer.pigments.push_back(
-        {spectra::Spectrum({400, 680}, {200, 2}), spectra::Spectrum({400, 680}, {1, 100}), 0.2});
+    layer.pigments.push_back({paint::PigmentCoefficients{
+        spectra::Spectrum({400, 680}, {200, 2}), spectra::Spectrum({400, 680}, {1, 100}), 0.2}});
     auto recipe = test::paint_of(1.5, {layer});
     recipe.substrate_reflectance = falling;
     const std::vector<Direction> incident{{45, 0}}, outgoing{{30, 180}};

@@ -26,7 +26,7 @@ paint::Recipe lossless(double thickness_um) {
     const double fraction = 10 / thickness_um;
     layer.thickness_um = thickness_um;
     layer.flakes[0].amount = paint::AreaDensity{0.15 * fraction};
-    layer.pigments.push_back({20 * fraction, 0, 0.5});
+    layer.pigments.push_back({paint::PigmentCoefficients{20 * fraction, 0, 0.5}});
     return test::paint_of(1.5, {layer}, 1);
 }
 

@@ -31,6 +31,13 @@ paint::FlakeSpecies titania_on_mica(double area_density_per_um, double alpha) {
     return species;
 }
 
+paint::PigmentParticles particles(const char* material, double volume, double diameter_nm,
+                                  double spread) {
+    return {
+        paint::PigmentVolume{volume},
+        {optics::find_material(material), diameter_nm, spread, optics::DiameterWeighting::volume}};
+}
+
 std::vector<Case> cases() {
     std::vector<Case> all;
     const auto add = [&](std::string name, paint::Recipe recipe) {
@@ -55,8 +62,8 @@ std::vector<Case> cases() {
     add("pigment g 0", test::paint_of(1.5, {test::pigment_layer(.9, 2, 0)}, 0.3));
     add("pigment g .8", test::paint_of(1.5, {test::pigment_layer(.99, 8, .8)}));
     auto mixture = test::paint_of(1.5, {test::flake_layer(1, .2, .6, .1)}, 0.05);
-    mixture.layers[0].pigments.push_back({40.0, 20.0, 0.5});
-    mixture.layers[0].pigments.push_back({10.0, 0.0, -0.3});
+    mixture.layers[0].pigments.push_back({paint::PigmentCoefficients{40.0, 20.0, 0.5}});
+    mixture.layers[0].pigments.push_back({paint::PigmentCoefficients{10.0, 0.0, -0.3}});
     mixture.layers[0].flakes.push_back(test::flakes(.05, .4, .2, .3));
     add("two flakes, two pigments", mixture);
     add("flakes over pigment",
@@ -69,9 +76,19 @@ std::vector<Case> cases() {
     all.push_back({"TiO2 on mica", test::paint_of(1.5, {pearl}, 0.05), {450, 550, 650}});
     // the mixture in a spectrum, for the weights of eight wavelengths on one walk
     auto spectral = mixture;
-    spectral.layers[0].pigments[0].scattering_per_mm = spectra::Spectrum({400, 700}, {120, 5});
-    spectral.layers[0].pigments[0].absorption_per_mm = spectra::Spectrum({400, 700}, {2, 60});
+    std::get<paint::PigmentCoefficients>(spectral.layers[0].pigments[0].body).scattering_per_mm =
+        spectra::Spectrum({400, 700}, {120, 5});
+    std::get<paint::PigmentCoefficients>(spectral.layers[0].pigments[0].body).absorption_per_mm =
+        spectra::Spectrum({400, 700}, {2, 60});
     all.push_back({"mixture, three wavelengths", spectral, {400, 550, 700}});
+    // particles: phase functions that differ between the wavelengths of a walk
+    auto white = test::paint_of(1.5, {test::pigment_layer(.9, 1, 0)}, 0.1);
+    white.layers[0] = {20, {}, {{particles("TiO2_rutile", 0.15, 240, 0.25)}}};
+    all.push_back({"rutile, three wavelengths", white, {430, 550, 700}});
+    auto tinted = test::paint_of(1.5, {test::flake_layer(0.5, .2, .6, .1)}, 0.3);
+    tinted.layers[0].pigments = {{particles("Fe2O3", 0.01, 300, 0.3)},
+                                 {particles("carbon_black", 0.0005, 60, 0.2)}};
+    all.push_back({"flakes, red oxide and black, three wavelengths", tinted, {450, 580, 680}});
     return all;
 }
 

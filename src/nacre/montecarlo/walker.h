@@ -56,7 +56,7 @@ class Walker {
     void collide_with_pigment(const Slab& slab) {
         if (slab.pigments.empty()) return;
         if (const Pigment* pigment = draw_pigment(slab, state_.weight, random_)) {
-            state_.travel = sample_henyey_greenstein(state_.travel, pigment->anisotropy, random_);
+            state_.travel = sample_pigment(*pigment, state_.travel, state_.weight, random_);
             state_.unscattered = false;
         }
     }

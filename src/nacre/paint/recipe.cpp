@@ -80,6 +80,27 @@ void check_flakes(const std::string& key, const Layer& layer) {
     }
 }
 
+/// The volume that all particles fill, and what a mass fraction comes to.
+void check_pigments(const std::string& key, const Layer& layer) {
+    double filled = 0;
+    for (std::size_t i = 0; i < layer.pigments.size(); ++i) {
+        const auto* particles = std::get_if<PigmentParticles>(&layer.pigments[i].body);
+        if (!particles) continue;
+        const bool by_mass = std::holds_alternative<PigmentMass>(particles->amount);
+        const double volume = volume_fraction(particles->amount);
+        filled += volume;
+        if (filled > optics::kParticleVolumeRange.hi) {
+            const double stated = by_mass ? std::get<PigmentMass>(particles->amount).fraction
+                                          : std::get<PigmentVolume>(particles->amount).fraction;
+            throw DomainError(fmt::format(
+                "{}.pigment[{}].{} = {}: {} the particles fill {} of the layer; must be at most {}",
+                key, i, by_mass ? "mass_fraction" : "volume_fraction", stated,
+                i > 0 ? "with the pigments before it" : "with these densities", filled,
+                optics::kParticleVolumeRange.hi));
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<double> limits::wavelength_of_excess(const PrescribedFlake& flake) {
@@ -113,6 +134,16 @@ double FlakeSpecies::area_density_per_um() const {
     return std::get<VolumeFraction>(amount).value / thickness_um();
 }
 
+double PigmentMass::volume_fraction() const {
+    const double pigment = fraction / density_g_per_cm3;
+    return pigment / (pigment + (1 - fraction) / binder_density_g_per_cm3);
+}
+
+double volume_fraction(const PigmentAmount& amount) {
+    if (const auto* mass = std::get_if<PigmentMass>(&amount)) return mass->volume_fraction();
+    return std::get<PigmentVolume>(amount).fraction;
+}
+
 double Recipe::thickness_um() const {
     double sum = clearcoat ? clearcoat->thickness_um : 0;
     for (const Layer& layer : layers) sum += layer.thickness_um;
@@ -132,7 +163,9 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
         throw DomainError("layer: a paint needs at least one layer (or a microfacet table)");
     }
     for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
-        check_flakes(fmt::format("layer[{}]", i), recipe.layers[i]);
+        const std::string key = fmt::format("layer[{}]", i);
+        check_flakes(key, recipe.layers[i]);
+        check_pigments(key, recipe.layers[i]);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/optics/material.h"
+#include "nacre/optics/particles.h"
 #include "nacre/optics/thin_film.h"
 #include "nacre/spectra/spectrum.h"
 
@@ -59,11 +60,44 @@ struct FlakeSpecies {
     friend bool operator==(const FlakeSpecies&, const FlakeSpecies&) = default;
 };
 
-/// A pigment that scatters by Henyey-Greenstein.
-struct Pigment {
+/// A pigment by its coefficients; it scatters by Henyey-Greenstein.
+struct PigmentCoefficients {
     spectra::Spectrum scattering_per_mm;
     spectra::Spectrum absorption_per_mm;
     double anisotropy = 0;  ///< g, in (-1, 1)
+
+    friend bool operator==(const PigmentCoefficients&, const PigmentCoefficients&) = default;
+};
+
+/// How much of a layer is a pigment.
+struct PigmentVolume {
+    double fraction = 0;
+    friend bool operator==(const PigmentVolume&, const PigmentVolume&) = default;
+};
+/// By mass of the dry layer, the rest of which is taken to be as dense as the binder.
+struct PigmentMass {
+    double fraction = 0;
+    double density_g_per_cm3 = 0;
+    double binder_density_g_per_cm3 = 1.1;
+
+    double volume_fraction() const;
+    friend bool operator==(const PigmentMass&, const PigmentMass&) = default;
+};
+using PigmentAmount = std::variant<PigmentVolume, PigmentMass>;
+
+double volume_fraction(const PigmentAmount& amount);
+
+/// A pigment by its particles: Mie scattering in the binder.
+struct PigmentParticles {
+    PigmentAmount amount;
+    optics::Spheres spheres;
+
+    friend bool operator==(const PigmentParticles&, const PigmentParticles&) = default;
+};
+
+struct Pigment {
+    std::variant<PigmentCoefficients, PigmentParticles> body;
+    std::string name = {};
 
     friend bool operator==(const Pigment&, const Pigment&) = default;
 };

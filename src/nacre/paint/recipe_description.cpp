@@ -205,7 +205,94 @@ void describe(Visitor& visit, PrescribedFlake& flake) {
           flake.thickness_um);
 }
 
+namespace {
+
+constexpr const char* kVolumeKey = "volume_fraction";
+constexpr const char* kMassKey = "mass_fraction";
+
+}  // namespace
+
 void describe(Visitor& visit, Pigment& pigment) {
+    visit({.key = "name", .max_size = kMaxNameLength}, pigment.name);
+    visit({.each = {{"scattering_per_mm", "goes with a material; this pigment has coefficients"},
+                    {"material",
+                     "a pigment with a material gets its coefficients from its particles"}},
+           .both = "a pigment has either coefficients or a material, not both"},
+          pigment.body);
+}
+
+void describe(Visitor& visit, PigmentParticles& particles) {
+    optics::Spheres& spheres = particles.spheres;
+    visit({.key = "material",
+           .range = optics::kRefractiveIndexRange,
+           .meaning = "in place of coefficients: what the particles are made of, spheres by Mie's "
+                      "series [bohren-huffman-1983]",
+           .required = true,
+           .words = "{}"},
+          spheres.material);
+    visit({.each = {{kVolumeKey}, {kMassKey}},
+           .both = "how much pigment there is is said twice; give volume_fraction or "
+                   "mass_fraction, not both",
+           .neither = "is missing; it must be a number in (0, 0.5], or mass_fraction in (0, 1)"},
+          particles.amount);
+    visit({.key = "diameter_nm",
+           .range = optics::kDiameterRange,
+           .meaning = "median diameter of the particles",
+           .required = true,
+           .words = "{} across"},
+          spheres.diameter_nm);
+    visit({.key = "spread",
+           .range = optics::kDiameterSpreadRange,
+           .meaning = "standard deviation of the logarithm of the diameter, which has a normal law "
+                      "cut at five deviations; 0 is one size",
+           .words = "log-normal with a deviation of {} in the logarithm",
+           .zero_words = "all of one size"},
+          spheres.spread);
+    visit({.key = "weighting",
+           .meaning = "what the median halves: the number of particles, or their volume",
+           .words = "median by {}"},
+          {"number", "volume"}, spheres.weighting);
+    visit(
+        {.key = "crowding",
+         .meaning = "whether particles keep apart as hard spheres do, which takes light out of "
+                    "the forward lobe [percus-yevick-1958; pedersen-1994], or scatter as if alone",
+         .words = "",
+         .zero_words = ""},
+        {"hard-spheres", "independent"}, spheres.crowding);
+}
+
+void describe(Visitor& visit, PigmentVolume& amount) {
+    visit({.key = kVolumeKey,
+           .range = optics::kParticleVolumeRange,
+           .meaning = "with `material`: fraction of the layer's volume that these particles fill; "
+                      "all pigments of a layer together at most 0.5",
+           .required = true,
+           .words = "{%} by volume"},
+          amount.fraction);
+}
+
+void describe(Visitor& visit, PigmentMass& amount) {
+    constexpr Range kDensity{0.1, 25, "g/cm^3"};
+    visit({.key = kMassKey,
+           .range = {0, 1, "", true, true},
+           .meaning = "in place of `volume_fraction`: fraction of the dry layer's mass",
+           .required = true,
+           .words = "{%} by mass"},
+          amount.fraction);
+    visit({.key = "density_g_per_cm3",
+           .range = kDensity,
+           .meaning = "with `mass_fraction`: of the pigment",
+           .required = true,
+           .words = ""},
+          amount.density_g_per_cm3);
+    visit({.key = "binder_density_g_per_cm3",
+           .range = kDensity,
+           .meaning = "with `mass_fraction`: of all the rest",
+           .words = ""},
+          amount.binder_density_g_per_cm3);
+}
+
+void describe(Visitor& visit, PigmentCoefficients& pigment) {
     visit({.key = "scattering_per_mm",
            .range = kPerMillimetre,
            .meaning = "scattering coefficient",

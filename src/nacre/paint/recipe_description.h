@@ -22,6 +22,10 @@ void describe(Visitor& visit, optics::Platelet& platelet);
 void describe(Visitor& visit, optics::FilmPopulation& film);
 void describe(Visitor& visit, PrescribedFlake& flake);
 void describe(Visitor& visit, Pigment& pigment);
+void describe(Visitor& visit, PigmentCoefficients& pigment);
+void describe(Visitor& visit, PigmentParticles& particles);
+void describe(Visitor& visit, PigmentVolume& amount);
+void describe(Visitor& visit, PigmentMass& amount);
 void describe(Visitor& visit, Microfacet& microfacet);
 void describe(Visitor& visit, MicrofacetFacets& facets);
 

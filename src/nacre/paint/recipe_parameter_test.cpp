@@ -44,7 +44,11 @@ TEST(RecipeParameter, EveryNumberOfARecipeIsListedInItsOrder) {
             "layer[0].flakes[1].orientation.alpha", "layer[0].flakes[1].reflectance",
             "layer[0].flakes[1].transmittance", "layer[0].flakes[1].thickness_um",
             "layer[0].pigment[0].scattering_per_mm", "layer[0].pigment[0].absorption_per_mm",
-            "layer[0].pigment[0].anisotropy", "layer[1].thickness_um", "substrate.reflectance",
+            "layer[0].pigment[0].anisotropy", "layer[0].pigment[1].volume_fraction",
+            "layer[0].pigment[1].diameter_nm", "layer[0].pigment[1].spread",
+            "layer[0].pigment[2].mass_fraction", "layer[0].pigment[2].density_g_per_cm3",
+            "layer[0].pigment[2].binder_density_g_per_cm3", "layer[0].pigment[2].diameter_nm",
+            "layer[0].pigment[2].spread", "layer[1].thickness_um", "substrate.reflectance",
             "microfacet.alpha", "microfacet.film_ior", "microfacet.film_thickness_nm",
             "microfacet.base_ior", "microfacet.base_extinction", "microfacet.facets.count",
             "microfacet.facets.cone_deg", "microfacet.facets.thickness_spread_nm"));

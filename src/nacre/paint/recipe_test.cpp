@@ -29,9 +29,16 @@ FlakeSpecies mica_coated_with_titania() {
 Recipe pearl() {
     Recipe recipe;
     recipe.clearcoat = Clearcoat{45, 0.0, 0.0};
-    recipe.layers = {Layer{15, {mica_coated_with_titania()}, {Pigment{200.0, 50.0, 0.0}}}};
+    recipe.layers = {
+        Layer{15, {mica_coated_with_titania()}, {Pigment{PigmentCoefficients{200.0, 50.0, 0.0}}}}};
     recipe.substrate_reflectance = 0.05;
     return recipe;
+}
+
+TEST(PigmentMass, BecomesVolumeByTheDensities) {
+    // 42 g of 4.2 g/cm^3 and 55 g of 1.1 g/cm^3: 10 and 50 cm^3.
+    EXPECT_DOUBLE_EQ(volume_fraction(PigmentMass{42.0 / 97, 4.2, 1.1}), 10.0 / 60);
+    EXPECT_EQ(volume_fraction(PigmentVolume{0.2}), 0.2);
 }
 
 TEST(FlakeSpecies, ThicknessIsCorePlusBothSidesOfEachCoat) {
@@ -87,10 +94,39 @@ TEST(ValidateRecipe, NamesKeyValueAndRangeOfWhateverIsWrong) {
         {[](Recipe& r) { r.clearcoat->roughness = 1e-3; }, "clearcoat.roughness = 0.001",
          "[0.01, 1]"},
         {[](Recipe& r) { r.substrate_reflectance = 1.1; }, "substrate.reflectance = 1.1", "[0, 1]"},
-        {[](Recipe& r) { r.layers[0].pigments[0].anisotropy = 1; },
+        {[](Recipe& r) {
+             std::get<PigmentCoefficients>(r.layers[0].pigments[0].body).anisotropy = 1;
+         },
          "layer[0].pigment[0].anisotropy = 1", "(-1, 1)"},
-        {[](Recipe& r) { r.layers[0].pigments[0].scattering_per_mm = -1.0; },
+        {[](Recipe& r) {
+             std::get<paint::PigmentCoefficients>(r.layers[0].pigments[0].body).scattering_per_mm =
+                 -1.0;
+         },
          "layer[0].pigment[0].scattering_per_mm = -1", "1/mm"},
+        {[](Recipe& r) {
+             r.layers[0].pigments[0].body = PigmentParticles{PigmentVolume{0.6}, {}};
+         },
+         "layer[0].pigment[0].volume_fraction = 0.6", "(0, 0.5]"},
+        {[](Recipe& r) {
+             r.layers[0].pigments.assign(
+                 2, Pigment{PigmentParticles{PigmentVolume{0.3}, optics::Spheres{2.75, 250}}});
+         },
+         "layer[0].pigment[1].volume_fraction = 0.3: with the pigments before it", "at most 0.5"},
+        {[](Recipe& r) {
+             r.layers[0].pigments[0].body =
+                 PigmentParticles{PigmentMass{0.9, 4.2}, optics::Spheres{2.75, 250}};
+         },
+         "layer[0].pigment[0].mass_fraction = 0.9: with these densities", "at most 0.5"},
+        {[](Recipe& r) {
+             r.layers[0].pigments[0].body =
+                 PigmentParticles{PigmentVolume{0.1}, optics::Spheres{2.75, 0.5}};
+         },
+         "layer[0].pigment[0].diameter_nm = 0.5", "[1, 10000] nm"},
+        {[](Recipe& r) {
+             r.layers[0].pigments[0].body = PigmentParticles{
+                 PigmentVolume{0.1}, optics::Spheres{optics::find_material("ZnO"), 250}};
+         },
+         "layer[0].pigment[0].material = ZnO", "[450, 780] nm"},
         {[&](Recipe& r) { flakes(r).amount = VolumeFraction{1.5}; },
          "layer[0].flakes[0].volume_fraction = 1.5", "(0, 1]"},
         {[&](Recipe& r) { flakes(r).amount = AreaDensity{0}; },

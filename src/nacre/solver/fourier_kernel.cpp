@@ -139,16 +139,50 @@ void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
     });
 }
 
+namespace {
+
+// Of (2n + 1)/(4 pi) chi_n, as far as they matter; those of Henyey and Greenstein are one number for
+// all wavelengths.                                                  [chandrasekhar-1960, sec. 48]
+std::vector<double> series_of(double anisotropy) {
+    std::vector<double> terms;
+    double power = 1;
+    do {
+        terms.push_back((2.0 * terms.size() + 1) / (4 * std::numbers::pi) * power);
+        power *= anisotropy;
+    } while (std::abs(power) * (2.0 * terms.size() - 1) > 1e-9);
+    return terms;
+}
+
+std::vector<DoubleLanes> series_of(const optics::PhaseFunction& phase, int block) {
+    std::vector<DoubleLanes> terms;
+    for (int n = 0; n < phase.degrees(); ++n) {
+        terms.push_back(make_lanes<DoubleLanes>([&](int lane) {
+            const int w = std::min(block * kLanes + lane, phase.wavelength_count() - 1);
+            return (2 * n + 1) / (4 * std::numbers::pi) * phase.coefficient(n, w);
+        }));
+    }
+    return terms;
+}
+
+}  // namespace
+
 void FourierKernel::add_pigment(const PigmentMedium& pigment, const Directions& d,
                                 const ActiveNodes& active, int block, SharedProgress* work) {
-    // sum over n >= l of (2n + 1)/(4 pi) g^n Lambda_n^l(mu_i) Lambda_n^l(mu_j), Lambda the Legendre
-    // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
-    const double g = pigment.anisotropy;
-    int degrees = 1;
-    for (double power = std::abs(g); power * (2 * degrees + 1) > 1e-9; power *= std::abs(g)) {
-        ++degrees;
-    }
     const DoubleLanes scattering = block_lanes(pigment.scattering_per_um, block);
+    if (pigment.phase) {
+        add_legendre(series_of(*pigment.phase, block), scattering, d, active, work);
+    } else {
+        add_legendre(series_of(pigment.anisotropy), scattering, d, active, work);
+    }
+}
+
+template <class T>
+void FourierKernel::add_legendre(const std::vector<T>& series, const DoubleLanes& scattering,
+                                 const Directions& d, const ActiveNodes& active,
+                                 SharedProgress* work) {
+    // sum over n >= l of the terms times Lambda_n^l(mu_i) Lambda_n^l(mu_j), Lambda the Legendre
+    // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
+    const int degrees = static_cast<int>(series.size());
     const int orders = std::min(active.orders(), degrees);
     tbb::parallel_for(0, orders, [&](int l) {
         if (work) work->require_going(kSolving);
@@ -168,17 +202,13 @@ void FourierKernel::add_pigment(const PigmentMedium& pigment, const Directions& 
                            std::sqrt(n * n - 1.0 * l * l);
             }
         }
-        std::vector<double> coefficient(terms);
-        for (int k = 0; k < terms; ++k) {
-            coefficient[k] = (2 * (l + k) + 1) / (4 * std::numbers::pi) * std::pow(g, l + k);
-        }
         for (int i = 0; i < m; ++i) {
             for (int j = 0; j <= i; ++j) {
                 const double* a = lambda.data() + static_cast<std::size_t>(i) * terms;
                 const double* b = lambda.data() + static_cast<std::size_t>(j) * terms;
-                double even = 0, odd = 0;
-                for (int k = 0; k < terms; k += 2) even += coefficient[k] * a[k] * b[k];
-                for (int k = 1; k < terms; k += 2) odd += coefficient[k] * a[k] * b[k];
+                T even{}, odd{};
+                for (int k = 0; k < terms; k += 2) even += series[l + k] * (a[k] * b[k]);
+                for (int k = 1; k < terms; k += 2) odd += series[l + k] * (a[k] * b[k]);
                 const std::size_t at = offset_[l] + triangle(i) + j;
                 same_[at] += narrow((even + odd) * scattering);
                 opposite_[at] += narrow((even - odd) * scattering);

@@ -60,6 +60,11 @@ class FourierKernel {
                     int block, SharedProgress* work);
     void add_pigment(const PigmentMedium& pigment, const Directions& d, const ActiveNodes& active,
                      int block, SharedProgress* work);
+    /// @param series  terms of the phase function's Legendre series, each for all wavelengths of the
+    ///                block or for each of them
+    template <class T>
+    void add_legendre(const std::vector<T>& series, const DoubleLanes& scattering,
+                      const Directions& d, const ActiveNodes& active, SharedProgress* work);
 
     std::vector<std::size_t> offset_;
     std::vector<FloatLanes> same_, opposite_;

@@ -32,6 +32,13 @@ LayerMedium flake_layer(double alpha) {
 }
 LayerMedium pigment_layer(double g) { return {10, {}, {{{0.03}, {0.01}, g}}}; }
 
+// Legendre coefficients of no simple law, negative ones among them.
+const std::vector<double> kSeries = {1, 0.4, 0.3, 0.12, 0.08, -0.02, 0.01};
+
+LayerMedium particle_layer() {
+    return {10, {}, {{{0.03}, {0.01}, 0, optics::PhaseFunction({kSeries})}}};
+}
+
 // K between directions of travel, from vectors: flakes and pigments.
 double kernel(const LayerMedium& layer, double mu_i, double mu_j, double phi) {
     const double s_i = std::sqrt(1 - mu_i * mu_i), s_j = std::sqrt(1 - mu_j * mu_j);
@@ -45,6 +52,13 @@ double kernel(const LayerMedium& layer, double mu_i, double mu_j, double phi) {
                reflectance(std::sqrt(x / 2));
     }
     for (const PigmentMedium& pigment : layer.pigments) {
+        if (pigment.phase) {
+            for (std::size_t n = 0; n < kSeries.size(); ++n) {
+                sum += pigment.scattering_per_um[0] * (2.0 * n + 1) / (4 * std::numbers::pi) *
+                       kSeries[n] * std::legendre(static_cast<unsigned>(n), 1 - x);
+            }
+            continue;
+        }
         const double g = pigment.anisotropy;
         sum += pigment.scattering_per_um[0] * (1 - g * g) /
                (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * (1 - x), 1.5));
@@ -103,6 +117,7 @@ TEST(FourierKernel, PigmentsMatchTheAzimuthalIntegral) {
     for (double g : {0.0, 0.6, 0.9, -0.5}) {
         expect_brute_force(pigment_layer(g), 1.5 * (1 - std::abs(g)), 1.5, 120);
     }
+    expect_brute_force(particle_layer(), 0.5, 1.5, 120);
 }
 
 TEST(FourierKernel, OrderZeroSumsToTheScatteringCrossSection) {

@@ -32,12 +32,31 @@ paint::FlakeTable make_table(const paint::FlakeSpecies& species, const optics::M
 
 constexpr double kUmPerMm = 1000.0;
 
+PigmentMedium make_pigment(const paint::Pigment& pigment, const optics::Material& binder,
+                           const std::vector<double>& wavelengths) {
+    if (const auto* particles = std::get_if<paint::PigmentParticles>(&pigment.body)) {
+        optics::ParticleOptics optics = optics::particle_optics(
+            particles->spheres, volume_fraction(particles->amount), binder, wavelengths);
+        return {std::move(optics.scattering_per_um), std::move(optics.absorption_per_um), 0,
+                std::move(optics.phase)};
+    }
+    const auto& given = std::get<paint::PigmentCoefficients>(pigment.body);
+    return {sampled(given.scattering_per_mm, wavelengths, 1 / kUmPerMm),
+            sampled(given.absorption_per_mm, wavelengths, 1 / kUmPerMm), given.anisotropy};
+}
+
 }  // namespace
 
 DoubleLanes block_lanes(std::span<const double> values, int block) {
     return make_lanes<DoubleLanes>([&](int i) {
         return values[std::min<std::size_t>(block * kLanes + i, values.size() - 1)];
     });
+}
+
+DoubleLanes PigmentMedium::phase_value(double cosine, int block) const {
+    if (phase) return phase->value(cosine, block);
+    const double g = anisotropy;
+    return splat((1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * cosine, 1.5)));
 }
 
 PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
@@ -60,10 +79,7 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
                                   make_table(species, recipe.binder, wavelengths_nm, films, work)});
         }
         for (const paint::Pigment& pigment : layer.pigments) {
-            out.pigments.push_back(
-                {sampled(pigment.scattering_per_mm, wavelengths_nm, 1 / kUmPerMm),
-                 sampled(pigment.absorption_per_mm, wavelengths_nm, 1 / kUmPerMm),
-                 pigment.anisotropy});
+            out.pigments.push_back(make_pigment(pigment, recipe.binder, wavelengths_nm));
         }
     }
     medium.substrate_reflectance = sampled(recipe.substrate_reflectance, wavelengths_nm);
@@ -119,12 +135,9 @@ DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, d
         sum += 0.5 * flake.area_density_per_um * density * flake.table.reflectance(cosine, block);
     }
     for (const PigmentMedium& pigment : layer.pigments) {
-        // cos of the angle between the directions of travel.      [henyey-greenstein-1941, eq. 2]
-        const double g = pigment.anisotropy;
+        // cos of the angle between the directions of travel.
         const double turn = -mu_i * mu_o - s_i * s_o * std::cos(phi);
-        const double phase =
-            (1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * turn, 1.5));
-        sum += phase * block_lanes(pigment.scattering_per_um, block);
+        sum += pigment.phase_value(turn, block) * block_lanes(pigment.scattering_per_um, block);
     }
     return sum;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "nacre/optics/phase_function.h"
 #include "nacre/paint/flake_table.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/solver/film_cache.h"
@@ -23,6 +25,12 @@ struct FlakeMedium {
 struct PigmentMedium {
     std::vector<double> scattering_per_um, absorption_per_um;  ///< by wavelength
     double anisotropy = 0;
+    /// By wavelength; without it Henyey and Greenstein's, of the anisotropy above.
+    std::optional<optics::PhaseFunction> phase = {};
+
+    /// p in 1/sr for light that is turned by the angle of this cosine.
+    ///                                                          [henyey-greenstein-1941, eq. 2]
+    DoubleLanes phase_value(double cosine, int block) const;
 
     friend bool operator==(const PigmentMedium&, const PigmentMedium&) = default;
 };

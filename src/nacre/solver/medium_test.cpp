@@ -94,7 +94,7 @@ TEST(PaintMedium, ScatteringIntegratesToTheCrossSection) {
 
 TEST(PaintMedium, BackscatteringIsReciprocalEvenInAzimuthAndMatchesVectors) {
     paint::Recipe recipe = test::flake_paint(0.25, 0.7, 0.1, 1, 1.5);
-    recipe.layers[0].pigments.push_back({30.0, 5.0, 0.6});
+    recipe.layers[0].pigments.push_back({paint::PigmentCoefficients{30.0, 5.0, 0.6}});
     const PaintMedium m = make_medium(recipe, kOneWavelength);
     std::mt19937 engine(2);
     std::uniform_real_distribution<double> cosine(0.01, 1), azimuth(0, 2 * std::numbers::pi);

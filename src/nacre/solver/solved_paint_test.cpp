@@ -17,7 +17,7 @@ using test::kOneWavelength;
 // An absorbing clearcoat, flakes and pigment over flakes of another species.
 PaintMedium two_layers() {
     paint::Recipe recipe = test::flake_paint(0.15, 0.5, 0.2, 1.2, 1.5);
-    recipe.layers[0].pigments.push_back({20.0, 10.0, 0.4});
+    recipe.layers[0].pigments.push_back({paint::PigmentCoefficients{20.0, 10.0, 0.4}});
     recipe.layers.push_back({25, {flake_species(0.4, 0.8, 0.0)}, {}});
     recipe.clearcoat = paint::Clearcoat{40, 5.0, 0.0};
     return make_medium(recipe, kOneWavelength);

@@ -167,7 +167,8 @@ std::vector<paint::Recipe> empty_layers(double ior) {
     paint::Recipe among_others = binder_alone;
     among_others.layers.insert(among_others.layers.end(), 2, among_others.layers[0]);
     paint::Recipe clear_pigment = pigment_paint(0, 1, 0, ior);
-    clear_pigment.layers[0].pigments[0].absorption_per_mm = 0.0;
+    std::get<paint::PigmentCoefficients>(clear_pigment.layers[0].pigments[0].body)
+        .absorption_per_mm = 0.0;
     return {binder_alone, among_others, flake_paint(0.1, 0, 1, 2, ior), clear_pigment};
 }
 
@@ -207,11 +208,10 @@ TEST(SolverSlab, ThinLayersApproachTheSubstrate) {
 TEST(SolverSlab, ALayerMayBeEmptyAtSomeWavelengths) {
     paint::Recipe recipe = pigment_paint(0.9, 1, 0, 1.5);
     const paint::Recipe grey = recipe;
-    const paint::Pigment& present = grey.layers[0].pigments[0];
-    recipe.layers[0].pigments[0].scattering_per_mm =
-        spectra::Spectrum({500, 600}, {0, present.scattering_per_mm(550)});
-    recipe.layers[0].pigments[0].absorption_per_mm =
-        spectra::Spectrum({500, 600}, {0, present.absorption_per_mm(550)});
+    const auto& present = std::get<paint::PigmentCoefficients>(grey.layers[0].pigments[0].body);
+    auto& pigment = std::get<paint::PigmentCoefficients>(recipe.layers[0].pigments[0].body);
+    pigment.scattering_per_mm = spectra::Spectrum({500, 600}, {0, present.scattering_per_mm(550)});
+    pigment.absorption_per_mm = spectra::Spectrum({500, 600}, {0, present.absorption_per_mm(550)});
     recipe.substrate_reflectance = 0.5;
     const std::vector<double> f = solve(recipe, {400, 500, 600, 700}).brdf(0.8, 0.5, 2.0);
     const double bare = bare_substrate(0.5, 1.5, 0.8, 0.5);

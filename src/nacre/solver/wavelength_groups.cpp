@@ -23,6 +23,10 @@ std::vector<double> signature(const PaintMedium& medium, int w) {
         for (const PigmentMedium& pigment : layer.pigments) {
             s.push_back(pigment.scattering_per_um[w]);
             s.push_back(pigment.absorption_per_um[w]);
+            if (!pigment.phase) continue;
+            const std::vector<double>& series = pigment.phase->legendre()[w];
+            s.push_back(static_cast<double>(series.size()));
+            s.insert(s.end(), series.begin(), series.end());
         }
     }
     return s;
@@ -117,6 +121,7 @@ PaintMedium select_wavelengths(const PaintMedium& medium, const std::vector<int>
         for (PigmentMedium& pigment : layer.pigments) {
             pigment.scattering_per_um = pick(pigment.scattering_per_um, wavelengths);
             pigment.absorption_per_um = pick(pigment.absorption_per_um, wavelengths);
+            if (pigment.phase) pigment.phase = pigment.phase->at(wavelengths);
         }
     }
     return out;

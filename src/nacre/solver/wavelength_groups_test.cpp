@@ -43,8 +43,8 @@ TEST(WavelengthGroups, EachPartOfThePaintTellsWavelengthsApart) {
     EXPECT_EQ(distinct(ground), 1u);
     ground.substrate_reflectance = rising;
     coat.clearcoat = paint::Clearcoat{40, rising, 0.0};
-    pigment.layers[0].pigments.push_back({rising, 1.0, 0.5});
-    absorber.layers[0].pigments.push_back({1.0, rising, 0.5});
+    pigment.layers[0].pigments.push_back({paint::PigmentCoefficients{rising, 1.0, 0.5}});
+    absorber.layers[0].pigments.push_back({paint::PigmentCoefficients{1.0, rising, 0.5}});
     for (const paint::Recipe* recipe : {&ground, &coat, &pigment, &absorber, &passing}) {
         EXPECT_EQ(distinct(*recipe), 2u);
     }
@@ -91,7 +91,8 @@ TEST(WavelengthGroups, ADispersivePaintEqualsItsWavelengthsSolvedAlone) {
 
 TEST(WavelengthGroups, SelectingAllWavelengthsChangesNothing) {
     paint::Recipe recipe = flake_paint(0.2, 0.6, 0, 1, 1.5);
-    recipe.layers[0].pigments.push_back({spectra::Spectrum({400, 700}, {1, 2}), 0.5, 0.3});
+    recipe.layers[0].pigments.push_back(
+        {paint::PigmentCoefficients{spectra::Spectrum({400, 700}, {1, 2}), 0.5, 0.3}});
     const PaintMedium medium = make_medium(recipe, {400, 500, 600});
     EXPECT_TRUE(select_wavelengths(medium, {0, 1, 2}) == medium);
     EXPECT_TRUE(select_wavelengths(medium, {2}) == make_medium(recipe, {600}));

@@ -27,8 +27,10 @@ inline paint::Recipe pearl(double film_nm = 80) {
 inline paint::Recipe solid() {
     paint::Recipe recipe;
     recipe.name = "solid";
-    recipe.layers = {
-        {30, {}, {{100.0, spectra::Spectrum({400, 550, 600, 700}, {60, 60, 4, 2}), 0}}}};
+    recipe.layers = {{30,
+                      {},
+                      {{paint::PigmentCoefficients{
+                          100.0, spectra::Spectrum({400, 550, 600, 700}, {60, 60, 4, 2}), 0}}}}};
     recipe.substrate_reflectance = 0.3;
     return recipe;
 }

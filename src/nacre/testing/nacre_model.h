@@ -44,7 +44,8 @@ inline paint::Recipe recipe_with_every_feature() {
     recipe.layers[0].flakes[0].diameter_spread_um = 6;
     paint::FlakeSpecies pearl = pearl_flake(12);
     pearl.orientation.beckmann_alpha = 0.2;
-    recipe.layers.insert(recipe.layers.begin(), paint::Layer{10, {pearl}, {{20.0, 5.0, 0.5}}});
+    recipe.layers.insert(recipe.layers.begin(),
+                         paint::Layer{10, {pearl}, {{paint::PigmentCoefficients{20.0, 5.0, 0.5}}}});
     recipe.clearcoat = paint::Clearcoat{40, spectra::Spectrum({400.0, 700.0}, {8.0, 1.0}), 0.0};
     recipe.substrate_reflectance = spectra::Spectrum({400.0, 700.0}, {0.3, 0.8});
     return recipe;

@@ -33,7 +33,8 @@ inline paint::Layer pigment_layer(double albedo, double depth, double anisotropy
     constexpr double kThickness_mm = 0.1;
     return {1e3 * kThickness_mm,
             {},
-            {{albedo * depth / kThickness_mm, (1 - albedo) * depth / kThickness_mm, anisotropy}}};
+            {{paint::PigmentCoefficients{albedo * depth / kThickness_mm,
+                                         (1 - albedo) * depth / kThickness_mm, anisotropy}}}};
 }
 
 inline paint::Recipe paint_of(double ior, std::vector<paint::Layer> layers,
@@ -76,7 +77,14 @@ inline paint::Recipe full_recipe() {
     FlakeSpecies mirror;
     mirror.amount = AreaDensity{0.1};
     mirror.body = PrescribedFlake{0.6, 0.2, 0.3};
-    recipe.layers = {{15, {pearl, mirror}, {{20.0, 5.0, 0.3}}}, {10, {}, {}}};
+    const PigmentParticles white{
+        PigmentVolume{0.1}, {optics::Material(2.7), 250, 0.2, optics::DiameterWeighting::volume}};
+    const PigmentParticles black{PigmentMass{0.2, 1.8},
+                                 {optics::Material(optics::ComplexIndex(1.7, 0.6)), 20, 0.1}};
+    recipe.layers = {{15,
+                      {pearl, mirror},
+                      {{PigmentCoefficients{20.0, 5.0, 0.3}, "dye"}, {white}, {black, "black"}}},
+                     {10, {}, {}}};
     recipe.substrate_reflectance = 0.2;
     recipe.microfacet = Microfacet{};
     recipe.microfacet->facets = MicrofacetFacets{1e6, 3, 10};

@@ -51,13 +51,6 @@ namespace {
 
 constexpr int kRadii = 24, kAzimuths = 24;
 
-// Per solid angle, from i to o, directions that point away from the surface.
-float henyey_greenstein(double anisotropy, const Ray& i, const Ray& o) {
-    const auto g = static_cast<float>(anisotropy);
-    const float turn = 1 + g * g + 2 * g * dot(i.inside, o.inside);
-    return (1 - g * g) * 0.25f * std::numbers::inv_pi_v<float> / (turn * std::sqrt(turn));
-}
-
 // Of the light that has just entered the coat from one direction, at eight wavelengths.
 struct Budget {
     FloatLanes again{};   // is there to be scattered again, by the equation of transfer
@@ -194,7 +187,10 @@ class Block {
                 for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
                     FloatLanes kernel{};
                     for (const solver::PigmentMedium& pigment : medium_.layers[l].pigments) {
-                        kernel += henyey_greenstein(pigment.anisotropy, i, o) *
+                        // Directions point away from the surface, on both ways.
+                        const DoubleLanes phase =
+                            pigment.phase_value(-dot(i.inside, o.inside), block_);
+                        kernel += __builtin_convertvector(phase, FloatLanes) *
                                   at_wavelengths(
                                       where_, [&](int w) { return pigment.scattering_per_um[w]; });
                     }

@@ -189,7 +189,7 @@ TEST(HotSpotClosing, SmallFlakesLeaveTheEquationOfTransferAsItIs) {
 
 TEST(HotSpotClosing, WithoutFlakesThereIsNothingToClose) {
     paint::Recipe recipe = paint_of({});
-    recipe.layers[0].pigments = {{200.0, 50.0, 0.3}};
+    recipe.layers[0].pigments = {{paint::PigmentCoefficients{200.0, 50.0, 0.3}}};
     recipe.substrate_reflectance = 0.5;
     const SparklingModel hot(recipe, {.specimen = 1}), plain(recipe);
     const Vec3f wi = direction(30, 0), wo = direction(40, 100);

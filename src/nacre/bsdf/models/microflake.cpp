@@ -256,7 +256,8 @@ void BoundMicroflake::bind_layers() {
         for (const solver::PigmentMedium& pigment : medium.pigments) {
             layer.pigments.push_back(
                 {static_cast<float>(pigment.anisotropy),
-                 at_wavelengths(where_, [&](int w) { return pigment.scattering_per_um[w]; })});
+                 at_wavelengths(where_, [&](int w) { return pigment.scattering_per_um[w]; }),
+                 pigment.phase ? &*pigment.phase : nullptr});
         }
     }
 }

@@ -136,6 +136,21 @@ struct BoundFlake {
 struct BoundPigment {
     float g;
     FloatLanes scattering;
+    const optics::PhaseFunction* phase;  ///< of the paint; null: Henyey and Greenstein's of g
+
+    /// Per sr, of light that is turned by the angle of this cosine.
+    FloatLanes phase_value(float cosine,
+                           const std::array<WavelengthPosition, kLanes>& where) const {
+        if (phase) {
+            const auto [node, fraction] = optics::PhaseFunction::locate(cosine);
+            const double *a = phase->row(node), *b = phase->row(node + 1);
+            return at_wavelengths(where,
+                                  [&, f = fraction](int w) { return a[w] + f * (b[w] - a[w]); });
+        }
+        const float turn = 1 + g * g - 2 * g * cosine;
+        return splat((1 - g * g) * 0.25f * std::numbers::inv_pi_v<float> /
+                     (turn * std::sqrt(turn)));
+    }
 };
 
 struct BoundLayer {
@@ -361,9 +376,7 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
         }
         for (const BoundPigment& pigment : layer.pigments) {
             if (kFlakesAlone) break;
-            const float g = pigment.g, turn = 1 + g * g + 2 * g * dot(inside_i, inside_o);
-            const float phase =
-                (1 - g * g) * 0.25f * std::numbers::inv_pi_v<float> / (turn * std::sqrt(turn));
+            const FloatLanes phase = pigment.phase_value(-dot(inside_i, inside_o), where_);
             if constexpr (requires { flakes.pigment_factor(at_layer, here); }) {
                 kernel += phase * pigment.scattering * flakes.pigment_factor(at_layer, here);
             } else {

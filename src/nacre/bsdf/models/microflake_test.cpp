@@ -26,7 +26,11 @@ paint::Recipe everything() {
     platelet.coats = {{optics::find_material("TiO2_anatase"), 80, {5}}};
     paint::FlakeSpecies pearl = test::flakes(0.05, 0.2, 0.0);
     pearl.body = platelet;
-    recipe.layers.insert(recipe.layers.begin(), paint::Layer{10, {pearl}, {{20.0, 5.0, 0.5}}});
+    const paint::PigmentParticles red{paint::PigmentVolume{0.001},
+                                      {optics::find_material("Fe2O3"), 250, 0.2}};
+    recipe.layers.insert(
+        recipe.layers.begin(),
+        paint::Layer{10, {pearl}, {{paint::PigmentCoefficients{20.0, 5.0, 0.5}}, {red}}});
     recipe.clearcoat = paint::Clearcoat{40, spectra::Spectrum({400.0, 700.0}, {8.0, 1.0}), 0.0};
     recipe.substrate_reflectance = spectra::Spectrum({400.0, 700.0}, {0.3, 0.8});
     return recipe;

@@ -39,8 +39,13 @@ NacreArrays::Layer layer_arrays(const solver::LayerMedium& medium,
     for (const solver::PigmentMedium& pigment : medium.pigments) {
         NacreArrays::Pigment& to = layer.pigments.emplace_back();
         to.anisotropy = pigment.anisotropy;
-        for (int w = 0; w < wavelengths; ++w)
-            to.scattering_per_um.push_back(pigment.scattering_per_um[w]);
+        to.scattering_per_um.assign(pigment.scattering_per_um.begin(),
+                                    pigment.scattering_per_um.begin() + wavelengths);
+        if (!pigment.phase) continue;
+        for (int node = 0; node <= optics::PhaseFunction::kIntervals; ++node) {
+            const double* row = pigment.phase->row(node);
+            to.phase.insert(to.phase.end(), row, row + wavelengths);
+        }
     }
     return layer;
 }

@@ -37,6 +37,9 @@ struct NacreArrays {
     struct Pigment {
         double anisotropy;                      ///< g of Henyey and Greenstein's phase function
         std::vector<double> scattering_per_um;  ///< (W,)
+        /// Another phase function, in 1/sr: (PhaseFunction::kIntervals + 1, W), even in the angle by
+        /// which light is turned, from 0 to 180 deg. Empty: that of g.
+        std::vector<double> phase;
     };
     struct Layer {
         double thickness_um;

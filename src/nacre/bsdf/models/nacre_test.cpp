@@ -19,7 +19,7 @@ using nacre::test::message_of;
 
 TEST(Nacre, WithoutFlakesNothingSparkles) {
     paint::Recipe recipe = paint_of({});
-    recipe.layers[0].pigments = {{200.0, 50.0, 0.3}};
+    recipe.layers[0].pigments = {{paint::PigmentCoefficients{200.0, 50.0, 0.3}}};
     const SparklingModel model(recipe);
     EXPECT_EQ(model.bound->patch_memory_bytes(), 0u);
     Patch patch;

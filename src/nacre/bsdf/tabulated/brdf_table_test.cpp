@@ -28,7 +28,8 @@ paint::Recipe everything(double roughness) {
         0.15, spectra::Spectrum({400.0, 700.0}, {0.4, 0.8}), 0.1, 1.5, 1.5);
     paint::FlakeSpecies pearl = solver::test::flake_species(0.2, 0, 0);
     pearl.body = titania_on_mica();
-    recipe.layers.insert(recipe.layers.begin(), paint::Layer{8, {pearl}, {{20.0, 5.0, 0.4}}});
+    recipe.layers.insert(recipe.layers.begin(),
+                         paint::Layer{8, {pearl}, {{paint::PigmentCoefficients{20.0, 5.0, 0.4}}}});
     recipe.clearcoat =
         paint::Clearcoat{40, spectra::Spectrum({400.0, 700.0}, {6.0, 1.0}), roughness};
     recipe.substrate_reflectance = 0.3;

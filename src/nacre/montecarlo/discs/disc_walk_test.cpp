@@ -147,7 +147,7 @@ paint::Recipe one_mirror() {
 TEST(DiscWalk, LosesNoLightWhereNothingAbsorbs) {
     paint::Recipe recipe = test::opaque(3, 15, 5, 0.3, 0);
     recipe.layers[0].flakes[0].body = paint::PrescribedFlake{0.7, 0.3, 0.3};
-    recipe.layers[0].pigments.push_back({20, 0, 0.5});
+    recipe.layers[0].pigments.push_back({paint::PigmentCoefficients{20, 0, 0.5}});
     recipe.substrate_reflectance = 1;
     for (const bool diffraction : {false, true}) {
         const auto surface = DiscWalk(recipe, {0.2, 0.2, 1, diffraction}).bind(kOnGrid);
@@ -309,7 +309,7 @@ TEST(DiscWalk, SmallFlakesFollowTheTransferEquation) {
     paint::Recipe recipe = test::opaque(1.5, 15, 1, 0.2);
     recipe.layers[0].flakes[0].body =
         paint::PrescribedFlake{spectra::Spectrum({400, 700}, {0.4, 0.8}), 0.15, 0.3};
-    recipe.layers[0].pigments.push_back({30, 10, 0.4});
+    recipe.layers[0].pigments.push_back({paint::PigmentCoefficients{30, 10, 0.4}});
     recipe.substrate_reflectance = 0.4;
     recipe.clearcoat->absorption_per_mm = spectra::Spectrum({400, 700}, {5, 1});
     recipe = fine(recipe);

@@ -1,0 +1,146 @@
+#include "nacre/optics/particles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "nacre/core/error.h"
+#include "nacre/core/quadrature.h"
+#include "nacre/optics/mie.h"
+#include "nacre/optics/structure_factor.h"
+
+namespace nacre::optics {
+
+namespace {
+
+constexpr double kNmPerUm = 1000;
+
+void require(const Range& range, double value, const char* key) {
+    if (!range.contains(value)) {
+        throw DomainError(fmt::format("{} = {}: must be in {}", key, value, range.text()));
+    }
+}
+
+// Diameters, and the fraction of the volume in each.
+struct Sizes {
+    std::vector<double> diameter_nm, fraction;
+};
+
+// @param size_parameter  of the median
+Sizes make_sizes(const Spheres& spheres, double size_parameter) {
+    const double s = spheres.spread;
+    double median_nm = spheres.diameter_nm;
+    if (spheres.weighting == DiameterWeighting::number) median_nm *= std::exp(3 * s * s);
+    if (s == 0) return {{median_nm}, {1.0}};
+    // The midpoint rule: it converges geometrically for a Gaussian times what is smooth, and spheres
+    // of some wavelengths ripple with x.
+    const double x = std::min(size_parameter * std::exp(2 * s), 40.0);
+    const int count = 40 + static_cast<int>(60 * s * x);
+    Sizes sizes;
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+        const double t = kSpreadCut * ((2 * i + 1.0) / count - 1);
+        sizes.diameter_nm.push_back(median_nm * std::exp(s * t));
+        sizes.fraction.push_back(std::exp(-t * t / 2));
+        sum += sizes.fraction.back();
+    }
+    for (double& fraction : sizes.fraction) fraction /= sum;
+    return sizes;
+}
+
+struct AtWavelength {
+    double scattering_per_um, absorption_per_um;
+    std::vector<double> legendre;
+};
+
+AtWavelength at_wavelength(const Spheres& spheres, const Sizes& sizes, double volume_fraction,
+                           double binder_index, ComplexIndex index, double wavelength_nm) {
+    const double wave_number = 2 * std::numbers::pi * binder_index / wavelength_nm;  // 1/nm
+    std::vector<MieSeries> series;
+    int terms = 0;
+    for (const double diameter : sizes.diameter_nm) {
+        series.emplace_back(wave_number * diameter / 2, index / binder_index);
+        terms = std::max(terms, series.back().terms());
+    }
+    const bool crowded = spheres.crowding == Crowding::hard_spheres;
+    // The intensity is a polynomial of degree 2 terms; the structure factor, of q^2 and so of the
+    // cosine, swings about as often.
+    const int nodes = (crowded ? 3 : 2) * terms + (crowded ? 32 : 1);
+    const Quadrature rule = gauss_legendre(nodes, -1, 1);
+    std::vector<double> turned(nodes, 0.0);  // sigma_s p, in 1/nm
+    double absorption = 0;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const double d = sizes.diameter_nm[i];
+        const double number =
+            volume_fraction * sizes.fraction[i] * 6 / (std::numbers::pi * d * d * d);
+        // Differences of the two sums may leave rounding of a sphere that does not absorb.
+        if (index.imag() > 0) {
+            absorption += number * std::numbers::pi * d * d / 4 *
+                          std::max(0.0, series[i].efficiencies().absorption());
+        }
+        for (int k = 0; k < nodes; ++k) {
+            const double mu = rule.nodes[k];
+            double intensity = series[i].intensity(mu);
+            if (crowded) {
+                const double q = 2 * wave_number * std::sqrt(std::max(0.0, (1 - mu) / 2));
+                intensity *= percus_yevick(q * d, volume_fraction);
+            }
+            turned[k] += number * intensity / (wave_number * wave_number);
+        }
+    }
+    AtWavelength out;
+    out.absorption_per_um = kNmPerUm * absorption;
+    double total = 0;
+    std::vector<double> p(nodes, 1.0), before(nodes, 0.0);
+    for (int n = 0; n < nodes; ++n) {
+        double sum = 0;
+        for (int k = 0; k < nodes; ++k) {
+            sum += rule.weights[k] * p[k] * turned[k];
+            const double next = ((2.0 * n + 1) * rule.nodes[k] * p[k] - n * before[k]) / (n + 1.0);
+            before[k] = p[k];
+            p[k] = next;
+        }
+        if (n == 0) total = sum;
+        // Without any contrast to the binder there is nothing to turn.
+        const double chi = total > 0 ? sum / total : (n == 0 ? 1.0 : 0.0);
+        out.legendre.push_back(n == 0 ? 1.0 : std::clamp(chi, -1.0, 1.0));
+    }
+    constexpr double kNegligible = 1e-9;
+    while (out.legendre.size() > 1 &&
+           (2 * out.legendre.size() - 1) * std::abs(out.legendre.back()) < kNegligible) {
+        out.legendre.pop_back();
+    }
+    out.scattering_per_um = kNmPerUm * 2 * std::numbers::pi * total;
+    return out;
+}
+
+}  // namespace
+
+ParticleOptics particle_optics(const Spheres& spheres, double volume_fraction,
+                               const Material& binder, std::span<const double> wavelengths_nm) {
+    require(kDiameterRange, spheres.diameter_nm, "diameter_nm");
+    require(kDiameterSpreadRange, spheres.spread, "spread");
+    require(kParticleVolumeRange, volume_fraction, "volume_fraction");
+    std::vector<double> scattering, absorption;
+    std::vector<std::vector<double>> legendre;
+    for (const double wavelength : wavelengths_nm) {
+        const ComplexIndex outside = binder.index(wavelength);
+        if (outside.imag() != 0) {
+            throw DomainError(fmt::format("binder {}: must not absorb, but has k = {} at {} nm",
+                                          binder.name(), outside.imag(), wavelength));
+        }
+        const Sizes sizes = make_sizes(
+            spheres, std::numbers::pi * spheres.diameter_nm * outside.real() / wavelength);
+        AtWavelength at = at_wavelength(spheres, sizes, volume_fraction, outside.real(),
+                                        spheres.material.index(wavelength), wavelength);
+        scattering.push_back(at.scattering_per_um);
+        absorption.push_back(at.absorption_per_um);
+        legendre.push_back(std::move(at.legendre));
+    }
+    return {std::move(scattering), std::move(absorption), PhaseFunction(std::move(legendre))};
+}
+
+}  // namespace nacre::optics
