@@ -9,6 +9,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from conftest import ROOT
 
@@ -27,9 +28,9 @@ def run_cell(source: str, name: str, variables: dict[str, Any]) -> Any:
     return eval(compile(ast.Expression(last.value), name, "eval"), variables)
 
 
-def how_to() -> list[str]:
-    """The blocks of docs/python.md."""
-    document = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+def how_to(name: str = "python.md") -> list[str]:
+    """The blocks of a page."""
+    document = (ROOT / "docs" / name).read_text(encoding="utf-8")
     return re.findall(r"^```python\n(.*?)^```$", document, flags=re.DOTALL | re.MULTILINE)
 
 
@@ -51,6 +52,18 @@ def test_how_to(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for i, block in enumerate(blocks):
         run_cell(block, f"docs/python.md, block {i + 1}", variables)
     assert (tmp_path / "pearl.exr").stat().st_size > 0
+
+
+def test_mitsuba(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("mitsuba", reason="Mitsuba is not installed here")
+    blocks = how_to("mitsuba.md")
+    shutil.copytree(ROOT / "paints", tmp_path / "paints")
+    monkeypatch.chdir(tmp_path)
+    assert blocks
+    variables: dict[str, Any] = {}
+    for i, block in enumerate(blocks):
+        run_cell(block, f"docs/mitsuba.md, block {i + 1}", variables)
+    assert np.array(variables["flakes"]).std() > 0
 
 
 def test_an_error_is_quoted_as_it_is(

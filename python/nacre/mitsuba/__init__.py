@@ -52,9 +52,9 @@ def _register(_before: str | None = None, variant: str | None = None) -> None:
 def attach(scene: Any, sensor: int | Any = 0, specimen: int | None = None) -> None:
     """Shows the single flakes of the paints in a scene, as a camera sees them.
 
-    A sample shows the flakes on its share of a pixel, for which it must know how large a pixel is where
-    it lies, and where the flakes lie that move with the object. Without this, and for light that
-    the camera does not see directly, paints show the mean of their flakes.
+    A sample shows the flakes on its share of a pixel, for which it must know how large a pixel is
+    where it lies, and where the flakes lie that move with the object. Without this, and for light
+    that the camera does not see directly, paints show the mean of their flakes.
 
     Parameters
     ----------
@@ -67,8 +67,8 @@ def attach(scene: Any, sensor: int | Any = 0, specimen: int | None = None) -> No
     Raises
     ------
     SettingError
-        If no shape is painted, or one paint lies on several shapes that were moved differently: each
-        then needs a BSDF of its own, or `to_rest`.
+        If no shape is painted, or one paint lies on several shapes that were moved differently:
+        each then needs a BSDF of its own, or `to_rest`.
     """
     from ._plugin import Camera
     from ._rest import rest_of

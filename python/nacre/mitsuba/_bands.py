@@ -1,8 +1,8 @@
 """Tables of a paint in Dr.Jit's types, looked up at the wavelengths that Mitsuba asks for.
 
 Spectral variants ask for a few wavelengths of their own in each sample, between which tables are
-interpolated linearly, as Nacre does. RGB variants want integrals over the spectrum: they are sums over
-fixed bands, each the paint at one wavelength with three weights.
+interpolated linearly, as Nacre does. RGB variants want integrals over the spectrum: they are sums
+over fixed bands, each the paint at one wavelength with three weights.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ from .._errors import SettingError
 
 Float = Any  # mi.Float of the variant at hand
 Wide = Any
-"""A value at each wavelength: mi.UnpolarizedSpectrum, or in RGB variants an array over the bands."""
+"""A value at each wavelength: mi.UnpolarizedSpectrum, or in RGB variants an array over the
+bands."""
 
 XYZ_TO_SRGB = np.array(
     [
@@ -101,6 +102,8 @@ class Source:
         value = mi.Float(build(self.base))
         for t in self.tangents:
             value += t.delta * ((build(t.plus) - build(t.minus)) / t.step)
+        if self.tangents:
+            dr.make_opaque(value)  # as it changes from step to step, for which kernels are kept
         return value
 
 
@@ -211,7 +214,6 @@ class Table:
             return [self.bands.wide(values[c * n : (c + 1) * n]) for c in range(self.count)]
         each = [self.look_up_at(position, x, active) for x in where.coordinates]
         return [self.bands.wide([v[c] for v in each]) for c in range(self.count)]
-
 
     def look_up_at(self, position: Float, wavelength: Float, active: Any = True) -> list[Float]:
         """Of spectral variants, at one wavelength."""

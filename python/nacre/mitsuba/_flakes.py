@@ -1,8 +1,9 @@
 """Single flakes in Dr.Jit: the same hashed flakes as Nacre's, on the patch that a sample looks at.
 
-What stands here is src/nacre/sparkle/flake_field.h, flake_plane.h, flake_view.h and patch_outline.h. C++
-collects the flakes of a patch in a list and asks it again and again; here each pair of directions goes
-through the cells anew, as Dr.Jit has no memory for lists inside the functions of a BSDF.
+What stands here is src/nacre/sparkle/flake_field.h, flake_plane.h, flake_view.h and
+patch_outline.h. C++ collects the flakes of a patch in a list and asks it again and again; here each
+pair of directions goes through the cells anew, as Dr.Jit has no memory for lists inside the
+functions of a BSDF.
 """
 
 from __future__ import annotations
@@ -28,6 +29,8 @@ LOBE_POWER = 0.92
 MAX_EXPONENT = 14.0
 MIN_COSINE = 0.1
 SAMPLED_WIDENING = 1.1
+BATCH = 8
+"""Flakes of a cell that are looked at together; it has four on average."""
 
 
 # Integers and masks. In scalar variants they are Python's, which neither wrap around nor know ~.
@@ -64,6 +67,11 @@ def hash_of_two(a: Any, b: Any) -> Any:
     golden = mi.UInt64(GOLDEN)
     h = mix_bits(u64((mi.UInt64(2) ^ mi.UInt64(a)) + golden))
     return mix_bits(u64((h ^ mi.UInt64(b)) + golden))
+
+
+def first_bit(bits: Any) -> Any:
+    """The number of the lowest bit that is set."""
+    return (bits & -bits).bit_length() - 1 if mi.Float is float else dr.tzcnt(bits)
 
 
 def unit_fraction(bits: Any) -> Float:
@@ -147,8 +155,8 @@ class Outline:
         return touching
 
     def rough_coverage(self, x: Float, y: Float, radius: Float) -> Float:
-        """coverage() of a disc that touches the patch to a factor of order 1, at a tenth of the cost;
-        never zero."""
+        """coverage() of a disc that touches the patch to a factor of order 1, at a tenth of the
+        cost; never zero."""
         most = dr.minimum(dr.pi * radius * radius / self.area, 1)
         reach = dr.minimum(0.5 * (self.size[0] + self.size[1]) + 1e-3 * radius, 2 * radius)
         inside = (radius - dr.sqrt(x * x + y * y)) / reach
@@ -390,10 +398,10 @@ class Field:
         met = meet(flake, mask, met) for each of them; answered = answer(flake, mask, answered) for
         those that accept(flake) lets pass. Returns both.
 
-        One loop steps through planes, levels, rows and columns of cells, so that neighbouring samples
-        need not wait for each other at the end of each. Within a cell the next flake that touches the
-        patch is looked for first, as most do not, and what is costly is left to those few that are
-        accepted.
+        One loop steps through planes, levels, rows and columns of cells, so that neighbouring
+        samples need not wait for each other at the end of each. Of the flakes in a cell those that
+        touch the patch are looked for first, as most do not, and what is costly is left to those
+        few that are accepted.
         """
         planes, faces = planes_of(patch, outline)
         u_ranges = [plane.u.cells(1 / self.cell_mm[0]) for plane in planes]
@@ -481,33 +489,42 @@ class Field:
             lobe_radius = levels.widening * (self.radius_um / diameter)
             return Flake(place, kind, x, y, 0.5e-3 * diameter, c["weight"], slope, lobe_radius)
 
-        def in_cell(c: Any, k: Any, touching: Any) -> Any:
-            k = k + 1
-            _, kind, x, y, diameter = place_of(c, k)
-            touching = mi.Float(kind & 0xFFFF) < c["kept"]
-            return c, k, touching & outline.touches(x, y, 0.5e-3 * diameter)
+        def touching(c: dict[str, Any], k: Any) -> Any:
+            """Which of the next flakes of the cell touch the patch, as bits. They do not wait for
+            each other, as processors work on several chains of operations at a time."""
+            bits = mi.UInt32(0)
+            for n in range(BATCH):
+                _, kind, x, y, diameter = place_of(c, k + (n + 1))
+                there = (k + n < c["number"]) & (mi.Float(kind & 0xFFFF) < c["kept"])
+                there &= outline.touches(x, y, 0.5e-3 * diameter)
+                bits = bits | dr.select(there, mi.UInt32(1 << n), mi.UInt32(0))
+            return bits
 
-        def next_flake(c: Any, k: Any, met: Any, answered: Any) -> Any:
-            c, k, touching = dr.while_loop(
-                (c, k, mi.Bool(False)),
-                lambda c, k, touching: no(touching) & (k < c["number"]),
-                in_cell,
-            )
-            flake = flake_of(c, k)
-            met = meet(flake, touching, met)
+        def next_touching(c: Any, k: Any, bits: Any, met: Any, answered: Any) -> Any:
+            flake = flake_of(c, k + 1 + first_bit(bits))
+            bits = bits & (bits - 1)
+            met = meet(flake, mi.Bool(True), met)
             # A loop that runs at most once skips its body where no sample needs it.
             _, answered = dr.while_loop(
-                (touching & accept(flake), answered),
+                (mi.Bool(accept(flake)), answered),
                 lambda found, answered: found,
                 lambda found, answered: (mi.Bool(False), answer(flake, found, answered)),
             )
-            return c, k, met, answered
+            return c, k, bits, met, answered
+
+        def next_batch(c: Any, k: Any, met: Any, answered: Any) -> Any:
+            c, k, _, met, answered = dr.while_loop(
+                (c, k, touching(c, k), met, answered),
+                lambda c, k, bits, met, answered: bits != 0,
+                next_touching,
+            )
+            return c, k + BATCH, met, answered
 
         def next_of_cells(at: tuple[Any, ...], met: Any, answered: Any) -> Any:
             _, _, met, answered = dr.while_loop(
                 (enter(*at), mi.UInt32(0), met, answered),
                 lambda c, k, met, answered: k < c["number"],
-                next_flake,
+                next_batch,
             )
             return next_cell(*at), met, answered
 
@@ -558,8 +575,8 @@ class Field:
 class Sparkle(MeanFlakes):
     """The flakes of a patch in place of the mean of all: BoundNacre::FlakesOfPatch.
 
-    Whoever goes through the flakes for a pair of directions learns on the way how likely each is to be
-    drawn, and draws one. Where `shown` is false, the mean is seen.
+    Whoever goes through the flakes for a pair of directions learns on the way how likely each is to
+    be drawn, and draws one. Where `shown` is false, the mean is seen.
     """
 
     def __init__(
@@ -643,7 +660,8 @@ class Sparkle(MeanFlakes):
         widest = field.max_width * field.alpha
         hot_spot = model.hot_spot
         spread = hot_spot.spread(pair) if hot_spot else None
-        couplings = hot_spot.couplings(pair) if hot_spot else None
+        couplings = hot_spot.couplings(pair) if hot_spot else []
+        films = model.films[s]
 
         def distance2(f: Flake) -> tuple[Float, Float]:
             dx, dy = f.slope.x - pair.slope.x, f.slope.y - pair.slope.y
@@ -668,8 +686,8 @@ class Sparkle(MeanFlakes):
             if hot_spot:
                 log += hot_spot.gain(pair, layer, u, spread, couplings)
             light = fraction * dr.exp(log)
-            if model.films[s] is not None:
-                light *= model.films[s].ratio(mi.UInt32(bits >> 32), pair)
+            if films is not None:
+                light *= films.ratio(mi.UInt32(bits >> 32), pair)
             chance = self._chance(outline, f)
             chance *= field.lobe(d2, field.drawn_radius(self.i.inside, f))
             return (

@@ -11,7 +11,8 @@ from .._errors import Error
 
 ENVIRONMENT = "DRJIT_LIBLLVM_PATH"
 ABORTS = (15, 16)
-"""Versions with which Dr.Jit 1.5 ends the process: it asks them for a code generator that they lack."""
+"""Versions with which Dr.Jit 1.5 ends the process: it asks them for a code generator that they
+lack."""
 RECOMMENDED = 19
 ADVICE = (
     f"install LLVM {RECOMMENDED} (Debian, Ubuntu: apt-get install libllvm{RECOMMENDED}) "
@@ -24,8 +25,8 @@ FOLDERS = ("/usr/lib/x86_64-linux-gnu", "/usr/lib64", "/usr/lib", "/usr/local/li
 def version_of(library: str) -> int | None:
     """The major version of a library of LLVM by its name, or by that which a link leads to.
 
-    >>> version_of("/usr/lib/libLLVM.so.19.1"), version_of("libLLVM-15.so.1"), version_of("libm.so.6")
-    (19, 15, None)
+    >>> [version_of(name) for name in ("libLLVM.so.19.1", "libLLVM-15.so.1", "libm.so.6")]
+    [19, 15, None]
     """
     for name in (Path(library).name, Path(os.path.realpath(library)).name):
         match = re.match(r"libLLVM(?:-(\d+)[.\d]*\.so|\.so\.(\d+)|-?(\d+)?\.dylib)", name)

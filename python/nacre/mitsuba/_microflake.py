@@ -1,8 +1,8 @@
 """The micro-flake model in Dr.Jit: single scattering in closed form, the rest from a table.
 
 What stands here is src/nacre/bsdf/models/microflake.h, for arrays of samples instead of lanes of
-wavelengths; docs/microflake.md has the formulas. Local frame: z is the normal, both directions point
-away from the surface.
+wavelengths; docs/microflake.md has the formulas. Local frame: z is the normal, both directions
+point away from the surface.
 """
 
 from __future__ import annotations
@@ -214,7 +214,9 @@ class Microflake:
         # Of each arrays: the table, the spectral basis, and what the values are multiplied by.
         terms: list[tuple[Arrays, Float]] = [(source.base, None)]
         for t in source.tangents:
-            terms += [(t.plus, t.delta / t.step), (t.minus, -t.delta / t.step)]
+            slope = t.delta / t.step
+            dr.make_opaque(slope)  # as in Source.scalar()
+            terms += [(t.plus, slope), (t.minus, -slope)]
         self.smooth: list[tuple[Any, tuple[int, ...], Any, Float]] = []
         for a, factor in terms:
             coefficients, basis = a["smooth"], self.bands.even(a["smooth_basis"])
@@ -297,8 +299,8 @@ class Microflake:
 
                 flakes.append(
                     _Flake(
-                        0.5 * source.scalar(lambda x: of(x, "area_density_per_um")),  # noqa: B023
-                        source.scalar(lambda x: of(x, "alpha")),  # noqa: B023
+                        0.5 * source.scalar(lambda x: of(x, "area_density_per_um")),
+                        source.scalar(lambda x: of(x, "alpha")),
                         len(reflectances),
                     )
                 )
@@ -310,7 +312,11 @@ class Microflake:
                 if len(pigment["phase"]):
                     pigments[-1].phase = len(phases)
                     phases.append((n, k))
-            thickness = source.scalar(lambda x, n=n: x["layers"][n]["thickness_um"])
+
+            def thickness_of(arrays: Arrays, n: int = n) -> float:
+                return float(arrays["layers"][n]["thickness_um"])
+
+            thickness = source.scalar(thickness_of)
             self.layers.append((thickness, flakes, pigments))
         self.reflectance = (
             Table(
@@ -424,9 +430,7 @@ class Microflake:
             ]
             return [bands.wide([row[c] for row in each]) for c in range(table.count)]
         rows = [table.look_up(place[k] * last, pair.where, active) for k in range(len(bands.nm))]
-        return [
-            bands.wide([row[c][k] for k, row in enumerate(rows)]) for c in range(table.count)
-        ]
+        return [bands.wide([row[c][k] for k, row in enumerate(rows)]) for c in range(table.count)]
 
     def fresnel(self, cosine: Float, ior: Wide) -> Wide:
         """Reflectance of the smooth interface from outside, unpolarised."""
@@ -436,7 +440,8 @@ class Microflake:
         return 0.5 * (s * s + p * p)
 
     def value(self, pair: Pair, flakes: Flakes, active: Any) -> Wide:
-        """BRDF in 1/sr without the specular lobe of a smooth interface: BoundMicroflake::value()."""
+        """BRDF in 1/sr without the specular lobe of a smooth interface:
+        BoundMicroflake::value()."""
         numbers = self.by_wavelength.look_up(mi.Float(0), pair.where, active)
         smooth = self._tabulated(pair, active)
         if self.rough > 0:
@@ -470,7 +475,8 @@ class Microflake:
         n = self.masking.shape[0]
         return self.masking.eval(dr_array(1)(dr.fma(ray.x, (n - 1) / n, 0.5 / n)))[0]
 
-    # Sampling: the interface, flakes that are seen from wi, a lobe three times as rough, and evenly.
+    # Sampling: the interface, flakes that are seen from wi, a lobe three times as rough, and
+    # evenly.
 
     def _set_sampling(self, a: Arrays) -> None:
         weights, alphas = [], []

@@ -25,11 +25,8 @@ STEP = 0.01
 
 
 def _paint_of(props: Any) -> Paint:
-    if "paint" in props:
-        paint = props["paint"]
-        if not isinstance(paint, Paint):
-            raise SettingError(f"paint = {paint!r}: must be a nacre.Paint")
-        return paint
+    if "toml" in props:
+        return Paint.from_toml(str(props["toml"]))
     if "recipe" not in props:
         raise SettingError("recipe: is missing; it names the paint's file")
     name = str(props["recipe"])
@@ -53,7 +50,7 @@ class Camera:
         if "x_fov" not in params:
             raise SettingError("sensor: must be perspective or thinlens, to know what a pixel sees")
         to_world = params["to_world"].matrix
-        width, height = sensor.film().size()
+        width = int(sensor.film().size()[0])
 
         def column(n: int) -> Any:
             return mi.ScalarVector3f([float(dr.slice(to_world[row, n])) for row in range(3)])
@@ -77,8 +74,8 @@ def make_plugin() -> Any:
 
         Parameters
         ----------
-        recipe
-            A file that Nacre reads: a recipe or a solved paint.
+        recipe, toml
+            A file that Nacre reads, a recipe or a solved paint; or the text of a recipe.
         model
             ``nacre`` (the default), which shows single flakes where a camera is attached
             (:func:`nacre.mitsuba.attach`), else their mean; or ``microflake``.
@@ -150,9 +147,10 @@ def make_plugin() -> Any:
             base = self._arrays(paint)
             tangents = []
             for key, value in self.parameters.items():
-                at, limits = float(dr.slice(dr.detach(value))), paint.parameters[key]
+                at = float(dr.slice(dr.detach(value)))
+                limits = next(p for k, p in paint.parameters.items() if f".{k}".endswith(f".{key}"))
                 half = max(abs(at) * STEP, 1e-6)
-                low, high = max(at - half, limits.low), min(at + half, limits.high)
+                low, high = max(at - half, limits.lo), min(at + half, limits.hi)
                 tangents.append(
                     Tangent(
                         value - dr.detach(value),
@@ -189,6 +187,7 @@ def make_plugin() -> Any:
                 and self.sparkle is not None
                 and bool(self.sparkle.fields)
                 and self.smooth.rough == 0
+                and not self.parameters
             )
 
         def _flakes(self, si: Any, i: Any, active: Any) -> Any:

@@ -1,0 +1,311 @@
+"""Paints in Mitsuba 3 against Nacre: values, flakes, sampling, pictures, gradients."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nacre
+
+pytest.importorskip("mitsuba", reason="Mitsuba is not installed here")
+
+import mitsuba as mi
+import nacre.mitsuba as plugin
+from nacre.mitsuba import _library
+from nacre.mitsuba._flakes import Footprint, Sparkle
+
+dr = pytest.importorskip("drjit")
+
+Array = NDArray[np.float64]
+LLVM = "llvm_ad_spectral"
+NODES = [410.0, 490.0, 560.0, 630.0]
+
+
+@pytest.fixture(autouse=True)
+def _variant() -> Iterator[None]:
+    mi.set_variant(LLVM)
+    yield
+    mi.set_variant(LLVM)
+
+
+def directions(count: int) -> tuple[Array, Array]:
+    """Pairs of them, half near the mirror direction."""
+    rng = np.random.default_rng(7)
+
+    def upwards(n: int) -> Array:
+        z, phi = rng.uniform(0.1, 1, n), rng.uniform(0, 2 * np.pi, n)
+        s = np.sqrt(1 - z * z)
+        return np.stack([s * np.cos(phi), s * np.sin(phi), z], axis=-1)
+
+    wi, wo = upwards(count), upwards(count)
+    near = wi[::2] * [-1, -1, 1] + rng.normal(0, 0.1, (len(wi[::2]), 3))
+    near[:, 2] = np.abs(near[:, 2]) + 0.01
+    wo[::2] = near / np.linalg.norm(near, axis=-1, keepdims=True)
+    return wi, wo
+
+
+def interaction(wi: Array, wavelengths: list[float]) -> Any:
+    si = dr.zeros(mi.SurfaceInteraction3f, len(wi))
+    si.wi = mi.Vector3f(*[mi.Float(x) for x in wi.T])
+    si.sh_frame = mi.Frame3f(mi.Vector3f(0, 0, 1))
+    if mi.is_spectral:
+        si.wavelengths = mi.UnpolarizedSpectrum(*wavelengths)
+    return si
+
+
+def bsdf(recipe: Path, **settings: Any) -> Any:
+    return mi.load_dict({"type": "nacre", "recipe": str(recipe), **settings})
+
+
+def disagreement(got: Array, want: Array) -> float:
+    return float(np.max(np.abs(got - want) / (np.abs(want) + 1e-3 * np.max(np.abs(want)))))
+
+
+@pytest.mark.parametrize("name", ["red-gold", "ruby", "tinted-grey", "satin-silver"])
+@pytest.mark.parametrize("model", ["nacre", "microflake"])
+def test_values_are_those_of_nacre(paints: Path, name: str, model: str) -> None:
+    recipe = paints / f"{name}.toml"
+    wi, wo = directions(500)
+    want = nacre.Paint(recipe).brdf(wi, wo, NODES, model=model, as_rendered=True) * wo[:, 2:]
+    si = interaction(wi, NODES)
+    value = bsdf(recipe, model=model).eval(mi.BSDFContext(), si, mi.Vector3f(*wo.T.copy()))
+    # microflake solves for these wavelengths alone and keeps other terms of the spectral basis.
+    assert disagreement(np.array(value).T, want) < (5e-4 if model == "nacre" else 5e-3)
+
+
+def test_rgb_is_the_integral_over_the_spectrum(paints: Path) -> None:
+    mi.set_variant("llvm_ad_rgb")
+    wi, wo = directions(200)
+    nm = np.linspace(400, 700, 31)
+    paint = nacre.Paint(paints / "red-gold.toml")
+    f = paint.brdf(wi, wo, nm, model="nacre") * wo[:, 2:]
+    lit = mi.Vector3f(*wo.T.copy())
+    si = interaction(wi, [])
+
+    def colours(bands: int) -> Array:
+        surface = bsdf(paints / "red-gold.toml", bands=bands)
+        return np.array(surface.eval(mi.BSDFContext(), si, lit)).T
+
+    fine = colours(31)
+    xyz = nacre.xyz(nm, f, observer="2") / 100
+    rgb = xyz @ np.linalg.inv(
+        [[0.4124564, 0.2126729, 0.0193339], [0.3575761, 0.7151522, 0.1191920],
+         [0.1804375, 0.0721750, 0.9503041]]
+    )  # fmt: skip
+    # Which interpolates between wavelengths in another way.
+    assert np.max(np.abs(fine - rgb)) < 5e-3 * np.max(rgb)
+    assert np.max(np.abs(colours(16) - fine)) < 1e-2 * np.max(rgb)
+
+
+def test_scalar_variants_give_the_same_values(paints: Path) -> None:
+    mi.set_variant("scalar_spectral")
+    surface = bsdf(paints / "ruby.toml")
+    wi, wo = directions(4)
+    want = nacre.Paint(paints / "ruby.toml").brdf(wi, wo, NODES, model="nacre") * wo[:, 2:]
+    for n in range(4):
+        si = mi.SurfaceInteraction3f()
+        si.wi = mi.Vector3f(*map(float, wi[n]))
+        si.wavelengths = mi.UnpolarizedSpectrum(*NODES)
+        value = surface.eval(mi.BSDFContext(), si, mi.Vector3f(*map(float, wo[n])))
+        assert disagreement(np.array(value), want[n]) < 5e-4
+
+
+@pytest.mark.parametrize(("name", "side"), [("ruby", 0.02), ("tio2-mica-80", 0.5)])
+def test_flakes_are_those_of_nacre(paints: Path, name: str, side: float) -> None:
+    """One by one, and where they stand for others."""
+    recipe, specimen = paints / f"{name}.toml", 3
+    wi, wo = np.array([np.sin(0.3), 0, np.cos(0.3)]), np.array([-np.sin(0.33), 0.02, np.cos(0.33)])
+    wo /= np.linalg.norm(wo)
+    places = np.random.default_rng(1).uniform(-20, 20, (24, 2))
+    model = nacre.Model("nacre", specimen=specimen)
+    paint = nacre.Paint(recipe)
+    want = np.array([paint.brdf(wi, wo, NODES, model=model, patch=(x, y, side)) for x, y in places])
+    assert np.std(want[:, 0]) > 0.3 * np.mean(want[:, 0])  # it sparkles
+
+    surface = bsdf(recipe, specimen=specimen)
+    si = interaction(np.tile(wi, (len(places), 1)), NODES)
+    where, smooth = surface.table_bands.at(si), surface.smooth
+    i = smooth.ray(si.wi, where, True)
+    o = smooth.ray(mi.Vector3f(*map(float, wo)), where, True)
+    pair = smooth.pair(i, o, where)
+    x, y = (mi.Float(places[:, n].copy()) for n in range(2))
+    patch = Footprint(
+        mi.Vector3f(x, y, 0),
+        mi.Vector3f(0, 0, 1),
+        mi.Vector3f(1, 0, 0),
+        mi.Vector3f(side, 0, 0),
+        mi.Vector3f(0, side, 0),
+    )
+    flakes = Sparkle(surface.sparkle, patch, i, True, True)
+    flakes.start()
+    got = np.array(smooth.value(pair, flakes, True)).T
+    assert disagreement(got, want) < 1e-3
+
+
+def ball(paint: Path | nacre.Paint, distance: float, **settings: Any) -> Any:
+    settings |= (
+        {"toml": paint.to_toml()} if isinstance(paint, nacre.Paint) else {"recipe": str(paint)}
+    )
+    return mi.load_dict(
+        {
+            "type": "scene",
+            "integrator": {"type": "path", "max_depth": 3},
+            "sensor": {
+                "type": "perspective",
+                "fov": 12,
+                "to_world": mi.ScalarTransform4f().look_at(
+                    [0, -distance, 0], [0, 0, 0], [0, 0, 1]
+                ),
+                "film": {"type": "hdrfilm", "width": 32, "height": 32, "rfilter": {"type": "box"}},
+                "sampler": {"type": "independent", "sample_count": 64},
+            },
+            "ball": {"type": "sphere", "radius": 50.0, "bsdf": {"type": "nacre", **settings}},
+            "sky": {"type": "constant", "radiance": {"type": "uniform", "value": 1.0}},
+        }
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("shown", [False, True], ids=["mean", "flakes"])
+@pytest.mark.parametrize("angle", [0.2, 1.1])
+def test_samples_follow_their_density(paints: Path, shown: bool, angle: float) -> None:
+    """By Mitsuba's own chi-square test; with single flakes at one place of a ball."""
+    scene = ball(paints / "metallic-silver.toml", 200.0)
+    surface = scene.shapes()[0].bsdf()
+    if shown:
+        plugin.attach(scene)
+    n = np.array([np.sin(angle), -np.cos(angle), 0])  # as the camera sees it
+    p = 50 * n
+    to_camera = np.array([0, -200, 0]) - p
+    to_camera /= np.linalg.norm(to_camera)
+
+    def seen(count: int) -> Any:
+        si = dr.zeros(mi.SurfaceInteraction3f, count)
+        si.p = mi.Point3f(*map(float, p))
+        si.sh_frame = mi.Frame3f(mi.Vector3f(*map(float, n)))
+        si.wi = si.to_local(mi.Vector3f(*map(float, to_camera)))
+        si.wavelengths = mi.UnpolarizedSpectrum(*NODES)
+        return si
+
+    context = mi.BSDFContext()
+    context.component = 1  # all but the specular reflection
+
+    def sample(u: Any) -> Any:
+        bs, _ = surface.sample(context, seen(dr.width(u)), u[2], mi.Point2f(u[0], u[1]))
+        return bs.wo, dr.select(bs.pdf > 0, 1.0, 0.0)
+
+    def pdf(wo: Any) -> Any:
+        return surface.pdf(context, seen(dr.width(wo)), wo)
+
+    from mitsuba.chi2 import ChiSquareTest, SphericalDomain
+
+    test = ChiSquareTest(
+        SphericalDomain(), sample, pdf, sample_dim=3, sample_count=200_000, res=51, ires=32
+    )
+    assert test.run(0.01, test_count=4), test.messages
+
+
+@pytest.mark.parametrize("shown", [False, True], ids=["mean", "flakes"])
+def test_weights_add_up_to_the_albedo(paints: Path, shown: bool) -> None:
+    """A ball in an even sky of radiance 1 shows the directional albedo."""
+    scene = ball(paints / "ruby.toml", 2000.0)  # far away: each pixel has thousands of flakes
+    if shown:
+        plugin.attach(scene)
+    surface = scene.shapes()[0].bsdf()
+    count, angle = 100_000, 0.5
+    n = np.array([np.sin(angle), -np.cos(angle), 0])
+    rng = np.random.default_rng(3)
+    si = dr.zeros(mi.SurfaceInteraction3f, count)
+    # Over a spot of 2 mm, so that flakes average out.
+    at = 50 * n[:, None] + 2 * rng.uniform(-1, 1, (3, count)) * np.array([[0], [0], [1]])
+    si.p = mi.Point3f(*[mi.Float(x) for x in at])
+    si.sh_frame = mi.Frame3f(mi.Vector3f(*map(float, n)))
+    towards = mi.Vector3f(0, -2000, 0) - si.p
+    si.wi = si.to_local(dr.normalize(towards))
+    si.wavelengths = mi.UnpolarizedSpectrum(*NODES)
+    u = mi.PCG32(size=count)
+    draws = [u.next_float32() for _ in range(3)]
+    _, weight = surface.sample(mi.BSDFContext(), si, draws[0], mi.Point2f(draws[1], draws[2]))
+    w = np.array(weight).T
+    albedo = nacre.Paint(paints / "ruby.toml").albedo(
+        [[np.sin(angle), 0, np.cos(angle)]], NODES, model="nacre"
+    )[0]
+    error = w.std(axis=0) / np.sqrt(count)
+    assert np.all(np.abs(w.mean(axis=0) - albedo) < 4 * error + 5e-3 * albedo)
+    assert np.all(w.mean(axis=0) < 1)
+
+
+def test_pictures_with_and_without_flakes_have_one_mean(paints: Path) -> None:
+    scene = ball(paints / "metallic-silver.toml", 90.0)
+    mean = np.array(mi.render(scene, spp=64, seed=1))
+    plugin.attach(scene)
+    flakes = np.array(mi.render(scene, spp=64, seed=2))
+    middle = np.s_[8:24, 8:24]
+    a, b = mean[middle].reshape(-1, 3), flakes[middle].reshape(-1, 3)
+    error = np.hypot(a.std(axis=0), b.std(axis=0)) / np.sqrt(len(a))
+    assert np.all(np.abs(a.mean(axis=0) - b.mean(axis=0)) < 4 * error)
+    assert b.std() > 1.5 * a.std()
+
+
+def test_gradients_are_those_of_finite_differences(paints: Path) -> None:
+    key = "coats[0].thickness_nm"
+    recipe = paints / "tio2-mica-80.toml"
+    wi, wo = directions(50)
+    paint = nacre.Paint(recipe)
+    step = 0.02 * paint[key]
+
+    def values(at: float) -> Array:
+        changed = paint.with_values({key: at})
+        return np.asarray(changed.brdf(wi, wo, NODES, as_rendered=True) * wo[:, 2:])
+
+    want = (values(paint[key] + step) - values(paint[key] - step)) / (2 * step)
+    surface = bsdf(recipe, model="microflake", differentiate=key)
+    params = mi.traverse(surface)
+    assert key in params
+    dr.enable_grad(params[key])
+    params.update()
+    si = interaction(wi, NODES)
+    value = surface.eval(mi.BSDFContext(), si, mi.Vector3f(*wo.T.copy()))
+    dr.forward_from(params[key])
+    got = np.array(dr.grad(value)).T
+    assert np.max(np.abs(got - want)) < 0.03 * np.max(np.abs(want))
+    assert np.median(np.abs(got - want)) < 0.01 * np.median(np.abs(want))
+
+
+def test_wrong_settings_are_named(paints: Path) -> None:
+    recipe = str(paints / "ruby.toml")
+    for settings, text in (
+        ({}, "recipe: is missing"),
+        ({"recipe": recipe, "model": "thin-film"}, "model = thin-film"),
+        ({"recipe": recipe, "footprint": -1.0}, "footprint"),
+        ({"recipe": "no-such-file.toml"}, "no-such-file.toml"),
+    ):
+        with pytest.raises(Exception, match=text):
+            mi.load_dict({"type": "nacre", **settings})
+    scene = mi.load_dict({"type": "scene", "ball": {"type": "sphere"}})
+    with pytest.raises(nacre.SettingError, match="no shape has"):
+        plugin.attach(scene, sensor=None)
+
+
+def test_llvm_is_chosen_before_it_aborts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert _library.version_of("/usr/lib/libLLVM.so.19.1") == 19
+    assert _library.version_of("libLLVM-15.so.1") == 15
+    assert _library.version_of("libm.so.6") is None
+    old = os.environ.get(_library.ENVIRONMENT)
+    monkeypatch.delenv(_library.ENVIRONMENT, raising=False)
+    (tmp_path / "libLLVM-15.so.1").touch()
+    with pytest.raises(nacre.Error, match="install LLVM 19"):
+        _library.choose_llvm([str(tmp_path)])
+    (tmp_path / "libLLVM.so.19.1").touch()
+    _library.choose_llvm([str(tmp_path)])
+    assert os.environ[_library.ENVIRONMENT].endswith("libLLVM.so.19.1")
+    monkeypatch.setenv(_library.ENVIRONMENT, str(tmp_path / "libLLVM-15.so.1"))
+    with pytest.raises(nacre.Error, match="aborts with LLVM 15"):
+        _library.choose_llvm([str(tmp_path)])
+    if old is not None:
+        monkeypatch.setenv(_library.ENVIRONMENT, old)
