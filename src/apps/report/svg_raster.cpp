@@ -122,13 +122,13 @@ int inked_columns(char letter, const char* weight) {
     return columns;
 }
 
-/// librsvg leaves letters out for which it finds no font, or draws the same box for each: a narrow
-/// letter and a wide one tell that from writing.
+/// librsvg leaves letters out for which it finds no font, or draws a box for each, nearly the same: a
+/// dot and a wide letter tell that from writing.
 void require_fonts() {
     require_free_descriptors();
     for (const char* weight : {"normal", "bold"}) {
-        const int narrow = inked_columns('l', weight), wide = inked_columns('W', weight);
-        if (narrow > 0 && wide > narrow) continue;
+        const int narrow = inked_columns('.', weight), wide = inked_columns('W', weight);
+        if (narrow > 0 && wide > 2 * narrow) continue;
         throw Error(
             fmt::format("a picture cannot be drawn: no font for its letters (sans-serif, {}) was "
                         "found; see what `fc-match sans-serif` says",
