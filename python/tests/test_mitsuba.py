@@ -18,7 +18,8 @@ pytest.importorskip("mitsuba", reason="Mitsuba is not installed here")
 import mitsuba as mi
 import nacre.mitsuba as plugin
 from nacre.mitsuba import _library
-from nacre.mitsuba._flakes import Footprint, Sparkle
+from nacre.mitsuba._flakes import Sparkle
+from nacre.mitsuba._patch import Footprint
 
 dr = pytest.importorskip("drjit")
 

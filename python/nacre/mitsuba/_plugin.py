@@ -9,12 +9,14 @@ import drjit as dr
 import mitsuba as mi
 
 from .. import _nacre
-from .._errors import InputError, SettingError
+from .._errors import SettingError
 from .._model import Model
 from .._paint import Paint
 from ._bands import Bands, Source, Tangent
-from ._flakes import Footprint, Sparkle, SparkleModel, no
+from ._bits import no
+from ._flakes import Sparkle, SparkleModel
 from ._microflake import MeanFlakes, Microflake, Pair
+from ._patch import Footprint
 
 MODELS = ("nacre", "microflake")
 DEFAULT_BANDS = 16
@@ -339,6 +341,3 @@ def make_plugin() -> Any:
             return f"Nacre[recipe={self.paint.name}, model={self.model!r}]"
 
     return Nacre
-
-
-__all__ = ["Camera", "InputError", "make_plugin"]
