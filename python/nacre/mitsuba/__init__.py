@@ -16,6 +16,7 @@ Needs Mitsuba 3.9 (``pip install nacre[mitsuba]``) and, for its LLVM variants, L
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from .._errors import Error, SettingError
@@ -31,7 +32,7 @@ except ImportError as error:
     ) from error
 
 VERSIONS = ((3, 9, 1), (3, 10, 0))
-_version = tuple(int(x) for x in mi.__version__.split(".")[:3])
+_version = tuple(int(x) for x in re.findall(r"\d+", mi.__version__)[:3])
 if not VERSIONS[0] <= _version < VERSIONS[1]:
     raise ImportError(
         f"nacre.mitsuba needs Mitsuba 3.9 from 3.9.1 on, and found {mi.__version__}: "
@@ -49,7 +50,7 @@ def _register(_before: str | None = None, variant: str | None = None) -> None:
     mi.register_bsdf("nacre", make_plugin())
 
 
-def attach(scene: Any, sensor: int | Any = 0, specimen: int | None = None) -> None:
+def attach(scene: Any, sensor: int | Any = 0) -> None:
     """Shows the single flakes of the paints in a scene, as a camera sees them.
 
     A sample shows the flakes on its share of a pixel, for which it must know how large a pixel is
