@@ -65,10 +65,15 @@ def test_ctrl_c(work: str, flakes: nacre.Paint) -> None:
         else:
             flakes.brdf_at(many, 20, 180, [550.0])
 
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        long_work()
-    timer.join()
+    # Who runs the tests in the background may have them ignore the signal.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            long_work()
+        timer.join()
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_others_work_meanwhile(flakes: nacre.Paint) -> None:
