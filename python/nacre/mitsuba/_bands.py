@@ -181,6 +181,18 @@ def texture(dimension: int, data: Any) -> Any:
     )
 
 
+def column_texture(values: Any) -> Any:
+    """Of functions of a direction (D,) or (D, channels), even in tan(theta / 2) from 0 to 1."""
+    columns = np.asarray(values, dtype=np.float32)
+    return texture(1, mi.TensorXf(columns.reshape(len(columns), -1)))
+
+
+def by_direction(table: Any, x: Float) -> list[Float]:
+    """The channels of column_texture() at x = tan(theta / 2)."""
+    n = table.shape[0]
+    return list(table.eval(dr_array(1)(dr.fma(x, (n - 1) / n, 0.5 / n))))
+
+
 class Table:
     """Functions of one coordinate and the wavelength, as channels of one texture."""
 

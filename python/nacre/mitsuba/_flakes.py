@@ -17,8 +17,9 @@ from ._bands import Arrays, Float, Source, Table, Wide
 from ._bits import SHORT_GOLDEN, hash_of_two, mix_bits_32, u32, u64, unit_float, unit_fraction
 from ._field import MAX_EXPONENT, Field, Flake
 from ._hot_spot import HotSpot
-from ._microflake import MeanFlakes, Microflake, Pair, Ray, mean_escape, refract_out
+from ._microflake import MeanFlakes, Microflake, Pair, Ray, mean_escape
 from ._patch import Footprint, Outline
+from ._sampling import refract_out
 
 
 class Sparkle(MeanFlakes):

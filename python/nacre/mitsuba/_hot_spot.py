@@ -31,8 +31,11 @@ class HotSpot(MeanFlakes):
         self.smooth = smooth
         species = a["hot_spot"]["species"]
         self.species = [(int(s["layer"]), float(s["diameter_um"])) for s in species]
-        self.thickness = [float(layer["thickness_um"]) for layer in a["layers"]]
-        self.top = np.concatenate([[0], np.cumsum(self.thickness)]).tolist()
+        # With their gradients.
+        self.thickness = [thickness for thickness, _, _ in smooth.layers]
+        self.top: list[Float] = [mi.Float(0)]
+        for thickness in self.thickness:
+            self.top.append(self.top[-1] + thickness)
         nodes, weights = np.polynomial.legendre.leggauss(NODES)
         s = 0.5 * (nodes + 1)
         # u = s^2, du = 2 s ds: light of a deep layer comes from its top.

@@ -16,7 +16,19 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
-from ._bands import Arrays, Bands, Float, Source, Table, Where, Wide, dr_array, texture
+from ._bands import (
+    Arrays,
+    Bands,
+    Float,
+    Source,
+    Table,
+    Where,
+    Wide,
+    by_direction,
+    column_texture,
+    dr_array,
+    texture,
+)
 
 Vector = Any
 
@@ -81,54 +93,11 @@ class MeanFlakes:
         return value
 
 
-def refract_out(w: Vector, ior: float) -> Vector:
-    """The direction outside of one inside; below the horizon beyond the critical angle."""
-    if ior == 1:
-        return w
-    x, y = ior * w.x, ior * w.y
-    z2 = 1 - x * x - y * y
-    z = dr.select((w.z > 0) & (z2 > 0), dr.sqrt(dr.maximum(z2, 0)), -1)
-    return mi.Vector3f(x, y, z)
-
-
 def mean_escape(depth: Wide) -> Wide:
     """(1 - exp(-x)) / x, which is the mean of exp(-x u) over u in [0, 1]."""
     small = depth < 1e-2
     safe = dr.select(small, 1, depth)
     return dr.select(small, 1 - depth * (0.5 - depth * (1 / 6)), (1 - dr.exp(-safe)) * dr.rcp(safe))
-
-
-class FlakeLobe:
-    """Reflection off Beckmann flakes that are visible from wi (bsdf::FlakeLobe)."""
-
-    def __init__(self, alpha: Float) -> None:
-        self.alpha = alpha
-
-    def sample(self, wi: Vector, u_sign: Float, u: Any) -> Vector:
-        s = dr.sqrt(wi.x * wi.x + wi.y * wi.y)
-        r = self.alpha * dr.sqrt(-dr.log(1 - u.x))
-        sin, cos = dr.sincos(2 * dr.pi * u.y)
-        x, y = r * cos, r * sin
-        x = dr.select((x > 0) & (u_sign * wi.z < x * s), -x, x)
-        safe = dr.select(s > 0, s, 1)
-        ex, ey = dr.select(s > 0, wi.x / safe, 1), wi.y / safe
-        m = dr.normalize(mi.Vector3f(-(x * ex - y * ey), -(x * ey + y * ex), 1))
-        return 2 * dr.dot(wi, m) * m - wi
-
-    def pdf(self, wi: Vector, wo: Vector) -> Float:
-        h = wi + wo
-        inverse = dr.rcp(h.z)
-        tan2 = (h.x * h.x + h.y * h.y) * inverse * inverse
-        tilt = (h.x * wi.x + h.y * wi.y) * inverse * dr.rcp(wi.z)
-        exponent = dr.minimum(tan2 / (self.alpha * self.alpha), 80)
-        return (
-            dr.exp(-exponent)
-            * (dr.inv_pi / (self.alpha * self.alpha))
-            * dr.clip(1 + tilt, 0, 2)
-            * (1 + tan2)
-            * 0.5
-            * inverse
-        )
 
 
 class DirectionTables:
@@ -197,7 +166,8 @@ class Microflake:
         self.by_wavelength = Table(bands, source, self._by_wavelength)
         self._set_smooth(source)
         self._set_layers(source)
-        self._set_sampling(a)
+        if self.rough > 0:
+            self.masking = column_texture(a["masking_over_cosine"])
 
     @staticmethod
     def _by_wavelength(a: Arrays) -> list[NDArray[Any]]:
@@ -318,24 +288,16 @@ class Microflake:
 
             thickness = source.scalar(thickness_of)
             self.layers.append((thickness, flakes, pigments))
-        self.reflectance = (
-            Table(
-                self.bands,
-                source,
-                lambda x: [x["layers"][n]["flakes"][f]["reflectance"] for n, f in reflectances],
+
+        def table(entries: list[tuple[int, int]], kind: str, key: str) -> Table | None:
+            if not entries:
+                return None
+            return Table(
+                self.bands, source, lambda x: [x["layers"][n][kind][k][key] for n, k in entries]
             )
-            if reflectances
-            else None
-        )
-        self.phase = (
-            Table(
-                self.bands,
-                source,
-                lambda x: [x["layers"][n]["pigments"][k]["phase"] for n, k in phases],
-            )
-            if phases
-            else None
-        )
+
+        self.reflectance = table(reflectances, "flakes", "reflectance")
+        self.phase = table(phases, "pigments", "phase")
 
     def ray(self, w: Vector, where: Where, active: Any) -> Ray:
         """w: unit, in the upper hemisphere."""
@@ -472,76 +434,4 @@ class Microflake:
         return diffuse + (0.25 * facets * masking) * self.fresnel(cosine, numbers[0])
 
     def _masking(self, ray: Ray) -> Float:
-        n = self.masking.shape[0]
-        return self.masking.eval(dr_array(1)(dr.fma(ray.x, (n - 1) / n, 0.5 / n)))[0]
-
-    # Sampling: the interface, flakes that are seen from wi, a lobe three times as rough, and
-    # evenly.
-
-    def _set_sampling(self, a: Arrays) -> None:
-        weights, alphas = [], []
-        for layer in a["layers"]:
-            for flake in layer["flakes"]:
-                weights.append(flake["area_density_per_um"] * layer["thickness_um"])
-                alphas.append(flake["alpha"])
-        alpha = float(np.average(alphas, weights=weights)) if alphas else 0.3
-        if self.rough > 0:
-            alpha = float(np.hypot(alpha, 0.5 * self.rough))
-        self.lobes = FlakeLobe(alpha), FlakeLobe(min(3 * alpha, 0.8))
-        self.coat_lobe = FlakeLobe(self.rough)
-        p = a["probability"].astype(np.float64)
-        interface, table, diffuse, single = p.T
-        narrow, wide = table * single * 0.9, table * (single * 0.1 + (1 - single) * 0.4)
-        even = diffuse + table * (1 - single) * 0.6
-        shares = np.stack([interface, narrow, wide, even], axis=-1)
-        self.shares = texture(1, mi.TensorXf(shares.astype(np.float32)))
-        if self.rough > 0:
-            masking = np.asarray(a["masking_over_cosine"])[:, None]
-            self.masking = texture(1, mi.TensorXf(masking.astype(np.float32)))
-
-    def probabilities(self, ray: Ray, specular: bool, rest: bool) -> tuple[Float, ...]:
-        """Of the interface, both lobes of flakes, and evenly; they add up to 1."""
-        n = self.shares.shape[0]
-        p = self.shares.eval(dr_array(1)(dr.fma(ray.x, (n - 1) / n, 0.5 / n)))
-        interface, narrow, wide, even = (dr.detach(x) for x in p)
-        if not rest:
-            return (mi.Float(1), *(mi.Float(0),) * 3)
-        if not specular and self.rough == 0:
-            interface = mi.Float(0)
-        scale = dr.rcp(interface + narrow + wide + even)
-        return interface * scale, narrow * scale, wide * scale, even * scale
-
-    def density(self, probabilities: tuple[Float, ...], i: Ray, o: Ray) -> Float:
-        """Per solid angle outside, of draw() with these probabilities."""
-        interface, narrow, wide, even = probabilities
-        ratio = o.outside.z / (self.mean_ior * self.mean_ior * o.inside.z)
-        flakes = narrow * self.lobes[0].pdf(i.inside, o.inside) + wide * self.lobes[1].pdf(
-            i.inside, o.inside
-        )
-        density = flakes * ratio + even * dr.inv_pi * o.outside.z
-        if self.rough > 0:
-            density += interface * self.coat_lobe.pdf(i.outside, o.outside)
-        return density
-
-    def draw(self, probabilities: tuple[Float, ...], i: Ray, u: Float, u2: Any) -> Vector:
-        """A direction outside, by all but a smooth interface; below the horizon where none leaves.
-
-        u: uniform in [0, 1), which selects.
-        """
-        interface, narrow, wide, _ = probabilities
-        sum_narrow = interface + narrow
-        sum_wide = sum_narrow + wide
-        is_narrow = u < sum_narrow
-        lobe = FlakeLobe(dr.select(is_narrow, self.lobes[0].alpha, self.lobes[1].alpha))
-        low = dr.select(is_narrow, interface, sum_narrow)
-        span = dr.select(is_narrow, narrow, wide)
-        inside = lobe.sample(i.inside, (u - low) / dr.maximum(span, 1e-12), u2)
-        wo = dr.select(
-            u < sum_wide,
-            refract_out(inside, self.mean_ior),
-            mi.warp.square_to_cosine_hemisphere(u2),
-        )
-        if self.rough > 0:
-            facet = self.coat_lobe.sample(i.outside, u / dr.maximum(interface, 1e-12), u2)
-            wo = dr.select(u < interface, facet, wo)
-        return wo
+        return by_direction(self.masking, ray.x)[0]

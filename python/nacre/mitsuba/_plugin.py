@@ -17,6 +17,7 @@ from ._bits import no
 from ._flakes import Sparkle, SparkleModel
 from ._microflake import MeanFlakes, Microflake, Pair
 from ._patch import Footprint
+from ._sampling import Sampling
 
 MODELS = ("nacre", "microflake")
 DEFAULT_BANDS = 16
@@ -164,6 +165,7 @@ def make_plugin() -> Any:
             source = Source(base, tangents)
             self.table_bands = Bands(base["wavelengths_nm"], self.bands)
             self.smooth = Microflake(source, self.table_bands)
+            self.sampling = Sampling(base)
             self.sparkle = SparkleModel(self.smooth, source) if self.model.name == "nacre" else None
             self.mean = self.sparkle.mean if self.sparkle else MeanFlakes()
 
@@ -232,7 +234,7 @@ def make_plugin() -> Any:
 
         def _chances(self, ctx: Any, i: Any, flakes: Any) -> tuple[Any, Any]:
             """Probabilities of the ways to draw, and apart from them that of a single flake."""
-            chances = self.smooth.probabilities(
+            chances = self.sampling.probabilities(
                 i,
                 ctx.is_enabled(mi.BSDFFlags.DeltaReflection, 0),
                 ctx.is_enabled(mi.BSDFFlags.GlossyReflection, 1),
@@ -245,7 +247,7 @@ def make_plugin() -> Any:
             return (chances[0], chances[1] - one, *chances[2:]), one
 
         def _density(self, pair: Pair, flakes: Any, chances: Any, one: Any) -> Any:
-            density = self.smooth.density(chances, pair.i, pair.o)
+            density = self.sampling.density(chances, pair.i, pair.o)
             if isinstance(flakes, Sparkle):
                 density += one * flakes.density(pair)
             return dr.detach(density)
@@ -294,7 +296,7 @@ def make_plugin() -> Any:
 
             # In this order: the interface, lobes of all flakes, evenly, one flake.
             is_delta = mi.Bool(smooth.rough == 0) & (sample1 < chances[0])
-            drawn = smooth.draw(chances, i, dr.minimum(sample1, 1 - one), sample2)
+            drawn = self.sampling.draw(chances, i, dr.minimum(sample1, 1 - one), sample2)
             if isinstance(flakes, Sparkle):
                 drawn = dr.select(sample1 >= 1 - one, flakes.draw(sample2), drawn)
             drawn = dr.select(is_delta, mi.reflect(si.wi), dr.detach(drawn))
