@@ -123,7 +123,7 @@ def check_document(path, environment, ci_steps):
     blocks, tried, previous = fenced_blocks(path), 0, None
     with tempfile.TemporaryDirectory(prefix="nacre-docs-") as folder:
         scratch = pathlib.Path(folder)
-        for shared in ("paints", "scenes", "studies"):
+        for shared in ("paints", "scenes", "studies", "data/drawdowns"):
             shutil.copytree(ROOT / shared, scratch / shared)
         for block in blocks:
             kind = (block.language, block.role.split("=")[0])

@@ -54,6 +54,8 @@ Command add_measure(CLI::App& program);    ///< multi-angle colour
 Command add_sparkle(CLI::App& program);    ///< sparkle and graininess
 Command add_atlas(CLI::App& program);      ///< colours of a film by thickness and angle
 Command add_materials(CLI::App& program);  ///< what ships
+Command add_pigments(CLI::App& program);   ///< the same of pigments
+Command add_pigment(CLI::App& program);    ///< from a drawdown to a pigment
 Command add_panel(CLI::App& program);      ///< a page about a paint
 Command add_fit(CLI::App& program);        ///< from colour back to composition
 Command add_export(CLI::App& program);     ///< formats of measured BRDFs

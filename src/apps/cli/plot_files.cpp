@@ -18,13 +18,15 @@ void write_plots(const std::filesystem::path& folder,
     }
 }
 
-std::vector<std::string> plot_file_names() {
+std::vector<std::string> plot_file_names(std::span<const char* const> plots) {
     std::vector<std::string> names;
-    for (const char* plot : datasheet::kMeasurementPlots) {
+    for (const char* plot : plots) {
         for (const char* extension : {".svg", ".png"})
             names.push_back(plot + std::string(extension));
     }
     return names;
 }
+
+std::vector<std::string> plot_file_names() { return plot_file_names(datasheet::kMeasurementPlots); }
 
 }  // namespace nacre::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace nacre::cli {
 void write_plots(const std::filesystem::path& folder,
                  const std::vector<datasheet::NamedPlot>& plots);
 
-/// The names of all files that it may write of the plots of a measurement.
+/// The names of all files that it writes of plots of these names.
+std::vector<std::string> plot_file_names(std::span<const char* const> plots);
+/// Those of the plots of a measurement.
 std::vector<std::string> plot_file_names();
 
 }  // namespace nacre::cli

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "nacre/core/csv.h"
+#include "nacre/fit/drawdown.h"
+#include "nacre/io/pigment_file.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/optics/material.h"
 #include "nacre/optics/thin_film.h"
@@ -18,25 +23,70 @@ namespace nacre::datasheet {
 
 namespace {
 
-/// "#rrggbb", or nothing where the data end before the default wavelengths do.
-std::string chip_of(const optics::Material& material) {
+/// "#rrggbb" of a reflectance at the default wavelengths.
+std::string chip_of(const std::vector<double>& reflectance) {
     constexpr auto kLight = spectra::Illuminant::D65;
     constexpr auto kEye = spectra::Observer::cie1964_10deg;
-    const std::vector<double> wavelengths = spectra::default_wavelengths_nm();
-    if (material.first_wavelength_nm() > wavelengths.front() ||
-        material.last_wavelength_nm() < wavelengths.back()) {
-        return {};
+    const Vec3d lab = spectra::xyz_to_lab(
+        spectra::reflectance_to_xyz(
+            spectra::Spectrum(spectra::default_wavelengths_nm(), reflectance), kLight, kEye),
+        spectra::white_point(kLight, kEye));
+    return spectra::css_colour(measure::srgb_chip(lab));
+}
+
+/// Wavelengths in nm between which something is known.
+using Known = std::pair<double, double>;
+constexpr Known kEverywhere{0, std::numeric_limits<double>::infinity()};
+
+Known known(const optics::Material& material) {
+    return {material.first_wavelength_nm(), material.last_wavelength_nm()};
+}
+
+Known known(const spectra::Spectrum& spectrum) {
+    if (spectrum.is_constant()) return kEverywhere;
+    return {spectrum.wavelengths_nm().front(), spectrum.wavelengths_nm().back()};
+}
+
+Known known(const paint::Pigment& pigment) {
+    if (const auto* particles = std::get_if<paint::PigmentParticles>(&pigment.body)) {
+        return known(particles->spheres.material);
     }
+    const paint::PigmentCoefficients coefficients = *pigment.layer_coefficients();
+    const Known a = known(coefficients.scattering_per_mm),
+                b = known(coefficients.absorption_per_mm);
+    return {std::max(a.first, b.first), std::min(a.second, b.second)};
+}
+
+bool covers_default_wavelengths(const Known& range) {
+    const std::vector<double> wavelengths = spectra::default_wavelengths_nm();
+    return range.first <= wavelengths.front() && range.second >= wavelengths.back();
+}
+
+std::string range_cells(const Known& range) {
+    return range == kEverywhere ? "," : fmt::format("{},{}", range.first, range.second);
+}
+
+/// Nothing where the data end before the default wavelengths do.
+std::string chip_of(const optics::Material& material) {
+    if (!covers_default_wavelengths(known(material))) return {};
     std::vector<double> reflectance;
-    for (const double nm : wavelengths) {
+    for (const double nm : spectra::default_wavelengths_nm()) {
         reflectance.push_back(optics::stack_reflectance(1.0, {}, material.index(nm), 1, nm,
                                                         optics::Polarization::unpolarized)
                                   .reflectance);
     }
-    const Vec3d lab = spectra::xyz_to_lab(
-        spectra::reflectance_to_xyz(spectra::Spectrum(wavelengths, reflectance), kLight, kEye),
-        spectra::white_point(kLight, kEye));
-    return spectra::css_colour(measure::srgb_chip(lab));
+    return chip_of(reflectance);
+}
+
+constexpr double kChipVolume = 0.03, kChipThickness_um = 40;
+
+std::string drawdown_chip(const paint::Pigment& pigment, double ground, const Progress& progress) {
+    paint::Recipe recipe;
+    recipe.binder = optics::Material(1.5);
+    recipe.layers.push_back({kChipThickness_um, {}, {pigment}});
+    recipe.substrate_reflectance = ground;
+    return chip_of(fit::drawdown_reflectance(recipe, spectra::default_wavelengths_nm(),
+                                             measure::DrawdownGeometry::angle_45_0, progress));
 }
 
 }  // namespace
@@ -47,12 +97,27 @@ std::string materials_csv() {
     for (const std::string& name : optics::material_names()) {
         const optics::Material material = optics::find_material(name);
         const optics::ComplexIndex index = material.index(kGreen_nm);
-        const std::string range = material.is_dispersive()
-                                      ? fmt::format("{},{}", material.first_wavelength_nm(),
-                                                    material.last_wavelength_nm())
-                                      : ",";
-        fmt::format_to(std::back_inserter(csv), "{},{},{:.5g},{:.5g},{},{}\n", name, range,
-                       index.real(), index.imag(), chip_of(material), csv_cell(material.source()));
+        fmt::format_to(std::back_inserter(csv), "{},{},{:.5g},{:.5g},{},{}\n", name,
+                       range_cells(known(material)), index.real(), index.imag(), chip_of(material),
+                       csv_cell(material.source()));
+    }
+    return csv;
+}
+
+std::string pigments_csv(const Progress& progress) {
+    std::string csv = "name,title,kind,from_nm,to_nm,over_black,over_white,source\n";
+    for (const io::ShippedPigment& shipped : io::shipped_pigments()) {
+        const std::string name(shipped.name);
+        const io::PigmentFile file =
+            io::parse_pigment_file(shipped.toml, name + ".toml", kChipVolume);
+        const Known range = known(file.pigment);
+        const bool chips = covers_default_wavelengths(range);
+        const bool particles = std::holds_alternative<paint::PigmentParticles>(file.pigment.body);
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{}\n", name,
+                       csv_cell(file.pigment.name), particles ? "particles" : "coefficients",
+                       range_cells(range), chips ? drawdown_chip(file.pigment, 0.02, progress) : "",
+                       chips ? drawdown_chip(file.pigment, 0.9, progress) : "",
+                       csv_cell(file.source));
     }
     return csv;
 }

@@ -215,10 +215,14 @@ std::vector<std::string> layers_in_words(const paint::Recipe& recipe) {
         }
         for (const paint::Pigment& pigment : layer.pigments) {
             const PigmentWords words = pigment_words(pigment);
-            const bool particles = !words.size.empty();
+            const bool particles = !words.size.empty(), diluted = !words.amount.empty();
             text += fmt::format("{}{} {}{}", joint, pigment.name.empty() ? "a pigment" : words.name,
-                                particles ? "of " : "that ", words.build);
-            if (particles) text += fmt::format(", {}, {}", words.size, words.amount);
+                                particles ? "of "
+                                : diluted ? "that undiluted "
+                                          : "that ",
+                                words.build);
+            if (particles) text += ", " + words.size;
+            if (diluted) text += ", " + words.amount;
             joint = "; with ";
         }
         sentences.push_back(text + ".");

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "nacre/core/error.h"
+#include "nacre/io/pigment_file.h"
+#include "nacre/paint/recipe_description.h"
 #include "nacre/spectra/colour.h"
 
 namespace nacre::io {
@@ -150,6 +152,12 @@ class Reader final : public paint::Visitor {
 
     bool has(const Field& field, bool) override { return table_.has(field.key); }
 
+    void preset(const Field& field) override {
+        if (!table_.has(field.key)) return;
+        contents_ = with_keys_from(table_, field.key);
+        table_ = table_.on(*contents_, paint::keys_of_new<paint::Pigment>());
+    }
+
     void table(const Field& field, Described object) override {
         if (wanted(field)) read_described(table_.table(field.key, keys_to_open(object)), object);
     }
@@ -180,7 +188,7 @@ class Reader final : public paint::Visitor {
         std::optional<std::size_t> chosen;
         for (std::size_t i = 0; i < alternatives.each.size(); ++i) {
             const char* mark = alternatives.each[i].mark;
-            if (!table_.has(mark)) continue;
+            if (!*mark || !table_.has(mark)) continue;
             if (chosen) table_.fail(mark, alternatives.both);
             chosen = i;
         }
@@ -208,6 +216,7 @@ class Reader final : public paint::Visitor {
     }
 
     TableReader table_;
+    std::shared_ptr<const toml::table> contents_;  // of table_, where a preset adds to them
 };
 
 // ---------------------------------------------------------------------------------- writing

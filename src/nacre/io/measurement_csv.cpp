@@ -47,14 +47,6 @@ const std::map<std::string, std::vector<std::string>>& column_names() {
     return names;
 }
 
-/// "R400", "r400nm", "400", "400 nm"; nothing for other text.
-std::optional<double> wavelength_of(const std::string& heading) {
-    std::string_view text = heading;
-    if (text.starts_with('r')) text.remove_prefix(1);
-    if (text.ends_with("nm")) text.remove_suffix(2);
-    return parse_number(text);
-}
-
 class MeasurementTable {
  public:
     MeasurementTable(std::string_view text, const std::string& filename)
@@ -104,7 +96,7 @@ class MeasurementTable {
         }
         for (std::size_t i = 0; i < header.size(); ++i) {
             const std::string heading = lowercase(header[i].text);
-            if (const auto wavelength = wavelength_of(heading)) {
+            if (const auto wavelength = wavelength_of_heading(heading)) {
                 add_wavelength(header[i], *wavelength, i);
                 continue;
             }
@@ -270,6 +262,13 @@ class MeasurementTable {
 };
 
 }  // namespace
+
+std::optional<double> wavelength_of_heading(const std::string& heading) {
+    std::string_view text = heading;
+    if (text.starts_with('r')) text.remove_prefix(1);
+    if (text.ends_with("nm")) text.remove_suffix(2);
+    return parse_number(text);
+}
 
 measure::Measurement parse_measurement_csv(std::string_view text, const std::string& filename,
                                            const measure::Conditions& defaults) {

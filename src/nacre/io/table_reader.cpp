@@ -226,6 +226,13 @@ TableReader TableReader::narrowed(const Keys& allowed) const {
     return {*document_, *table_, path_, allowed};
 }
 
+TableReader TableReader::on(const toml::table& contents, const Keys& allowed) const {
+    TableReader other = *this;
+    other.table_ = &contents;
+    other.allowed_ = allowed;
+    return other;
+}
+
 std::vector<std::string> TableReader::keys() const {
     std::vector<std::string> keys;
     for (auto&& [key, node] : *table_) keys.emplace_back(key.str());

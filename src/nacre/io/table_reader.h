@@ -67,6 +67,9 @@ class TableReader {
 
     /// The same table once it is known, from a `type` in it, which keys it may have.
     TableReader narrowed(const Keys& allowed) const;
+    /// The same place with other contents, which must outlive the reader.
+    TableReader on(const toml::table& contents, const Keys& allowed) const;
+    const toml::table& contents() const { return *table_; }
     /// The keys that it has, for tables whose keys are names.
     std::vector<std::string> keys() const;
 

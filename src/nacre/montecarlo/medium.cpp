@@ -50,7 +50,7 @@ void add_pigment(const paint::Pigment& pigment, const optics::Material& binder,
         slab.absorption_per_um += to_lanes(optics.absorption_per_um);
         return;
     }
-    const auto& given = std::get<paint::PigmentCoefficients>(pigment.body);
+    const paint::PigmentCoefficients given = *pigment.layer_coefficients();
     slab.pigments.push_back(
         {kPerMmToPerUm * sample_spectrum(given.scattering_per_mm, wavelengths_nm),
          given.anisotropy});

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace nacre::paint {
 
 // ------------------------------------------------------------------------------------- keys
@@ -16,6 +18,7 @@ class KeyVisitor : public Visitor {
         return false;
     }
     void beside(const Field& field) override { other(field); }
+    void preset(const Field& field) override { other(field); }
     bool visits_all_alternatives() const override { return true; }
 
  protected:
@@ -166,6 +169,9 @@ class MarkdownRows final : public KeyVisitor {
     void list(const Field& field, List&) override {
         row(field, "tables", "", fmt::format("up to {}", field.max_size), "none");
     }
+    void preset(const Field& field) override {
+        row(field, "text", "", fmt::format("up to {} characters", field.max_size), "none");
+    }
     void other(const Field& field) override { row(field, "table", "", "", "none"); }
 
     std::string rows =
@@ -182,6 +188,8 @@ class MarkdownRows final : public KeyVisitor {
 
     void row(const Field& field, const char* type, const std::string& unit,
              const std::string& range, std::string otherwise) {
+        // Alternatives may have keys in common.
+        if (!seen_.insert(field.key).second) return;
         if (field.required) otherwise.clear();
         if (field.otherwise) otherwise = field.otherwise;
         rows += fmt::format("| `{}` |", field.key);
@@ -191,6 +199,8 @@ class MarkdownRows final : public KeyVisitor {
         }
         rows += '\n';
     }
+
+    std::set<std::string> seen_;
 };
 
 }  // namespace

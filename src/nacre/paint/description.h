@@ -182,6 +182,8 @@ class Visitor {
         std::visit([&](auto& held) { describe(*this, held); }, value);
     }
 
+    /// A text that names keys of the same table written down elsewhere. A writer writes them out.
+    virtual void preset(const Field&) {}
     /// A table within that of the object; if it is not required, its keys keep their values.
     virtual void table(const Field& field, Described) { other(field); }
     /// A key of the file that is no part of the object: whoever reads the file reads it.

@@ -80,25 +80,36 @@ void check_flakes(const std::string& key, const Layer& layer) {
     }
 }
 
-/// The volume that all particles fill, and what a mass fraction comes to.
+/// The volume that all pigments fill, and what a mass fraction comes to.
 void check_pigments(const std::string& key, const Layer& layer) {
     double filled = 0;
     for (std::size_t i = 0; i < layer.pigments.size(); ++i) {
-        const auto* particles = std::get_if<PigmentParticles>(&layer.pigments[i].body);
-        if (!particles) continue;
-        const bool by_mass = std::holds_alternative<PigmentMass>(particles->amount);
-        const double volume = volume_fraction(particles->amount);
-        filled += volume;
+        const std::optional<PigmentAmount> amount = layer.pigments[i].amount();
+        if (!amount) continue;
+        const auto* mass = std::get_if<PigmentMass>(&*amount);
+        filled += volume_fraction(*amount);
         if (filled > optics::kParticleVolumeRange.hi) {
-            const double stated = by_mass ? std::get<PigmentMass>(particles->amount).fraction
-                                          : std::get<PigmentVolume>(particles->amount).fraction;
             throw DomainError(fmt::format(
                 "{}.pigment[{}].{} = {}: {} the particles fill {} of the layer; must be at most {}",
-                key, i, by_mass ? "mass_fraction" : "volume_fraction", stated,
+                key, i, mass ? "mass_fraction" : "volume_fraction",
+                mass ? mass->fraction : volume_fraction(*amount),
                 i > 0 ? "with the pigments before it" : "with these densities", filled,
                 optics::kParticleVolumeRange.hi));
         }
     }
+}
+
+Spectrum scaled(const Spectrum& spectrum, double factor) {
+    std::vector<double> values = spectrum.values();
+    for (double& value : values) value *= factor;
+    if (spectrum.is_constant()) return Spectrum(values[0]);
+    return Spectrum(spectrum.wavelengths_nm(), std::move(values));
+}
+
+std::optional<PigmentAmount> stated(const PigmentShare& share) {
+    if (const auto* volume = std::get_if<PigmentVolume>(&share)) return *volume;
+    if (const auto* mass = std::get_if<PigmentMass>(&share)) return *mass;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -142,6 +153,31 @@ double PigmentMass::volume_fraction() const {
 double volume_fraction(const PigmentAmount& amount) {
     if (const auto* mass = std::get_if<PigmentMass>(&amount)) return mass->volume_fraction();
     return std::get<PigmentVolume>(amount).fraction;
+}
+
+PigmentCoefficients PigmentKubelkaMunk::coefficients() const {
+    return {scaled(constants.scattering_per_mm, 4.0 / 3 / (1 - anisotropy)),
+            scaled(constants.absorption_per_mm, 0.5), anisotropy, amount};
+}
+
+std::optional<PigmentAmount> Pigment::amount() const {
+    if (const auto* particles = std::get_if<PigmentParticles>(&body)) return particles->amount;
+    if (const auto* given = std::get_if<PigmentCoefficients>(&body)) return stated(given->amount);
+    return stated(std::get<PigmentKubelkaMunk>(body).amount);
+}
+
+std::optional<PigmentCoefficients> Pigment::layer_coefficients() const {
+    if (std::holds_alternative<PigmentParticles>(body)) return std::nullopt;
+    const auto* two_flux = std::get_if<PigmentKubelkaMunk>(&body);
+    PigmentCoefficients coefficients =
+        two_flux ? two_flux->coefficients() : std::get<PigmentCoefficients>(body);
+    if (const auto filled = amount()) {
+        const double fraction = volume_fraction(*filled);
+        coefficients.scattering_per_mm = scaled(coefficients.scattering_per_mm, fraction);
+        coefficients.absorption_per_mm = scaled(coefficients.absorption_per_mm, fraction);
+        coefficients.amount = PigmentUnstated{};
+    }
+    return coefficients;
 }
 
 double Recipe::thickness_um() const {

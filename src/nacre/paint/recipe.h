@@ -60,15 +60,6 @@ struct FlakeSpecies {
     friend bool operator==(const FlakeSpecies&, const FlakeSpecies&) = default;
 };
 
-/// A pigment by its coefficients; it scatters by Henyey-Greenstein.
-struct PigmentCoefficients {
-    spectra::Spectrum scattering_per_mm;
-    spectra::Spectrum absorption_per_mm;
-    double anisotropy = 0;  ///< g, in (-1, 1)
-
-    friend bool operator==(const PigmentCoefficients&, const PigmentCoefficients&) = default;
-};
-
 /// How much of a layer is a pigment.
 struct PigmentVolume {
     double fraction = 0;
@@ -87,6 +78,44 @@ using PigmentAmount = std::variant<PigmentVolume, PigmentMass>;
 
 double volume_fraction(const PigmentAmount& amount);
 
+/// Coefficients are those of the layer; how much pigment makes them is not said.
+struct PigmentUnstated {
+    friend bool operator==(const PigmentUnstated&, const PigmentUnstated&) = default;
+};
+/// Where an amount is stated, coefficients are those of a volume fraction of 1, and the layer's are
+/// in proportion to its own.
+using PigmentShare = std::variant<PigmentUnstated, PigmentVolume, PigmentMass>;
+
+/// A pigment by its coefficients; it scatters by Henyey-Greenstein.
+struct PigmentCoefficients {
+    spectra::Spectrum scattering_per_mm;
+    spectra::Spectrum absorption_per_mm;
+    double anisotropy = 0;  ///< g, in (-1, 1)
+    PigmentShare amount = {};
+
+    friend bool operator==(const PigmentCoefficients&, const PigmentCoefficients&) = default;
+};
+
+/// The two constants of a two-flux model of diffuse light.           [kubelka-munk-1931]
+struct KubelkaMunk {
+    spectra::Spectrum absorption_per_mm;  ///< K
+    spectra::Spectrum scattering_per_mm;  ///< S
+
+    friend bool operator==(const KubelkaMunk&, const KubelkaMunk&) = default;
+};
+
+/// A pigment by the constants of Kubelka and Munk.
+struct PigmentKubelkaMunk {
+    KubelkaMunk constants;
+    double anisotropy = 0;
+    PigmentShare amount = {};
+
+    /// Those that diffuse light finds alike where it is scattered rather than absorbed:
+    /// K = 2 sigma_a, S = 3/4 (1 - g) sigma_s.
+    PigmentCoefficients coefficients() const;
+    friend bool operator==(const PigmentKubelkaMunk&, const PigmentKubelkaMunk&) = default;
+};
+
 /// A pigment by its particles: Mie scattering in the binder.
 struct PigmentParticles {
     PigmentAmount amount;
@@ -96,8 +125,14 @@ struct PigmentParticles {
 };
 
 struct Pigment {
-    std::variant<PigmentCoefficients, PigmentParticles> body;
+    std::variant<PigmentCoefficients, PigmentParticles, PigmentKubelkaMunk> body;
     std::string name = {};
+
+    /// None where it is not stated.
+    std::optional<PigmentAmount> amount() const;
+    /// Those of the layer that it is in; none for particles, whose coefficients depend on the
+    /// binder (optics::particle_optics).
+    std::optional<PigmentCoefficients> layer_coefficients() const;
 
     friend bool operator==(const Pigment&, const Pigment&) = default;
 };

@@ -7,6 +7,7 @@ namespace nacre::paint {
 namespace {
 
 constexpr std::size_t kMaxNameLength = 200;
+constexpr std::size_t kMaxPathLength = 2000;
 constexpr std::size_t kMaxSpeciesPerLayer = 64;  // of flakes, and as many pigments
 
 constexpr Range kPerMillimetre{0, 1e9, "1/mm"};
@@ -209,15 +210,36 @@ namespace {
 
 constexpr const char* kVolumeKey = "volume_fraction";
 constexpr const char* kMassKey = "mass_fraction";
+constexpr const char* kAmountTwice =
+    "how much pigment there is is said twice; give volume_fraction or mass_fraction, not both";
+
+constexpr Field kAnisotropy{.key = "anisotropy",
+                            .range = {-1, 1, "", true, true},
+                            .meaning =
+                                "g, the mean cosine of the angle by which light is turned "
+                                "[henyey-greenstein-1941]",
+                            .words = "g = {}"};
+
+void describe_share(Visitor& visit, PigmentShare& amount) {
+    visit(
+        {.each = {{"", "goes with mass_fraction"}, {kVolumeKey}, {kMassKey}}, .both = kAmountTwice},
+        amount);
+}
 
 }  // namespace
 
 void describe(Visitor& visit, Pigment& pigment) {
+    visit.preset({.key = "from",
+                  .meaning = "a pigment that ships (`nacre pigments`), or the path of a file that "
+                             "`nacre pigment` wrote, whose keys stand for those here; only the "
+                             "amount and a name stand beside",
+                  .max_size = kMaxPathLength});
     visit({.key = "name", .max_size = kMaxNameLength}, pigment.name);
     visit({.each = {{"scattering_per_mm", "goes with a material; this pigment has coefficients"},
                     {"material",
-                     "a pigment with a material gets its coefficients from its particles"}},
-           .both = "a pigment has either coefficients or a material, not both"},
+                     "a pigment with a material gets its coefficients from its particles"},
+                    {"kubelka_munk", "a pigment with kubelka_munk gets its coefficients from it"}},
+           .both = "a pigment has either coefficients, or a material, or kubelka_munk"},
           pigment.body);
 }
 
@@ -231,8 +253,7 @@ void describe(Visitor& visit, PigmentParticles& particles) {
            .words = "{}"},
           spheres.material);
     visit({.each = {{kVolumeKey}, {kMassKey}},
-           .both = "how much pigment there is is said twice; give volume_fraction or "
-                   "mass_fraction, not both",
+           .both = kAmountTwice,
            .neither = "is missing; it must be a number in (0, 0.5], or mass_fraction in (0, 1)"},
           particles.amount);
     visit({.key = "diameter_nm",
@@ -261,11 +282,15 @@ void describe(Visitor& visit, PigmentParticles& particles) {
         {"hard-spheres", "independent"}, spheres.crowding);
 }
 
+void describe(Visitor&, PigmentUnstated&) {}
+
 void describe(Visitor& visit, PigmentVolume& amount) {
     visit({.key = kVolumeKey,
            .range = optics::kParticleVolumeRange,
-           .meaning = "with `material`: fraction of the layer's volume that these particles fill; "
-                      "all pigments of a layer together at most 0.5",
+           .meaning = "fraction of the layer's volume that the pigment fills, all pigments of a "
+                      "layer together at most 0.5; required with `material` and `from`; "
+                      "coefficients are those of a volume fraction of 1 where it is given, else "
+                      "the layer's",
            .required = true,
            .words = "{%} by volume"},
           amount.fraction);
@@ -303,12 +328,36 @@ void describe(Visitor& visit, PigmentCoefficients& pigment) {
            .meaning = "absorption coefficient",
            .words = "absorbs {}"},
           pigment.absorption_per_mm);
-    visit({.key = "anisotropy",
-           .range = {-1, 1, "", true, true},
-           .meaning = "g, the mean cosine of the angle by which light is turned "
-                      "[henyey-greenstein-1941]",
-           .words = "g = {}"},
-          pigment.anisotropy);
+    visit(kAnisotropy, pigment.anisotropy);
+    describe_share(visit, pigment.amount);
+}
+
+void describe(Visitor& visit, PigmentKubelkaMunk& pigment) {
+    visit.table({.key = "kubelka_munk",
+                 .meaning = "in place of coefficients: the constants of Kubelka and Munk "
+                            "[kubelka-munk-1931], `{ K = spectrum, S = spectrum }` in 1/mm, each "
+                            "in [0, 1e9]; K = 2 sigma_a, S = 3/4 (1 - g) sigma_s",
+                 .required = true,
+                 .words = "{}",
+                 .in_line = true},
+                Described(pigment.constants));
+    visit(kAnisotropy, pigment.anisotropy);
+    describe_share(visit, pigment.amount);
+}
+
+void describe(Visitor& visit, KubelkaMunk& constants) {
+    visit({.key = "K",
+           .range = kPerMillimetre,
+           .meaning = "absorption",
+           .required = true,
+           .words = "K = {}"},
+          constants.absorption_per_mm);
+    visit({.key = "S",
+           .range = kPerMillimetre,
+           .meaning = "scattering",
+           .required = true,
+           .words = "S = {}"},
+          constants.scattering_per_mm);
 }
 
 void describe(Visitor& visit, Substrate& substrate) {

@@ -40,7 +40,7 @@ PigmentMedium make_pigment(const paint::Pigment& pigment, const optics::Material
         return {std::move(optics.scattering_per_um), std::move(optics.absorption_per_um), 0,
                 std::move(optics.phase)};
     }
-    const auto& given = std::get<paint::PigmentCoefficients>(pigment.body);
+    const paint::PigmentCoefficients given = *pigment.layer_coefficients();
     return {sampled(given.scattering_per_mm, wavelengths, 1 / kUmPerMm),
             sampled(given.absorption_per_mm, wavelengths, 1 / kUmPerMm), given.anisotropy};
 }

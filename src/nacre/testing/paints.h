@@ -83,7 +83,11 @@ inline paint::Recipe full_recipe() {
                                  {optics::Material(optics::ComplexIndex(1.7, 0.6)), 20, 0.1}};
     recipe.layers = {{15,
                       {pearl, mirror},
-                      {{PigmentCoefficients{20.0, 5.0, 0.3}, "dye"}, {white}, {black, "black"}}},
+                      {{PigmentCoefficients{20.0, 5.0, 0.3}, "dye"},
+                       {white},
+                       {black, "black"},
+                       {PigmentCoefficients{300.0, 800.0, 0.1, PigmentVolume{0.02}}},
+                       {PigmentKubelkaMunk{{12.0, 30.0}, 0.2, PigmentMass{0.05, 1.6, 1.2}}}}},
                      {10, {}, {}}};
     recipe.substrate_reflectance = 0.2;
     recipe.microfacet = Microfacet{};

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nacre/core/references.h"
+#include "nacre/io/table_reader.h"
+#include "nacre/paint/recipe.h"
+
+// Files of pigments (TOML): the keys of [[layer.pigment]] but the amount and `from`, and a
+// `source`. A recipe names one by `from`. Those of data/pigments are part of the library.
+
+namespace nacre::io {
+
+/// A file of data/pigments, compiled into the library.
+struct ShippedPigment {
+    std::string_view name;
+    std::string_view toml;
+};
+
+/// By their names, sorted.
+std::span<const ShippedPigment> shipped_pigments();
+
+/// What a file of a pigment says.
+struct PigmentFile {
+    paint::Pigment pigment;  ///< with the volume fraction that was asked for
+    std::string source;      ///< of its numbers
+};
+
+/// @param filename         for messages
+/// @param volume_fraction  of the pigment in the layer that it will be in, (0, 0.5]
+/// @throws InputError naming file, line, key, value and allowed range
+PigmentFile parse_pigment_file(std::string_view text, const std::string& filename,
+                               double volume_fraction);
+
+/// The text of such a file, without the pigment's amount.
+std::string write_pigment_file(const PigmentFile& file);
+
+/// The table of a pigment in a recipe, whose key `from` names a file, with the keys of the file.
+/// @throws InputError if there is no such file, or it is wrong inside, or a key of the file stands
+///         in the recipe too, or the recipe says no amount
+std::shared_ptr<const toml::table> with_keys_from(const TableReader& table, std::string_view from);
+
+}  // namespace nacre::io
