@@ -23,6 +23,7 @@ using nacre::test::message_of;
 using nacre::test::replaced;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The recipe of docs/recipe.md, every table once.
 const std::string kViolet = R"(name = "Violet pearl"
@@ -554,6 +555,32 @@ TEST(RecipeFile, NamesOnlyTheFilesThatItMay) {
     EXPECT_EQ(error("../glass.csv", folder / "inner"), "accepted");
     EXPECT_EQ(error(absolute, "elsewhere"), "accepted");
     EXPECT_THAT(error(absolute, {}), HasSubstr("may name none"));
+}
+
+TEST(RecipeFile, ReadsSpectraFromFiles) {
+    const nacre::test::TempFolder folder;
+    folder.write("primer.csv", "# grey primer\nwavelength_nm,reflectance\n400,0.2\n700,0.4\n");
+    const auto recipe_of = [&](const std::string& ground) {
+        return parse_recipe("ior = 1.5\n[[layer]]\nthickness_um = 20\n[substrate]\nreflectance = \"" +
+                                ground + "\"\n",
+                            "paint.toml", folder.path());
+    };
+    EXPECT_EQ(recipe_of("primer.csv").substrate_reflectance,
+              spectra::Spectrum({400, 700}, {0.2, 0.4}));
+    const auto refusal = [&](const std::string& text) {
+        folder.write("bad.csv", text);
+        return message_of<InputError>([&] { recipe_of("bad.csv"); });
+    };
+    const std::string head = "wavelength_nm,R\n";
+    EXPECT_THAT(refusal(head + "400,0.2\n500,45\n"),
+                HasSubstr("paint.toml:5:15: substrate.reflectance = \"bad.csv\": bad.csv:3: the value, "
+                          "45, must be a number in [0, 1]"));
+    EXPECT_THAT(refusal(head + "500,0.2\n400,0.2\n"), HasSubstr("bad.csv:3: wavelength_nm must be above"));
+    EXPECT_THAT(refusal(head + "500,0.2,1\n"), HasSubstr("must have two cells"));
+    EXPECT_THAT(refusal(head + "secret,0.2\n"), Not(HasSubstr("secret")));
+    EXPECT_THAT(refusal("lambda,R\n400,0.2\n"), HasSubstr("wavelength_nm and one of values"));
+    EXPECT_THAT(message_of<InputError>([&] { recipe_of("red"); }),
+                HasSubstr("substrate.reflectance = \"red\""));
 }
 
 }  // namespace

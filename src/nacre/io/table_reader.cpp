@@ -7,7 +7,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "nacre/core/csv.h"
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/core/text.h"
 #include "nacre/paint/description.h"
 #include "nacre/paint/recipe.h"
@@ -398,8 +400,72 @@ std::vector<double> read_wavelengths(const TableReader& table, std::string_view 
     return wavelengths;
 }
 
+namespace {
+
+constexpr std::size_t kMaxSpectrumPathLength = 2000;
+
+/// A file of two columns, `wavelength_nm` and one of values. Messages give places and numbers, and
+/// quote no text: what stands in a file that is no spectrum is not for whoever sees the message.
+spectra::Spectrum read_spectrum_file(const TableReader& table, std::string_view key,
+                                     const Range& range) {
+    const std::string name = table.text(key, kMaxSpectrumPathLength);
+    if (!name.ends_with(".csv")) {
+        table.fail(key, "must be a number in " + range.text() +
+                            ", a table of wavelengths_nm and values, or the path of a .csv file");
+    }
+    std::string text;
+    std::string file = table.document().references().may_quote() ? name : "the file";
+    try {
+        text = read_file(table.document().references().resolve(name), kMaxTextBytes);
+    } catch (const InputError& error) {
+        if (table.document().references().may_quote()) table.fail(key, error.what());
+        table.fail(key, "names no spectrum that can be read");
+    }
+    std::vector<CsvRow> rows;
+    try {
+        rows = parse_csv(text, file);
+    } catch (const InputError& error) {
+        table.fail(key, error.what());
+    }
+    const auto refuse = [&](const CsvRow& row, const std::string& why) {
+        table.fail(key, fmt::format("{}:{}: {}", file, row[0].line, why));
+    };
+    if (rows.size() < 2 || rows[0].size() != 2 || lowercase(rows[0][0].text) != "wavelength_nm") {
+        table.fail(key, fmt::format("{} must have a header of two columns, wavelength_nm and one "
+                                    "of values, and a row for each wavelength",
+                                    file));
+    }
+    if (rows.size() - 1 > paint::kMaxSpectrumSamples) {
+        table.fail(key, fmt::format("{} has {} rows; at most {} are allowed", file, rows.size() - 1,
+                                    paint::kMaxSpectrumSamples));
+    }
+    std::vector<double> wavelengths, values;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        if (rows[i].size() != 2) refuse(rows[i], "must have two cells");
+        const auto wavelength = parse_number(rows[i][0].text), value = parse_number(rows[i][1].text);
+        if (!wavelength || !paint::limits::kWavelength.contains(*wavelength)) {
+            refuse(rows[i], "wavelength_nm must be a number in " +
+                                paint::limits::kWavelength.text());
+        }
+        if (!wavelengths.empty() && *wavelength <= wavelengths.back()) {
+            refuse(rows[i], "wavelength_nm must be above the one before");
+        }
+        if (!value || !range.contains(*value)) {
+            refuse(rows[i], fmt::format("the value{} must be a number in {}",
+                                        value ? fmt::format(", {},", *value) : std::string(),
+                                        range.text()));
+        }
+        wavelengths.push_back(*wavelength);
+        values.push_back(*value);
+    }
+    return {std::move(wavelengths), std::move(values)};
+}
+
+}  // namespace
+
 spectra::Spectrum read_spectrum(const TableReader& table, std::string_view key,
                                 const Range& range) {
+    if (table.is_text(key)) return read_spectrum_file(table, key, range);
     if (!table.is_table(key)) return table.number(key, range);
     const TableReader spectrum = table.table(key, {"wavelengths_nm", "values"});
     std::vector<double> wavelengths = read_wavelengths(spectrum, "wavelengths_nm");

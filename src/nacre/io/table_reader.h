@@ -124,7 +124,8 @@ class TableReader {
 /// @throws InputError always
 [[noreturn]] void rethrow_with_location(const TomlDocument& document, const std::string& message);
 
-/// A number, or { wavelengths_nm = [...], values = [...] }; every value in the range.
+/// A number, { wavelengths_nm = [...], values = [...] }, or the path of a CSV file with the columns
+/// wavelength_nm and one of values; every value in the range.
 spectra::Spectrum read_spectrum(const TableReader& table, std::string_view key, const Range& range);
 
 /// A reflectance in [0, 1]: a spectrum as above, or [r, g, b] in linear Rec. 709, for which a
