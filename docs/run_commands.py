@@ -15,8 +15,8 @@ Every fenced block of README.md, CONTRIBUTING.md and docs/**/*.md is one of
     any other language      shown only
 
 Blocks of one document share a scratch folder with copies of paints/, scenes/ and studies/ and find the
-program as `nacre`. Links to files of the repository must lead somewhere, and docs/paints.md must
-show every recipe of paints/.
+program as `nacre`. Links to files of the repository must lead somewhere, and docs/paints.md and
+docs/effect-pigments.md must show every recipe of paints/.
 """
 
 import argparse
@@ -195,10 +195,11 @@ def main():
             tried += check_document(path, environment, ci_steps)
         except (Failure, subprocess.TimeoutExpired) as failure:
             failures.append(str(failure))
-    gallery = (ROOT / "docs/paints.md").read_text(encoding="utf-8")
-    for paint in sorted((ROOT / "paints").glob("*.toml")):
-        if f"(../paints/{paint.name})" not in gallery:
-            failures.append(f"docs/paints.md: {paint.name} is missing")
+    for page, folder in (("paints.md", "paints"), ("effect-pigments.md", "paints/effect-pigments")):
+        gallery = (ROOT / "docs" / page).read_text(encoding="utf-8")
+        for paint in sorted((ROOT / folder).glob("*.toml")):
+            if f"(../{folder}/{paint.name})" not in gallery:
+                failures.append(f"docs/{page}: {paint.name} is missing")
     if not tried:
         failures.append("no block was tried; is this the right folder?")
     for failure in failures:

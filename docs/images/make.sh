@@ -21,6 +21,10 @@ for recipe in paints/*.toml; do
     paint=$(basename "$recipe" .toml)
     render sphere "$paint" microflake 256 256 "paints/$paint.png"
 done
+for recipe in paints/effect-pigments/*.toml; do
+    paint=$(basename "$recipe" .toml)
+    render sphere "effect-pigments/$paint" microflake 160 144 "effect-pigments/$paint.png"
+done
 for paint in metallic-silver satin-silver tio2-mica-80 tio2-mica-110 ruby glitter-100um; do
     for scene in macro sphere; do
         render "$scene" "$paint" nacre 200 256 "flakes/$scene-$paint.png"

@@ -290,7 +290,7 @@ TEST(RecipeFile, EveryNumberOutsideItsRangeIsRefused) {
 TEST(RecipeFile, EveryNumberOfEveryPaintSurvivesTheFile) {
     int numbers = 0;
     const auto paints = shipped_file("paints/metallic-gray.toml").parent_path();
-    for (const auto& entry : std::filesystem::directory_iterator(paints)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(paints)) {
         if (entry.path().extension() != ".toml") continue;
         const paint::Recipe recipe = read_recipe(entry.path());
         for (const paint::RecipeParameter& parameter : paint::recipe_parameters(recipe)) {
