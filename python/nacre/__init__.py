@@ -30,6 +30,7 @@ from ._model import Model, model_names
 from ._nacre import version
 from ._paint import Paint
 from ._picture import Image, Picture, read_image, render, scene_names
+from ._pigment import DrawdownFit, Pigment, pigment
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
 from ._threads import set_threads, threads
 from ._values import Export, FittedMaterial, Parameter, Sample, Solution
@@ -43,6 +44,7 @@ __all__ = [
     "Difference",
     "DiffuseReading",
     "DomainError",
+    "DrawdownFit",
     "Error",
     "Estimate",
     "Export",
@@ -59,6 +61,7 @@ __all__ = [
     "Paint",
     "Parameter",
     "Picture",
+    "Pigment",
     "Sample",
     "SettingError",
     "Solution",
@@ -73,6 +76,7 @@ __all__ = [
     "lab",
     "material_names",
     "model_names",
+    "pigment",
     "read_image",
     "render",
     "scene_names",

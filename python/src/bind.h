@@ -23,6 +23,7 @@ void bind_optics(nb::module_& module);
 void bind_measurement(nb::module_& module);
 void bind_sparkle(nb::module_& module);
 void bind_fit(nb::module_& module);
+void bind_drawdown(nb::module_& module);
 void bind_images(nb::module_& module);
 
 /// Turns exceptions of the library into those of nacre/_errors.py, with the same texts as the

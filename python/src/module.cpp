@@ -20,6 +20,7 @@ NB_MODULE(_nacre, module) {
     bind_measurement(module);
     bind_sparkle(module);
     bind_fit(module);
+    bind_drawdown(module);
     bind_images(module);
     module.def("version", &nacre::version);
     module.def("threads", &ThreadLimit::threads);

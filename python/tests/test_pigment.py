@@ -1,0 +1,51 @@
+"""Pigments from drawdowns: as the command line has them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import Run
+
+import nacre
+
+DRAWDOWN = """ground,thickness_um,volume_fraction,450,650
+black,0,,0.0095,0.0095
+black,20,0.02,0.0906,0.0119
+white,0,,0.6900,0.6900
+white,20,0.02,0.3500,0.0130
+"""
+
+
+def test_coefficients_are_those_of_the_command_line(tmp_path: Path, nacre_program: Run) -> None:
+    (tmp_path / "d.csv").write_text(DRAWDOWN)
+    found = nacre.pigment(tmp_path / "d.csv", geometry="45-0", noise=0.001, name="blue")
+    nacre_program(
+        *("pigment", tmp_path / "d.csv", "--geometry", "45-0", "--noise", "0.001", "--quiet"),
+        *("-o", tmp_path / "p.toml", "--table", tmp_path / "t.csv"),
+    )
+    rows = np.genfromtxt(tmp_path / "t.csv", delimiter=",", skip_header=1)
+    np.testing.assert_allclose(found.scattering_per_mm, rows[:, 1], rtol=1e-5)
+    np.testing.assert_allclose(found.absorption_per_mm, rows[:, 3], rtol=1e-5)
+    assert (found.scattering_error > 0).all()
+    assert [d.ground for d in found.drawdowns] == ["black", "white"]
+
+    found.write(tmp_path / "mine.toml")
+    (tmp_path / "paint.toml").write_text(
+        "ior = 1.5\n[[layer]]\nthickness_um = 20\n"
+        '[[layer.pigment]]\nfrom = "mine.toml"\nvolume_fraction = 0.02\n'
+    )
+    assert "blue" in nacre.Paint(tmp_path / "paint.toml").to_toml()
+
+
+def test_what_is_wrong_is_said(tmp_path: Path) -> None:
+    path = tmp_path / "d.csv"
+    path.write_text("ground,thickness_um,volume_fraction,450\nblack,20,0.1,45\n")
+    with pytest.raises(nacre.InputError, match="in percent"):
+        nacre.pigment(path)
+    path.write_text("ground,thickness_um,volume_fraction,450\nblack,0,,0.1\nblack,20,0.1,0.2\n")
+    with pytest.raises(nacre.DomainError, match="two grounds"):
+        nacre.pigment(path)
+    with pytest.raises(nacre.SettingError, match="geometry"):
+        nacre.pigment(path, geometry="60-0")
