@@ -16,7 +16,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     const nacre::io::RecipeFile again = nacre::io::parse_recipe_file(
-        nacre::io::write_recipe(file.recipe, file.bounds), "again.toml", "");
-    if (again.recipe != file.recipe || again.bounds != file.bounds) __builtin_trap();
+        nacre::io::write_recipe(file.recipe, file.bounds, file.deviations), "again.toml", "");
+    if (again.recipe != file.recipe || again.bounds != file.bounds ||
+        again.deviations != file.deviations) {
+        __builtin_trap();
+    }
     return 0;
 }

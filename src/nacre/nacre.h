@@ -21,6 +21,7 @@
 #include "nacre/core/references.h"
 #include "nacre/exchange/material_fit.h"
 #include "nacre/fit/fit.h"
+#include "nacre/fit/uncertainty.h"
 #include "nacre/measure/acquire.h"
 #include "nacre/measure/geometry.h"
 #include "nacre/measure/instrument.h"
@@ -28,6 +29,7 @@
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/montecarlo/shell_walk.h"
+#include "nacre/paint/parameter_deviation.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
 #include "nacre/solver/solved_paint.h"
@@ -243,6 +245,15 @@ using FitSettings = fit::FitOptions;
 bool shows_hot_spot(const Model& model);
 struct Match;
 
+using fit::Uncertainty;
+struct UncertaintySettings {
+    /// How well numbers are known, in addition to Paint::deviations() or in their place. Keys as
+    /// paint::matching_parameters().
+    std::vector<paint::ParameterDeviation> deviations = {};
+    int samples = 0;         ///< recipes drawn and read besides (fit::UncertaintyOptions); 0: none
+    std::uint64_t seed = 0;  ///< of these
+};
+
 class Paint;
 Paint open_text(std::string bytes, const std::string& name, const References& references);
 
@@ -250,8 +261,10 @@ class Paint {
  public:
     /// A paint that no file holds.
     /// @param bounds  between which a fit seeks its numbers, as the table [fit] of a recipe's file
-    /// @throws DomainError as paint::validate() and paint::check_bounds()
-    explicit Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds = {});
+    /// @param deviations  how well numbers are known, as its table [uncertainty]
+    /// @throws DomainError as paint::validate(), check_bounds() and check_deviation()
+    explicit Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds = {},
+                   std::vector<paint::ParameterDeviation> deviations = {});
 
     Kind kind() const;
     /// The file as it was opened, or what a text was said to be; empty for a recipe alone.
@@ -268,6 +281,8 @@ class Paint {
     std::string recipe_sha256() const;
     /// The table [fit] of a recipe's file.
     const std::vector<paint::ParameterBounds>& bounds() const;
+    /// The table [uncertainty] of a recipe's file.
+    const std::vector<paint::ParameterDeviation>& deviations() const;
     /// The same paint with one number changed, to be solved anew.
     /// @param key  as paint::matching_parameters(), meaning one number: "coats[0].thickness_nm"
     /// @throws InputError as recipe(); DomainError naming key, value and range
@@ -309,6 +324,16 @@ class Paint {
     ///         stated as asked; DomainError, Error as measure::measure()
     Readings measure(const std::vector<Geometry>& geometries = {},
                      const MeasureSettings& settings = {}, const Progress& progress = {}) const;
+
+    /// How far those readings are spread if numbers of the recipe are known to standard deviations
+    /// only: the paint is solved anew beside each of them (docs/uncertainty.md).
+    /// @param settings  the model must be one of values, not of estimates
+    /// @throws InputError as recipe(), or where the recipe cannot be solved; SettingError where the
+    ///         model gives no values; DomainError, Error as fit::uncertainty()
+    Uncertainty measure_uncertainty(const std::vector<Geometry>& geometries = {},
+                                    const MeasureSettings& settings = {},
+                                    const UncertaintySettings& uncertainty = {},
+                                    const Progress& progress = {}) const;
 
     /// The BRDF as the files of the RGL database hold it, or those of MERL, for other renderers.
     /// The specular lobe of a smooth interface is not part of it.

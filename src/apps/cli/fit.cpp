@@ -116,7 +116,8 @@ ExitStatus run(const FitOptions& options) {
     document["recipe_sha256"] = io::recipe_hash(found.recipe);
     require_going();
     if (!options.output.empty()) {
-        write_file_atomically(options.output, io::write_recipe(found.recipe, start.bounds()));
+        write_file_atomically(options.output, io::write_recipe(found.recipe, found.paint.bounds(),
+                                                               found.paint.deviations()));
     }
     CommonOptions to_stdout = options;
     to_stdout.output.clear();

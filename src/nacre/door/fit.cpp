@@ -38,7 +38,12 @@ Match Paint::fit(const Measurement& standard, const std::vector<std::string>& ke
     }
     const fit::FreeNumbers numbers(recipe(), free_keys(keys), bounds());
     fit::Fit found = fit::fit(standard, numbers, settings, progress);
-    Paint paint(std::make_shared<const State>(io::RecipeFile{found.recipe, bounds()}, file()));
+    io::RecipeFile made{found.recipe, bounds(), deviations()};
+    // A percentage says nothing about a number that was fitted to 0.
+    std::erase_if(made.deviations, [&](const paint::ParameterDeviation& d) {
+        return d.relative && paint::find_parameter(found.recipe, d.key).value == 0;
+    });
+    Paint paint(std::make_shared<const State>(std::move(made), file()));
     return {std::move(found), std::move(paint)};
 }
 

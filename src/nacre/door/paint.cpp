@@ -123,11 +123,13 @@ std::shared_ptr<Paint::State::Solution> Paint::State::solution(
     return solutions.back();
 }
 
-Paint::Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds) {
+Paint::Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds,
+             std::vector<paint::ParameterDeviation> deviations) {
     paint::validate(recipe, {});
     for (const paint::ParameterBounds& b : bounds) paint::check_bounds(recipe, b);
-    state_ =
-        std::make_shared<const State>(io::RecipeFile{std::move(recipe), std::move(bounds)}, "");
+    for (const paint::ParameterDeviation& d : deviations) paint::check_deviation(recipe, d);
+    state_ = std::make_shared<const State>(
+        io::RecipeFile{std::move(recipe), std::move(bounds), std::move(deviations)}, "");
 }
 
 Paint open_text(std::string bytes, const std::string& name, const References& references) {
@@ -203,8 +205,14 @@ const std::vector<paint::ParameterBounds>& Paint::bounds() const {
     return file ? file->bounds : none;
 }
 
+const std::vector<paint::ParameterDeviation>& Paint::deviations() const {
+    static const std::vector<paint::ParameterDeviation> none;
+    const auto* file = std::get_if<io::RecipeFile>(&state_->contents);
+    return file ? file->deviations : none;
+}
+
 Paint Paint::with(std::string_view key, double value) const {
-    io::RecipeFile changed{recipe(), bounds()};
+    io::RecipeFile changed{recipe(), bounds(), deviations()};
     const std::vector<std::string> keys = paint::matching_parameters(changed.recipe, key);
     if (keys.size() != 1) {
         throw SettingError(

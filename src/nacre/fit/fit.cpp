@@ -8,6 +8,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/fit/search.h"
+#include "nacre/solver/solver.h"
 
 namespace nacre::fit {
 
@@ -153,7 +154,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
         at_best ? model.central_jacobian(best.x, *at_best, Detail::fine) : std::nullopt;
     if (work.stopped()) throw Stopped(kStopped);
     if (!jacobian) throw Error(model.first_failure());
-    out.certainty = certainty(at_best->residuals, *jacobian, numbers.size(),
+    out.certainty = certainty(at_best->values, *jacobian, numbers.size(),
                               {options.noise_delta_e, 3 * target.geometry_count(),
                                target.geometry_count(), options.equal_delta_e});
 

@@ -41,7 +41,7 @@ class ResidualFunction : public ceres::CostFunction {
             last_ = model_.evaluate(x, detail_);
         }
         if (!last_) return false;
-        std::copy(last_->residuals.begin(), last_->residuals.end(), residuals);
+        std::copy(last_->values.begin(), last_->values.end(), residuals);
         if (!jacobians || !jacobians[0]) return true;
         const auto jacobian = model_.jacobian(x, *last_, detail_);
         if (!jacobian) return false;
@@ -53,7 +53,7 @@ class ResidualFunction : public ceres::CostFunction {
     const ColourModel& model_;
     Detail detail_;
     mutable std::vector<double> last_x_;
-    mutable std::optional<ColourModel::Evaluation> last_;
+    mutable std::optional<Evaluation> last_;
 };
 
 class AfterStep : public ceres::IterationCallback {
@@ -211,7 +211,7 @@ std::vector<Candidate> screen(const ColourModel& model, std::vector<std::vector<
         // Waiting for a solve, a thread must not begin another point.
         tbb::this_task_arena::isolate([&] {
             if (const auto seen = model.evaluate(points[i], Detail::screening)) {
-                candidates[i].rms_delta_e = model.target().rms_delta_e(seen->residuals);
+                candidates[i].rms_delta_e = model.target().rms_delta_e(seen->values);
             }
         });
         meter.add(1);

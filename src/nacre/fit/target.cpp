@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/bsdf/models/hot_spot_brdf.h"
 #include "nacre/core/error.h"
-#include "nacre/core/parallel.h"
 #include "nacre/measure/difference.h"
-#include "nacre/measure/instrument.h"
-#include "nacre/solver/solver.h"
 #include "nacre/spectra/lab.h"
 #include "nacre/spectra/spectrum.h"
 
@@ -124,12 +120,7 @@ std::size_t Target::residual_count() const {
 }
 
 measure::Measurement Target::read(const solver::SolvedPaint& paint, Detail detail) const {
-    measure::Brdf brdf = [&](double theta_i, double theta_o, double phi) {
-        return paint.brdf(theta_i, theta_o, phi);
-    };
-    if (hot_spot_) brdf = bsdf::HotSpotBrdf(paint);
-    return measure::measure(paint.recipe.name, brdf, wavelengths_nm(detail), geometries_,
-                            standards(detail)[0].conditions);
+    return read_solution(paint, hot_spot_, geometries_, standards(detail)[0].conditions);
 }
 
 std::vector<double> Target::residuals(const solver::SolvedPaint& paint, Detail detail) const {
@@ -163,8 +154,8 @@ constexpr double kStep = 2e-3;
 // By detail. The tolerance is relative to the BRDF's peak, so that colours far from it err by more;
 // fewer cosines miss resonances of films at grazing incidence, which contribute little:
 // docs/fit.md.
-constexpr double kTolerance[] = {1e-4, 1e-5, 1e-6};
-constexpr int kCosines[] = {33, 65, 129};
+constexpr double kTolerance[] = {1e-4, 1e-5, kFineTolerance};
+constexpr int kCosines[] = {33, 65, kFineCosines};
 
 constexpr std::size_t kFilmsKept = 64;
 
@@ -188,21 +179,15 @@ std::string ColourModel::first_failure() const {
     return first_failure_;
 }
 
-std::optional<ColourModel::Evaluation> ColourModel::evaluate(
-    std::span<const double> x, Detail detail, const solver::SolverSettings* settings) const {
+std::optional<Evaluation> ColourModel::evaluate(std::span<const double> x, Detail detail,
+                                                const solver::SolverSettings* settings) const {
     if (stopped()) return std::nullopt;
     try {
-        solver::SolverSettings chosen;
-        if (settings) chosen = *settings;
-        chosen.tolerance = kTolerance[static_cast<int>(detail)];
         ++solves_;
-        const solver::SolvedPaint paint = solver::solve(
-            numbers_.at(x), target_.wavelengths_nm(detail), chosen,
-            &films_[static_cast<int>(detail)], [this](double) { return work_.ask(); });
-        chosen.exit_nodes = paint.report.exit_nodes;
-        chosen.inner_nodes = paint.report.inner_nodes;
-        chosen.max_orders = paint.report.orders;
-        return Evaluation{target_.residuals(paint, detail), chosen};
+        const Solution solution = solve_alike(numbers_.at(x), target_.wavelengths_nm(detail),
+                                              kTolerance[static_cast<int>(detail)], settings,
+                                              films_[static_cast<int>(detail)], work_);
+        return Evaluation{target_.residuals(solution.paint, detail), solution.settings};
     } catch (const Error& error) {
         const std::lock_guard lock(mutex_);
         if (first_failure_.empty()) first_failure_ = error.what();
@@ -210,52 +195,28 @@ std::optional<ColourModel::Evaluation> ColourModel::evaluate(
     }
 }
 
-bool ColourModel::column(std::span<const double> x, const Evaluation& at_x, Detail detail,
-                         std::size_t number, Steps steps, std::span<double> jacobian) const {
-    const auto beside = [&](double step) -> std::optional<Evaluation> {
-        if (step == 0) return at_x;
-        std::vector<double> moved(x.begin(), x.end());
-        moved[number] += step;
-        return evaluate(moved, detail, &at_x.settings);
-    };
-    const auto behind = beside(-steps.back), ahead = beside(steps.ahead);
-    if (!behind || !ahead) return false;
-    for (std::size_t row = 0; row < at_x.residuals.size(); ++row) {
-        jacobian[row * numbers_.size() + number] =
-            (ahead->residuals[row] - behind->residuals[row]) / (steps.ahead + steps.back);
-    }
-    return true;
-}
-
-std::optional<std::vector<double>> ColourModel::differences(std::span<const double> x,
+std::optional<std::vector<double>> ColourModel::derivatives(std::span<const double> x,
                                                             const Evaluation& at_x, Detail detail,
                                                             bool central) const {
-    std::vector<double> jacobian(at_x.residuals.size() * numbers_.size(), 0.0);
-    std::atomic<bool> failed = false;
-    parallel_for_ranges(0, numbers_.size(), 1, [&](std::size_t i, std::size_t) {
-        const double room_ahead = 1 - x[i], room_behind = x[i];
-        const Steps forward{0, kStep}, backward{kStep, 0}, both{kStep, kStep};
-        const auto try_column = [&](Steps steps) {
-            return steps.ahead <= room_ahead && steps.back <= room_behind &&
-                   column(x, at_x, detail, i, steps, jacobian);
-        };
-        if (central && try_column(both)) return;
-        if (!try_column(forward) && !try_column(backward)) failed = true;
-    });
-    if (failed) return std::nullopt;
-    return jacobian;
+    std::vector<StepAlong> steps;
+    for (const double here : x) steps.push_back({kStep, here, 1 - here});
+    return differences(
+        [&](std::span<const double> point, const solver::SolverSettings* like) {
+            return evaluate(point, detail, like);
+        },
+        x, at_x, steps, central);
 }
 
 std::optional<std::vector<double>> ColourModel::jacobian(std::span<const double> x,
                                                          const Evaluation& at_x,
                                                          Detail detail) const {
-    return differences(x, at_x, detail, false);
+    return derivatives(x, at_x, detail, false);
 }
 
 std::optional<std::vector<double>> ColourModel::central_jacobian(std::span<const double> x,
                                                                  const Evaluation& at_x,
                                                                  Detail detail) const {
-    return differences(x, at_x, detail, true);
+    return derivatives(x, at_x, detail, true);
 }
 
 }  // namespace nacre::fit

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "nacre/core/progress.h"
+#include "nacre/fit/differences.h"
 #include "nacre/fit/free_numbers.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/solver/film_cache.h"
 #include "nacre/solver/solved_paint.h"
-#include "nacre/solver/solver.h"
 
 // The target colours of a fit, and the residuals of a paint against them.
 
@@ -91,28 +91,18 @@ inline constexpr const char* kStopped = "the fit was stopped before it was done"
 /// call from several threads at once.
 class ColourModel {
  public:
-    struct Evaluation {
-        std::vector<double> residuals;
-        /// Nodes and orders that were chosen for this point. Its neighbours must be solved with the
-        /// same, or the function would jump between them.
-        solver::SolverSettings settings;
-    };
-
     /// @param work  asked, while paints are solved, whether to go on
     ColourModel(const FreeNumbers& numbers, const Target& target, SharedProgress& work);
 
     const FreeNumbers& numbers() const { return numbers_; }
     const Target& target() const { return target_; }
 
-    /// Solves the paint at x. Empty where there is no such paint (numbers that exclude each other,
-    /// a lobe that the solver cannot resolve; first_failure() says which was met first), and always
-    /// once stop() was called.
+    /// Solves the paint at x; the values are the residuals. Empty where there is no such paint (see
+    /// PointFunction; first_failure() says which was met first), and always once stop() was called.
     std::optional<Evaluation> evaluate(std::span<const double> x, Detail detail,
                                        const solver::SolverSettings* settings = nullptr) const;
 
-    /// Differences forward (backward at the upper bound, or where there is no paint ahead), each
-    /// number's solve on a thread of its own: rows of residuals, columns of numbers. Empty as
-    /// evaluate().
+    /// differences() of the residuals, forward (backward at the upper bound). Empty as evaluate().
     std::optional<std::vector<double>> jacobian(std::span<const double> x, const Evaluation& at_x,
                                                 Detail detail) const;
     /// Central differences as far as the bounds allow, whose error is of second order: for
@@ -128,15 +118,9 @@ class ColourModel {
     std::string first_failure() const;
 
  private:
-    /// Steps from x along one axis, between the bounds, that the differences are taken over.
-    struct Steps {
-        double back = 0, ahead = 0;
-    };
-    std::optional<std::vector<double>> differences(std::span<const double> x,
+    std::optional<std::vector<double>> derivatives(std::span<const double> x,
                                                    const Evaluation& at_x, Detail detail,
                                                    bool central) const;
-    bool column(std::span<const double> x, const Evaluation& at_x, Detail detail,
-                std::size_t number, Steps steps, std::span<double> jacobian) const;
 
     const FreeNumbers& numbers_;
     const Target& target_;

@@ -18,41 +18,81 @@ namespace nacre::io {
 namespace {
 
 constexpr std::size_t kMaxShownKeyLength = 200;
+constexpr std::size_t kMaxDeviationLength = 40;
 
-/// Whether a key of [fit] can stand in a message as it is.
+/// Whether a key of [fit] or [uncertainty] can stand in a message as it is.
 bool is_plain(const std::string& key) {
     return !key.empty() && key.size() <= kMaxShownKeyLength &&
            std::all_of(key.begin(), key.end(), [](char c) { return c >= 0x20 && c < 0x7f; });
 }
 
-/// [fit]: keys of the recipe's numbers, each with a list of two ends.
-std::vector<paint::ParameterBounds> read_bounds(const TableReader& table,
-                                                const paint::Recipe& recipe) {
-    std::vector<paint::ParameterBounds> bounds;
-    const auto fit = table.table_if_present("fit", {});
-    if (!fit) return bounds;
-    std::map<std::string, paint::ParameterBounds> by_key;
-    for (const std::string& key : fit->keys()) {
-        if (!is_plain(key)) fit->fail("has a key that is not the name of a number of this recipe");
-        const std::string place = table.document().location(fit->path_of(key));
+/// A table whose keys are those of the recipe's numbers, in the order of those.
+/// @param read   from the table and a key, throwing DomainError "key = value: ..."
+/// @param wrong  what is said of a table that may not be quoted
+template <class Entry, class Read>
+std::vector<Entry> read_by_number(const TableReader& recipe_table, const char* name,
+                                  const paint::Recipe& recipe, const std::string& wrong,
+                                  const Read& read) {
+    std::vector<Entry> entries;
+    const auto table = recipe_table.table_if_present(name, {});
+    if (!table) return entries;
+    std::map<std::string, Entry> by_key;
+    for (const std::string& key : table->keys()) {
+        if (!is_plain(key)) {
+            table->fail("has a key that is not the name of a number of this recipe");
+        }
+        const std::string place = table->document().location(table->path_of(key));
         try {
             paint::find_parameter(recipe, key);
-            const std::vector<double> ends = fit->numbers(key, {}, 2, 2);
-            paint::check_bounds(recipe, {key, ends[0], ends[1]});
-            by_key[key] = {key, ends[0], ends[1]};
+            by_key[key] = read(*table, key);
         } catch (const DomainError& error) {
-            if (!table.document().references().may_quote()) {
-                throw InputError(place +
-                                 "fit: bounds no number of this recipe by two in its range");
+            if (!table->document().references().may_quote()) {
+                throw InputError(place + name + ": " + wrong);
             }
-            throw InputError(place + "fit." + error.what());
+            throw InputError(place + name + "." + error.what());
         }
     }
     for (const paint::RecipeParameter& parameter : paint::recipe_parameters(recipe)) {
         const auto found = by_key.find(parameter.key);
-        if (found != by_key.end()) bounds.push_back(found->second);
+        if (found != by_key.end()) entries.push_back(found->second);
     }
-    return bounds;
+    return entries;
+}
+
+/// [fit]: each number with a list of two ends.
+std::vector<paint::ParameterBounds> read_bounds(const TableReader& table,
+                                                const paint::Recipe& recipe) {
+    return read_by_number<paint::ParameterBounds>(
+        table, "fit", recipe, "bounds no number of this recipe by two in its range",
+        [&](const TableReader& fit, const std::string& key) {
+            const std::vector<double> ends = fit.numbers(key, {}, 2, 2);
+            const paint::ParameterBounds bounds{key, ends[0], ends[1]};
+            paint::check_bounds(recipe, bounds);
+            return bounds;
+        });
+}
+
+/// [uncertainty]: each number with a standard deviation, 0.002 or "5 %".
+std::vector<paint::ParameterDeviation> read_deviations(const TableReader& table,
+                                                       const paint::Recipe& recipe) {
+    return read_by_number<paint::ParameterDeviation>(
+        table, "uncertainty", recipe,
+        "gives no number of this recipe a standard deviation in its range",
+        [&](const TableReader& uncertainty, const std::string& key) {
+            paint::ParameterDeviation deviation{key};
+            if (uncertainty.is_text(key)) {
+                deviation = paint::parse_deviation(key, uncertainty.text(key, kMaxDeviationLength));
+                if (!deviation.relative) {
+                    uncertainty.fail(key,
+                                     "must be a number without quotes, or a percentage as in "
+                                     "\"5 %\"");
+                }
+            } else {
+                deviation.amount = uncertainty.number(key, {});
+            }
+            paint::check_deviation(recipe, deviation);
+            return deviation;
+        });
 }
 
 }  // namespace
@@ -75,7 +115,7 @@ RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
     } catch (const DomainError& error) {
         rethrow_with_location(document, error.what());
     }
-    return {recipe, read_bounds(table, recipe)};
+    return {recipe, read_bounds(table, recipe), read_deviations(table, recipe)};
 }
 
 RecipeFile read_recipe_file(const std::filesystem::path& path) {
@@ -93,11 +133,17 @@ paint::Recipe read_recipe(const std::filesystem::path& path) {
 }
 
 std::string write_recipe(const paint::Recipe& recipe,
-                         const std::vector<paint::ParameterBounds>& bounds) {
+                         const std::vector<paint::ParameterBounds>& bounds,
+                         const std::vector<paint::ParameterDeviation>& deviations) {
     std::string out = write_described(paint::Described::to_inspect(recipe));
     if (!bounds.empty()) out += "\n[fit]\n";
     for (const paint::ParameterBounds& b : bounds) {
         out += fmt::format("{} = {}\n", toml_text(b.key), toml_list({b.lo, b.hi}));
+    }
+    if (!deviations.empty()) out += "\n[uncertainty]\n";
+    for (const paint::ParameterDeviation& d : deviations) {
+        const std::string text = paint::deviation_text(d);
+        out += fmt::format("{} = {}\n", toml_text(d.key), d.relative ? toml_text(text) : text);
     }
     return out;
 }

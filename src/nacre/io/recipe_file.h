@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nacre/core/references.h"
+#include "nacre/paint/parameter_deviation.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
 
@@ -25,15 +26,17 @@ paint::Recipe read_recipe(const std::filesystem::path& path);
 paint::Recipe parse_recipe(std::string_view text, const std::string& filename,
                            const References& references);
 
-/// A recipe and the bounds of its numbers in a fit, from the table [fit] of its file, in the order
-/// of paint::recipe_parameters(). The bounds are not part of the paint.
+/// A recipe, the bounds of its numbers in a fit, from the table [fit] of its file, and how well they
+/// are known, from its table [uncertainty], both in the order of paint::recipe_parameters(). They
+/// are not part of the paint.
 struct RecipeFile {
     paint::Recipe recipe;
     std::vector<paint::ParameterBounds> bounds;
+    std::vector<paint::ParameterDeviation> deviations = {};
 };
 
-/// As read_recipe(), which checks the table [fit] too, but does not hand it over.
-/// @throws InputError as read_recipe(), and as paint::check_bounds()
+/// As read_recipe(), which checks these tables too, but does not hand them over.
+/// @throws InputError as read_recipe(), as paint::check_bounds() and paint::check_deviation()
 RecipeFile read_recipe_file(const std::filesystem::path& path);
 RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
                              const References& references);
@@ -41,9 +44,10 @@ RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
 /// The recipe as TOML that parses back to an equal recipe, without need of any other file:
 /// materials that are not among those shipped are written out sample by sample.
 std::string write_recipe(const paint::Recipe& recipe,
-                         const std::vector<paint::ParameterBounds>& bounds = {});
+                         const std::vector<paint::ParameterBounds>& bounds = {},
+                         const std::vector<paint::ParameterDeviation>& deviations = {});
 
-/// SHA-256 of write_recipe() without bounds, in hexadecimal: equal for recipes that differ only in
+/// SHA-256 of write_recipe() of the recipe alone, in hexadecimal: equal for recipes that differ only in
 /// layout, comments or the order of keys.
 std::string recipe_hash(const paint::Recipe& recipe);
 

@@ -46,6 +46,8 @@ void describe(Visitor& visit, Recipe& recipe) {
     visit({.key = "microfacet", .meaning = "another description, for the microfacet models"},
           recipe.microfacet);
     visit.beside({.key = "fit", .meaning = "bounds for [fitting](fit.md); no part of the paint"});
+    visit.beside({.key = "uncertainty",
+                  .meaning = "how well numbers are [known](uncertainty.md); no part of the paint"});
 }
 
 void describe(Visitor& visit, Clearcoat& coat) {

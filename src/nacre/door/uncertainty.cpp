@@ -1,0 +1,80 @@
+#include "nacre/fit/uncertainty.h"
+
+#include "nacre/door/state.h"
+#include "nacre/models/models.h"
+#include "nacre/spectra/spectrum.h"
+
+namespace nacre {
+
+namespace {
+
+/// Whole keys for those that were given, which may be their ends.
+std::vector<paint::ParameterDeviation> with_whole_keys(
+    const paint::Recipe& recipe, const std::vector<paint::ParameterDeviation>& deviations) {
+    std::vector<paint::ParameterDeviation> whole;
+    for (const paint::ParameterDeviation& d : deviations) {
+        std::vector<paint::ParameterDeviation> meant;
+        for (const std::string& key : paint::matching_parameters(recipe, d.key)) {
+            meant.push_back({key, d.amount, d.relative});
+        }
+        whole = paint::with_deviations(std::move(whole), meant);
+    }
+    return whole;
+}
+
+}  // namespace
+
+Uncertainty Paint::measure_uncertainty(const std::vector<Geometry>& geometries,
+                                       const MeasureSettings& settings,
+                                       const UncertaintySettings& uncertainty,
+                                       const Progress& progress) const {
+    const paint::Recipe& own = recipe();
+    const std::vector<paint::ParameterDeviation> known =
+        paint::with_deviations(deviations(), with_whole_keys(own, uncertainty.deviations));
+    if (known.empty()) {
+        throw SettingError("uncertainty",
+                           "say how well which numbers are known, or do so in a table "
+                           "[uncertainty] of the recipe");
+    }
+    const Model model = settings.model.value_or(models::default_model());
+    const bsdf::ModelInfo& info = model.info();
+    if (info.can.reference_only || info.can.estimated_values || model.makes_table()) {
+        throw SettingError("model",
+                           "has no exact values, of which an uncertainty could be found by "
+                           "differences",
+                           std::string(info.name));
+    }
+    const measure::Conditions conditions{
+        settings.illuminant.value_or(measure::Conditions{}.illuminant),
+        settings.observer.value_or(measure::Conditions{}.observer),
+        settings.aperture.value_or(measure::Conditions{}.aperture)};
+    const std::vector<Geometry> wanted =
+        geometries.empty() ? nacre::geometries(kDefaultGeometries) : geometries;
+
+    fit::PaintReader reader;
+    if (info.solution == bsdf::Solution::none) {
+        // Of facets: nothing is solved.
+        reader = [&](const paint::Recipe& recipe, const solver::SolverSettings*, SharedProgress&) {
+            return fit::PaintReading{Paint(recipe).measure(wanted, settings).measurement, {}};
+        };
+    } else {
+        if (own.layers.empty()) {
+            throw InputError(state_->label() +
+                             ": layer: is missing; solving a paint needs at least one [[layer]]");
+        }
+        reader =
+            fit::solution_reader(settings.wavelengths_nm.empty() ? spectra::default_wavelengths_nm()
+                                                                 : settings.wavelengths_nm,
+                                 wanted, conditions, shows_hot_spot(model));
+    }
+    const auto naming_file = [&](const paint::Recipe& recipe, const solver::SolverSettings* like,
+                                 SharedProgress& work) {
+        return state_->naming_file([&] { return reader(recipe, like, work); });
+    };
+    fit::Uncertainty out = fit::uncertainty(own, known, naming_file,
+                                            {uncertainty.samples, uncertainty.seed}, progress);
+    out.measurement.name = name();
+    return out;
+}
+
+}  // namespace nacre

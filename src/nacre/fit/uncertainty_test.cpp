@@ -1,0 +1,355 @@
+#include "nacre/fit/uncertainty.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "nacre/core/error.h"
+#include "nacre/core/estimate.h"
+#include "nacre/core/parallel.h"
+#include "nacre/paint/recipe_parameter.h"
+#include "nacre/testing/errors.h"
+#include "nacre/testing/fit.h"
+#include "nacre/testing/paints.h"
+
+namespace nacre::fit {
+namespace {
+
+using nacre::test::message_of;
+using ::testing::HasSubstr;
+
+const std::string kDepth = "layer[0].thickness_um", kGround = "substrate.reflectance";
+const std::string kOnlyFlakes = "layer[0].flakes[0].";
+const std::string kTitania = kOnlyFlakes + "coats[0].thickness_nm";
+const std::string kVolume = kOnlyFlakes + "volume_fraction";
+const std::string kTilt = kOnlyFlakes + "orientation.alpha";
+
+/// A number of standard errors that a right estimate exceeds once in 3e5 tries.
+constexpr double kSigmas = 4.7;
+
+/// A reader whose only reading is a function of two numbers, layer and substrate.
+PaintReader made_up(std::function<Vec3d(double thickness_um, double reflectance)> lab) {
+    return [lab](const paint::Recipe& recipe, const solver::SolverSettings*, SharedProgress&) {
+        measure::Reading reading;
+        reading.geometry = testing::six_angles()[0];
+        reading.lab = lab(recipe.layers[0].thickness_um, recipe.substrate_reflectance.values()[0]);
+        return PaintReading{{"made up", {}, {}, {reading}}, {}};
+    };
+}
+
+paint::Recipe grey_ground() {
+    return test::paint_of(1.5, {test::pigment_layer(0.5, 0.1, 0)}, 0.4);  // of 100 um
+}
+
+TEST(Uncertainty, OfALinearReadingIsJacobianTimesCovarianceTimesJacobian) {
+    const auto lab = [](double t, double r) {
+        return Vec3d{50 + 0.1 * t, 20 + 0.2 * t - 30 * r, 10 - 0.3 * t + 40 * r};
+    };
+    const Uncertainty u = uncertainty(grey_ground(), {{kDepth, 0.02, true}, {kGround, 0.01}},
+                                      made_up(lab), {4000, 1});
+    ASSERT_EQ(u.readings.size(), 1u);
+    const ReadingUncertainty& r = u.readings[0];
+    // Standard deviations 2 um and 0.01.
+    const Vec3d by_thickness{0.2, 0.4, -0.6}, by_ground{0, -0.3, 0.4};
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(r.change[0][i], by_thickness[i], 1e-12);
+        EXPECT_NEAR(r.change[1][i], by_ground[i], 1e-12);
+        EXPECT_NEAR(r.mean_shift[i], 0, 1e-12);
+        for (int j = 0; j < 3; ++j) {
+            const double expected = by_thickness[i] * by_thickness[j] + by_ground[i] * by_ground[j];
+            EXPECT_NEAR(r.first_order.covariance[i][j], expected, 1e-12);
+            // The error of a covariance of normal numbers.
+            const double error =
+                std::sqrt((r.first_order.covariance[i][i] * r.first_order.covariance[j][j] +
+                           expected * expected) /
+                          u.samples);
+            EXPECT_NEAR(r.sampled->covariance[i][j], expected, kSigmas * error + 1e-12);
+        }
+        EXPECT_NEAR(r.sampled->mean[i], r.reading.lab[i],
+                    kSigmas * r.first_order.lab()[i] / std::sqrt(u.samples) + 1e-12);
+    }
+    EXPECT_FALSE(r.linearity.fails);
+    EXPECT_LT(r.linearity.beyond, 1e-5);
+    EXPECT_EQ(u.redrawn, 0);
+    EXPECT_FALSE(u.first_order_fails());
+
+    const std::vector<double> of_a = shares(component(r.change, 1));
+    EXPECT_NEAR(of_a[0], 0.16 / 0.25, 1e-10);
+    EXPECT_NEAR(of_a[1], 0.09 / 0.25, 1e-10);
+    EXPECT_NEAR(shares(r.change)[0], 0.56 / 0.81, 1e-10);
+}
+
+TEST(Uncertainty, ChromaAndHueFollowFromAAndB) {
+    const auto lab = [](double t, double r) { return Vec3d{50, 30 + 0.5 * t, 40 + 50 * r}; };
+    const paint::Recipe recipe = grey_ground();
+    const Uncertainty u =
+        uncertainty(recipe, {{kDepth, 1}, {kGround, 0.01}}, made_up(lab), {4000, 2});
+    const Spread& spread = u.readings[0].first_order;
+    const Vec3d here = u.readings[0].reading.lab;  // (50, 80, 60): C* = 100
+    EXPECT_NEAR(*spread.chroma, std::hypot(0.8 * 0.5, 0.6 * 0.5), 1e-10);
+    EXPECT_NEAR(*spread.hue_deg, 0.005 * 180 / std::numbers::pi, 1e-10);
+    EXPECT_NEAR(std::hypot(chroma_change(here, u.readings[0].change)[0],
+                           chroma_change(here, u.readings[0].change)[1]),
+                *spread.chroma, 1e-12);
+    EXPECT_NEAR(std::hypot(hue_change_deg(here, u.readings[0].change)[0],
+                           hue_change_deg(here, u.readings[0].change)[1]),
+                *spread.hue_deg, 1e-12);
+    const double error = kSigmas / std::sqrt(2.0 * u.samples);
+    EXPECT_NEAR(*u.readings[0].sampled->chroma / *spread.chroma, 1, error);
+    EXPECT_NEAR(*u.readings[0].sampled->hue_deg / *spread.hue_deg, 1, error);
+}
+
+TEST(Uncertainty, GreyHasNoHue) {
+    const auto grey = [](double t, double) { return Vec3d{50, 0.01 * (t - 100), 0}; };
+    const auto nearly = [](double t, double) { return Vec3d{50, 0.1 * t - 9.9, 0.25}; };
+    for (const auto& lab : {made_up(grey), made_up(nearly)}) {
+        const Uncertainty u = uncertainty(grey_ground(), {{kDepth, 1}}, lab);
+        EXPECT_FALSE(u.readings[0].first_order.hue_deg);
+        EXPECT_FALSE(u.readings[0].first_order.chroma);
+        EXPECT_GT(u.readings[0].first_order.lab()[1], 0);
+    }
+}
+
+// L* = c (t - 100)^2 + k (t - 100): for normal t of deviation s about 100 the variance is
+// k^2 s^2 + 2 c^2 s^4, the mean c s^2.
+TEST(Uncertainty, SaysWhereFirstOrderIsNotEnough) {
+    constexpr double kS = 2;
+    struct Case {
+        double k, c;
+        bool fails;
+    };
+    for (const auto& [k, c, fails] :
+         {Case{1, 0.01, false}, Case{1, 0.15, true}, Case{0, 0.15, true}, Case{0, 1e-4, false}}) {
+        const auto lab = [k = k, c = c](double t, double) {
+            return Vec3d{50 + k * (t - 100) + c * (t - 100) * (t - 100), 20, 0};
+        };
+        const Uncertainty u = uncertainty(grey_ground(), {{kDepth, kS}}, made_up(lab), {20000, 3});
+        const ReadingUncertainty& r = u.readings[0];
+        EXPECT_NEAR(r.first_order.lab()[0], k * kS, 1e-9);
+        EXPECT_NEAR(r.mean_shift[0], c * kS * kS, 1e-9);
+        EXPECT_EQ(r.linearity.fails, fails) << k << " " << c;
+        EXPECT_EQ(u.first_order_fails(), fails);
+        if (k > 0) {
+            EXPECT_NEAR(r.linearity.beyond, std::sqrt(2.0) * c * kS / k, 1e-6);
+        }
+        // The kurtosis of a square is 15: its variance is less sure than that of a normal number.
+        const double variance = k * k * kS * kS + 2 * c * c * std::pow(kS, 4);
+        EXPECT_NEAR(r.sampled->covariance[0][0] / variance, 1,
+                    kSigmas * std::sqrt(14.0 / u.samples));
+        EXPECT_NEAR(r.sampled->mean[0], 50 + c * kS * kS,
+                    kSigmas * std::sqrt(variance / u.samples));
+    }
+}
+
+TEST(Uncertainty, SaysWhereANumberMeetsItsRange) {
+    const auto lab = [](double, double r) { return Vec3d{50 + 10 * r, 20, 0}; };
+    paint::Recipe recipe = grey_ground();
+    const auto with = [&](double reflectance, double sigma) {
+        recipe.substrate_reflectance = reflectance;
+        return uncertainty(recipe, {{kGround, sigma}}, made_up(lab), {200, 0});
+    };
+    EXPECT_FALSE(with(0.5, 0.1).numbers[0].meets_range);
+    EXPECT_FALSE(with(0.5, 0.1).first_order_fails());
+    const Uncertainty near = with(0.05, 0.02);
+    EXPECT_TRUE(near.numbers[0].meets_range);
+    EXPECT_FALSE(near.readings[0].linearity.unknown);
+    EXPECT_TRUE(near.first_order_fails());
+    const Uncertainty at_end = with(0, 0.02);  // a one-sided derivative
+    EXPECT_NEAR(at_end.readings[0].change[0][0], 0.2, 1e-9);
+    EXPECT_TRUE(at_end.readings[0].linearity.unknown);
+    EXPECT_TRUE(at_end.readings[0].linearity.fails);
+    EXPECT_GT(at_end.redrawn, 100);
+    // Half of a normal law: its deviation is sqrt(1 - 2/pi) times that of the whole.
+    EXPECT_NEAR(at_end.readings[0].sampled->lab()[0], 0.2 * std::sqrt(1 - 2 / std::numbers::pi),
+                0.2 * kSigmas / std::sqrt(2.0 * 200));
+}
+
+TEST(Uncertainty, EllipseHoldsItsProbability) {
+    Spread spread;
+    spread.mean = {50, 3, -4};
+    const double turn = 0.4, major = 2, minor = 0.5;
+    const double c = std::cos(turn), s = std::sin(turn);
+    spread.covariance[1] = {0, major * major * c * c + minor * minor * s * s,
+                            (major * major - minor * minor) * s * c};
+    spread.covariance[2] = {0, spread.covariance[1][2],
+                            major * major * s * s + minor * minor * c * c};
+    // 1 - exp(-k^2 / 2) of a normal colour lies within k standard deviations.
+    const Ellipse e = ab_ellipse(spread, 0.95);
+    const double k = std::sqrt(-2 * std::log(0.05));
+    EXPECT_EQ(e.centre, (std::array{3.0, -4.0}));
+    EXPECT_NEAR(e.major[0], k * major * c, 1e-12);
+    EXPECT_NEAR(e.major[1], k * major * s, 1e-12);
+    EXPECT_NEAR(e.minor[0], -k * minor * s, 1e-12);
+    EXPECT_NEAR(e.minor[1], k * minor * c, 1e-12);
+    EXPECT_THROW(ab_ellipse(spread, 1), DomainError);
+    EXPECT_NEAR(std::hypot(ab_ellipse({}, 0.5).major[0], 0.0), 0, 0);
+}
+
+PaintReader solved(bool hot_spot = false) {
+    return solution_reader(spectra::default_wavelengths_nm(), testing::six_angles(), {}, hot_spot);
+}
+
+TEST(Uncertainty, NothingUncertainGivesZeros) {
+    const Uncertainty u =
+        uncertainty(testing::pearl(), {{kTitania, 0}, {kVolume, 0, true}}, solved());
+    ASSERT_EQ(u.readings.size(), 6u);
+    for (const ReadingUncertainty& r : u.readings) {
+        EXPECT_EQ(r.first_order.covariance, LabCovariance{});
+        EXPECT_EQ(r.first_order.chroma, 0);
+        EXPECT_EQ(r.first_order.hue_deg, 0);
+        EXPECT_EQ(r.first_order.reflectance_factor, std::vector<double>(31, 0.0));
+        EXPECT_EQ(r.mean_shift, Vec3d{});
+        EXPECT_FALSE(r.linearity.fails);
+        EXPECT_EQ(shares(r.change), (std::vector<double>{0, 0}));
+    }
+    EXPECT_EQ(u.flop_index->first_order, 0);
+    EXPECT_FALSE(u.first_order_fails());
+}
+
+TEST(Uncertainty, TwiceTheDeviationsAreTwiceTheSpread) {
+    const Uncertainty once =
+        uncertainty(testing::pearl(), {{kTitania, 1}, {kVolume, 0.02, true}}, solved());
+    const Uncertainty twice =
+        uncertainty(testing::pearl(), {{kTitania, 2}, {kVolume, 0.04, true}}, solved());
+    for (std::size_t i = 0; i < once.readings.size(); ++i) {
+        const Spread &a = once.readings[i].first_order, &b = twice.readings[i].first_order;
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_GT(a.lab()[c], 0.01);
+            EXPECT_NEAR(b.lab()[c], 2 * a.lab()[c], 1e-9);
+        }
+        EXPECT_NEAR(*b.chroma, 2 * *a.chroma, 1e-9);
+        EXPECT_NEAR(*b.hue_deg, 2 * *a.hue_deg, 1e-9);
+        EXPECT_NEAR(b.reflectance_factor[15], 2 * a.reflectance_factor[15], 1e-12);
+    }
+    EXPECT_NEAR(twice.flop_index->first_order, 2 * once.flop_index->first_order, 1e-9);
+}
+
+// Light that the ground returns comes out with A rho / (1 - B rho), of which two other grounds give
+// A and B.                                                                      [saunderson-1942]
+TEST(Uncertainty, OfTheGroundIsThatOfItsClosedForm) {
+    paint::Recipe clear = test::paint_of(1.5, {test::pigment_layer(0, 0.05, 0)}, 0.4);
+    const auto factor = [&](double rho) {
+        paint::Recipe recipe = clear;
+        recipe.substrate_reflectance = rho;
+        return testing::read(recipe).readings[2].reflectance_factor[10];
+    };
+    const double f1 = factor(0.2), f2 = factor(0.8);
+    const double b = (0.2 / f1 - 0.8 / f2) / (0.2 * 0.8 * (1 / f1 - 1 / f2));
+    const double a = f1 * (1 - b * 0.2) / 0.2;
+    ASSERT_NEAR(factor(0.4), a * 0.4 / (1 - b * 0.4), 1e-6);
+    const double sigma = 0.002;
+    const Uncertainty u = uncertainty(clear, {{kGround, sigma}}, solved());
+    EXPECT_NEAR(u.readings[2].first_order.reflectance_factor[10],
+                sigma * a / std::pow(1 - b * 0.4, 2), 1e-5 * sigma);
+    EXPECT_FALSE(u.first_order_fails());
+}
+
+// Means and deviations of recipes that are drawn here, solved on their own and read. The film's hue
+// travels; its deviation is that of a good production, 2 nm.
+TEST(Uncertainty, AgreesWithRecipesDrawnAtRandom) {
+    const paint::Recipe recipe = testing::pearl(95);
+    const std::vector<paint::ParameterDeviation> deviations = {
+        {kTitania, 2}, {kVolume, 0.05, true}, {kTilt, 0.03, true}, {kDepth, 0.05, true}};
+    const Uncertainty u = uncertainty(recipe, deviations, solved());
+    EXPECT_FALSE(u.first_order_fails());
+
+    constexpr std::size_t kDraws = 400;
+    std::mt19937_64 rng(20240611);
+    std::normal_distribution<double> normal(0, 1);
+    std::vector<paint::Recipe> drawn(kDraws, recipe);
+    for (paint::Recipe& one : drawn) {
+        for (const paint::ParameterDeviation& d : deviations) {
+            const double value = paint::find_parameter(recipe, d.key).value;
+            paint::set_parameter(one, d.key,
+                                 value + paint::standard_deviation(recipe, d) * normal(rng));
+        }
+    }
+    std::vector<measure::Measurement> read(kDraws);
+    parallel_for(0, kDraws, [&](std::size_t i) { read[i] = testing::read(drawn[i]); });
+
+    const auto statistics = [&](const auto& quantity) {
+        double mean = 0, variance = 0;
+        for (const auto& m : read) mean += quantity(m) / kDraws;
+        for (const auto& m : read) variance += std::pow(quantity(m) - mean, 2) / (kDraws - 1);
+        return std::pair(mean, std::sqrt(variance));
+    };
+    // The next terms change a variance by a fraction beyond^2 at most, as far as numbers act alone;
+    // as much again for mixed terms and those of higher order. The default solver's error is 1e-3.
+    const auto compare = [&](const char* what, std::pair<double, double> drawn_here, double value,
+                             double sd, double shift, double beyond) {
+        const auto [mean, deviation] = drawn_here;
+        const double second_order = beyond * beyond * sd;
+        EXPECT_NEAR(mean, value + shift,
+                    kSigmas * sd / std::sqrt(kDraws) + second_order + 0.1 * std::abs(shift) + 2e-3)
+            << what;
+        EXPECT_NEAR(deviation, sd, kSigmas * sd / std::sqrt(2.0 * kDraws) + second_order + 2e-3)
+            << what;
+    };
+    double most_hue = 0;
+    for (std::size_t r = 0; r < u.readings.size(); ++r) {
+        const ReadingUncertainty& here = u.readings[r];
+        const std::string& name = here.reading.geometry.name;
+        // `beyond` is for L*, a*, b* together: one of them may have little variance of its own.
+        const double all = std::hypot(here.first_order.lab()[0], here.first_order.lab()[1],
+                                      here.first_order.lab()[2]);
+        for (int c = 0; c < 3; ++c) {
+            const double sd = here.first_order.lab()[c];
+            compare(name.c_str(), statistics([&](const auto& m) { return m.readings[r].lab[c]; }),
+                    here.reading.lab[c], sd, here.mean_shift[c],
+                    here.linearity.beyond * std::sqrt(all / sd));
+        }
+        const auto [chroma, chroma_sd] =
+            statistics([&](const auto& m) { return measure::chroma(m.readings[r].lab); });
+        const auto [hue, hue_sd] =
+            statistics([&](const auto& m) { return measure::hue_deg(m.readings[r].lab); });
+        EXPECT_NEAR(chroma_sd / *here.first_order.chroma, 1, 0.25) << name;
+        EXPECT_NEAR(hue_sd / *here.first_order.hue_deg, 1, 0.25) << name;
+        most_hue = std::max(most_hue, *here.first_order.hue_deg);
+        const auto [factor, factor_sd] =
+            statistics([&](const auto& m) { return m.readings[r].reflectance_factor[12]; });
+        EXPECT_NEAR(factor_sd / here.first_order.reflectance_factor[12], 1, 0.25) << name;
+    }
+    EXPECT_GT(most_hue, 3);  // the film is uncertain enough to matter
+    const MetricUncertainty& flop = *u.flop_index;
+    compare("flop", statistics([](const auto& m) { return *measure::flop_index(m); }), flop.value,
+            flop.first_order, flop.mean_shift, flop.linearity.beyond);
+}
+
+TEST(Uncertainty, SamplesDoNotDependOnThreads) {
+    const auto run = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return uncertainty(testing::pearl(), {{kTitania, 2}, {kTilt, 0.1, true}},
+                           solution_reader({450, 550, 650}, {testing::six_angles()[0]}, {}, true),
+                           {12, 5});
+    };
+    const Uncertainty one = run(1), two = run(2);
+    EXPECT_EQ(one.readings[0].first_order.covariance, two.readings[0].first_order.covariance);
+    EXPECT_EQ(one.readings[0].sampled->covariance, two.readings[0].sampled->covariance);
+    EXPECT_FALSE(one.flop_index);  // one angle has none
+    EXPECT_FALSE(one.colour_travel);
+}
+
+TEST(Uncertainty, RefusesWhatItCannotCarry) {
+    const auto lab = [](double, double) { return Vec3d{50, 20, 0}; };
+    const auto message = [&](const std::vector<paint::ParameterDeviation>& deviations,
+                             const UncertaintyOptions& options = {}) {
+        return message_of<DomainError>(
+            [&] { uncertainty(grey_ground(), deviations, made_up(lab), options); });
+    };
+    EXPECT_THAT(message({}), HasSubstr("no number"));
+    EXPECT_THAT(message({{kGround, 0.1}, {kGround, 0.2}}), HasSubstr("named twice"));
+    EXPECT_THAT(message({{"substrate.reflectence", 0.1}}), HasSubstr("did you mean"));
+    EXPECT_THAT(message({{kGround, -0.1}}), HasSubstr(kGround + " = -0.1"));
+    EXPECT_THAT(message({{kGround, 0.1}}, {3}), HasSubstr("samples"));
+    EXPECT_THROW(
+        uncertainty(testing::pearl(), {{kTitania, 1}}, solved(), {}, [](double) { return false; }),
+        Error);
+    EXPECT_THROW(uncertainty(grey_ground(), {{kGround, 0.1}}, made_up(lab), {},
+                             [](double) { return false; }),
+                 Stopped);
+}
+
+}  // namespace
+}  // namespace nacre::fit
