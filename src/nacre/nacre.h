@@ -253,6 +253,9 @@ struct UncertaintySettings {
     int samples = 0;         ///< recipes drawn and read besides (fit::UncertaintyOptions); 0: none
     std::uint64_t seed = 0;  ///< of these
 };
+/// Whether a model gives exact values, whose uncertainty differences can tell: not estimates, nor
+/// tables made of them, nor pictures alone.
+bool has_uncertainty(const Model& model);
 
 class Paint;
 Paint open_text(std::string bytes, const std::string& name, const References& references);

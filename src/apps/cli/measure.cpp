@@ -11,6 +11,8 @@
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
 #include "apps/cli/plot_files.h"
+#include "apps/cli/uncertainty_options.h"
+#include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/io/measurement_file.h"
@@ -23,9 +25,10 @@ namespace nacre::cli {
 namespace {
 
 struct MeasureOptions : CommonOptions {
-    std::string sample, versus, weights, format = "csv", plots;
+    std::string sample, versus, weights, format = "csv", plots, contributions;
     ModelOptions model;
     InstrumentOptions instrument;
+    UncertaintyRequest uncertainty;
     std::optional<std::uint64_t> samples;  // of models that are sampled
 };
 
@@ -61,6 +64,12 @@ nlohmann::json sample_json(const Sample& sample) {
         document["readings"][i]["standard_error"] = sample.readings.standard_error[i];
     }
     return document;
+}
+
+std::string csv_of(const Sample& sample, const std::optional<Uncertainty>& uncertainty) {
+    if (!uncertainty) return sample.readings.csv();
+    return io::measurement_csv(sample.measurement(), sample.readings.standard_error,
+                               uncertainty_columns(*uncertainty));
 }
 
 std::string dumped(const nlohmann::json& document) {
@@ -103,6 +112,11 @@ ExitStatus run(const MeasureOptions& options) {
     if (options.versus.empty() && !options.weights.empty()) {
         throw UsageError("--weights belongs to --versus");
     }
+    if (!options.versus.empty() && (options.uncertainty.asks() || !options.contributions.empty())) {
+        throw UsageError(
+            "--uncertainty and --contributions do not go with --versus: measure both paints on "
+            "their own");
+    }
     parse_weights(options.weights);
     InstrumentRequest instrument = parse_instrument(options.instrument);
     const bsdf::ModelInfo& model = parse_model(options.model);
@@ -124,16 +138,30 @@ ExitStatus run(const MeasureOptions& options) {
 
     if (options.versus.empty()) {
         instrument.settings.model = model_for({&paint}, options.model, true);
+        // First, so that a wrong number is refused before the work.
+        const std::optional<Uncertainty> uncertainty = uncertainty_of(
+            options, options.uncertainty, paint, instrument.geometries, instrument.settings);
+        if (!uncertainty && !options.contributions.empty()) {
+            throw UsageError(
+                "--contributions belongs to --uncertainty, or to a recipe with a table "
+                "[uncertainty]");
+        }
         ProgressBar bar("measure", options.quiet);
         const Sample sample = sample_of(
             paint, paint.measure(instrument.geometries, instrument.settings, bar.callback()));
-        emit(options,
-             options.format == "json" ? dumped(sample_json(sample)) : sample.readings.csv());
+        nlohmann::json report = sample_json(sample);
+        if (uncertainty) report["uncertainty"] = uncertainty_json(*uncertainty);
+        emit(options, options.format == "json" ? dumped(report) : csv_of(sample, uncertainty));
+        if (!options.contributions.empty()) {
+            write_file_atomically(options.contributions, contributions_csv(*uncertainty));
+        }
         if (!options.plots.empty()) {
-            write_plots(options.plots, datasheet::measurement_plots(sample.measurement()));
+            write_plots(options.plots,
+                        datasheet::measurement_plots(sample.measurement(), nullptr,
+                                                     uncertainty ? &*uncertainty : nullptr));
         }
         say_summary(options, sample);
-        nlohmann::json report = sample_json(sample);
+        if (uncertainty) say_uncertainty(options, *uncertainty);
         report["total_s"] = watch.seconds();
         write_report(options, "measure", report);
         return ExitStatus::ok;
@@ -150,6 +178,7 @@ ExitStatus run(const MeasureOptions& options) {
 CommandFiles files(const MeasureOptions& options) {
     CommandFiles files =
         files_of(options, {options.sample, options.versus, options.instrument.geometry});
+    files.files.push_back({"--contributions", options.contributions});
     files.folders = {{"--plots", options.plots, plot_file_names()}};
     return files;
 }
@@ -185,6 +214,11 @@ Command add_measure(CLI::App& program) {
         ->add_option("--plots", options->plots,
                      "Folder for curves, as SVG and PNG: lightness, travel and spectra")
         ->type_name("DIR");
+    add_uncertainty_options(*command, options->uncertainty);
+    command
+        ->add_option("--contributions", options->contributions,
+                     "Table (CSV) of what each uncertain number contributes to each quantity")
+        ->type_name("FILE");
     add_output(*command, *options);
     add_seed(*command, *options);
     add_untrusted(*command, *options);
@@ -196,7 +230,9 @@ Command add_measure(CLI::App& program) {
         "specular reflection of a smooth interface is left out. Flop index and colour travel go to "
         "stderr and "
         "into\n"
-        "JSON. With --versus: the colour difference at each angle.\n\n"
+        "JSON. With --versus: the colour difference at each angle. With --uncertainty or a table\n"
+        "[uncertainty] in the recipe: columns L_sd,a_sd,b_sd,C_sd,h_sd, covariances and SD<nm>\n"
+        "(docs/uncertainty.md).\n\n"
         "Examples:\n"
         "  nacre measure paints/tio2-mica-80.toml --geometry byk-mac\n"
         "  nacre measure paints/tio2-mica-80.toml --versus paints/tio2-mica-110.toml \\\n"

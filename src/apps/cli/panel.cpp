@@ -8,6 +8,7 @@
 #include "apps/cli/instrument_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
+#include "apps/cli/uncertainty_options.h"
 #include "apps/datasheet/datasheet.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
@@ -28,6 +29,7 @@ struct PanelOptions : CommonOptions {
     std::string scene = "curved-panel";
     ModelOptions model{.model = sparkling_models().front()};
     InstrumentOptions instrument;
+    UncertaintyRequest uncertainty;
 };
 
 /// Sizes and samples of the pictures.
@@ -108,6 +110,19 @@ Look standard_look(const PanelOptions& options, const std::optional<Paint>& stan
     return standard->appearance(model, {}, bar.callback());
 }
 
+/// How far the readings of the sample are spread, under the conditions in which they were made.
+std::optional<Uncertainty> uncertainty_beside(const PanelOptions& options, const Paint& paint,
+                                              const Measurement& sample, MeasureSettings settings) {
+    std::vector<Geometry> geometries;
+    for (const measure::Reading& reading : sample.readings) geometries.push_back(reading.geometry);
+    settings.illuminant = sample.conditions.illuminant;
+    settings.observer = sample.conditions.observer;
+    settings.aperture = sample.conditions.aperture;
+    auto found = uncertainty_of(options, options.uncertainty, paint, geometries, settings);
+    if (found) say_uncertainty(options, *found);
+    return found;
+}
+
 ExitStatus run(const PanelOptions& options) {
     const bsdf::Model model = parse_model_settings(options.model);
     require_values(model.info());
@@ -151,6 +166,7 @@ ExitStatus run(const PanelOptions& options) {
                                                  versus->is_measured()};
     }
     page.title = page.sample.name;
+    page.uncertainty = uncertainty_beside(options, paint, page.sample, instrument.settings);
     const Quality quality = quality_of(options);
     if (model.info().can.sparkle) page.sparkle = sparkle(options, look, quality);
     page.pictures = pictures(options, look, standard_look(options, versus, model), quality);
@@ -193,6 +209,7 @@ Command add_panel(CLI::App& program) {
         ->capture_default_str();
     add_model_options(*command, options->model);
     add_instrument_options(*command, options->instrument);
+    add_uncertainty_options(*command, options->uncertainty);
     add_seed(*command, *options);
     add_untrusted(*command, *options);
     add_run_options(*command, *options);

@@ -1,8 +1,10 @@
 #include "apps/datasheet/datasheet.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -84,6 +86,16 @@ std::string uncertain(const Estimate& estimate) {
     return text;
 }
 
+/// Adds " ± 0.3" where it is known.
+std::string with_deviation(std::string text, const std::optional<double>& deviation, int decimals) {
+    return deviation ? text + " ± " + decimal_text(*deviation, decimals) : text;
+}
+
+/// The standard deviation of a metric.
+std::optional<double> deviation_of(const std::optional<fit::MetricUncertainty>& metric) {
+    return metric ? std::optional(metric->best()) : std::nullopt;
+}
+
 std::vector<Metric> metrics(const PanelReport& report) {
     const Measurement& sample = report.sample;
     const Measurement* standard = report.standard ? &report.standard->measurement : nullptr;
@@ -97,6 +109,12 @@ std::vector<Metric> metrics(const PanelReport& report) {
     std::vector<Metric> all = {
         compared("Flop index", measure::flop_index(sample), of_standard(measure::flop_index), 1),
         compared("Colour travel in a*b*", travel(sample), of_standard(travel), 1)};
+    if (report.uncertainty) {
+        all[0].value =
+            with_deviation(all[0].value, deviation_of(report.uncertainty->flop_index), 1);
+        all[1].value =
+            with_deviation(all[1].value, deviation_of(report.uncertainty->colour_travel), 1);
+    }
     if (report.standard) {
         const measure::Difference& d = report.standard->difference;
         all.push_back({"ΔE2000 to the standard", decimal_text(d.mean_delta_e_2000, 2),
@@ -183,6 +201,22 @@ std::string chips_html(const PanelReport& report) {
 
 // ------------------------------------------------------------------------------ readings
 
+/// Standard deviations of a reading of the sample; none where they are not known.
+struct ReadingDeviations {
+    std::array<std::optional<double>, 4> lab_and_chroma = {};
+    std::optional<double> hue_deg = {};
+};
+
+ReadingDeviations deviations_of(const PanelReport& report, const Reading* reading) {
+    if (!report.uncertainty) return {};
+    const fit::Spread& spread =
+        report.uncertainty->readings
+            .at(static_cast<std::size_t>(reading - report.sample.readings.data()))
+            .best();
+    const Vec3d lab = spread.lab();
+    return {{lab[0], lab[1], lab[2], spread.chroma}, spread.hue_deg};
+}
+
 std::string readings_html(const PanelReport& report) {
     report::Table table{.columns = {"Angle", "L*", "a*", "b*", "C*", "h"}};
     if (report.standard) table.columns.emplace_back("ΔE2000");
@@ -190,10 +224,14 @@ std::string readings_html(const PanelReport& report) {
         const Vec3d& lab = reading->lab;
         std::vector<report::Cell> row = {
             {.text = angle_name(report.sample, reading->geometry), .numeric = true}};
-        for (const double value : {lab[0], lab[1], lab[2], measure::chroma(lab)}) {
-            row.push_back(report::number_cell(decimal_text(value, 1)));
+        const std::array<double, 4> values = {lab[0], lab[1], lab[2], measure::chroma(lab)};
+        const ReadingDeviations deviations = deviations_of(report, reading);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            row.push_back(report::number_cell(
+                with_deviation(decimal_text(values[i], 1), deviations.lab_and_chroma[i], 1)));
         }
-        row.push_back(report::number_cell(decimal_text(measure::hue_deg(lab), 0) + "°"));
+        row.push_back(report::number_cell(
+            with_deviation(decimal_text(measure::hue_deg(lab), 0) + "°", deviations.hue_deg, 0)));
         if (report.standard) {
             const auto& angles = report.standard->difference.angles;
             const auto found = std::find_if(angles.begin(), angles.end(), [&](const auto& angle) {
@@ -218,10 +256,82 @@ std::string plots_html(const PanelReport& report) {
         standard->name.clear();
     }
     std::string html = "<div class=\"two\">\n";
-    for (const NamedPlot& named : measurement_plots(sample, standard ? &*standard : nullptr)) {
+    for (const NamedPlot& named :
+         measurement_plots(sample, standard ? &*standard : nullptr,
+                           report.uncertainty ? &*report.uncertainty : nullptr)) {
         html += report::plot_html(named.plot, kHalf);
     }
     return html + readings_html(report) + "</div>\n";
+}
+
+// ---------------------------------------------------------------------------- uncertainty
+
+/// How well the composition is known, and what each number of it does to the colours.
+std::string uncertainty_html(const PanelReport& report) {
+    if (!report.uncertainty) return {};
+    const fit::Uncertainty& u = *report.uncertainty;
+    report::Table table{.columns = {"Number", "Value", "±"}};
+    const std::vector<const Reading*> readings = readings_for_chips(report.sample);
+    for (const Reading* reading : readings) {
+        table.columns.push_back(angle_name(report.sample, reading->geometry));
+    }
+    std::vector<std::vector<double>> by_reading;
+    for (const Reading* reading : readings) {
+        by_reading.push_back(fit::shares(
+            u.readings.at(static_cast<std::size_t>(reading - report.sample.readings.data()))
+                .change));
+    }
+    for (std::size_t i = 0; i < u.numbers.size(); ++i) {
+        const fit::UncertainNumber& number = u.numbers[i];
+        std::vector<report::Cell> row = {
+            {.text = fmt::format("`{}`", number.key)},
+            report::number_cell(fmt::format("{:.4g}", number.value)),
+            report::number_cell(fmt::format("{:.2g}", number.standard_deviation))};
+        for (const std::vector<double>& shares : by_reading) {
+            row.push_back(report::number_cell(decimal_text(100 * shares[i], 0) + " %"));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    std::string html = heading("How sure this is") + report::table_html(table, 2);
+    html += paragraph(
+        "± is one standard deviation, as that of these numbers makes it; they are taken to be "
+        "independent. By angle: which share of the variance of L*, a* and b* together is whose. "
+        "Ellipses in the plot of colour travel hold 95 %, bars are one standard deviation.",
+        " class=\"small\"");
+    if (u.samples > 0) {
+        html += paragraph(
+            fmt::format("From {} recipes that were drawn; shares to first order.", u.samples),
+            " class=\"small\"");
+    } else if (u.first_order_fails()) {
+        std::vector<std::string> where;
+        for (const Reading* reading : readings) {
+            const auto& entry =
+                u.readings[static_cast<std::size_t>(reading - report.sample.readings.data())];
+            if (entry.linearity.fails) {
+                where.push_back(angle_name(report.sample, reading->geometry));
+            }
+        }
+        for (const auto& [name, metric] : {std::pair{"the flop index", &u.flop_index},
+                                           std::pair{"the colour travel", &u.colour_travel}}) {
+            if (*metric && (*metric)->linearity.fails) where.emplace_back(name);
+        }
+        std::string words;
+        if (!where.empty()) {
+            words = fmt::format(
+                "To first order only, which is not enough at {}: the next terms "
+                "change standard deviations by more than 5 %.",
+                fmt::join(where, ", "));
+        }
+        for (const fit::UncertainNumber& number : u.numbers) {
+            if (!number.meets_range) continue;
+            words += fmt::format(
+                "{}{} reaches values that no recipe may have within {:g} standard "
+                "deviations: it cannot be normal.",
+                words.empty() ? "" : " ", number.key, fit::UncertainNumber::kSigmasOfRange);
+        }
+        html += paragraph(words, " class=\"small\"");
+    }
+    return html;
 }
 
 // ---------------------------------------------------------------------------- composition
@@ -305,7 +415,7 @@ std::string panel_report_html(const PanelReport& report) {
                                    report.pictures.empty() ? 0 : report.pictures.size() - 1);
     body += pictures_html(report) + "</section>\n" + metrics_html(report) +
             heading("Colour by angle") + chips_html(report) + legend_of_two(report) +
-            plots_html(report);
+            plots_html(report) + uncertainty_html(report);
     body += heading("Composition") + composition_html(report);
     body += heading("What these numbers are") + method_html(report);
     body += fmt::format(

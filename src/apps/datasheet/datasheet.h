@@ -11,6 +11,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/model.h"
 #include "nacre/core/progress.h"
+#include "nacre/fit/uncertainty.h"
 #include "nacre/measure/difference.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/measure/sparkle_measurement.h"
@@ -52,6 +53,8 @@ struct PanelReport {
     /// The first stands large, the others small beside it.
     std::vector<report::Picture> pictures = {};
     std::optional<measure::SparkleMeasurement> sparkle = {};
+    /// Of the sample, its readings in the same order.
+    std::optional<fit::Uncertainty> uncertainty = {};
     paint::Recipe recipe = {};
     std::string recipe_sha256 = {};
 };

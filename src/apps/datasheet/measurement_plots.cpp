@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -183,6 +185,36 @@ void label_points(report::Plot& plot, report::Series& series, const std::vector<
     if (groups.size() > 1) series.point_labels[0].insert(0, "start, ");
 }
 
+/// How far a reading of the sample is spread.
+const fit::Spread& spread_of(const Measurement& sample, const fit::Uncertainty& uncertainty,
+                             const Reading* reading) {
+    return uncertainty.readings.at(static_cast<std::size_t>(reading - sample.readings.data()))
+        .best();
+}
+
+/// Ellipses in the a*b* plane about the readings of a curve, as one line with gaps.
+report::Series ellipses(const Measurement& sample, const fit::Uncertainty& uncertainty) {
+    constexpr int kSides = 48;
+    constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+    report::Series series{.name = fmt::format("holds {:.0f} %", 100 * kEllipseProbability),
+                          .colour = "#767676"};
+    for (const auto& [lamp, readings] : by_lamp(sample)) {
+        for (const Reading* reading : readings) {
+            const fit::Ellipse e =
+                fit::ab_ellipse(spread_of(sample, uncertainty, reading), kEllipseProbability);
+            for (int i = 0; i <= kSides; ++i) {
+                const double t = 2 * std::numbers::pi * i / kSides;
+                const double c = std::cos(t), s = std::sin(t);
+                series.x.push_back(reading->lab[1] + c * e.major[0] + s * e.minor[0]);
+                series.y.push_back(reading->lab[2] + c * e.major[1] + s * e.minor[1]);
+            }
+            series.x.push_back(kGap);
+            series.y.push_back(kGap);
+        }
+    }
+    return series;
+}
+
 /// A colour for a line on white paper.
 std::string line_colour(Vec3d lab) {
     constexpr double kLightest = 65;
@@ -196,19 +228,30 @@ std::string chip(const Vec3d& lab) {
     return spectra::css_colour(measure::srgb_chip_at_full_light(lab));
 }
 
-report::Plot lightness_plot(const Measurement& sample, const Measurement* standard) {
+report::Plot lightness_plot(const Measurement& sample, const Measurement* standard,
+                            const fit::Uncertainty* uncertainty) {
     report::Plot plot{.title = "Lightness",
                       .x = {.label = "aspecular angle, degrees"},
                       .y = {.label = "L*", .lo = 0}};
     for (const Panel& panel : panels(sample, standard)) {
+        std::size_t curve = plot.series.size();
         add_curves(plot, panel, [](const Reading& reading) {
             return std::pair{reading.geometry.aspecular_deg, reading.lab[0]};
         });
+        if (panel.is_standard || !uncertainty) continue;
+        for (const auto& [lamp, readings] : by_lamp(sample)) {
+            for (const Reading* reading : readings) {
+                plot.series[curve].y_error.push_back(
+                    spread_of(sample, *uncertainty, reading).lab()[0]);
+            }
+            ++curve;
+        }
     }
     return plot;
 }
 
-report::Plot travel_plot(const Measurement& sample, const Measurement* standard) {
+report::Plot travel_plot(const Measurement& sample, const Measurement* standard,
+                         const fit::Uncertainty* uncertainty) {
     report::Plot plot{
         .title = "Colour travel", .x = {.label = "a*"}, .y = {.label = "b*"}, .equal_scale = true};
     for (const Panel& panel : panels(sample, standard)) {
@@ -226,6 +269,7 @@ report::Plot travel_plot(const Measurement& sample, const Measurement* standard)
             }
         }
     }
+    if (uncertainty) plot.series.push_back(ellipses(sample, *uncertainty));
     return plot;
 }
 
@@ -274,10 +318,11 @@ report::Plot spectra_plot(const Measurement& sample, const Measurement* standard
     return plot;
 }
 
-std::vector<NamedPlot> measurement_plots(const Measurement& sample, const Measurement* standard) {
+std::vector<NamedPlot> measurement_plots(const Measurement& sample, const Measurement* standard,
+                                         const fit::Uncertainty* uncertainty) {
     const auto& [lightness, travel, spectra_name] = kMeasurementPlots;
-    std::vector<NamedPlot> plots = {{lightness, lightness_plot(sample, standard)},
-                                    {travel, travel_plot(sample, standard)}};
+    std::vector<NamedPlot> plots = {{lightness, lightness_plot(sample, standard, uncertainty)},
+                                    {travel, travel_plot(sample, standard, uncertainty)}};
     report::Plot spectra = spectra_plot(sample, standard);
     if (!spectra.series.empty()) plots.push_back({spectra_name, std::move(spectra)});
     return plots;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/report/plot_data.h"
+#include "nacre/fit/uncertainty.h"
 #include "nacre/measure/measurement.h"
 
 // What multi-angle colour looks like as curves. Readings off the plane of incidence are left out:
@@ -14,14 +15,20 @@ namespace nacre::datasheet {
 
 /// L* against the aspecular angle: how steep it is, is the flop. One curve for each lamp, each dot
 /// in the colour seen there.
+/// @param uncertainty  of the sample, its readings in the same order: bars of one standard
+///                     deviation; null: none
 report::Plot lightness_plot(const measure::Measurement& sample,
-                            const measure::Measurement* standard = nullptr);
+                            const measure::Measurement* standard = nullptr,
+                            const fit::Uncertainty* uncertainty = nullptr);
 
 /// The way through a* and b* as the view leaves the mirror direction, which is where it starts. One
 /// curve for each lamp, labelled with angles for that at 45 deg, or the first; equal scales, so
 /// that distances are differences in chroma and hue.
+/// @param uncertainty  likewise: ellipses that hold kEllipseProbability
 report::Plot travel_plot(const measure::Measurement& sample,
-                         const measure::Measurement* standard = nullptr);
+                         const measure::Measurement* standard = nullptr,
+                         const fit::Uncertainty* uncertainty = nullptr);
+inline constexpr double kEllipseProbability = 0.95;
 
 /// Reflectance factors at the angles lit from 45 deg, or from the first lamp where none is there.
 /// Each curve has the colour that it makes, darkened where it would vanish on white paper. The axis
@@ -39,7 +46,8 @@ inline constexpr std::array kMeasurementPlots = {"lightness", "travel", "spectra
 
 /// All that can be drawn; "spectra" only if there are some.
 std::vector<NamedPlot> measurement_plots(const measure::Measurement& sample,
-                                         const measure::Measurement* standard = nullptr);
+                                         const measure::Measurement* standard = nullptr,
+                                         const fit::Uncertainty* uncertainty = nullptr);
 
 /// A colour as "#rrggbb" on a display: measure::srgb_chip_at_full_light().
 std::string chip(const Vec3d& lab);

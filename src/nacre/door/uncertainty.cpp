@@ -24,6 +24,11 @@ std::vector<paint::ParameterDeviation> with_whole_keys(
 
 }  // namespace
 
+bool has_uncertainty(const Model& model) {
+    const bsdf::Capabilities& can = model.info().can;
+    return !can.reference_only && !can.estimated_values && !model.makes_table();
+}
+
 Uncertainty Paint::measure_uncertainty(const std::vector<Geometry>& geometries,
                                        const MeasureSettings& settings,
                                        const UncertaintySettings& uncertainty,
@@ -37,12 +42,11 @@ Uncertainty Paint::measure_uncertainty(const std::vector<Geometry>& geometries,
                            "[uncertainty] of the recipe");
     }
     const Model model = settings.model.value_or(models::default_model());
-    const bsdf::ModelInfo& info = model.info();
-    if (info.can.reference_only || info.can.estimated_values || model.makes_table()) {
+    if (!has_uncertainty(model)) {
         throw SettingError("model",
                            "has no exact values, of which an uncertainty could be found by "
                            "differences",
-                           std::string(info.name));
+                           std::string(model.info().name));
     }
     const measure::Conditions conditions{
         settings.illuminant.value_or(measure::Conditions{}.illuminant),
@@ -52,7 +56,7 @@ Uncertainty Paint::measure_uncertainty(const std::vector<Geometry>& geometries,
         geometries.empty() ? nacre::geometries(kDefaultGeometries) : geometries;
 
     fit::PaintReader reader;
-    if (info.solution == bsdf::Solution::none) {
+    if (model.info().solution == bsdf::Solution::none) {
         // Of facets: nothing is solved.
         reader = [&](const paint::Recipe& recipe, const solver::SolverSettings*, SharedProgress&) {
             return fit::PaintReading{Paint(recipe).measure(wanted, settings).measurement, {}};

@@ -301,7 +301,8 @@ bool has_measurement_header(std::string_view text) {
 }
 
 std::string measurement_csv(const measure::Measurement& measurement,
-                            const std::vector<std::vector<double>>& standard_error) {
+                            const std::vector<std::vector<double>>& standard_error,
+                            const std::vector<MeasurementColumn>& more) {
     std::string csv = "geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z";
     const auto out = std::back_inserter(csv);
     for (double wavelength : measurement.wavelengths_nm) fmt::format_to(out, ",R{}", wavelength);
@@ -312,6 +313,7 @@ std::string measurement_csv(const measure::Measurement& measurement,
             fmt::format_to(out, ",SE{}", wavelength);
         }
     }
+    for (const MeasurementColumn& column : more) csv += "," + csv_cell(column.name);
     csv += '\n';
     const measure::Conditions& conditions = measurement.conditions;
     for (std::size_t row = 0; row < measurement.readings.size(); ++row) {
@@ -335,6 +337,7 @@ std::string measurement_csv(const measure::Measurement& measurement,
         if (!standard_error.empty()) {
             for (double error : standard_error.at(row)) fmt::format_to(out, ",{}", error);
         }
+        for (const MeasurementColumn& column : more) csv += "," + csv_cell(column.cells.at(row));
         csv += '\n';
     }
     return csv;

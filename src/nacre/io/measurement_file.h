@@ -48,11 +48,19 @@ measure::Measurement parse_measurement_json(std::string_view text, const std::st
 inline constexpr std::size_t kMaxReadings = 100'000;
 inline constexpr int kMeasurementFormatVersion = 1;
 
+/// A column beside those of a measurement, with a cell for each reading.
+struct MeasurementColumn {
+    std::string name;
+    std::vector<std::string> cells;  ///< as many as readings
+};
+
 /// As CSV: a row a geometry. Reading it back gives the same measurement, bit for bit.
-/// @param standard_error  of reflectance, by reading and wavelength, for the last columns SE<nm>,
-///        which a reader passes over; empty: there are none
+/// @param standard_error  of reflectance, by reading and wavelength, for columns SE<nm>; empty:
+///        there are none
+/// @param more  the last columns; a reader passes over these and SE<nm>
 std::string measurement_csv(const measure::Measurement& measurement,
-                            const std::vector<std::vector<double>>& standard_error = {});
+                            const std::vector<std::vector<double>>& standard_error = {},
+                            const std::vector<MeasurementColumn>& more = {});
 
 /// As JSON, with flop index and colour travel. Reading it back gives the same measurement, bit for
 /// bit, as far as names are UTF-8; members that somebody adds are passed over.
