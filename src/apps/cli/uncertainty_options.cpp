@@ -79,6 +79,13 @@ void say_spread(const CommonOptions& options, const Uncertainty& u) {
                              sd[2], cause.empty() ? "" : "; " + cause));
 }
 
+/// "a C".
+std::string doubtful_text(const ReadingUncertainty& reading) {
+    std::vector<const char*> names;
+    for (const fit::Quantity quantity : reading.doubtful()) names.push_back(name_of(quantity));
+    return fmt::format("{}", fmt::join(names, " "));
+}
+
 /// Where first order is doubtful.
 void say_doubts(const CommonOptions& options, const Uncertainty& u) {
     for (const UncertainNumber& number : u.numbers) {
@@ -91,7 +98,10 @@ void say_doubts(const CommonOptions& options, const Uncertainty& u) {
     }
     std::vector<std::string> where;
     for (const ReadingUncertainty& r : u.readings) {
-        if (r.linearity.fails) where.push_back(r.reading.geometry.name);
+        const std::string quantities = doubtful_text(r);
+        if (!quantities.empty()) {
+            where.push_back(fmt::format("{} ({})", r.reading.geometry.name, quantities));
+        }
     }
     if (u.flop_index && u.flop_index->linearity.fails) where.emplace_back("the flop index");
     if (u.colour_travel && u.colour_travel->linearity.fails) {
@@ -216,17 +226,15 @@ std::vector<io::MeasurementColumn> uncertainty_columns(const Uncertainty& u) {
         columns.push_back(std::move(column));
     };
     const auto number = [](double x) { return fmt::format("{}", x); };
-    for (int c = 0; c < 3; ++c) {
-        add(std::string(1, "Lab"[c]) + "_sd",
-            [&](const ReadingUncertainty& r) { return number(r.best().lab()[c]); });
+    for (const fit::Quantity quantity : fit::kQuantities) {
+        add(name_of(quantity) + std::string("_sd"),
+            [&](const ReadingUncertainty& r) { return number_or_nothing(r.deviation(quantity)); });
     }
-    add("C_sd", [](const auto& r) { return number_or_nothing(r.best().chroma); });
-    add("h_sd", [](const auto& r) { return number_or_nothing(r.best().hue_deg); });
     add("cov_La", [&](const auto& r) { return number(r.best().covariance[0][1]); });
     add("cov_Lb", [&](const auto& r) { return number(r.best().covariance[0][2]); });
     add("cov_ab", [&](const auto& r) { return number(r.best().covariance[1][2]); });
     add("sd_by", [&](const auto&) { return u.samples > 0 ? "sampling" : "first order"; });
-    add("first_order", [](const auto& r) { return r.linearity.fails ? "fails" : "holds"; });
+    add("first_order_fails", doubtful_text);
     add("most_from", [&](const auto& r) {
         const auto most = greatest(fit::shares(r.change));
         return most ? u.numbers[*most].key : std::string();
@@ -256,12 +264,11 @@ std::string contributions_csv(const Uncertainty& u) {
                            u.numbers[i].standard_deviation, change[i], all[i]);
         }
     };
-    constexpr const char* kNames[] = {"L", "a", "b"};
     for (const ReadingUncertainty& r : u.readings) {
-        const std::string& name = r.reading.geometry.name;
-        for (int c = 0; c < 3; ++c) add(name, kNames[c], fit::component(r.change, c));
-        if (r.first_order.chroma) add(name, "C", fit::chroma_change(r.reading.lab, r.change));
-        if (r.first_order.hue_deg) add(name, "h", fit::hue_change_deg(r.reading.lab, r.change));
+        for (const fit::Quantity quantity : fit::kQuantities) {
+            const std::vector<double> change = r.change_of(quantity);
+            if (!change.empty()) add(r.reading.geometry.name, name_of(quantity), change);
+        }
     }
     if (u.flop_index) add("", "flop_index", u.flop_index->change);
     if (u.colour_travel) add("", "colour_travel", u.colour_travel->change);
@@ -283,7 +290,10 @@ nlohmann::json uncertainty_json(const Uncertainty& u) {
                                   {"share", fit::shares(r.change)},
                                   {"mean_shift", r.mean_shift}};
         if (r.sampled) reading["sampled"] = spread_json(*r.sampled);
-        reading.update(linearity_json(r.linearity));
+        for (const fit::Quantity quantity : fit::kQuantities) {
+            reading["linearity"][name_of(quantity)] =
+                linearity_json(r.linearity[static_cast<std::size_t>(quantity)]);
+        }
         readings.push_back(std::move(reading));
     }
     return {{"numbers", std::move(numbers)},

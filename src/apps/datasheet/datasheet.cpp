@@ -307,7 +307,7 @@ std::string uncertainty_html(const PanelReport& report) {
         for (const Reading* reading : readings) {
             const auto& entry =
                 u.readings[static_cast<std::size_t>(reading - report.sample.readings.data())];
-            if (entry.linearity.fails) {
+            if (!entry.doubtful().empty()) {
                 where.push_back(angle_name(report.sample, reading->geometry));
             }
         }

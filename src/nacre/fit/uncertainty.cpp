@@ -27,9 +27,8 @@ constexpr const char* kUncertaintyStopped = "the uncertainties were stopped befo
 /// as those of a fit: 2e-3 of its default bounds, over the logarithm of a ninefold range.
 constexpr double kRelativeStep = 4e-3;
 
-/// Next terms of a variance below this fraction of it, or of a standard deviation below this
-/// absolute value, are not worth a remark.
-constexpr double kBeyondFirstOrder = 0.1, kNoticed = 0.01;
+/// Next terms of a variance below this fraction of it are not worth a remark.
+constexpr double kBeyondFirstOrder = 0.1;
 
 /// The spread of a*b* is too wide for chroma and hue if so many of its standard deviations reach
 /// grey.
@@ -65,17 +64,26 @@ std::vector<double> values_of(const measure::Measurement& measurement) {
     return values;
 }
 
-/// Several values and how each number moves them.
+using Values = std::vector<double>;
+
+/// Values one standard deviation to either side of a number, or of two at once; none where there is
+/// no paint.
+struct BothSides {
+    std::optional<Values> up, down;
+};
+
+/// Several values and how the numbers move them.
 struct Moves {
-    /// By value and number: to first order with one standard deviation; half the difference and
-    /// half the sum of what one standard deviation to either side makes.
-    std::vector<double> first, odd, even;
-    std::vector<bool> unknown;  ///< by number: there was no paint at one of these
+    Values centre;
+    std::vector<double>
+        first;  ///< by value and number: with one standard deviation, to first order
+    std::vector<BothSides> alone;  ///< by number
+    std::vector<BothSides> pairs;  ///< by pair (0, 1), (0, 2), ..., (1, 2), ...
     std::size_t numbers = 0;
 
-    std::vector<double> of(std::size_t value, const std::vector<double>& all) const {
-        return {all.begin() + static_cast<std::ptrdiff_t>(value * numbers),
-                all.begin() + static_cast<std::ptrdiff_t>((value + 1) * numbers)};
+    std::vector<double> of(std::size_t value) const {
+        return {first.begin() + static_cast<std::ptrdiff_t>(value * numbers),
+                first.begin() + static_cast<std::ptrdiff_t>((value + 1) * numbers)};
     }
 };
 
@@ -84,27 +92,54 @@ double sum_of_squares(const std::vector<double>& x) {
     return std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
 }
 
-/// The terms of a variance that follow those of first order, for values [first, first + count): for
-/// each number 1/2 f''^2 s^4 + f' f''' s^4, of which `even` has f'' s^2 / 2 and `odd` - `first` has
-/// f''' s^3 / 6.
-Linearity linearity_of(const Moves& moves, std::size_t first, std::size_t count) {
-    double variance = 0, next = 0;
+/// What follows first order in one quantity.
+struct NextTerms {
+    double mean_shift = 0;
     Linearity linearity;
+};
+
+/// The terms of the mean and of the variance that follow those of first order. With standard
+/// deviations s the mean's is the sum of f_ii s_i^2 / 2, the variance's are f_ii^2 s_i^4 / 2 and
+/// f_i f_iii s_i^4 of each number, and f_ij^2 s_i^2 s_j^2 of each pair; of the terms of that order
+/// f_i f_ijj s_i^2 s_j^2 is left out.
+/// @param first   f_i s_i
+/// @param change  of the quantity from the centre to some values
+template <class Change>
+NextTerms next_terms(const std::vector<double>& first, const Moves& moves, const Change& change) {
+    NextTerms out;
+    double next = 0;
+    const auto even_part = [&](const BothSides& sides) {
+        return (change(*sides.up) + change(*sides.down)) / 2;
+    };
+    std::vector<double> even(moves.numbers, 0.0);  // f_ii s_i^2 / 2
     for (std::size_t i = 0; i < moves.numbers; ++i) {
-        double product = 0;
-        for (std::size_t value = first; value < first + count; ++value) {
-            const std::size_t at = value * moves.numbers + i;
-            variance += squared(moves.first[at]);
-            next += 2 * squared(moves.even[at]);
-            product += 6 * moves.first[at] * (moves.odd[at] - moves.first[at]);
+        const BothSides& sides = moves.alone[i];
+        if (!sides.up || !sides.down) {
+            out.linearity.unknown = true;
+            continue;
         }
-        next += std::abs(product);
-        linearity.unknown = linearity.unknown || moves.unknown[i];
+        even[i] = even_part(sides);
+        const double odd = (change(*sides.up) - change(*sides.down)) / 2;
+        next += 2 * squared(even[i]) + std::abs(6 * first[i] * (odd - first[i]));
     }
-    if (next > 0) linearity.beyond = std::sqrt(next / variance);
-    linearity.fails =
-        linearity.unknown || (next > kBeyondFirstOrder * variance && std::sqrt(next) > kNoticed);
-    return linearity;
+    out.mean_shift = sum_of(even);
+    std::size_t pair = 0;
+    for (std::size_t i = 0; i < moves.numbers; ++i) {
+        for (std::size_t j = i + 1; j < moves.numbers; ++j, ++pair) {
+            const BothSides& sides = moves.pairs[pair];
+            if (sides.up && sides.down) next += squared(even_part(sides) - even[i] - even[j]);
+        }
+    }
+    const double variance = sum_of_squares(first);
+    if (next > 0) out.linearity.beyond = std::sqrt(next / variance);
+    out.linearity.fails = out.linearity.unknown ||
+                          (next > kBeyondFirstOrder * variance &&
+                           std::sqrt(variance + next) - std::sqrt(variance) > Linearity::kNoticed);
+    return out;
+}
+
+double hue_between_deg(const Vec3d& from, const Vec3d& to) {
+    return std::remainder(measure::hue_deg(to) - measure::hue_deg(from), 360);
 }
 
 // ------------------------------------------------------------------------------ first order
@@ -129,10 +164,9 @@ ReadingUncertainty reading_of(const measure::Reading& reading, std::size_t lab,
     out.reading = reading;
     out.change.resize(moves.numbers);
     out.first_order.mean = reading.lab;
-    for (int r = 0; r < 3; ++r) {
-        const std::vector<double> row = moves.of(lab + static_cast<std::size_t>(r), moves.first);
-        out.mean_shift[r] = sum_of(moves.of(lab + static_cast<std::size_t>(r), moves.even));
-        for (std::size_t i = 0; i < moves.numbers; ++i) out.change[i][r] = row[i];
+    for (int c = 0; c < 3; ++c) {
+        const std::vector<double> row = moves.of(lab + static_cast<std::size_t>(c));
+        for (std::size_t i = 0; i < moves.numbers; ++i) out.change[i][c] = row[i];
     }
     for (const Vec3d& change : out.change) {
         for (int r = 0; r < 3; ++r) {
@@ -141,23 +175,41 @@ ReadingUncertainty reading_of(const measure::Reading& reading, std::size_t lab,
     }
     for (std::size_t k = 0; k < reading.reflectance_factor.size(); ++k) {
         out.first_order.reflectance_factor.push_back(
-            std::sqrt(sum_of_squares(moves.of(spectrum + k, moves.first))));
+            std::sqrt(sum_of_squares(moves.of(spectrum + k))));
     }
     add_chroma_and_hue(out.first_order, reading.lab);
-    out.linearity = linearity_of(moves, lab, 3);
+    for (const Quantity quantity : kQuantities) {
+        const auto q = static_cast<std::size_t>(quantity);
+        const std::vector<double> first = out.change_of(quantity);
+        if (first.empty()) continue;
+        const NextTerms next = next_terms(first, moves, [&](const Values& values) {
+            const Vec3d to{values[lab], values[lab + 1], values[lab + 2]};
+            if (quantity == Quantity::hue) return hue_between_deg(reading.lab, to);
+            if (quantity == Quantity::chroma) {
+                return measure::chroma(to) - measure::chroma(reading.lab);
+            }
+            return values[lab + q] - moves.centre[lab + q];
+        });
+        out.linearity[q] = next.linearity;
+        if (q < 3) out.mean_shift[static_cast<int>(q)] = next.mean_shift;
+    }
     return out;
 }
 
-std::optional<MetricUncertainty> metric_of(double value, std::size_t position, const Moves& moves) {
+std::optional<MetricUncertainty> metric_of(std::size_t position, const Moves& moves) {
     MetricUncertainty out;
-    out.value = value;
-    out.change = moves.of(position, moves.first);
+    out.value = moves.centre[position];
+    out.change = moves.of(position);
     out.first_order = std::sqrt(sum_of_squares(out.change));
-    if (!std::isfinite(value) || !std::isfinite(out.first_order)) return std::nullopt;
-    out.mean_shift = sum_of(moves.of(position, moves.even));
-    out.linearity = linearity_of(moves, position, 1);
-    if (!std::isfinite(out.mean_shift) || !std::isfinite(out.linearity.beyond)) {
-        out.mean_shift = 0;
+    if (!std::isfinite(out.value) || !std::isfinite(out.first_order)) return std::nullopt;
+    const NextTerms next = next_terms(out.change, moves, [&](const Values& values) {
+        return values[position] - moves.centre[position];
+    });
+    // Not finite where a number takes the metric to where it has no value.
+    if (std::isfinite(next.mean_shift) && !std::isnan(next.linearity.beyond)) {
+        out.mean_shift = next.mean_shift;
+        out.linearity = next.linearity;
+    } else {
         out.linearity = {0, true, true};
     }
     return out;
@@ -237,7 +289,7 @@ class UncertainPaint {
         if (!jacobian) {
             throw Error("a number can be moved to neither side: " + first_failure_);
         }
-        Moves moves{std::move(*jacobian), {}, {}, {}, numbers_.size()};
+        Moves moves{centre.values, std::move(*jacobian), {}, {}, numbers_.size()};
         add_wide_steps(centre, moves);
         return moves;
     }
@@ -248,32 +300,34 @@ class UncertainPaint {
     std::string first_failure() const { return first_failure_; }
 
  private:
-    /// One standard deviation to either side.
+    /// One standard deviation to either side of each number and of each pair.
     void add_wide_steps(const Evaluation& centre, Moves& moves) {
-        const std::size_t count = numbers_.size(), values = centre.values.size();
-        moves.odd = moves.first;
-        moves.even.assign(values * count, 0.0);
-        moves.unknown.assign(count, false);
-        std::vector<std::optional<Evaluation>> beside(2 * count);
-        parallel_for_ranges(0, 2 * count, 1, [&](std::size_t k, std::size_t) {
-            if (numbers_[k / 2].standard_deviation == 0) return;
+        const std::size_t count = numbers_.size();
+        std::vector<std::vector<std::size_t>> moved;  // at once
+        for (std::size_t i = 0; i < count; ++i) moved.push_back({i});
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t j = i + 1; j < count; ++j) moved.push_back({i, j});
+        }
+        std::vector<std::optional<Values>> values(2 * moved.size());
+        parallel_for_ranges(0, values.size(), 1, [&](std::size_t k, std::size_t) {
             std::vector<double> point(count, 0.0);
-            point[k / 2] = k % 2 == 0 ? -1 : 1;
-            beside[k] = evaluate(point, &centre.settings);
+            bool uncertain = true;
+            for (const std::size_t i : moved[k / 2]) {
+                point[i] = k % 2 == 0 ? 1 : -1;
+                uncertain = uncertain && numbers_[i].standard_deviation > 0;
+            }
+            if (!uncertain) {
+                if (moved[k / 2].size() == 1) values[k] = centre.values;
+                return;
+            }
+            if (auto beside = evaluate(point, &centre.settings)) {
+                values[k] = std::move(beside->values);
+            }
         });
         require_going();
-        for (std::size_t i = 0; i < count; ++i) {
-            if (numbers_[i].standard_deviation == 0) continue;
-            const auto &behind = beside[2 * i], &ahead = beside[2 * i + 1];
-            if (!behind || !ahead) {
-                moves.unknown[i] = true;
-                continue;
-            }
-            for (std::size_t value = 0; value < values; ++value) {
-                const double up = ahead->values[value], down = behind->values[value];
-                moves.odd[value * count + i] = (up - down) / 2;
-                moves.even[value * count + i] = (up + down) / 2 - centre.values[value];
-            }
+        for (std::size_t m = 0; m < moved.size(); ++m) {
+            (m < count ? moves.alone : moves.pairs)
+                .push_back({std::move(values[2 * m]), std::move(values[2 * m + 1])});
         }
     }
 
@@ -324,7 +378,7 @@ struct SampledSums {
             const Vec3d here{values[at], values[at + 1], values[at + 2]};
             const Vec3d there{centre[at], centre[at + 1], centre[at + 2]};
             add_to(chroma, r, measure::chroma(here) - measure::chroma(there));
-            add_to(hue, r, std::remainder(measure::hue_deg(here) - measure::hue_deg(there), 360));
+            add_to(hue, r, hue_between_deg(there, here));
         }
     }
 
@@ -479,24 +533,38 @@ std::vector<double> shares(const std::vector<Vec3d>& change) {
     return shares(lengths);
 }
 
-std::vector<double> component(const std::vector<Vec3d>& change, int which) {
-    std::vector<double> out;
-    for (const Vec3d& c : change) out.push_back(c[which]);
-    return out;
+const char* name_of(Quantity quantity) {
+    constexpr const char* kNames[] = {"L", "a", "b", "C", "h"};
+    return kNames[static_cast<int>(quantity)];
 }
 
-std::vector<double> chroma_change(const Vec3d& lab, const std::vector<Vec3d>& change) {
-    const double chroma = measure::chroma(lab);
-    std::vector<double> out;
-    for (const Vec3d& c : change) out.push_back((lab[1] * c[1] + lab[2] * c[2]) / chroma);
-    return out;
+std::optional<double> ReadingUncertainty::deviation(Quantity quantity) const {
+    if (quantity == Quantity::chroma) return best().chroma;
+    if (quantity == Quantity::hue) return best().hue_deg;
+    return best().lab()[static_cast<int>(quantity)];
 }
 
-std::vector<double> hue_change_deg(const Vec3d& lab, const std::vector<Vec3d>& change) {
-    const double chroma = measure::chroma(lab);
+std::vector<double> ReadingUncertainty::change_of(Quantity quantity) const {
     std::vector<double> out;
+    if (quantity != Quantity::chroma && quantity != Quantity::hue) {
+        for (const Vec3d& c : change) out.push_back(c[static_cast<int>(quantity)]);
+        return out;
+    }
+    if (!first_order.chroma) return out;
+    const double chroma = measure::chroma(reading.lab);
+    const double cosine = reading.lab[1] / chroma, sine = reading.lab[2] / chroma;
     for (const Vec3d& c : change) {
-        out.push_back((lab[1] * c[2] - lab[2] * c[1]) / squared(chroma) * 180 / std::numbers::pi);
+        out.push_back(quantity == Quantity::chroma
+                          ? cosine * c[1] + sine * c[2]
+                          : (cosine * c[2] - sine * c[1]) / chroma * 180 / std::numbers::pi);
+    }
+    return out;
+}
+
+std::vector<Quantity> ReadingUncertainty::doubtful() const {
+    std::vector<Quantity> out;
+    for (const Quantity quantity : kQuantities) {
+        if (linearity[static_cast<std::size_t>(quantity)].fails) out.push_back(quantity);
     }
     return out;
 }
@@ -505,7 +573,7 @@ bool Uncertainty::first_order_fails() const {
     return std::any_of(numbers.begin(), numbers.end(),
                        [](const UncertainNumber& number) { return number.meets_range; }) ||
            std::any_of(readings.begin(), readings.end(),
-                       [](const ReadingUncertainty& r) { return r.linearity.fails; }) ||
+                       [](const ReadingUncertainty& r) { return !r.doubtful().empty(); }) ||
            (flop_index && flop_index->linearity.fails) ||
            (colour_travel && colour_travel->linearity.fails);
 }
@@ -533,7 +601,7 @@ Uncertainty uncertainty(const paint::Recipe& recipe,
     for (const paint::ParameterDeviation& deviation : deviations) {
         active += paint::standard_deviation(recipe, deviation) > 0;
     }
-    SharedProgress work(progress, static_cast<double>(1 + 4 * active) + options.samples);
+    SharedProgress work(progress, static_cast<double>(1 + active * (3 + active)) + options.samples);
     UncertainPaint paint(recipe, reader, work);
     for (const paint::ParameterDeviation& deviation : deviations) {
         const paint::RecipeParameter parameter = paint::find_parameter(recipe, deviation.key);
@@ -563,8 +631,8 @@ Uncertainty uncertainty(const paint::Recipe& recipe,
         out.readings.push_back(
             reading_of(here.measurement.readings[r], layout.lab(r), layout.spectrum(r), moves));
     }
-    out.flop_index = metric_of(centre.values[layout.flop()], layout.flop(), moves);
-    out.colour_travel = metric_of(centre.values[layout.travel()], layout.travel(), moves);
+    out.flop_index = metric_of(layout.flop(), moves);
+    out.colour_travel = metric_of(layout.travel(), moves);
     if (options.samples == 0) return out;
 
     out.samples = options.samples;

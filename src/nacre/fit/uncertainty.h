@@ -54,15 +54,24 @@ Ellipse ab_ellipse(const Spread& spread, double probability);
 
 /// How well first order describes a quantity: what the next terms of its variance amount to.
 struct Linearity {
-    /// Standard deviation that the next terms stand for, over that of first order (infinite where
-    /// that is 0), in terms of one number each: mixed ones are left out.
+    /// Standard deviation that the next terms stand for, over that of first order; infinite where
+    /// that is 0.
     double beyond = 0;
     /// Whether a number could not be moved by its standard deviation to either side.
     bool unknown = false;
-    /// Whether the next terms change the standard deviation by more than 5 % (a tenth of the
-    /// variance) and are worth noticing (0.01 of L*, a*, b* or of a number); or are unknown.
+    /// Whether the next terms change the standard deviation by more than 5 % of itself (a tenth of
+    /// the variance) and by more than kNoticed, in units of the quantity; or are unknown.
     bool fails = false;
+
+    static constexpr double kNoticed = 0.02;
 };
+
+/// What is reported of a colour.
+enum class Quantity { lightness, a, b, chroma, hue };
+inline constexpr std::array kQuantities = {Quantity::lightness, Quantity::a, Quantity::b,
+                                           Quantity::chroma, Quantity::hue};
+/// L, a, b, C, h.
+const char* name_of(Quantity quantity);
 
 struct ReadingUncertainty {
     measure::Reading reading;  ///< of the recipe as it is
@@ -73,9 +82,17 @@ struct ReadingUncertainty {
     std::vector<Vec3d> change;
     /// The mean less the reading, to second order.
     Vec3d mean_shift{};
-    Linearity linearity;
+    /// By Quantity, hue in degrees; nothing is said of chroma and hue where they have no spread.
+    std::array<Linearity, kQuantities.size()> linearity{};
 
     const Spread& best() const { return sampled ? *sampled : first_order; }
+    /// The standard deviation of a quantity, by best(). None as Spread::chroma.
+    std::optional<double> deviation(Quantity quantity) const;
+    /// The change of a quantity with one standard deviation of each number, to first order; empty
+    /// where it has no spread.
+    std::vector<double> change_of(Quantity quantity) const;
+    /// The quantities for which first order is not enough.
+    std::vector<Quantity> doubtful() const;
 };
 
 /// Of a quantity that several readings make.
@@ -94,13 +111,6 @@ struct MetricUncertainty {
 /// or all 0 if there is no variance. Those of all of L*, a* and b* together for Vec3d.
 std::vector<double> shares(const std::vector<double>& change);
 std::vector<double> shares(const std::vector<Vec3d>& change);
-/// One component of the changes of a reading: L*, a*, b*.
-std::vector<double> component(const std::vector<Vec3d>& change, int component);
-/// The change of chroma and (in degrees) of hue with those of a* and b* at a colour, whose chroma
-/// must not be 0.
-std::vector<double> chroma_change(const Vec3d& lab, const std::vector<Vec3d>& change);
-std::vector<double> hue_change_deg(const Vec3d& lab, const std::vector<Vec3d>& change);
-
 struct Uncertainty {
     measure::Measurement measurement;  ///< of the recipe as it is
     std::vector<UncertainNumber> numbers;
@@ -144,9 +154,10 @@ struct UncertaintyOptions {
 /// First order: with the Jacobian J of the readings and the variances S of the numbers, which are
 /// taken to be independent, the covariance is J S J^T.      [jcgm-100-2008, eq. 10]
 /// J is that of central differences over 0.4 % of each number (or of its deviation, if that is
-/// more); a number at the end of its range has a one-sided one. The next terms, of second and third
-/// order, are those of readings one standard deviation to either side of each number alone.
-/// [jcgm-100-2008, 5.1.2, note]
+/// more); a number at the end of its range has a one-sided one. The next terms, of all second
+/// derivatives and of the third ones by a single number, are those of readings one standard
+/// deviation to either side of each number and each pair.               [jcgm-100-2008, 5.1.2, note]
+/// For n numbers the paint is read 1 + 3 n + n^2 times.
 ///
 /// Sampling: numbers are drawn from normal laws about the recipe's; draws that make no valid recipe
 /// are drawn again.                                                       [jcgm-101-2008, clause 7]

@@ -29,8 +29,9 @@ std::string deviation_text(const ParameterDeviation& deviation) {
     if (!deviation.relative) return fmt::format("{}", deviation.amount);
     // 0.07 * 100 is 7.000000000000001: the shortest text that reads back to the same fraction.
     for (int digits = 1; digits <= 17; ++digits) {
-        const std::string text = fmt::format("{:.{}g}", 100 * deviation.amount, digits);
-        if (*parse_number(text) / 100 == deviation.amount) return text + " %";
+        const double percent =
+            *parse_number(fmt::format("{:.{}g}", 100 * deviation.amount, digits));
+        if (percent / 100 == deviation.amount) return fmt::format("{} %", percent);
     }
     return fmt::format("{} %", 100 * deviation.amount);
 }
