@@ -196,7 +196,7 @@ const fit::Spread& spread_of(const Measurement& sample, const fit::Uncertainty& 
 report::Series ellipses(const Measurement& sample, const fit::Uncertainty& uncertainty) {
     constexpr int kSides = 48;
     constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-    report::Series series{.name = fmt::format("holds {:.0f} %", 100 * kEllipseProbability),
+    report::Series series{.name = fmt::format("ellipses hold {:.0f} %", 100 * kEllipseProbability),
                           .colour = "#767676"};
     for (const auto& [lamp, readings] : by_lamp(sample)) {
         for (const Reading* reading : readings) {
