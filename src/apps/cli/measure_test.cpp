@@ -16,6 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 measure::Measurement measured(const Outcome& outcome) {
@@ -181,6 +182,69 @@ TEST_F(Program, MeasureSaysWhatIsWrong) {
     write("broken.csv", "geometry,L,a,b\n45as15,90,1\n");
     expect("broken.csv", 2, "broken.csv:2:1");
     expect("gray.toml -o none/out.csv", 2, "none");
+}
+
+const std::string kKnown =
+    "\n[uncertainty]\n\"layer[0].thickness_um\" = \"5 %\"\n"
+    "\"layer[0].flakes[0].orientation.alpha\" = 0.002\n";
+
+TEST_F(Program, MeasureSaysHowSureItIs) {
+    write("known.toml", contents(folder_ / "gray.toml") + kKnown);
+    const Outcome plain = nacre("measure gray.toml");
+    const Outcome outcome = nacre("measure known.toml --contributions parts.csv");
+    // The same readings, and more columns, which readers pass over.
+    measure::Measurement expected = measured(plain), read = measured(outcome);
+    read.name = expected.name;
+    EXPECT_EQ(read, expected);
+    EXPECT_THAT(outcome.out, HasSubstr(",L_sd,a_sd,b_sd,C_sd,h_sd,cov_La,cov_Lb,cov_ab,"));
+    EXPECT_THAT(outcome.out, HasSubstr(",first order,"));
+    EXPECT_THAT(outcome.err, HasSubstr("flop index"));
+    EXPECT_THAT(outcome.err, HasSubstr(" +- "));
+    EXPECT_THAT(outcome.err, HasSubstr("of the variance from layer[0].flakes[0]"));
+    const std::string parts = contents(folder_ / "parts.csv");
+    EXPECT_THAT(parts, StartsWith("geometry,quantity,number,value,sd,change,share\n"));
+    EXPECT_THAT(parts, HasSubstr("45as15,L,layer[0].thickness_um,15,0.75,"));
+    EXPECT_THAT(parts, HasSubstr("\n,flop_index,layer[0].flakes[0].orientation.alpha,0.2,0.002,"));
+    EXPECT_EQ(nacre("measure known.toml --no-uncertainty -q").out,
+              nacre("measure known.toml --no-uncertainty -q --seed 3").out);
+    EXPECT_THAT(nacre("measure known.toml --no-uncertainty").out, Not(HasSubstr("L_sd")));
+
+    // The command line says the same of another recipe.
+    const auto json = [&](const std::string& arguments) {
+        const Outcome said = nacre("measure " + arguments + " --format json");
+        EXPECT_EQ(said.status, 0) << said.err;
+        return nlohmann::json::parse(said.out)["uncertainty"];
+    };
+    const auto of_file = json("known.toml");
+    EXPECT_EQ(json("gray.toml --uncertainty layer[0].thickness_um=5% --uncertainty alpha=0.002"),
+              of_file);
+    EXPECT_EQ(of_file["numbers"].size(), 2u);
+    EXPECT_GT(of_file["flop_index"]["sd"], 0);
+    const auto drawn = json("known.toml --uncertainty-samples 20 --seed 1");
+    EXPECT_EQ(drawn["samples"], 20);
+    EXPECT_EQ(drawn["readings"][0]["first_order"], of_file["readings"][0]["first_order"]);
+    EXPECT_NE(drawn, json("known.toml --uncertainty-samples 20 --seed 2"));
+}
+
+TEST_F(Program, MeasureRefusesUncertaintyThatItCannotTell) {
+    const auto refused = [&](const std::string& arguments, int status, const char* words) {
+        const Outcome outcome = nacre("measure " + arguments);
+        EXPECT_EQ(outcome.status, status) << arguments;
+        EXPECT_THAT(outcome.err, HasSubstr(words));
+        EXPECT_THAT(outcome.out, IsEmpty());
+    };
+    refused("gray.toml --uncertainty alpha", 1, "is not KEY=SD");
+    refused("gray.toml --uncertainty alpha=wide", 1, "alpha = wide");
+    refused("gray.toml --uncertainty alhpa=5%", 2, "is not a number of this recipe");
+    refused("gray.toml --uncertainty alpha=500%", 2, "[0 %, 100 %]");
+    refused("gray.toml --uncertainty alpha=5% --no-uncertainty", 1, "exclude");
+    refused("gray.toml --uncertainty alpha=5% --model walk", 2, "no exact values");
+    refused("gray.toml --uncertainty alpha=5% --versus gray.toml", 1, "--versus");
+    refused("gray.toml --contributions parts.csv", 1, "--contributions");
+    refused("gray.toml --uncertainty-samples 20", 2, "[uncertainty]");
+    refused("gray.toml --uncertainty alpha=5% --contributions gray.toml", 1, "gray.toml");
+    ASSERT_EQ(nacre("measure gray.toml -q -o read.csv").status, 0);
+    refused("read.csv --uncertainty alpha=5%", 1, "no recipe");
 }
 
 }  // namespace

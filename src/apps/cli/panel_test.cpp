@@ -34,6 +34,20 @@ TEST_F(Panel, ComparesWithWhatWasMeasured) {
     EXPECT_THAT(page, HasSubstr("<dd>0.00"));  // it is the same paint
 }
 
+TEST_F(Panel, SaysHowSureItIsWhereTheRecipeDoes) {
+    write("known.toml", contents(folder_ / "gray.toml") +
+                            "\n[uncertainty]\n\"layer[0].thickness_um\" = \"5 %\"\n");
+    const std::string how = " --quality low --model microflake -o a.html";
+    ASSERT_EQ(nacre("panel known.toml" + how).status, 0);
+    const std::string page = contents(folder_ / "a.html");
+    EXPECT_THAT(page, HasSubstr("How sure this is"));
+    EXPECT_THAT(page, HasSubstr("ellipses hold 95 %"));
+    ASSERT_EQ(nacre("panel known.toml --no-uncertainty" + how).status, 0);
+    const std::string without = contents(folder_ / "a.html");
+    EXPECT_THAT(without, Not(HasSubstr("How sure")));
+    EXPECT_THAT(without, Not(HasSubstr("±")));
+}
+
 TEST_F(Panel, ComparesWithAMeasuredBrdf) {
     ASSERT_EQ(nacre("export gray.toml -q -o gray.bsdf --resolution 8 --incidences 4").status, 0);
     const Outcome outcome = nacre("panel gray.toml -o a.html --quality low --versus gray.bsdf");

@@ -88,7 +88,12 @@ std::string uncertain(const Estimate& estimate) {
 
 /// Adds " ± 0.3" where it is known.
 std::string with_deviation(std::string text, const std::optional<double>& deviation, int decimals) {
-    return deviation ? text + " ± " + decimal_text(*deviation, decimals) : text;
+    if (!deviation) return text;
+    const double smallest = std::pow(10.0, -decimals);
+    if (*deviation > 0 && *deviation < smallest / 2) {
+        return text + " ± <" + decimal_text(smallest, decimals);
+    }
+    return text + " ± " + decimal_text(*deviation, decimals);
 }
 
 /// The standard deviation of a metric.
@@ -201,6 +206,11 @@ std::string chips_html(const PanelReport& report) {
 
 // ------------------------------------------------------------------------------ readings
 
+const fit::ReadingUncertainty& uncertainty_at(const PanelReport& report, const Reading* reading) {
+    return report.uncertainty->readings.at(
+        static_cast<std::size_t>(reading - report.sample.readings.data()));
+}
+
 /// Standard deviations of a reading of the sample; none where they are not known.
 struct ReadingDeviations {
     std::array<std::optional<double>, 4> lab_and_chroma = {};
@@ -209,10 +219,7 @@ struct ReadingDeviations {
 
 ReadingDeviations deviations_of(const PanelReport& report, const Reading* reading) {
     if (!report.uncertainty) return {};
-    const fit::Spread& spread =
-        report.uncertainty->readings
-            .at(static_cast<std::size_t>(reading - report.sample.readings.data()))
-            .best();
+    const fit::Spread& spread = uncertainty_at(report, reading).best();
     const Vec3d lab = spread.lab();
     return {{lab[0], lab[1], lab[2], spread.chroma}, spread.hue_deg};
 }
@@ -266,6 +273,27 @@ std::string plots_html(const PanelReport& report) {
 
 // ---------------------------------------------------------------------------- uncertainty
 
+/// Where first order is not enough, as in "15° (b, C)".
+std::vector<std::string> doubtful_places(const PanelReport& report,
+                                         const std::vector<const Reading*>& readings) {
+    std::vector<std::string> where;
+    for (const Reading* reading : readings) {
+        std::vector<const char*> names;
+        for (const fit::Quantity quantity : uncertainty_at(report, reading).doubtful()) {
+            names.push_back(name_of(quantity));
+        }
+        if (names.empty()) continue;
+        where.push_back(fmt::format("{} ({})", angle_name(report.sample, reading->geometry),
+                                    fmt::join(names, ", ")));
+    }
+    const fit::Uncertainty& u = *report.uncertainty;
+    if (u.flop_index && u.flop_index->linearity.fails) where.emplace_back("the flop index");
+    if (u.colour_travel && u.colour_travel->linearity.fails) {
+        where.emplace_back("the colour travel");
+    }
+    return where;
+}
+
 /// How well the composition is known, and what each number of it does to the colours.
 std::string uncertainty_html(const PanelReport& report) {
     if (!report.uncertainty) return {};
@@ -277,9 +305,7 @@ std::string uncertainty_html(const PanelReport& report) {
     }
     std::vector<std::vector<double>> by_reading;
     for (const Reading* reading : readings) {
-        by_reading.push_back(fit::shares(
-            u.readings.at(static_cast<std::size_t>(reading - report.sample.readings.data()))
-                .change));
+        by_reading.push_back(fit::shares(uncertainty_at(report, reading).change));
     }
     for (std::size_t i = 0; i < u.numbers.size(); ++i) {
         const fit::UncertainNumber& number = u.numbers[i];
@@ -298,39 +324,26 @@ std::string uncertainty_html(const PanelReport& report) {
         "independent. By angle: which share of the variance of L*, a* and b* together is whose. "
         "Ellipses in the plot of colour travel hold 95 %, bars are one standard deviation.",
         " class=\"small\"");
+    std::string words;
+    const auto say = [&](const std::string& sentence) {
+        words += (words.empty() ? "" : " ") + sentence;
+    };
     if (u.samples > 0) {
-        html += paragraph(
-            fmt::format("From {} recipes that were drawn; shares to first order.", u.samples),
-            " class=\"small\"");
-    } else if (u.first_order_fails()) {
-        std::vector<std::string> where;
-        for (const Reading* reading : readings) {
-            const auto& entry =
-                u.readings[static_cast<std::size_t>(reading - report.sample.readings.data())];
-            if (!entry.doubtful().empty()) {
-                where.push_back(angle_name(report.sample, reading->geometry));
-            }
-        }
-        for (const auto& [name, metric] : {std::pair{"the flop index", &u.flop_index},
-                                           std::pair{"the colour travel", &u.colour_travel}}) {
-            if (*metric && (*metric)->linearity.fails) where.emplace_back(name);
-        }
-        std::string words;
-        if (!where.empty()) {
-            words = fmt::format(
-                "To first order only, which is not enough at {}: the next terms "
-                "change standard deviations by more than 5 %.",
-                fmt::join(where, ", "));
-        }
-        for (const fit::UncertainNumber& number : u.numbers) {
-            if (!number.meets_range) continue;
-            words += fmt::format(
-                "{}{} reaches values that no recipe may have within {:g} standard "
-                "deviations: it cannot be normal.",
-                words.empty() ? "" : " ", number.key, fit::UncertainNumber::kSigmasOfRange);
-        }
-        html += paragraph(words, " class=\"small\"");
+        say(fmt::format("From {} recipes that were drawn; shares to first order.", u.samples));
+    } else if (const auto where = doubtful_places(report, readings); !where.empty()) {
+        say(
+            fmt::format("To first order only, which is not enough at {}: the next terms change "
+                        "standard deviations by more than 5 %.",
+                        fmt::join(where, ", ")));
     }
+    for (const fit::UncertainNumber& number : u.numbers) {
+        if (!number.meets_range) continue;
+        say(
+            fmt::format("{} reaches values that no recipe may have within {:g} standard "
+                        "deviations: it cannot be normal.",
+                        number.key, fit::UncertainNumber::kSigmasOfRange));
+    }
+    if (!words.empty()) html += paragraph(words, " class=\"small\"");
     return html;
 }
 

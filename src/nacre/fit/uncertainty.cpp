@@ -34,6 +34,9 @@ constexpr double kBeyondFirstOrder = 0.1;
 /// grey.
 constexpr double kSigmasToGrey = 3;
 
+/// Standard deviations below this are those of rounding, as a* of a grey paint has.
+constexpr double kRounding = 1e-9;
+
 double squared(double x) { return x * x; }
 
 // ------------------------------------------------------------------------------ quantities
@@ -522,7 +525,7 @@ Ellipse ab_ellipse(const Spread& spread, double probability) {
 std::vector<double> shares(const std::vector<double>& change) {
     const double variance = sum_of_squares(change);
     std::vector<double> out(change.size(), 0.0);
-    if (!(variance > 0)) return out;
+    if (!(variance > squared(kRounding))) return out;
     for (std::size_t i = 0; i < change.size(); ++i) out[i] = squared(change[i]) / variance;
     return out;
 }

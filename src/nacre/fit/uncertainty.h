@@ -108,7 +108,8 @@ struct MetricUncertainty {
 };
 
 /// Which part of a quantity's variance each number makes, in first order: fractions that sum to 1,
-/// or all 0 if there is no variance. Those of all of L*, a* and b* together for Vec3d.
+/// or all 0 if there is no
+/// variance but that of rounding. Those of all of L*, a* and b* together for Vec3d.
 std::vector<double> shares(const std::vector<double>& change);
 std::vector<double> shares(const std::vector<Vec3d>& change);
 struct Uncertainty {

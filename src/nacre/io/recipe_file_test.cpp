@@ -60,6 +60,11 @@ const std::string kBounded = kViolet + R"([fit]
 "layer[0].thickness_um" = [10, 20.5]
 )";
 
+const std::string kUncertain = kViolet + R"([uncertainty]
+"layer[0].flakes[0].coats[0].thickness_nm" = 1.5
+"layer[0].thickness_um" = "7 %"
+)";
+
 const std::string kGray = R"(ior = 1.5
 [[layer]]
 thickness_um = 15
@@ -220,6 +225,18 @@ TEST(RecipeFile, BoundsOfAFitStandBesideTheRecipe) {
         parse_recipe_file(write_recipe(file.recipe, file.bounds), "again.toml", "");
     EXPECT_EQ(again.recipe, file.recipe);
     EXPECT_EQ(again.bounds, file.bounds);
+}
+
+TEST(RecipeFile, StandardDeviationsAreReadBesideTheRecipe) {
+    const RecipeFile file = parse_recipe_file(kUncertain, "paint.toml", "");
+    const std::vector<paint::ParameterDeviation> expected = {
+        {"layer[0].thickness_um", 0.07, true},
+        {"layer[0].flakes[0].coats[0].thickness_nm", 1.5, false}};
+    EXPECT_EQ(file.deviations, expected);  // in the order of the recipe's numbers
+    EXPECT_EQ(recipe_hash(file.recipe), recipe_hash(parse_recipe(kViolet, "paint.toml", "")));
+    const std::string again = write_recipe(file.recipe, {}, file.deviations);
+    EXPECT_THAT(again, HasSubstr("\"layer[0].thickness_um\" = \"7 %\"\n"));
+    EXPECT_EQ(parse_recipe_file(again, "again.toml", "").deviations, expected);
 }
 
 // Each key that a description names is written, and what is written is read: the value that was
@@ -499,6 +516,18 @@ const BadRecipe kBadRecipes[] = {
     {&kBounded, "\"layer[0].thickness_um\"", "\"\\u0007\"", "28:", "fit",
      "has a key that is not the name of a number"},
     {&kBounded, "[fit]\n", "[fit.deeper]\n", "28:", "fit.deeper", "is not a number"},
+    // standard deviations
+    {&kUncertain, "\"layer[0].thickness_um\"", "\"layer[0].thicknes_um\"",
+     "30:", "uncertainty.layer[0].thicknes_um", "layer[0].thickness_um'?"},
+    {&kUncertain, "thickness_nm\" = 1.5", "thickness_nm\" = -1.5",
+     "29:", "coats[0].thickness_nm = -1.5", "must be in [0, 100000] nm"},
+    {&kUncertain, "thickness_nm\" = 1.5", "thickness_nm\" = 2e5",
+     "29:", "coats[0].thickness_nm = 200000", "must be in [0, 100000] nm"},
+    {&kUncertain, "\"7 %\"", "\"107 %\"", "30:", "layer[0].thickness_um = 107 %", "[0 %, 100 %]"},
+    {&kUncertain, "\"7 %\"", "\"7\"", "30:", "layer[0].thickness_um = '7'", "percentage"},
+    {&kUncertain, "\"7 %\"", "\"seven\"", "30:", "layer[0].thickness_um = seven",
+     "must be a standard deviation"},
+    {&kUncertain, "\"7 %\"", "[7]", "30:", "layer[0].thickness_um = ", "must be a number"},
     // sizes
     {&kViolet, "name = \"Violet",
      "name = \"VioletVioletVioletVioletVioletVioletVioletVioletViolet"
