@@ -352,6 +352,7 @@ TEST_F(Terminal, GetsNoControlCharactersOfNames) {
     write("material.toml", "ior = \"" + evil + ".csv\"\n" + gray.substr(gray.find('\n')));
     write("garbage.toml", raw + " = .5\n");
     write("bounds.toml", gray + "[fit]\n\"" + evil + "\" = [1, 2]\n");
+    write("uncertain.toml", gray + "[uncertainty]\n\"layer[0].thickness_um\" = \"" + evil + "\"\n");
     write("set.toml", "name = \"s\"\n[[geometry]]\nname = \"" + evil +
                           "\"\nlamp_deg = 45\naspecular_deg = 25\n");
     write("sets.toml", contents(folder_ / "set.toml") + "[[geometry]]\nname = \"" + evil +
@@ -445,7 +446,7 @@ TEST_F(Terminal, GetsNoControlCharactersOfNames) {
         "render sphere --paint gray.toml --size '" + raw + "' -o x.exr"};
     for (const char* file :
          {"named.toml", "key.toml", "value.toml", "material.toml", "garbage.toml", "bounds.toml",
-          "nowhere.toml", "cell.csv", "head.csv"}) {
+          "uncertain.toml", "nowhere.toml", "cell.csv", "head.csv"}) {
         const std::string name = std::string(file) == "nowhere.toml" ? raw + "nowhere.toml" : file;
         for (const std::string reader : {"info @", "solve @ --wavelength 550 -o x.h5",
                                          "eval @ "
