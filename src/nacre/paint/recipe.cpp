@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "nacre/core/error.h"
@@ -186,6 +187,19 @@ double Recipe::thickness_um() const {
     return sum;
 }
 
+double OrangePeel::slope() const {
+    double squares = 0;
+    for (const WaveBand& band : kWaveBands) squares += this->*band.slope * this->*band.slope;
+    return std::sqrt(squares);
+}
+
+std::optional<OrangePeel> Recipe::orange_peel() const {
+    if (!clearcoat || !clearcoat->orange_peel || clearcoat->orange_peel->slope() == 0) {
+        return std::nullopt;
+    }
+    return clearcoat->orange_peel;
+}
+
 void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
     for (double wavelength : wavelengths_nm) {
         if (!limits::kWavelength.contains(wavelength)) {
@@ -197,6 +211,12 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
     Described::to_inspect(recipe).accept(check);
     if (recipe.layers.empty() && !recipe.microfacet) {
         throw DomainError("layer: a paint needs at least one layer (or a microfacet table)");
+    }
+    if (recipe.orange_peel() && recipe.clearcoat->roughness > 0) {
+        throw DomainError(fmt::format(
+            "clearcoat.roughness = {}: must be 0 with an orange_peel, which bends the mirror image "
+            "of a smooth interface",
+            recipe.clearcoat->roughness));
     }
     for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
         const std::string key = fmt::format("layer[{}]", i);
