@@ -212,12 +212,6 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
     if (recipe.layers.empty() && !recipe.microfacet) {
         throw DomainError("layer: a paint needs at least one layer (or a microfacet table)");
     }
-    if (recipe.orange_peel() && recipe.clearcoat->roughness > 0) {
-        throw DomainError(fmt::format(
-            "clearcoat.roughness = {}: must be 0 with an orange_peel, which bends the mirror image "
-            "of a smooth interface",
-            recipe.clearcoat->roughness));
-    }
     for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
         const std::string key = fmt::format("layer[{}]", i);
         check_flakes(key, recipe.layers[i]);

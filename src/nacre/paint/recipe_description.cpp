@@ -69,8 +69,8 @@ void describe(Visitor& visit, Clearcoat& coat) {
           coat.roughness);
     visit({.key = "orange_peel",
            .meaning = "waves of the air interface, which only pictures show "
-                      "([orange-peel.md](orange-peel.md)); with `roughness` 0",
-           .words = "orange peel with {}",
+                      "([orange-peel.md](orange-peel.md)); only with `roughness` 0",
+           .words = "orange peel with slopes of {}",
            .in_line = true},
           coat.orange_peel);
 }
@@ -81,7 +81,7 @@ void describe(Visitor& visit, OrangePeel& peel) {
     visit({.key = "wa",
            .range = kSlope,
            .meaning = "root mean square slope along a line of the waves of 0.1 to 0.3 mm",
-           .words = "slopes of {} (0.1 to 0.3 mm)",
+           .words = "{} (0.1 to 0.3 mm)",
            .zero_words = ""},
           peel.wa);
     visit({.key = "wb",
