@@ -76,14 +76,17 @@ std::optional<Vec3f> TiltedCoat::leave(Vec3f flat) const {
     return w;
 }
 
+float TiltedCoat::mixed_pdf(float flat_pdf, const Ray& o) const {
+    return (1 - kAround) * flat_pdf + kAround * std::numbers::inv_pi_v<float> * o.cosine;
+}
+
 template <class Evaluate>
 BsdfValue TiltedCoat::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate) const {
     const auto i = ray_of(wi), o = ray_of(wo);
     if (!i || !o) return {};
     const BsdfValue value = evaluate(i->flat, o->flat);
     return {value.f * i->transmittance * o->transmittance * o->irradiance,
-            (1 - kAround) * value.pdf * o->jacobian +
-                kAround * std::numbers::inv_pi_v<float> * o->cosine};
+            mixed_pdf(value.pdf * o->jacobian, *o)};
 }
 
 template <class Sample, class Evaluate>
@@ -92,32 +95,34 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
                                                 const Evaluate& evaluate) const {
     const auto i = ray_of(wi);
     if (!i) return std::nullopt;
-    BsdfSample out;
     if (u_select < kAround) {
+        BsdfSample out;
         out.wo = Frame::around(normal_).to_world(cosine_hemisphere(u));
-        if (out.wo.z <= 0) return std::nullopt;
-    } else {
-        const float rest = std::min((u_select - kAround) / (1 - kAround), 0x1.fffffep-1f);
-        const auto drawn = sample(i->flat, rest, u);
-        if (!drawn) return std::nullopt;
-        if (drawn->kind == SampleKind::specular) {
-            out = *drawn;
-            out.pdf *= 1 - kAround;
-            out.wo = 2 * i->cosine * normal_ - wi;
-            out.wo.z = std::max(std::abs(out.wo.z), 1e-6f);
-            out.weight =
-                optics::dielectric_reflectance(splat(1.0f), index_.each, splat(i->cosine)) *
-                (1 / out.pdf);
-            return out;
-        }
-        const auto wo = leave(drawn->wo);
-        if (!wo) return std::nullopt;
-        out.wo = *wo;
+        const BsdfValue value = evaluate_by(wi, out.wo, evaluate);
+        if (!(value.pdf > 0)) return std::nullopt;
+        out.pdf = value.pdf;
+        out.weight = value.f * (out.wo.z / value.pdf);
+        return out;
     }
-    const BsdfValue value = evaluate_by(wi, out.wo, evaluate);
-    if (!(value.pdf > 0)) return std::nullopt;
-    out.pdf = value.pdf;
-    out.weight = value.f * (out.wo.z / value.pdf);
+    const float rest = std::min((u_select - kAround) / (1 - kAround), 0x1.fffffep-1f);
+    auto out = sample(i->flat, rest, u);
+    if (!out) return std::nullopt;
+    if (out->kind == SampleKind::specular) {
+        out->pdf *= 1 - kAround;
+        out->wo = 2 * i->cosine * normal_ - wi;
+        out->wo.z = std::max(std::abs(out->wo.z), 1e-6f);
+        out->weight = optics::dielectric_reflectance(splat(1.0f), index_.each, splat(i->cosine)) *
+                      (1 / out->pdf);
+        return out;
+    }
+    const auto wo = leave(out->wo);
+    const auto o = wo ? ray_of(*wo) : std::nullopt;
+    if (!o || o->jacobian == 0) return std::nullopt;
+    // The same as evaluate_by(), without asking the flat coat again.
+    out->wo = *wo;
+    const float flat_pdf = out->pdf * o->jacobian;
+    out->pdf = mixed_pdf(flat_pdf, *o);
+    out->weight *= i->transmittance * o->transmittance * (flat_pdf / out->pdf);
     return out;
 }
 

@@ -74,6 +74,9 @@ class TiltedCoat final : public BoundBsdf {
     /// The direction whose Ray::flat is this; empty where it does not leave.
     std::optional<Vec3f> leave(Vec3f flat) const;
 
+    /// Of sample(), from the flat coat's per solid angle here.
+    float mixed_pdf(float flat_pdf, const Ray& o) const;
+
     template <class Evaluate>
     BsdfValue evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate) const;
     template <class Sample, class Evaluate>

@@ -47,7 +47,7 @@ CoatWaves::CoatWaves(const paint::OrangePeel& peel, std::uint64_t seed) {
             const int lane = wave % kLanes;
             for (int i = 0; i < kAxes; ++i) {
                 group.per_mm[i][lane] = k[i] / wavelength_mm;
-                group.slope[i][lane] = amplitude * k[i];
+                group.slope[i][lane] = static_cast<float>(amplitude * k[i]);
             }
             group.phase[lane] = rng.uniform_double();
         }
@@ -58,31 +58,38 @@ template <class Act>
 void CoatWaves::for_each(Vec3f position_mm, const Act& act) const {
     const Vec3d x = to_double(position_mm);
     for (const Group& group : groups_) {
-        act(group, cos_sin_turns<DoubleLanes>(group.per_mm[0] * x.x + group.per_mm[1] * x.y +
-                                              group.per_mm[2] * x.z + group.phase));
+        // Whole turns are many, and leave before the digits do.
+        const DoubleLanes turns =
+            group.per_mm[0] * x.x + group.per_mm[1] * x.y + group.per_mm[2] * x.z + group.phase;
+        const DoubleLanes left = turns - detail::nearest_integer<DoubleLanes>(turns).value;
+        act(group, left);
     }
 }
 
 Vec3d CoatWaves::gradient(Vec3f position_mm) const {
-    DoubleLanes sum[kAxes]{};
-    for_each(position_mm, [&](const Group& group, const CosineSine<DoubleLanes>& wave) {
+    FloatLanes sum[kAxes]{};
+    for_each(position_mm, [&](const Group& group, const DoubleLanes& turns) {
+        const auto wave = cos_sin_turns(__builtin_convertvector(turns, FloatLanes));
         for (int i = 0; i < kAxes; ++i) sum[i] -= group.slope[i] * wave.sine;
     });
-    return {lane_sum(sum[0]), lane_sum(sum[1]), lane_sum(sum[2])};
+    return to_double({lane_sum(sum[0]), lane_sum(sum[1]), lane_sum(sum[2])});
 }
 
 double CoatWaves::height_mm(Vec3f position_mm) const {
-    DoubleLanes sum{};
-    for_each(position_mm, [&](const Group& group, const CosineSine<DoubleLanes>& wave) {
-        DoubleLanes slope2{}, product{};
-        for (int i = 0; i < kAxes; ++i) {
-            slope2 += group.slope[i] * group.slope[i];
-            product += group.slope[i] * group.per_mm[i];
+    double sum = 0;
+    for_each(position_mm, [&](const Group& group, const DoubleLanes& turns) {
+        const auto wave = cos_sin_turns(turns);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            double slope2 = 0, product = 0;
+            for (int i = 0; i < kAxes; ++i) {
+                slope2 += double{group.slope[i][lane]} * group.slope[i][lane];
+                product += group.slope[i][lane] * group.per_mm[i][lane];
+            }
+            // A^2 / (A / lambda): the amplitude A lambda / (2 pi) is that over 2 pi.
+            sum += slope2 / product * wave.cosine[lane];
         }
-        // A^2 / (A / lambda): the amplitude A lambda / (2 pi) is that over 2 pi.
-        sum += slope2 / product * wave.cosine;
     });
-    return lane_sum(sum) / (2 * std::numbers::pi);
+    return sum / (2 * std::numbers::pi);
 }
 
 Vec2f CoatWaves::slope(Vec3f position_mm, Vec3f normal, Vec3f tangent) const {

@@ -34,7 +34,8 @@ class CoatWaves {
     /// @param seed  the specimen
     CoatWaves(const paint::OrangePeel& peel, std::uint64_t seed);
 
-    /// Change of the height by the place, in object space: not yet that along a surface.
+    /// Change of the height by the place, in object space: not yet that along a surface. To a few 1e-7 of
+    /// the largest slopes.
     Vec3d gradient(Vec3f position_mm) const;
     double height_mm(Vec3f position_mm) const;
 
@@ -47,9 +48,9 @@ class CoatWaves {
     struct Group {              // eight waves
         DoubleLanes per_mm[3];  // wave vector, in turns
         DoubleLanes phase;      // in turns
-        DoubleLanes slope[3];   // A k_j
+        FloatLanes slope[3];    // A k_j
     };
-    /// Calls act(group, cosines and sines of the phases at a point) for each.
+    /// Calls act(group, its phases at a point in turns, within half a turn) for each.
     template <class Act>
     void for_each(Vec3f position_mm, const Act& act) const;
 
