@@ -259,8 +259,7 @@ TEST(RecipeFile, EveryDescribedKeyIsWrittenAndRead) {
             // Others hold keys, or stand for what is written out.
             const bool holds_others = key == "kubelka_munk" || key == "from" || key == "flakes" ||
                                       key == "pigment" || key == "orientation" || key == "core" ||
-                                      key == "coats" || key == "facets" ||
-                                      key == "orange_peel";
+                                      key == "coats" || key == "facets" || key == "orange_peel";
             EXPECT_TRUE(holds_others || seen.contains(key)) << key;
         }
     }
