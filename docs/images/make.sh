@@ -42,6 +42,27 @@ for scene in macro panel-sun sphere; do
 done
 montage "${tiles[@]}" -tile 5x3 -geometry 150x150+0+0 docs/images/nacre.png
 
+printf 'orange-peel.png\n' >&2
+# The recipes are those of docs/orange-peel.md.
+car='orange_peel = { wa = 0.0002, wb = 0.0003, wc = 0.0006, wd = 0.0012, we = 0.0012 }'
+heavy='orange_peel = { wa = 0.0003, wb = 0.0006, wc = 0.002, wd = 0.006, we = 0.005 }'
+printf '%s\n' 'ior = 1.5' '[clearcoat]' 'thickness_um = 45' '[[layer]]' 'thickness_um = 15' \
+    '[[layer.pigment]]' 'scattering_per_mm = 3' 'absorption_per_mm = 400' >"$scratch/black.toml"
+cp paints/metallic-silver.toml "$scratch/silver.toml"
+tiles=()
+for paint in black silver; do
+    stops=0
+    if [[ $paint == silver ]]; then stops=-1.5; fi
+    for peel in '' "$car" "$heavy"; do
+        tile="$scratch/peel-${#tiles[@]}"
+        sed "s/^thickness_um = 45/&\n$peel/" "$scratch/$paint.toml" >"$tile.toml"
+        "$nacre" render scenes/light-tunnel.toml --paint "$tile.toml" --model nacre --size 280x280 \
+            --spp 128 --exposure "$stops" --quiet -o "$tile.exr"
+        tiles+=("$tile.png")
+    done
+done
+montage "${tiles[@]}" -tile 3x2 -geometry 280x280+2+2 docs/images/orange-peel.png
+
 printf 'sparkle.png\n' >&2
 tiles=()
 for paint in metallic-silver ruby tio2-mica-110 glitter-100um; do

@@ -278,13 +278,17 @@ def test_gradients_are_those_of_finite_differences(paints: Path) -> None:
     assert np.median(np.abs(got - want)) < 0.01 * np.median(np.abs(want))
 
 
-def test_wrong_settings_are_named(paints: Path) -> None:
+def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:
     recipe = str(paints / "ruby.toml")
+    wavy = tmp_path / "wavy.toml"
+    text = (paints / "ruby.toml").read_text()
+    wavy.write_text(text.replace("[clearcoat]", "[clearcoat]\norange_peel = { wd = 0.002 }"))
     for settings, text in (
         ({}, "recipe: is missing"),
         ({"recipe": recipe, "model": "thin-film"}, "model = thin-film"),
         ({"recipe": recipe, "footprint": -1.0}, "footprint"),
         ({"recipe": "no-such-file.toml"}, "no-such-file.toml"),
+        ({"recipe": str(wavy)}, "orange_peel"),
     ):
         with pytest.raises(Exception, match=text):
             mi.load_dict({"type": "nacre", **settings})

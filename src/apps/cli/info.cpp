@@ -15,6 +15,7 @@
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
+#include "nacre/measure/image_clarity.h"
 #include "nacre/nacre.h"
 #include "nacre/render/scene_file.h"
 
@@ -47,6 +48,15 @@ void describe_recipe(Facts& facts, const paint::Recipe& recipe) {
     if (recipe.clearcoat) {
         facts.add("clearcoat", "{} um, roughness {}", recipe.clearcoat->thickness_um,
                   recipe.clearcoat->roughness);
+    }
+    if (const auto peel = recipe.orange_peel()) {
+        std::string bands;
+        for (const paint::WaveBand& band : paint::kWaveBands) {
+            bands += fmt::format("{} {}, ", band.key, *peel.*band.slope);
+        }
+        facts.add("orange peel", "{}slope of all {:.4g}", bands, peel->slope());
+        facts.add("image clarity", "a mirrored grille of {:.3g} deg keeps half its contrast",
+                  measure::half_contrast_period_deg(peel->slope()));
     }
     for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
         const paint::Layer& layer = recipe.layers[i];

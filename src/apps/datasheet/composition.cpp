@@ -161,7 +161,7 @@ struct ClearcoatWords {
 
 ClearcoatWords clearcoat_words(const paint::Clearcoat& coat) {
     Told told(coat);
-    ClearcoatWords words{told.take({"thickness_um"}), told.take({"roughness"}), {}};
+    ClearcoatWords words{told.take({"thickness_um"}), told.take({"roughness", "orange_peel"}), {}};
     words.tint = told.rest();
     return words;
 }

@@ -155,7 +155,10 @@ TEST(Composition, NumbersUnitsAndChoicesAreWrittenAsPeopleDo) {
     recipe.microfacet->distribution = paint::FacetDistribution::ggx;
     const std::string words = sheet(recipe);
     for (const char* part :
-         {"40 µm with a matte surface (roughness 0.1): absorbs 2 to 8 /mm",
+         {"40 µm with a matte surface (roughness 0.1), orange peel with slopes of 0.001 (0.1 to "
+          "0.3 "
+          "mm), 0.002 (0.3 to 1 mm), 0.003 (1 to 3 mm), 0.004 (3 to 10 mm), 0.005 (10 to 30 mm): "
+          "absorbs 2 to 8 /mm",
           "500 ± 30 nm; on both sides n = 2.5, 80 ± 5 nm, uniformly spread; then n = 2.5, 80 ± 5",
           "(reflects 60 %; transmits 20 %)", "scatters 20 /mm, absorbs 2·10⁻⁵ /mm, g = 0.3",
           "(GGX, roughness 0.1) under a film of 12345 nm", "within 3° of its mirror direction"}) {
@@ -163,6 +166,7 @@ TEST(Composition, NumbersUnitsAndChoicesAreWrittenAsPeopleDo) {
     }
     recipe.clearcoat->roughness = 0;
     recipe.clearcoat->absorption_per_mm = 0.0;
+    recipe.clearcoat->orange_peel.reset();
     EXPECT_THAT(sheet(recipe), HasSubstr("with a smooth surface: clear."));
 }
 

@@ -16,6 +16,10 @@
 // away from the surface; a BRDF is in 1/sr, without the cosine (docs/conventions.md). All of
 // Nacre's surfaces are opaque: a direction below the horizon gives zero.
 
+namespace nacre::sparkle {
+class CoatWaves;
+}
+
 namespace nacre::bsdf {
 
 using Wavelengths = std::array<double, kLanes>;  // nm
@@ -90,6 +94,13 @@ class PatchMemory {
         alignas(64) std::byte bytes[64];
     };
     std::vector<Block> blocks_;
+};
+
+/// Refractive index of the binder under a smooth interface: at each of the wavelengths, and the one
+/// by which directions are refracted. 1 of a surface without.
+struct BinderIndex {
+    float mean = 1;
+    FloatLanes each = splat(1.0f);
 };
 
 /// The piece of a surface that one sample of a picture looks at, in the terms that the surface
@@ -176,6 +187,9 @@ class BoundBsdf {
 
     /// Directional-hemispherical reflectance, specular lobe included.
     virtual FloatLanes albedo(Vec3f wi) const = 0;
+
+    /// Of surfaces whose interface may be tilted (TiltedCoat).
+    virtual BinderIndex binder_index() const { return {}; }
 };
 
 class Bsdf {
@@ -186,6 +200,9 @@ class Bsdf {
     virtual SurfaceCoordinates surface_coordinates() const { return SurfaceCoordinates::none; }
     /// Whether they differ from patch to patch.
     bool varies_over_surface() const { return surface_coordinates() != SurfaceCoordinates::none; }
+    /// The waves of its coat, by which a renderer tilts it (TiltedCoat): the calls of BoundBsdf are of
+    /// the flat one. Null: it is flat. Not of surfaces whose samples have an unknown density.
+    virtual const sparkle::CoatWaves* coat_waves() const { return nullptr; }
 };
 
 /// What surfaces have in common that show single flakes on small patches and, on larger ones, some

@@ -29,7 +29,7 @@
 //
 // and, where they mean something,
 //
-//     std::uint64_t specimen;    which panel of the batch: the seed of its flakes or facets
+//     std::uint64_t specimen;    which panel of the batch: the seed of its flakes, facets and waves
 //     void lie_on(const std::string& material, std::span<const PaintedShape>);
 //     std::optional<BrdfTable> make_table(const solver::SolvedPaint&, const Progress&) const;
 //     bool makes_table() const;
@@ -161,9 +161,9 @@ class Model {
     /// @throws Error if `progress` asks to stop
     std::shared_ptr<const Bsdf> make(const ModelInput& input, const Progress& progress = {}) const;
 
-    /// Which panel of the batch is seen; nothing to a model that shows no single flakes.
+    /// Which panel of the batch is seen; nothing to a model for which all panels look alike.
     void set_specimen(std::uint64_t specimen);
-    /// Empty for a model that shows no single flakes.
+    /// Empty for a model for which all panels look alike.
     std::optional<std::uint64_t> specimen() const;
     /// Tells a model that must know it what the paint lies on; nothing to others.
     /// @param material  its name, for messages

@@ -265,8 +265,9 @@ TEST(RecipeFile, EveryDescribedKeyIsWrittenAndRead) {
     paint::FlakeSpecies& flakes = recipe.layers[0].flakes[0];
     auto& film = std::get<optics::Platelet>(flakes.body).core;
     for (const paint::Described& object :
-         {paint::Described(*recipe.clearcoat), paint::Described(recipe.layers[0]),
-          paint::Described(flakes), paint::Described(flakes.orientation), paint::Described(film),
+         {paint::Described(*recipe.clearcoat), paint::Described(*recipe.clearcoat->orange_peel),
+          paint::Described(recipe.layers[0]), paint::Described(flakes),
+          paint::Described(flakes.orientation), paint::Described(film),
           paint::Described(recipe.layers[0].pigments[0]), paint::Described(substrate),
           paint::Described(*recipe.microfacet), paint::Described(*recipe.microfacet->facets)}) {
         const std::vector<std::string> keys = keys_of(object);
@@ -275,7 +276,7 @@ TEST(RecipeFile, EveryDescribedKeyIsWrittenAndRead) {
             // Others hold keys, or stand for what is written out.
             const bool holds_others = key == "kubelka_munk" || key == "from" || key == "flakes" ||
                                       key == "pigment" || key == "orientation" || key == "core" ||
-                                      key == "coats" || key == "facets";
+                                      key == "coats" || key == "facets" || key == "orange_peel";
             EXPECT_TRUE(holds_others || seen.contains(key)) << key;
         }
     }

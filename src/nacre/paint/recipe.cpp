@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "nacre/core/error.h"
@@ -184,6 +185,19 @@ double Recipe::thickness_um() const {
     double sum = clearcoat ? clearcoat->thickness_um : 0;
     for (const Layer& layer : layers) sum += layer.thickness_um;
     return sum;
+}
+
+double OrangePeel::slope() const {
+    double squares = 0;
+    for (const WaveBand& band : kWaveBands) squares += this->*band.slope * this->*band.slope;
+    return std::sqrt(squares);
+}
+
+std::optional<OrangePeel> Recipe::orange_peel() const {
+    if (!clearcoat || !clearcoat->orange_peel || clearcoat->orange_peel->slope() == 0) {
+        return std::nullopt;
+    }
+    return clearcoat->orange_peel;
 }
 
 void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {

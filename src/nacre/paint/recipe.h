@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -145,10 +146,33 @@ struct Layer {
     friend bool operator==(const Layer&, const Layer&) = default;
 };
 
+/// Waves of the air interface, far longer than the coat is thick: root mean square slopes along a
+/// line, by bands of wavelength (kWaveBands).
+struct OrangePeel {
+    double wa = 0, wb = 0, wc = 0, wd = 0, we = 0;
+
+    /// Of all bands together, whose waves are independent.
+    double slope() const;
+    friend bool operator==(const OrangePeel&, const OrangePeel&) = default;
+};
+
+/// A band of wavelengths, and where its slope is kept.
+struct WaveBand {
+    const char* key;
+    double OrangePeel::*slope;
+    std::array<double, 2> wavelength_mm;
+};
+inline constexpr std::array<WaveBand, 5> kWaveBands{{{"wa", &OrangePeel::wa, {0.1, 0.3}},
+                                                     {"wb", &OrangePeel::wb, {0.3, 1}},
+                                                     {"wc", &OrangePeel::wc, {1, 3}},
+                                                     {"wd", &OrangePeel::wd, {3, 10}},
+                                                     {"we", &OrangePeel::we, {10, 30}}}};
+
 struct Clearcoat {
     double thickness_um = 0;
     spectra::Spectrum absorption_per_mm;
     double roughness = 0;  ///< Beckmann alpha of the air interface, 0 = smooth
+    std::optional<OrangePeel> orange_peel = {};
 
     friend bool operator==(const Clearcoat&, const Clearcoat&) = default;
 };
@@ -189,6 +213,8 @@ struct Recipe {
     std::optional<Microfacet> microfacet;
 
     double thickness_um() const;  ///< of clearcoat and layers
+    /// Of the coat, if it is not flat.
+    std::optional<OrangePeel> orange_peel() const;
 
     friend bool operator==(const Recipe&, const Recipe&) = default;
 };

@@ -69,6 +69,47 @@ void describe(Visitor& visit, Clearcoat& coat) {
            .words = "matte surface (roughness {})",
            .zero_words = "smooth surface"},
           coat.roughness);
+    visit({.key = "orange_peel",
+           .meaning = "waves of the air interface, which only pictures show "
+                      "([orange-peel.md](orange-peel.md)); only with `roughness` 0",
+           .words = "orange peel with slopes of {}",
+           .in_line = true},
+          coat.orange_peel);
+}
+
+void describe(Visitor& visit, OrangePeel& peel) {
+    // All bands together stay below 0.22: a facet is tilted by 13 deg at the most typical.
+    constexpr Range kSlope{0, 0.1};
+    visit({.key = "wa",
+           .range = kSlope,
+           .meaning = "root mean square slope along a line of the waves of 0.1 to 0.3 mm",
+           .words = "{} (0.1 to 0.3 mm)",
+           .zero_words = ""},
+          peel.wa);
+    visit({.key = "wb",
+           .range = kSlope,
+           .meaning = "the same of 0.3 to 1 mm",
+           .words = "{} (0.3 to 1 mm)",
+           .zero_words = ""},
+          peel.wb);
+    visit({.key = "wc",
+           .range = kSlope,
+           .meaning = "of 1 to 3 mm",
+           .words = "{} (1 to 3 mm)",
+           .zero_words = ""},
+          peel.wc);
+    visit({.key = "wd",
+           .range = kSlope,
+           .meaning = "of 3 to 10 mm",
+           .words = "{} (3 to 10 mm)",
+           .zero_words = ""},
+          peel.wd);
+    visit({.key = "we",
+           .range = kSlope,
+           .meaning = "of 10 to 30 mm",
+           .words = "{} (10 to 30 mm)",
+           .zero_words = ""},
+          peel.we);
 }
 
 void describe(Visitor& visit, Layer& layer) {

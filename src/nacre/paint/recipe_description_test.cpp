@@ -44,6 +44,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
     Recipe recipe;
     Substrate substrate{recipe.substrate_reflectance};
     Clearcoat clearcoat;
+    OrangePeel orange_peel;
     Layer layer;
     FlakeSpecies flakes;
     Orientation orientation;
@@ -53,6 +54,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
     MicrofacetFacets facets;
     const std::pair<const char*, Described> tables[] = {{"paint", Described(recipe)},
                                                         {"clearcoat", Described(clearcoat)},
+                                                        {"orange_peel", Described(orange_peel)},
                                                         {"layer", Described(layer)},
                                                         {"flakes", Described(flakes)},
                                                         {"orientation", Described(orientation)},

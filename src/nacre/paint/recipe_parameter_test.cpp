@@ -35,7 +35,9 @@ TEST(RecipeParameter, EveryNumberOfARecipeIsListedInItsOrder) {
         keys(full_recipe()),
         ElementsAre(
             "ior", "clearcoat.thickness_um", "clearcoat.absorption_per_mm.max",
-            "clearcoat.roughness", "layer[0].thickness_um", "layer[0].flakes[0].volume_fraction",
+            "clearcoat.roughness", "clearcoat.orange_peel.wa", "clearcoat.orange_peel.wb",
+            "clearcoat.orange_peel.wc", "clearcoat.orange_peel.wd", "clearcoat.orange_peel.we",
+            "layer[0].thickness_um", "layer[0].flakes[0].volume_fraction",
             "layer[0].flakes[0].diameter_um", "layer[0].flakes[0].diameter_spread_um",
             "layer[0].flakes[0].orientation.alpha", "layer[0].flakes[0].core.thickness_nm",
             "layer[0].flakes[0].core.spread_nm", "layer[0].flakes[0].coats[0].thickness_nm",

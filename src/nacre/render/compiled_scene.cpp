@@ -10,6 +10,7 @@
 #include "nacre/core/embree.h"
 #include "nacre/core/error.h"
 #include "nacre/render/surface_patch.h"
+#include "nacre/sparkle/coat_waves.h"
 
 namespace nacre::render {
 namespace {
@@ -228,6 +229,16 @@ bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f offset_mm, Vec3f edge_1_m
                             (1 / surface.sphere_radius_mm) * edge_2_mm);
     }
     return triangle_patch(surface.mesh, hit.triangle, hit.barycentric, edge_1_mm, edge_2_mm);
+}
+
+std::optional<Vec2f> CompiledScene::coat_slope(const Hit& hit) const {
+    const sparkle::CoatWaves* const waves = materials[hit.material]->coat_waves();
+    if (!waves) return std::nullopt;
+    const AffineMap& map = surfaces_[hit.surface].map;
+    const Frame frame = Frame::around(hit.shading_normal);
+    return waves->slope(map.point_in_object_space_mm(hit.position_mm),
+                        map.direction_in_object_space(frame.n),
+                        map.direction_in_object_space(frame.s));
 }
 
 bool CompiledScene::occluded(const Ray& ray, float distance_mm) const {

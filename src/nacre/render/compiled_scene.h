@@ -61,6 +61,10 @@ struct CompiledScene {
     /// In object space: surface_patch.h.
     bsdf::Patch patch(const Hit& hit, Vec3f offset_mm, Vec3f edge_1_mm, Vec3f edge_2_mm) const;
 
+    /// The slope of the coat's waves there (Bsdf::coat_waves), along x and y of the frame around the
+    /// shading normal; none where it is flat.
+    std::optional<Vec2f> coat_slope(const Hit& hit) const;
+
     Camera camera;
     std::vector<std::shared_ptr<const bsdf::Bsdf>> materials;
     EmissionBasis emission;

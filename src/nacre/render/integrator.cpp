@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "nacre/bsdf/tilted_coat.h"
+
 namespace nacre::render {
 namespace {
 
@@ -164,7 +166,9 @@ class PathTracer {
 
  private:
     void follow(Branch branch);
-    LocalSurface surface_at(const Hit& hit, Vec3f wi, const Branch& branch);
+    /// @param tilted  the surface where its coat is not flat; must outlive what is returned
+    LocalSurface surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
+                            const std::optional<bsdf::TiltedCoat>& tilted);
     void ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
 
     RayDifferential::Edges footprint(const Hit& hit, const Branch& branch) const {
@@ -201,8 +205,10 @@ class PathTracer {
     std::optional<Branch> flake_;  ///< the ray of the one that was chosen among those asked
 };
 
-LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& branch) {
-    LocalSurface surface{*pass_.surfaces[hit.material], {}};
+LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
+                                    const std::optional<bsdf::TiltedCoat>& tilted) {
+    const bsdf::BoundBsdf& flat = *pass_.surfaces[hit.material];
+    LocalSurface surface{tilted ? *tilted : flat, {}};
     if (!branch.differential || !scene_.materials[hit.material]->varies_over_surface()) {
         return surface;
     }
@@ -329,7 +335,11 @@ void PathTracer::follow(Branch branch) {
             if (options_.albedo) path_.albedo = pass_.surfaces[hit->material]->albedo(wi);
         }
         if (branch.depth >= options_.max_depth) return;
-        LocalSurface surface = surface_at(*hit, wi, branch);
+        std::optional<bsdf::TiltedCoat> tilted;
+        if (const auto slope = scene_.coat_slope(*hit)) {
+            tilted.emplace(*pass_.surfaces[hit->material], *slope, wi);
+        }
+        LocalSurface surface = surface_at(*hit, wi, branch, tilted);
 
         const VertexNumbers u(
             sampler_.draw(branch.first_vertex + static_cast<std::uint32_t>(branch.depth)));

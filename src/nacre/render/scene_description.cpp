@@ -25,8 +25,8 @@ void describe(Visitor& visit, SceneDescription& scene) {
     visit({.key = "name", .max_size = kMaxNameLength}, scene.name);
     visit({.key = "specimen",
            .range = {0, kMaxSpecimen},
-           .meaning = "which panel of the batch is seen: models that show single flakes show those "
-                      "of this one, whatever the seed; 0: that of `--specimen`",
+           .meaning = "which panel of the batch is seen: models that show single flakes or waves of "
+                      "a coat show those of this one, whatever the seed; 0: that of `--specimen`",
            .also = "a whole number"},
           scene.specimen);
     visit.table({.key = "camera", .otherwise = "its defaults"}, paint::Described(scene.camera));

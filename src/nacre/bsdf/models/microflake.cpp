@@ -47,9 +47,10 @@ constinit const ModelInfo MicroflakeModel::info = {
     .options = kMicroflakeOptions};
 
 std::string MicroflakeModel::text() const {
-    return fmt::format("table={} angles={} azimuths={} rank={} tolerance={} clip_to_gamut={}",
-                       kTableNames[static_cast<int>(table)], table_size.angles, table_size.azimuths,
-                       compression.rank, compression.tolerance, compression.clip_to_gamut);
+    return fmt::format(
+        "table={} angles={} azimuths={} rank={} tolerance={} clip_to_gamut={} specimen={}",
+        kTableNames[static_cast<int>(table)], table_size.angles, table_size.azimuths,
+        compression.rank, compression.tolerance, compression.clip_to_gamut, specimen);
 }
 
 std::shared_ptr<const Bsdf> MicroflakeModel::make(const ModelInput& input,
@@ -58,12 +59,19 @@ std::shared_ptr<const Bsdf> MicroflakeModel::make(const ModelInput& input,
     if (makes_table()) {
         return std::make_shared<const Tabulated>(*make_table(*input.solved, progress));
     }
-    return std::make_shared<const Microflake>(input.solved);
+    return std::make_shared<const Microflake>(input.solved, specimen);
 }
 
 std::optional<BrdfTable> MicroflakeModel::make_table(const solver::SolvedPaint& paint,
                                                      const Progress& progress) const {
     if (!makes_table()) return std::nullopt;
+    if (paint.recipe.orange_peel()) {
+        throw DomainError(
+            fmt::format("table = {}: tables are of a flat coat, and this paint has a "
+                        "clearcoat.orange_peel; must be "
+                        "split",
+                        kTableNames[static_cast<int>(table)]));
+    }
     RawBrdfTable raw = make_raw_table(paint, table_size, progress);
     if (table == Table::svd) {
         return std::make_shared<const CompressedBrdfTable>(compress(raw, compression));
@@ -81,7 +89,21 @@ void MicroflakeModel::require_kind(const BrdfTable& read, const std::string& fil
     }
 }
 
-Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint) {
+std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
+                                             std::uint64_t specimen) {
+    const auto peel = paint.recipe.orange_peel();
+    if (!peel) return std::nullopt;
+    if (paint.recipe.clearcoat->roughness > 0) {
+        throw DomainError(fmt::format(
+            "clearcoat.roughness = {}: must be 0 with an orange_peel, whose waves are shown "
+            "by the mirror image of a smooth interface",
+            paint.recipe.clearcoat->roughness));
+    }
+    return sparkle::CoatWaves(*peel, specimen);
+}
+
+Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t specimen)
+    : waves_(bsdf::coat_waves(*paint, specimen)) {
     auto tables = std::make_shared<Tables>(std::move(paint));
     tabulate_sampling(*tables, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundMicroflake>(tables, wavelengths_nm);

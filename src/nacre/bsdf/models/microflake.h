@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -20,6 +21,7 @@
 #include "nacre/core/lane_math.h"
 #include "nacre/solver/solved_paint.h"
 #include "nacre/sparkle/coat_tilt.h"
+#include "nacre/sparkle/coat_waves.h"
 
 namespace nacre::bsdf {
 
@@ -33,7 +35,8 @@ struct MicroflakeModel {
         svd     ///< its truncated singular value decomposition
     };
     Table table = Table::split;
-    BrdfTableSettings table_size = {};     ///< raw and svd
+    std::uint64_t specimen = 0;         ///< which panel of the batch: the seed of its coat's waves
+    BrdfTableSettings table_size = {};  ///< raw and svd
     CompressionSettings compression = {};  ///< svd
 
     static const ModelInfo info;
@@ -59,16 +62,20 @@ struct MicroflakeModel {
 /// linearly, those beyond its ends take the end's value.
 class Microflake final : public Bsdf {
  public:
-    explicit Microflake(std::shared_ptr<const solver::SolvedPaint> paint);
+    /// @param specimen  of the waves of its coat, if the recipe has an orange_peel
+    explicit Microflake(std::shared_ptr<const solver::SolvedPaint> paint,
+                        std::uint64_t specimen = 0);
     ~Microflake() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
+    const sparkle::CoatWaves* coat_waves() const override { return waves_ ? &*waves_ : nullptr; }
 
     struct Tables;
     const Tables& tables() const { return *tables_; }
 
  private:
     std::shared_ptr<const Tables> tables_;
+    std::optional<sparkle::CoatWaves> waves_;
 };
 
 inline constexpr double kMicroflakeError = 2e-3;
@@ -116,6 +123,11 @@ void tabulate_sampling(
 
 /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
 std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium);
+
+/// Of a specimen of the paint; none where its coat is flat.
+/// @throws DomainError if it is rough as well
+std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
+                                             std::uint64_t specimen);
 
 /// Of the binder, over the paint's wavelengths.
 float mean_ior(const solver::PaintMedium& medium);
@@ -205,6 +217,7 @@ class BoundMicroflake : public BoundBsdf {
     float pdf(Vec3f wi, Vec3f wo) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
+    BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
     /// The lobe of a rough interface, part of eval(); 0 of a smooth one.
     FloatLanes interface_lobe(Vec3f wi, Vec3f wo) const;
 

@@ -18,7 +18,7 @@ namespace nacre::bsdf {
 
 /// Chooses the model Nacre.
 struct NacreModel {
-    std::uint64_t specimen = 0;  ///< which panel of the batch: the seed of its flakes
+    std::uint64_t specimen = 0;  ///< which panel of the batch: the seed of its flakes and waves
     /// Large flakes: light that has come in between the flakes finds the same gaps on its way out
     /// (HotSpotTables). Without it the mean is that of the solver, exactly.
     bool hot_spot = true;
@@ -55,12 +55,14 @@ class Nacre final : public Bsdf, public SingleFlakes {
         return SurfaceCoordinates::object_space;
     }
     double exact_patch_mm() const override;
+    const sparkle::CoatWaves* coat_waves() const override { return waves_ ? &*waves_ : nullptr; }
 
     struct Tables;
     const Tables& tables() const { return *tables_; }
 
  private:
     std::shared_ptr<const Tables> tables_;
+    std::optional<sparkle::CoatWaves> waves_;
 };
 
 // What the nacre model works out once a paint.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/core/error.h"
 #include "nacre/solver/rough_interface.h"
 
 namespace nacre::bsdf {
@@ -74,6 +75,12 @@ void add_rough_interface(const Microflake::Tables& tables, NacreArrays& out) {
 
 NacreArrays arrays_of(const Microflake::Tables& tables) {
     const solver::SolvedPaint& paint = *tables.paint;
+    if (paint.recipe.orange_peel()) {
+        throw DomainError(
+            "clearcoat.orange_peel: these arrays describe a flat coat; only Nacre's own renderer "
+            "shows "
+            "its waves");
+    }
     NacreArrays out;
     out.wavelengths_nm = paint.wavelengths_nm();
     out.mean_ior = tables.mean_ior;

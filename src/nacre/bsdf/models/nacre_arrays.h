@@ -83,9 +83,10 @@ struct NacreArrays {
 };
 
 /// @throws Error, DomainError, Stopped as Nacre's constructor
+/// @throws DomainError if the recipe has an orange_peel, which they do not hold
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
-/// Without hot spot and species. @throws Error as Microflake's constructor
+/// Without hot spot and species. @throws Error as Microflake's constructor; DomainError as above
 NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
 
 }  // namespace nacre::bsdf

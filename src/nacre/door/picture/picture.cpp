@@ -130,6 +130,15 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
         const std::size_t found = painter.find(wanted->recipe, name, description.references);
         table[name] = painter.look(description, name, found);
         const Paint& paint = painter.paint(found);
+        if (paint.has_recipe() && paint.recipe().orange_peel() && !table[name]->coat_waves()) {
+            throw SettingError(
+                "model",
+                fmt::format(
+                    "does not show the clearcoat.orange_peel of the paint of the material {}; "
+                    "must be nacre or microflake",
+                    name),
+                std::string(painter.model().info().name));
+        }
         shows_model_ |= paint.kind() != Kind::measured_brdf;
         if (paint.has_recipe()) recipe_sha256_[name] = paint.recipe_sha256();
     }

@@ -39,7 +39,9 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
     EXPECT_EQ(paint.solved(), solved);
     EXPECT_EQ(second.render(kTiny).metadata.at("nacre:specimen"), "1");
     EXPECT_EQ(second.render(kTiny).metadata.at("nacre:seed"), "0");
-    EXPECT_EQ(Scene(close, {.slot = paint}).specimen(), std::nullopt);
+    EXPECT_EQ(Scene(close, {.slot = paint}).specimen(), 0u);
+    EXPECT_EQ(Scene(find_scene("sphere"), {.slot = paint, .model = VolumeModel{}}).specimen(),
+              std::nullopt);
     // The scene may say which specimen; the model's own counts more.
     close.specimen = 1;
     EXPECT_EQ(flakes_of(0).specimen(), 1u);
@@ -48,6 +50,17 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
     RenderSettings two_passes = kTiny;
     two_passes.samples_per_pixel = 2;
     EXPECT_FALSE(scene.render(two_passes, [](double) { return false; }).result.complete);
+}
+
+TEST(Picture, ModelsThatCannotShowAnOrangePeelRefuseIt) {
+    paint::Recipe recipe = fit::testing::pearl();
+    recipe.clearcoat = paint::Clearcoat{40, 0.0, 0, paint::OrangePeel{.wd = 0.002}};
+    const Paint paint(recipe);
+    EXPECT_EQ(Scene(find_scene("sphere"), {.slot = paint}).model_name(), "microflake");
+    EXPECT_THAT(message_of<SettingError>(
+                    [&] { Scene(find_scene("sphere"), {.slot = paint, .model = VolumeModel{}}); }),
+                HasSubstr("orange_peel of the paint of the material paint; must be nacre or "
+                          "microflake"));
 }
 
 TEST(Picture, SaysWhatDoesNotFit) {

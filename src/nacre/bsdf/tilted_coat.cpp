@@ -1,0 +1,192 @@
+#include "nacre/bsdf/tilted_coat.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "nacre/bsdf/warp.h"
+#include "nacre/optics/fresnel.h"
+
+namespace nacre::bsdf {
+namespace {
+
+/// Cosine of the direction outside a flat coat that stands for all beyond its critical angle inside.
+constexpr float kMinFlatCosine = 1e-3f;
+/// Cosine between the eye and a slope that is just seen.
+constexpr float kMinSeenCosine = 1e-3f;
+/// Fraction of the samples that are spread over the tilted hemisphere, of which the flat coat's own
+/// do not reach what lies beyond its critical angle.
+constexpr float kAround = 1 / 32.0f;
+
+}  // namespace
+
+TiltedCoat::TiltedCoat(const BoundBsdf& flat, Vec2f slope, Vec3f seen_from)
+    : flat_(flat), index_(flat.binder_index()), normal_(normalize(Vec3f{-slope.x, -slope.y, 1})) {
+    const float facing = dot(normal_, seen_from);
+    if (seen_from.z > 0 && facing < kMinSeenCosine) {
+        normal_ = normalize(normal_ + (kMinSeenCosine - facing) * seen_from);
+    }
+}
+
+std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
+    const float cosine = dot(w, normal_);
+    if (w.z <= 0 || cosine <= 0) return std::nullopt;
+    const float n = index_.mean;
+    const float sine2 = std::max(0.0f, 1 - cosine * cosine);
+    const float cosine_inside = std::sqrt(std::max(0.0f, 1 - sine2 / (n * n)));
+    const float turn = n * cosine_inside - cosine;
+    const Vec3f inside = w + turn * normal_;  // times n
+    if (inside.z <= 0 || cosine_inside <= 0) return std::nullopt;
+
+    Ray ray;
+    ray.cosine = cosine;
+    const float through = inside.z / n * cosine / cosine_inside;
+    ray.irradiance = through / w.z;
+    const float flat_sine2 = inside.x * inside.x + inside.y * inside.y;
+    const float flat_cosine2 = 1 - flat_sine2;
+    if (flat_cosine2 > kMinFlatCosine * kMinFlatCosine) {
+        const float flat_cosine = std::sqrt(flat_cosine2);
+        ray.flat = {inside.x, inside.y, flat_cosine};
+        ray.jacobian = through / flat_cosine;
+    } else {
+        const float shorter =
+            std::sqrt((1 - kMinFlatCosine * kMinFlatCosine) / std::max(flat_sine2, 0.5f));
+        ray.flat = {inside.x * shorter, inside.y * shorter, kMinFlatCosine};
+        ray.jacobian = 0;
+    }
+    const auto transmittance = [&](float c) {
+        return 1.0f - optics::dielectric_reflectance(splat(1.0f), index_.each, splat(c));
+    };
+    ray.transmittance = transmittance(cosine) / transmittance(ray.flat.z);
+    return ray;
+}
+
+std::optional<Vec3f> TiltedCoat::leave(Vec3f flat) const {
+    if (flat.z <= kMinFlatCosine) return std::nullopt;
+    const float n = index_.mean;
+    const Vec3f inside = {
+        flat.x, flat.y,
+        std::sqrt(std::max(0.0f, n * n - flat.x * flat.x - flat.y * flat.y))};  // times n
+    const Vec3f across = cross(inside, normal_);
+    const float cosine2 = 1 - dot(across, across), along = dot(inside, normal_);
+    if (!(cosine2 > 0) || along <= 0) return std::nullopt;
+    const Vec3f w = normalize(inside - (along - std::sqrt(cosine2)) * normal_);
+    if (w.z <= 0) return std::nullopt;
+    return w;
+}
+
+float TiltedCoat::mixed_pdf(float flat_pdf, const Ray& o) const {
+    return (1 - kAround) * flat_pdf + kAround * std::numbers::inv_pi_v<float> * o.cosine;
+}
+
+template <class Evaluate>
+BsdfValue TiltedCoat::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate) const {
+    const auto i = ray_of(wi), o = ray_of(wo);
+    if (!i || !o) return {};
+    const BsdfValue value = evaluate(i->flat, o->flat);
+    return {value.f * i->transmittance * o->transmittance * o->irradiance,
+            mixed_pdf(value.pdf * o->jacobian, *o)};
+}
+
+template <class Sample, class Evaluate>
+std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f u,
+                                                const Sample& sample,
+                                                const Evaluate& evaluate) const {
+    const auto i = ray_of(wi);
+    if (!i) return std::nullopt;
+    if (u_select < kAround) {
+        BsdfSample out;
+        out.wo = Frame::around(normal_).to_world(cosine_hemisphere(u));
+        const BsdfValue value = evaluate_by(wi, out.wo, evaluate);
+        if (!(value.pdf > 0)) return std::nullopt;
+        out.pdf = value.pdf;
+        out.weight = value.f * (out.wo.z / value.pdf);
+        return out;
+    }
+    const float rest = std::min((u_select - kAround) / (1 - kAround), 0x1.fffffep-1f);
+    auto out = sample(i->flat, rest, u);
+    if (!out) return std::nullopt;
+    if (out->kind == SampleKind::specular) {
+        out->pdf *= 1 - kAround;
+        out->wo = 2 * i->cosine * normal_ - wi;
+        out->wo.z = std::max(std::abs(out->wo.z), 1e-6f);
+        out->weight = optics::dielectric_reflectance(splat(1.0f), index_.each, splat(i->cosine)) *
+                      (1 / out->pdf);
+        return out;
+    }
+    const auto wo = leave(out->wo);
+    const auto o = wo ? ray_of(*wo) : std::nullopt;
+    if (!o || o->jacobian == 0) return std::nullopt;
+    // The same as evaluate_by(), without asking the flat coat again.
+    out->wo = *wo;
+    const float flat_pdf = out->pdf * o->jacobian;
+    out->pdf = mixed_pdf(flat_pdf, *o);
+    out->weight *= i->transmittance * o->transmittance * (flat_pdf / out->pdf);
+    return out;
+}
+
+BsdfValue TiltedCoat::evaluate(Vec3f wi, Vec3f wo) const {
+    return evaluate_by(wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
+}
+
+BsdfValue TiltedCoat::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
+    return evaluate_by(wi, wo, [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
+}
+
+std::optional<BsdfSample> TiltedCoat::sample(Vec3f wi, float u_select, Vec2f u) const {
+    return sample_by(
+        wi, u_select, u,
+        [&](Vec3f i, float select, Vec2f at) { return flat_.sample(i, select, at); },
+        [&](Vec3f i, Vec3f o) { return flat_.evaluate(i, o); });
+}
+
+std::optional<BsdfSample> TiltedCoat::sample_on(const Patch& patch, Vec3f wi, float u_select,
+                                                Vec2f u) const {
+    return sample_by(
+        wi, u_select, u,
+        [&](Vec3f i, float select, Vec2f at) { return flat_.sample_on(patch, i, select, at); },
+        [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o); });
+}
+
+float TiltedCoat::narrow_light(Vec3f wi) const {
+    const auto i = ray_of(wi);
+    return i ? flat_.narrow_light(i->flat) : std::numeric_limits<float>::infinity();
+}
+
+void TiltedCoat::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                            std::vector<AskedFlake>& list) const {
+    list.clear();
+    const auto i = ray_of(wi);
+    if (!i) return;
+    flat_.ask_flakes(patch, i->flat, random, list);
+    std::erase_if(list, [&](AskedFlake& flake) {
+        const auto wo = leave(flake.wo);
+        const auto o = wo ? ray_of(*wo) : std::nullopt;
+        if (!o || o->jacobian == 0) return true;
+        flake.wo = *wo;
+        flake.pdf *= o->jacobian;
+        return false;
+    });
+}
+
+FloatLanes TiltedCoat::flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const {
+    const auto i = ray_of(wi), o = ray_of(flake.wo);
+    if (!i || !o || o->jacobian == 0) return FloatLanes{};
+    AskedFlake asked = flake;
+    asked.wo = o->flat;
+    asked.pdf = flake.pdf / o->jacobian;
+    return flat_.flake_weight(patch, i->flat, asked) * i->transmittance * o->transmittance;
+}
+
+FloatLanes TiltedCoat::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
+    const auto i = ray_of(wi), o = ray_of(wo);
+    if (!i || !o) return FloatLanes{};
+    // Beyond the flat coat's critical angle no flake is asked, and nothing is weighed.
+    const float flat_pdf =
+        o->jacobian > 0 ? pdf / o->jacobian : std::numeric_limits<float>::infinity();
+    return flat_.flakes_at(patch, i->flat, o->flat, flat_pdf) * i->transmittance *
+           o->transmittance * o->irradiance;
+}
+
+}  // namespace nacre::bsdf

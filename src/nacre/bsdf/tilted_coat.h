@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "nacre/bsdf/bsdf.h"
+
+namespace nacre::bsdf {
+
+/// A paint seen through an interface that is tilted, at one point of a coat that is not flat. Below
+/// it the flakes and layers lie as they do under a flat one.               [docs/orange-peel.md]
+///
+/// Snell's law for vectors refracts the direction w into (w + (n cos t' - cos t) m) / n, t and t' the
+/// angles to the tilted normal m outside and inside. A flat coat refracts w' into the same direction
+/// if
+///
+///     w'_xy = w_xy + (n cos t' - cos t) m_xy,
+///
+/// and is asked with it, in and out. Its answer holds the flat coat's transmittances, which are
+/// replaced by those at t, and its irradiance: for light from wo
+///
+///     f(wi, wo) = flat(wi', wo') T(t_i) / T'_i  T(t_o) / T'_o  (w_z cos t) / (cos t' wo_z),
+///
+/// w_z the cosine inside. The specular direction is mirrored at m; where it would point into the
+/// surface, close to grazing, the next wave turns it up again. Inside, directions beyond the flat
+/// coat's critical angle leave where m faces them; there the paint is taken as it is at that angle.
+///
+/// All of it is first order in the slope s: light that the interface returns into the paint finds a
+/// flat one. f is reciprocal up to the last factor, by which plane waves spread over the layers
+/// below, within s tan(37 deg) at n = 1.5; it gives light back within the bound of the test. What a
+/// wave casts a shadow on or hides is neglected: slopes well below the elevation of eye and light.
+class TiltedCoat final : public BoundBsdf {
+ public:
+    /// @param flat   must outlive this
+    /// @param slope  of the height over the surface, along x and y of the local frame
+    /// @param seen_from  a point whose slope faces away from it is taken as just seen
+    TiltedCoat(const BoundBsdf& flat, Vec2f slope, Vec3f seen_from);
+
+    FloatLanes eval(Vec3f wi, Vec3f wo) const override { return evaluate(wi, wo).f; }
+    float pdf(Vec3f wi, Vec3f wo) const override { return evaluate(wi, wo).pdf; }
+    std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
+    BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
+    BsdfValue evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const override;
+    std::optional<BsdfSample> sample_on(const Patch& patch, Vec3f wi, float u_select,
+                                        Vec2f u) const override;
+
+    bool tells_flakes_apart() const override { return flat_.tells_flakes_apart(); }
+    float narrow_light(Vec3f wi) const override;
+    void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
+                    std::vector<AskedFlake>& list) const override;
+    FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;
+    FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
+    std::size_t patch_memory_bytes() const override { return flat_.patch_memory_bytes(); }
+
+    /// Of the flat coat.
+    FloatLanes albedo(Vec3f wi) const override { return flat_.albedo(wi); }
+    BinderIndex binder_index() const override { return index_; }
+
+    /// Of the interface.
+    Vec3f normal() const { return normal_; }
+
+ private:
+    // A direction in front of the interface.
+    struct Ray {
+        Vec3f flat;        // outside a flat coat, of the same direction inside
+        float cosine;      // to the tilted normal
+        float jacobian;    // solid angle of `flat` over that of the direction; 0 if none has it
+        float irradiance;  // the same times the cosines to the mean surface
+        FloatLanes transmittance;  // over that of a flat coat at `flat`
+    };
+    std::optional<Ray> ray_of(Vec3f w) const;
+    /// The direction whose Ray::flat is this; empty where it does not leave.
+    std::optional<Vec3f> leave(Vec3f flat) const;
+
+    /// Of sample(), from the flat coat's per solid angle here.
+    float mixed_pdf(float flat_pdf, const Ray& o) const;
+
+    template <class Evaluate>
+    BsdfValue evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate) const;
+    template <class Sample, class Evaluate>
+    std::optional<BsdfSample> sample_by(Vec3f wi, float u_select, Vec2f u, const Sample& sample,
+                                        const Evaluate& evaluate) const;
+
+    const BoundBsdf& flat_;
+    BinderIndex index_;
+    Vec3f normal_;
+};
+
+}  // namespace nacre::bsdf

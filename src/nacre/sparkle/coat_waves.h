@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "nacre/core/lanes.h"
+#include "nacre/core/vec.h"
+#include "nacre/paint/recipe.h"
+
+namespace nacre::sparkle {
+
+/// The waves of a coat that is not flat, its orange peel, on one specimen.   [docs/orange-peel.md]
+///
+/// The height above the mean surface is a sum of plane waves in the object space of the shape, hence
+/// defined on any shape, without seams and for any number of threads alike: for each band of
+/// paint::kWaveBands
+///
+///     h(x) = sum_j a_j cos(2 pi (k_j.x / lambda_j + phi_j)),  a_j = lambda_j A / (2 pi),
+///
+/// with wavelengths uniform in their logarithm, so that each octave of the band has the same slopes.
+/// The directions k_j come in triples at right angles, turned at random: the slope of the tangent
+/// plane along any line, on a surface of any direction, then has the band's root mean square exactly,
+/// over a surface that is large. A wave that runs at an angle to the surface looks longer there by
+/// the inverse of the cosine: an eighth of the squared slopes of a band lies above its upper end,
+/// nearly all of that within a factor of two.
+///
+/// Slopes are small: the height moves no point of the surface, and what a wave hides is not hidden.
+class CoatWaves {
+ public:
+    /// Waves of each band; their sum is nearly normal.
+    static constexpr int kWavesPerBand = 72;
+
+    /// @param seed  the specimen
+    CoatWaves(const paint::OrangePeel& peel, std::uint64_t seed);
+
+    /// Change of the height by the place, in object space: not yet that along a surface. To a few 1e-7 of
+    /// the largest slopes.
+    Vec3d gradient(Vec3f position_mm) const;
+    double height_mm(Vec3f position_mm) const;
+
+    /// Of the height along the surface.
+    /// @param normal, tangent  of the surface, unit vectors at right angles, in object space
+    /// @return along the tangent, and along normal x tangent
+    Vec2f slope(Vec3f position_mm, Vec3f normal, Vec3f tangent) const;
+
+ private:
+    struct Group {              // eight waves
+        DoubleLanes per_mm[3];  // wave vector, in turns
+        DoubleLanes phase;      // in turns
+        FloatLanes slope[3];    // A k_j
+    };
+    /// Calls act(group, its phases at a point in turns, within half a turn) for each.
+    template <class Act>
+    void for_each(Vec3f position_mm, const Act& act) const;
+
+    std::vector<Group> groups_;
+};
+
+}  // namespace nacre::sparkle
