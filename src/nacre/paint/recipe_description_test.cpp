@@ -37,7 +37,7 @@ TEST(RecipeDescription, EveryNumberOutsideItsRangeIsRefused) {
             ++refused;
         }
     }
-    EXPECT_GE(refused, 2 * 33);
+    EXPECT_GE(refused, 2 * 37);
 }
 
 TEST(RecipeDescription, TheDocumentationHasItsTables) {
@@ -47,6 +47,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
     Layer layer;
     FlakeSpecies flakes;
     Orientation orientation;
+    TiltDensity tilts;
     optics::FilmPopulation film;
     Pigment pigment;
     Microfacet microfacet;
@@ -56,6 +57,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
                                                         {"layer", Described(layer)},
                                                         {"flakes", Described(flakes)},
                                                         {"orientation", Described(orientation)},
+                                                        {"tilts", Described(tilts)},
                                                         {"film", Described(film)},
                                                         {"pigment", Described(pigment)},
                                                         {"substrate", Described(substrate)},

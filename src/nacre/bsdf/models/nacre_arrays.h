@@ -82,7 +82,8 @@ struct NacreArrays {
     std::vector<Species> species;  ///< of `nacre`: those of all layers, one after the other
 };
 
-/// @throws Error, DomainError, Stopped as Nacre's constructor
+/// @throws Error, DomainError, Stopped as Nacre's constructor; DomainError if flakes are wavy, which
+///         the arrays do not say
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
 /// Without hot spot and species. @throws Error as Microflake's constructor
