@@ -138,6 +138,12 @@ FlakeWords flake_words(const paint::FlakeSpecies& flakes, const paint::Layer& la
     words.size =
         fmt::format("{}, {:.3g} µm thick, half of them within {:.2g}° of flat", told.rest(),
                     flakes.thickness_um(), paint::median_tilt_deg(flakes.orientation));
+    if (flakes.orientation.alpha_bottom > 0) {
+        paint::Orientation bottom = flakes.orientation;
+        bottom.beckmann_alpha = bottom.alpha_bottom;
+        words.size +=
+            fmt::format(" at the top, {:.2g}° at the bottom", paint::median_tilt_deg(bottom));
+    }
     return words;
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -66,7 +67,7 @@ Fractions solved_fractions(const paint::Orientation& orientation) {
     const auto paint =
         solver::solve(test::paint_of(1, {{kLawThickness_um, {species}, {}}}), {550}, {});
     Fractions found{};
-    constexpr int kThetas = 48, kPhis = 128;
+    constexpr int kThetas = 24, kPhis = 64;
     for (int bin = 0; bin < kLawBins; ++bin) {
         const double step = (kLawEnds[bin + 1] - kLawEnds[bin]) / kThetas;
         for (int i = 0; i < kThetas; ++i) {
@@ -88,6 +89,12 @@ void expect_same_fractions(const std::string& name, const Fractions& a, const Fr
         const double error = std::sqrt(b[bin] * (1 - b[bin]) / walks);
         EXPECT_NEAR(a[bin], b[bin], 4.5 * error + model_error) << name << ", bin " << bin;
     }
+}
+
+double largest_difference(const Fractions& a, const Fractions& b) {
+    double largest = 0;
+    for (int bin = 0; bin < kLawBins; ++bin) largest = std::max(largest, std::abs(a[bin] - b[bin]));
+    return largest;
 }
 
 constexpr int kLawWalks = 1'000'000;
@@ -116,7 +123,7 @@ TEST(FlakeLaws, GgxIsTheSolverOfItsMixture) {
     const Fractions other = solved_fractions({0.1});
     const Fractions ggx =
         walk_of_law([](double, double u) { return ggx_slope(0.1, u); }, kLawWalks);
-    EXPECT_GT(std::abs(other[1] - ggx[1]), 0.05);
+    EXPECT_GT(largest_difference(other, ggx), 0.01);
 }
 
 TEST(FlakeLaws, AlphaByDepthIsTheSolverOfItsSublayers) {
@@ -130,12 +137,11 @@ TEST(FlakeLaws, AlphaByDepthIsTheSolverOfItsSublayers) {
                         kLawWalks),
             kLawWalks, 1e-3);
     }
-    // A layer of one alpha, that of the mean peak, is not the same paint.
-    const Fractions even = solved_fractions({std::sqrt(0.2 * 0.4)});
-    paint::Orientation law{0.2};
-    law.alpha_bottom = 0.4;
-    const Fractions varied = solved_fractions(law);
-    EXPECT_GT(std::abs(even[1] - varied[1]), 0.005);
+    // The walk would see which way alpha changes.
+    paint::Orientation down{0.2}, up{0.4};
+    down.alpha_bottom = 0.4;
+    up.alpha_bottom = 0.2;
+    EXPECT_GT(largest_difference(solved_fractions(down), solved_fractions(up)), 0.01);
 }
 
 TEST(FlakeLaws, TabulatedTiltsAreTheSolverOfTheirMixture) {

@@ -192,7 +192,7 @@ void describe(Visitor& visit, Orientation& orientation) {
         },
         orientation.table);
     if (!by_alpha) return;
-    // A data sheet tells it as the median tilt.
+    // A data sheet tells both as the median tilt.
     visit({.key = "alpha",
            .range = limits::kOrientationAlpha,
            .meaning = "sqrt(2) times the standard deviation of a slope component: 0.1 is 4 deg; of "
@@ -203,8 +203,6 @@ void describe(Visitor& visit, Orientation& orientation) {
            .range = limits::kOrientationAlpha,
            .meaning = "`alpha` at the bottom of the layer, linear in depth from the top",
            .zero = "the same at all depths",
-           .words = "",
-           .zero_words = "",
            .tacit = true},
           orientation.alpha_bottom);
 }
