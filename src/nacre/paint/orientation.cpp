@@ -31,14 +31,15 @@ struct CumulativeTilts {
     std::vector<double> tilt_deg, within;
 
     explicit CumulativeTilts(const std::vector<TiltDensity>& tilts) {
-        constexpr int kFiner = 8;
+        constexpr int kBins = 400, kMostFiner = 8;
+        const int finer = std::clamp(kBins / static_cast<int>(tilts.size()), 1, kMostFiner);
         double sum = 0;
         add(tilts.front().tilt_deg, 0);
         for (std::size_t i = 1; i < tilts.size(); ++i) {
             const TiltDensity &a = tilts[i - 1], &b = tilts[i];
-            const double step = (b.tilt_deg - a.tilt_deg) / kFiner;
-            for (int k = 0; k < kFiner; ++k) {
-                const double middle = (k + 0.5) / kFiner;
+            const double step = (b.tilt_deg - a.tilt_deg) / finer;
+            for (int k = 0; k < finer; ++k) {
+                const double middle = (k + 0.5) / finer;
                 sum += step * (a.density + middle * (b.density - a.density));
                 add(a.tilt_deg + (k + 1) * step, sum);
             }
@@ -75,7 +76,7 @@ std::vector<SlopeComponent> ggx_mixture(double alpha) {
 //                                                                    [dempster-laird-rubin-1977]
 TiltFit fit_tilts(const TabulatedTilts& table) {
     const CumulativeTilts law(table.tilts);
-    constexpr int kAlphas = 28, kSteps = 3000;
+    constexpr int kAlphas = 28, kSteps = 1500;
     const Range range = limits::kOrientationAlpha;
     TiltFit fit;
     for (int i = 0; i < kAlphas; ++i) {
