@@ -17,6 +17,8 @@
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/measure/image_clarity.h"
 #include "nacre/nacre.h"
+#include "nacre/paint/expansion.h"
+#include "nacre/paint/orientation.h"
 #include "nacre/render/scene_file.h"
 
 namespace nacre::cli {
@@ -40,6 +42,80 @@ class Facts {
  private:
     std::string text_;
 };
+
+std::string diameter_text(const paint::FlakeSpecies& flakes) {
+    if (!flakes.quantiles) return fmt::format("diameter {} um", flakes.diameter_um);
+    const auto& [d10, d50, d90] = *flakes.quantiles;
+    return fmt::format("diameters d10 {}, d50 {}, d90 {} um", d10, d50, d90);
+}
+
+std::string orientation_text(const paint::Orientation& orientation) {
+    using Law = paint::Orientation::Law;
+    if (orientation.law == Law::tabulated) {
+        return fmt::format("tabulated tilts, half within {:.3g} deg",
+                           paint::median_tilt_deg(orientation));
+    }
+    return fmt::format(
+        "{}roughness {}{}", orientation.law == Law::ggx ? "GGX " : "", orientation.beckmann_alpha,
+        orientation.alpha_bottom > 0 ? fmt::format(" to {} at the bottom", orientation.alpha_bottom)
+                                     : "");
+}
+
+/// Species of flakes that were one in the recipe, or one face of it.
+struct SolvedFlakes {
+    std::string name;
+    int count = 0;
+    double smallest_um = INFINITY, largest_um = 0, flattest = INFINITY, steepest = 0, deep = 0;
+
+    void add(const paint::FlakeSpecies& flakes, double thickness_um) {
+        const paint::FlakeSizes sizes = flakes.sizes();
+        ++count;
+        smallest_um = std::min(smallest_um, sizes.smallest_um());
+        largest_um = std::max(largest_um, sizes.largest_um());
+        flattest = std::min(flattest, flakes.surface_alpha());
+        steepest = std::max(steepest, flakes.surface_alpha());
+        deep += flakes.area_density_per_um() * thickness_um;
+    }
+};
+
+std::string solved_name(const paint::FlakeSpecies& flakes) {
+    using Face = optics::Platelet::Face;
+    const auto* platelet = std::get_if<optics::Platelet>(&flakes.body);
+    const Face face = platelet ? platelet->face : Face::any;
+    return fmt::format("{}{}", flakes.name.empty() ? "unnamed" : flakes.name,
+                       face == Face::bare     ? ", bare side"
+                       : face == Face::coated ? ", coated side"
+                                              : "");
+}
+
+/// What is solved in place of a recipe that is not plain.
+void describe_expansion(Facts& facts, const paint::Recipe& recipe) {
+    if (paint::is_plain(recipe)) return;
+    const paint::Recipe whole = paint::expanded(recipe);
+    for (std::size_t i = 0; i < whole.layers.size(); ++i) {
+        const paint::Layer& layer = whole.layers[i];
+        facts.add(fmt::format("solved layer[{}]", i),
+                  "{:.6g} um, {} species of flakes, {} pigments", layer.thickness_um,
+                  layer.flakes.size(), layer.pigments.size());
+        std::vector<SolvedFlakes> groups;
+        for (const paint::FlakeSpecies& flakes : layer.flakes) {
+            const std::string name = solved_name(flakes);
+            if (groups.empty() || groups.back().name != name) groups.push_back({.name = name});
+            groups.back().add(flakes, layer.thickness_um);
+        }
+        for (const SolvedFlakes& group : groups) {
+            facts.add(fmt::format("solved layer[{}]", i),
+                      "{} ({} species, diameters {:.4g} to {:.4g} um, roughness {:.4g} to {:.4g}, "
+                      "{:.4g} flakes deep)",
+                      group.name, group.count, group.smallest_um, group.largest_um, group.flattest,
+                      group.steepest, group.deep);
+        }
+        for (const paint::Pigment& pigment : layer.pigments) {
+            facts.add(fmt::format("solved layer[{}]", i), "{}",
+                      pigment.name.empty() ? "unnamed pigment" : pigment.name);
+        }
+    }
+}
 
 void describe_recipe(Facts& facts, const paint::Recipe& recipe) {
     facts.add("name", "{}", recipe.name);
@@ -66,13 +142,14 @@ void describe_recipe(Facts& facts, const paint::Recipe& recipe) {
             const paint::FlakeSpecies& flakes = layer.flakes[j];
             const double density = flakes.area_density_per_um();
             facts.add(fmt::format("layer[{}].flakes[{}]", i, j),
-                      "{} (thickness {:.6g} um, diameter {} um, roughness {}, area density {:.6g} "
-                      "per um, {:.4g} flakes deep)",
+                      "{} (thickness {:.6g} um, {}, {}, area density {:.6g} per um, {:.4g} flakes "
+                      "deep)",
                       flakes.name.empty() ? "unnamed" : flakes.name, flakes.thickness_um(),
-                      flakes.diameter_um, flakes.orientation.beckmann_alpha, density,
+                      diameter_text(flakes), orientation_text(flakes.orientation), density,
                       density * layer.thickness_um);
         }
     }
+    describe_expansion(facts, recipe);
     if (recipe.microfacet) {
         facts.add("microfacet", "roughness {}, film {} nm of index {}, base {} + {}i",
                   recipe.microfacet->alpha, recipe.microfacet->film_thickness_nm,

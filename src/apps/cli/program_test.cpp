@@ -118,6 +118,19 @@ TEST_F(Program, FilmPrintsAPublishedQuarterWave) {
     EXPECT_NEAR(number(film.out, 1, 3) + number(film.out, 1, 4), 1, 1e-11);
 }
 
+TEST_F(Program, InfoTellsWhatIsSolvedInPlaceOfFlakes) {
+    EXPECT_THAT(nacre("info gray.toml").out, Not(HasSubstr("solved layer")));
+    std::string text = contents(folder_ / "gray.toml");
+    text.replace(text.find("reflectance"), 0,
+                 "d10_um = 9\nd50_um = 18\nd90_um = 33\nedge_um = 0.3\n");
+    write("sheet.toml", text);
+    const Outcome info = nacre("info sheet.toml");
+    EXPECT_EQ(info.status, 0) << info.err;
+    EXPECT_THAT(info.out, HasSubstr("diameters d10 9, d50 18, d90 33 um"));
+    EXPECT_THAT(info.out, HasSubstr("4 species of flakes, 1 pigments"));
+    EXPECT_THAT(info.out, HasSubstr("edges of flakes"));
+}
+
 TEST_F(Program, ListsOfNumbersIncludeTheirEnds) {
     const Outcome film = nacre("film --angle 0,30 --wavelength 400:400.3:0.1,700");
     EXPECT_EQ(std::count(film.out.begin(), film.out.end(), '\n'), 1 + 2 * 5);

@@ -11,6 +11,7 @@
 
 #include "apps/report/plot_frame.h"
 #include "nacre/core/text.h"
+#include "nacre/paint/orientation.h"
 #include "nacre/paint/recipe_description.h"
 
 namespace nacre::datasheet {
@@ -136,7 +137,13 @@ FlakeWords flake_words(const paint::FlakeSpecies& flakes, const paint::Layer& la
                     flakes.area_density_per_um() * layer.thickness_um);
     words.size =
         fmt::format("{}, {:.3g} µm thick, half of them within {:.2g}° of flat", told.rest(),
-                    flakes.thickness_um(), median_tilt_deg(flakes.orientation));
+                    flakes.thickness_um(), paint::median_tilt_deg(flakes.orientation));
+    if (flakes.orientation.alpha_bottom > 0) {
+        paint::Orientation bottom = flakes.orientation;
+        bottom.beckmann_alpha = bottom.alpha_bottom;
+        words.size +=
+            fmt::format(" at the top, {:.2g}° at the bottom", paint::median_tilt_deg(bottom));
+    }
     return words;
 }
 
@@ -188,11 +195,6 @@ std::string material_text(const optics::Material& material) {
     }
     if (form < words.size()) text += " (" + words.substr(form + 1) + ")";
     return text;
-}
-
-double median_tilt_deg(const paint::Orientation& orientation) {
-    return std::atan(orientation.beckmann_alpha * std::sqrt(std::numbers::ln2)) * 180 /
-           std::numbers::pi;
 }
 
 std::vector<std::string> layers_in_words(const paint::Recipe& recipe) {

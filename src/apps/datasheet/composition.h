@@ -14,10 +14,6 @@ namespace nacre::datasheet {
 /// as they are.
 std::string material_text(const optics::Material& material);
 
-/// The tilt from lying flat that half of the flakes exceed, deg: tan^2 = alpha^2 ln 2 for Gaussian
-/// slopes.                                                    [walter-2007, eq. 28 with 1/2]
-double median_tilt_deg(const paint::Orientation& orientation);
-
 /// One sentence for each coat, layer and the ground, from the top down.
 std::vector<std::string> layers_in_words(const paint::Recipe& recipe);
 

@@ -37,12 +37,6 @@ TEST(Composition, NamesMaterialsAsChemistsWriteThem) {
     EXPECT_EQ(material_text(optics::Material("my_own", {2.0, 0.0})), "my_own");
 }
 
-// P(tan^2 > t) = exp(-t / alpha^2) for Gaussian slopes.
-TEST(Composition, HalfOfTheFlakesTiltLessThanTheMedian) {
-    // python3 -c "import math; print(math.degrees(math.atan(.1*math.sqrt(math.log(2)))))"
-    EXPECT_NEAR(median_tilt_deg({0.1}), 4.759210683456808, 1e-12);
-}
-
 TEST(Composition, WordsHoldEveryNumber) {
     const auto sentences = layers_in_words(pearl());
     ASSERT_EQ(sentences.size(), 4u);

@@ -165,6 +165,11 @@ paint::Recipe recipe_of(const PictureJob& job) {
         for (paint::FlakeSpecies& flake : layer.flakes) {
             flake.diameter_um *= job.flake_scale;
             flake.diameter_spread_um *= job.flake_scale;
+            if (!flake.quantiles) continue;
+            for (double* d :
+                 {&flake.quantiles->d10_um, &flake.quantiles->d50_um, &flake.quantiles->d90_um}) {
+                *d *= job.flake_scale;
+            }
         }
     }
     return recipe;

@@ -36,6 +36,10 @@ std::vector<double> flake_sizes(const paint::Recipe& recipe) {
         for (const paint::FlakeSpecies& flake : layer.flakes) {
             sizes.push_back(flake.diameter_um);
             sizes.push_back(flake.diameter_spread_um);
+            if (flake.quantiles) {
+                const auto& [d10, d50, d90] = *flake.quantiles;
+                sizes.insert(sizes.end(), {d10, d50, d90});
+            }
         }
     }
     return sizes;

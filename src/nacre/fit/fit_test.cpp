@@ -68,6 +68,22 @@ TEST(Fit, FindsFilmOrientationAndAmountTogether) {
     EXPECT_NEAR(found.parameters[2].value, 0.03, 1e-4);
 }
 
+// Numbers that paint::expanded() turns into species and pigments.
+TEST(Fit, FindsTheAlphaOfGgxAndTheEdges) {
+    paint::Recipe start = pearl();
+    start.layers[0].flakes[0].orientation.law = paint::Orientation::Law::ggx;
+    start.layers[0].flakes[0].edge_um = 0.2;
+    const std::string edge = "layer[0].flakes[0].edge_um";
+    paint::Recipe hidden = start;
+    paint::set_parameter(hidden, kAlpha, 0.32);
+    paint::set_parameter(hidden, edge, 0.45);
+    const Fit found = fit(read(hidden), FreeNumbers(start, {kAlpha, edge}, {}), with_starts(1));
+    // A little of each component's grid shows.
+    EXPECT_LT(found.difference.mean_delta_e_2000, 10 * kExact_delta_e);
+    EXPECT_NEAR(found.parameters[0].value, 0.32, 0.01);
+    EXPECT_NEAR(found.parameters[1].value, 0.45, 0.02);
+}
+
 // Instruments that report L*a*b* alone are matched as well, through the same aperture.
 TEST(Fit, TakesColoursWithoutSpectraThroughAnAperture) {
     measure::Conditions conditions;

@@ -268,12 +268,14 @@ class Writer final : public paint::Visitor {
     explicit Writer(std::string path, bool in_line = false)
         : path_(std::move(path)), in_line_(in_line) {}
 
-    void number(const Field& field, double& x) override { add(field, number_text(x)); }
+    void number(const Field& field, double& x) override {
+        if (!field.tacit || x != 0) add(field, number_text(x));
+    }
     void spectrum(const Field& field, Spectrum& s) override { add(field, spectrum_text(s)); }
     void material(const Field& field, Material& m) override { add(field, material_text(m)); }
     void text(const Field& field, std::string& text) override { add(field, toml_text(text)); }
     void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
-        add(field, toml_text(words[index]));
+        if (!field.tacit || index != 0) add(field, toml_text(words[index]));
     }
     void flag(const Field& field, bool& value) override { add(field, value ? "true" : "false"); }
     void vector(const Field& field, Vec3f& v) override {

@@ -41,6 +41,29 @@ paint::Recipe mirrors(double diameter_um, double depth, double alpha = 0.12) {
     return test::paint_of(1.5, {{kThickness_um, {flake}, {}}});
 }
 
+/// `sparkle` of flakes under a lamp at 45 deg.
+Estimate sparkle_of(double diameter_um, double waviness) {
+    paint::Recipe recipe = mirrors(diameter_um, 2, 0.16);
+    recipe.layers[0].flakes[0].waviness = waviness;
+    const Panel panel(recipe);
+    const SparkleCamera camera{
+        .pixel_um = 40, .field_mm = 6, .lamps_deg = {45}, .diffuse_samples = 0};
+    return measure_pictures(camera, take_pictures(panel.sparkling(), camera))
+        .by_lamp.at(0)
+        .sparkle_per_cm2;
+}
+
+// At the same area and volume. Of flat flakes a quarter as many flash, each in a lobe of a quarter of
+// the solid angle; the lobes of wavy ones stay as wide.                     [docs/sparkle.md]
+TEST(SparkleCamera, LargerFlakesSparkleMoreIfTheyAreWavyAndLessIfFlat) {
+    const auto larger = [](double waviness) {
+        const Estimate small = sparkle_of(18, waviness), large = sparkle_of(36, waviness);
+        return (large.value - small.value) / std::hypot(small.standard_error, large.standard_error);
+    };
+    EXPECT_LT(larger(0), -4);
+    EXPECT_GT(larger(0.05), 4);
+}
+
 SparkleCamera small_camera() { return {.pixel_um = 25, .field_mm = 3}; }
 
 double standard_error_of_mean(const PanelPicture& picture) {

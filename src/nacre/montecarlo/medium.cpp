@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
+#include "nacre/paint/expansion.h"
 
 namespace nacre::montecarlo {
 namespace {
@@ -226,13 +228,22 @@ Medium::Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_
             kPerMmToPerUm * sample_spectrum(recipe.clearcoat->absorption_per_mm, wavelengths_nm);
         slabs.push_back(std::move(slab));
     }
-    for (const paint::Layer& layer : recipe.layers) {
+    const paint::Recipe whole = paint::expanded(recipe);
+    // Species of one kind of flake share their tables, which take longer than all else.
+    std::vector<std::pair<const paint::FlakeSpecies*, FlakeOptics>> known;
+    const auto optics_of = [&](const paint::FlakeSpecies& species) {
+        for (const auto& [other, optics] : known) {
+            if (other->body == species.body) return optics;
+        }
+        known.emplace_back(&species, FlakeOptics(species, recipe.binder, wavelengths_nm, work));
+        return known.back().second;
+    };
+    for (const paint::Layer& layer : whole.layers) {
         Slab slab;
         slab.thickness_um = layer.thickness_um;
         for (const paint::FlakeSpecies& species : layer.flakes) {
-            slab.flakes.push_back({species.area_density_per_um(),
-                                   species.orientation.beckmann_alpha,
-                                   FlakeOptics(species, recipe.binder, wavelengths_nm, work)});
+            slab.flakes.push_back(
+                {species.area_density_per_um(), species.surface_alpha(), optics_of(species)});
             slab.flake_rate_per_um += slab.flakes.back().area_density_per_um;
         }
         for (const paint::Pigment& pigment : layer.pigments) {

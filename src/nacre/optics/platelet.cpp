@@ -56,12 +56,14 @@ int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double targ
                          decay_per_nm * half_nm / 2 + 1);
 }
 
-// A platelet is the core between two mirror images of its coat. For the coat, let r_out be its
-// amplitude reflectance from the binder, r_in the one from the core, and tt the product of its
-// transmittances both ways. With w = e^(2 i phase of the core) the platelet has
-//     r = r_out + tt r_in w / (1 - r_in^2 w),      |t|^2 = |tt|^2 |w| / |1 - r_in^2 w|^2
-// [born-wolf-1999, 7.6 eq. 8-15]. The coat's amplitudes are computed once for each of its
-// thicknesses, then averaged over the core's.
+// A platelet is the core between two coats: mirror images of each other, or one of them none, the
+// bare interface. For a coat, let r_out be its amplitude reflectance from the binder, r_in the one
+// from the core, and tt the product of its transmittances both ways; a dash marks the coat on the far
+// side. With w = e^(2 i phase of the core) the platelet has
+//     r = r_out + tt r_in' w / (1 - r_in r_in' w),   |t|^2 = |tt tt'| |w| / |1 - r_in r_in' w|^2
+// [born-wolf-1999, 7.6 eq. 8-15], the latter as both ways through a coat differ by the admittances
+// of its two sides alone. The coat's amplitudes are computed once for each of its thicknesses, then
+// averaged over the core's.
 
 namespace {
 
@@ -84,6 +86,7 @@ struct Lanes {
     /// Reflectance amplitude of the interfaces, from outside: binder | last coat, ..., first coat |
     /// core; for s and p.
     std::vector<ComplexLanes> interface[2];
+    ComplexLanes bare[2];        ///< binder | core
     bool core_transmits = true;  ///< the core is transparent and below its critical angle
 };
 
@@ -91,7 +94,13 @@ class PlateletAverage {
  public:
     PlateletAverage(const Platelet& platelet, const Material& binder,
                     std::span<const double> wavelengths_nm, SharedProgress* work)
-        : work_(work), wavelengths_nm_(wavelengths_nm) {
+        : work_(work),
+          wavelengths_nm_(wavelengths_nm),
+          one_sided_(platelet.coated_sides == Platelet::CoatedSides::one),
+          coat_faces_light_(platelet.face == Platelet::Face::coated) {
+        if (one_sided_ && platelet.face == Platelet::Face::any) {
+            throw DomainError("a platelet coated on one side reflects by the side it is met from");
+        }
         films_.push_back(&platelet.core);
         for (const auto& coat : platelet.coats) films_.push_back(&coat);
         for (double w : wavelengths_nm) {
@@ -195,6 +204,11 @@ class PlateletAverage {
             lanes.interface[0][count - 1 - f] = (y_s - below_s) / (y_s + below_s);
             lanes.interface[1][count - 1 - f] = (y_p - below_p) / (y_p + below_p);
             lanes.phase_rate[f] = (4 * std::numbers::pi / block.wavelength_nm) * q;
+            if (f == 0) {
+                const ComplexLanes s{block.binder * cosine, none}, p{cosine / block.binder, none};
+                lanes.bare[0] = (s - below_s) / (s + below_s);
+                lanes.bare[1] = (p - below_p) / (p + below_p);
+            }
             y_s = below_s;
             y_p = below_p;
         }
@@ -204,17 +218,33 @@ class PlateletAverage {
     struct Coat {
         ComplexLanes r_out, r_in, tt;
     };
+    /// A bare interface.
+    static Coat interface_alone(const ComplexLanes& f) {
+        return {f, -f, splat_complex(1.0) - f * f};
+    }
 
-    /// Calls use(coat, polarisation, weight) for every combination of the coats' thicknesses.
+    /// Calls use(near, far, weight), with the coats on the side of the light and on the other, for
+    /// both polarisations and every combination of the coats' thicknesses.
     template <class Use>
     void for_each_coat(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
                        const Use& use) const {
-        Coat start[2];
+        Coat start[2], bare[2];
         for (int p = 0; p < 2; ++p) {
-            const ComplexLanes f = lanes.interface[p][0];
-            start[p] = {f, -f, splat_complex(1.0) - f * f};
+            start[p] = interface_alone(lanes.interface[p][0]);
+            bare[p] = interface_alone(lanes.bare[p]);
         }
-        add_coats(lanes, rules, films_.size() - 1, start, 1.0, use);
+        add_coats(lanes, rules, films_.size() - 1, start, 1.0,
+                  [&](const Coat* coat, double weight) {
+                      for (int p = 0; p < 2; ++p) {
+                          if (!one_sided_) {
+                              use(coat[p], coat[p], weight);
+                          } else if (coat_faces_light_) {
+                              use(coat[p], bare[p], weight);
+                          } else {
+                              use(bare[p], coat[p], weight);
+                          }
+                      }
+                  });
     }
 
     /// Adds film `film` and those below it, the core excepted, under the coats in `above`.
@@ -222,7 +252,7 @@ class PlateletAverage {
     void add_coats(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
                    std::size_t film, const Coat (&above)[2], double weight, const Use& use) const {
         if (film == 0) {
-            for (int p = 0; p < 2; ++p) use(above[p], weight);
+            use(above, weight);
             return;
         }
         require_going();  // up to a million combinations of thicknesses follow
@@ -257,9 +287,9 @@ class PlateletAverage {
         for (std::size_t j = 0; j < count; ++j) {
             w_abs[j] = exp_lanes(-core.thickness_nm[j] * lanes.phase_rate[0].im);
         }
-        for_each_coat(lanes, rules, [&](const Coat& coat, double weight) {
-            const ComplexLanes p = coat.r_in * coat.r_in;
-            const ComplexLanes b = coat.tt * coat.r_in - coat.r_out * p;
+        for_each_coat(lanes, rules, [&](const Coat& coat, const Coat& far, double weight) {
+            const ComplexLanes p = coat.r_in * far.r_in;
+            const ComplexLanes b = coat.tt * far.r_in - coat.r_out * p;
             DoubleLanes sum_r{}, sum_t{};
             for (std::size_t j = 0; j < count; ++j) {
                 const DoubleLanes fraction = core.weights[j] / norm(splat_complex(1.0) - p * w[j]);
@@ -267,11 +297,16 @@ class PlateletAverage {
                 sum_t += fraction * w_abs[j];
             }
             r += weight * sum_r;
-            t += weight * norm(coat.tt) * sum_t;
+            t += weight * through(coat, far) * sum_t;
         });
     }
 
-    /// For |w| = 1 on the real axis. With p = r_in^2, 1/|1 - p w|^2 is the real part of
+    /// |tt tt'|.
+    DoubleLanes through(const Coat& coat, const Coat& far) const {
+        return one_sided_ ? sqrt_lanes(norm(coat.tt) * norm(far.tt)) : norm(coat.tt);
+    }
+
+    /// For |w| = 1 on the real axis. With p = r_in r_in', 1/|1 - p w|^2 is the real part of
     /// (1 + p w)/(1 - p w) over 1 - |p|^2, the Poisson kernel; so R and T follow from the mean of
     /// w/(1 - p w) alone, which is analytic and can be averaged on an arc.
     void average_arc(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
@@ -282,24 +317,27 @@ class PlateletAverage {
             w[2 * j] = exp_i(splat_complex(arc_.thickness_nm[j]) * lanes.phase_rate[0]);
             w[2 * j + 1] = splat_complex(arc_.weights[j]) * w[2 * j];
         }
-        for_each_coat(lanes, rules, [&](const Coat& coat, double weight) {
-            const ComplexLanes p = coat.r_in * coat.r_in;
+        for_each_coat(lanes, rules, [&](const Coat& coat, const Coat& far, double weight) {
+            const ComplexLanes p = coat.r_in * far.r_in;
             ComplexLanes mean{};
             for (std::size_t j = 0; j < count; ++j) {
                 mean = mean + w[2 * j + 1] / (splat_complex(1.0) - p * w[2 * j]);
             }
-            const ComplexLanes through = coat.tt * coat.r_in;
-            // 1 - |p|^2 is (1 - |r_in|^2)(1 + |r_in|^2), and 1 - |r_in|^2 >= |tt|, for no coat
-            // amplifies. Where the difference is below rounding, the bound replaces it; where tt =
-            // 0, the quotient is multiplied by 0 and any positive number will do.
+            const ComplexLanes back = coat.tt * far.r_in;
+            // With two alike, 1 - |p|^2 is (1 - |r_in|^2)(1 + |r_in|^2), and 1 - |r_in|^2 >= |tt|,
+            // for no coat amplifies; with two that differ, it is at least the larger of both |tt|.
+            // Where the difference is below rounding, the bound replaces it; where tt = 0, the
+            // quotient is multiplied by 0 and any positive number will do.
             constexpr double tiny = 1e-300;
             const DoubleLanes lower_bound =
-                sqrt_lanes(norm(coat.tt)) * (1.0 + norm(coat.r_in)) + tiny;
+                (one_sided_ ? sqrt_lanes(max_lanes(norm(coat.tt), norm(far.tt)))
+                            : sqrt_lanes(norm(coat.tt)) * (1.0 + norm(coat.r_in))) +
+                tiny;
             const DoubleLanes kernel =
                 (1.0 + 2.0 * (p * mean).re) / max_lanes(1.0 - norm(p), lower_bound);
-            r += weight * (norm(coat.r_out) + 2.0 * (conj(coat.r_out) * through * mean).re +
-                           norm(through) * kernel);
-            t += weight * norm(coat.tt) * kernel;
+            r += weight * (norm(coat.r_out) + 2.0 * (conj(coat.r_out) * back * mean).re +
+                           norm(back) * kernel);
+            t += weight * through(coat, far) * kernel;
         });
     }
 
@@ -372,6 +410,7 @@ class PlateletAverage {
     std::vector<double> binder_;
     std::vector<std::vector<ComplexIndex>> index_;  // [film][wavelength]
     std::vector<Block> blocks_;
+    bool one_sided_, coat_faces_light_;
     bool core_spreads_ = false;
     ThicknessArc arc_;
     std::map<std::pair<std::size_t, int>, ThicknessRule> rules_;  // by film and count

@@ -65,11 +65,18 @@ struct FilmPopulation {
     friend bool operator==(const FilmPopulation&, const FilmPopulation&) = default;
 };
 
-/// A platelet of core and coats: coats from the core outwards, the same on both sides; each film
-/// varies on its own, both sides of a coat together.
+/// A platelet of core and coats: coats from the core outwards; each film varies on its own.
 struct Platelet {
     FilmPopulation core;
     std::vector<FilmPopulation> coats;
+    enum class CoatedSides {
+        both,  ///< alike, and varying together
+        one
+    };
+    CoatedSides coated_sides = CoatedSides::both;
+    /// The side that light meets, which matters where one side is coated.
+    enum class Face { any, coated, bare };
+    Face face = Face::any;
 
     friend bool operator==(const Platelet&, const Platelet&) = default;
 };
@@ -78,8 +85,8 @@ struct Platelet {
 /// platelets with at most two coats that vary; with more it may reach 1e-4 near grazing incidence.
 inline constexpr double kPlateletError = 1e-6;
 
-/// Unpolarised R and T of a platelet embedded in `binder` on both sides, averaged over the spread
-/// of each film, for every pair (cosine, wavelength): arrays [cosine][wavelength], row-major.
+/// Unpolarised R and T of a platelet embedded in `binder` on both sides, for light that meets its
+/// `face`, averaged over the spread of each film, for every pair (cosine, wavelength): arrays [cosine][wavelength], row-major.
 struct PlateletTable {
     std::vector<double> reflectance, transmittance;
 };
@@ -91,8 +98,8 @@ struct PlateletTable {
 ///         many films vary that the average would take more than some seconds
 /// @throws Stopped if `work`, which is asked where it is not null, says so
 ///
-/// Both sides of a coat vary together, so the two coats share their amplitudes, and the core
-/// between them is averaged with one complex sum per coat thickness. Wavelengths are vector lanes
+/// Both sides of a coat vary together, or one has none, so the core between them is averaged with
+/// one complex sum per coat thickness. Wavelengths are vector lanes
 /// and cosines run in parallel. Films are coherent: flakes thicker than the coherence length of the
 /// light within one wavelength sample need the spread, or finer wavelengths, to lose their fringes.
 PlateletTable platelet_table(const Platelet& platelet, const Material& binder,

@@ -45,6 +45,7 @@ struct Field {
     bool colour = false;               ///< a spectrum that may be stated as [r, g, b]
     bool real = false;                 ///< a material that does not absorb
     bool in_line = false;              ///< tables: written as { key = value, ... }
+    bool tacit = false;  ///< a number or a choice: 0 and the first choice are not written
 };
 
 /// More samples than any instrument gives.
@@ -184,6 +185,29 @@ class Visitor {
 
     /// A text that names keys of the same table written down elsewhere. A writer writes them out.
     virtual void preset(const Field&) {}
+
+    /// Alternatives of which the first are keys of the object itself and the second, if it is there,
+    /// stands in place of them; it is visited here.
+    /// @param first  the keys of the first
+    /// @return whether the first are to be visited
+    template <class T>
+    bool instead(const Alternatives& alternatives, std::vector<std::string> (*first)(),
+                 std::optional<T>& second) {
+        if (visits_all_alternatives()) {
+            visit_new<T>();
+            return true;
+        }
+        const bool chosen =
+            alternative(alternatives, {first, keys_of_new<T>}, second.has_value() ? 1 : 0) == 1;
+        if (!chosen) {
+            second.reset();
+        } else {
+            if (!second) second.emplace();
+            describe(*this, *second);
+        }
+        return !chosen;
+    }
+
     /// A table within that of the object; if it is not required, its keys keep their values.
     virtual void table(const Field& field, Described) { other(field); }
     /// A key of the file that is no part of the object: whoever reads the file reads it.

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "nacre/core/error.h"
+#include "nacre/paint/orientation.h"
 #include "nacre/paint/recipe_description.h"
 
 namespace nacre::paint {
@@ -53,12 +55,92 @@ class RecipeCheck final : public RangeCheck {
     const std::vector<double>& wavelengths_nm_;
 };
 
+void check_sizes(const std::string& path, const FlakeSpecies& species) {
+    double middle_um = species.diameter_um;
+    const char* middle_key = "diameter_um";
+    if (species.quantiles) {
+        const auto& [d10, d50, d90] = *species.quantiles;
+        if (!(d10 < d50 && d50 < d90)) {
+            throw DomainError(
+                fmt::format("{}d50_um = {}: must be above d10_um = {} and below d90_um = {}", path,
+                            d50, d10, d90));
+        }
+        middle_um = d50;
+        middle_key = "d50_um";
+    }
+    if (!(2 * species.edge_um < middle_um)) {
+        throw DomainError(fmt::format("{}edge_um = {}: must be below half of {} = {}", path,
+                                      species.edge_um, middle_key, middle_um));
+    }
+}
+
+void check_tilts(const std::string& path, const Orientation& orientation) {
+    const std::vector<TiltDensity>& tilts = orientation.table->tilts;
+    if (tilts.size() < 2) {
+        throw DomainError(
+            fmt::format("{}tilts: has {} entries; at least 2 are needed", path, tilts.size()));
+    }
+    bool any = false;
+    for (std::size_t i = 0; i < tilts.size(); ++i) {
+        any = any || tilts[i].density > 0;
+        if (i > 0 && !(tilts[i].tilt_deg > tilts[i - 1].tilt_deg)) {
+            throw DomainError(
+                fmt::format("{}tilts[{}].tilt_deg = {}: must be above the one before it, {}", path,
+                            i, tilts[i].tilt_deg, tilts[i - 1].tilt_deg));
+        }
+    }
+    if (!any) throw DomainError(path + "tilts: must have a density above 0");
+    try {
+        beckmann_mixture(orientation);
+    } catch (const DomainError& error) {
+        throw DomainError(fmt::format("{}tilts: {}", path, error.what()));
+    }
+}
+
+void check_orientation(const std::string& path, const Orientation& orientation) {
+    const bool tabulated = orientation.law == Orientation::Law::tabulated;
+    if (tabulated != orientation.table.has_value()) {
+        throw DomainError(fmt::format(
+            "{}distribution: tabulated needs tilts in place of alpha, and others alpha", path));
+    }
+    if (tabulated) return check_tilts(path, orientation);
+    if (orientation.law != Orientation::Law::ggx) return;
+    const auto require = [&](const char* name, double alpha) {
+        if (limits::kGgxAlpha.contains(alpha)) return;
+        throw DomainError(fmt::format("{}{} = {}: with ggx must be in {}", path, name, alpha,
+                                      limits::kGgxAlpha.text()));
+    };
+    require("alpha", orientation.beckmann_alpha);
+    if (orientation.alpha_bottom > 0) require("alpha_bottom", orientation.alpha_bottom);
+}
+
+void check_waviness(const std::string& path, const FlakeSpecies& species) {
+    if (species.waviness == 0) return;
+    Orientation orientation = species.orientation;
+    if (orientation.alpha_bottom > 0) {
+        orientation.beckmann_alpha = std::min(orientation.beckmann_alpha, orientation.alpha_bottom);
+    }
+    double alpha = INFINITY;
+    for (const SlopeComponent& component : beckmann_mixture(orientation)) {
+        alpha = std::min(alpha, component.alpha);
+    }
+    if (species.waviness > limits::kMaxRelativeWaviness * alpha) {
+        throw DomainError(fmt::format(
+            "{}waviness = {}: must be at most {:.4g}, {} times the alpha of the flattest flakes",
+            path, species.waviness, limits::kMaxRelativeWaviness * alpha,
+            limits::kMaxRelativeWaviness));
+    }
+}
+
 /// What concerns several numbers at once: the energy that a flake reflects and transmits, and the
 /// volume that all flakes fill.
 void check_flakes(const std::string& key, const Layer& layer) {
     double filled = 0;
     for (std::size_t i = 0; i < layer.flakes.size(); ++i) {
         const FlakeSpecies& species = layer.flakes[i];
+        check_sizes(fmt::format("{}.flakes[{}].", key, i), species);
+        check_orientation(fmt::format("{}.flakes[{}].orientation.", key, i), species.orientation);
+        check_waviness(fmt::format("{}.flakes[{}].", key, i), species);
         if (const auto* flake = std::get_if<PrescribedFlake>(&species.body)) {
             if (const auto wavelength = limits::wavelength_of_excess(*flake)) {
                 throw DomainError(fmt::format(
@@ -137,8 +219,24 @@ double FlakeSpecies::thickness_um() const {
     }
     const auto& platelet = std::get<optics::Platelet>(body);
     double thickness_nm = platelet.core.thickness_nm;
-    for (const optics::FilmPopulation& coat : platelet.coats) thickness_nm += 2 * coat.thickness_nm;
+    const int sides = platelet.coated_sides == optics::Platelet::CoatedSides::both ? 2 : 1;
+    for (const optics::FilmPopulation& coat : platelet.coats) {
+        thickness_nm += sides * coat.thickness_nm;
+    }
     return thickness_nm / kNmPerUm;
+}
+
+FlakeSizes FlakeSpecies::sizes() const {
+    if (part) return *part;
+    if (quantiles || edge_um > 0) {
+        throw std::logic_error("flakes of several sizes were not expanded");
+    }
+    return {diameter_um, diameter_spread_um};
+}
+
+double FlakeSpecies::surface_alpha() const {
+    const double alpha = orientation.beckmann_alpha;
+    return waviness > 0 ? std::hypot(alpha, waviness) : alpha;
 }
 
 double FlakeSpecies::area_density_per_um() const {

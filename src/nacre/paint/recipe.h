@@ -11,6 +11,7 @@
 #include "nacre/optics/material.h"
 #include "nacre/optics/particles.h"
 #include "nacre/optics/thin_film.h"
+#include "nacre/paint/flake_sizes.h"
 #include "nacre/spectra/spectrum.h"
 
 // What a paint is made of: a value, independent of any file format (io/recipe_file.h reads it).
@@ -18,10 +19,31 @@
 
 namespace nacre::paint {
 
-/// Orientation of flake normals: Beckmann (Gaussian slopes), alpha = sqrt(2) times the standard
-/// deviation of a slope component.
+/// A point of a measured law of tilts, between which it is linear.
+struct TiltDensity {
+    double tilt_deg = 0;  ///< between the normals of flake and paint
+    double density = 0;   ///< area of the flakes per degree of tilt, in any unit
+
+    friend bool operator==(const TiltDensity&, const TiltDensity&) = default;
+};
+struct TabulatedTilts {
+    std::vector<TiltDensity> tilts;  ///< increasing, at least two; none beyond the last
+
+    friend bool operator==(const TabulatedTilts&, const TabulatedTilts&) = default;
+};
+
+/// The law of flake normals, the same in all azimuths.
 struct Orientation {
+    /// Of Gaussian slopes, Beckmann's law: sqrt(2) times the standard deviation of a slope component.
+    /// Of another law its own alpha; in what expanded() returns all laws are Beckmann's.
     double beckmann_alpha = 0.1;
+
+    /// GGX: slopes of density 1 / (pi alpha^2) (1 + s^2 / alpha^2)^-2, with long tails.
+    enum class Law { beckmann, ggx, tabulated };
+    Law law = Law::beckmann;
+    /// Alpha at the bottom of the layer, linear in depth from the top; 0: the same at all depths.
+    double alpha_bottom = 0;
+    std::optional<TabulatedTilts> table = {};  ///< in place of alpha, if law is tabulated
 
     friend bool operator==(const Orientation&, const Orientation&) = default;
 };
@@ -50,11 +72,22 @@ struct FlakeSpecies {
     std::variant<VolumeFraction, AreaDensity> amount;
     double diameter_um = 20;
     double diameter_spread_um = 0;
+    std::optional<DiameterQuantiles> quantiles = {};  ///< in place of the two above
+    /// Width of the rim that scatters light in all directions; 0: flakes reflect up to their edge.
+    double edge_um = 0;
+    /// Of a flake's surface, as alpha of its slopes about the flake's mean plane; 0: flat.
+    double waviness = 0;
     Orientation orientation;
     std::variant<optics::Platelet, PrescribedFlake> body;
+    /// The diameters of a part of a species, in place of all above. Only expanded() sets it.
+    std::optional<FlakeSizes> part = {};
 
-    /// Thickness of the platelet, core + 2 x coats, in um.
+    /// Thickness of the platelet, core and coats, in um.
     double thickness_um() const;
+    /// Of a species that expanded() returned, or that it leaves as it is.
+    FlakeSizes sizes() const;
+    /// Alpha of the slopes of the flakes' surfaces: of their planes and their waviness together.
+    double surface_alpha() const;
     /// c = a rho in 1/um; from a volume fraction v and thickness t: v / t.
     double area_density_per_um() const;
 
@@ -235,6 +268,12 @@ inline constexpr Range kBinderIndex{1, 3};
 inline constexpr Range kFilmThickness{0, 1e5, "nm", true};
 inline constexpr Range kFilmSpread{0, 1e5, "nm"};
 inline constexpr Range kMicrofacetAlpha{0.001, 1};
+inline constexpr Range kOrientationAlpha{0.005, 1};
+/// Of GGX: below, its core of slopes is narrower than what is solved; above, more than a fifth of
+/// the flakes would be steeper than what Beckmann's laws of kOrientationAlpha can be.
+inline constexpr Range kGgxAlpha{0.02, 0.5};
+/// Over the alpha of the flakes' planes.
+inline constexpr double kMaxRelativeWaviness = 2;
 
 /// R + T may exceed 1 by this much, for rounding.
 inline constexpr double kEnergySlack = 1e-9;

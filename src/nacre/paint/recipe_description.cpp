@@ -12,6 +12,7 @@ constexpr std::size_t kMaxSpeciesPerLayer = 64;  // of flakes, and as many pigme
 
 constexpr Range kPerMillimetre{0, 1e9, "1/mm"};
 constexpr Range kFraction{0, 1};
+constexpr Range kFlakeDiameter{0, 1e4, "um", true};
 
 }  // namespace
 
@@ -152,16 +153,45 @@ void describe(Visitor& visit, FlakeSpecies& species) {
            .neither = "is missing; it must be " + allowed_text(kVolumeFraction) +
                       ", or area_density_per_um in " + kAreaDensity.range.text()},
           species.amount);
-    visit({.key = "diameter_um",
-           .range = {0, 1e4, "um", true},
-           .meaning = "of the disc; matters only where single flakes show",
-           .words = "{} across"},
-          species.diameter_um);
-    visit({.key = "diameter_spread_um",
-           .range = {0, 1e4, "um"},
-           .meaning = "its standard deviation",
-           .spread_of = "diameter_um"},
-          species.diameter_spread_um);
+    constexpr const char* kMean = "diameter_um";
+    constexpr const char* kSpread = "diameter_spread_um";
+    const bool plain = visit.instead(
+        {.each = {{kMean, "goes with d50_um; these flakes have a diameter_um"},
+                  {"d50_um", "with d10_um, d50_um and d90_um the sizes are said already"}},
+         .both = "how large the flakes are is said twice; give diameter_um or d50_um, not both"},
+        [] {
+            return std::vector<std::string>{kMean, kSpread};
+        },
+        species.quantiles);
+    if (plain) {
+        visit({.key = kMean,
+               .range = kFlakeDiameter,
+               .meaning = "of the disc; matters only where single flakes show",
+               .words = "{} across"},
+              species.diameter_um);
+        visit({.key = kSpread,
+               .range = {0, 1e4, "um"},
+               .meaning = "its standard deviation",
+               .spread_of = kMean},
+              species.diameter_spread_um);
+    }
+    visit({.key = "edge_um",
+           .range = {1e-3, 100, "um"},
+           .meaning = "width of the rim that scatters light in all directions",
+           .zero = "none",
+           .words = "their outer {} scattering",
+           .zero_words = "",
+           .tacit = true},
+          species.edge_um);
+    visit({.key = "waviness",
+           .range = {0.001, 0.5},
+           .meaning = "of a flake's surface, as `alpha` of its slopes about the flake's plane; at "
+                      "most twice the `alpha` of the planes",
+           .zero = "flat",
+           .words = "wavy (roughness {})",
+           .zero_words = "",
+           .tacit = true},
+          species.waviness);
     visit.table(
         {.key = "orientation", .meaning = "how the flakes lie", .required = true, .in_line = true},
         Described(species.orientation));
@@ -171,18 +201,74 @@ void describe(Visitor& visit, FlakeSpecies& species) {
           species.body);
 }
 
+void describe(Visitor& visit, DiameterQuantiles& quantiles) {
+    const auto one = [&](const char* key, const char* meaning, const char* words, double& value) {
+        visit({.key = key,
+               .range = kFlakeDiameter,
+               .meaning = meaning,
+               .required = true,
+               .also = "d10 < d50 < d90",
+               .words = words},
+              value);
+    };
+    one("d10_um", "a tenth of the powder's volume is in flakes smaller than this",
+        "a tenth of their volume below {}", quantiles.d10_um);
+    one("d50_um",
+        "in place of `diameter_um`: half of the volume, as makers state it by laser diffraction",
+        "half below {}", quantiles.d50_um);
+    one("d90_um", "nine tenths of the volume", "nine tenths below {}", quantiles.d90_um);
+}
+
 void describe(Visitor& visit, Orientation& orientation) {
-    enum class Distribution { beckmann } distribution{};
     visit({.key = "distribution",
-           .meaning = "law of the flakes' normals: Gaussian slopes",
+           .meaning = "law of the flakes' normals: Gaussian slopes, GGX, or a table",
            .required = true},
-          {"beckmann"}, distribution);
-    // A data sheet tells it as the median tilt.
+          {"beckmann", "ggx", "tabulated"}, orientation.law);
+    const bool by_alpha = visit.instead(
+        {.each = {{"alpha", "goes with distribution = \"tabulated\"; this one has an alpha"},
+                  {"tilts", "the law of the normals is said by tilts already"}},
+         .both = "the law of the normals is said twice; give alpha or tilts, not both",
+         .neither = "is missing; it must be a number in " + limits::kOrientationAlpha.text() +
+                    ", or tilts where the law is tabulated"},
+        [] {
+            return std::vector<std::string>{"alpha", "alpha_bottom"};
+        },
+        orientation.table);
+    if (!by_alpha) return;
+    // A data sheet tells both as the median tilt.
     visit({.key = "alpha",
-           .range = {0.005, 1},
-           .meaning = "sqrt(2) times the standard deviation of a slope component: 0.1 is 4 deg",
+           .range = limits::kOrientationAlpha,
+           .meaning = "sqrt(2) times the standard deviation of a slope component: 0.1 is 4 deg; of "
+                      "`ggx` its own, in [0.02, 0.5]",
            .required = true},
           orientation.beckmann_alpha);
+    visit({.key = "alpha_bottom",
+           .range = limits::kOrientationAlpha,
+           .meaning = "`alpha` at the bottom of the layer, linear in depth from the top",
+           .zero = "the same at all depths",
+           .tacit = true},
+          orientation.alpha_bottom);
+}
+
+void describe(Visitor& visit, TabulatedTilts& table) {
+    visit({.key = "tilts",
+           .meaning = "with `tabulated`: the law at two tilts or more, linear between them",
+           .max_size = 1000,
+           .in_line = true},
+          table.tilts);
+}
+
+void describe(Visitor& visit, TiltDensity& point) {
+    visit({.key = "tilt_deg",
+           .range = {0, 90, "deg"},
+           .meaning = "between the normals of flake and paint, increasing",
+           .required = true},
+          point.tilt_deg);
+    visit({.key = "density",
+           .range = {0, 1e9},
+           .meaning = "area of the flakes per degree of tilt, in any unit",
+           .required = true},
+          point.density);
 }
 
 void describe(Visitor& visit, optics::Platelet& platelet) {
@@ -192,12 +278,20 @@ void describe(Visitor& visit, optics::Platelet& platelet) {
                  .words = "{}",
                  .in_line = true},
                 Described(platelet.core));
-    visit({.key = "coats",
-           .meaning = "films from the core outwards, alike on both sides",
-           .words = "on both sides {}",
-           .max_size = 64,
-           .in_line = true},
-          platelet.coats);
+    visit(
+        {.key = "coats",
+         .meaning = "films from the core outwards",
+         .words = platelet.coated_sides == optics::Platelet::CoatedSides::both ? "on both sides {}"
+                                                                               : "on one side {}",
+         .max_size = 64,
+         .in_line = true},
+        platelet.coats);
+    visit({.key = "coated_sides",
+           .meaning = "whether both sides have the coats, alike, or one",
+           .words = "",
+           .zero_words = "",
+           .tacit = true},
+          {"both", "one"}, platelet.coated_sides);
 }
 
 void describe(Visitor& visit, optics::FilmPopulation& film) {

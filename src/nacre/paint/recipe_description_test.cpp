@@ -37,7 +37,7 @@ TEST(RecipeDescription, EveryNumberOutsideItsRangeIsRefused) {
             ++refused;
         }
     }
-    EXPECT_GE(refused, 2 * 33);
+    EXPECT_GE(refused, 2 * 37);
 }
 
 TEST(RecipeDescription, TheDocumentationHasItsTables) {
@@ -48,6 +48,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
     Layer layer;
     FlakeSpecies flakes;
     Orientation orientation;
+    TiltDensity tilts;
     optics::FilmPopulation film;
     Pigment pigment;
     Microfacet microfacet;
@@ -58,6 +59,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
                                                         {"layer", Described(layer)},
                                                         {"flakes", Described(flakes)},
                                                         {"orientation", Described(orientation)},
+                                                        {"tilts", Described(tilts)},
                                                         {"film", Described(film)},
                                                         {"pigment", Described(pigment)},
                                                         {"substrate", Described(substrate)},

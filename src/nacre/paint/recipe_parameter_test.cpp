@@ -43,17 +43,24 @@ TEST(RecipeParameter, EveryNumberOfARecipeIsListedInItsOrder) {
             "layer[0].flakes[0].core.spread_nm", "layer[0].flakes[0].coats[0].thickness_nm",
             "layer[0].flakes[0].coats[0].spread_nm", "layer[0].flakes[1].area_density_per_um",
             "layer[0].flakes[1].diameter_um", "layer[0].flakes[1].diameter_spread_um",
-            "layer[0].flakes[1].orientation.alpha", "layer[0].flakes[1].reflectance",
-            "layer[0].flakes[1].transmittance", "layer[0].flakes[1].thickness_um",
-            "layer[0].pigment[0].scattering_per_mm", "layer[0].pigment[0].absorption_per_mm",
-            "layer[0].pigment[0].anisotropy", "layer[0].pigment[1].volume_fraction",
-            "layer[0].pigment[1].diameter_nm", "layer[0].pigment[1].spread",
-            "layer[0].pigment[2].mass_fraction", "layer[0].pigment[2].density_g_per_cm3",
-            "layer[0].pigment[2].binder_density_g_per_cm3", "layer[0].pigment[2].diameter_nm",
-            "layer[0].pigment[2].spread", "layer[1].thickness_um", "substrate.reflectance",
-            "microfacet.alpha", "microfacet.film_ior", "microfacet.film_thickness_nm",
-            "microfacet.base_ior", "microfacet.base_extinction", "microfacet.facets.count",
-            "microfacet.facets.cone_deg", "microfacet.facets.thickness_spread_nm"));
+            "layer[0].flakes[1].edge_um", "layer[0].flakes[1].waviness",
+            "layer[0].flakes[1].orientation.alpha", "layer[0].flakes[1].orientation.alpha_bottom",
+            "layer[0].flakes[1].reflectance", "layer[0].flakes[1].transmittance",
+            "layer[0].flakes[1].thickness_um", "layer[0].pigment[0].scattering_per_mm",
+            "layer[0].pigment[0].absorption_per_mm", "layer[0].pigment[0].anisotropy",
+            "layer[0].pigment[1].volume_fraction", "layer[0].pigment[1].diameter_nm",
+            "layer[0].pigment[1].spread", "layer[0].pigment[2].mass_fraction",
+            "layer[0].pigment[2].density_g_per_cm3", "layer[0].pigment[2].binder_density_g_per_cm3",
+            "layer[0].pigment[2].diameter_nm", "layer[0].pigment[2].spread",
+            "layer[0].pigment[3].scattering_per_mm", "layer[0].pigment[3].absorption_per_mm",
+            "layer[0].pigment[3].anisotropy", "layer[0].pigment[3].volume_fraction",
+            "layer[0].pigment[4].kubelka_munk.K", "layer[0].pigment[4].kubelka_munk.S",
+            "layer[0].pigment[4].anisotropy", "layer[0].pigment[4].mass_fraction",
+            "layer[0].pigment[4].density_g_per_cm3", "layer[0].pigment[4].binder_density_g_per_cm3",
+            "layer[1].thickness_um", "substrate.reflectance", "microfacet.alpha",
+            "microfacet.film_ior", "microfacet.film_thickness_nm", "microfacet.base_ior",
+            "microfacet.base_extinction", "microfacet.facets.count", "microfacet.facets.cone_deg",
+            "microfacet.facets.thickness_spread_nm"));
 }
 
 // A number that was set is read back, no other number changes, and a value out of range is refused
@@ -119,9 +126,10 @@ TEST(RecipeParameter, APatternMeansEndsOfKeysAndStarsAnyText) {
     EXPECT_THAT(matching_parameters(recipe, "coats[0].thickness_nm"),
                 ElementsAre("layer[0].flakes[0].coats[0].thickness_nm"));
     EXPECT_THAT(matching_parameters(recipe, "microfacet.alpha"), ElementsAre("microfacet.alpha"));
-    EXPECT_THAT(matching_parameters(recipe, "orientation.*"),
-                ElementsAre("layer[0].flakes[0].orientation.alpha",
-                            "layer[0].flakes[1].orientation.alpha"));
+    EXPECT_THAT(
+        matching_parameters(recipe, "orientation.*"),
+        ElementsAre("layer[0].flakes[0].orientation.alpha", "layer[0].flakes[1].orientation.alpha",
+                    "layer[0].flakes[1].orientation.alpha_bottom"));
     EXPECT_THAT(
         matching_parameters(recipe, "flakes[0]*spread_nm"),
         ElementsAre("layer[0].flakes[0].core.spread_nm", "layer[0].flakes[0].coats[0].spread_nm"));

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "nacre/paint/beckmann.h"
+#include "nacre/paint/expansion.h"
 
 namespace nacre::solver {
 
@@ -71,12 +72,29 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
                                          recipe.clearcoat->thickness_um / kUmPerMm);
         medium.roughness = recipe.clearcoat->roughness;
     }
-    for (const paint::Layer& layer : recipe.layers) {
+    const paint::Recipe whole = paint::expanded(recipe);
+    // Species of one kind of flake share their table, which takes longer than all else.
+    struct Known {
+        const paint::FlakeSpecies* species;
+        std::size_t layer, flake;
+    };
+    std::vector<Known> known;
+    for (const paint::Layer& layer : whole.layers) {
         LayerMedium& out = medium.layers.emplace_back();
         out.thickness_um = layer.thickness_um;
         for (const paint::FlakeSpecies& species : layer.flakes) {
-            out.flakes.push_back({species.area_density_per_um(), species.orientation.beckmann_alpha,
-                                  make_table(species, recipe.binder, wavelengths_nm, films, work)});
+            const auto same = std::find_if(known.begin(), known.end(), [&](const Known& k) {
+                return k.species->body == species.body;
+            });
+            paint::FlakeTable table =
+                same != known.end()
+                    ? medium.layers[same->layer].flakes[same->flake].table
+                    : make_table(species, recipe.binder, wavelengths_nm, films, work);
+            if (same == known.end()) {
+                known.push_back({&species, medium.layers.size() - 1, out.flakes.size()});
+            }
+            out.flakes.push_back(
+                {species.area_density_per_um(), species.surface_alpha(), std::move(table)});
         }
         for (const paint::Pigment& pigment : layer.pigments) {
             out.pigments.push_back(make_pigment(pigment, recipe.binder, wavelengths_nm));

@@ -121,11 +121,13 @@ const Table& inverse_lobe_fraction() {
 
 }  // namespace
 
-DiffractionLobe::DiffractionLobe(double alpha, double ior, double coat_roughness) {
+DiffractionLobe::DiffractionLobe(double alpha, double ior, double coat_roughness, double waviness) {
     require_in_range(alpha, 1e-3, 1, "roughness alpha of the flakes");
     require_in_range(ior, 1, 3, "refractive index of the binder");
     require_in_range(coat_roughness, 0, 1, "roughness of the clearcoat");
+    require_in_range(waviness, 0, 2 * alpha * (1 + 1e-9), "waviness of the flakes");
     coat_ = CoatTilt(coat_roughness, ior);
+    waviness2_ = static_cast<float>(waviness * waviness);
     inverse_alpha2_ = static_cast<float>(1 / (alpha * alpha));
     norm_ = std::numbers::inv_pi_v<float> * inverse_alpha2_;
     inverse_alpha_ = static_cast<float>(1 / alpha);

@@ -35,13 +35,18 @@ namespace nacre::sparkle {
 ///
 /// A rough clearcoat convolves lobes with the Gaussian of CoatTilt. The square of that Gaussian has
 /// the integral of the square of a K of radius sqrt(18/5) a; radii add in squares.
+///
+/// So does the waviness of the flakes' own surfaces, whose slopes about the flake's plane have the
+/// law exp(-p^2 / v^2) / (pi v^2): geometrical optics, each piece of a flake a mirror of its own. The
+/// mean over all flakes is then the law of the surfaces' slopes, of alpha^2 + v^2.
 class DiffractionLobe {
  public:
     /// @param alpha           Beckmann roughness of the flakes
     /// @param ior             of the binder
     /// @param coat_roughness  that of the clearcoat
+    /// @param waviness        alpha of the slopes of a flake's surface about its plane
     /// @throws DomainError naming the argument, its value and its range
-    DiffractionLobe(double alpha, double ior, double coat_roughness = 0);
+    DiffractionLobe(double alpha, double ior, double coat_roughness = 0, double waviness = 0);
 
     /// The radius in slopes at perpendicular incidence on a flake of this diameter.
     template <class V>
@@ -56,8 +61,16 @@ class DiffractionLobe {
         const float sec = std::sqrt(sec2);
         return sec * std::sqrt(sec) / std::max(cosine, kMinCosine);
     }
-    /// The square of the radius that a rough coat adds.
-    /// @param spread2  of coat()
+    /// That by the coat and by the flakes' own waviness.
+    /// @param of_coat  spread2 of coat()
+    template <class V>
+    V spread2(V of_coat) const {
+        return of_coat + waviness2_;
+    }
+    /// Whether anything but diffraction spreads the light of a flake.
+    bool spreads() const { return coat_.rough() || waviness2_ > 0; }
+    /// The square of the radius that a rough coat and waviness add.
+    /// @param spread2  of both
     static constexpr float coat_radius2(float spread2) { return 18.0f / 5 * spread2; }
     /// How the clearcoat tilts half vectors.
     const CoatTilt& coat() const { return coat_; }
@@ -133,7 +146,7 @@ class DiffractionLobe {
     /// At grazing incidence, which a clearcoat rules out, the lobe stops growing.
     static constexpr float kMinCosine = 0.1f;
 
-    float inverse_alpha_, inverse_alpha2_, norm_, max_radius_, radius_um_;
+    float inverse_alpha_, inverse_alpha2_, norm_, max_radius_, radius_um_, waviness2_;
     CoatTilt coat_;
 };
 

@@ -6,7 +6,6 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/quadrature.h"
-#include "nacre/sparkle/flake_sizes.h"
 
 namespace nacre::sparkle {
 namespace {
@@ -74,28 +73,6 @@ TEST(DiffractionLobe, OfLargeFlakesIsNarrow) {
     EXPECT_NEAR(2 * 1.5 * lobe.radius(20.0f), 0.92 * 1.26 * 0.55 / 20, 1e-5);
     EXPECT_THROW(DiffractionLobe(0, 1.5), DomainError);
     EXPECT_THROW(DiffractionLobe(0.1, 0.9), DomainError);
-}
-
-TEST(FlakeSizes, AreThoseOfACutNormalDistribution) {
-    const FlakeSizes alike(20, 0), spread(20, 4);
-    EXPECT_FLOAT_EQ(alike.diameter_um(123), 20);
-    EXPECT_NEAR(alike.mean_area_um2(), std::numbers::pi * 100, 1e-3);
-    double sum = 0, squares = 0;
-    for (int i = 0; i < FlakeSizes::kSizes; ++i) {
-        const double d = spread.diameter_um(i);
-        sum += d / FlakeSizes::kSizes;
-        squares += d * d / FlakeSizes::kSizes;
-    }
-    // A normal distribution cut off at 3 deviations has 0.98658 times the deviation (variance
-    // 1 - 6 phi(3)/(1 - 2 Phi(-3)) = 0.97333); of each fraction only the middle counts.
-    EXPECT_NEAR(sum, 20, 1e-3);
-    EXPECT_NEAR(std::sqrt(squares - sum * sum), 4 * 0.98658, 0.02);
-    EXPECT_NEAR(spread.mean_area_um2(), std::numbers::pi / 4 * squares, 1e-3);
-    EXPECT_NEAR(spread.largest_um(), 20 + 4 * 2.716, 0.01);  // Phi(2.716) = 1 - (0.5/256 + Phi(-3))
-    EXPECT_GT(FlakeSizes(20, 10).smallest_um(), 5);
-    EXPECT_LT(FlakeSizes(20, 10).smallest_um(), 5.5);
-    EXPECT_THROW(FlakeSizes(0, 0), DomainError);
-    EXPECT_THROW(FlakeSizes(20, 21), DomainError);
 }
 
 }  // namespace

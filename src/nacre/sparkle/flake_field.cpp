@@ -12,8 +12,9 @@ namespace nacre::sparkle {
 
 FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     : population_(population),
-      sizes_(population.diameter_um, population.diameter_spread_um),
-      lobe_(population.alpha, population.ior, population.coat_roughness) {
+      sizes_(population.sizes.value_or(
+          paint::FlakeSizes(population.diameter_um, population.diameter_spread_um))),
+      lobe_(population.alpha, population.ior, population.coat_roughness, population.waviness) {
     require_in_range(population.density_per_mm2, 1e-9, 1e15, "flakes per mm^2");
     const double density = population.density_per_mm2;
     double all = 0;
@@ -39,9 +40,9 @@ FlakeField::FlakeField(const FlakePopulation& population, std::uint64_t seed)
     typical_radius_ = lobe_.radius(static_cast<float>(population.diameter_um)) / alpha_;
     constexpr float kWidest = 0.32f;
     max_widening_ = std::max(
-        1.0f,
-        kWidest / std::hypot(typical_radius_,
-                             std::sqrt(lobe_.coat_radius2(lobe_.coat().spread2(1, 1))) / alpha_));
+        1.0f, kWidest / std::hypot(typical_radius_, std::sqrt(lobe_.coat_radius2(lobe_.spread2(
+                                                        lobe_.coat().spread2(1, 1)))) /
+                                                        alpha_));
     // A point resolves its flakes, unless too many lie over each other.
     constexpr float kFewestCells = 6, kMaxCells = 12;
     const float across = 1 + 2 * largest_radius_mm_ / static_cast<float>(levels_[0].cell_mm);
@@ -59,7 +60,7 @@ double FlakeField::exact_side_mm() const {
 
 float FlakeField::lobe_area(float cosine) const {
     const float radius = typical_radius_ * alpha_ * lobe_.widening(1, cosine);
-    const float coat = lobe_.coat_radius2(lobe_.coat().spread2(cosine, cosine));
+    const float coat = lobe_.coat_radius2(lobe_.spread2(lobe_.coat().spread2(cosine, cosine)));
     return 5 * std::numbers::pi_v<float> / 9 * (radius * radius + coat);  // Int K^2 = 9/(5 pi w^2)
 }
 

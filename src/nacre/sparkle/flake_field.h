@@ -2,9 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
+#include "nacre/paint/flake_sizes.h"
 #include "nacre/sparkle/flake_plane.h"
-#include "nacre/sparkle/flake_sizes.h"
 #include "nacre/sparkle/flake_view.h"
 #include "nacre/sparkle/footprint.h"
 #include "nacre/sparkle/patch_outline.h"
@@ -15,10 +16,12 @@ namespace nacre::sparkle {
 struct FlakePopulation {
     double density_per_mm2 = 0;     ///< flakes per area of the surface: rho H = c H / mean area
     double diameter_um = 20;        ///< mean
-    double diameter_spread_um = 0;  ///< standard deviation (flake_sizes.h)
+    double diameter_spread_um = 0;  ///< standard deviation (paint/flake_sizes.h)
     double alpha = 0.1;             ///< Beckmann roughness: slopes of variance alpha^2 / 2
     double ior = 1.5;               ///< of the binder, for diffraction
     double coat_roughness = 0;      ///< Beckmann alpha of the clearcoat
+    double waviness = 0;            ///< alpha of the slopes of a flake's surface about its plane
+    std::optional<paint::FlakeSizes> sizes = {};  ///< in place of both; diameter_um is typical then
 };
 
 /// The flakes of one population on a shape: any number, none of them stored, and always the same.
@@ -84,7 +87,7 @@ class FlakeField {
 
     const FlakePopulation& population() const { return population_; }
     const DiffractionLobe& lobe() const { return lobe_; }
-    const FlakeSizes& sizes() const { return sizes_; }
+    const paint::FlakeSizes& sizes() const { return sizes_; }
 
  private:
     static constexpr int kLevels = Constants::kLevels, kSideBits = Constants::kSideBits;
@@ -126,7 +129,7 @@ class FlakeField {
     static constexpr int kMaxFlakesPerCell = Constants::kMaxFlakesPerCell;
 
     FlakePopulation population_;
-    FlakeSizes sizes_;
+    paint::FlakeSizes sizes_;
     DiffractionLobe lobe_;
     std::array<Level, kLevels> levels_;
     // By level; 0 in the lanes beyond the last.

@@ -250,6 +250,47 @@ TEST(FlakeField, KeepsTheMeanWhateverTheSizesAndTheLobe) {
     }
 }
 
+// By Campbell's formula for points, discs all alike and lobes that are Gaussian:
+// Int P G^2 / (P * G)^2 over rho times their area, G of alpha v and P of alpha a, at the slope 0
+// (a^2 + v^2)^2 / (2 v^2 (a^2 + v^2 / 2)).
+TEST(FlakeField, WavinessWidensTheLobesAndKeepsTheMean) {
+    double before = 1e9;
+    for (const double v : {0.02, 0.05, 0.1, 0.2}) {
+        FlakePopulation population{
+            .density_per_mm2 = 1000, .diameter_um = 40, .alpha = 0.1, .waviness = v};
+        const FlakeField field(population, 9);
+        const Moments m = moments(60000, [&](int i) {
+            return relative_radiance(field, square(0.16 * (i % 250), 0.16 * (i / 250.0), 0), {0, 0},
+                                     0.8f);
+        });
+        EXPECT_NEAR(m.mean, 1, 4 * m.mean_error + 2 * DiffractionLobe::kBlurError) << v;
+        const double a2 = 0.01, v2 = v * v, cover = 1000 * std::numbers::pi / 4 * 0.04 * 0.04;
+        const double expected = (a2 + v2) * (a2 + v2) / (2 * v2 * (a2 + v2 / 2)) / cover;
+        EXPECT_NEAR(std::sqrt(m.variance / expected), 1, v > 0.1 ? 0.15 : 0.08) << v;
+        EXPECT_LT(m.variance, before);
+        before = m.variance;
+    }
+    // Away from the flakes' mean, where the surfaces' slopes are more than the planes'.
+    const FlakeField field({.density_per_mm2 = 1000, .diameter_um = 40, .waviness = 0.08}, 9);
+    const Moments m = moments(60000, [&](int i) {
+        return relative_radiance(field, square(0.16 * (i % 250), 0.16 * (i / 250.0), 0),
+                                 {0.15f, 0.1f}, 0.8f);
+    });
+    EXPECT_NEAR(m.mean, 1, 4 * m.mean_error + 2 * DiffractionLobe::kBlurError);
+}
+
+// The limit of flat flakes, to the bit.
+TEST(FlakeField, WithoutWavinessIsFlat) {
+    FlakePopulation flat = kSilver, sized = kSilver;
+    sized.waviness = 0;
+    sized.sizes = paint::FlakeSizes(kSilver.diameter_um, kSilver.diameter_spread_um);
+    const FlakeField a(flat, 3), b(sized, 3);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_EQ(relative_radiance(a, square(0.1 * i, 0, 0.05), {0.02f, 0}, 0.9f),
+                  relative_radiance(b, square(0.1 * i, 0, 0.05), {0.02f, 0}, 0.9f));
+    }
+}
+
 TEST(FlakeField, FootprintsAddUp) {
     const FlakeField field(kSilver, 1);
     const double side = side_of(1, kSilver);

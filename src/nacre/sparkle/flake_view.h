@@ -55,24 +55,25 @@ struct FlakeView {
     /// @param lobe      of the population
     /// @param slope     (h_x / h_z, h_y / h_z)
     /// @param cosine    w_i . h
-    /// @param spread2   CoatTilt::spread2() of the two directions
+    /// @param coat_spread2  CoatTilt::spread2() of the two directions
     template <class Visit>
     float for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine, Visit&& visit,
-                          float spread2 = 0) const;
+                          float coat_spread2 = 0) const;
 
     /// What for_each_answer() passes for one flake; 0 if it does not reflect.
     float fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake,
-                   float spread2 = 0) const;
+                   float coat_spread2 = 0) const;
 
     /// Factor on the flakes that reflect: the lobes' fraction of the light, and so that the variance is
     /// that of all flakes. The integral of K^2 P / (P * K)^2 goes with
     /// w^-2 (1 - (p^2/alpha^2 - 1) w^2/alpha^2 / 3 + ...); widening keeps its leading term, and this
     /// the next.
-    /// @param scale  DiffractionLobe::widening() of the half vector
+    /// @param scale    DiffractionLobe::widening() of the half vector
+    /// @param spread2  DiffractionLobe::spread2()
     float answer_factor(const DiffractionLobe& lobe, float slope2, float scale,
                         float spread2) const {
         const float exponent = lobe.exponent(slope2), radius = typical_radius * scale;
-        // The coat spreads slopes and rings alike.
+        // The coat, and waviness, spread slopes and rings alike.
         const float relative = lobe.exponent(spread2), narrower = 1 / (1 + relative);
         const float lobes =
             DiffractionLobe::lobe_fraction(exponent * narrower, radius * std::sqrt(narrower),
@@ -87,9 +88,9 @@ struct FlakeView {
     }
     /// What for_each_answer() returns.
     float background_at(const DiffractionLobe& lobe, float slope2, float cosine,
-                        float spread2) const {
-        return 1 - (1 - background) *
-                       answer_factor(lobe, slope2, lobe.widening(1 + slope2, cosine), spread2);
+                        float coat_spread2) const {
+        return 1 - (1 - background) * answer_factor(lobe, slope2, lobe.widening(1 + slope2, cosine),
+                                                    lobe.spread2(coat_spread2));
     }
 
     /// Slopes of half vectors near those of eight flakes, one each, with their densities. The lobes
@@ -121,8 +122,9 @@ struct FlakeView {
         const FloatLanes sec2 = 1.0f + x * x + y * y;
         const FloatLanes facing = wi.x * x + wi.y * y + wi.z;
         const FloatLanes cosine = (facing < 0.0f ? -facing : facing) / sqrt_lanes(sec2);
-        if (!lobe.coat().rough()) return lobe.radius_at(factor * radius, sec2, cosine);
-        const FloatLanes spread2 = lobe.coat().spread2(wi.z, 2.0f * facing / sec2 - wi.z);
+        if (!lobe.spreads()) return lobe.radius_at(factor * radius, sec2, cosine);
+        const FloatLanes spread2 =
+            lobe.spread2(lobe.coat().spread2(wi.z, 2.0f * facing / sec2 - wi.z));
         const float wider = factor * widening;
         return lobe.radius_at(factor * radius, sec2, cosine,
                               spread2 * (wider * wider * DiffractionLobe::coat_radius2(1)));
@@ -139,7 +141,8 @@ inline constexpr float kSampledWidening = 1.1f;
 
 template <class Visit>
 float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float cosine,
-                                 Visit&& visit, float spread2) const {
+                                 Visit&& visit, float coat_spread2) const {
+    const float spread2 = lobe.spread2(coat_spread2);
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     const float scale = lobe.widening(1 + slope2, cosine);
     const float factor = answer_factor(lobe, slope2, scale, spread2);
@@ -163,7 +166,8 @@ float FlakeView::for_each_answer(const DiffractionLobe& lobe, Vec2f slope, float
 }
 
 inline float FlakeView::fraction(const DiffractionLobe& lobe, Vec2f slope, float cosine, int flake,
-                                 float spread2) const {
+                                 float coat_spread2) const {
+    const float spread2 = lobe.spread2(coat_spread2);
     const float slope2 = slope.x * slope.x + slope.y * slope.y;
     if (!lobe.reaches(slope2)) return 0;
     const float scale = lobe.widening(1 + slope2, cosine);

@@ -78,6 +78,9 @@ inline paint::Recipe full_recipe() {
     FlakeSpecies mirror;
     mirror.amount = AreaDensity{0.1};
     mirror.body = PrescribedFlake{0.6, 0.2, 0.3};
+    mirror.orientation.alpha_bottom = 0.15;
+    mirror.edge_um = 0.05;
+    mirror.waviness = 0.05;
     const PigmentParticles white{
         PigmentVolume{0.1}, {optics::Material(2.7), 250, 0.2, optics::DiameterWeighting::volume}};
     const PigmentParticles black{PigmentMass{0.2, 1.8},

@@ -10,23 +10,11 @@
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/paint/beckmann.h"
+#include "nacre/paint/expansion.h"
 #include "nacre/solver/directions.h"
-#include "nacre/sparkle/flake_sizes.h"
 
 namespace nacre::bsdf {
 namespace {
-
-// The mean of d weighted by the area of the flakes: Int O dz of a flake goes with area times d.
-float mean_diameter_um(const paint::FlakeSpecies& species) {
-    const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
-    double square = 0, cube = 0;
-    for (int i = 0; i < sparkle::FlakeSizes::kSizes; ++i) {
-        const double d = sizes.diameter_um(i);
-        square += d * d;
-        cube += d * d * d;
-    }
-    return static_cast<float>(cube / square);
-}
 
 // A function of the binder's index and the block, at all wavelengths of a row.
 template <class F>
@@ -55,6 +43,7 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
     : wavelength_count_(paint.medium.wavelength_count()),
       extinction_(extinction_by_direction(paint.medium)) {
     const solver::PaintMedium& medium = paint.medium;
+    const paint::Recipe recipe = paint::expanded(paint.recipe);
     float top_um = 0;
     for (std::size_t l = 0; l < medium.layers.size(); ++l) {
         top_um_.push_back(top_um);
@@ -64,7 +53,9 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
             const solver::FlakeMedium& flake = medium.layers[l].flakes[f];
             Species& species = species_.emplace_back();
             species.layer = l;
-            species.diameter_um = mean_diameter_um(paint.recipe.layers[l].flakes[f]);
+            // Int O dz of a flake goes with area times d.
+            species.diameter_um =
+                static_cast<float>(recipe.layers[l].flakes[f].sizes().area_weighted_mean_um());
             species.coupling.resize(static_cast<std::size_t>(kDirectionIntervals + 1) *
                                     wavelength_count_);
             parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {

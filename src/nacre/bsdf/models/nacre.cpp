@@ -10,7 +10,7 @@
 #include "nacre/bsdf/models/hot_spot_brdf.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/core/random.h"
-#include "nacre/sparkle/flake_sizes.h"
+#include "nacre/paint/expansion.h"
 
 namespace nacre::bsdf {
 namespace {
@@ -21,12 +21,13 @@ sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
     sparkle::FlakePopulation out;
     out.diameter_um = species.diameter_um;
     out.diameter_spread_um = species.diameter_spread_um;
+    out.sizes = species.part;
     out.alpha = species.orientation.beckmann_alpha;
+    out.waviness = species.waviness;
     out.ior = ior;
     out.coat_roughness = coat_roughness;
     constexpr double kSquareUmPerMm2 = 1e6;
-    const double area_um2 =
-        sparkle::FlakeSizes(species.diameter_um, species.diameter_spread_um).mean_area_um2();
+    const double area_um2 = species.sizes().mean_area_um2();
     out.density_per_mm2 =
         species.area_density_per_um() * layer.thickness_um / area_um2 * kSquareUmPerMm2;
     return out;
@@ -68,11 +69,12 @@ std::vector<double> returned_light(const Microflake::Tables& tables) {
 Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
                       SharedProgress& work)
     : smooth(std::make_shared<Microflake::Tables>(paint)) {
-    const paint::Recipe& recipe = paint->recipe;
+    const paint::Recipe recipe = paint::expanded(paint->recipe);
     const std::vector<double> returned = returned_light(*smooth);
     const double coat_roughness = smooth->rough ? paint->medium.roughness : 0;
     double all = 0;
     for (const double r : returned) all += r;
+    std::vector<const paint::FlakeSpecies*> known;  // of one kind, which share their films
     for (std::size_t l = 0; l < recipe.layers.size(); ++l) {
         first_species.push_back(species.size());
         for (std::size_t f = 0; f < recipe.layers[l].flakes.size(); ++f) {
@@ -80,9 +82,17 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
             std::optional<FlakeFilms> films;
             if (const auto* platelet = std::get_if<optics::Platelet>(&flake.body);
                 platelet && FlakeFilms::vary(*platelet)) {
-                films.emplace(*platelet, recipe.binder, paint->wavelengths_nm(),
-                              min_half_cosine(smooth->mean_ior), &work);
+                const auto same = std::find_if(known.begin(), known.end(), [&](const auto* other) {
+                    return other->body == flake.body;
+                });
+                if (same != known.end()) {
+                    films = species[static_cast<std::size_t>(same - known.begin())].films;
+                } else {
+                    films.emplace(*platelet, recipe.binder, paint->wavelengths_nm(),
+                                  min_half_cosine(smooth->mean_ior), &work);
+                }
             }
+            known.push_back(&flake);
             const float fraction = static_cast<float>(returned[species.size()] / all);
             species.push_back({sparkle::FlakeField(population_of(flake, recipe.layers[l],
                                                                  smooth->mean_ior, coat_roughness),

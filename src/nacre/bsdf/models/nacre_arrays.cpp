@@ -1,5 +1,7 @@
 #include "nacre/bsdf/models/nacre_arrays.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -109,7 +111,7 @@ NacreArrays::Species species_arrays(const NacreSpecies& species, std::size_t wav
     out.alpha = field.population().alpha;
     out.radius_um = field.lobe().radius(1.0);
     const float* sizes = field.sizes().diameters_um();
-    out.diameter_um.assign(sizes, sizes + sparkle::FlakeSizes::kSizes);
+    out.diameter_um.assign(sizes, sizes + paint::FlakeSizes::kSizes);
     if (species.films) {
         const FlakeFilms& films = *species.films;
         out.film_sets = static_cast<int>(films.sets());
@@ -132,6 +134,15 @@ NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
 
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress) {
+    for (const paint::Layer& layer : paint->recipe.layers) {
+        for (const paint::FlakeSpecies& species : layer.flakes) {
+            if (species.waviness == 0) continue;
+            throw DomainError(fmt::format(
+                "waviness = {}: programs that evaluate the model nacre by its arrays know flat "
+                "flakes only; take the model microflake, or waviness = 0",
+                species.waviness));
+        }
+    }
     const Nacre surface(paint, settings, progress);
     const Nacre::Tables& tables = surface.tables();
     NacreArrays out = arrays_of(*tables.smooth);

@@ -82,8 +82,8 @@ struct NacreArrays {
     std::vector<Species> species;  ///< of `nacre`: those of all layers, one after the other
 };
 
-/// @throws Error, DomainError, Stopped as Nacre's constructor
-/// @throws DomainError if the recipe has an orange_peel, which they do not hold
+/// @throws Error, DomainError, Stopped as Nacre's constructor; DomainError if flakes are wavy or the
+///         recipe has an orange_peel, which the arrays do not hold
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
 /// Without hot spot and species. @throws Error as Microflake's constructor; DomainError as above

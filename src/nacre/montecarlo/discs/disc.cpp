@@ -9,19 +9,20 @@
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
 #include "nacre/montecarlo/events.h"
-#include "nacre/sparkle/flake_sizes.h"
+#include "nacre/paint/expansion.h"
 
 namespace nacre::montecarlo {
 namespace {
 
 double discs_per_um2(const paint::FlakeSpecies& species, double thickness_um) {
-    const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
+    const paint::FlakeSizes sizes = species.sizes();
     return species.area_density_per_um() * thickness_um / sizes.mean_area_um2();
 }
 
-/// Calls visit(layer, species, z_top_um) for all species from the top down.
+/// Calls visit(layer, species, z_top_um) for all species of the expanded paint from the top down.
 template <class Visit>
-void for_each_species(const paint::Recipe& recipe, Visit&& visit) {
+void for_each_species(const paint::Recipe& written, Visit&& visit) {
+    const paint::Recipe recipe = paint::expanded(written);
     double z = recipe.clearcoat ? -recipe.clearcoat->thickness_um : 0;
     for (const paint::Layer& layer : recipe.layers) {
         for (const paint::FlakeSpecies& species : layer.flakes) visit(layer, species, z);
@@ -53,14 +54,14 @@ double expected_discs(const paint::Recipe& recipe, const Tile& tile) {
 double expected_copies(const paint::Recipe& recipe, const Tile& tile) {
     double sum = 0;
     for_each_species(recipe, [&](const auto& layer, const auto& species, double) {
-        const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
+        const paint::FlakeSizes sizes = species.sizes();
         double copies = 0;  // of one flake: those with their centre within its radius of the tile
-        for (std::uint32_t i = 0; i < sparkle::FlakeSizes::kSizes; ++i) {
+        for (std::uint32_t i = 0; i < paint::FlakeSizes::kSizes; ++i) {
             const double d = sizes.diameter_um(i);
             copies += (1 + d / tile.width_um) * (1 + d / tile.height_um);
         }
         sum += discs_per_um2(species, layer.thickness_um) * tile.width_um * tile.height_um *
-               (copies / sparkle::FlakeSizes::kSizes);
+               (copies / paint::FlakeSizes::kSizes);
     });
     return sum;
 }
@@ -96,7 +97,7 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
     const double paint_um = recipe.thickness_um();
     std::uint16_t index = 0;
     for_each_species(recipe, [&](const auto& layer, const auto& species, double z_top_um) {
-        const sparkle::FlakeSizes sizes(species.diameter_um, species.diameter_spread_um);
+        const paint::FlakeSizes sizes = species.sizes();
         Rng count_rng(seed, index);
         const double mean =
             discs_per_um2(species, layer.thickness_um) * tile.width_um * tile.height_um;
@@ -114,7 +115,7 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
             disc.normal = {static_cast<float>(-slope * c * upright),
                            static_cast<float>(-slope * s * upright), static_cast<float>(upright)};
             disc.radius_um = 0.5f * sizes.diameter_um(static_cast<std::uint32_t>(
-                                        sparkle::FlakeSizes::kSizes * random.uniform()));
+                                        paint::FlakeSizes::kSizes * random.uniform()));
             disc.centre_um = {
                 static_cast<float>(x), static_cast<float>(y),
                 static_cast<float>(kept_inside(z, disc.radius_um * slope * upright, paint_um))};

@@ -84,7 +84,8 @@ void require_discs(const paint::Recipe& recipe, const Tile& tile);
 
 /// Draws the flakes of a recipe: of each species a Poisson number, centres uniform over the tile
 /// and the thickness of their layer, Gaussian slopes of variance alpha^2 / 2 per component,
-/// diameters by sparkle::FlakeSizes; rho is c over the mean area.
+/// diameters by paint::FlakeSizes; rho is c over the mean area. Species are those of
+/// paint::expanded().
 ///
 /// Flakes may intersect each other, as in the equation of transfer, and reach into neighbouring
 /// layers, but not out of the paint: a flake that would cross the interface or the substrate is

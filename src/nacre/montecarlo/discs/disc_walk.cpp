@@ -16,6 +16,7 @@
 #include "nacre/montecarlo/events.h"
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/optics/thickness_rule.h"
+#include "nacre/paint/expansion.h"
 
 namespace nacre::montecarlo {
 namespace {
@@ -85,7 +86,8 @@ optics::FilmPopulation exactly(const optics::FilmPopulation& film, double thickn
 }
 
 std::vector<optics::Platelet> draw(const optics::Platelet& platelet, int count, Rng& rng) {
-    std::vector<optics::Platelet> drawn(count);
+    std::vector<optics::Platelet> drawn(count, platelet);
+    for (optics::Platelet& flake : drawn) flake.coats.clear();
     const auto core = stratified(platelet.core, count, rng);
     for (int i = 0; i < count; ++i) drawn[i].core = exactly(platelet.core, core[i]);
     for (const auto& coat : platelet.coats) {
@@ -221,7 +223,8 @@ void DiscWalker::fly() {
 void DiscWalker::collide_with_disc(std::uint32_t number) {
     const Disc& disc = paint_.discs[number];
     leaving_ = number;
-    const Vec3d normal = normalize(Vec3d{disc.normal.x, disc.normal.y, disc.normal.z});
+    const Vec3d plane = normalize(Vec3d{disc.normal.x, disc.normal.y, disc.normal.z});
+    const Vec3d normal = surface_normal(plane, paint_.waviness[disc.species]);
     const double projection = dot(state_.travel, normal);
     const auto optics =
         paint_.films[disc.species].at(disc.film, std::abs(projection), paint_.places);
@@ -231,6 +234,29 @@ void DiscWalker::collide_with_disc(std::uint32_t number) {
     if (event == FlakeEvent::reflected && paint_.diffraction)
         state_.travel = spread(state_.travel, normal, 2.0 * disc.radius_um);
     roulette();
+}
+
+/// The normal of the piece of a wavy disc that light meets: slopes have Beckmann's law about the
+/// plane, and count by their area across the light. Pieces that would mirror the light through the
+/// disc are drawn anew: it would meet the disc's surface again.
+Vec3d DiscWalker::surface_normal(const Vec3d& plane, double waviness) {
+    if (waviness == 0) return plane;
+    const Vec3d across = perpendicular(plane), along = cross(plane, across);
+    const double facing = dot(state_.travel, plane);
+    constexpr double kSteepest = 4;  // in waviness: 1e-7 are steeper
+    const double bound = std::sqrt(1 + kSteepest * kSteepest * waviness * waviness);
+    constexpr int kTrials = 256;
+    for (int i = 0; i < kTrials; ++i) {
+        const auto [radius, c, s] = random_.slope();
+        if (radius > kSteepest) continue;
+        const Vec3d piece = plane + (waviness * radius) * (c * across + s * along);
+        const double projection = dot(state_.travel, piece);
+        if (random_.uniform() * bound >= std::abs(projection)) continue;
+        const Vec3d normal = normalize(piece);
+        const double back = facing - 2 * dot(state_.travel, normal) * dot(normal, plane);
+        if (back * facing < 0) return normal;
+    }
+    return plane;  // at grazing incidence
 }
 
 /// The specular direction, spread by diffraction. Directions beyond the disc's horizon are drawn
@@ -368,7 +394,9 @@ struct DiscWalkTables {
     std::vector<DiscFilms> films;
     DiscScene scene;
     bool diffraction;
+    std::vector<double> waviness;
 
+    /// @param recipe  expanded
     DiscWalkTables(const paint::Recipe& recipe, const Tile& tile,
                    const ExplicitFlakesModel& settings, const std::vector<double>& grid_nm,
                    SharedProgress& work)
@@ -376,7 +404,13 @@ struct DiscWalkTables {
           wavelengths_nm(grid_nm),
           films(make_films(recipe, grid_nm, settings.specimen, work)),
           scene(draw_discs(recipe, tile, counts(films), settings.specimen, &work), tile, &work),
-          diffraction(settings.diffraction) {}
+          diffraction(settings.diffraction) {
+        for (const paint::Layer& layer : recipe.layers) {
+            for (const paint::FlakeSpecies& species : layer.flakes) {
+                waviness.push_back(species.waviness);
+            }
+        }
+    }
 };
 
 namespace {
@@ -387,13 +421,13 @@ class BoundDiscWalk final : public BoundWalk {
                   const bsdf::Wavelengths& wavelengths_nm)
         : BoundWalk(tables->medium, wavelengths_nm),
           tables_(std::move(tables)),
-          paint_{
-              tables_->scene,
-              tables_->films,
-              medium(),
-              bsdf::locate_wavelengths(tables_->wavelengths_nm, wavelengths_nm),
-              tables_->diffraction,
-              1e-3 * std::accumulate(wavelengths_nm.begin(), wavelengths_nm.end(), 0.0) / kLanes} {
+          paint_{tables_->scene,
+                 tables_->films,
+                 medium(),
+                 bsdf::locate_wavelengths(tables_->wavelengths_nm, wavelengths_nm),
+                 tables_->diffraction,
+                 1e-3 * std::accumulate(wavelengths_nm.begin(), wavelengths_nm.end(), 0.0) / kLanes,
+                 tables_->waviness} {
         estimate_typical_weight();
     }
 
@@ -431,7 +465,8 @@ DiscWalk::DiscWalk(const paint::Recipe& recipe, const ExplicitFlakesModel& setti
     require_discs(recipe, tile);
     SharedProgress work(progress, 1);
     work.add(0);
-    tables_ = std::make_shared<const DiscWalkTables>(recipe, tile, settings, wavelengths_nm, work);
+    tables_ = std::make_shared<const DiscWalkTables>(paint::expanded(recipe), tile, settings,
+                                                     wavelengths_nm, work);
 }
 
 DiscWalk::~DiscWalk() = default;

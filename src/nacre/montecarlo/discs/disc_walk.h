@@ -87,7 +87,8 @@ struct DiscPaint {
     const Medium& medium;                 ///< all but the flakes
     WavelengthPlaces places;
     bool diffraction = true;
-    double wavelength_um = 0.55;  ///< mean of the eight, in vacuum
+    double wavelength_um = 0.55;        ///< mean of the eight, in vacuum
+    std::vector<double> waviness = {};  ///< by species, as a recipe's
 };
 
 /// One walk through a paint of discs, in the frame of the tile: x and y within it, z = 0 at the
@@ -105,6 +106,7 @@ class DiscWalker : private Walker {
  private:
     void fly();
     void collide_with_disc(std::uint32_t disc);
+    Vec3d surface_normal(const Vec3d& plane, double waviness);
     Vec3d spread(const Vec3d& specular, const Vec3d& normal, double diameter_um);
     void descend();
     void ascend();

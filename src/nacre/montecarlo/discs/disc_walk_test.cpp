@@ -330,6 +330,44 @@ TEST(DiscWalk, SmallFlakesFollowTheTransferEquation) {
     }
 }
 
+// As above, of flakes with all that they may have besides: the walk in depth has laws of slopes of the
+// surfaces where the discs have planes and pieces of them.
+TEST(DiscWalk, FlakesAsTheyAreFollowTheTransferEquation) {
+    paint::Recipe recipe = fine(test::opaque(0.5, 15, 1, 0.15));
+    paint::FlakeSpecies ragged = recipe.layers[0].flakes[0], wavy = ragged, pearl = ragged;
+    ragged.orientation.law = paint::Orientation::Law::ggx;
+    ragged.orientation.alpha_bottom = 0.2;
+    ragged.edge_um = 0.005;
+    wavy.body = paint::PrescribedFlake{0.6, 0.2, 0.3};
+    wavy.waviness = 0.2;
+    pearl.body = optics::Platelet{{optics::Material(optics::ComplexIndex(0.9, 6)), 40, {}},
+                                  {{optics::Material(2.9), 90, {}}},
+                                  optics::Platelet::CoatedSides::one};
+    recipe.layers[0].flakes = {ragged, wavy, pearl};
+    const Vec3f wi = test::direction(45, 0);
+    const Estimates expected = power_by_direction(PlaneWalk(recipe), wi, 300'000, 1);
+    const Estimates found = power_by_direction(
+        DiscWalk(
+            recipe,
+            {.tile_width_mm = 0.03, .tile_height_mm = 0.03, .specimen = 2, .diffraction = false}),
+        wi, 150'000, 2);
+    for (std::size_t bin = 0; bin < expected.size(); ++bin) {
+        SCOPED_TRACE(bin);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            expect_same_light(found[bin][lane], expected[bin][lane]);
+        }
+    }
+    // Flat flakes in place of wavy ones are another paint.
+    recipe.layers[0].flakes[1].waviness = 0;
+    const Estimates flat = power_by_direction(PlaneWalk(recipe), wi, 300'000, 1);
+    double apart = 0;
+    for (int bin = 0; bin < kDirections; ++bin) {
+        apart = std::max(
+            apart, std::abs(flat[bin][0].value - expected[bin][0].value) / expected[bin][0].value);
+    }
+    EXPECT_GT(apart, 0.05);
+}
+
 TEST(DiscWalk, PigmentsAloneScatterAsInTheReference) {
     paint::Recipe recipe = test::paint_of(1.5, {test::pigment_layer(0.8, 1.0, 0.4)}, 0.3);
     const Vec3f wi = test::direction(30, 0);

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace nacre::paint {
+
+/// Diameters of the flakes of a population, as kSizes equally probable ones.
+class FlakeSizes {
+ public:
+    static constexpr int kSizes = 256;
+
+    /// A normal distribution, cut off at three deviations and at a quarter of its mean and
+    /// renormalised, as the medians of kSizes equally probable parts.
+    /// @param mean_um, spread_um  mean and standard deviation before it is cut
+    /// @throws DomainError unless 0 < mean_um and 0 <= spread_um <= mean_um
+    FlakeSizes(double mean_um, double spread_um);
+    /// @throws DomainError unless all are above 0
+    explicit FlakeSizes(const std::array<double, kSizes>& diameters_um);
+
+    /// @param size  in [0, kSizes)
+    float diameter_um(std::uint32_t size) const { return diameters_um_[size]; }
+    /// All kSizes, for gathering several at once.
+    const float* diameters_um() const { return diameters_um_.data(); }
+    /// Mean of pi/4 d^2, in um^2.
+    double mean_area_um2() const { return mean_area_um2_; }
+    /// Mean of d weighted by the area of the flakes, sum of d^3 over sum of d^2, in um.
+    double area_weighted_mean_um() const;
+    double smallest_um() const { return diameters_um_.front(); }
+    double largest_um() const { return diameters_um_.back(); }
+
+    friend bool operator==(const FlakeSizes&, const FlakeSizes&) = default;
+
+ private:
+    std::array<float, kSizes> diameters_um_;
+    double mean_area_um2_;
+};
+
+/// Diameters as makers state them: a tenth, half and nine tenths of the powder's volume are in
+/// flakes smaller than these.
+///
+/// The logarithm of the diameter has a normal law on either side of the median, so that all three
+/// numbers hold; it is log-normal where d50^2 = d10 d90. The volume is that of spheres of the
+/// flakes' diameters, d^3, as instruments by laser diffraction state it, whatever the shape.
+struct DiameterQuantiles {
+    double d10_um = 0, d50_um = 0, d90_um = 0;
+
+    friend bool operator==(const DiameterQuantiles&, const DiameterQuantiles&) = default;
+};
+
+/// A fraction of the flakes' area, and the diameters of the flakes that have it.
+struct SizePart {
+    double area_fraction = 1;
+    FlakeSizes sizes;
+};
+
+/// The law is cut off here, in its standard deviations by volume: 0.3 % of the volume is left out.
+inline constexpr double kQuantilesCut = 3;
+/// d10, d50 and d90 of the parts together are those of the law within this fraction.
+inline constexpr double kSizePartError = 0.02;
+
+/// The law in parts by size, from the smallest up. By number nearly all flakes are fines that have
+/// hardly any area; in a part that spans a factor of 2.5 or less every size is drawn often enough.
+/// @throws DomainError unless 0 < d10 < d50 < d90
+std::vector<SizePart> size_parts(const DiameterQuantiles& quantiles);
+
+/// The discs that remain where a rim of this width is taken off, by area of all flakes; those that
+/// vanish are left out.
+/// @param rim_um  below half the largest diameter
+SizePart without_rim(const FlakeSizes& sizes, double rim_um);
+
+}  // namespace nacre::paint
