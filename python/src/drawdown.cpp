@@ -1,3 +1,5 @@
+#include "nacre/fit/drawdown.h"
+
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
@@ -8,7 +10,6 @@
 #include "arrays.h"
 #include "bind.h"
 #include "nacre/core/file.h"
-#include "nacre/fit/drawdown.h"
 #include "nacre/io/drawdown_file.h"
 #include "nacre/io/pigment_file.h"
 #include "nacre/nacre.h"

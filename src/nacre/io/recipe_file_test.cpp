@@ -415,7 +415,7 @@ const BadRecipe kBadRecipes[] = {
     {&kViolet, "[substrate]", "[subtrate]", "26:2", "subtrate = {...}",
      "did you mean 'substrate'?"},
     {&kViolet, "anisotropy", "colour", "24:1", "layer[0].pigment[0].colour = 0.2",
-     "allowed here: name, scattering_per_mm, absorption_per_mm, anisotropy"},
+     "allowed here: from, name, scattering_per_mm, absorption_per_mm, anisotropy, volume_fraction"},
     {&kMicrofacet, "cone_deg", "cone", "10:1", "microfacet.facets.cone = 3",
      "did you mean 'cone_deg'?"},
     // missing keys
@@ -510,7 +510,7 @@ const BadRecipe kBadRecipes[] = {
     {&kViolet, "anisotropy = 0.2", "anisotropy = 1", "24:14", "layer[0].pigment[0].anisotropy = 1",
      "(-1, 1)"},
     {&kViolet, "anisotropy = 0.2", "material = \"ZnO\"", "24:12",
-     "layer[0].pigment[0].material = 'ZnO'", "either coefficients or a material"},
+     "layer[0].pigment[0].material = 'ZnO'", "either coefficients, or a material"},
     {&kWhite, "spread = 0.2", "anisotropy = 0.2", "9:14", "layer[0].pigment[0].anisotropy = 0.2",
      "gets its coefficients from its particles"},
     {&kViolet, "anisotropy = 0.2", "diameter_nm = 200", "24:15",
@@ -656,9 +656,10 @@ TEST(RecipeFile, ReadsSpectraFromFiles) {
     const nacre::test::TempFolder folder;
     folder.write("primer.csv", "# grey primer\nwavelength_nm,reflectance\n400,0.2\n700,0.4\n");
     const auto recipe_of = [&](const std::string& ground) {
-        return parse_recipe("ior = 1.5\n[[layer]]\nthickness_um = 20\n[substrate]\nreflectance = \"" +
-                                ground + "\"\n",
-                            "paint.toml", folder.path());
+        return parse_recipe(
+            "ior = 1.5\n[[layer]]\nthickness_um = 20\n[substrate]\nreflectance = \"" + ground +
+                "\"\n",
+            "paint.toml", folder.path());
     };
     EXPECT_EQ(recipe_of("primer.csv").substrate_reflectance,
               spectra::Spectrum({400, 700}, {0.2, 0.4}));
@@ -667,15 +668,17 @@ TEST(RecipeFile, ReadsSpectraFromFiles) {
         return message_of<InputError>([&] { recipe_of("bad.csv"); });
     };
     const std::string head = "wavelength_nm,R\n";
-    EXPECT_THAT(refusal(head + "400,0.2\n500,45\n"),
-                HasSubstr("paint.toml:5:15: substrate.reflectance = \"bad.csv\": bad.csv:3: the value, "
-                          "45, must be a number in [0, 1]"));
-    EXPECT_THAT(refusal(head + "500,0.2\n400,0.2\n"), HasSubstr("bad.csv:3: wavelength_nm must be above"));
+    EXPECT_THAT(
+        refusal(head + "400,0.2\n500,45\n"),
+        HasSubstr("paint.toml:5:15: substrate.reflectance = 'bad.csv': bad.csv:3: the value, "
+                  "45, must be a number in [0, 1]"));
+    EXPECT_THAT(refusal(head + "500,0.2\n400,0.2\n"),
+                HasSubstr("bad.csv:3: wavelength_nm must be above"));
     EXPECT_THAT(refusal(head + "500,0.2,1\n"), HasSubstr("must have two cells"));
     EXPECT_THAT(refusal(head + "secret,0.2\n"), Not(HasSubstr("secret")));
     EXPECT_THAT(refusal("lambda,R\n400,0.2\n"), HasSubstr("wavelength_nm and one of values"));
     EXPECT_THAT(message_of<InputError>([&] { recipe_of("red"); }),
-                HasSubstr("substrate.reflectance = \"red\""));
+                HasSubstr("substrate.reflectance = 'red': must be a number in [0, 1], a table"));
 }
 
 }  // namespace

@@ -442,18 +442,19 @@ spectra::Spectrum read_spectrum_file(const TableReader& table, std::string_view 
     std::vector<double> wavelengths, values;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         if (rows[i].size() != 2) refuse(rows[i], "must have two cells");
-        const auto wavelength = parse_number(rows[i][0].text), value = parse_number(rows[i][1].text);
+        const auto wavelength = parse_number(rows[i][0].text),
+                   value = parse_number(rows[i][1].text);
         if (!wavelength || !paint::limits::kWavelength.contains(*wavelength)) {
-            refuse(rows[i], "wavelength_nm must be a number in " +
-                                paint::limits::kWavelength.text());
+            refuse(rows[i],
+                   "wavelength_nm must be a number in " + paint::limits::kWavelength.text());
         }
         if (!wavelengths.empty() && *wavelength <= wavelengths.back()) {
             refuse(rows[i], "wavelength_nm must be above the one before");
         }
         if (!value || !range.contains(*value)) {
-            refuse(rows[i], fmt::format("the value{} must be a number in {}",
-                                        value ? fmt::format(", {},", *value) : std::string(),
-                                        range.text()));
+            refuse(rows[i],
+                   fmt::format("the value{} must be a number in {}",
+                               value ? fmt::format(", {},", *value) : std::string(), range.text()));
         }
         wavelengths.push_back(*wavelength);
         values.push_back(*value);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace nacre::paint {
@@ -27,7 +28,12 @@ class KeyVisitor : public Visitor {
 
 class KeyList final : public KeyVisitor {
  public:
-    void other(const Field& field) override { keys.emplace_back(field.key); }
+    void other(const Field& field) override {
+        // Alternatives may have keys in common.
+        if (std::find(keys.begin(), keys.end(), field.key) == keys.end()) {
+            keys.emplace_back(field.key);
+        }
+    }
     void kind(const Field& field, const Words&, std::size_t&) override {
         other(field);
         has_kind = true;
@@ -188,7 +194,6 @@ class MarkdownRows final : public KeyVisitor {
 
     void row(const Field& field, const char* type, const std::string& unit,
              const std::string& range, std::string otherwise) {
-        // Alternatives may have keys in common.
         if (!seen_.insert(field.key).second) return;
         if (field.required) otherwise.clear();
         if (field.otherwise) otherwise = field.otherwise;

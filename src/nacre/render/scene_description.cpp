@@ -23,12 +23,13 @@ constexpr Field kType{.key = "type", .required = true};
 
 void describe(Visitor& visit, SceneDescription& scene) {
     visit({.key = "name", .max_size = kMaxNameLength}, scene.name);
-    visit({.key = "specimen",
-           .range = {0, kMaxSpecimen},
-           .meaning = "which panel of the batch is seen: models that show single flakes or waves of "
-                      "a coat show those of this one, whatever the seed; 0: that of `--specimen`",
-           .also = "a whole number"},
-          scene.specimen);
+    visit(
+        {.key = "specimen",
+         .range = {0, kMaxSpecimen},
+         .meaning = "which panel of the batch is seen: models that show single flakes or waves of "
+                    "a coat show those of this one, whatever the seed; 0: that of `--specimen`",
+         .also = "a whole number"},
+        scene.specimen);
     visit.table({.key = "camera", .otherwise = "its defaults"}, paint::Described(scene.camera));
     visit({.key = "materials", .meaning = "by names of your own", .max_size = 1'000},
           scene.materials);
