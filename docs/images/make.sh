@@ -31,6 +31,15 @@ for paint in metallic-silver satin-silver tio2-mica-80 tio2-mica-110 ruby glitte
     done
 done
 
+printf 'corn-flake-silver-dollar.png\n' >&2
+tiles=()
+for paint in aluminium-corn-flake aluminium-silver-dollar; do
+    "$nacre" render macro --paint "paints/effect-pigments/$paint.toml" --model nacre \
+        --size 240x240 --spp 512 --quiet -o "$scratch/$paint.exr"
+    tiles+=("$scratch/$paint.png")
+done
+montage "${tiles[@]}" -tile 2x1 -geometry 240x240+4+4 docs/images/corn-flake-silver-dollar.png
+
 printf 'nacre.png\n' >&2
 tiles=()
 for scene in macro panel-sun sphere; do
