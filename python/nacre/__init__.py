@@ -33,6 +33,7 @@ from ._picture import Image, Picture, read_image, render, scene_names
 from ._pigment import DrawdownFit, Pigment, pigment
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
 from ._threads import set_threads, threads
+from ._uncertainty import UncertainNumber, Uncertainty
 from ._values import Export, FittedMaterial, Parameter, Sample, Solution
 
 del _cpu
@@ -67,6 +68,8 @@ __all__ = [
     "Solution",
     "Sparkle",
     "Stopped",
+    "UncertainNumber",
+    "Uncertainty",
     "__version__",
     "delta_e_2000",
     "direction",

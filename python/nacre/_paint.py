@@ -17,6 +17,7 @@ from ._measurement import Geometries, Measurement, geometry_text
 from ._model import ModelLike, settings_of
 from ._progress import Progress, reporter
 from ._sparkle import Sparkle, sparkle_of
+from ._uncertainty import UncertainNumber, Uncertainty
 from ._values import Export, FittedMaterial, Parameter, Sample, Solution
 
 Path = str | os.PathLike[str]
@@ -374,6 +375,52 @@ class Paint:
                     report,
                 )
             )
+
+    def uncertainty(
+        self,
+        deviations: Mapping[str, float | str] | None = None,
+        geometry: Geometries = None,
+        *,
+        model: ModelLike = None,
+        illuminant: str | None = None,
+        observer: str | int | None = None,
+        wavelengths_nm: ArrayLike | None = None,
+        samples: int = 0,
+        seed: int = 0,
+        progress: Progress = False,
+    ) -> Uncertainty:
+        """How far readings are spread if numbers are known to a standard deviation only
+        (docs/uncertainty.md).
+
+        Parameters
+        ----------
+        deviations
+            Standard deviations by key or the end of a key, in the number's own unit or as
+            ``"5 %"``: besides those of the recipe's table [uncertainty], or in their place.
+        samples, seed
+            So many recipes, 10 to 1e6, are drawn and read; 0: first order.
+
+        Raises
+        ------
+        InputError, DomainError
+            As :meth:`measure`, or if nothing is uncertain, or a key or a deviation is wrong.
+        """
+        with reporter(progress, "uncertainty") as report:
+            found = _nacre.uncertainty(
+                self._paint,
+                geometry_text(geometry),
+                settings_of(model),
+                illuminant,
+                None if observer is None else str(observer),
+                wavelengths(wavelengths_nm),
+                {key: str(value) for key, value in (deviations or {}).items()},
+                samples,
+                seed,
+                report,
+            )
+        found["measurement"] = Measurement(found["measurement"])
+        found["numbers"] = [UncertainNumber(*number) for number in found["numbers"]]
+        return Uncertainty(**found)
 
     def sparkle(
         self,

@@ -121,6 +121,63 @@ std::optional<double> travel(const Readings& readings) {
     return travelled.length;
 }
 
+/// A standard deviation that has none is NaN.
+double number_or_nan(const std::optional<double>& value) {
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+nb::object metric_of(const std::optional<fit::MetricUncertainty>& metric) {
+    if (!metric) return nb::none();
+    return nb::make_tuple(metric->value, metric->best());
+}
+
+nb::list numbers_of(const Uncertainty& uncertainty) {
+    nb::list all;
+    for (const fit::UncertainNumber& number : uncertainty.numbers) {
+        all.append(nb::make_tuple(number.key, number.value, number.standard_deviation,
+                                  number.meets_range));
+    }
+    return all;
+}
+
+nb::dict uncertainty_of(const Uncertainty& uncertainty) {
+    const std::size_t n = uncertainty.readings.size(), k = uncertainty.numbers.size();
+    std::vector<double> lab, covariance, chroma, hue, change, factor;
+    std::vector<std::vector<std::string>> fails;
+    for (const fit::ReadingUncertainty& reading : uncertainty.readings) {
+        const fit::Spread& spread = reading.best();
+        const Vec3d sd = spread.lab();
+        lab.insert(lab.end(), {sd[0], sd[1], sd[2]});
+        for (const Vec3d& row : spread.covariance) {
+            covariance.insert(covariance.end(), {row[0], row[1], row[2]});
+        }
+        chroma.push_back(number_or_nan(spread.chroma));
+        hue.push_back(number_or_nan(spread.hue_deg));
+        for (const Vec3d& by : reading.change) change.insert(change.end(), {by[0], by[1], by[2]});
+        factor.insert(factor.end(), spread.reflectance_factor.begin(),
+                      spread.reflectance_factor.end());
+        std::vector<std::string>& names = fails.emplace_back();
+        for (const fit::Quantity quantity : reading.doubtful()) {
+            names.emplace_back(fit::name_of(quantity));
+        }
+    }
+    const std::size_t width = n > 0 ? factor.size() / n : 0;
+    nb::dict result;
+    result["measurement"] = Readings{uncertainty.measurement};
+    result["numbers"] = numbers_of(uncertainty);
+    result["Lab_sd"] = to_numpy(std::move(lab), Shape{n, 3});
+    result["Lab_covariance"] = to_numpy(std::move(covariance), Shape{n, 3, 3});
+    result["C_sd"] = to_numpy(std::move(chroma));
+    result["h_sd"] = to_numpy(std::move(hue));
+    result["R_sd"] = to_numpy(std::move(factor), Shape{n, width});
+    result["change"] = to_numpy(std::move(change), Shape{n, k, 3});
+    result["first_order_fails"] = fails;
+    result["flop_index"] = metric_of(uncertainty.flop_index);
+    result["colour_travel"] = metric_of(uncertainty.colour_travel);
+    result["samples"] = uncertainty.samples;
+    return result;
+}
+
 }  // namespace
 
 nb::dict difference_of(const measure::Difference& difference) {
@@ -238,6 +295,27 @@ void bind_measurement(nb::module_& module) {
         "paint"_a, "geometry"_a, "model"_a.none(), "illuminant"_a.none(), "observer"_a.none(),
         "aperture_deg"_a.none(), "wavelengths_nm"_a.none(), "walks"_a, "seed"_a,
         "progress"_a.none());
+    module.def(
+        "uncertainty",
+        [](const PaintHandle& handle, const std::string& geometry,
+           const std::optional<Model>& model, const OptionalText& illuminant_name,
+           const OptionalText& observer_name, const OptionalDoubles& wavelengths_nm,
+           const std::map<std::string, std::string>& deviations, int samples, std::uint64_t seed,
+           const nb::object& progress) {
+            const MeasureSettings settings = settings_of(model, illuminant_name, observer_name,
+                                                         std::nullopt, wavelengths_nm, 1 << 18, 0);
+            UncertaintySettings uncertain{.samples = samples, .seed = seed};
+            for (const auto& [key, text] : deviations) {
+                uncertain.deviations.push_back(paint::parse_deviation(key, text));
+            }
+            return uncertainty_of(run(progress, [&](const Progress& ask) {
+                return handle.paint.measure_uncertainty(
+                    geometry.empty() ? std::vector<Geometry>() : geometries(geometry), settings,
+                    uncertain, ask);
+            }));
+        },
+        "paint"_a, "geometry"_a, "model"_a.none(), "illuminant"_a.none(), "observer"_a.none(),
+        "wavelengths_nm"_a.none(), "deviations"_a, "samples"_a, "seed"_a, "progress"_a.none());
     module.def(
         "difference",
         [](const Readings& standard, const Readings& sample,
