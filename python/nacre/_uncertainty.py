@@ -56,7 +56,8 @@ class Uncertainty:
         """(G, N): which part of the variance of L*, a*, b* together each number makes."""
         squares: Array = (self.change**2).sum(axis=2)
         total = squares.sum(axis=1, keepdims=True)
-        return np.divide(squares, total, out=np.zeros_like(squares), where=total > 0)
+        parts: Array = np.divide(squares, total, out=np.zeros_like(squares), where=total > 0)
+        return parts
 
     def _repr_html_(self) -> str:
         rows = [
