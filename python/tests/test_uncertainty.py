@@ -26,7 +26,8 @@ def test_deviations_are_those_of_the_command_line(paints: Path, nacre_program: R
         ).stdout
     )
     columns = [[float(row[f"{c}_sd"]) for c in "Lab"] for row in printed]
-    np.testing.assert_allclose(found.Lab_sd, columns, rtol=1e-12)
+    # Differences of paints carry what compilers round differently (a wheel is built for others).
+    np.testing.assert_allclose(found.Lab_sd, columns, rtol=1e-6)
     assert {n.key for n in found.numbers} >= {KEY}
     assert found.Lab_covariance.shape == (len(printed), 3, 3)
     outer = np.einsum("gni,gnj->gij", found.change, found.change)
