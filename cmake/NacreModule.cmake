@@ -83,3 +83,18 @@ function(nacre_use_embree name)
   target_link_libraries(nacre_${name} PRIVATE embree)
   target_compile_definitions(nacre_${name} PRIVATE NACRE_EMBREE_VERSION=${NACRE_EMBREE_VERSION})
 endfunction()
+
+#   nacre_embed_data(MODULE FILES NAME)   data/FILES as C++: NAME.cpp from NAME.cpp.in, with
+# @NACRE_ENTRIES@ a pair of name and text for each file, so that a library needs none at run time
+function(nacre_embed_data module files name)
+  file(GLOB paths CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/data/${files})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${paths})
+  set(NACRE_ENTRIES "")
+  foreach(path IN LISTS paths)
+    get_filename_component(stem ${path} NAME_WE)
+    file(READ ${path} text)
+    string(APPEND NACRE_ENTRIES "    {\"${stem}\", R\"file(${text})file\"},\n")
+  endforeach()
+  configure_file(${name}.cpp.in ${name}.cpp @ONLY)
+  target_sources(nacre_${module} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+endfunction()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import Run
+from conftest import Run, rows
 
 import nacre
 
@@ -25,9 +25,9 @@ def test_coefficients_are_those_of_the_command_line(tmp_path: Path, nacre_progra
         *("pigment", tmp_path / "d.csv", "--geometry", "45-0", "--noise", "0.001", "--quiet"),
         *("-o", tmp_path / "p.toml", "--table", tmp_path / "t.csv"),
     )
-    rows = np.genfromtxt(tmp_path / "t.csv", delimiter=",", skip_header=1)
-    np.testing.assert_allclose(found.scattering_per_mm, rows[:, 1], rtol=1e-5)
-    np.testing.assert_allclose(found.absorption_per_mm, rows[:, 3], rtol=1e-5)
+    table = np.genfromtxt(tmp_path / "t.csv", delimiter=",", skip_header=1)
+    np.testing.assert_allclose(found.scattering_per_mm, table[:, 1], rtol=1e-5)
+    np.testing.assert_allclose(found.absorption_per_mm, table[:, 3], rtol=1e-5)
     assert (found.scattering_error > 0).all()
     assert [d.ground for d in found.drawdowns] == ["black", "white"]
 
@@ -37,6 +37,41 @@ def test_coefficients_are_those_of_the_command_line(tmp_path: Path, nacre_progra
         '[[layer.pigment]]\nfrom = "mine.toml"\nvolume_fraction = 0.02\n'
     )
     assert "blue" in nacre.Paint(tmp_path / "paint.toml").to_toml()
+
+
+def test_a_drawdown_of_random_walks_gives_what_was_walked(
+    tmp_path: Path, nacre_program: Run
+) -> None:
+    # The readings come from a program that shares nothing with the solver.
+    pigment = (
+        "[[layer.pigment]]\nvolume_fraction = 0.02\nscattering_per_mm = 800\n"
+        "absorption_per_mm = { wavelengths_nm = [450, 650], values = [200, 4000] }\n"
+    )
+    lines, noise = ["ground,thickness_um,volume_fraction,450,650"], 0.0
+    for name, ground in (("black", 0.02), ("white", 0.85)):
+        for thickness_um, layer in ((0, ""), (20, pigment)):
+            recipe = tmp_path / "walked.toml"
+            recipe.write_text(
+                f"ior = 1.5\n[[layer]]\nthickness_um = {max(thickness_um, 1)}\n{layer}"
+                f"[substrate]\nreflectance = {ground}\n"
+            )
+            walked = rows(
+                nacre_program(
+                    *("reference", recipe, "--incident", "45", "--outgoing", "0", "--quiet"),
+                    *("--wavelength", "450,650", "--samples", 1 << 19, "--seed", 5),
+                ).stdout
+            )
+            factors = [np.pi * float(row["brdf"]) for row in walked]
+            noise = max(noise, *(np.pi * float(row["stderr"]) for row in walked))
+            lines.append(f"{name},{thickness_um},0.02," + ",".join(map(str, factors)))
+    (tmp_path / "d.csv").write_text("\n".join(lines) + "\n")
+    found = nacre.pigment(tmp_path / "d.csv", geometry="45-0", noise=noise)
+    for value, error, truth in (
+        (found.scattering_per_mm, found.scattering_error, 800),
+        (found.absorption_per_mm, found.absorption_error, [200, 4000]),
+    ):
+        assert (np.abs(value - truth) < 4 * error).all()
+        assert (error < 0.15 * value).all()
 
 
 def test_what_is_wrong_is_said(tmp_path: Path) -> None:

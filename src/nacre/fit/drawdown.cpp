@@ -188,15 +188,16 @@ class OneWavelength {
         return out;
     }
 
-    std::vector<double> residuals(std::array<double, 2> depth) const {
-        std::vector<double> out = reflectances(depth);
+    /// Reflectances less those measured.
+    std::vector<double> residuals(std::vector<double> reflectances) const {
         for (std::size_t k = 0; k < size(); ++k) {
-            out[k] -= applications_[k].reading->reflectance[index_];
+            reflectances[k] -= applications_[k].reading->reflectance[index_];
         }
-        return out;
+        return reflectances;
     }
 
-    /// d residual / d depth, by differences ahead: good enough for steps, and for standard errors.
+    /// Derivatives of the reflectances, which are `here` at these depths, by differences ahead: good
+    /// enough for steps, and for standard errors.
     std::vector<std::array<double, 2>> jacobian(std::array<double, 2> depth,
                                                 const std::vector<double>& here) const {
         std::vector<std::array<double, 2>> out(size());
@@ -204,7 +205,7 @@ class OneWavelength {
             const double step = 1e-5 + 1e-4 * depth[i];
             std::array<double, 2> ahead = depth;
             ahead[i] += step;
-            const std::vector<double> there = residuals(ahead);
+            const std::vector<double> there = reflectances(ahead);
             for (std::size_t k = 0; k < size(); ++k) out[k][i] = (there[k] - here[k]) / step;
         }
         return out;
@@ -227,11 +228,12 @@ class DrawdownResiduals final : public ceres::CostFunction {
     bool Evaluate(double const* const* parameters, double* residuals,
                   double** jacobians) const override {
         const std::array<double, 2> depth = {parameters[0][0], parameters[0][1]};
-        const std::vector<double> r = readings_.residuals(depth);
+        const std::vector<double> reflectances = readings_.reflectances(depth);
+        const std::vector<double> r = readings_.residuals(reflectances);
         std::copy(r.begin(), r.end(), residuals);
         if (!jacobians || !jacobians[0]) return true;
         double* entry = jacobians[0];
-        for (const std::array<double, 2>& row : readings_.jacobian(depth, r)) {
+        for (const std::array<double, 2>& row : readings_.jacobian(depth, reflectances)) {
             for (const double value : row) *entry++ = value;
         }
         return true;
@@ -306,8 +308,7 @@ FoundDepths found_depths(const OneWavelength& readings, std::array<double, 2> st
 
     found.reflectance = readings.reflectances(found.depth);
     double aa = 0, ab = 0, bb = 0;
-    for (const std::array<double, 2>& row :
-         readings.jacobian(found.depth, readings.residuals(found.depth))) {
+    for (const std::array<double, 2>& row : readings.jacobian(found.depth, found.reflectance)) {
         aa += row[0] * row[0];
         ab += row[0] * row[1];
         bb += row[1] * row[1];
