@@ -28,7 +28,7 @@ from ._fit import FittedParameter, Match, fit
 from ._measurement import Difference, Measurement, geometry_sets
 from ._model import Model, model_names
 from ._nacre import version
-from ._paint import Paint
+from ._paint import Paint, shipped_paints
 from ._picture import Image, Picture, read_image, render, scene_names
 from ._pigment import DrawdownFit, Pigment, pigment
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
@@ -84,6 +84,7 @@ __all__ = [
     "render",
     "scene_names",
     "set_threads",
+    "shipped_paints",
     "srgb",
     "threads",
     "xyz",

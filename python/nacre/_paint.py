@@ -37,6 +37,7 @@ class Paint:
     """
 
     def __init__(self, path: Path) -> None:
+        """From a file of any kind, or a shipped paint by its name (:func:`shipped_paints`)."""
         self._paint = _nacre.Paint.open(path)
 
     @classmethod
@@ -324,6 +325,11 @@ class Paint:
         """What the solver could not resolve, of all solutions so far."""
         return list(self._paint.warnings())
 
+    @property
+    def implausible(self) -> list[str]:
+        """The numbers that can be computed with and are hardly meant: key, value and why."""
+        return list(self._paint.implausible_numbers())
+
     # Instruments
 
     def measure(
@@ -544,3 +550,8 @@ class Paint:
 
 def _some(wavelengths_nm: ArrayLike) -> Floats:
     return np.atleast_1d(doubles(wavelengths_nm))
+
+
+def shipped_paints() -> list[str]:
+    """The names of the recipes that ship with Nacre, which :class:`Paint` opens."""
+    return list(_nacre.shipped_paints())

@@ -110,6 +110,13 @@ class Picture:
         return values
 
     @property
+    def noise(self) -> float | None:
+        """Standard error of a pixel's luminance, root mean square, over the mean luminance; where
+        asked for, and not of a picture that was stopped."""
+        value: float | None = self._picture.noise
+        return value
+
+    @property
     def samples(self) -> int:
         """Per pixel."""
         return int(self._picture.samples)
@@ -162,6 +169,7 @@ def render(
     depth: int = 8,
     footprint_pixels: float = 0.0,
     sparkle: bool = False,
+    noise: bool = True,
     spectral_bins: int = 0,
     progress: Progress = False,
 ) -> Picture:
@@ -179,13 +187,16 @@ def render(
     size
         Width and height in pixels.
     model
-        Of all recipes; ``Model("nacre", flakes="explicit")`` follows light among discs.
+        Of all recipes, by default "nacre"; ``Model("nacre", flakes="explicit")`` follows light among
+        discs.
     depth
         Surface reflections along a path.
     footprint_pixels
         Side of the patch that each sample shows; 0: chosen.
     sparkle
         Keeps the light of single flakes apart as well.
+    noise
+        Measures :attr:`Picture.noise` by rendering one pixel of 64 twice.
     spectral_bins
         Spectral channels over 400 to 700 nm.
 
@@ -212,6 +223,7 @@ def render(
                 depth,
                 footprint_pixels,
                 sparkle,
+                noise,
                 spectral_bins,
                 report,
             )

@@ -281,13 +281,16 @@ void bind_paint(nb::module_& module) {
         .def(nb::new_(&configured_model), "name"_a, "options"_a)
         .def("text", &bsdf::Model::text);
     module.def("model_names", &model_names);
+    module.def("shipped_paints", &shipped_paints);
 
     const auto wavelengths = nb::arg("wavelengths_nm").none();
     const auto model = nb::arg("model").none();
     nb::class_<PaintHandle>(module, "Paint")
         .def_static(
             "open",
-            [](const std::filesystem::path& path) { return PaintHandle{nacre::open(path)}; },
+            [](const std::filesystem::path& path) {
+                return PaintHandle{nacre::open(find_paint(path.string()))};
+            },
             "path"_a, nb::call_guard<nb::gil_scoped_release>())
         .def_static("from_bytes", &from_bytes, "data"_a, "name"_a, "folder"_a.none())
         .def_prop_ro("kind", [](const PaintHandle& p) { return name_of(p.paint.kind()); })
@@ -315,6 +318,8 @@ void bind_paint(nb::module_& module) {
         .def("solve", &solve, wavelengths, "exit_nodes"_a, "inner_nodes"_a, "max_orders"_a,
              "tolerance"_a, "progress"_a.none())
         .def("warnings", &warnings)
+        .def("implausible_numbers",
+             [](const PaintHandle& p) { return p.paint.implausible_numbers(); })
         .def(
             "wavelengths_nm",
             [](const PaintHandle& p, const std::optional<Model>& chosen) {

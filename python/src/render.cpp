@@ -111,6 +111,7 @@ NB_MODULE(_render, module) {
             "bin_centres_nm",
             [](const Picture& p) { return to_numpy(std::vector<double>(p.result.bin_centres_nm)); },
             kOwned)
+        .def_prop_ro("noise", [](const Picture& p) { return p.result.noise; })
         .def_prop_ro("samples", [](const Picture& p) { return p.result.samples; })
         .def_prop_ro("complete", [](const Picture& p) { return p.result.complete; })
         .def_prop_ro("seconds", [](const Picture& p) { return p.result.seconds; })
@@ -126,7 +127,7 @@ NB_MODULE(_render, module) {
         [](const std::string& scene, const std::optional<PaintHandle>& paint,
            const std::optional<std::pair<std::string, ModelChoices>>& model, int width, int height,
            int spp, std::uint64_t seed, int depth, double footprint_pixels, bool sparkle,
-           int spectral_bins, const nanobind::object& progress) {
+           bool noise, int spectral_bins, const nanobind::object& progress) {
             return render(scene, paint, model,
                           {.width = width,
                            .height = height,
@@ -135,10 +136,12 @@ NB_MODULE(_render, module) {
                            .max_depth = depth,
                            .footprint_pixels = footprint_pixels,
                            .sparkle = sparkle,
+                           .noise = noise,
                            .spectral_bins = spectral_bins},
                           progress);
         },
         "scene"_a, "paint"_a.none(), "model"_a.none(), "width"_a, "height"_a, "spp"_a, "seed"_a,
-        "depth"_a, "footprint_pixels"_a, "sparkle"_a, "spectral_bins"_a, "progress"_a.none());
+        "depth"_a, "footprint_pixels"_a, "sparkle"_a, "noise"_a, "spectral_bins"_a,
+        "progress"_a.none());
     module.def("scene_names", &nacre::render::builtin_scene_names);
 }

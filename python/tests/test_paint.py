@@ -21,6 +21,20 @@ def pearl(paints: Path) -> nacre.Paint:
     return nacre.Paint(paints / "tio2-mica-80.toml")
 
 
+def test_shipped_paints_go_by_their_names(paints: Path) -> None:
+    assert {"ruby", "pearl-blue"} <= set(nacre.shipped_paints())
+    assert nacre.Paint("ruby").sha256 == nacre.Paint(paints / "ruby.toml").sha256
+    with pytest.raises(nacre.InputError, match="did you mean 'ruby'"):
+        nacre.Paint("rubi")
+
+
+def test_numbers_that_are_hardly_meant_are_told(pearl: nacre.Paint) -> None:
+    assert pearl.implausible == []
+    pearl["coats[0].thickness_nm"] = 0.08
+    (line,) = pearl.implausible
+    assert "layer[0].flakes[0].coats[0].thickness_nm = 0.08 nm: thinner than 1 nm" in line
+
+
 def test_every_recipe_survives_being_a_dictionary(paints: Path) -> None:
     files = sorted(paints.glob("*.toml"))
     assert len(files) > 5

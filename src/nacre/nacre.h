@@ -304,6 +304,9 @@ class Paint {
     std::size_t memory_to_solve(const SolveSettings& settings = {}) const;
     /// Of all solutions so far.
     std::vector<SolverWarning> warnings() const;
+    /// The numbers that can be computed with and are hardly meant, by paint::implausible_numbers(),
+    /// the file before each; none without a recipe.
+    std::vector<std::string> implausible_numbers() const;
 
     /// The paint as a model shows it, for a renderer; measured and tabulated BRDFs as they are.
     /// Made once for all who hold it at a time.
@@ -396,6 +399,15 @@ std::pair<Readings, Readings> measure_alike(const Paint& sample, const Paint& st
                                             const std::vector<Geometry>& geometries = {},
                                             const MeasureSettings& settings = {},
                                             const Progress& progress = {});
+
+/// The names of the recipes that ship with Nacre (paints/), as "ruby", by alphabet.
+/// @throws InputError as data_directory()
+std::vector<std::string> shipped_paints();
+
+/// The file that a text names: a stream ("-"), a file that exists, or, of a text without a slash,
+/// the shipped paint of this name.
+/// @throws InputError naming the text, with what may have been meant, if it is neither
+std::filesystem::path find_paint(const std::string& text);
 
 /// Reads a file of any kind, once: the paint needs it no more. Materials that a recipe names as
 /// files are read too, wherever they are; "-" is the standard input (core/file.h), whose recipes may

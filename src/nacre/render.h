@@ -38,7 +38,8 @@ std::vector<std::string> paint_slots(const render::SceneDescription& scene);
 /// What lies on the shapes of a scene.
 struct ScenePaints {
     std::optional<Paint> slot = {};  ///< for materials without a recipe; none if there are none
-    /// Of all recipes; measured BRDFs take none. Its specimen is that of the scene's description
+    /// Of all recipes; measured BRDFs take none. Without it models::default_picture_model(), and of
+    /// tables models::default_model(), which they hold. Its specimen is that of the scene's description
     /// unless it has another than 0.
     std::optional<Model> model = {};
 };
@@ -80,6 +81,10 @@ class Scene {
     /// The same bits for any number of threads; where `progress` asks to stop, what there is.
     /// @throws DomainError naming a setting out of range
     Picture render(const RenderSettings& settings = {}, const Progress& progress = {}) const;
+    /// The samples a pixel that a noise needs: render::samples_for_noise().
+    /// @throws DomainError naming a setting out of range; Stopped if `progress` asks to stop
+    int samples_for_noise(const RenderSettings& settings, double noise, int most,
+                          const Progress& progress = {}) const;
 
  private:
     std::string name_, model_name_;

@@ -217,7 +217,7 @@ Command add_atlas(CLI::App& program) {
     command->add_option("--key", options->key,
                         "Number of the recipe that varies, as in coats[0].thickness_nm");
     add_output(*command, *options);
-    add_untrusted(*command, *options);
+    add_input_options(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Writes a picture of chips (FILE.svg, FILE.png) or CSV: the value, theta_i, "

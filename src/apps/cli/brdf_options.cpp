@@ -17,7 +17,7 @@ void add_brdf_options(CLI::App& command, BrdfOptions& options) {
                     "Direction towards the eye as theta[,phi], deg; may be repeated")
         ->required()
         ->allow_extra_args(false);
-    add_untrusted(command, options);
+    add_input_options(command, options);
     command
         .add_option("--part", options.part,
                     "total, single (met exactly one flake) or multiple scattering")

@@ -230,7 +230,7 @@ Command add_export(CLI::App& program) {
                              "side [beside the output, .svg added]"),
          options->only_fits)
         ->type_name("FILE");
-    add_untrusted(*command, *options);
+    add_input_options(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The specular reflection of a smooth interface is not part of a BRDF: add it in the other\n"

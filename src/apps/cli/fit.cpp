@@ -168,7 +168,7 @@ Command add_fit(CLI::App& program) {
         ->type_name("FILE");
     add_model_options(*command, options->model);
     add_seed(*command, *options);
-    add_untrusted(*command, *options);
+    add_input_options(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Bounds come from the table [fit] of the starting recipe; without them a third to three\n"

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "apps/cli/options.h"
+#include "apps/cli/paint_options.h"
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
 #include "nacre/io/brdf_table_file.h"
@@ -277,7 +278,7 @@ void describe_scene(Facts& facts, const render::SceneDescription& scene) {
 }
 
 std::string describe(const InfoOptions& options) {
-    const std::string& file = options.file;
+    const std::string file = find_paint(options.file).string();
     const std::string bytes =
         read_file(file, std::max(io::kMaxImageFileBytes, io::kMaxMeasuredBytes));
     Facts facts;
@@ -289,6 +290,7 @@ std::string describe(const InfoOptions& options) {
     switch (kind_of(bytes)) {
         case Kind::solved_paint:
             describe_solved_paint(facts, bytes, file);
+            warn_of_implausible(options, open_text(bytes, file));
             break;
         case Kind::brdf_table:
             describe_brdf_table(facts, bytes, file);
@@ -307,7 +309,9 @@ std::string describe(const InfoOptions& options) {
                 describe_scene(facts, render::parse_scene(bytes, file, references));
             } else {
                 facts.add("kind", "recipe");
-                describe_recipe(facts, io::parse_recipe(bytes, file, references));
+                const Paint paint = open_text(bytes, file, references);
+                describe_recipe(facts, paint.recipe());
+                warn_of_implausible(options, paint);
             }
     }
     return facts.text();
@@ -321,7 +325,8 @@ Command add_info(CLI::App& program) {
     info->add_option("FILE", options->file,
                      "Recipe, scene, solved paint, table or measured BRDF, picture")
         ->required();
-    add_untrusted(*info, *options);
+    add_input_options(*info, *options);
+    add_quiet(*info, *options);
     add_output(*info, *options);
     info->footer(
         "Checks the file on the way: a solved paint against its checksum, a recipe or a scene "

@@ -2,15 +2,16 @@
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "apps/cli/command_line.h"
 #include "apps/cli/options.h"
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
@@ -109,21 +110,12 @@ int main(int argc, char** argv) {
         nacre::cli::add_atlas(program),     nacre::cli::add_export(program),
         nacre::cli::add_panel(program),     nacre::cli::add_fit(program),
         nacre::cli::add_materials(program), nacre::cli::add_pigments(program),
-        nacre::cli::add_pigment(program)};
+        nacre::cli::add_pigment(program),   nacre::cli::add_scene(program),
+        nacre::cli::add_completion(program)};
     ExitStatus status = run([&] {
-        try {
-            program.parse(argc, argv);
-        } catch (const CLI::ParseError& error) {
-            // exit() prints help, version or the complaint, and returns 0 for the first two.
-            std::ostringstream out, err;
-            const bool ok = program.exit(error, out, err) == 0;
-            nacre::cli::print_data(out.str());
-            if (const std::string text = err.str(); !text.empty()) {
-                nacre::cli::print_message(text.substr(0, text.find_last_not_of('\n') + 1));
-            }
-            return ok ? ExitStatus::ok : ExitStatus::usage;
-        }
-        return run_command(commands);
+        const auto ended =
+            nacre::cli::parse_command_line(program, {argv + std::min(argc, 1), argv + argc});
+        return ended ? *ended : run_command(commands);
     });
     if (std::ferror(stdout) != 0 && status == ExitStatus::ok) {
         signals.raise_pipe();

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +13,8 @@
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
 #include "apps/cli/plot_files.h"
+#include "apps/cli/text_table.h"
+#include "apps/cli/tolerance_options.h"
 #include "apps/cli/uncertainty_options.h"
 #include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
@@ -25,7 +29,8 @@ namespace nacre::cli {
 namespace {
 
 struct MeasureOptions : CommonOptions {
-    std::string sample, versus, weights, format = "csv", plots, contributions;
+    std::string sample, versus, weights, format, plots, contributions;
+    ToleranceRequest tolerance;
     ModelOptions model;
     InstrumentOptions instrument;
     UncertaintyRequest uncertainty;
@@ -66,6 +71,41 @@ nlohmann::json sample_json(const Sample& sample) {
     return document;
 }
 
+/// CSV for programs, a table for people: without --format, by who reads.
+bool wants_text(const MeasureOptions& options) {
+    if (!options.format.empty()) return options.format == "text";
+    return options.output.empty() && isatty(STDOUT_FILENO);
+}
+
+/// With standard deviations behind the values, where they are known.
+std::string text_of(const Sample& sample, const std::optional<Uncertainty>& uncertainty) {
+    std::vector<std::vector<std::string>> rows = {{"angle", "L*", "a*", "b*", "C*", "h"}};
+    const Measurement& measurement = sample.measurement();
+    for (std::size_t i = 0; i < measurement.readings.size(); ++i) {
+        const measure::Reading& reading = measurement.readings[i];
+        const double values[] = {reading.lab[0], reading.lab[1], reading.lab[2],
+                                 measure::chroma(reading.lab), measure::hue_deg(reading.lab)};
+        std::optional<double> deviations[5];
+        if (uncertainty) {
+            const fit::Spread& spread = uncertainty->readings.at(i).best();
+            const Vec3d lab = spread.lab();
+            deviations[0] = lab[0];
+            deviations[1] = lab[1];
+            deviations[2] = lab[2];
+            deviations[3] = spread.chroma;
+            deviations[4] = spread.hue_deg;
+        }
+        std::vector<std::string> row = {reading.geometry.name};
+        for (int k = 0; k < 5; ++k) {
+            const int digits = k < 4 ? 2 : 1;
+            row.push_back(rounded(values[k], digits));
+            if (deviations[k]) row.back() += " ± " + rounded(*deviations[k], digits);
+        }
+        rows.push_back(std::move(row));
+    }
+    return text_table(rows);
+}
+
 std::string csv_of(const Sample& sample, const std::optional<Uncertainty>& uncertainty) {
     if (!uncertainty) return sample.readings.csv();
     return io::measurement_csv(sample.measurement(), sample.readings.standard_error,
@@ -80,14 +120,19 @@ ExitStatus compare(const MeasureOptions& options, const Sample& sample, const Sa
                    const Stopwatch& watch) {
     const measure::Difference difference = measure::difference(
         standard.measurement(), sample.measurement(), parse_weights(options.weights));
-    nlohmann::json document = difference_json(difference);
+    std::optional<measure::Verdict> verdict;
+    if (const auto tolerance = parse_tolerance(options.tolerance)) {
+        verdict = measure::judge(difference, *tolerance);
+    }
+    nlohmann::json document = difference_json(difference, verdict);
     if (options.format == "json") {
         nlohmann::json whole = document;
         whole["sample"] = sample_json(sample);
         whole["standard"] = sample_json(standard);
         emit(options, dumped(whole));
     } else {
-        emit(options, difference_csv(difference));
+        emit(options, wants_text(options) ? difference_text(difference, verdict)
+                                          : difference_csv(difference, verdict));
     }
     if (!options.plots.empty()) {
         write_plots(options.plots,
@@ -102,7 +147,12 @@ ExitStatus compare(const MeasureOptions& options, const Sample& sample, const Sa
     document["standard"] = standard.paint.file();
     document["total_s"] = watch.seconds();
     write_report(options, "measure", document);
-    return ExitStatus::ok;
+    if (!verdict || verdict->passes()) return ExitStatus::ok;
+    const auto failed = std::ranges::count_if(
+        verdict->angles, [](const measure::AngleVerdict& angle) { return !angle.passes(); });
+    say(options, fmt::format("does not pass: beyond the tolerance ({}) at {} of {} angles",
+                             verdict->tolerance.formula.name(), failed, verdict->angles.size()));
+    return ExitStatus::comparison_failed;
 }
 
 ExitStatus run(const MeasureOptions& options) {
@@ -112,6 +162,10 @@ ExitStatus run(const MeasureOptions& options) {
     if (options.versus.empty() && !options.weights.empty()) {
         throw UsageError("--weights belongs to --versus");
     }
+    if (options.versus.empty() && options.tolerance.asks()) {
+        throw UsageError("--formula and --tolerance belong to --versus");
+    }
+    parse_tolerance(options.tolerance);  // before any work
     if (!options.versus.empty() && (options.uncertainty.asks() || !options.contributions.empty())) {
         throw UsageError(
             "--uncertainty and --contributions do not go with --versus: measure both paints on "
@@ -151,7 +205,9 @@ ExitStatus run(const MeasureOptions& options) {
             paint, paint.measure(instrument.geometries, instrument.settings, bar.callback()));
         nlohmann::json report = sample_json(sample);
         if (uncertainty) report["uncertainty"] = uncertainty_json(*uncertainty);
-        emit(options, options.format == "json" ? dumped(report) : csv_of(sample, uncertainty));
+        emit(options, options.format == "json" ? dumped(report)
+                      : wants_text(options)    ? text_of(sample, uncertainty)
+                                               : csv_of(sample, uncertainty));
         if (!options.contributions.empty()) {
             write_file_atomically(options.contributions, contributions_csv(*uncertainty));
         }
@@ -207,9 +263,11 @@ Command add_measure(CLI::App& program) {
                         "Standard to compare with: a recipe or a measured file");
     command->add_option("--weights", options->weights,
                         "With --versus: weights in the mean as NAME=W,...; others weigh 1");
-    command->add_option("--format", options->format, "csv or json")
-        ->check(CLI::IsMember({"csv", "json"}))
-        ->capture_default_str();
+    add_tolerance_options(*command, options->tolerance);
+    command
+        ->add_option("--format", options->format,
+                     "csv, json, or text for people [text on a terminal, else csv]")
+        ->check(CLI::IsMember({"csv", "json", "text"}));
     command
         ->add_option("--plots", options->plots,
                      "Folder for curves, as SVG and PNG: lightness, travel and spectra")
@@ -221,10 +279,11 @@ Command add_measure(CLI::App& program) {
         ->type_name("FILE");
     add_output(*command, *options);
     add_seed(*command, *options);
-    add_untrusted(*command, *options);
+    add_input_options(*command, *options);
     add_run_options(*command, *options);
     command->footer(
-        "Writes CSV: geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z, a column R<nm> a wavelength, "
+        "On a terminal a table for people. Else CSV: "
+        "geometry,theta_i,aspecular_deg,L,a,b,C,h,X,Y,Z, a column R<nm> a wavelength, "
         "and\n"
         "the conditions. Reflectance is relative to the perfect diffuser, which has Y = 100; the\n"
         "specular reflection of a smooth interface is left out. Flop index and colour travel go to "

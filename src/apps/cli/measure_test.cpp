@@ -247,6 +247,58 @@ TEST_F(Program, MeasureRefusesUncertaintyThatItCannotTell) {
     refused("read.csv --uncertainty alpha=5%", 1, "no recipe");
 }
 
+TEST_F(Program, MeasureJudgesByATolerance) {
+    write("light.toml",
+          "ior = 1.5\n[[layer]]\nthickness_um = 15\n[[layer.flakes]]\narea_density_per_um = 0.1\n"
+          "orientation = { alpha = 0.2 }\nreflectance = 0.62\n");
+    const std::string compare =
+        "measure light.toml --versus gray.toml --geometry 45as15,45as45,45as110 ";
+    const Outcome plain = nacre(compare);
+    const double nearest = number(plain.out, 1, 14), farthest = number(plain.out, 3, 14);
+    ASSERT_GT(nearest, 0.1);
+    ASSERT_GT(farthest, 0.1);
+
+    const Outcome passes = nacre(compare + "--tolerance 20");
+    EXPECT_EQ(passes.status, 0) << passes.err;
+    EXPECT_EQ(cell(passes.out, 0, 17), "verdict");
+    EXPECT_EQ(cell(passes.out, 2, 16), "20");
+    EXPECT_EQ(cell(passes.out, 2, 17), "pass");
+
+    const Outcome fails = nacre(compare + "--tolerance 20,45as15=0.01 --report judged.json");
+    EXPECT_EQ(fails.status, 4);
+    EXPECT_EQ(cell(fails.out, 1, 17), "fail");
+    EXPECT_EQ(cell(fails.out, 2, 17), "pass");
+    EXPECT_THAT(fails.err, HasSubstr("does not pass: beyond the tolerance (cie2000) at 1 of 3"));
+    const auto report = nlohmann::json::parse(contents(folder_ / "judged.json"));
+    EXPECT_EQ(report["passes"], false);
+    EXPECT_EQ(report["angles"][0]["passes"], false);
+
+    // Only the standard's lightness enters for greys: dL / (2 S_L).
+    const Outcome cmc = nacre(compare + "--formula cmc");
+    EXPECT_EQ(cell(cmc.out, 0, 16), "dE_cmc2:1");
+    const double l = number(cmc.out, 1, 3), dl = number(cmc.out, 1, 9);
+    EXPECT_NEAR(number(cmc.out, 1, 16), dl / (2 * 0.040975 * l / (1 + 0.01765 * l)), 1e-9);
+
+    EXPECT_EQ(nacre("measure gray.toml --tolerance 1").status, 1);
+    EXPECT_THAT(nacre(compare + "--tolerance -1").err, HasSubstr("must be a number in [0, 1000]"));
+    EXPECT_THAT(nacre(compare + "--tolerance 1,2").err, HasSubstr("appears twice"));
+    EXPECT_THAT(nacre(compare + "--formula cie94").err, HasSubstr("--formula = cie94: must be"));
+    EXPECT_THAT(nacre(compare + "--tolerance 45as99=1").err, HasSubstr("45as99"));
+}
+
+TEST_F(Program, MeasurePrintsATableForPeople) {
+    const Outcome text = nacre("measure gray.toml --geometry 45as-15,45as110 --format text");
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_THAT(text.out,
+                ::testing::MatchesRegex("angle +L\\* +a\\* +b\\* +C\\* +h\n"
+                                        "45as-15 +[0-9.]+ +0\\.00 +0\\.00 +0\\.00 +[0-9.]+\n"
+                                        "45as110 +[0-9.]+ +0\\.00 +0\\.00 +0\\.00 +[0-9.]+\n"));
+    const Outcome difference =
+        nacre("measure gray.toml --versus gray.toml --geometry 45as15 --format text --tolerance 1");
+    EXPECT_THAT(difference.out, HasSubstr("dE2000  tolerance  verdict"));
+    EXPECT_THAT(difference.out, HasSubstr("0.00          1     pass"));
+}
+
 }  // namespace
 
 }  // namespace nacre::cli::testing

@@ -118,6 +118,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
                         fmt::join(models_that([](const ModelInfo&) { return true; }), ", ")))
         ->each([&options](const std::string&) { options.model_given = true; })
         ->capture_default_str();
+    const std::size_t before = command.get_options().size();
     for (const Owned& owned : all_options()) add_option(command, options, owned);
     for (const ModelInfo* model : models::traced_models()) {
         const std::string flag(model->alternative->flag);
@@ -134,6 +135,8 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
                                 fmt::join(sparkling_models(), ", ")))
         ->type_name("N")
         ->capture_default_str();
+    const std::vector<CLI::Option*> all = command.get_options();
+    for (std::size_t i = before; i < all.size(); ++i) all[i]->group("Of single models");
 }
 
 const ModelInfo& parse_model(const ModelOptions& options) {

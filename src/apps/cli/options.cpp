@@ -16,24 +16,40 @@
 
 namespace nacre::cli {
 
+namespace {
+
+/// In the help behind what a command is about.
+constexpr const char* kRunningGroup = "How it runs";
+
+}  // namespace
+
 void add_output(CLI::App& command, CommonOptions& options) {
     command.add_option("-o,--output", options.output, "File to write instead of standard output")
         ->type_name("FILE");
 }
 
 void add_quiet(CLI::App& command, CommonOptions& options) {
-    command.add_flag("-q,--quiet", options.quiet, "No progress and no messages, errors excepted");
+    command.add_flag("-q,--quiet", options.quiet, "No progress and no messages, errors excepted")
+        ->group(kRunningGroup);
 }
 
 void add_report(CLI::App& command, CommonOptions& options) {
     command.add_option("--report", options.report, "JSON file to write about this run")
+        ->group(kRunningGroup)
         ->type_name("FILE");
 }
 
-void add_untrusted(CLI::App& command, CommonOptions& options) {
-    command.add_flag("--untrusted", options.untrusted,
-                     "The recipe or scene came from elsewhere: refuse what it names outside of its "
-                     "folder");
+void add_input_options(CLI::App& command, CommonOptions& options) {
+    command
+        .add_flag("--untrusted", options.untrusted,
+                  "The recipe or scene came from elsewhere: refuse what it names outside of its "
+                  "folder")
+        ->group(kRunningGroup);
+    command
+        .add_flag("--strict", options.strict,
+                  "Refuse what would be warned of: implausible numbers of a recipe, multiple "
+                  "scattering that is not resolved")
+        ->group(kRunningGroup);
 }
 
 References references_of(const CommonOptions& options, const std::string& input) {
@@ -42,12 +58,15 @@ References references_of(const CommonOptions& options, const std::string& input)
 
 void add_threads(CLI::App& command, CommonOptions& options) {
     command.add_option("--threads", options.threads, "Threads to use; 0 means all")
+        ->group(kRunningGroup)
         ->check(CLI::Range(0, 4096))
         ->capture_default_str();
 }
 
 void add_seed(CLI::App& command, CommonOptions& options) {
-    command.add_option("--seed", options.seed, "Seed of the random numbers")->capture_default_str();
+    command.add_option("--seed", options.seed, "Seed of the random numbers")
+        ->group(kRunningGroup)
+        ->capture_default_str();
 }
 
 void add_run_options(CLI::App& command, CommonOptions& options) {
@@ -62,7 +81,7 @@ void require_going() {
 
 void emit(const CommonOptions& options, const std::string& data) {
     require_going();
-    if (!options.output.empty()) {
+    if (!options.output.empty() && options.output != "-") {
         write_file_atomically(options.output, data, [](double) { return !interrupt_requested(); });
         return;
     }
@@ -100,6 +119,11 @@ void write_report(const CommonOptions& options, const std::string& command, nloh
 
 void say(const CommonOptions& options, const std::string& line) {
     if (!options.quiet) print_message(printable(line));
+}
+
+void warn(const CommonOptions& options, const std::string& message) {
+    if (options.strict) throw InputError(message + "; refused by --strict");
+    say(options, "nacre: warning: " + message);
 }
 
 double parse_number(std::string_view option, std::string_view text, const Range& range) {

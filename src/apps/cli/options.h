@@ -50,15 +50,17 @@ Command add_render(CLI::App& program);
 Command add_diff(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_study(CLI::App& program);
-Command add_measure(CLI::App& program);    ///< multi-angle colour
-Command add_sparkle(CLI::App& program);    ///< sparkle and graininess
-Command add_atlas(CLI::App& program);      ///< colours of a film by thickness and angle
-Command add_materials(CLI::App& program);  ///< what ships
-Command add_pigments(CLI::App& program);   ///< the same of pigments
-Command add_pigment(CLI::App& program);    ///< from a drawdown to a pigment
-Command add_panel(CLI::App& program);      ///< a page about a paint
-Command add_fit(CLI::App& program);        ///< from colour back to composition
-Command add_export(CLI::App& program);     ///< formats of measured BRDFs
+Command add_measure(CLI::App& program);     ///< multi-angle colour
+Command add_sparkle(CLI::App& program);     ///< sparkle and graininess
+Command add_atlas(CLI::App& program);       ///< colours of a film by thickness and angle
+Command add_materials(CLI::App& program);   ///< what ships
+Command add_pigments(CLI::App& program);    ///< the same of pigments
+Command add_pigment(CLI::App& program);     ///< from a drawdown to a pigment
+Command add_panel(CLI::App& program);       ///< a page about a paint
+Command add_scene(CLI::App& program);       ///< built-in scenes as files
+Command add_completion(CLI::App& program);  ///< for shells; the program outlives it
+Command add_fit(CLI::App& program);         ///< from colour back to composition
+Command add_export(CLI::App& program);      ///< formats of measured BRDFs
 
 /// Wall-clock time since it was made.
 class Stopwatch {
@@ -88,12 +90,14 @@ struct CommonOptions {
     std::string report;      ///< JSON file about the run; empty: none
     std::string output;      ///< empty: stdout
     bool untrusted = false;  ///< recipes and scenes name files in their folders only
+    bool strict = false;     ///< what would be warned of is an error
 };
 
 void add_output(CLI::App& command, CommonOptions& options);  ///< -o, --output
 void add_quiet(CLI::App& command, CommonOptions& options);
 void add_report(CLI::App& command, CommonOptions& options);
-void add_untrusted(CLI::App& command, CommonOptions& options);  ///< of all that open recipes
+/// Of all that open recipes: --untrusted and --strict.
+void add_input_options(CLI::App& command, CommonOptions& options);
 void add_threads(CLI::App& command, CommonOptions& options);
 void add_seed(CLI::App& command, CommonOptions& options);
 /// Of commands that compute: --threads, --quiet and --report.
@@ -119,6 +123,10 @@ void print_message(const std::string& line);
 
 /// Writes the report, if one was asked for, with "command" and "version" added to it.
 void write_report(const CommonOptions& options, const std::string& command, nlohmann::json report);
+
+/// Of what can be done and is hardly meant: a line on stderr unless quiet.
+/// @throws InputError with --strict
+void warn(const CommonOptions& options, const std::string& message);
 
 /// A line on stderr unless quiet.
 void say(const CommonOptions& options, const std::string& line);

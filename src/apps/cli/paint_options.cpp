@@ -32,7 +32,14 @@ std::string advice(const SolverWarning& warning) {
 }  // namespace
 
 Paint open_input(const CommonOptions& options, const std::string& file) {
-    return open(file, references_of(options, file));
+    const std::string path = find_paint(file).string();
+    Paint paint = open(path, references_of(options, path));
+    warn_of_implausible(options, paint);
+    return paint;
+}
+
+void warn_of_implausible(const CommonOptions& options, const Paint& paint) {
+    for (const std::string& line : paint.implausible_numbers()) warn(options, line);
 }
 
 optics::Material open_material(const std::string& text) {
@@ -82,7 +89,7 @@ std::optional<bsdf::Model> model_for(std::initializer_list<const Paint*> paints,
 
 void say_warnings(const CommonOptions& options, const Paint& paint) {
     for (const SolverWarning& warning : paint.warnings()) {
-        say(options, fmt::format("nacre: warning: {}; {}", warning.message, advice(warning)));
+        warn(options, fmt::format("{}; {}", warning.message, advice(warning)));
     }
 }
 

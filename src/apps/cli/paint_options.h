@@ -12,8 +12,9 @@
 
 namespace nacre::cli {
 
-/// The file of any kind that an argument of the command names.
-/// @throws InputError as nacre::open()
+/// The file of any kind, or the shipped paint, that an argument of the command names. Warns of what
+/// is implausible in its recipe.
+/// @throws InputError as nacre::find_paint() and open(), and warn()
 Paint open_input(const CommonOptions& options, const std::string& file);
 
 /// The material that an argument names: as optics::find_material(), or a file of one through a
@@ -38,7 +39,12 @@ void refuse_measured_brdf(const Paint& paint);
 /// @throws UsageError always: `what` holds a measured BRDF, which takes no model
 [[noreturn]] void refuse_model(const std::string& model, const std::string& what);
 
-/// Prints on stderr, unless quiet, what the solver could not resolve in a paint.
+/// Warns of the numbers that a paint hardly has.
+/// @throws InputError as warn()
+void warn_of_implausible(const CommonOptions& options, const Paint& paint);
+
+/// Warns of what the solver could not resolve in a paint.
+/// @throws InputError as warn()
 void say_warnings(const CommonOptions& options, const Paint& paint);
 
 }  // namespace nacre::cli

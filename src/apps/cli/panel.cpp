@@ -8,6 +8,7 @@
 #include "apps/cli/instrument_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
+#include "apps/cli/tolerance_options.h"
 #include "apps/cli/uncertainty_options.h"
 #include "apps/datasheet/datasheet.h"
 #include "nacre/core/error.h"
@@ -27,9 +28,10 @@ struct PanelOptions : CommonOptions {
     std::string recipe, versus;
     std::string quality = "normal";
     std::string scene = "curved-panel";
-    ModelOptions model{.model = sparkling_models().front()};
+    ModelOptions model{.model{models::default_picture_model().info().name}};
     InstrumentOptions instrument;
     UncertaintyRequest uncertainty;
+    ToleranceRequest tolerance;
 };
 
 /// Sizes and samples of the pictures.
@@ -69,7 +71,7 @@ std::vector<report::Picture> pictures(const PanelOptions& options, const Look& s
     large.width = quality.large_width;
     large.height = quality.large_height;
     std::vector<report::Picture> all = {
-        picture(options, sample, "", large),
+        picture(options, sample, render::builtin_scene_caption(options.scene), large),
         picture(options, sample, standard ? "Sample, ball of 100 mm" : "Ball of 100 mm", small)};
     if (standard) all.push_back(picture(options, standard, "Standard", small));
     return all;
@@ -129,6 +131,10 @@ ExitStatus run(const PanelOptions& options) {
     InstrumentRequest instrument = parse_instrument(options.instrument);
     instrument.settings.model = model;
     check_choices(options);
+    if (options.versus.empty() && options.tolerance.asks()) {
+        throw UsageError("--formula and --tolerance belong to --versus");
+    }
+    parse_tolerance(options.tolerance);  // before any work
     const Paint paint = open_panel(options, options.recipe);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
@@ -164,12 +170,19 @@ ExitStatus run(const PanelOptions& options) {
             measure::difference(standard.measurement, page.sample);
         page.standard = datasheet::PanelStandard{std::move(standard.measurement), difference,
                                                  versus->is_measured()};
+        if (const auto tolerance = parse_tolerance(options.tolerance)) {
+            page.standard->verdict = measure::judge(difference, *tolerance);
+        }
     }
     page.title = page.sample.name;
     page.uncertainty = uncertainty_beside(options, paint, page.sample, instrument.settings);
     const Quality quality = quality_of(options);
     if (model.info().can.sparkle) page.sparkle = sparkle(options, look, quality);
-    page.pictures = pictures(options, look, standard_look(options, versus, model), quality);
+    const Look of_standard = standard_look(options, versus, model);
+    if (page.sparkle && of_standard && versus->has_recipe()) {
+        page.standard->sparkle = sparkle(options, of_standard, quality);
+    }
+    page.pictures = pictures(options, look, of_standard, quality);
     emit(options, datasheet::panel_report_html(page));
 
     say(options, options.output);
@@ -209,9 +222,10 @@ Command add_panel(CLI::App& program) {
         ->capture_default_str();
     add_model_options(*command, options->model);
     add_instrument_options(*command, options->instrument);
+    add_tolerance_options(*command, options->tolerance);
     add_uncertainty_options(*command, options->uncertainty);
     add_seed(*command, *options);
-    add_untrusted(*command, *options);
+    add_input_options(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Writes one HTML file without scripts that needs no other file and prints to A4. Sparkle\n"

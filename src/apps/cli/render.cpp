@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/render/builtin_scenes.h"
+#include "nacre/render/turntable.h"
 
 namespace nacre::cli {
 
@@ -27,11 +29,19 @@ struct RenderCommandOptions : CommonOptions {
     std::string scene;
     std::string paint;
     std::string brdf;  // measured, instead of the paint
-    ModelOptions model;
+    ModelOptions model{.model{models::default_picture_model().info().name}};
     std::string size = "512x512";
     render::RenderOptions render;
     io::ToneMap tone_map;
+    std::optional<int> spp;
+    std::optional<double> noise;
+    std::string frames;
+    std::optional<std::string> turntable;
+    std::optional<double> step_deg;
 };
+
+/// More samples are taken only where --spp says so.
+constexpr int kMostSamplesForNoise = 1 << 16;
 
 /// "640x480".
 void parse_size(const std::string& text, render::RenderOptions& options) {
@@ -82,15 +92,30 @@ std::optional<Paint> paint_for_slots(const render::SceneDescription& description
     return brdf ? brdf : open_input(options, options.paint);
 }
 
-Scene painted_scene(const RenderCommandOptions& options) {
-    const bsdf::Model model = parse_model_settings(options.model);
+/// What a picture, or each frame, is made from.
+struct Painted {
+    render::SceneDescription description;
+    ScenePaints paints;
+};
+
+Painted painted(const RenderCommandOptions& options) {
     std::optional<Paint> brdf = open_brdf(options);
     render::SceneDescription description =
         find_scene(options.scene, references_of(options, options.scene));
+    for (const std::string& note : description.notes) warn(options, note);
     std::optional<Paint> slot = paint_for_slots(description, options, std::move(brdf));
+    ModelOptions chosen = options.model;
+    if (!chosen.model_given && slot && slot->kind() == Kind::brdf_table) {
+        chosen.model = models::default_model().info().name;  // the one that tables are made of
+    }
+    return {std::move(description), {std::move(slot), parse_model_settings(chosen)}};
+}
+
+Scene scene_of(const RenderCommandOptions& options, Painted painted) {
+    const bsdf::Model& model = *painted.paints.model;
     ProgressBar bar("prepare", options.quiet || !model.makes_table());
     try {
-        return Scene(std::move(description), {std::move(slot), model}, bar.callback());
+        return Scene(std::move(painted.description), painted.paints, bar.callback());
     } catch (const SettingError& error) {  // where the model does not go
         if (error.setting() != "model") throw;
         throw UsageError(fmt::format("{}: {}", choice_of(model.info()), error.reason()));
@@ -112,53 +137,193 @@ void check_model(const RenderCommandOptions& options, const Scene& scene) {
     }
 }
 
-ExitStatus run(RenderCommandOptions options) {
-    parse_model_settings(options.model);  // before any work
-    parse_size(options.size, options.render);
-    options.render.seed = options.seed;
-    render::check(options.render);
-    const fs::path exr = options.output, png = io::png_beside(exr);
-    const ThreadLimit threads(options.threads);
-    const InterruptHandler interrupt;
-    const Stopwatch watch;
+/// Of --frames: the first and the last.
+struct Frames {
+    long first = 0, last = 0;
+    long count() const { return last - first + 1; }
+};
 
-    const Scene scene = painted_scene(options);
-    for (const Paint& paint : scene.paints()) say_warnings(options, paint);
-    check_model(options, scene);
-    const double prepare_s = watch.seconds();
+constexpr long kMostFrames = 100'000;
+
+Frames parse_frames(const std::string& text) {
+    const std::vector<std::string_view> ends = split(text, ':');
+    const Range range{0, 999'999};
+    if (ends.size() == 2) {
+        const double first = parse_number("--frames (first)", ends[0], range);
+        const double last = parse_number("--frames (last)", ends[1], range);
+        const Frames frames{static_cast<long>(first), static_cast<long>(last)};
+        if (static_cast<double>(frames.first) == first &&
+            static_cast<double>(frames.last) == last && first <= last &&
+            frames.count() <= kMostFrames) {
+            return frames;
+        }
+    }
+    throw UsageError(
+        fmt::format("--frames = {}: must be FIRST:LAST in whole numbers, at most {} "
+                    "frames, as in 0:35",
+                    text, kMostFrames));
+}
+
+/// "out.exr" of frame 7: "out.0007.exr".
+fs::path frame_file(const fs::path& exr, long frame) {
+    return fs::path(exr).replace_extension(fmt::format(".{:04}.exr", frame));
+}
+
+render::Turning parse_turning(const std::string& text) {
+    if (text == "camera") return render::Turning::camera;
+    return text == "light" ? render::Turning::light : render::Turning::shape;
+}
+
+/// Options that only go with others, before any work.
+void check_choices(const RenderCommandOptions& options) {
+    if (options.frames.empty() && (options.turntable || options.step_deg)) {
+        throw UsageError("--turntable and --step belong to --frames");
+    }
+    if (!options.frames.empty() && !options.turntable) {
+        throw UsageError("--frames needs --turntable, which says what turns");
+    }
+    if (options.render.sparkle && !parse_model(options.model).can.sparkle) {
+        throw UsageError(fmt::format("--sparkle: the model {} shows no single flakes; must be {}",
+                                     options.model.model, fmt::join(sparkling_models(), " or ")));
+    }
+}
+
+/// Without --noise the samples that were asked for.
+int samples_for(const RenderCommandOptions& options, const Scene& scene) {
+    if (!options.noise) return options.spp.value_or(options.render.samples_per_pixel);
+    ProgressBar bar("noise", options.quiet);
+    return scene.samples_for_noise(options.render, *options.noise,
+                                   options.spp.value_or(kMostSamplesForNoise), bar.callback());
+}
+
+std::string percent_text(double fraction) { return fmt::format("{:.2g} %", 100 * fraction); }
+
+/// Renders one picture and writes it. @return for the report
+nlohmann::json render_to(const RenderCommandOptions& options, const Scene& scene,
+                         const fs::path& exr) {
+    render::RenderOptions how = options.render;
+    how.noise = true;
+    how.samples_per_pixel = samples_for(options, scene);
     Picture picture = [&] {
         ProgressBar bar("render", options.quiet);
-        return scene.render(options.render, bar.callback());
+        return scene.render(how, bar.callback());
     }();
     const render::RenderResult& result = picture.result;
     if (result.samples == 0) {
         throw Error("stopped before every pixel had a sample; nothing was written");
     }
+    if (std::ranges::all_of(result.alpha, [](float share) { return share == 0; })) {
+        warn(options, fmt::format("{}: the camera sees no shape, only what surrounds the scene; is "
+                                  "a mesh of another size (mm_per_unit), or the camera elsewhere?",
+                                  options.scene));
+    }
     picture.metadata["nacre:scene"] = options.scene;
     io::write_exr_and_png(exr, picture.image(), options.tone_map);
 
+    const fs::path png = io::png_beside(exr);
     const double samples = static_cast<double>(result.samples) * result.width * result.height;
     const double msamples_per_s = samples / result.seconds / 1e6;
-    say(options, fmt::format("{}{} and {}: {} x {} pixels, {} samples each, {} ({:.2f} Msamples/s)",
-                             result.complete ? "" : "stopped early; partial picture in ",
-                             exr.string(), png.string(), result.width, result.height,
-                             result.samples, duration_text(result.seconds), msamples_per_s));
+    say(options,
+        fmt::format("{}{} and {}: {} x {} pixels, {} samples each{}, {} ({:.2f} "
+                    "Msamples/s)",
+                    result.complete ? "" : "stopped early; partial picture in ", exr.string(),
+                    png.string(), result.width, result.height, result.samples,
+                    result.noise ? ", noise " + percent_text(*result.noise) : "",
+                    duration_text(result.seconds), msamples_per_s));
+    const bool capped = how.samples_per_pixel == options.spp.value_or(kMostSamplesForNoise);
+    if (options.noise && capped && result.complete && result.noise > options.noise) {
+        say(options,
+            fmt::format("nacre: the noise is {}, not {}: {} samples were the most that "
+                        "--spp allows",
+                        percent_text(*result.noise), percent_text(*options.noise), result.samples));
+    }
+    return {{"scene", options.scene},
+            {"model", scene.model_name()},
+            {"recipe_sha256", scene.recipe_sha256()},
+            {"output", {exr.string(), png.string()}},
+            {"width", result.width},
+            {"height", result.height},
+            {"samples_per_pixel", result.samples},
+            {"noise", result.noise ? nlohmann::json(*result.noise) : nullptr},
+            {"seed", how.seed},
+            {"specimen", scene.specimen() ? nlohmann::json(*scene.specimen()) : nullptr},
+            {"complete", result.complete},
+            {"render_s", result.seconds},
+            {"msamples_per_s", msamples_per_s}};
+}
+
+/// What one frame reads and writes. Frames are checked one by one: all against all would take long.
+CommandFiles frame_files(const RenderCommandOptions& options, long frame) {
+    CommandFiles files = files_of(options, {options.scene, options.paint, options.brdf});
+    const fs::path exr = frame_file(options.output, frame);
+    files.files = {{"--report", options.report},
+                   {"--output", exr.string()},
+                   {"--output", io::png_beside(exr).string(), true}};
+    return files;
+}
+
+/// Warns of what its paints hardly are, and refuses a model that shows none of them.
+void check_scene(const RenderCommandOptions& options, const Scene& scene) {
+    const std::string slot = options.paint.empty() ? "" : find_paint(options.paint).string();
+    for (const Paint& paint : scene.paints()) {
+        if (paint.file() != slot) warn_of_implausible(options, paint);  // else done when opened
+        say_warnings(options, paint);
+    }
+    check_model(options, scene);
+}
+
+ExitStatus render_frames(RenderCommandOptions options, const Painted& start,
+                         const Stopwatch& watch) {
+    const Frames frames = parse_frames(options.frames);
+    const double step_deg = options.step_deg.value_or(360.0 / static_cast<double>(frames.count()));
+    const render::Turning turning = parse_turning(*options.turntable);
+    nlohmann::json all = nlohmann::json::array();
+    bool complete = true;
+    std::optional<Scene> scene;  // the last one keeps the paints solved for the next
+    for (long frame = frames.first; frame <= frames.last && complete; ++frame) {
+        require_going();
+        check_files(frame_files(options, frame));
+        Painted turned = start;
+        turned.description = render::turned(std::move(turned.description), turning,
+                                            step_deg * static_cast<double>(frame));
+        const bool is_first = !scene;
+        scene = scene_of(options, std::move(turned));
+        if (is_first) check_scene(options, *scene);
+        // Noise that stays while the paint moves would look like dirt on the lens.
+        options.render.seed = options.seed + static_cast<std::uint64_t>(frame);
+        all.push_back(render_to(options, *scene, frame_file(options.output, frame)));
+        complete = all.back()["complete"];
+    }
     write_report(options, "render",
-                 {{"scene", options.scene},
-                  {"model", scene.model_name()},
-                  {"recipe_sha256", scene.recipe_sha256()},
-                  {"output", {exr.string(), png.string()}},
-                  {"width", result.width},
-                  {"height", result.height},
-                  {"samples_per_pixel", result.samples},
-                  {"seed", options.seed},
-                  {"specimen", scene.specimen() ? nlohmann::json(*scene.specimen()) : nullptr},
-                  {"complete", result.complete},
-                  {"prepare_s", prepare_s},
-                  {"render_s", result.seconds},
-                  {"msamples_per_s", msamples_per_s},
+                 {{"frames", std::move(all)},
+                  {"turntable", *options.turntable},
+                  {"step_deg", step_deg},
+                  {"complete", complete},
                   {"total_s", watch.seconds()}});
-    return result.complete ? ExitStatus::ok : ExitStatus::failure;
+    return complete ? ExitStatus::ok : ExitStatus::failure;
+}
+
+ExitStatus run(RenderCommandOptions options) {
+    parse_model_settings(options.model);  // before any work
+    check_choices(options);
+    parse_size(options.size, options.render);
+    options.render.seed = options.seed;
+    render::check(options.render);
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    const Stopwatch watch;
+
+    Painted start = painted(options);
+    if (!options.frames.empty()) return render_frames(options, start, watch);
+    const Scene scene = scene_of(options, std::move(start));
+    check_scene(options, scene);
+    const double prepare_s = watch.seconds();
+    nlohmann::json report = render_to(options, scene, options.output);
+    const bool complete = report["complete"];
+    report["prepare_s"] = prepare_s;
+    report["total_s"] = watch.seconds();
+    write_report(options, "render", std::move(report));
+    return complete ? ExitStatus::ok : ExitStatus::failure;
 }
 
 CommandFiles files(const RenderCommandOptions& options) {
@@ -167,8 +332,11 @@ CommandFiles files(const RenderCommandOptions& options) {
         throw UsageError(fmt::format("--output = {}: must end in .exr", options.output));
     }
     CommandFiles files = files_of(options, {options.scene, options.paint, options.brdf});
-    files.files.push_back({"--output", io::png_beside(exr).string(), true});
-    return files;
+    if (options.frames.empty()) {
+        files.files.push_back({"--output", io::png_beside(exr).string(), true});
+        return files;
+    }
+    return frame_files(options, parse_frames(options.frames).first);
 }
 
 std::string joined_scene_names() {
@@ -207,9 +375,27 @@ Command add_render(CLI::App& program) {
     command->add_flag("--sparkle", options->render.sparkle,
                       "Keep the light of single flakes apart as well, in the EXR's channels "
                       "sparkle.R, .G, .B: what they send less their mean");
-    command->add_option("--spp", options->render.samples_per_pixel, "Samples per pixel")
-        ->check(CLI::Range(1, 1 << 24))
-        ->capture_default_str();
+    command
+        ->add_option("--spp", options->spp,
+                     fmt::format("Samples per pixel [{}]; with --noise at most [{}]",
+                                 options->render.samples_per_pixel, kMostSamplesForNoise))
+        ->check(CLI::Range(1, 1 << 24));
+    command
+        ->add_option("--noise", options->noise,
+                     "Take as many samples as this noise needs: the standard error of a pixel over "
+                     "the mean luminance, as 0.01")
+        ->check(CLI::Range(render::kNoiseRange.lo, render::kNoiseRange.hi));
+    command->add_option("--frames", options->frames,
+                        "Render frames FIRST:LAST, as 0:35, to files numbered out.0000.exr ...");
+    command
+        ->add_option("--turntable", options->turntable,
+                     "With --frames: shape, camera or light turns about the vertical")
+        ->check(CLI::IsMember({"shape", "camera", "light"}));
+    command
+        ->add_option("--step", options->step_deg,
+                     "With --frames: deg from frame to frame; frame 0 is the scene as it is [a "
+                     "whole turn in all frames]")
+        ->check(CLI::Range(-360.0, 360.0));
     command->add_option("--size", options->size, "Pixels as WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--depth", options->render.max_depth, "Surface reflections along a path")
         ->check(CLI::Range(1, 1000))
@@ -229,7 +415,7 @@ Command add_render(CLI::App& program) {
         ->required()
         ->type_name("FILE");
     add_seed(*command, *options);
-    add_untrusted(*command, *options);
+    add_input_options(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The EXR holds linear Rec. 709 (1 is the perfect diffuser in full light), albedo and "

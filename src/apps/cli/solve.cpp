@@ -113,7 +113,7 @@ Command add_solve(CLI::App& program) {
         ->check(CLI::Range(1e-9, 0.1))
         ->capture_default_str();
     add_solution_options(*solve, options->model);
-    add_untrusted(*solve, *options);
+    add_input_options(*solve, *options);
     add_run_options(*solve, *options);
     solve->footer(
         "Everything that takes a recipe takes the solved file too, and is then faster.\n\n"

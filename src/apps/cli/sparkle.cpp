@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 struct SparkleOptions : CommonOptions {
-    std::string recipe;
+    std::string recipe, versus;
     ModelOptions model;
     std::string lamps = "15,45,75";
     measure::SparkleCamera camera;
@@ -167,7 +167,7 @@ std::vector<double> parse_lamps(const SparkleOptions& options) {
 CommandFiles files(const SparkleOptions& options) {
     std::set<std::string> pictures = {"diffuse"};
     for (double lamp_deg : parse_lamps(options)) pictures.insert(lamp_name(lamp_deg));
-    CommandFiles files = files_of(options, {options.recipe});
+    CommandFiles files = files_of(options, {options.recipe, options.versus});
     files.folders = {{"--pictures", options.pictures}};
     for (const std::string& picture : pictures) {
         for (const char* extension : {".exr", ".png"}) {
@@ -175,6 +175,110 @@ CommandFiles files(const SparkleOptions& options) {
         }
     }
     return files;
+}
+
+/// What the camera saw of one paint.
+struct Seen {
+    Paint paint;
+    measure::PanelPictures pictures;
+    measure::SparkleMeasurement measurement;
+    double prepare_s = 0, pictures_s = 0;
+};
+
+Seen see(const SparkleOptions& options, const std::string& file, const bsdf::Model& model) {
+    const Stopwatch watch;
+    const Paint paint = open_input(options, file);
+    refuse_measured_brdf(paint);
+    const auto look = [&] {
+        ProgressBar bar("solve", options.quiet);
+        return paint.appearance(model, {}, bar.callback());
+    }();
+    say_warnings(options, paint);
+    Seen seen{.paint = paint, .pictures = {}, .measurement = {}, .prepare_s = watch.seconds()};
+    ProgressBar bar("sparkle", options.quiet);
+    seen.pictures = measure::take_pictures(*look, options.camera, bar.callback());
+    seen.pictures_s = watch.seconds() - seen.prepare_s;
+    seen.measurement =
+        measure::measure_pictures(options.camera, seen.pictures, options.viewing, bar.callback());
+    return seen;
+}
+
+void say_doubts(const SparkleOptions& options, const Seen& seen) {
+    if (!seen.pictures.flakes_resolved) {
+        say(options,
+            "nacre: flakes lie in heaps too dense to be told apart; graininess is too large");
+    }
+    for (std::size_t i = 0; i < seen.measurement.by_lamp.size(); ++i) {
+        const measure::Sparkle& s = seen.measurement.by_lamp[i];
+        const double spots = s.density_per_cm2.value * s.area_mm2 / 100;
+        if (spots < kFewSpots) {
+            say(options,
+                fmt::format("nacre: {}: {}: only {:.0f} spots were seen; a larger --field "
+                            "counts more",
+                            seen.paint.name(), lamp_name(seen.measurement.lamps_deg[i]), spots));
+        }
+    }
+}
+
+/// A quantity of both panels, and their difference.
+struct Compared {
+    std::string geometry, quantity;
+    std::optional<Estimate> standard, sample;
+
+    /// Sample less standard; the panels' flakes are independent.
+    std::optional<Estimate> difference() const {
+        if (!standard || !sample) return std::nullopt;
+        return Estimate{sample->value - standard->value,
+                        std::hypot(sample->standard_error, standard->standard_error)};
+    }
+};
+
+std::vector<Compared> compared(const measure::SparkleMeasurement& standard,
+                               const measure::SparkleMeasurement& sample) {
+    std::vector<Compared> rows;
+    for (std::size_t i = 0; i < sample.by_lamp.size(); ++i) {
+        const measure::Sparkle &a = standard.by_lamp[i], &b = sample.by_lamp[i];
+        const std::string lamp = lamp_name(sample.lamps_deg[i]);
+        rows.push_back({lamp, "spots_per_cm2", a.density_per_cm2, b.density_per_cm2});
+        rows.push_back({lamp, "intensity", a.intensity, b.intensity});
+        rows.push_back({lamp, "contrast", a.contrast, b.contrast});
+        rows.push_back({lamp, "sparkle", a.sparkle_per_cm2, b.sparkle_per_cm2});
+    }
+    if (standard.diffuse && sample.diffuse) {
+        rows.push_back(
+            {"diffuse", "graininess", standard.diffuse->graininess, sample.diffuse->graininess});
+    }
+    return rows;
+}
+
+std::string csv_of(const std::vector<Compared>& rows) {
+    std::string table =
+        "geometry,quantity,standard,standard_se,sample,sample_se,difference,difference_se\n";
+    for (const Compared& row : rows) {
+        table += row.geometry + "," + row.quantity + cells(row.standard) + cells(row.sample) +
+                 cells(row.difference()) + "\n";
+    }
+    return table;
+}
+
+json json_of(const std::vector<Compared>& rows) {
+    json list = json::array();
+    for (const Compared& row : rows) {
+        list.push_back({{"geometry", row.geometry},
+                        {"quantity", row.quantity},
+                        {"standard", json_of(row.standard)},
+                        {"sample", json_of(row.sample)},
+                        {"difference", json_of(row.difference())}});
+    }
+    return list;
+}
+
+void write_pictures(const SparkleOptions& options, const measure::PanelPictures& pictures) {
+    study::make_folder(options.pictures);
+    for (std::size_t i = 0; i < pictures.by_lamp.size(); ++i) {
+        write_picture(options, lamp_name(options.camera.lamps_deg[i]), pictures.by_lamp[i]);
+    }
+    if (!pictures.diffuse.empty()) write_picture(options, "diffuse", mean_of(pictures.diffuse));
 }
 
 ExitStatus run(SparkleOptions options) {
@@ -186,56 +290,35 @@ ExitStatus run(SparkleOptions options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const Paint paint = open_input(options, options.recipe);
-    refuse_measured_brdf(paint);
-    const auto look = [&] {
-        ProgressBar bar("solve", options.quiet);
-        return paint.appearance(model, {}, bar.callback());
-    }();
-    say_warnings(options, paint);
-    const double solved_s = watch.seconds();
-    measure::PanelPictures pictures;
-    measure::SparkleMeasurement measurement;
-    double seen_s = 0;
-    {
-        ProgressBar bar("sparkle", options.quiet);
-        pictures = measure::take_pictures(*look, options.camera, bar.callback());
-        seen_s = watch.seconds();
-        measurement =
-            measure::measure_pictures(options.camera, pictures, options.viewing, bar.callback());
+    const Seen sample = see(options, options.recipe, model);
+    say_doubts(options, sample);
+    std::vector<Compared> rows;
+    if (!options.versus.empty()) {
+        bsdf::Model other = model;  // flakes of its own, or equal panels would err alike
+        other.set_specimen(model.specimen().value_or(0) + 1);
+        const Seen standard = see(options, options.versus, other);
+        say_doubts(options, standard);
+        rows = compared(standard.measurement, sample.measurement);
     }
-    if (!pictures.flakes_resolved) {
-        say(options,
-            "nacre: flakes lie in heaps too dense to be told apart; graininess is too large");
-    }
-    for (std::size_t i = 0; i < measurement.by_lamp.size(); ++i) {
-        const measure::Sparkle& s = measurement.by_lamp[i];
-        const double spots = s.density_per_cm2.value * s.area_mm2 / 100;
-        if (spots < kFewSpots) {
-            say(options, fmt::format("nacre: {}: only {:.0f} spots were seen; a larger --field "
-                                     "counts more",
-                                     lamp_name(measurement.lamps_deg[i]), spots));
+    if (!options.pictures.empty()) write_pictures(options, sample.pictures);
+    if (options.format == "json") {
+        json document = json_of(options, sample.paint, sample.measurement);
+        if (!options.versus.empty()) {
+            document["standard"] = options.versus;
+            document["comparison"] = json_of(rows);
         }
+        emit(options, document.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+    } else {
+        emit(options, options.versus.empty() ? csv_of(sample.measurement) : csv_of(rows));
     }
-    if (!options.pictures.empty()) {
-        study::make_folder(options.pictures);
-        for (std::size_t i = 0; i < pictures.by_lamp.size(); ++i) {
-            write_picture(options, lamp_name(options.camera.lamps_deg[i]), pictures.by_lamp[i]);
-        }
-        if (!pictures.diffuse.empty()) write_picture(options, "diffuse", mean_of(pictures.diffuse));
-    }
-    emit(options, options.format == "json"
-                      ? json_of(options, paint, measurement)
-                                .dump(2, ' ', false, json::error_handler_t::replace) +
-                            "\n"
-                      : csv_of(measurement));
     write_report(options, "sparkle",
                  {{"recipe", options.recipe},
-                  {"recipe_sha256", paint.recipe_sha256()},
+                  {"recipe_sha256", sample.paint.recipe_sha256()},
+                  {"versus", options.versus},
                   {"model", options.model.model},
                   {"seed", options.seed},
-                  {"prepare_s", solved_s},
-                  {"pictures_s", seen_s - solved_s},
+                  {"prepare_s", sample.prepare_s},
+                  {"pictures_s", sample.pictures_s},
                   {"total_s", watch.seconds()}});
     return ExitStatus::ok;
 }
@@ -248,6 +331,8 @@ Command add_sparkle(CLI::App& program) {
     CLI::App* sparkle = program.add_subcommand(
         "sparkle", "Measure sparkle and graininess of a paint with a virtual camera");
     sparkle->add_option("RECIPE", options->recipe, "Recipe (TOML) or solved paint")->required();
+    sparkle->add_option("--versus", options->versus,
+                        "Standard to compare with: a recipe (TOML) or solved paint");
     add_model_options(*sparkle, options->model);
     sparkle->add_option("--lamp", options->lamps, "Lamps, deg from the normal")
         ->capture_default_str();
@@ -284,7 +369,7 @@ Command add_sparkle(CLI::App& program) {
         ->type_name("DIR");
     add_output(*sparkle, *options);
     add_seed(*sparkle, *options);
-    add_untrusted(*sparkle, *options);
+    add_input_options(*sparkle, *options);
     add_run_options(*sparkle, *options);
     sparkle->footer(
         "The camera looks along the normal of a flat panel. One row a lamp (15s, 45s, 75s) and "
@@ -292,7 +377,9 @@ Command add_sparkle(CLI::App& program) {
         "for diffuse light; columns ending in _se are standard errors. Luminances Y are 100 for "
         "the\n"
         "perfect diffuser; intensity, graininess and sparkle are in thresholds of seeing:\n"
-        "docs/sparkle.md defines them. Instruments' own scales are not public: do not compare.\n\n"
+        "docs/sparkle.md defines them. Instruments' own scales are not public: do not compare.\n"
+        "With --versus: both panels' numbers and the difference, sample less standard, one row a\n"
+        "lamp and quantity; --pictures are the sample's.\n\n"
         "Examples:\n  nacre sparkle paints/metallic-silver.toml\n"
         "  nacre sparkle paints/glitter-100um.toml --lamp 15:75:15 --pictures seen -o sparkle.csv");
     return {sparkle, [options] { return files(*options); }, [options] { return run(*options); }};

@@ -176,14 +176,17 @@ void add_uncertainty_options(CLI::App& command, UncertaintyRequest& request) {
                     "'layer[0].thickness_um=5%'; repeat it. Adds to the recipe's table "
                     "[uncertainty] or replaces it there")
         ->type_name("KEY=SD")
+        ->group("Uncertainty")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
         .add_option("--uncertainty-samples", request.samples,
                     "Recipes to draw, in place of first order")
+        ->group("Uncertainty")
         ->check(
             CLI::Range(fit::UncertaintyOptions::kMinSamples, fit::UncertaintyOptions::kMaxSamples));
-    command.add_flag("--no-uncertainty", request.none, "Leave out the recipe's [uncertainty]");
+    command.add_flag("--no-uncertainty", request.none, "Leave out the recipe's [uncertainty]")
+        ->group("Uncertainty");
 }
 
 std::optional<Uncertainty> uncertainty_of(const CommonOptions& options,

@@ -126,13 +126,22 @@ std::vector<Metric> metrics(const PanelReport& report) {
                        "greatest " + decimal_text(d.max_delta_e_2000, 2)});
     }
     if (!report.sparkle) return all;
+    const measure::SparkleMeasurement* other =
+        report.standard && report.standard->sparkle ? &*report.standard->sparkle : nullptr;
+    const auto with_standard = [](const char* unit, const Estimate* estimate) {
+        return estimate ? fmt::format("{}; standard {}", unit, uncertain(*estimate)) : unit;
+    };
     for (std::size_t i = 0; i < report.sparkle->by_lamp.size(); ++i) {
+        const Estimate* standard_sparkle = other ? &other->by_lamp.at(i).sparkle_per_cm2 : nullptr;
         all.push_back({"Sparkle, lamp at " + degrees_text(report.sparkle->lamps_deg[i]),
-                       uncertain(report.sparkle->by_lamp[i].sparkle_per_cm2), "per cm²"});
+                       uncertain(report.sparkle->by_lamp[i].sparkle_per_cm2),
+                       with_standard("per cm²", standard_sparkle)});
     }
     if (report.sparkle->diffuse) {
-        all.push_back({"Graininess in diffuse light",
-                       uncertain(report.sparkle->diffuse->graininess), "thresholds"});
+        all.push_back(
+            {"Graininess in diffuse light", uncertain(report.sparkle->diffuse->graininess),
+             with_standard("thresholds",
+                           other && other->diffuse ? &other->diffuse->graininess : nullptr)});
     }
     return all;
 }
@@ -224,9 +233,52 @@ ReadingDeviations deviations_of(const PanelReport& report, const Reading* readin
     return {{lab[0], lab[1], lab[2], spread.chroma}, spread.hue_deg};
 }
 
+/// "+0.3", "−1.2".
+std::string signed_text(double value) {
+    return (value < 0 ? "−" : "+") + decimal_text(std::abs(value), 2);
+}
+
+/// Sample less standard, angle by angle; nothing without a standard.
+std::string differences_html(const PanelReport& report) {
+    if (!report.standard) return {};
+    const std::optional<measure::Verdict>& verdict = report.standard->verdict;
+    const bool own_formula = verdict && verdict->tolerance.formula != measure::DifferenceFormula{};
+    const bool limited = verdict && verdict->tolerance.has_limits();
+    report::Table table{.caption = "Sample less standard",
+                        .columns = {"Angle", "ΔL*", "Δa*", "Δb*", "ΔC*", "ΔH*", "ΔE2000"}};
+    if (own_formula) table.columns.push_back("ΔE " + verdict->tolerance.formula.name());
+    if (limited) {
+        table.columns.emplace_back("tolerance");
+        table.columns.emplace_back("");
+    }
+    const std::vector<measure::AngleDifference>& angles = report.standard->difference.angles;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const measure::AngleDifference& angle = angles[i];
+        std::vector<report::Cell> row = {
+            {.text = angle_name(report.sample, angle.geometry), .numeric = true}};
+        for (const double value : {angle.delta_lab[0], angle.delta_lab[1], angle.delta_lab[2],
+                                   angle.delta_chroma(), angle.delta_hue()}) {
+            row.push_back(report::number_cell(signed_text(value)));
+        }
+        row.push_back(report::number_cell(decimal_text(angle.delta_e_2000, 2)));
+        if (own_formula) {
+            row.push_back(report::number_cell(decimal_text(verdict->angles[i].delta_e, 2)));
+        }
+        if (limited) {
+            const measure::AngleVerdict& judged = verdict->angles[i];
+            row.push_back(report::number_cell(judged.limit ? decimal_text(*judged.limit, 2) : ""));
+            row.push_back({.text = !judged.limit     ? ""
+                                   : judged.passes() ? "passes"
+                                                     : "fails",
+                           .strong = judged.limit && !judged.passes()});
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return report::table_html(table, 1);
+}
+
 std::string readings_html(const PanelReport& report) {
     report::Table table{.columns = {"Angle", "L*", "a*", "b*", "C*", "h"}};
-    if (report.standard) table.columns.emplace_back("ΔE2000");
     for (const Reading* reading : readings_for_chips(report.sample)) {
         const Vec3d& lab = reading->lab;
         std::vector<report::Cell> row = {
@@ -239,17 +291,9 @@ std::string readings_html(const PanelReport& report) {
         }
         row.push_back(report::number_cell(
             with_deviation(decimal_text(measure::hue_deg(lab), 0) + "°", deviations.hue_deg, 0)));
-        if (report.standard) {
-            const auto& angles = report.standard->difference.angles;
-            const auto found = std::find_if(angles.begin(), angles.end(), [&](const auto& angle) {
-                return measure::separation_deg(angle.geometry, reading->geometry) <= 1e-6;
-            });
-            row.push_back(report::number_cell(
-                found != angles.end() ? decimal_text(found->delta_e_2000, 2) : std::string()));
-        }
         table.rows.push_back(std::move(row));
     }
-    return report::table_html(table, 1);
+    return report::table_html(table, 1) + differences_html(report);
 }
 
 std::string plots_html(const PanelReport& report) {

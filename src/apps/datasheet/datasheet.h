@@ -15,6 +15,7 @@
 #include "nacre/measure/difference.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/measure/sparkle_measurement.h"
+#include "nacre/measure/tolerance.h"
 #include "nacre/paint/recipe.h"
 
 namespace nacre::datasheet {
@@ -43,6 +44,9 @@ struct PanelStandard {
     measure::Measurement measurement;
     measure::Difference difference;
     bool measured = false;  ///< read from a file, not computed
+    std::optional<measure::Verdict> verdict = {};
+    /// Seen by the sample's lamps; none of a standard that shows no single flakes.
+    std::optional<measure::SparkleMeasurement> sparkle = {};
 };
 
 struct PanelReport {

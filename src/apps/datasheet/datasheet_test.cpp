@@ -12,6 +12,7 @@ namespace {
 
 using report::test::Scan;
 using report::test::scan;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -89,6 +90,19 @@ TEST(PanelReport, ComparesWithAStandard) {
     EXPECT_THAT(html, HasSubstr("ΔE2000"));
     EXPECT_THAT(html, HasSubstr("standard, measured"));
     EXPECT_THAT(html, HasSubstr("stroke-dasharray"));
+    EXPECT_THAT(html, HasSubstr("ΔH*"));
+    EXPECT_THAT(html, Not(HasSubstr("tolerance")));
+    // With a tolerance: its formula, and which angles pass.
+    report.standard->verdict =
+        measure::judge(report.standard->difference, {measure::parse_formula("cmc1:1"), 1e3, {}});
+    const std::string judged = panel_report_html(report);
+    EXPECT_EQ(scan(judged).error, "");
+    report.sparkle = report.standard->sparkle = measure::SparkleMeasurement{
+        .lamps_deg = {15}, .by_lamp = {measure::Sparkle{.sparkle_per_cm2 = {12, 1}}}};
+    report.standard->sparkle->by_lamp[0].sparkle_per_cm2 = {17, 2};
+    EXPECT_THAT(panel_report_html(report), HasSubstr("per cm²; standard 17 ± 2"));
+    EXPECT_THAT(judged,
+                AllOf(HasSubstr("ΔE cmc1:1"), HasSubstr("passes"), Not(HasSubstr("fails"))));
 }
 
 TEST(PanelReport, NoTextCanBringHtmlAlong) {

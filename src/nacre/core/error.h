@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 // Errors carry their context: the library throws, the command line prints what() and picks the
 // exit status from the type (docs/conventions.md, "Errors").
@@ -52,5 +53,10 @@ struct Range {
     /// As in "(0, 1000] um".
     std::string text() const;
 };
+
+/// "; 3 % is 0.03", to append to the message about a value that is out of its range, where a
+/// fraction seems to have been written in per cent; else nothing.
+/// @param key  of the value: fractions, reflectance and transmittance are called so
+std::string percent_hint(std::string_view key, double value, const Range& range);
 
 }  // namespace nacre

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
@@ -14,6 +16,8 @@
 #include <functional>
 #include <optional>
 #include <system_error>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "nacre/core/error.h"
@@ -131,6 +135,7 @@ struct Target {
 
 Target checked_target(const fs::path& path) {
     std::error_code ec;
+    if (path == "-") return {"/dev/stdout", false};
     const fs::file_status status = fs::status(path, ec);
     if (!path.has_filename() || fs::is_directory(status)) {
         refuse(path, "the name of a file is expected");
@@ -151,26 +156,93 @@ Target checked_target(const fs::path& path) {
     return {target};
 }
 
-// Creates a file under a name that did not exist, with the permissions of the user's umask.
-fs::path create_temporary(const fs::path& folder, const fs::path& name, const fs::path& path) {
-    static const std::uint64_t start = [] {
-        timespec now{};
-        clock_gettime(CLOCK_REALTIME, &now);
-        return hash_of(now.tv_sec, now.tv_nsec, ::getpid());
+/// Numbers of processes mean the same to all who share this: the running system and, in it, the
+/// namespace of process numbers.
+std::uint64_t processes_known_here() {
+    static const std::uint64_t here = [] {
+        std::string text;
+        const Descriptor boot(::open("/proc/sys/kernel/random/boot_id", O_RDONLY | O_CLOEXEC));
+        if (boot.is_open()) (void)read_all(boot.get(), 64, text);
+        std::error_code ec;
+        text += fs::read_symlink("/proc/self/ns/pid", ec).string();
+        return std::hash<std::string>{}(text);
     }();
-    // Long names are cut so that the addition cannot exceed the file system's limit.
-    const std::string stem = name.stem().string().substr(0, 180);
-    const std::string extension = name.extension().string().substr(0, 40);
-    for (std::uint64_t attempt = 0; attempt < 1000; ++attempt) {
-        const auto tag = hash_of(start, std::hash<std::string>{}(name.string()), attempt);
-        const fs::path temporary =
-            folder / fmt::format(".{}.{:016x}.partial{}", stem, tag, extension);
-        const Descriptor file(
-            ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666));
-        if (file.is_open()) return temporary;
+    return here;
+}
+
+/// Names of temporaries for one file: ".STEM.HERE-PROCESS-TAG.partial.EXTENSION".
+class TemporaryNames {
+ public:
+    explicit TemporaryNames(const fs::path& target)
+        : folder_(folder_of(target)),
+          // Long names are cut so that the addition cannot exceed the file system's limit.
+          begin_(fmt::format(".{}.{:016x}-", target.stem().string().substr(0, 150),
+                             processes_known_here())),
+          end_(".partial" + target.extension().string().substr(0, 40)) {}
+
+    fs::path next() {
+        static const std::uint64_t start = [] {
+            timespec now{};
+            clock_gettime(CLOCK_REALTIME, &now);
+            return hash_of(now.tv_sec, now.tv_nsec, ::getpid());
+        }();
+        static std::atomic<std::uint64_t> count = 0;
+        return folder_ / fmt::format("{}{}-{:08x}{}", begin_, ::getpid(),
+                                     hash_of(start, ++count) & 0xffffffff, end_);
+    }
+
+    /// Removes those whose process is gone. What cannot be removed stays.
+    void remove_abandoned() const {
+        std::error_code ec;
+        for (fs::directory_iterator it(folder_, ec), last; !ec && it != last; it.increment(ec)) {
+            const std::string name = it->path().filename().string();
+            if (!name.starts_with(begin_) || !name.ends_with(end_)) continue;
+            const long process = std::strtol(name.c_str() + begin_.size(), nullptr, 10);
+            if (process > 0 && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) {
+                ::unlink(it->path().c_str());
+            }
+        }
+    }
+
+ private:
+    fs::path folder_;
+    std::string begin_, end_;
+};
+
+constexpr int kMostAttempts = 1000;  // to find a name that nobody has
+
+// Creates a file under a name that did not exist, with the permissions of the user's umask.
+std::pair<int, fs::path> create_named(const fs::path& target, const fs::path& path) {
+    TemporaryNames names(target);
+    names.remove_abandoned();
+    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+        fs::path name = names.next();
+        const int fd = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
+        if (fd >= 0) return {fd, std::move(name)};
         if (errno != EEXIST) fail(path, errno);
     }
     fail(path, EEXIST);
+}
+
+/// The name under which this process sees an open file, by which one without a name gets its own.
+std::string name_of_descriptor(int fd) { return fmt::format("/proc/self/fd/{}", fd); }
+
+// Creates a file without a name; -1 where that, or naming it later, does not work.
+int create_unnamed(const fs::path& folder) {
+    const int fd = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+    if (fd < 0) return -1;
+    struct stat status {};
+    if (::lstat(name_of_descriptor(fd).c_str(), &status) == 0) return fd;
+    ::close(fd);  // no /proc here
+    return -1;
+}
+
+// Gives a file without a name one that did not exist. Returns 0 or errno.
+int link_to(int fd, const fs::path& name) {
+    return ::linkat(AT_FDCWD, name_of_descriptor(fd).c_str(), AT_FDCWD, name.c_str(),
+                    AT_SYMLINK_FOLLOW) == 0
+               ? 0
+               : errno;
 }
 
 /// The descriptor that a name stands for, as is_stream() has it.
@@ -249,58 +321,68 @@ void check_output_folder(const fs::path& path) {
     }
 }
 
-AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
+AtomicFile::AtomicFile(fs::path path, Temporary temporary) : path_(std::move(path)) {
     const Target target = checked_target(path_);
     target_ = target.path;
     replace_ = target.replace;
     std::error_code ec;
     fs::path folder = replace_ ? folder_of(target_) : fs::temp_directory_path(ec);
     if (folder.empty()) folder = "/tmp";
-    temporary_ = create_temporary(folder, target_.filename(), path_);
+    if (temporary == Temporary::unnamed_if_possible) temporary_ = create_unnamed(folder);
+    if (temporary_ >= 0) return;
+    std::tie(temporary_, temporary_name_) = create_named(folder / target_.filename(), path_);
+    named_ = true;
 }
 
 AtomicFile::~AtomicFile() {
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (temporary_ >= 0) ::close(temporary_);
+    if (named_) ::unlink(temporary_name_.c_str());
 }
 
 void AtomicFile::write(std::string_view bytes) {
-    const Descriptor out(::open(temporary_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-    if (!out.is_open()) fail(path_, errno);
-    if (const int error_number = write_all(out.get(), bytes)) fail(path_, error_number);
+    if (const int error_number = write_all(temporary_, bytes)) fail(path_, error_number);
 }
 
 void AtomicFile::flush() {
-    const Descriptor file(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.is_open() || ::fdatasync(file.get()) != 0) fail(path_, errno);
+    if (::fdatasync(temporary_) != 0) fail(path_, errno);
+}
+
+void AtomicFile::append_to_target() {
+    std::string bytes;
+    const Descriptor to(::open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (!to.is_open() || ::lseek(temporary_, 0, SEEK_SET) != 0) fail(path_, errno);
+    int error_number = read_all(temporary_, UINTMAX_MAX - (1 << 16), bytes);
+    if (!error_number) error_number = write_all(to.get(), bytes);
+    if (error_number) fail(path_, error_number);
 }
 
 void AtomicFile::commit() {
-    if (!replace_) {
-        std::string bytes;
-        const Descriptor from(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
-        const Descriptor to(::open(target_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
-        if (!from.is_open() || !to.is_open()) fail(path_, errno);
-        int error_number = read_all(from.get(), UINTMAX_MAX - (1 << 16), bytes);
-        if (!error_number) error_number = write_all(to.get(), bytes);
-        if (error_number) fail(path_, error_number);
-        return;
+    if (!replace_) return append_to_target();
+    struct stat old_file {};
+    const bool is_new = ::stat(target_.c_str(), &old_file) != 0;
+    if (!is_new) {
+        // Keeps the old file's permissions; a failure (we do not own the file) is ignored.
+        (void)::fchmod(temporary_, old_file.st_mode & 07777);
     }
-    {
-        const Descriptor file(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
-        if (!file.is_open()) fail(path_, errno);
-        struct stat old_file {};
-        if (::stat(target_.c_str(), &old_file) == 0) {
-            // Keeps the old file's permissions; a failure (we do not own the file) is ignored.
-            (void)::fchmod(file.get(), old_file.st_mode & 07777);
+    // Without this a power cut may leave the new name with no contents.
+    if (::fsync(temporary_) != 0) fail(path_, errno);
+    bool in_place = !named_ && is_new && link_to(temporary_, target_) == 0;
+    TemporaryNames names(target_);
+    for (int attempt = 0; !in_place && !named_; ++attempt) {
+        // A name cannot be given in place of another file: only renaming replaces.
+        temporary_name_ = names.next();
+        const int error_number = link_to(temporary_, temporary_name_);
+        named_ = error_number == 0;
+        if (!named_ && (error_number != EEXIST || attempt == kMostAttempts)) {
+            fail(path_, error_number);
         }
-        // Without this a power cut may leave the new name with no contents.
-        if (::fsync(file.get()) != 0) fail(path_, errno);
     }
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
-    const fs::path folder = temporary_.parent_path();
-    temporary_.clear();
+    if (!in_place) {
+        if (::rename(temporary_name_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+        named_ = false;
+    }
     // The file is in place; some file systems cannot flush a folder, which is no failure.
-    const Descriptor entry(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const Descriptor entry(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (entry.is_open()) (void)::fsync(entry.get());
 }
 

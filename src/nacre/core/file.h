@@ -38,24 +38,27 @@ void check_output_file(const std::filesystem::path& path);
 /// @throws InputError naming `path` and the reason
 void check_output_folder(const std::filesystem::path& path);
 
-/// A file under construction: write(), or write to temporary_path(), then commit(). Until then
-/// `path` keeps its old contents, and afterwards it has all of the new ones.
+/// A file under construction: write(), then commit(). Until then `path` keeps its old contents, and
+/// afterwards it has all of the new ones.
 ///
-/// The temporary stands in the same folder, with the same extension. A symbolic link is followed.
-/// When `path` is a device, a pipe, such as /dev/null, or an open file of this process, such as
-/// /dev/stdout, commit() appends to it instead.
+/// The bytes go to a file in the same folder that has no name until it is whole (O_TMPFILE), so that
+/// nothing is left of it where the program is killed. Where the file system knows no such files it
+/// is called .NAME.*.partial.EXTENSION, and the next AtomicFile for the same path removes those whose
+/// process is gone. A symbolic link is followed. When `path` is a device, a pipe, such as /dev/null,
+/// or an open file of this process, such as /dev/stdout or "-", commit() appends to it instead.
 class AtomicFile {
  public:
+    enum class Temporary { unnamed_if_possible, named };
+
     /// Creates the temporary, empty.
     /// @throws InputError as check_output_file()
     /// @throws Error if the temporary cannot be created
-    explicit AtomicFile(std::filesystem::path path);
+    explicit AtomicFile(std::filesystem::path path,
+                        Temporary temporary = Temporary::unnamed_if_possible);
     /// Removes the temporary unless it was committed.
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
-
-    const std::filesystem::path& temporary_path() const { return temporary_; }
 
     /// Appends to the temporary.
     /// @throws Error naming the file and the reason, such as a full disk
@@ -69,9 +72,13 @@ class AtomicFile {
     void commit();
 
  private:
+    void append_to_target();
+
     std::filesystem::path path_;    // as the user wrote it, for messages
     std::filesystem::path target_;  // where the links lead
-    std::filesystem::path temporary_;
+    std::filesystem::path temporary_name_;
+    int temporary_ = -1;   // its descriptor
+    bool named_ = false;   // whether it stands under its name
     bool replace_ = true;  // false for devices and pipes
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -43,19 +44,83 @@ TEST_F(AtomicFileTest, WritesNewFilesAndReplacesOldOnes) {
     EXPECT_EQ(files(), 1);
 }
 
+using Temporary = AtomicFile::Temporary;
+
 TEST_F(AtomicFileTest, WithoutCommitTheOldFileStaysAndTheTemporaryGoes) {
     const fs::path path = folder_ / "paint.h5";
     write_file_atomically(path, "old");
-    {
-        AtomicFile file(path);
-        std::ofstream(file.temporary_path()) << "half of the ne";
-        EXPECT_EQ(file.temporary_path().parent_path(), fs::canonical(folder_));
-        EXPECT_EQ(file.temporary_path().extension(), ".h5");
+    for (const Temporary temporary : {Temporary::unnamed_if_possible, Temporary::named}) {
+        {
+            AtomicFile file(path, temporary);
+            file.write("half of the ne");
+            EXPECT_EQ(read_file(path), "old");
+            if (temporary == Temporary::named) EXPECT_EQ(files(), 2);
+        }
         EXPECT_EQ(read_file(path), "old");
+        EXPECT_EQ(files(), 1);
+    }
+}
+
+TEST_F(AtomicFileTest, BothKindsOfTemporaryReplaceAndMakeFiles) {
+    for (const Temporary temporary : {Temporary::unnamed_if_possible, Temporary::named}) {
+        for (const char* name : {"new.csv", "old.csv"}) {
+            const fs::path path = folder_ / name;
+            fs::remove(path);
+            if (path.stem() == "old") {
+                write_file_atomically(path, "a longer text that was there before");
+                ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+            }
+            AtomicFile file(path, temporary);
+            file.write("a,");
+            file.flush();
+            file.write("b\n");
+            file.commit();
+            EXPECT_EQ(read_file(path), "a,b\n");
+            if (path.stem() == "old") {
+                EXPECT_EQ(fs::status(path).permissions(), fs::perms(0640));
+            }
+        }
         EXPECT_EQ(files(), 2);
     }
-    EXPECT_EQ(read_file(path), "old");
-    EXPECT_EQ(files(), 1);
+}
+
+/// A child that is killed while it writes `path`.
+void write_and_be_killed(const fs::path& path, Temporary temporary) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        AtomicFile file(path, temporary);
+        file.write("half of the ne");
+        ::raise(SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+TEST_F(AtomicFileTest, AKilledProcessLeavesNothing) {
+    const fs::path path = folder_ / "paint.h5";
+    {  // such a name, to learn whether the file system has unnamed files
+        AtomicFile file(path);
+        if (files() > 0) GTEST_SKIP() << "this file system has no unnamed files";
+    }
+    write_and_be_killed(path, Temporary::unnamed_if_possible);
+    EXPECT_EQ(files(), 0);
+}
+
+TEST_F(AtomicFileTest, WhatAKilledProcessLeftGoesWithTheNextWriter) {
+    const fs::path path = folder_ / "paint.h5";
+    write_and_be_killed(path, Temporary::named);
+    write_and_be_killed(folder_ / "other.h5", Temporary::named);
+    EXPECT_EQ(files(), 2);
+    AtomicFile living(path, Temporary::named);  // of this process, which lives
+    write_and_be_killed(path, Temporary::named);
+    EXPECT_EQ(files(), 3);
+    AtomicFile file(path, Temporary::named);
+    EXPECT_EQ(files(), 3);  // other.h5's is another's; the two that are being written
+    file.write("new");
+    file.commit();
+    EXPECT_EQ(read_file(path), "new");
 }
 
 TEST_F(AtomicFileTest, StopsWithinALargeFile) {
@@ -77,20 +142,18 @@ TEST_F(AtomicFileTest, StopsWithinALargeFile) {
     }
 }
 
-TEST_F(AtomicFileTest, TwoWritersOfOneNameHaveDifferentTemporaries) {
+TEST_F(AtomicFileTest, TwoWritersOfOneNameDoNotMix) {
     const fs::path path = folder_ / "out.exr";
-    AtomicFile a(path), b(path);
-    EXPECT_NE(a.temporary_path(), b.temporary_path());
-}
-
-TEST_F(AtomicFileTest, ALibraryMayReplaceTheTemporaryItself) {
-    const fs::path path = folder_ / "out.exr";
-    AtomicFile file(path);
-    fs::remove(file.temporary_path());
-    std::ofstream(file.temporary_path()) << "new";
-    file.commit();
-    EXPECT_EQ(read_file(path), "new");
-    EXPECT_EQ(files(), 1);
+    for (const Temporary temporary : {Temporary::unnamed_if_possible, Temporary::named}) {
+        AtomicFile a(path, temporary), b(path, temporary);
+        a.write("a");
+        b.write("bb");
+        a.commit();
+        EXPECT_EQ(read_file(path), "a");
+        b.commit();
+        EXPECT_EQ(read_file(path), "bb");
+        EXPECT_EQ(files(), 1);
+    }
 }
 
 TEST_F(AtomicFileTest, FollowsLinksAndKeepsPermissions) {

@@ -129,8 +129,21 @@ std::optional<std::string> closest_match(std::string_view name,
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates) {
-    const auto match = closest_match(name, candidates);
-    return match ? " (did you mean '" + *match + "'?)" : "";
+    constexpr std::size_t kMost = 4;
+    std::vector<std::string> meant;
+    const std::string stem = lowercase(name.substr(0, kMaxNameLength)) + "_";
+    for (const std::string& candidate : candidates) {
+        if (lowercase(candidate).starts_with(stem)) meant.push_back(candidate);
+    }
+    if (name.empty() || meant.size() > kMost) meant.clear();
+    if (const auto match = closest_match(name, candidates); match && meant.empty()) {
+        meant.push_back(*match);
+    }
+    std::string text;
+    for (std::size_t i = 0; i < meant.size(); ++i) {
+        text += (i == 0 ? "'" : i + 1 < meant.size() ? ", '" : " or '") + meant[i] + "'";
+    }
+    return meant.empty() ? "" : " (did you mean " + text + "?)";
 }
 
 }  // namespace nacre

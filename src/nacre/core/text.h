@@ -94,7 +94,9 @@ int edit_distance(std::string_view a, std::string_view b);
 std::optional<std::string> closest_match(std::string_view name,
                                          std::span<const std::string> candidates);
 
-/// " (did you mean 'x'?)", or nothing: to append to a message.
+/// " (did you mean 'x'?)", or nothing: to append to a message. Names that go on where this one ends,
+/// at an underscore, are looked for before typing errors: 'thickness_um' for "thickness",
+/// 'TiO2_anatase' or 'TiO2_rutile_o' for "TiO2".
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace nacre

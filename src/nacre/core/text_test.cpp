@@ -71,6 +71,19 @@ TEST(ClosestMatch, FindsTheKeyThatWasMeant) {
     EXPECT_EQ(did_you_mean("spred_nm", keys), " (did you mean 'spread_nm'?)");
 }
 
+TEST(ClosestMatch, PrefersNamesThatGoOn) {
+    const std::vector<std::string> names = {"SiO2", "TiO2_anatase", "TiO2_rutile_e",
+                                            "TiO2_rutile_o"};
+    EXPECT_EQ(did_you_mean("TiO2", names),
+              " (did you mean 'TiO2_anatase', 'TiO2_rutile_e' or 'TiO2_rutile_o'?)");
+    EXPECT_EQ(did_you_mean("tio2_rutile", names),
+              " (did you mean 'TiO2_rutile_e' or 'TiO2_rutile_o'?)");
+    EXPECT_EQ(did_you_mean("Si02", names), " (did you mean 'SiO2'?)");
+    // So many that listing them is no suggestion.
+    const std::vector<std::string> many = {"a_1", "a_2", "a_3", "a_4", "a_5"};
+    EXPECT_EQ(did_you_mean("a", many), "");
+}
+
 TEST(ClosestMatch, SaysNothingWhenNothingIsNear) {
     const std::vector<std::string> keys = {"thickness_um", "material"};
     EXPECT_EQ(closest_match("viscosity", keys), std::nullopt);

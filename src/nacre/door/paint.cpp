@@ -13,6 +13,7 @@
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/measurement_file.h"
 #include "nacre/io/solved_paint_file.h"
+#include "nacre/paint/plausibility.h"
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
@@ -291,6 +292,13 @@ std::vector<SolverWarning> Paint::warnings() const {
         }
     }
     return all;
+}
+
+std::vector<std::string> Paint::implausible_numbers() const {
+    if (!has_recipe()) return {};
+    std::vector<std::string> lines = paint::implausible_numbers(recipe());
+    for (std::string& line : lines) line = fmt::format("{}: {}", state_->label(), line);
+    return lines;
 }
 
 std::size_t wavelength_position(const solver::SolvedPaint& paint, double wavelength_nm,

@@ -14,6 +14,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/sha256.h"
 #include "nacre/core/version.h"
 #include "nacre/spectra/colour.h"
 
@@ -318,8 +319,14 @@ void write_exr_and_png(const std::filesystem::path& exr, Image image, const Tone
     const std::filesystem::path png = png_beside(exr);
     check_png_beside(png);
     AtomicFile exr_file(exr), png_file(png);
+    const std::vector<float> rgb = interleaved_rgb(image, exr.string());
+    image.metadata["nacre:rgb_sha256"] =
+        sha256_hex({reinterpret_cast<const char*>(rgb.data()), sizeof(float) * rgb.size()});
     exr_file.write(encode_exr(image, exr.string()));
     png_file.write(encode_png(image, png.string(), tone_map));
+    // What takes long before both, so that a kill between them is unlikely.
+    exr_file.flush();
+    png_file.flush();
     exr_file.commit();
     png_file.commit();
 }

@@ -49,17 +49,6 @@ std::string with_keys(const std::vector<std::string>& allowed) {
     return allowed.empty() ? "" : " with the keys " + joined(allowed);
 }
 
-/// " (did you mean 'x'?)". A missing unit, as in "thickness" for "thickness_um", is the likeliest
-/// mistake and is looked for before misspellings.
-std::string suggestion(std::string_view unknown, const std::vector<std::string>& allowed) {
-    for (const std::string& key : allowed) {
-        if (key.starts_with(std::string(unknown) + "_")) {
-            return did_you_mean(key, std::vector{key});
-        }
-    }
-    return did_you_mean(unknown, allowed);
-}
-
 std::string place(const std::string& filename, const toml::source_region& where) {
     return fmt::format("{}:{}:{}: ", filename, where.begin.line, where.begin.column);
 }
@@ -213,7 +202,7 @@ TableReader::TableReader(TomlDocument& document, const toml::table& table, std::
             throw InputError(fmt::format("{}{} = {}: unknown key{}; allowed here: {}",
                                          place(document.filename(), key.source()),
                                          path_of(excerpt(key.str(), kMaxShownLength, ' ')),
-                                         shown(node), suggestion(key.str(), allowed_),
+                                         shown(node), did_you_mean(key.str(), allowed_),
                                          joined(allowed_)));
         }
         document.note(path_of(key.str()), node.source());
@@ -285,7 +274,8 @@ double TableReader::as_number(const toml::node& node, const std::string& key,
         number = static_cast<double>(integer->get());
     }
     if (!std::isfinite(number) || !range.contains(number)) {
-        fail_at(key, node, "must be a number in " + range.text());
+        fail_at(key, node,
+                "must be a number in " + range.text() + percent_hint(key, number, range));
     }
     return number;
 }

@@ -25,6 +25,8 @@ std::span<const bsdf::ModelInfo* const> all_models() {
 
 bsdf::Model default_model() { return all_models().front()->standard(); }
 
+bsdf::Model default_picture_model() { return bsdf::NacreModel{}; }
+
 const bsdf::ModelInfo* find_model(std::string_view name) {
     const auto models = all_models();
     const auto found =

@@ -12,8 +12,10 @@ namespace nacre::models {
 
 /// All but those that trace rays (models/traced/traced_models.h).
 std::span<const bsdf::ModelInfo* const> all_models();
-/// The first of them.
+/// The first of them, for values.
 bsdf::Model default_model();
+/// For pictures, in which flakes are seen one by one.
+bsdf::Model default_picture_model();
 /// Null if there is none of that name.
 const bsdf::ModelInfo* find_model(std::string_view name);
 

@@ -91,8 +91,9 @@ std::string allowed_text(const Field& field) {
 
 void RangeCheck::number(const Field& field, double& value) {
     if (allows(field, value)) return;
-    throw DomainError(fmt::format("{} = {}: must be {}", path_of(field), value,
-                                  field.zero ? allowed_text(field) : "in " + field.range.text()));
+    throw DomainError(fmt::format("{} = {}: must be {}{}", path_of(field), value,
+                                  field.zero ? allowed_text(field) : "in " + field.range.text(),
+                                  percent_hint(field.key, value, field.range)));
 }
 
 void RangeCheck::spectrum(const Field& field, spectra::Spectrum& value) {

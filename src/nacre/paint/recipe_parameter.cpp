@@ -177,7 +177,8 @@ void set_parameter(Recipe& recipe, std::string_view key, double value) {
     const std::vector<Slot> slots = slots_of(recipe);
     const Slot& slot = find(slots, key);
     if (!slot.range.contains(value)) {
-        throw DomainError(fmt::format("{} = {}: must be in {}", key, value, slot.range.text()));
+        throw DomainError(fmt::format("{} = {}: must be in {}{}", key, value, slot.range.text(),
+                                      percent_hint(key, value, slot.range)));
     }
     slot.set(value);
 }

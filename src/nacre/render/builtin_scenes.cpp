@@ -1,8 +1,8 @@
 #include "nacre/render/builtin_scenes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <functional>
 #include <map>
 
 #include "nacre/core/error.h"
@@ -96,36 +96,50 @@ SceneDescription panel_sun_scene() {
     return scene;
 }
 
-const std::map<std::string, SceneDescription (*)()>& builders() {
-    static const std::map<std::string, SceneDescription (*)()> kBuilders{
-        {"sphere", sphere_scene},
-        {"panel", panel_scene},
-        {"curved-panel", curved_panel_scene},
-        {"speed-shape", speed_shape_scene},
-        {"macro", macro_scene},
-        {"panel-sun", panel_sun_scene}};
-    return kBuilders;
+struct Builtin {
+    SceneDescription (*build)();
+    const char* caption;
+};
+
+const std::map<std::string, Builtin>& all_builtins() {
+    static const std::map<std::string, Builtin> kAll{
+        {"sphere", {sphere_scene, "Ball of 100 mm, lit by soft boxes of daylight"}},
+        {"panel",
+         {panel_scene,
+          "Panel of 150 x 105 mm, leaning back; soft boxes of daylight, a grey backdrop"}},
+        {"curved-panel",
+         {curved_panel_scene,
+          "Bent panel of 170 x 110 mm before a grey backdrop, which its rim mirrors; soft boxes of "
+          "daylight"}},
+        {"speed-shape",
+         {speed_shape_scene, "Free-form body on a grey backdrop; soft boxes of daylight"}},
+        {"macro", {macro_scene, "Two millimetres of a panel under a microscope's lamp"}},
+        {"panel-sun", {panel_sun_scene, "Panel of 150 x 100 mm at arm's length, sun and sky"}}};
+    return kAll;
+}
+
+const Builtin& find_builtin(const std::string& name) {
+    const auto found = all_builtins().find(name);
+    if (found != all_builtins().end()) return found->second;
+    const std::vector<std::string> names = builtin_scene_names();
+    throw InputError(fmt::format("there is no built-in scene '{}'{}; there are: {}", name,
+                                 did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
 }  // namespace
 
 std::vector<std::string> builtin_scene_names() {
     std::vector<std::string> names;
-    for (const auto& [name, build] : builders()) names.push_back(name);
+    for (const auto& [name, builtin] : all_builtins()) names.push_back(name);
     return names;
 }
 
 SceneDescription builtin_scene(const std::string& name) {
-    const auto found = builders().find(name);
-    if (found == builders().end()) {
-        std::string all;
-        for (const auto& known : builtin_scene_names()) all += (all.empty() ? "" : ", ") + known;
-        throw InputError(fmt::format("there is no built-in scene '{}'{}; there are: {}", name,
-                                     did_you_mean(name, builtin_scene_names()), all));
-    }
-    SceneDescription scene = found->second();
+    SceneDescription scene = find_builtin(name).build();
     scene.name = name;
     return scene;
 }
+
+std::string builtin_scene_caption(const std::string& name) { return find_builtin(name).caption; }
 
 }  // namespace nacre::render

@@ -15,4 +15,8 @@ std::vector<std::string> builtin_scene_names();
 /// @throws InputError naming the text and the scenes that exist
 SceneDescription builtin_scene(const std::string& name);
 
+/// What it shows, for below a picture: "Ball of 100 mm in the studio".
+/// @throws InputError as builtin_scene()
+std::string builtin_scene_caption(const std::string& name);
+
 }  // namespace nacre::render

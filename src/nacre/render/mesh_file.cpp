@@ -5,6 +5,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <assimp/IOStream.hpp>
@@ -20,6 +21,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
@@ -251,7 +253,7 @@ std::string glb_bytes(std::string json, std::string_view buffer) {
 }
 
 /// The geometry of a glTF and nothing else, so that what a mesh does not need is never looked at:
-/// materials, textures, skins, animations, extensions. Nodes must be trees, as the format has it,
+/// materials but for their names, textures, skins, animations, extensions. Nodes must be trees, as the format has it,
 /// and small enough.                                                           [khronos-gltf-2021]
 class GltfGeometry {
  public:
@@ -338,6 +340,7 @@ class GltfGeometry {
             all += accessor.at("count").get<double>();
             if (!(all <= kMaxMeshElements)) refuse_size();
         }
+        const std::size_t materials = copy_material_names();
         out_["meshes"] = json::array();
         for (const json& mesh : list(whole_, "meshes")) {
             json primitives = json::array();
@@ -349,12 +352,26 @@ class GltfGeometry {
                 for (const json& accessor : copy["attributes"]) {
                     elements += accessor_count(accessor);
                 }
+                if (primitive.contains("material")) {
+                    copy["material"] = index(primitive["material"], materials, "material");
+                }
                 if (copy.contains("indices")) elements += accessor_count(copy["indices"]);
                 primitives.push_back(std::move(copy));
             }
             out_["meshes"].push_back({{"primitives", std::move(primitives)}});
             mesh_elements_.push_back(elements);
         }
+    }
+
+    /// @return how many there are
+    std::size_t copy_material_names() {
+        out_["materials"] = json::array();
+        for (const json& material : list(whole_, "materials")) {
+            const auto name = material.find("name");
+            const bool named = name != material.end() && name->is_string();
+            out_["materials"].push_back({{"name", named ? *name : json("")}});
+        }
+        return out_["materials"].size();
     }
 
     void copy_nodes() {
@@ -529,7 +546,7 @@ void append_uv(const aiMesh& part, Mesh& mesh) {
     }
 }
 
-void append(const aiMesh& part, const MeshFile& file, bool y_up, Mesh& mesh) {
+void append(const aiMesh& part, float mm_per_unit, bool y_up, Mesh& mesh) {
     const auto first = mesh.positions_mm.size();
     if (first + part.mNumVertices > std::numeric_limits<std::uint32_t>::max()) {
         throw Fault("has more than 2^32 vertices");
@@ -537,13 +554,12 @@ void append(const aiMesh& part, const MeshFile& file, bool y_up, Mesh& mesh) {
     const auto turn = [y_up](const aiVector3D& v) {
         return y_up ? Vec3f{v.x, -v.z, v.y} : Vec3f{v.x, v.y, v.z};
     };
-    const auto scale = static_cast<float>(file.mm_per_unit);
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
         if (!is_finite(part.mVertices[i])) {
             throw Fault(
                 fmt::format("vertex {} of '{}' is not finite", i, excerpt(part.mName.C_Str())));
         }
-        mesh.positions_mm.push_back(scale * turn(part.mVertices[i]));
+        mesh.positions_mm.push_back(mm_per_unit * turn(part.mVertices[i]));
         // A vertex of degenerate triangles alone has no normal; it is never seen.
         const bool usable =
             part.HasNormals() && is_finite(part.mNormals[i]) && part.mNormals[i].SquareLength() > 0;
@@ -559,6 +575,18 @@ void append(const aiMesh& part, const MeshFile& file, bool y_up, Mesh& mesh) {
         }
         mesh.triangles.push_back(triangle);
     }
+}
+
+std::string material_name(const aiScene& scene, const aiMesh& part) {
+    if (part.mMaterialIndex >= scene.mNumMaterials) return {};
+    return scene.mMaterials[part.mMaterialIndex]->GetName().C_Str();
+}
+
+[[noreturn]] void refuse_part(const std::string& part, const std::set<std::string>& names) {
+    std::vector<std::string> shown;
+    for (const std::string& name : names) shown.push_back(excerpt(name));
+    throw Fault(fmt::format("has no material '{}'{}; its materials are '{}'", excerpt(part),
+                            did_you_mean(excerpt(part), shown), fmt::join(shown, "', '")));
 }
 
 Mesh read_with_assimp(std::string_view bytes, const std::string& extension,
@@ -588,9 +616,18 @@ Mesh read_with_assimp(std::string_view bytes, const std::string& extension,
     }
     require_vertices(*scene);
     Mesh mesh;
-    // glTF's vertical is y by its specification.
-    const bool y_up = file.y_up || extension == ".gltf" || extension == ".glb";
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], file, y_up, mesh);
+    // glTF's vertical is y and its unit the metre by its specification.        [khronos-gltf-2021]
+    const bool gltf = extension == ".gltf" || extension == ".glb";
+    const double mm_per_unit = file.mm_per_unit > 0 ? file.mm_per_unit : gltf ? 1000 : 1;
+    std::set<std::string> names;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+        const aiMesh& part = *scene->mMeshes[i];
+        const std::string name = material_name(*scene, part);
+        names.insert(name);
+        if (!file.part.empty() && name != file.part) continue;
+        append(part, static_cast<float>(mm_per_unit), file.y_up || gltf, mesh);
+    }
+    if (!file.part.empty() && !names.contains(file.part)) refuse_part(file.part, names);
     if (mesh.triangles.empty()) throw Fault("has no triangles");
     return mesh;
 }

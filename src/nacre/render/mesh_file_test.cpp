@@ -20,6 +20,7 @@ namespace {
 
 using nacre::test::message_of;
 using nlohmann::json;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class MeshFileTest : public ::testing::Test {
@@ -54,9 +55,39 @@ TEST_F(MeshFileTest, ReadsObjPlyAndGltf) {
     EXPECT_NEAR(testing::area_mm2(make_mesh(MeshFile{.path = write("triangle.ply", kPly)})), 1,
                 1e-6);
     // glTF's vertical is y, and the triangle stands upright in it.
-    const Mesh gltf = make_mesh(MeshFile{.path = write("t.gltf", kGltf), .mm_per_unit = 1000});
-    EXPECT_NEAR(testing::area_mm2(gltf), 0.5e6, 1);
+    const Mesh gltf = make_mesh(MeshFile{.path = write("t.gltf", kGltf)});
+    EXPECT_NEAR(testing::area_mm2(gltf), 0.5e6, 1);  // metres, unless told otherwise
     EXPECT_NEAR(std::abs(gltf.normals[0].y), 1, 1e-6);
+    EXPECT_EQ(make_mesh(MeshFile{.path = write("t.gltf", kGltf), .y_up = true}).positions_mm,
+              gltf.positions_mm);
+    EXPECT_NEAR(
+        testing::area_mm2(make_mesh(MeshFile{.path = write("t.gltf", kGltf), .mm_per_unit = 1})),
+        0.5, 1e-6);
+}
+
+// A car's body and its windows in one file.
+TEST_F(MeshFileTest, PartsAreToldByTheirMaterial) {
+    const std::string obj =
+        "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 4 0\nusemtl body\nf 1 2 3\nusemtl glass\nf 1 2 4\n";
+    const auto area = [&](const MeshFile& file) { return testing::area_mm2(make_mesh(file)); };
+    const std::filesystem::path car = write("car.obj", obj);
+    EXPECT_NEAR(area({.path = car}), 5, 1e-5);
+    EXPECT_NEAR(area({.path = car, .part = "body"}), 1, 1e-5);
+    EXPECT_NEAR(area({.path = car, .part = "glass"}), 4, 1e-5);
+    EXPECT_THAT(
+        nacre::test::message_of<InputError>([&] { make_mesh({.path = car, .part = "boby"}); }),
+        AllOf(HasSubstr("has no material 'boby' (did you mean 'body'?)"), HasSubstr("'glass'")));
+
+    std::string gltf = kGltf;
+    const std::string primitive = R"({"attributes":{"POSITION":0}})";
+    gltf.replace(gltf.find(primitive), primitive.size(),
+                 R"({"attributes":{"POSITION":0},"material":1})");
+    gltf.insert(gltf.find("\"buffers\""), R"("materials":[{"name":"glass"},{"name":"body"}],)");
+    const std::filesystem::path body = write("car.gltf", gltf);
+    EXPECT_NEAR(area({.path = body, .part = "body"}), 0.5e6, 1);
+    EXPECT_THROW(make_mesh({.path = body, .part = "glass"}), InputError);  // nothing has it
+    gltf.replace(gltf.find("\"material\":1"), 12, "\"material\":2");
+    EXPECT_THROW(make_mesh({.path = write("none.gltf", gltf)}), InputError);
 }
 
 TEST_F(MeshFileTest, RefusesWhatIsNoMeshAndNamesTheFile) {

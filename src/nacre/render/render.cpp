@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/random.h"
 #include "nacre/io/image.h"
 #include "nacre/render/camera.h"
 #include "nacre/render/film.h"
@@ -113,16 +117,21 @@ class AskedParts {
     float weight_;
 };
 
+/// Renders a picture pass by pass, or every `stride`-th of its columns and rows.
 class Renderer {
  public:
-    Renderer(const CompiledScene& scene, const RenderOptions& options, DirectLight direct_light)
+    Renderer(const CompiledScene& scene, const RenderOptions& options, DirectLight direct_light,
+             int stride = 1)
         : scene_(scene),
           options_(options),
           camera_(scene.camera, options.width, options.height),
           parts_(options.samples_per_pixel),
-          film_(options.width, options.height, options.spectral_bins, options.sparkle),
-          tiles_across_((options.width + kTile - 1) / kTile),
-          tiles_down_((options.height + kTile - 1) / kTile) {
+          stride_(stride),
+          columns_(taken_of(options.width)),
+          rows_(taken_of(options.height)),
+          film_(columns_, rows_, options.spectral_bins, options.sparkle),
+          tiles_across_((columns_ + kTile - 1) / kTile),
+          tiles_down_((rows_ + kTile - 1) / kTile) {
         path_options_.max_depth = options.max_depth;
         path_options_.direct_light = direct_light;
         path_options_.smooth = options.sparkle;
@@ -160,15 +169,22 @@ class Renderer {
     }
     RenderResult develop() const { return film_.develop(); }
 
+    /// The pixel of the whole picture that a column, or a row, of this one is.
+    int pixel_of(int taken) const { return stride_ / 2 + stride_ * taken; }
+
  private:
+    int taken_of(int pixels) const { return (pixels + stride_ - 1 - stride_ / 2) / stride_; }
+
     /// @return whether the whole tile was done
     bool run_tile(const Pass& pass, int tile, bsdf::PatchMemory& memory, SharedProgress& counter) {
         const int x0 = tile % tiles_across_ * kTile;
         const int y0 = tile / tiles_across_ * kTile;
-        for (int y = y0; y < std::min(y0 + kTile, options_.height); ++y) {
-            for (int x = x0; x < std::min(x0 + kTile, options_.width); ++x) {
+        for (int row = y0; row < std::min(y0 + kTile, rows_); ++row) {
+            for (int column = x0; column < std::min(x0 + kTile, columns_); ++column) {
                 if (!counter.ask()) return false;
+                const int x = pixel_of(column), y = pixel_of(row);
                 const auto pixel = static_cast<std::uint32_t>(y) * options_.width + x;
+                const auto taken = static_cast<std::size_t>(row) * columns_ + column;
                 const PathSampler sampler(options_.seed, pixel, pass.sample_index);
                 const auto u = sampler.draw(0);
                 const Vec2f place = {tent(u[0]), tent(u[1])};
@@ -176,7 +192,7 @@ class Renderer {
                                               static_cast<float>(y) + 0.5f + place.y, {u[2], u[3]});
                 const AskedPart asked = parts_.part({u[0], u[1]}, place, pass.sample_index);
                 try {
-                    film_.add(pixel, pass,
+                    film_.add(taken, pass,
                               trace_path(scene_, pass, sampler, ray, asked, path_options_, memory));
                 } catch (const Stopped&) {
                     return false;
@@ -192,6 +208,7 @@ class Renderer {
     CameraRays camera_;
     AskedParts parts_;
     bool flakes_show_ = false;
+    int stride_, columns_, rows_;
     Film film_;
     int tiles_across_, tiles_down_;
 };
@@ -202,41 +219,132 @@ double default_footprint_pixels(int samples_per_pixel) {
     return std::min(1.0, 1.5 / std::sqrt(static_cast<double>(samples_per_pixel)));
 }
 
-RenderResult render_with(const Scene& scene, const RenderOptions& options, DirectLight direct_light,
-                         const Progress& progress) {
-    check(options);
-    const auto start = std::chrono::steady_clock::now();
-    Renderer renderer(scene.compiled(), options, direct_light);
+namespace {
 
+/// Takes renderers of pictures with as many samples through all passes, together.
+/// @return false if asked to stop
+bool run_passes(const CompiledScene& scene, const std::vector<Renderer*>& renderers, int total,
+                SharedProgress& counter) {
     // Surfaces are bound for a few passes at a time, in parallel, each pass to its own wavelengths.
     constexpr int kPassesBound = 8;
-    const int total = options.samples_per_pixel;
-    SharedProgress counter(progress, total);
-    bool go_on = true;
-    for (int first = 0; first < total && go_on; first += kPassesBound) {
+    for (int first = 0; first < total; first += kPassesBound) {
         std::vector<std::unique_ptr<const Pass>> passes(std::min(kPassesBound, total - first));
         try {
             parallel_for_ranges(0, passes.size(), 1, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
                     passes[i] = std::make_unique<const Pass>(
-                        scene.compiled(), renderer.sample_of_pass(first + static_cast<int>(i)));
+                        scene, renderers[0]->sample_of_pass(first + static_cast<int>(i)));
                 }
             });
         } catch (const Stopped&) {
-            break;
+            return false;
         }
-        for (std::size_t i = 0; i < passes.size() && go_on; ++i) {
-            go_on = renderer.run(*passes[i], counter);
-            if (go_on) counter.add();
-            go_on = go_on && !counter.stopped();
-            passes[i].reset();
+        for (auto& pass : passes) {
+            for (Renderer* renderer : renderers) {
+                if (!renderer->run(*pass, counter)) return false;
+            }
+            counter.add();
+            if (counter.stopped()) return false;
+            pass.reset();
         }
     }
+    return true;
+}
+
+/// So that at least 64 pixels are taken, and one of 64 of a large picture.
+int noise_stride(const RenderOptions& options) {
+    constexpr double kFewest = 64;
+    const double pixels = static_cast<double>(options.width) * options.height;
+    return std::clamp(static_cast<int>(std::sqrt(pixels / kFewest)), 1, 8);
+}
+
+/// The options with other random numbers, of the colour alone.
+RenderOptions noise_options(RenderOptions options, int probe) {
+    options.seed = hash_of(options.seed, 0x6e6f697365u, probe);
+    options.sparkle = false;
+    options.spectral_bins = 0;
+    return options;
+}
+
+double luminance(const float* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+
+/// From pairs of values of the same pixels by other random numbers; 0 of black pictures.
+double noise_between(const std::vector<std::array<double, 2>>& pairs) {
+    double sum = 0, squares = 0;
+    for (const auto& [a, b] : pairs) {
+        sum += 0.5 * (a + b);
+        squares += 0.5 * (a - b) * (a - b);
+    }
+    const auto count = static_cast<double>(pairs.size());
+    return sum > 0 ? std::sqrt(squares / count) / (sum / count) : 0;
+}
+
+}  // namespace
+
+RenderResult render_with(const Scene& scene, const RenderOptions& options, DirectLight direct_light,
+                         const Progress& progress) {
+    check(options);
+    const auto start = std::chrono::steady_clock::now();
+    Renderer renderer(scene.compiled(), options, direct_light);
+    std::optional<Renderer> probe;
+    std::vector<Renderer*> renderers = {&renderer};
+    if (options.noise) {
+        probe.emplace(scene.compiled(), noise_options(options, 0), direct_light,
+                      noise_stride(options));
+        renderers.push_back(&*probe);
+    }
+    SharedProgress counter(progress, options.samples_per_pixel);
+    run_passes(scene.compiled(), renderers, options.samples_per_pixel, counter);
     RenderResult result = renderer.develop();
-    result.complete = result.samples == total;
+    result.complete = result.samples == options.samples_per_pixel;
+    if (probe && result.complete) {
+        const RenderResult other = probe->develop();
+        std::vector<std::array<double, 2>> pairs;
+        for (int row = 0; row < other.height; ++row) {
+            for (int column = 0; column < other.width; ++column) {
+                const auto taken = static_cast<std::size_t>(row) * other.width + column;
+                const auto pixel = static_cast<std::size_t>(probe->pixel_of(row)) * result.width +
+                                   probe->pixel_of(column);
+                pairs.push_back(
+                    {luminance(&result.rgb[3 * pixel]), luminance(&other.rgb[3 * taken])});
+            }
+        }
+        if (other.samples == result.samples) result.noise = noise_between(pairs);
+    }
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
+}
+
+double noise_of(const Scene& scene, const RenderOptions& options, const Progress& progress) {
+    check(options);
+    Renderer a(scene.compiled(), noise_options(options, 0), DirectLight::combined,
+               noise_stride(options));
+    Renderer b(scene.compiled(), noise_options(options, 1), DirectLight::combined,
+               noise_stride(options));
+    SharedProgress counter(progress, options.samples_per_pixel);
+    if (!run_passes(scene.compiled(), {&a, &b}, options.samples_per_pixel, counter)) {
+        throw Stopped("the estimate of the noise was stopped");
+    }
+    const RenderResult first = a.develop(), second = b.develop();
+    std::vector<std::array<double, 2>> pairs;
+    for (std::size_t i = 0; i < first.rgb.size(); i += 3) {
+        pairs.push_back({luminance(&first.rgb[i]), luminance(&second.rgb[i])});
+    }
+    return noise_between(pairs);
+}
+
+int samples_for_noise(const Scene& scene, RenderOptions options, double noise, int most,
+                      const Progress& progress) {
+    require_in_range(noise, kNoiseRange.lo, kNoiseRange.hi, "noise");
+    require_in_range(most, 1, 1 << 24, "most samples per pixel");
+    constexpr int kFewest = 16;
+    for (int samples = std::min(kFewest, most); samples < most;
+         samples = std::min(2 * samples, most)) {
+        options.samples_per_pixel = samples;
+        if (noise_of(scene, options, progress) <= noise) return samples;
+    }
+    return most;
 }
 
 RenderResult render(const Scene& scene, const RenderOptions& options, const Progress& progress) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "nacre/core/error.h"
 #include "nacre/core/progress.h"
 #include "nacre/render/integrator.h"
 #include "nacre/render/scene.h"
@@ -21,7 +23,9 @@ struct RenderOptions {
     /// 0: flakes that can be asked one by one are asked (docs/nacre-model.md), and where they cannot,
     /// as those of surfaces seen in a mirror, default_footprint_pixels().
     double footprint_pixels = 0;
-    bool sparkle = false;   ///< RenderResult::sparkle is asked for
+    bool sparkle = false;  ///< RenderResult::sparkle is asked for
+    bool noise =
+        false;  ///< RenderResult::noise is asked for; from 64 x 64 pixels it takes a 64th more
     int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
                             ///< times the pixels at most 2^32
 };
@@ -51,6 +55,9 @@ struct RenderResult {
     std::vector<float> spectral;  ///< bins per pixel: mean spectral radiance about each centre
     std::vector<double> bin_centres_nm;
     int samples = 0;  ///< per pixel, finished
+    /// Standard error of a pixel's luminance, root mean square over the picture, over its mean
+    /// luminance; none unless asked for, and of pictures that were stopped. See noise_of().
+    std::optional<double> noise = {};
     /// Paths whose light was not finite, taken as black: always 0 unless a surface is at fault.
     long invalid_paths = 0;
     double seconds = 0;    ///< wall-clock time
@@ -70,6 +77,21 @@ void check(const RenderOptions& options);
 /// @throws DomainError, Error as check()
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const Progress& progress = {});
+
+/// The noise that a picture would have (RenderResult::noise): some of its pixels, one of 64 where
+/// there are many, are rendered twice with seeds of their own, and half the mean square of their
+/// differences is the variance. Without bias whatever the paths and their sampler do; wavelengths,
+/// which all pixels share, aside. Light that few paths find may escape it, as it does the picture.
+/// @throws as render(); Stopped if `progress` asks to stop
+double noise_of(const Scene& scene, const RenderOptions& options, const Progress& progress = {});
+
+/// A power of two: the fewest samples a pixel, of 16 or more, with which noise_of() is at most
+/// `noise`, or `most` if they would have to be more.
+/// @param noise  in kNoiseRange
+/// @throws as noise_of(); DomainError if `noise` is out of range
+int samples_for_noise(const Scene& scene, RenderOptions options, double noise, int most,
+                      const Progress& progress = {});
+inline constexpr Range kNoiseRange{1e-4, 10};
 
 /// As render(), with a choice of estimators of direct light, so that tests can compare them.
 RenderResult render_with(const Scene& scene, const RenderOptions& options, DirectLight direct_light,

@@ -46,6 +46,7 @@ io::Image image_of(const RenderResult& result, std::map<std::string, std::string
     }
     image.metadata["nacre:version"] = version();
     image.metadata["nacre:samples_per_pixel"] = fmt::format("{}", result.samples);
+    if (result.noise) image.metadata["nacre:noise"] = fmt::format("{:.3g}", *result.noise);
     image.metadata["nacre:state"] = result.complete ? "complete" : "partial";
     return image;
 }

@@ -332,6 +332,80 @@ TEST(Render, AuxiliaryPicturesShowTheFirstSurface) {
     EXPECT_EQ(r.albedo[0], 0);
 }
 
+// The estimate against the truth: the difference to a picture of 32 times the samples and other
+// random numbers, over all pixels. Both hold some per cent by chance.
+TEST(Render, TheNoiseIsThatAgainstTheConvergedPicture) {
+    for (const char* name : {"sphere", "panel-sun"}) {
+        const Scene scene = glossy_scene(name);
+        for (const int samples : {4, 16}) {
+            RenderOptions options{.width = 96, .height = 96, .samples_per_pixel = samples};
+            options.noise = true;
+            const RenderResult picture = render(scene, options);
+            ASSERT_TRUE(picture.noise);
+            options.noise = false;
+            options.samples_per_pixel = 32 * samples;
+            options.seed = 1;
+            const RenderResult converged = render(scene, options);
+            EXPECT_FALSE(converged.noise);
+            double squares = 0, sum = 0;
+            for (std::size_t p = 0; p < picture.rgb.size(); p += 3) {
+                double difference = 0;
+                const double weights[] = {0.2126, 0.7152, 0.0722};
+                for (int c = 0; c < 3; ++c) {
+                    difference += weights[c] * (picture.rgb[p + c] - converged.rgb[p + c]);
+                    sum += weights[c] * converged.rgb[p + c];
+                }
+                squares += difference * difference;
+            }
+            const double pixels = 96.0 * 96;
+            const double truth = std::sqrt(squares / pixels) / (sum / pixels);
+            EXPECT_NEAR(*picture.noise, truth, 0.35 * truth) << name << ", " << samples;
+        }
+    }
+}
+
+TEST(Render, ThePictureDoesNotDependOnAskingForItsNoise) {
+    const Scene scene = glossy_scene();
+    RenderOptions options{.width = 33, .height = 17, .samples_per_pixel = 8};
+    const std::vector<float> plain = render(scene, options).rgb;
+    options.noise = true;
+    EXPECT_EQ(render(scene, options).rgb, plain);
+    // Nor does the estimate on the number of threads.
+    std::optional<double> alone, together;
+    {
+        const ThreadLimit limit(1);
+        alone = render(scene, options).noise;
+    }
+    {
+        const ThreadLimit limit(3);
+        together = render(scene, options).noise;
+    }
+    EXPECT_EQ(alone, together);
+}
+
+TEST(Render, AnEvenlyLitWhiteBodyHasNoNoise) {
+    SceneDescription description = diffuse_sphere(1);
+    description.environment = ConstantEnvironment{};
+    RenderOptions options{.width = 24, .height = 24, .samples_per_pixel = 4};
+    options.noise = true;
+    const Scene scene(description, {});
+    EXPECT_LT(*render_with(scene, options, DirectLight::surface_sampling).noise, 1e-5);
+}
+
+TEST(Render, TakesAsManySamplesAsTheNoiseNeeds) {
+    const Scene scene = glossy_scene();
+    RenderOptions options{.width = 64, .height = 64};
+    const int few = samples_for_noise(scene, options, 0.1, 4096);
+    const int many = samples_for_noise(scene, options, 0.02, 4096);
+    EXPECT_LT(few, many);
+    EXPECT_LT(many, 4096);
+    options.samples_per_pixel = many;
+    EXPECT_LE(noise_of(scene, options), 0.02);
+    EXPECT_EQ(samples_for_noise(scene, options, 1e-4, 32), 32);  // not reached
+    EXPECT_THROW(samples_for_noise(scene, options, 0, 64), DomainError);
+    EXPECT_THROW(noise_of(scene, options, [](double) { return false; }), Stopped);
+}
+
 TEST(Render, OptionsOutOfRangeAreRefusedByName) {
     const Scene scene = glossy_scene();
     const auto message = [&](RenderOptions options) -> std::string {

@@ -72,9 +72,12 @@ struct Sphere {
 /// it has none, they are made smooth below the crease angle.
 struct MeshFile {
     std::filesystem::path path;
-    double mm_per_unit = 1;        ///< glTF counts in metres: 1000
+    double mm_per_unit = 0;        ///< 0: 1000 for glTF, which counts in metres, else 1
     bool y_up = false;             ///< the file's vertical is y (glTF always): turned to z
     double crease_angle_deg = 40;  ///< [0, 180]
+    /// The name of a material in the file (usemtl of OBJ, a glTF's materials), whose triangles alone
+    /// are the shape; empty: all.
+    std::string part = {};
 
     friend bool operator==(const MeshFile&, const MeshFile&) = default;
 };
@@ -248,6 +251,8 @@ struct SceneDescription {
     std::vector<Shape> shapes;
     std::vector<Light> lights;
     std::optional<Environment> environment;
+    /// What its reader changed, for people, naming the file.
+    std::vector<std::string> notes = {};
     /// The files that its recipes may name in their turn: as a scene's file could.
     References references = References::anywhere({});
 

@@ -113,13 +113,19 @@ void describe(Visitor& visit, MeshFile& mesh) {
           mesh.path);
     visit({.key = "mm_per_unit",
            .range = {0, 1e9, "mm", true},
-           .meaning = "glTF counts in metres: 1000"},
+           .meaning = "glTF counts in metres, the other formats have no unit",
+           .zero = "1000 for glTF and 1 for the others"},
           mesh.mm_per_unit);
     visit({.key = "y_up", .meaning = "the file's vertical is y, as in glTF"}, mesh.y_up);
     visit({.key = "crease_angle_deg",
            .range = {0, 180, "deg"},
            .meaning = "where the file has no normals, they are made smooth below it"},
           mesh.crease_angle_deg);
+    visit({.key = "part",
+           .meaning = "only the triangles of the file's material of this name (`usemtl`, or a "
+                      "glTF's materials); empty: all",
+           .max_size = kMaxNameLength},
+          mesh.part);
 }
 
 void describe(Visitor& visit, FlatPanel& panel) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/io/described_toml.h"
@@ -15,8 +17,29 @@ namespace {
 /// 16384 x 8192 pixels: what an environment may have.
 constexpr std::size_t kMaxEnvironmentValues = std::size_t{3} << 27;
 
+/// Colours that a display does not have are negative in its primaries: so little light that it may
+/// be left out, unlike that of a difference of pictures.
+constexpr double kMostNegativeLight = 0.01;
+
+/// Sets negative values to 0 and says so; leaves them where they are too much.
+std::string without_negative_light(std::vector<float>& rgb, const std::string& name) {
+    double light = 0, negative = 0;
+    std::size_t count = 0;
+    for (const float value : rgb) {
+        (value < 0 ? negative : light) += std::abs(value);
+        count += value < 0;
+    }
+    if (count == 0 || !(negative <= kMostNegativeLight * light)) return {};
+    for (float& value : rgb) value = value < 0 ? 0 : value;
+    return fmt::format(
+        "{}: {} of {} values are negative, colours that Rec. 709 does not have; they "
+        "count as 0, which leaves out {:.2g} % of the light",
+        name, count, rgb.size(), 100 * negative / light);
+}
+
 /// The picture of an environment is read along with its table.
-void read_picture(const io::TableReader& table, ImageEnvironment& environment) {
+/// @return what was changed in it
+std::string read_picture(const io::TableReader& table, ImageEnvironment& environment) {
     try {
         const std::filesystem::path path =
             table.document().references().resolve(table.text("path", kMaxPathLength));
@@ -24,6 +47,7 @@ void read_picture(const io::TableReader& table, ImageEnvironment& environment) {
         environment.width = image.width;
         environment.height = image.height;
         environment.rgb = interleaved_rgb(image, path.string());
+        return without_negative_light(environment.rgb, path.string());
     } catch (const Error& error) {
         table.fail("path", error.what());
     }
@@ -41,7 +65,8 @@ SceneDescription parse_scene(std::string_view text, const std::string& filename,
     io::read_described(table, described);
     if (scene.environment) {
         if (auto* picture = std::get_if<ImageEnvironment>(&*scene.environment)) {
-            read_picture(table.table("environment", {}), *picture);
+            const std::string note = read_picture(table.table("environment", {}), *picture);
+            if (!note.empty()) scene.notes.push_back(note);
         }
     }
     if (scene.shapes.empty()) {

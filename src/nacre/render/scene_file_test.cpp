@@ -137,6 +137,28 @@ TEST(SceneFile, ReadsAnEnvironmentPictureAlongWithTheScene) {
     EXPECT_THAT(error_of(text), AllOf(HasSubstr("environment.path = 'sky.exr'"), HasSubstr("sky")));
 }
 
+// As pictures of saturated paints have, which Nacre writes itself.
+TEST(SceneFile, NegativeLightOfAnEnvironmentIsLeftOutIfItIsLittle) {
+    const nacre::test::TempFolder folder;
+    const std::string text = kScene.substr(0, kScene.find("[environment]")) +
+                             "[environment]\ntype = \"image\"\npath = \"sky.exr\"\n";
+    const auto write = [&](float green) {
+        io::write_exr(folder / "sky.exr",
+                      {2, 1, {{"R", {1, 2}}, {"G", {green, 4}}, {"B", {5, 6}}}, {}});
+    };
+    write(-0.01f);
+    const SceneDescription scene = parse_scene(text, "scene.toml", folder);
+    EXPECT_EQ(std::get<ImageEnvironment>(*scene.environment).rgb,
+              (std::vector<float>{1, 0, 5, 2, 4, 6}));
+    ASSERT_EQ(scene.notes.size(), 1u);
+    EXPECT_THAT(scene.notes[0],
+                AllOf(HasSubstr("sky.exr: 1 of 6 values are negative"), HasSubstr("0.056 %")));
+    write(-1);  // a difference of pictures is no light
+    EXPECT_THROW(parse_scene(text, "scene.toml", folder), InputError);
+    write(3);
+    EXPECT_TRUE(parse_scene(text, "scene.toml", folder).notes.empty());
+}
+
 TEST(SceneFile, MayBeKeptToItsFolder) {
     const nacre::test::TempFolder folder;
     const auto error = [&](const std::string& from, const std::string& to) {

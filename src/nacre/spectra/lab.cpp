@@ -101,6 +101,26 @@ Terms terms(const Vec3d& lab1, const Vec3d& lab2) {
 
 }  // namespace
 
+double delta_e_cmc(const Vec3d& standard, const Vec3d& sample, double l, double c) {
+    if (!(l > 0 && c > 0)) {
+        throw DomainError(fmt::format("CMC({}:{}): both numbers must be positive", l, c));
+    }
+    const double lightness = standard[0], chroma = std::hypot(standard[1], standard[2]);
+    const double hue = hue_deg(standard[1], standard[2]);
+    const double dl = sample[0] - lightness, dc = std::hypot(sample[1], sample[2]) - chroma;
+    const double da = sample[1] - standard[1], db = sample[2] - standard[2];
+    const double dh2 = std::max(0.0, da * da + db * db - dc * dc);  // Delta H*^2
+
+    const double sl = lightness < 16 ? 0.511 : 0.040975 * lightness / (1 + 0.01765 * lightness);
+    const double sc = 0.0638 * chroma / (1 + 0.0131 * chroma) + 0.638;
+    const double c4 = std::pow(chroma, 4), f = std::sqrt(c4 / (c4 + 1900));
+    const double t = hue >= 164 && hue <= 345 ? 0.56 + std::abs(0.2 * cos_deg(hue + 168))
+                                              : 0.36 + std::abs(0.4 * cos_deg(hue + 35));
+    const double sh = sc * (f * t + 1 - f);
+    const double x = dl / (l * sl), y = dc / (c * sc);
+    return std::sqrt(x * x + y * y + dh2 / (sh * sh));
+}
+
 double delta_e_2000(const Vec3d& lab1, const Vec3d& lab2) {
     const Terms t = terms(lab1, lab2);
     return std::sqrt(t.lightness * t.lightness + t.chroma * t.chroma + t.hue * t.hue +

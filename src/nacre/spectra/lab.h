@@ -18,6 +18,12 @@ Vec3d lab_to_xyz(const Vec3d& lab, const Vec3d& white);
 /// Symmetric in its arguments.                                        [sharma-2005, eq. 2-22]
 double delta_e_2000(const Vec3d& lab1, const Vec3d& lab2);
 
+/// CMC(l:c) difference of a sample from a standard, which is not symmetric: the standard sets the
+/// weights. 2:1 is usual for what people accept, 1:1 for what they perceive.
+/// [clarke-1984, as BS 6923:1988 has it]
+/// @throws DomainError unless l and c are positive
+double delta_e_cmc(const Vec3d& standard, const Vec3d& sample, double l = 2, double c = 1);
+
 /// A vector whose length is delta_e_2000(lab1, lab2), for least squares: the weighted differences
 /// of lightness, then along a* and b*, from the first colour to the second. It has no corner where
 /// a colour passes grey, unlike chroma and hue, the formula's own coordinates. Where hues are

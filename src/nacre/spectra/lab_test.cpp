@@ -123,6 +123,28 @@ TEST(DeltaE2000, MatchesColourScienceBeyondTheRounding) {
     EXPECT_NEAR(delta_e_2000({50, 2.5, 0}, {73, 25, -18}), 27.149231300746258, 1e-12);
 }
 
+// colour-science 0.4.7: delta_E(standard, sample, method="CMC", l=2, c=1), and with l=1.
+TEST(DeltaECmc, MatchesColourScience) {
+    struct Case {
+        Vec3d standard, sample;
+        double acceptance, perception;
+    };
+    const Case cases[] = {
+        {{50, 20, -30}, {52, 18, -33}, 2.6074052573293365, 3.054739670971523},
+        {{12, 5, 4}, {13, 6, 3}, 2.363746425021626, 2.9085269139548457},
+        {{80, -40, 30}, {78, -42, 33}, 1.632954059823028, 2.0714265590780845},
+        {{60, 0.5, -0.2}, {61, -0.4, 0.6}, 1.8429905432722022, 1.9805736602648811},
+        {{45, 10, 60}, {40, 12, 55}, 3.5141485006960576, 5.486671788343841},
+        {{16, -30, -40}, {17, -28, -45}, 2.887956490915409, 3.3481266927379676}};
+    for (const Case& c : cases) {
+        EXPECT_NEAR(delta_e_cmc(c.standard, c.sample), c.acceptance, 1e-12);
+        EXPECT_NEAR(delta_e_cmc(c.standard, c.sample, 1, 1), c.perception, 1e-12);
+        EXPECT_EQ(delta_e_cmc(c.standard, c.standard), 0);
+        EXPECT_NE(delta_e_cmc(c.standard, c.sample), delta_e_cmc(c.sample, c.standard));
+    }
+    EXPECT_THROW(delta_e_cmc({50, 0, 0}, {51, 0, 0}, 0, 1), DomainError);
+}
+
 // Least squares on the vector are least squares on the difference itself.
 TEST(DeltaE2000, IsTheLengthOfItsVector) {
     Rng rng(2000);

@@ -20,7 +20,7 @@ class Painter {
  public:
     Painter(const ScenePaints& paints, double specimen, const Progress& progress)
         : paints_(paints),
-          model_(paints.model.value_or(models::default_model())),
+          model_(paints.model.value_or(models::default_picture_model())),
           progress_(progress) {
         if (model_.specimen() == 0) model_.set_specimen(static_cast<std::uint64_t>(specimen));
     }
@@ -31,7 +31,8 @@ class Painter {
     std::shared_ptr<const bsdf::Bsdf> look(const render::SceneDescription& scene,
                                            const std::string& material, std::size_t paint) {
         if (opened_[paint].paint.kind() == Kind::measured_brdf) return look(paint, std::nullopt);
-        Model model = model_;
+        const bool holds_table = opened_[paint].paint.kind() == Kind::brdf_table;
+        Model model = holds_table && !paints_.model ? models::default_model() : model_;
         try {
             model.lie_on(material, render::painted_shapes(scene, material));
         } catch (const DomainError& error) {
@@ -158,6 +159,11 @@ Picture Scene::render(const RenderSettings& settings, const Progress& progress) 
         picture.metadata["nacre:recipe_sha256:" + name] = hash;
     }
     return picture;
+}
+
+int Scene::samples_for_noise(const RenderSettings& settings, double noise, int most,
+                             const Progress& progress) const {
+    return render::samples_for_noise(*compiled_, settings, noise, most, progress);
 }
 
 }  // namespace nacre
