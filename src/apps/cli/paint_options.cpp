@@ -32,7 +32,9 @@ std::string advice(const SolverWarning& warning) {
 }  // namespace
 
 Paint open_input(const CommonOptions& options, const std::string& file) {
-    return open(file, references_of(options, file));
+    Paint paint = open(file, references_of(options, file));
+    for (const std::string& note : paint.notes()) say(options, "nacre: note: " + note);
+    return paint;
 }
 
 optics::Material open_material(const std::string& text) {

@@ -167,7 +167,8 @@ std::vector<double> parse_lamps(const SparkleOptions& options) {
 CommandFiles files(const SparkleOptions& options) {
     std::set<std::string> pictures = {"diffuse"};
     for (double lamp_deg : parse_lamps(options)) pictures.insert(lamp_name(lamp_deg));
-    CommandFiles files = files_of(options, {options.recipe});
+    CommandFiles files =
+        files_of(options, {options.recipe}, options.format == "json" ? "JSON" : "CSV");
     files.folders = {{"--pictures", options.pictures}};
     for (const std::string& picture : pictures) {
         for (const char* extension : {".exr", ".png"}) {
@@ -178,6 +179,7 @@ CommandFiles files(const SparkleOptions& options) {
 }
 
 ExitStatus run(SparkleOptions options) {
+    if (options.format == "json") refuse_table_options(options);
     const bsdf::Model model = parse_sparkling_model(options);
     options.camera.seed = options.seed;
     options.camera.lamps_deg = parse_lamps(options);
@@ -224,11 +226,13 @@ ExitStatus run(SparkleOptions options) {
         }
         if (!pictures.diffuse.empty()) write_picture(options, "diffuse", mean_of(pictures.diffuse));
     }
-    emit(options, options.format == "json"
-                      ? json_of(options, paint, measurement)
-                                .dump(2, ' ', false, json::error_handler_t::replace) +
-                            "\n"
-                      : csv_of(measurement));
+    if (options.format == "json") {
+        emit(options, json_of(options, paint, measurement)
+                              .dump(2, ' ', false, json::error_handler_t::replace) +
+                          "\n");
+    } else {
+        emit_table(options, csv_of(measurement));
+    }
     write_report(options, "sparkle",
                  {{"recipe", options.recipe},
                   {"recipe_sha256", paint.recipe_sha256()},
@@ -282,7 +286,7 @@ Command add_sparkle(CLI::App& program) {
                      "Folder for what the camera saw: an EXR and a PNG for each lamp and for "
                      "diffuse light")
         ->type_name("DIR");
-    add_output(*sparkle, *options);
+    add_table_output(*sparkle, *options);
     add_seed(*sparkle, *options);
     add_untrusted(*sparkle, *options);
     add_run_options(*sparkle, *options);
