@@ -102,7 +102,7 @@ enum class Kind {
     solved_paint,     ///< a recipe and its solution, HDF5
     brdf_table,       ///< raw or SVD, HDF5 (docs/tables.md)
     measured_brdf,    ///< of the RGL database (.bsdf) or of MERL (.binary)
-    measured_colours  ///< of a multi-angle instrument, CSV or JSON (docs/measure.md)
+    measured_colours  ///< of a multi-angle instrument, CSV, JSON or CGATS (docs/measure.md)
 };
 
 /// A text that is none of the others counts as a recipe, whose reader says what is wrong with it.
@@ -258,7 +258,8 @@ struct UncertaintySettings {
 bool has_uncertainty(const Model& model);
 
 class Paint;
-Paint open_text(std::string bytes, const std::string& name, const References& references);
+Paint open_text(std::string bytes, const std::string& name, const References& references,
+                const std::string& sample);
 
 class Paint {
  public:
@@ -278,6 +279,9 @@ class Paint {
     bool has_recipe() const;
     /// Whether the file holds a measured BRDF or measured colours, which need no model.
     bool is_measured() const;
+    /// What was decided about measured colours that their file does not say, such as a scale in
+    /// percent; each names the file.
+    const std::vector<std::string>& notes() const;
     /// @throws InputError naming the file if it holds none: tables and measured values
     const paint::Recipe& recipe() const;
     /// SHA-256 of what the recipe says (io/recipe_file.h); empty without a recipe.
@@ -379,8 +383,8 @@ class Paint {
 
  private:
     struct State;
-    friend Paint open_text(std::string bytes, const std::string& name,
-                           const References& references);
+    friend Paint open_text(std::string bytes, const std::string& name, const References& references,
+                           const std::string& sample);
     explicit Paint(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
     std::shared_ptr<const State> state_;  // never null
@@ -409,7 +413,8 @@ std::vector<std::string> shipped_paints();
 /// @throws InputError naming the text, with what may have been meant, if it is neither
 std::filesystem::path find_paint(const std::string& text);
 
-/// Reads a file of any kind, once: the paint needs it no more. Materials that a recipe names as
+/// Reads a file of any kind, once: the paint needs it no more. One sample of several in a file of
+/// measured colours is named behind '#', as in "panels.csv#Silver 2". Materials that a recipe names as
 /// files are read too, wherever they are; "-" is the standard input (core/file.h), whose recipes may
 /// name no files.
 /// @throws InputError naming the file and what is wrong in it
@@ -422,7 +427,9 @@ Paint open(const std::filesystem::path& path, const References& references);
 /// The same from the contents of a file.
 /// @param name        for messages
 /// @param references  as open(); a folder for files anywhere, relative names starting there
+/// @param sample  of measured colours that hold several; empty: there is one
 /// @throws InputError as open()
-Paint open_text(std::string bytes, const std::string& name, const References& references = {});
+Paint open_text(std::string bytes, const std::string& name, const References& references = {},
+                const std::string& sample = {});
 
 }  // namespace nacre

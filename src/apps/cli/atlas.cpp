@@ -145,6 +145,7 @@ void check_choice(const AtlasOptions& options, const CLI::App& command) {
 ExitStatus run(const AtlasOptions& options, const CLI::App& command) {
     check_choice(options, command);
     const Format format = parse_format(options.output);
+    if (format != Format::csv) refuse_table_options(options);
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
@@ -155,7 +156,7 @@ ExitStatus run(const AtlasOptions& options, const CLI::App& command) {
     }();
     switch (format) {
         case Format::csv:
-            emit(options, datasheet::atlas_csv(atlas));
+            emit_table(options, datasheet::atlas_csv(atlas));
             break;
         case Format::svg:
             emit(options, datasheet::atlas_svg(atlas));
@@ -216,7 +217,7 @@ Command add_atlas(CLI::App& program) {
                         "The whole paint instead of one flake: a recipe, solved for each value");
     command->add_option("--key", options->key,
                         "Number of the recipe that varies, as in coats[0].thickness_nm");
-    add_output(*command, *options);
+    add_table_output(*command, *options);
     add_input_options(*command, *options);
     add_run_options(*command, *options);
     command->footer(

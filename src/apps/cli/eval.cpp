@@ -99,7 +99,7 @@ ExitStatus run(const EvalOptions& options) {
             }
         }
     }
-    emit(options, table);
+    emit_table(options, table);
     write_report(options, "eval",
                  {{"recipe", options.recipe},
                   {"recipe_sha256", paint.recipe_sha256()},
@@ -127,7 +127,7 @@ Command add_eval(CLI::App& program) {
         "Side of that patch; " + by_coordinates("in mm", "as a fraction of the unit square's"));
     eval->add_option("--wavelength", options->wavelengths,
                      "Vacuum wavelengths, nm [those of a solved paint, else 400:700:10]");
-    add_output(*eval, *options);
+    add_table_output(*eval, *options);
     add_run_options(*eval, *options);
     eval->footer(
         "phi_o - phi_i = 180 is the mirror side; theta and phi may be first:last:step. Writes "
@@ -138,7 +138,7 @@ Command add_eval(CLI::App& program) {
         "Example: the flop of a pearl, lit from 45 deg\n"
         "  nacre eval paints/tio2-mica-80.toml --incident 45 --outgoing 0:75:5,180 \\\n"
         "             --wavelength 450,550,650");
-    return {eval, [options] { return files_of(*options, {options->recipe}); },
+    return {eval, [options] { return files_of(*options, {options->recipe}, "CSV"); },
             [options] { return run(*options); }};
 }
 

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "apps/cli/options.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/text.h"
 #include "nacre/io/image.h"
+#include "nacre/io/measurement_file.h"
 #include "nacre/io/named_files.h"
 
 namespace nacre::cli {
@@ -38,6 +42,9 @@ struct Input {
 
 std::optional<fs::path> file_named(const std::string& text) {
     std::error_code ec;
+    if (const io::SampleName name = io::split_sample_name(text); !name.sample.empty()) {
+        return file_named(name.file.string());
+    }
     for (std::size_t size = text.size(); size != 0 && size != std::string::npos;
          size = text.rfind(':', size - 1)) {
         const std::string name = text.substr(0, size);
@@ -81,6 +88,44 @@ void check_not_another(const Output& output, const Output& other) {
                                  other.option, other.name));
 }
 
+/// CSV in a file that is called .xlsx would be opened as what it is not, and the same elsewhere.
+void check_format(const Output& output) {
+    constexpr std::pair<std::string_view, std::string_view> kFormats[] = {
+        {".csv", "CSV"},
+        {".json", "JSON"},
+        {".xlsx", "a spreadsheet"},
+        {".xls", "a spreadsheet"},
+        {".ods", "a spreadsheet"},
+        {".tsv", "a table with tabs"},
+        {".toml", "TOML"},
+        {".h5", "HDF5"},
+        {".hdf5", "HDF5"},
+        {".exr", "a picture"},
+        {".png", "a picture"},
+        {".jpg", "a picture"},
+        {".svg", "a drawing"},
+        {".html", "a page"},
+        {".pdf", "a document"},
+        {".xml", "XML"},
+        {".cxf", "XML"},
+        {".bsdf", "a measured BRDF"},
+        {".binary", "a measured BRDF"}};
+    if (output.format.empty()) return;
+    const std::string extension = lowercase(fs::path(output.name).extension().string());
+    for (const auto& [suffix, format] : kFormats) {
+        if (extension != suffix || format == output.format) continue;
+        throw UsageError(
+            fmt::format("{} = {}: is {} by its name, but what is written is {}; {}", output.option,
+                        output.name, format, output.format,
+                        format == "JSON" ? "--format json, where a command has it, writes JSON"
+                        : output.format == "JSON" ? "end the name in .json"
+                        : format == "a spreadsheet"
+                            ? "end the name in .csv, which spreadsheets open (--decimal "
+                              "comma and --bom where they expect these)"
+                            : "end the name in .csv"));
+    }
+}
+
 /// A file cannot be where a folder is to be made, or one above it.
 void check_not_a_folder(const Output& output, const OutputFolder& folder) {
     std::error_code ec;
@@ -106,15 +151,18 @@ std::vector<Output> outputs_in(const OutputFolder& folder) {
 
 }  // namespace
 
-CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs) {
+CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs,
+                      const std::string& format) {
     return {.inputs = std::move(inputs),
-            .files = {{"--output", options.output}, {"--report", options.report}},
+            .files = {{"--output", options.output, false, format},
+                      {"--report", options.report, false, "JSON"}},
             .untrusted = options.untrusted};
 }
 
 void check_files(const CommandFiles& files) {
     std::vector<Output> named = files.files;
     std::erase_if(named, [](const Output& output) { return output.name.empty(); });
+    for (const Output& output : named) check_format(output);
     std::vector<Output> outputs = named, checked = named;
     std::error_code ec;
     for (const OutputFolder& folder : files.folders) {

@@ -21,6 +21,9 @@ struct Output {
     std::string name;
     /// A PNG beside an EXR: nobody named it, so that only one of Nacre's own may be replaced.
     bool beside = false;
+    /// "CSV" or "JSON": a name that ends like that of another format is refused. Empty: the name
+    /// has been looked at already, or may end as it likes.
+    std::string format = {};
 };
 
 /// A folder to be written into; an empty name: none.
@@ -41,12 +44,15 @@ struct CommandFiles {
 };
 
 /// What a command with --output and --report reads and writes.
-CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs);
+/// @param format  of --output, as Output::format
+CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs,
+                      const std::string& format = {});
 
 /// Checks that each output can be written, as far as that shows beforehand, and that none is an
 /// input, a file that an input (recipe, scene, mesh) names, or another output: by name, or the same
 /// file through links.
-/// @throws UsageError naming both where an output is an input or another output
+/// @throws UsageError naming both where an output is an input or another output, or naming what is
+///         written where an output is called like something else
 /// @throws InputError as check_output_file(), check_output_folder() and io::check_png_beside()
 void check_files(const CommandFiles& files);
 

@@ -110,7 +110,7 @@ Command add_film(CLI::App& program) {
                      "s (perpendicular to the plane of incidence), p (parallel) or u (unpolarized)")
         ->check(CLI::IsMember({"s", "p", "u"}))
         ->capture_default_str();
-    add_output(*film, *options);
+    add_table_output(*film, *options);
     film->footer(
         "An index is n, n+ki (as in 3.18+3.33i, k > 0 absorbs), the name of a shipped material\n"
         "(TiO2_anatase), or a file of optical constants (.csv, .yml). Angles and wavelengths are\n"
@@ -120,9 +120,9 @@ Command add_film(CLI::App& program) {
         "Example: titania on a mica platelet in resin, seen at 30 deg\n"
         "  nacre film --ambient 1.5 --layer TiO2_anatase:80 --layer mica:500 \\\n"
         "             --layer TiO2_anatase:80 --substrate 1.5 --angle 30 --wavelength 400:700:10");
-    return {film, [options] { return files_of(*options, inputs(*options)); },
+    return {film, [options] { return files_of(*options, inputs(*options), "CSV"); },
             [options] {
-                emit(*options, film_table(*options));
+                emit_table(*options, film_table(*options));
                 return ExitStatus::ok;
             }};
 }

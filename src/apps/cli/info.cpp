@@ -7,20 +7,23 @@
 #include <memory>
 #include <numbers>
 
+#include "apps/cli/info_facts.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
 #include "nacre/io/brdf_table_file.h"
+#include "nacre/io/file_kind.h"
 #include "nacre/io/image.h"
 #include "nacre/io/measured_brdf_file.h"
+#include "nacre/io/measurement_file.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/measure/image_clarity.h"
 #include "nacre/nacre.h"
 #include "nacre/paint/expansion.h"
 #include "nacre/paint/orientation.h"
-#include "nacre/render/scene_file.h"
+#include "nacre/render/mesh_file.h"
 
 namespace nacre::cli {
 
@@ -28,20 +31,6 @@ namespace {
 
 struct InfoOptions : CommonOptions {
     std::string file;
-};
-
-/// Lines of "name: value".
-class Facts {
- public:
-    template <class... Args>
-    void add(const std::string& name, fmt::format_string<Args...> format, Args&&... args) {
-        text_ += printable(name) + ": " +
-                 printable(fmt::format(format, std::forward<Args>(args)...)) + "\n";
-    }
-    const std::string& text() const { return text_; }
-
- private:
-    std::string text_;
 };
 
 std::string diameter_text(const paint::FlakeSpecies& flakes) {
@@ -262,57 +251,48 @@ void describe_image(Facts& facts, const std::string& bytes, const std::string& n
     for (const auto& [key, value] : image.metadata) facts.add(key, "{}", value);
 }
 
-void describe_scene(Facts& facts, const render::SceneDescription& scene) {
-    facts.add("kind", "scene");
-    facts.add("name", "{}", scene.name);
-    facts.add("shapes", "{}", scene.shapes.size());
-    facts.add("lights", "{}", scene.lights.size());
-    facts.add("environment", "{}", scene.environment ? "yes" : "no");
-    for (const auto& [name, material] : scene.materials) {
-        const auto* paint = std::get_if<render::PaintMaterial>(&material);
-        facts.add("material " + name, "{}",
-                  !paint                  ? "diffuse"
-                  : paint->recipe.empty() ? "the paint that --paint names"
-                                          : "paint " + paint->recipe.string());
-    }
-}
-
 std::string describe(const InfoOptions& options) {
-    const std::string file = find_paint(options.file).string();
-    const std::string bytes =
-        read_file(file, std::max(io::kMaxImageFileBytes, io::kMaxMeasuredBytes));
+    const io::SampleName name = io::split_sample_name(find_paint(options.file).string());
+    const std::string file = name.file.string();
+    const std::string bytes = read_file(
+        file, std::max({io::kMaxImageFileBytes, io::kMaxMeasuredBytes, render::kMaxMeshBytes}));
     Facts facts;
-    facts.add("file", "{}", file);
-    if (io::looks_like_image(bytes)) {
-        describe_image(facts, bytes, file);
-        return facts.text();
+    facts.add("file", "{}", options.file);
+    const io::FileKind kind = io::file_kind(bytes);
+    if (!name.sample.empty() && kind != io::FileKind::measured_colours) {
+        throw InputError(fmt::format("{}: is {}; only measured colours have samples", file,
+                                     io::words_for(kind)));
     }
-    switch (kind_of(bytes)) {
-        case Kind::solved_paint:
+    switch (kind) {
+        case io::FileKind::picture:
+            describe_image(facts, bytes, file);
+            break;
+        case io::FileKind::solved_paint:
             describe_solved_paint(facts, bytes, file);
             warn_of_implausible(options, open_text(bytes, file));
             break;
-        case Kind::brdf_table:
+        case io::FileKind::brdf_table:
             describe_brdf_table(facts, bytes, file);
             break;
-        case Kind::measured_brdf:
-            if (io::looks_like_rgl(bytes)) {
-                describe_rgl(facts, bytes, file);
-            } else {
-                describe_merl(facts, bytes, file);
-            }
+        case io::FileKind::rgl:
+            describe_rgl(facts, bytes, file);
             break;
-        case Kind::measured_colours:
-        case Kind::recipe:
-            const References references = references_of(options, file);
-            if (render::looks_like_scene(bytes, file)) {
-                describe_scene(facts, render::parse_scene(bytes, file, references));
-            } else {
-                facts.add("kind", "recipe");
-                const Paint paint = open_text(bytes, file, references);
-                describe_recipe(facts, paint.recipe());
-                warn_of_implausible(options, paint);
-            }
+        case io::FileKind::merl:
+            describe_merl(facts, bytes, file);
+            break;
+        case io::FileKind::measured_colours:
+            describe_measured_colours(facts, bytes, file, name.sample);
+            break;
+        case io::FileKind::scene:
+            describe_scene(facts, bytes, file, references_of(options, file));
+            break;
+        case io::FileKind::recipe:
+            facts.add("kind", "recipe");
+            describe_recipe(facts, io::parse_recipe(bytes, file, references_of(options, file)));
+            warn_of_implausible(options, open_text(bytes, file, references_of(options, file)));
+            break;
+        default:
+            describe_other(facts, kind, bytes, file);
     }
     return facts.text();
 }
@@ -323,14 +303,14 @@ Command add_info(CLI::App& program) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* info = program.add_subcommand("info", "Say what is in a file");
     info->add_option("FILE", options->file,
-                     "Recipe, scene, solved paint, table or measured BRDF, picture")
+                     "Any that Nacre reads or writes; FILE#SAMPLE for one of several measured")
         ->required();
     add_input_options(*info, *options);
     add_quiet(*info, *options);
     add_output(*info, *options);
     info->footer(
         "Checks the file on the way: a solved paint against its checksum, a recipe or a scene "
-        "key by key.\n\n"
+        "key by key, the meshes of a scene.\n\n"
         "Example:\n  nacre info gold.h5");
     return {info, [options] { return files_of(*options, {options->file}); },
             [options] {

@@ -11,7 +11,7 @@ Command add_materials(CLI::App& program) {
     auto options = std::make_shared<CommonOptions>();
     CLI::App* materials = program.add_subcommand(
         "materials", "The optical constants that ship: ranges, indices, colours, sources");
-    add_output(*materials, *options);
+    add_table_output(*materials, *options);
     materials->footer(
         "Writes CSV: name,from_nm,to_nm,n_550,k_550,chip,source. Without a range the index is one\n"
         "constant. The chip is the colour of a polished, thick piece in air seen head on, under "
@@ -19,9 +19,9 @@ Command add_materials(CLI::App& program) {
         "for the observer of 10 deg; none where the data do not cover 400 to 700 nm.\n\n"
         "Example:\n"
         "  nacre materials -o materials.csv");
-    return {materials, [options] { return files_of(*options, {}); },
+    return {materials, [options] { return files_of(*options, {}, "CSV"); },
             [options] {
-                emit(*options, datasheet::materials_csv());
+                emit_table(*options, datasheet::materials_csv());
                 return ExitStatus::ok;
             }};
 }
@@ -30,7 +30,7 @@ Command add_pigments(CLI::App& program) {
     auto options = std::make_shared<CommonOptions>();
     CLI::App* pigments = program.add_subcommand(
         "pigments", "The pigments that ship: ranges, colours over black and white, sources");
-    add_output(*pigments, *options);
+    add_table_output(*pigments, *options);
     add_threads(*pigments, *options);
     pigments->footer(
         "A recipe names one by `from` in [[layer.pigment]] and says how much of it there is.\n\n"
@@ -39,10 +39,10 @@ Command add_pigments(CLI::App& program) {
         "under D65 for the observer of 10 deg; none where the data do not cover 400 to 700 nm.\n\n"
         "Example:\n"
         "  nacre pigments -o pigments.csv");
-    return {pigments, [options] { return files_of(*options, {}); },
+    return {pigments, [options] { return files_of(*options, {}, "CSV"); },
             [options] {
                 const ThreadLimit threads(options->threads);
-                emit(*options, datasheet::pigments_csv());
+                emit_table(*options, datasheet::pigments_csv());
                 return ExitStatus::ok;
             }};
 }

@@ -131,8 +131,9 @@ ExitStatus compare(const MeasureOptions& options, const Sample& sample, const Sa
         whole["standard"] = sample_json(standard);
         emit(options, dumped(whole));
     } else {
-        emit(options, wants_text(options) ? difference_text(difference, verdict)
-                                          : difference_csv(difference, verdict));
+        const bool text = wants_text(options);
+        if (text) emit(options, difference_text(difference, verdict));
+        if (!text) emit_table(options, difference_csv(difference, verdict));
     }
     if (!options.plots.empty()) {
         write_plots(options.plots,
@@ -159,6 +160,7 @@ ExitStatus run(const MeasureOptions& options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
+    if (options.format == "json" && options.contributions.empty()) refuse_table_options(options);
     if (options.versus.empty() && !options.weights.empty()) {
         throw UsageError("--weights belongs to --versus");
     }
@@ -205,11 +207,16 @@ ExitStatus run(const MeasureOptions& options) {
             paint, paint.measure(instrument.geometries, instrument.settings, bar.callback()));
         nlohmann::json report = sample_json(sample);
         if (uncertainty) report["uncertainty"] = uncertainty_json(*uncertainty);
-        emit(options, options.format == "json" ? dumped(report)
-                      : wants_text(options)    ? text_of(sample, uncertainty)
-                                               : csv_of(sample, uncertainty));
+        if (options.format == "json") {
+            emit(options, dumped(report));
+        } else if (wants_text(options)) {
+            emit(options, text_of(sample, uncertainty));
+        } else {
+            emit_table(options, csv_of(sample, uncertainty));
+        }
         if (!options.contributions.empty()) {
-            write_file_atomically(options.contributions, contributions_csv(*uncertainty));
+            write_file_atomically(options.contributions,
+                                  table_text(options, contributions_csv(*uncertainty)));
         }
         if (!options.plots.empty()) {
             write_plots(options.plots,
@@ -233,8 +240,9 @@ ExitStatus run(const MeasureOptions& options) {
 
 CommandFiles files(const MeasureOptions& options) {
     CommandFiles files =
-        files_of(options, {options.sample, options.versus, options.instrument.geometry});
-    files.files.push_back({"--contributions", options.contributions});
+        files_of(options, {options.sample, options.versus, options.instrument.geometry},
+                 options.format == "json" ? "JSON" : "CSV");
+    files.files.push_back({"--contributions", options.contributions, false, "CSV"});
     files.folders = {{"--plots", options.plots, plot_file_names()}};
     return files;
 }
@@ -249,7 +257,7 @@ Command add_measure(CLI::App& program) {
         ->add_option("SAMPLE", options->sample,
                      "Recipe (TOML), solved paint or table (HDF5), measured BRDF (.bsdf, .binary), "
                      "or measured "
-                     "colours (CSV, JSON)")
+                     "colours (CSV, JSON, CGATS; FILE#SAMPLE where it holds several)")
         ->required();
     add_instrument_options(*command, options->instrument);
     add_model_options(*command, options->model);
@@ -277,7 +285,7 @@ Command add_measure(CLI::App& program) {
         ->add_option("--contributions", options->contributions,
                      "Table (CSV) of what each uncertain number contributes to each quantity")
         ->type_name("FILE");
-    add_output(*command, *options);
+    add_table_output(*command, *options);
     add_seed(*command, *options);
     add_input_options(*command, *options);
     add_run_options(*command, *options);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/version.h"
@@ -26,6 +27,19 @@ constexpr const char* kRunningGroup = "How it runs";
 void add_output(CLI::App& command, CommonOptions& options) {
     command.add_option("-o,--output", options.output, "File to write instead of standard output")
         ->type_name("FILE");
+}
+
+void add_table_output(CLI::App& command, CommonOptions& options) {
+    add_output(command, options);
+    command
+        .add_option_function<std::string>(
+            "--decimal",
+            [&options](const std::string& mark) { options.decimal_comma = mark == "comma"; },
+            "Decimal mark of the CSV: point, or comma with semicolons between the cells [point]")
+        ->check(CLI::IsMember({"point", "comma"}))
+        ->type_name("MARK");
+    command.add_flag("--bom", options.byte_order_mark,
+                     "Begin the CSV with a byte order mark, by which spreadsheets know UTF-8");
 }
 
 void add_quiet(CLI::App& command, CommonOptions& options) {
@@ -86,6 +100,21 @@ void emit(const CommonOptions& options, const std::string& data) {
         return;
     }
     print_data(data);
+}
+
+std::string table_text(const CommonOptions& options, const std::string& csv) {
+    return std::string(options.byte_order_mark ? kByteOrderMark : "") +
+           (options.decimal_comma ? with_decimal_commas(csv) : csv);
+}
+
+void emit_table(const CommonOptions& options, const std::string& csv) {
+    emit(options, table_text(options, csv));
+}
+
+void refuse_table_options(const CommonOptions& options) {
+    if (!options.decimal_comma && !options.byte_order_mark) return;
+    throw UsageError(
+        fmt::format("{} belongs to CSV", options.decimal_comma ? "--decimal comma" : "--bom"));
 }
 
 void print_data(const std::string& data) {

@@ -84,16 +84,20 @@ class App;
 namespace nacre::cli {
 
 struct CommonOptions {
-    int threads = 0;         ///< 0: all
-    std::uint64_t seed = 0;  ///< of random numbers
-    bool quiet = false;      ///< no progress, no messages other than errors
-    std::string report;      ///< JSON file about the run; empty: none
-    std::string output;      ///< empty: stdout
-    bool untrusted = false;  ///< recipes and scenes name files in their folders only
-    bool strict = false;     ///< what would be warned of is an error
+    int threads = 0;               ///< 0: all
+    std::uint64_t seed = 0;        ///< of random numbers
+    bool quiet = false;            ///< no progress, no messages other than errors
+    std::string report;            ///< JSON file about the run; empty: none
+    std::string output;            ///< empty: stdout
+    bool untrusted = false;        ///< recipes and scenes name files in their folders only
+    bool strict = false;           ///< what would be warned of is an error
+    bool decimal_comma = false;    ///< in tables; semicolons between the cells then
+    bool byte_order_mark = false;  ///< at the beginning of tables
 };
 
 void add_output(CLI::App& command, CommonOptions& options);  ///< -o, --output
+/// Of commands that write a table (CSV): -o, --output, --decimal and --bom.
+void add_table_output(CLI::App& command, CommonOptions& options);
 void add_quiet(CLI::App& command, CommonOptions& options);
 void add_report(CLI::App& command, CommonOptions& options);
 /// Of all that open recipes: --untrusted and --strict.
@@ -112,6 +116,14 @@ void require_going();
 /// Data to the output file, whole or not at all, or to stdout.
 /// @throws Error if they cannot be written; Stopped as require_going()
 void emit(const CommonOptions& options, const std::string& data);
+
+/// A table as --decimal and --bom ask for it.
+std::string table_text(const CommonOptions& options, const std::string& csv);
+/// emit() of that.
+void emit_table(const CommonOptions& options, const std::string& csv);
+/// Refuses --decimal and --bom where no table is written.
+/// @throws UsageError
+void refuse_table_options(const CommonOptions& options);
 
 /// Data to stdout. A reader that has gone, as in `nacre ... | head -1`, wants no more: the command
 /// goes on, so that its files are written, and main() ends the program.

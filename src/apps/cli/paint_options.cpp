@@ -34,6 +34,7 @@ std::string advice(const SolverWarning& warning) {
 Paint open_input(const CommonOptions& options, const std::string& file) {
     const std::string path = find_paint(file).string();
     Paint paint = open(path, references_of(options, path));
+    for (const std::string& note : paint.notes()) say(options, "nacre: note: " + note);
     warn_of_implausible(options, paint);
     return paint;
 }

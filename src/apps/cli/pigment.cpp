@@ -162,7 +162,7 @@ Command add_pigment(CLI::App& program) {
     return {pigment,
             [options] {
                 CommandFiles files = files_of(*options, {options->drawdown, options->ior});
-                files.files.push_back({"--table", options->table});
+                files.files.push_back({"--table", options->table, false, "CSV"});
                 files.folders = {
                     {"--plots", options->plots, plot_file_names(datasheet::kDrawdownPlots)}};
                 return files;

@@ -62,7 +62,7 @@ ExitStatus run(const ReferenceOptions& options) {
             }
         }
     }
-    emit(options, table);
+    emit_table(options, table);
     write_report(options, "reference",
                  {{"recipe", options.recipe},
                   {"recipe_sha256", io::recipe_hash(recipe)},
@@ -86,7 +86,7 @@ Command add_reference(CLI::App& program) {
     command->add_option("--samples", options->samples, "Walks per incident direction")
         ->check(CLI::Range(std::uint64_t{2}, std::uint64_t{1'000'000'000'000'000}))
         ->capture_default_str();
-    add_output(*command, *options);
+    add_table_output(*command, *options);
     add_seed(*command, *options);
     add_run_options(*command, *options);
     command->footer(
@@ -96,7 +96,7 @@ Command add_reference(CLI::App& program) {
         "Example:\n"
         "  nacre reference paints/metallic-gray.toml --incident 45 --outgoing 45,180 \\\n"
         "                  --wavelength 550 --samples 1000000");
-    return {command, [options] { return files_of(*options, {options->recipe}); },
+    return {command, [options] { return files_of(*options, {options->recipe}, "CSV"); },
             [options] { return run(*options); }};
 }
 

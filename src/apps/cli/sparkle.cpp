@@ -167,7 +167,8 @@ std::vector<double> parse_lamps(const SparkleOptions& options) {
 CommandFiles files(const SparkleOptions& options) {
     std::set<std::string> pictures = {"diffuse"};
     for (double lamp_deg : parse_lamps(options)) pictures.insert(lamp_name(lamp_deg));
-    CommandFiles files = files_of(options, {options.recipe, options.versus});
+    CommandFiles files = files_of(options, {options.recipe, options.versus},
+                                  options.format == "json" ? "JSON" : "CSV");
     files.folders = {{"--pictures", options.pictures}};
     for (const std::string& picture : pictures) {
         for (const char* extension : {".exr", ".png"}) {
@@ -282,6 +283,7 @@ void write_pictures(const SparkleOptions& options, const measure::PanelPictures&
 }
 
 ExitStatus run(SparkleOptions options) {
+    if (options.format == "json") refuse_table_options(options);
     const bsdf::Model model = parse_sparkling_model(options);
     options.camera.seed = options.seed;
     options.camera.lamps_deg = parse_lamps(options);
@@ -309,7 +311,7 @@ ExitStatus run(SparkleOptions options) {
         }
         emit(options, document.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
     } else {
-        emit(options, options.versus.empty() ? csv_of(sample.measurement) : csv_of(rows));
+        emit_table(options, options.versus.empty() ? csv_of(sample.measurement) : csv_of(rows));
     }
     write_report(options, "sparkle",
                  {{"recipe", options.recipe},
@@ -367,7 +369,7 @@ Command add_sparkle(CLI::App& program) {
                      "Folder for what the camera saw: an EXR and a PNG for each lamp and for "
                      "diffuse light")
         ->type_name("DIR");
-    add_output(*sparkle, *options);
+    add_table_output(*sparkle, *options);
     add_seed(*sparkle, *options);
     add_input_options(*sparkle, *options);
     add_run_options(*sparkle, *options);

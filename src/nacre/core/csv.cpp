@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
@@ -10,21 +11,6 @@
 namespace nacre {
 
 namespace {
-
-char separator_of(std::string_view text) {
-    while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        const std::string_view content = trimmed(line);
-        if (!content.empty() && content.front() != '#') {
-            if (line.find(',') != std::string_view::npos) return ',';
-            if (line.find(';') != std::string_view::npos) return ';';
-            if (line.find('\t') != std::string_view::npos) return '\t';
-            return ',';
-        }
-        text.remove_prefix(std::min(text.size(), line.size() + 1));
-    }
-    return ',';
-}
 
 /// Whether spreadsheets take a cell for a formula.
 bool looks_like_formula(std::string_view text) {
@@ -129,13 +115,43 @@ class CsvParser {
 
 }  // namespace
 
+char csv_separator(std::string_view line) {
+    constexpr std::string_view kSeparators = ",;\t";
+    std::size_t counts[kSeparators.size()] = {};
+    bool quoted = false;
+    for (const char c : line) {
+        if (c == '"') quoted = !quoted;
+        const std::size_t which = kSeparators.find(c);
+        if (!quoted && which != std::string_view::npos) ++counts[which];
+    }
+    return kSeparators[static_cast<std::size_t>(std::max_element(counts, std::end(counts)) -
+                                                counts)];
+}
+
+std::string_view first_csv_line(std::string_view text) {
+    text = without_byte_order_mark(text);
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        const std::string_view content = trimmed(line);
+        if (!content.empty() && content.front() != '#') return line;
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
+    return {};
+}
+
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename,
                               std::optional<char> separator) {
+    require_utf8(text, filename);
     text = without_byte_order_mark(text);
-    return CsvParser(text, filename, separator.value_or(separator_of(text))).rows();
+    return CsvParser(text, filename, separator.value_or(csv_separator(first_csv_line(text))))
+        .rows();
 }
 
 std::string csv_cell(std::string_view text) {
+    // A name of a file may hold any bytes, a table may not.
+    if (first_not_utf8(text) || text.find('\0') != std::string_view::npos) {
+        return csv_cell(printable(text));
+    }
     const bool disarm = looks_like_formula(text) || is_disarmed(text);
     const std::string mark = disarm ? "'" : "";
     const bool plain =
@@ -147,6 +163,22 @@ std::string csv_cell(std::string_view text) {
         quoted += c;
     }
     return quoted + '"';
+}
+
+std::string with_decimal_commas(std::string_view csv) {
+    std::string result;
+    std::size_t begin = 0;  // of a cell
+    bool quoted = false;
+    for (std::size_t i = 0; i <= csv.size(); ++i) {
+        const bool end = i == csv.size();
+        if (!end && csv[i] == '"') quoted = !quoted;
+        if (!end && (quoted || (csv[i] != ',' && csv[i] != '\n'))) continue;
+        const std::string_view cell = csv.substr(begin, i - begin);
+        result += parse_number(cell) ? replaced(cell, ".", ",") : std::string(cell);
+        if (!end) result += csv[i] == ',' ? ';' : csv[i];
+        begin = i + 1;
+    }
+    return result;
 }
 
 }  // namespace nacre

@@ -21,18 +21,29 @@ using CsvRow = std::vector<CsvCell>;
 /// kMaxTextFileBytes (core/file.h) reaches it with 13 bytes a cell.
 inline constexpr std::size_t kMaxCsvCells = 5'000'000;
 
+/// The separator of the cells of a line: of comma, semicolon and tab that which stands in it most
+/// often, outside of quotes; of those that stand in it equally often, the first.
+char csv_separator(std::string_view line);
+
+/// The first line of a text that is neither empty nor a comment.
+std::string_view first_csv_line(std::string_view text);
+
 /// The rows of a text; lines that are empty or start with '#' are left out. A byte order mark and
 /// either kind of line end are understood.
-/// @param separator  of cells; if none is given, the commas, or else the semicolons, or else the
-///                   tabs that stand in the first row
-/// @throws InputError with file, line and column if a quote is not closed, or something follows
-///         one, or there are more than kMaxCsvCells
+/// @param separator  of cells; if none is given, csv_separator() of the first row
+/// @throws InputError with file, line and column if the text is not UTF-8, a quote is not closed, or
+///         something follows one, or there are more than kMaxCsvCells
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& filename,
                               std::optional<char> separator = std::nullopt);
 
 /// A text as it is written into a cell: quoted where it has to be. A text that a spreadsheet would
 /// take for a formula, since it begins with = + - @ and is no number, gets an apostrophe in front,
-/// which parse_csv() takes off; so does one that begins with such an apostrophe.
+/// which parse_csv() takes off; so does one that begins with such an apostrophe. Bytes that are no
+/// UTF-8 become escape sequences, as in printable().
 std::string csv_cell(std::string_view text);
+
+/// A table of csv_cell()s and numbers between commas as spreadsheets read it where the comma is the
+/// decimal mark: semicolons between the cells, commas in the numbers.
+std::string with_decimal_commas(std::string_view csv);
 
 }  // namespace nacre

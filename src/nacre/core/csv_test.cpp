@@ -32,6 +32,32 @@ TEST(Csv, TakesTheSeparatorOfTheFirstRowUnlessOneIsGiven) {
     EXPECT_EQ(texts(parse_csv("a;b", "f.csv", ',')), (Texts{{"a;b"}}));
 }
 
+TEST(Csv, TheSeparatorIsWhatStandsMostOftenOutsideOfQuotes) {
+    EXPECT_EQ(csv_separator("L 45to30,90;a 45to30,90;b 45to30,90;\"c,,,,\""), ';');
+    EXPECT_EQ(csv_separator("a\tb, c\td"), '\t');
+    EXPECT_EQ(csv_separator("a,b;c"), ',');
+    EXPECT_EQ(csv_separator("a"), ',');
+    EXPECT_EQ(first_csv_line("\xEF\xBB\xBF# a;b\n\n c,d\ne"), " c,d");
+}
+
+TEST(Csv, RefusesOtherEncodings) {
+    EXPECT_THAT([] { parse_csv("a\nb\xe4", "f.csv"); },
+                ThrowsMessage<InputError>(HasSubstr("f.csv:2:2: is not UTF-8")));
+}
+
+TEST(Csv, DecimalCommasGoIntoNumbersAndNothingElse) {
+    EXPECT_EQ(with_decimal_commas("name,x,R450.5\n\"1.5, a\",-0.25,1e-17\n45as0.1,3,'-1.5\n"),
+              "name;x;R450.5\n\"1.5, a\";-0,25;1e-17\n45as0.1;3;'-1.5\n");
+    EXPECT_EQ(with_decimal_commas("1.5,2"), "1,5;2");
+    EXPECT_EQ(texts(parse_csv(with_decimal_commas("a,\"b;c\"\n1.25,2.5\n"), "f.csv")),
+              (Texts{{"a", "b;c"}, {"1,25", "2,5"}}));
+}
+
+TEST(Csv, BytesThatAreNoTextAreWrittenAsEscapes) {
+    EXPECT_EQ(csv_cell("silver\xff"), "silver\\xff");
+    EXPECT_EQ(csv_cell(std::string("a\0b", 3)), "a\\x00b");
+}
+
 TEST(Csv, KnowsWhereACellStands) {
     const auto rows = parse_csv("a,b\n\n\"x\ny\", z\nlast", "f.csv");
     ASSERT_EQ(rows.size(), 3u);

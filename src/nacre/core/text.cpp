@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "nacre/core/error.h"
+
 namespace nacre {
 namespace {
 
@@ -66,6 +68,45 @@ std::string escaped(std::string_view text, std::string_view kept) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> first_not_utf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t size = character_size(text.substr(i));
+        if (size == 0) return i;
+        i += size;
+    }
+    return std::nullopt;
+}
+
+void require_utf8(std::string_view text, const std::string& filename) {
+    // People's texts begin with a letter of ASCII, half of which is 0 in UTF-16.
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+        (text.size() > 1 && (text[0] == 0) != (text[1] == 0))) {
+        throw InputError(filename + ": is UTF-16; save the file as UTF-8");
+    }
+    if (text.find('\0') != std::string_view::npos) {
+        throw InputError(filename + ": is no text, but binary data of no kind that is read here");
+    }
+    const auto position = first_not_utf8(text);
+    if (!position) return;
+    const std::string_view before = text.substr(0, *position);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t start = before.find_last_of('\n') + 1;  // npos + 1 is 0
+    throw InputError(
+        fmt::format("{}:{}:{}: is not UTF-8, but perhaps Latin-1 or Windows-1252; save the file as "
+                    "UTF-8",
+                    filename, line, *position - start + 1));
+}
+
+std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+    std::string result;
+    for (std::size_t at; (at = text.find(from)) != std::string_view::npos;) {
+        result += text.substr(0, at);
+        result += to;
+        text.remove_prefix(at + from.size());
+    }
+    return result += text;
+}
 
 std::string printable(std::string_view text) { return escaped(text, ""); }
 

@@ -68,17 +68,32 @@ inline std::vector<std::string_view> words(std::string_view text) {
 /// With small letters of the English alphabet.
 std::string lowercase(std::string_view text);
 
-/// Without the mark with which some editors begin a file of UTF-8.
+/// The mark with which some editors begin a file of UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Without that mark.
 inline std::string_view without_byte_order_mark(std::string_view text) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+    return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
 }
+
+/// Where a text is not UTF-8: the position of the first byte that is part of no character.
+std::optional<std::size_t> first_not_utf8(std::string_view text);
+
+/// Refuses a text in another encoding, which editors and spreadsheets write where they are not told
+/// otherwise. UTF-8 may begin with a byte order mark.
+/// @param filename  for the message, which quotes nothing of the text
+/// @throws InputError naming the file, line and column, what the text seems to be (UTF-16, Latin-1
+///         or binary data) and how to save it
+void require_utf8(std::string_view text, const std::string& filename);
 
 /// As it may go to a terminal: control characters (C0, DEL and C1, which move the cursor, change
 /// colours or begin a line) become escape sequences of C, such as `\x1b`.
 std::string printable(std::string_view text);
 /// The same for a table or a message of several lines, whose line ends and tabs stay.
 std::string printable_lines(std::string_view text);
+
+/// A copy in which `from` (not empty) is replaced by `to` wherever it stands.
+std::string replaced(std::string_view text, std::string_view from, std::string_view to);
 
 /// For messages: at most `longest` bytes of a text, cut between characters of UTF-8, control
 /// characters replaced by `stand_in`, so that a message stays one line.

@@ -3,7 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
+
+#include "nacre/core/error.h"
+#include "nacre/testing/errors.h"
 
 namespace nacre {
 namespace {
@@ -39,6 +43,34 @@ TEST(Excerpt, IsOneLineAndCutBetweenCharacters) {
     EXPECT_EQ(excerpt("abcd", 4), "abcd");
     EXPECT_EQ(excerpt("abcde", 4), "abcd...");
     EXPECT_EQ(excerpt("ab\u00e9", 3), "ab...") << "half of the last character would be left";
+}
+
+std::string encoding_complaint(std::string_view text) {
+    return test::message_of<InputError>([&] { require_utf8(text, "f.csv"); });
+}
+
+TEST(Encoding, Utf8WithAndWithoutItsMarkIsAccepted) {
+    EXPECT_NO_THROW(require_utf8("Pr\u00fcfling;15\u00b0\n", "f.csv"));
+    EXPECT_NO_THROW(require_utf8("\xEF\xBB\xBFname\n", "f.csv"));
+    EXPECT_NO_THROW(require_utf8("", "f.csv"));
+}
+
+TEST(Encoding, OthersAreNamedWithTheirPlace) {
+    EXPECT_EQ(
+        encoding_complaint("L;a\n\"Pr\xfc"
+                           "fling\";1\n"),
+        "f.csv:2:4: is not UTF-8, but perhaps Latin-1 or Windows-1252; save the file as UTF-8");
+    for (const std::string& text : {std::string("\xFF\xFEn\0", 4), std::string("\xFE\xFF\0n", 4),
+                                    std::string("n\0a\0", 4), std::string("\0n\0a", 4)}) {
+        EXPECT_EQ(encoding_complaint(text), "f.csv: is UTF-16; save the file as UTF-8");
+    }
+    EXPECT_THAT(encoding_complaint(std::string("ab\0c", 4)), testing::HasSubstr("binary data"));
+}
+
+TEST(Replaced, ChangesAllPlacesAndNothingElse) {
+    EXPECT_EQ(replaced("1,5;2,5", ",", "."), "1.5;2.5");
+    EXPECT_EQ(replaced("aaa", "aa", "b"), "ba");
+    EXPECT_EQ(replaced("", "x", "y"), "");
 }
 
 TEST(Lowercase, ChangesTheEnglishAlphabetAlone) {

@@ -81,7 +81,7 @@ Readings readings_of(const MeasuredColours& colours, const std::vector<Geometry>
     if (settings.aperture && !(*settings.aperture == measurement.conditions.aperture)) {
         measure::Conditions defaults;
         defaults.aperture = *settings.aperture;
-        measurement = io::parse_measurement(colours.text, file, defaults);
+        measurement = io::parse_measurement(colours.text, file, defaults, colours.sample);
     }
     if (!settings.wavelengths_nm.empty()) {
         throw InputError(

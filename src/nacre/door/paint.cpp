@@ -8,8 +8,10 @@
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/file.h"
+#include "nacre/core/text.h"
 #include "nacre/door/state.h"
 #include "nacre/io/brdf_table_file.h"
+#include "nacre/io/file_kind.h"
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/measurement_file.h"
 #include "nacre/io/solved_paint_file.h"
@@ -24,9 +26,6 @@ namespace {
 
 /// Two wavelengths closer than this are the same one, written in two ways.
 constexpr double kSameWavelength_nm = 1e-6;
-
-/// Enough of the beginning of a file to tell whether it holds colours.
-constexpr std::size_t kHeadBytes = std::size_t{1} << 16;
 
 /// The azimuthal series may end at this multiple of its tolerance without a warning: the orders
 /// that follow the last ones are smaller than they are.
@@ -57,6 +56,20 @@ MeasuredBrdf read_measured_brdf(std::string_view bytes, const std::string& name)
     return {std::make_shared<const bsdf::MeasuredMerl>(io::parse_merl(bytes, name)), true};
 }
 
+/// Refuses what is no paint, saying what it is instead.
+/// @throws InputError naming the file
+void require_paint(std::string_view bytes, const std::string& name) {
+    const io::FileKind kind = io::file_kind(bytes);
+    if (kind == io::FileKind::other_table) io::parse_measurement_file(bytes, name);  // says more
+    if (kind == io::FileKind::other_encoding) require_utf8(bytes, name);             // as this does
+    if (kind == io::FileKind::recipe) return;
+    throw InputError(
+        fmt::format("{}: is {}; needed here is a recipe (TOML), a solved paint or table (HDF5), a "
+                    "measured BRDF "
+                    "(.bsdf, .binary) or measured colours (CSV, JSON, CGATS)",
+                    name, io::words_for(kind)));
+}
+
 /// By wavelength, each once, as a solver wants them.
 SolveSettings in_order(SolveSettings settings) {
     std::vector<double>& nm = settings.wavelengths_nm;
@@ -79,11 +92,19 @@ SettingError::SettingError(const std::string& message)
       reason_(message.substr(std::min(message.size(), message.find(": ") + 2))) {}
 
 Kind kind_of(std::string_view bytes) {
-    if (io::looks_like_solved_paint(bytes)) return Kind::solved_paint;
-    if (io::looks_like_brdf_table(bytes)) return Kind::brdf_table;
-    if (io::looks_like_rgl(bytes) || io::looks_like_merl(bytes)) return Kind::measured_brdf;
-    if (io::looks_like_measurement(bytes.substr(0, kHeadBytes))) return Kind::measured_colours;
-    return Kind::recipe;
+    switch (io::kind_of_bytes(bytes)) {
+        case io::FileKind::solved_paint:
+            return Kind::solved_paint;
+        case io::FileKind::brdf_table:
+            return Kind::brdf_table;
+        case io::FileKind::rgl:
+        case io::FileKind::merl:
+            return Kind::measured_brdf;
+        case io::FileKind::measured_colours:
+            return Kind::measured_colours;
+        default:
+            return Kind::recipe;
+    }
 }
 
 std::vector<SolverWarning> solver_warnings(const solver::SolvedPaint& paint,
@@ -133,9 +154,16 @@ Paint::Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds,
         io::RecipeFile{std::move(recipe), std::move(bounds), std::move(deviations)}, "");
 }
 
-Paint open_text(std::string bytes, const std::string& name, const References& references) {
-    switch (kind_of(bytes)) {
+Paint open_text(std::string bytes, const std::string& name, const References& references,
+                const std::string& sample) {
+    const Kind kind = kind_of(bytes);
+    if (!sample.empty() && kind != Kind::measured_colours) {
+        throw InputError(
+            fmt::format("{}: holds {}; only measured colours have samples", name, name_of(kind)));
+    }
+    switch (kind) {
         case Kind::recipe:
+            if (references.may_quote()) require_paint(bytes, name);
             return Paint(std::make_shared<const Paint::State>(
                 io::parse_recipe_file(bytes, name, references), name));
         case Kind::solved_paint:
@@ -155,9 +183,12 @@ Paint open_text(std::string bytes, const std::string& name, const References& re
                                 "measured BRDF is needed here",
                                 name));
             }
-            Measurement measurement = io::parse_measurement(bytes, name);
+            io::MeasurementFile file = io::parse_measurement_file(bytes, name);
+            Measurement measurement = io::sample_called(file, sample, name);
             return Paint(std::make_shared<const Paint::State>(
-                MeasuredColours{std::move(bytes), std::move(measurement)}, name));
+                MeasuredColours{std::move(bytes), sample, std::move(measurement),
+                                std::move(file.notes)},
+                name));
         }
     }
     throw Error("no such kind of file");
@@ -168,7 +199,8 @@ Paint open(const std::filesystem::path& path) { return open(path, References::of
 Paint open(const std::filesystem::path& path, const References& references) {
     constexpr std::size_t kMaxBytes =
         std::max({io::kMaxSolvedPaintBytes, io::kMaxBrdfTableBytes, io::kMaxMeasuredBytes});
-    return open_text(read_file(path, kMaxBytes), path.string(), references);
+    const io::SampleName name = io::split_sample_name(path);
+    return open_text(read_file(name.file, kMaxBytes), name.file.string(), references, name.sample);
 }
 
 Kind Paint::kind() const { return static_cast<Kind>(state_->contents.index()); }
@@ -184,6 +216,12 @@ bool Paint::has_recipe() const { return kind() == Kind::recipe || kind() == Kind
 
 bool Paint::is_measured() const {
     return kind() == Kind::measured_brdf || kind() == Kind::measured_colours;
+}
+
+const std::vector<std::string>& Paint::notes() const {
+    static const std::vector<std::string> none;
+    const auto* colours = std::get_if<MeasuredColours>(&state_->contents);
+    return colours ? colours->notes : none;
 }
 
 const paint::Recipe& Paint::recipe() const {

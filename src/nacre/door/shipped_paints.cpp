@@ -6,6 +6,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
+#include "nacre/io/measurement_file.h"
 #include "nacre/nacre.h"
 
 namespace nacre {
@@ -36,7 +37,8 @@ std::vector<std::string> shipped_paints() {
 
 fs::path find_paint(const std::string& text) {
     std::error_code ec;
-    if (is_stream(text) || fs::exists(fs::symlink_status(text, ec)) ||
+    const fs::path file = io::split_sample_name(text).file;
+    if (is_stream(text) || fs::exists(fs::symlink_status(file, ec)) ||
         text.find('/') != std::string::npos) {
         return text;  // to be read, or to be complained of by who reads
     }

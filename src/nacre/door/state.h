@@ -23,7 +23,9 @@ struct MeasuredBrdf {
 /// Measured colours, and their text: an aperture that it does not state may be chosen later.
 struct MeasuredColours {
     std::string text;
+    std::string sample;  ///< which of the text's was asked for; empty: its only one
     measure::Measurement measurement;
+    std::vector<std::string> notes;
 };
 
 /// Position of a wavelength among those of a solved paint.

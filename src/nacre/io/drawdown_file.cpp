@@ -13,7 +13,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
-#include "nacre/io/measurement_csv.h"
+#include "nacre/io/measurement_columns.h"
 #include "nacre/io/measurement_file.h"
 #include "nacre/optics/particles.h"
 #include "nacre/paint/recipe.h"

@@ -12,6 +12,8 @@
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
 #include "nacre/core/version.h"
+#include "nacre/io/cgats.h"
+#include "nacre/io/measurement_columns.h"
 #include "nacre/io/measurement_csv.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/spectra/lab.h"
@@ -24,9 +26,6 @@ namespace {
 
 // Exporters round angles to a tenth of a degree.
 constexpr double kSameAngle_deg = 0.1;
-// Delta E 2000. Colours of one spectrum by other tables of weights and other wavelength steps
-// differ by less than 1, those under a wrong light or on a wrong scale by far more.
-constexpr double kMaxColourError = 5;
 
 [[noreturn]] void fail(const MeasurementRow& row, const std::string& why) {
     throw InputError(row.place + why);
@@ -68,8 +67,15 @@ measure::Geometry by_directions(const MeasurementRow& row) {
     return geometry;
 }
 
+/// Whether a name says an angle in fewer words than instruments do, so that theirs is given to it.
+bool is_shorthand(const std::string& name) {
+    return lowercase(name).starts_with("as") || name.find_first_of("/:") != std::string::npos ||
+           name.find("\u00b0") != std::string::npos;
+}
+
 measure::Geometry geometry_of(const MeasurementRow& row) {
     measure::Geometry geometry;
+    std::string name = row.name;
     try {
         if (row.theta_i_deg && row.theta_o_deg) {
             geometry = by_directions(row);
@@ -77,19 +83,24 @@ measure::Geometry geometry_of(const MeasurementRow& row) {
             require_agreement(row, "theta_i", row.theta_i_deg, named->theta_i_deg);
             require_agreement(row, "aspecular_deg", row.aspecular_deg, named->aspecular_deg);
             geometry = *named;
+            if (is_shorthand(name)) name.clear();
+        } else if (const auto angle = parse_number(row.name)) {
+            require_agreement(row, "aspecular_deg", row.aspecular_deg, *angle);
+            geometry = measure::in_plane(row.theta_i_deg.value_or(measure::kUsualLamp_deg), *angle);
+            name.clear();
         } else if (row.theta_i_deg && row.aspecular_deg) {
             geometry = measure::in_plane(*row.theta_i_deg, *row.aspecular_deg);
         } else if (!row.name.empty()) {
             measure::parse_geometry(row.name);  // says what a name looks like
         } else {
             fail(row,
-                 "geometry: is missing; either its name or theta_i and aspecular_deg are "
-                 "needed");
+                 "geometry: is missing; a column of angles is needed (geometry: 45as15 or 15), or "
+                 "theta_i and aspecular_deg, or the angle in each name (L 15, a 15, b 15)");
         }
     } catch (const DomainError& error) {
         fail(row, error.what());
     }
-    if (!row.name.empty()) geometry.name = row.name;
+    if (!name.empty()) geometry.name = name;
     return geometry;
 }
 
@@ -182,7 +193,10 @@ class Member {
         const json* found = find(key);
         if (!found) return fallback;
         if (!found->is_string()) fail(key, "must be text");
-        return found->get<std::string>();
+        const std::string text = found->get<std::string>();
+        // Which no table holds.
+        if (text.find('\0') != std::string::npos) fail(key, "must not hold the character NUL");
+        return text;
     }
     std::optional<double> number(const char* key, const Range& range) const {
         const json* found = find(key);
@@ -365,19 +379,79 @@ bool starts_like_json(std::string_view text) {
 
 }  // namespace
 
-measure::Measurement parse_measurement(std::string_view text, const std::string& filename,
+MeasurementFile parse_measurement_file(std::string_view text, const std::string& filename,
                                        const measure::Conditions& defaults) {
-    return starts_like_json(text) ? parse_measurement_json(text, filename, defaults)
+    if (starts_like_json(text)) {
+        require_utf8(text, filename);
+        return {{parse_measurement_json(text, filename, defaults)}};
+    }
+    return looks_like_cgats(text) ? parse_measurement_cgats(text, filename, defaults)
                                   : parse_measurement_csv(text, filename, defaults);
+}
+
+const measure::Measurement& sample_called(const MeasurementFile& file, std::string_view name,
+                                          const std::string& filename) {
+    constexpr std::size_t kMaxNamed = 12;
+    const std::vector<measure::Measurement>& samples = file.samples;
+    if (name.empty() && samples.size() == 1) return samples[0];
+    std::vector<std::string> names;
+    const measure::Measurement* found = nullptr;
+    std::size_t count = 0;
+    for (const measure::Measurement& sample : samples) {
+        names.push_back(sample.name);
+        if (name.empty() || sample.name != name) continue;
+        found = &sample;
+        ++count;
+    }
+    if (count == 1) return *found;
+    const auto number = name.empty() ? std::nullopt : parse_number(name);
+    for (std::size_t i = 0; count == 0 && number && i < samples.size(); ++i) {
+        if (*number == static_cast<double>(i + 1)) return samples[i];
+    }
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) {
+        list += fmt::format("{}'{}'", i == 0 ? "" : ", ", excerpt(names[i]));
+    }
+    if (names.size() > kMaxNamed) list += ", ...";
+    if (count > 1) {
+        throw InputError(
+            fmt::format("{}: {} samples are called '{}'; say which by its number, 1 to {}",
+                        filename, count, excerpt(name), samples.size()));
+    }
+    if (name.empty()) {
+        throw InputError(fmt::format(
+            "{}: holds {} samples: {}; say which, by its name or its number, as in '{}#{}'",
+            filename, samples.size(), list, filename, names[0].empty() ? "1" : excerpt(names[0])));
+    }
+    throw InputError(fmt::format("{}: has no sample '{}'{}, but {}: {}", filename, excerpt(name),
+                                 did_you_mean(name, names), samples.size(), list));
+}
+
+measure::Measurement parse_measurement(std::string_view text, const std::string& filename,
+                                       const measure::Conditions& defaults,
+                                       std::string_view sample) {
+    return sample_called(parse_measurement_file(text, filename, defaults), sample, filename);
+}
+
+SampleName split_sample_name(const std::filesystem::path& name) {
+    const std::string text = name.string();
+    const std::size_t mark = text.rfind('#');
+    std::error_code none;
+    if (mark == std::string::npos || mark == 0 || mark + 1 == text.size() ||
+        std::filesystem::exists(std::filesystem::status(name, none))) {
+        return {name, ""};
+    }
+    return {text.substr(0, mark), text.substr(mark + 1)};
 }
 
 measure::Measurement read_measurement(const std::filesystem::path& path,
                                       const measure::Conditions& defaults) {
-    return parse_measurement(read_file(path), path.string(), defaults);
+    const SampleName name = split_sample_name(path);
+    return parse_measurement(read_file(name.file), name.file.string(), defaults, name.sample);
 }
 
 bool looks_like_measurement(std::string_view text) {
-    return starts_like_json(text) || has_measurement_header(text);
+    return starts_like_json(text) || looks_like_cgats(text) || find_measurement_header(text);
 }
 
 }  // namespace nacre::io

@@ -11,7 +11,7 @@
 #include "nacre/core/error.h"
 #include "nacre/measure/measurement.h"
 
-// What CSV and JSON have in common: one reading as a file states it, which may be more or less than
+// What all formats have in common: one reading as a file states it, which may be more or less than
 // is needed. Internal to this folder.
 
 namespace nacre::io {
@@ -22,6 +22,11 @@ inline constexpr Range kMeasuredColour{-1e6, 1e6};  // L*, a*, b*
 inline constexpr Range kMeasuredTristimulus{-1e15, 1e15};
 inline constexpr Range kMeasuredAngle{-360, 360, "deg"};
 inline constexpr Range kMeasuredWavelength{100, 10000, "nm"};
+
+/// By which the colour of a reading may differ from that of its spectrum, Delta E 2000. Colours of
+/// one spectrum by other tables of weights and other wavelength steps differ by less than 1, those
+/// under a wrong light or on a wrong scale by far more.
+inline constexpr double kMaxColourError = 5;
 
 struct MeasurementRow {
     std::string place;  ///< "file.csv:3:1: ", for messages
@@ -42,8 +47,15 @@ measure::Measurement assemble_measurement(std::string name, const measure::Condi
 measure::Measurement parse_measurement_json(std::string_view text, const std::string& filename,
                                             const measure::Conditions& defaults);
 
-// Multi-angle colour as CSV and JSON: what Nacre writes, and what instruments' software exports.
-// The columns and keys, and the defaults where one is missing: docs/measure.md.
+// Multi-angle colour as CSV, JSON and CGATS: what Nacre writes, and what instruments' software and
+// spreadsheets export. The columns and keys, and the defaults where one is missing: docs/measure.md.
+
+/// What a file holds.
+struct MeasurementFile {
+    std::vector<measure::Measurement> samples;  ///< one at least, in the order of the file
+    /// What was decided that the file does not say, such as a scale in percent; each names the file.
+    std::vector<std::string> notes = {};
+};
 
 inline constexpr std::size_t kMaxReadings = 100'000;
 inline constexpr int kMeasurementFormatVersion = 1;
@@ -66,24 +78,44 @@ std::string measurement_csv(const measure::Measurement& measurement,
 /// bit, as far as names are UTF-8; members that somebody adds are passed over.
 nlohmann::json measurement_json(const measure::Measurement& measurement);
 
-/// Reads either. Colours that are missing come from the spectra, XYZ that are missing from L*a*b*.
+/// Reads any of the formats. Colours that are missing come from the spectra, XYZ that are missing
+/// from L*a*b*. Reflectances in percent become factors.
 ///
 /// @param filename  for messages
 /// @param defaults  for what the text does not state: light, observer, aperture
-/// @throws InputError naming file, line and column (CSV) or member (JSON) if a geometry is not
+/// @throws InputError naming file, line and column (CSV, CGATS) or member (JSON) if a geometry is not
 ///         stated, is stated twice, or contradicts itself; a value is missing, no number, or out of
-///         range; wavelengths have unequal steps; rows differ in light, observer or aperture; or
-///         L*a*b* differ from those of the spectrum by more than a Delta E 2000 of 5, as where
-///         reflectance is in percent
-measure::Measurement parse_measurement(std::string_view text, const std::string& filename,
+///         range; wavelengths have unequal steps; rows differ in light, observer or aperture;
+///         reflectances may be factors or percent; or L*a*b* differ from those of the spectrum by
+///         more than kMaxColourError
+MeasurementFile parse_measurement_file(std::string_view text, const std::string& filename,
                                        const measure::Conditions& defaults = {});
+
+/// The sample of that name, or that number counted from 1; the only one if the name is empty.
+/// @throws InputError naming the samples if there is none, or several
+const measure::Measurement& sample_called(const MeasurementFile& file, std::string_view name,
+                                          const std::string& filename);
+
+/// One sample of a file.
+/// @throws InputError as parse_measurement_file() and sample_called()
+measure::Measurement parse_measurement(std::string_view text, const std::string& filename,
+                                       const measure::Conditions& defaults = {},
+                                       std::string_view sample = {});
+
+/// A file and a sample in it, as people name them: "panels.csv#Silver 2".
+struct SampleName {
+    std::filesystem::path file;
+    std::string sample;  ///< empty: none is named
+};
+/// Takes the name apart, unless there is a file of the whole name.
+SampleName split_sample_name(const std::filesystem::path& name);
 
 /// @throws InputError as parse_measurement(), or if the file cannot be read
 measure::Measurement read_measurement(const std::filesystem::path& path,
                                       const measure::Conditions& defaults = {});
 
-/// Whether a text starts like a measurement, and not like a recipe: a JSON object, or a header with
-/// a column `geometry`, `aspecular_deg` or `theta_i`.
+/// Whether a text starts like a measurement, and not like a recipe: a JSON object, a table of CGATS,
+/// or a header of which enough columns are known.
 bool looks_like_measurement(std::string_view text);
 
 }  // namespace nacre::io

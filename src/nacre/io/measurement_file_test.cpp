@@ -162,9 +162,9 @@ TEST(MeasurementFile, RefusesInvalidSpectra) {
                 HasSubstr("must be above"));
     EXPECT_THAT(refused_measurement("geometry,R4,R5\n45as15,1,1\n"), HasSubstr("[100, 10000] nm"));
     EXPECT_THAT(refused_measurement("geometry,R400,R500\n45as15,1,\n"), HasSubstr("R500"));
-    // Reflectance in percent is caught by the colours beside it.
+    // The wrong light, or the wrong panel, is caught by the colours beside the spectrum.
     EXPECT_THAT(
-        refused_measurement("geometry,L,a,b,R400,R500,R600,R700\n45as15,76,0,0,50,50,50,50\n"),
+        refused_measurement("geometry,L,a,b,R400,R500,R600,R700\n45as15,50,0,0,50,50,50,50\n"),
         AllOf(HasSubstr("Delta E 2000"), HasSubstr("factor")));
 }
 

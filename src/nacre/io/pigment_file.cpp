@@ -102,6 +102,16 @@ PigmentFile parse_pigment_file(std::string_view text, const std::string& filenam
     return read_pigment(document, volume_fraction);
 }
 
+bool looks_like_pigment(const TomlDocument& document) {
+    const std::vector<std::string> keys = keys_of_file();
+    bool more_than_a_name = false;
+    for (auto&& [key, node] : document.root()) {
+        if (!contains(keys, key.str())) return false;
+        more_than_a_name = more_than_a_name || key.str() != "name";
+    }
+    return more_than_a_name;
+}
+
 std::string write_pigment_file(const PigmentFile& file) {
     paint::Pigment pigment = file.pigment;
     if (auto* given = std::get_if<paint::PigmentCoefficients>(&pigment.body)) {

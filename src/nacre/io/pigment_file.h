@@ -37,6 +37,9 @@ struct PigmentFile {
 PigmentFile parse_pigment_file(std::string_view text, const std::string& filename,
                                double volume_fraction);
 
+/// Whether a text has keys of a pigment and no others.
+bool looks_like_pigment(const TomlDocument& document);
+
 /// The text of such a file, without the pigment's amount.
 std::string write_pigment_file(const PigmentFile& file);
 

@@ -11,6 +11,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
+#include "nacre/io/file_kind.h"
 #include "nacre/paint/description.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/spectra/colour.h"
@@ -53,10 +54,14 @@ std::string place(const std::string& filename, const toml::source_region& where)
     return fmt::format("{}:{}:{}: ", filename, where.begin.line, where.begin.column);
 }
 
+std::string_view line_of(std::string_view text, std::size_t line) {
+    for (; line > 1; --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text.substr(0, text.find('\n'));
+}
+
 /// The key that a line begins with, as in "reflectance: "; nothing where it begins otherwise.
 std::string key_on_line(std::string_view text, std::size_t line) {
-    for (; line > 1; --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-    text = text.substr(0, text.find('\n'));
+    text = line_of(text, line);
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) return {};
     const std::string_view key = trimmed(text.substr(0, equals));
@@ -66,6 +71,30 @@ std::string key_on_line(std::string_view text, std::size_t line) {
             return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
         });
     return bare ? std::string(key) + ": " : std::string();
+}
+
+/// What is meant by a number such as 0,03, of which TOML reads the 0 alone: "x = 0,03: ...". Nothing
+/// where the line has none.
+std::string decimal_comma_on_line(std::string_view text, std::size_t line) {
+    text = line_of(text, line);
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    for (std::size_t equals = text.find('='); equals != std::string_view::npos;
+         equals = text.find('=', equals + 1)) {
+        const std::string_view value = trimmed(text.substr(equals + 1));
+        std::size_t comma = value.starts_with('-') || value.starts_with('+') ? 1 : 0;
+        const std::size_t first = comma;
+        while (comma < value.size() && is_digit(value[comma])) ++comma;
+        if (comma == first || comma + 1 >= value.size() || value[comma] != ',' ||
+            !is_digit(value[comma + 1])) {
+            continue;
+        }
+        std::size_t end = comma + 1;
+        while (end < value.size() && is_digit(value[end])) ++end;
+        const std::string number(value.substr(0, end));
+        return fmt::format("{}: a number has a decimal point: {}", excerpt(number),
+                           excerpt(replaced(number, ",", ".")));
+    }
+    return {};
 }
 
 /// Refuses deep nesting by one pass over the characters. It need only be right about text that is
@@ -153,15 +182,31 @@ TomlDocument::TomlDocument(std::string_view text, std::string filename, Referenc
         throw InputError(fmt::format("{}: has {} bytes; at most {} are allowed", filename_,
                                      text.size(), kMaxTextBytes));
     }
+    refuse_other_kind(text);
+    require_utf8(text, filename_);
     NestingScan(text, filename_).run();
     try {
         root_ = toml::parse(text, filename_);
     } catch (const toml::parse_error& error) {
         const std::string where = place(filename_, error.source());
         if (!references_.may_quote()) throw InputError(where + "is not TOML");
-        throw InputError(where + key_on_line(text, error.source().begin.line) +
-                         excerpt(error.description(), kMaxComplaintLength, ' '));
+        const std::size_t line = error.source().begin.line;
+        const std::string comma = decimal_comma_on_line(text, line);
+        throw InputError(
+            where + key_on_line(text, line) +
+            (comma.empty() ? excerpt(error.description(), kMaxComplaintLength, ' ') : comma));
     }
+}
+
+void TomlDocument::refuse_other_kind(std::string_view text) const {
+    if (!references_.may_quote()) return;
+    const FileKind kind = kind_of_bytes(text);
+    // An empty text is an empty table, and its reader says what it lacks.
+    if (kind == FileKind::text || kind == FileKind::empty || kind == FileKind::other_encoding) {
+        return;
+    }
+    throw InputError(
+        fmt::format("{}: is {}; a text in TOML is needed here", filename_, words_for(kind)));
 }
 
 void TomlDocument::note(const std::string& key, const toml::source_region& where) {

@@ -34,8 +34,8 @@ inline constexpr int kMaxTomlNesting = 32;
 /// key.
 class TomlDocument {
  public:
-    /// @throws InputError with file, line and column if the text is not TOML, is too large or is
-    ///         nested too deeply
+    /// @throws InputError with file, line and column if the text is not TOML, not UTF-8, too large or
+    ///         nested too deeply; naming what it is instead where that shows (io/file_kind.h)
     TomlDocument(std::string_view text, std::string filename, References references);
 
     const toml::table& root() const { return root_; }
@@ -48,6 +48,8 @@ class TomlDocument {
     std::string location(std::string key) const;
 
  private:
+    void refuse_other_kind(std::string_view text) const;
+
     toml::table root_;
     std::string filename_;
     References references_;

@@ -142,20 +142,33 @@ class Words {
     std::string_view rest_;
 };
 
-std::optional<Geometry> parsed(Words words) {
+/// Lamp and what separates it from the aspecular angle: "45as", "45:as", "45/as", "45/", "as".
+std::optional<double> take_lamp(Words& words) {
+    const auto lamp = words.take_number();
+    if (!lamp) return words.take("as") ? std::optional(kUsualLamp_deg) : std::nullopt;
+    words.take("\u00b0");
+    if (words.take(":as")) return lamp;
+    const bool slash = words.take("/");
+    return words.take("as") || slash ? lamp : std::nullopt;
+}
+
+std::optional<Geometry> by_aspecular_angle(Words words) {
+    words.take("r");
+    const auto lamp = take_lamp(words);
+    const auto aspecular = lamp ? words.take_number() : std::nullopt;
+    if (!aspecular) return std::nullopt;
+    words.take("\u00b0");
+    if (words.at_end()) return in_plane(*lamp, *aspecular);
+    if (!words.take("az")) return std::nullopt;
+    const auto azimuth = words.take_number();
+    if (!azimuth || !words.at_end()) return std::nullopt;
+    return off_plane(*lamp, *aspecular, *azimuth);
+}
+
+std::optional<Geometry> by_view(Words words) {
     words.take("r");
     const auto lamp = words.take_number();
-    if (!lamp) return std::nullopt;
-    if (words.take("as")) {
-        const auto aspecular = words.take_number();
-        if (!aspecular) return std::nullopt;
-        if (words.at_end()) return in_plane(*lamp, *aspecular);
-        if (!words.take("az")) return std::nullopt;
-        const auto azimuth = words.take_number();
-        if (!azimuth || !words.at_end()) return std::nullopt;
-        return off_plane(*lamp, *aspecular, *azimuth);
-    }
-    if (!words.take("to")) return std::nullopt;
+    if (!lamp || !words.take("to")) return std::nullopt;
     const auto theta = words.take_number();
     if (!theta || !words.take(",")) return std::nullopt;
     const auto phi = words.take_number();
@@ -166,7 +179,13 @@ std::optional<Geometry> parsed(Words words) {
 }  // namespace
 
 Geometry parse_geometry(std::string_view name) {
-    if (const auto geometry = parsed(Words(name))) return *geometry;
+    if (name == "45/0") {
+        throw DomainError(
+            "'45/0' is the view along the normal to some and the mirror direction to others; write "
+            "45as45 for the one, 45as0 for the other");
+    }
+    if (const auto geometry = by_aspecular_angle(Words(name))) return *geometry;
+    if (const auto geometry = by_view(Words(name))) return *geometry;
     throw DomainError(fmt::format(
         "'{}' is no geometry; one is written 45as15 or 45as-15 (lamp and aspecular angle), "
         "45as25az90 (turned about the mirror direction) or 45to30,90 (theta and phi of the view)",

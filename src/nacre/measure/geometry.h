@@ -10,6 +10,9 @@
 
 namespace nacre::measure {
 
+/// Where the lamp is if a name does not say it: that of all multi-angle instruments.
+inline constexpr double kUsualLamp_deg = 45;
+
 /// One pair of lamp and detector.
 struct Geometry {
     std::string name;           ///< as instruments print it: "45as15"
@@ -39,7 +42,8 @@ Geometry off_plane(double theta_i_deg, double aspecular_deg, double azimuth_deg)
 Geometry towards(double theta_i_deg, double theta_o_deg, double phi_deg);
 
 /// The geometry that such a name stands for: "45as15", "45as-15", "45as25az90" or "45to30,90", as
-/// exporters of instruments write them also with "r" before or "Minus" for "-", capitals or not.
+/// exporters of instruments write them also with "r" before or "Minus" for "-", capitals or not, as
+/// "45/15" or "45:as15", or without the lamp, as "as15", where it is at 45 deg.
 /// @throws DomainError naming the text if it is none of these, or as in_plane()
 Geometry parse_geometry(std::string_view name);
 

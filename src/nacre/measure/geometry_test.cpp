@@ -84,6 +84,10 @@ TEST(Geometry, NamesAreReadAsInstrumentsWriteThem) {
     EXPECT_EQ(parse_geometry("45AS15"), in_plane(45, 15));
     EXPECT_EQ(parse_geometry("45as25az-90"), off_plane(45, 25, -90));
     EXPECT_EQ(parse_geometry("45to30,90"), towards(45, 30, 90));
+    for (const char* name : {"as-15", "AS-15", "45/-15", "45:as-15", "45/as-15", "asMinus15",
+                             "45\u00b0:as-15\u00b0", "45\u00b0/-15\u00b0", "45as-15\u00b0"}) {
+        EXPECT_EQ(parse_geometry(name), in_plane(45, -15)) << name;
+    }
     std::size_t checked = 0;
     for (const GeometrySet& set : geometry_sets()) {
         for (const Geometry& g : set.geometries) {
@@ -95,12 +99,14 @@ TEST(Geometry, NamesAreReadAsInstrumentsWriteThem) {
 }
 
 TEST(Geometry, RefusesWhatIsNoneOrBelowTheHorizon) {
-    for (const char* text : {"", "45", "as15", "45as", "45as15x", "45as25az", "45to30", "45to30,",
-                             "nanas15", "45asinf", "45 as 15", "1e999as1"}) {
+    for (const char* text : {"", "45", "as", "45/", "45:15", "45as", "45as15x", "45as25az",
+                             "45to30", "45to30,", "nanas15", "45asinf", "45 as 15", "1e999as1"}) {
         EXPECT_THAT([&] { parse_geometry(text); },
                     ThrowsMessage<DomainError>(HasSubstr("is no geometry")))
             << text;
     }
+    EXPECT_THAT([] { parse_geometry("45/0"); },
+                ThrowsMessage<DomainError>(AllOf(HasSubstr("45as45"), HasSubstr("45as0"))));
     EXPECT_THAT([] { in_plane(45, -45); },
                 ThrowsMessage<DomainError>(AllOf(HasSubstr("-45"), HasSubstr("(-45, 135)"))));
     EXPECT_THROW(in_plane(45, 135), DomainError);

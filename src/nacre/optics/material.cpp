@@ -143,11 +143,16 @@ std::filesystem::path material_path(const std::filesystem::path& name,
 
 }  // namespace
 
+Material parse_material(std::string_view text, const std::string& name) {
+    return has_material_header(text) ? parse_material_csv(text, name)
+                                     : parse_material_yaml(text, name);
+}
+
 Material read_material_file(const std::filesystem::path& path) {
     const std::string name = path.string();
     const std::string text = read_file(path, kMaxMaterialFileBytes);
-    const bool csv = is_stream(path) ? has_material_header(text)
-                                     : lowercase(path.extension().string()) == ".csv";
+    if (is_stream(path)) return parse_material(text, name);
+    const bool csv = lowercase(path.extension().string()) == ".csv";
     return csv ? parse_material_csv(text, name) : parse_material_yaml(text, name);
 }
 

@@ -31,6 +31,9 @@ Material parse_material_csv(std::string_view text, const std::string& name);
 /// @throws InputError naming file, line, key and value; anchors and aliases are refused
 Material parse_material_yaml(std::string_view text, const std::string& name);
 
+/// Either of the two, whose header tells which.
+Material parse_material(std::string_view text, const std::string& name);
+
 /// Reads a .csv, .yml or .yaml file, or a stream (core/file.h) of either kind, whose header tells
 /// which; the material is named after the path.
 /// @throws InputError if it cannot be read, is too large, or is wrong inside

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "nacre/core/references.h"
+#include "nacre/core/text.h"
+#include "nacre/io/file_kind.h"
+
+// What `nacre info` says of files that are not paints: measured colours, what recipes and scenes
+// name, and results that are not read again.
+
+namespace nacre::cli {
+
+/// Lines of "name: value".
+class Facts {
+ public:
+    template <class... Args>
+    void add(const std::string& name, fmt::format_string<Args...> format, Args&&... args) {
+        text_ += printable(name) + ": " +
+                 printable(fmt::format(format, std::forward<Args>(args)...)) + "\n";
+    }
+    const std::string& text() const { return text_; }
+
+ private:
+    std::string text_;
+};
+
+/// @param file    as the user named it
+/// @param sample  the one that is meant; empty: all
+/// @throws InputError as io::parse_measurement_file() and io::sample_called()
+void describe_measured_colours(Facts& facts, std::string_view bytes, const std::string& file,
+                               const std::string& sample);
+
+/// @throws InputError as render::parse_scene(), and naming the shape whose mesh cannot be read
+void describe_scene(Facts& facts, std::string_view bytes, const std::string& file,
+                    const References& references);
+
+/// Files of every kind that neither open() nor a function above reads.
+/// @throws InputError naming the file and what is wrong in it, or what it is if nothing of Nacre's
+///         reads or writes it
+void describe_other(Facts& facts, io::FileKind kind, std::string_view bytes,
+                    const std::string& file);
+
+}  // namespace nacre::cli

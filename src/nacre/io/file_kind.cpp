@@ -1,0 +1,254 @@
+#include "nacre/io/file_kind.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "nacre/core/csv.h"
+#include "nacre/core/error.h"
+#include "nacre/core/text.h"
+#include "nacre/io/brdf_table_file.h"
+#include "nacre/io/image.h"
+#include "nacre/io/measured_brdf_file.h"
+#include "nacre/io/measurement_columns.h"
+#include "nacre/io/measurement_file.h"
+#include "nacre/io/pigment_file.h"
+#include "nacre/io/solved_paint_file.h"
+#include "nacre/io/table_reader.h"
+
+namespace nacre::io {
+
+namespace {
+
+/// Enough of a text to tell what it is.
+constexpr std::size_t kKindHeadBytes = std::size_t{1} << 16;
+
+constexpr std::pair<FileKind, const char*> kKindWords[] = {
+    {FileKind::recipe, "a recipe"},
+    {FileKind::scene, "a scene"},
+    {FileKind::geometry_set, "a set of geometries"},
+    {FileKind::pigment, "a pigment"},
+    {FileKind::solved_paint, "a solved paint"},
+    {FileKind::brdf_table, "a table of a BRDF"},
+    {FileKind::rgl, "a measured BRDF (RGL, .bsdf)"},
+    {FileKind::merl, "a measured BRDF (MERL, .binary)"},
+    {FileKind::measured_colours, "measured colours"},
+    {FileKind::drawdown, "a drawdown"},
+    {FileKind::material, "a file of optical constants"},
+    {FileKind::spectrum, "a spectrum"},
+    {FileKind::mesh, "a mesh"},
+    {FileKind::picture, "a picture"},
+    {FileKind::result_table, "a table that Nacre writes and does not read"},
+    {FileKind::report, "a report about a run of Nacre"},
+    {FileKind::materialx, "a material for other renderers (MaterialX)"},
+    {FileKind::page, "a page (HTML)"},
+    {FileKind::plot, "a drawing (SVG)"},
+    {FileKind::empty, "empty"},
+    {FileKind::other_table, "a table (CSV) whose header is not known"},
+    {FileKind::other_json, "JSON that Nacre does not know"},
+    {FileKind::other_xml,
+     "XML, such as CxF, which is not read; export measured colours as CSV or CGATS"},
+    {FileKind::other_hdf5, "HDF5 that Nacre did not write"},
+    {FileKind::other_picture, "a picture in a format that is not read; save it as EXR, HDR or PNG"},
+    {FileKind::spreadsheet, "a spreadsheet or another archive; save the table in it as CSV"},
+    {FileKind::document, "a document (PDF)"},
+    {FileKind::other_encoding, "a text that is not UTF-8; save it as UTF-8"},
+    {FileKind::binary, "binary data of no kind that is read here"},
+    {FileKind::text, "a text of no kind that is read here"},
+};
+
+/// Headers of the tables that commands write, as far as they tell, and what stands under them.
+constexpr std::pair<std::string_view, std::string_view> kResultTables[] = {
+    {"wavelength_nm,angle_deg,polarization,R,T",
+     "reflectance and transmittance of films (nacre film)"},
+    {"theta_i,phi_i,theta_o,phi_o,wavelength_nm,brdf",
+     "values of a BRDF (nacre eval, nacre reference)"},
+    {"geometry,theta_i,aspecular_deg,L_standard", "colour differences (nacre measure --versus)"},
+    {"geometry,quantity,number,value,sd", "contributions to uncertainties (nacre measure)"},
+    {"geometry,theta_i,Y,background_Y", "sparkle and graininess (nacre sparkle)"},
+    {"name,from_nm,to_nm,n_550", "the materials that ship (nacre materials)"},
+    {"name,title,kind,from_nm", "the pigments that ship (nacre pigments)"},
+    {"wavelength_nm,scattering_per_mm,scattering_error",
+     "coefficients of a pigment (nacre pigment)"},
+};
+constexpr std::string_view kAtlasColumns = ",theta_i,aspecular_deg,L,a,b,C,h,chip";
+
+bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> starts) {
+    return std::any_of(starts.begin(), starts.end(),
+                       [&](std::string_view start) { return text.starts_with(start); });
+}
+
+/// The header, as if commas stood between its cells.
+std::string header_of(std::string_view text) {
+    const std::string_view line = first_csv_line(text);
+    const char separator = csv_separator(line);
+    return replaced(trimmed(line), std::string_view(&separator, 1), ",");
+}
+
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;)
+        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+bool is_binary_stl(std::string_view bytes) {
+    constexpr std::size_t kHeader = 80, kTriangle = 50;
+    return bytes.size() >= kHeader + 4 &&
+           bytes.size() == kHeader + 4 + kTriangle * std::size_t{number_at(bytes, kHeader)};
+}
+
+/// Lines of OBJ's keywords, with a vertex among them.
+bool is_obj(std::string_view head, bool cut) {
+    constexpr std::string_view kKeywords[] = {"v", "vn", "vt", "vp", "f",      "l",
+                                              "p", "o",  "g",  "s",  "mtllib", "usemtl"};
+    std::vector<std::string_view> lines = split(head, '\n');
+    if (cut) lines.pop_back();
+    bool vertex = false;
+    for (const std::string_view line : lines) {
+        const std::string_view content = trimmed(line);
+        if (content.empty() || content.front() == '#') continue;
+        const std::string_view word = content.substr(0, content.find_first_of(" \t"));
+        if (std::ranges::find(kKeywords, word) == std::end(kKeywords)) return false;
+        vertex = vertex || word == "v";
+        if (word == "v" && words(content).size() < 4) return false;
+    }
+    return vertex;
+}
+
+/// Keys that only scenes have.
+bool has_scene_key(const TomlDocument& document) {
+    constexpr const char* kKeys[] = {"camera", "materials", "shapes", "lights", "environment"};
+    return std::ranges::any_of(kKeys,
+                               [&](const char* key) { return document.root().contains(key); });
+}
+
+FileKind kind_of_json(std::string_view head) {
+    const auto has = [&](std::string_view text) {
+        return head.find(text) != std::string_view::npos;
+    };
+    if (has("\"nacre-measurement\"")) return FileKind::measured_colours;
+    if (has("\"nacre-difference\"")) return FileKind::report;
+    if (has("\"asset\"") || has("\"meshes\"")) return FileKind::mesh;
+    return has("\"command\"") && has("\"version\"") ? FileKind::report : FileKind::other_json;
+}
+
+FileKind kind_of_xml(std::string_view head) {
+    const std::string small = lowercase(head);
+    const auto has = [&](std::string_view text) { return small.find(text) != std::string::npos; };
+    if (has("<materialx")) return FileKind::materialx;
+    if (has("<html") || has("<!doctype html")) return FileKind::page;
+    return has("<svg") ? FileKind::plot : FileKind::other_xml;
+}
+
+/// Whether the first two rows of a text have cells, so that it is no TOML gone wrong.
+bool is_other_table(std::string_view head) {
+    const std::string_view first = first_csv_line(head);
+    if (first.empty() || is_toml_line(first)) return false;
+    const char separator = csv_separator(first);
+    const std::string_view rest =
+        head.substr(static_cast<std::size_t>(first.data() + first.size() - head.data()));
+    const std::string_view second = first_csv_line(rest);
+    return first.find(separator) != std::string_view::npos &&
+           (second.empty() || second.find(separator) != std::string_view::npos);
+}
+
+FileKind kind_of_table(std::string_view head) {
+    const std::string header = header_of(head);
+    const auto columns = split(header, ',');
+    if (!result_table_of(head).empty()) return FileKind::result_table;
+    if (header == "wavelength_nm,n" || header == "wavelength_nm,n,k") return FileKind::material;
+    if (columns.size() == 2 && lowercase(trimmed(columns[0])) == "wavelength_nm") {
+        return FileKind::spectrum;
+    }
+    const std::string small = lowercase(header);
+    if (small.find("ground") != std::string::npos &&
+        small.find("thickness_um") != std::string::npos) {
+        return FileKind::drawdown;
+    }
+    if (looks_like_measurement(head)) return FileKind::measured_colours;
+    return is_other_table(head) ? FileKind::other_table : FileKind::text;
+}
+
+FileKind kind_of_text(std::string_view head, bool cut) {
+    const std::string_view content = trimmed(without_byte_order_mark(head));
+    if (content.starts_with('{')) return kind_of_json(content);
+    if (content.starts_with('<')) return kind_of_xml(content);
+    if (content.starts_with("solid") && content.find("facet") != std::string_view::npos) {
+        return FileKind::mesh;
+    }
+    if (is_obj(content, cut)) return FileKind::mesh;
+    if (starts_with_any(content, {"DATA:", "REFERENCES:", "COMMENTS:"}) ||
+        content.find("\nDATA:") != std::string_view::npos) {
+        return FileKind::material;
+    }
+    return kind_of_table(head);
+}
+
+}  // namespace
+
+std::string words_for(FileKind kind) {
+    const auto found =
+        std::ranges::find(kKindWords, kind, &std::pair<FileKind, const char*>::first);
+    return found->second;
+}
+
+std::string_view result_table_of(std::string_view text) {
+    const std::string header = header_of(text);
+    for (const auto& [start, what] : kResultTables) {
+        if (header.starts_with(start)) return what;
+    }
+    return header.find(',') != std::string::npos && header.ends_with(kAtlasColumns) &&
+                   header.find(',') + kAtlasColumns.size() == header.size()
+               ? "colours of a film or paint (nacre atlas)"
+               : "";
+}
+
+FileKind kind_of_bytes(std::string_view bytes) {
+    if (bytes.empty()) return FileKind::empty;
+    if (looks_like_image(bytes)) return FileKind::picture;
+    if (looks_like_solved_paint(bytes)) return FileKind::solved_paint;
+    if (looks_like_brdf_table(bytes)) return FileKind::brdf_table;
+    if (looks_like_rgl(bytes)) return FileKind::rgl;
+    if (looks_like_merl(bytes)) return FileKind::merl;
+    if (bytes.starts_with("\x89HDF\r\n\x1a\n")) return FileKind::other_hdf5;
+    if (starts_with_any(bytes, {"ply\n", "ply\r", "glTF"}) || is_binary_stl(bytes)) {
+        return FileKind::mesh;
+    }
+    if (starts_with_any(bytes, {"PK\x03\x04", "\xD0\xCF\x11\xE0"})) return FileKind::spreadsheet;
+    if (bytes.starts_with("%PDF")) return FileKind::document;
+    if (starts_with_any(
+            bytes, {"\xFF\xD8\xFF", std::string_view("II*\0", 4), std::string_view("MM\0*", 4)})) {
+        return FileKind::other_picture;
+    }
+    if (starts_with_any(bytes, {"\xFF\xFE", "\xFE\xFF"})) return FileKind::other_encoding;
+    const std::string_view head = bytes.substr(0, kKindHeadBytes);
+    const bool cut = head.size() < bytes.size();
+    if (head.find('\0') != std::string_view::npos) {
+        const bool sixteen_bits = head.size() > 1 && (head[0] == 0) != (head[1] == 0);
+        return sixteen_bits ? FileKind::other_encoding : FileKind::binary;
+    }
+    const FileKind kind = kind_of_text(head, cut);
+    const auto odd = first_not_utf8(head);  // which may be half of a character at the end
+    const bool encoded = !odd || (cut && *odd + 4 > head.size());
+    return encoded || kind == FileKind::mesh ? kind : FileKind::other_encoding;
+}
+
+FileKind file_kind(std::string_view bytes) {
+    const FileKind kind = kind_of_bytes(bytes);
+    if (kind != FileKind::text) return kind;
+    try {
+        const TomlDocument document(bytes, "", {});
+        if (has_scene_key(document)) return FileKind::scene;
+        if (document.root().contains("geometry")) return FileKind::geometry_set;
+        if (looks_like_pigment(document)) return FileKind::pigment;
+    } catch (const InputError&) {
+        // The reader of recipes says what is wrong.
+    }
+    return FileKind::recipe;
+}
+
+}  // namespace nacre::io

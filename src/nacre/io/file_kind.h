@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// What a file is, by its contents: for commands that take any, and for messages about one that was
+// given in the place of another.
+
+namespace nacre::io {
+
+enum class FileKind {
+    // Texts in TOML.
+    recipe,
+    scene,
+    geometry_set,
+    pigment,
+    // Results of Nacre in HDF5.
+    solved_paint,
+    brdf_table,
+    // Measurements.
+    rgl,               ///< .bsdf
+    merl,              ///< .binary
+    measured_colours,  ///< CSV, JSON or CGATS
+    drawdown,          ///< CSV
+    // What recipes and scenes name.
+    material,  ///< optical constants, CSV or YAML
+    spectrum,  ///< CSV of two columns
+    mesh,      ///< OBJ, PLY, STL, glTF
+    picture,   ///< OpenEXR, PNG, Radiance HDR
+    // Results that are not read again.
+    result_table,  ///< CSV
+    report,        ///< JSON
+    materialx,
+    page,  ///< HTML
+    plot,  ///< SVG
+    // What Nacre does not read.
+    empty,
+    other_table,  ///< CSV whose header is not known
+    other_json,
+    other_xml,  ///< CxF is one
+    other_hdf5,
+    other_picture,   ///< JPEG, TIFF
+    spreadsheet,     ///< .xlsx, .ods, .xls; or another archive
+    document,        ///< PDF
+    other_encoding,  ///< a text that is not UTF-8
+    binary,
+    /// A text that is none of these: perhaps TOML.
+    text
+};
+
+/// As messages name it: "a scene", "a spreadsheet or another archive; save its table as CSV".
+std::string words_for(FileKind kind);
+
+/// By the first bytes as far as they tell, never by parsing: a text in TOML is `text`.
+FileKind kind_of_bytes(std::string_view bytes);
+
+/// The same where TOML is told apart by the keys that it has; a text that is not TOML counts as a
+/// recipe, whose reader says what is wrong in it.
+FileKind file_kind(std::string_view bytes);
+
+/// Which table of Nacre's a header begins: "reflectance and transmittance of films (nacre film)";
+/// empty for other tables. A difference is one.
+std::string_view result_table_of(std::string_view text);
+
+}  // namespace nacre::io

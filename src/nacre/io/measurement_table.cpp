@@ -1,0 +1,461 @@
+#include "nacre/io/measurement_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "nacre/core/error.h"
+#include "nacre/core/text.h"
+#include "nacre/io/measurement_columns.h"
+#include "nacre/io/measurement_scale.h"
+#include "nacre/spectra/observer.h"
+
+namespace nacre::io {
+
+namespace {
+
+/// Columns whose misspelt names are refused; other names are those of dates and remarks.
+const std::vector<std::string>& watched_names() {
+    static const std::vector<std::string> names = {
+        "geometry",      "theta_i",  "theta_i_deg",
+        "aspecular",     "theta_o",  "theta_o_deg",
+        "aspecular_deg", "phi_deg",  "lamp_half_angle_deg",
+        "illuminant",    "observer", "detector_half_angle_deg"};
+    return names;
+}
+
+constexpr std::size_t kMaxMeasuredAngles = 1000;  // that columns are called by
+
+/// The columns of one reading: those of a row, or those of an angle in it.
+struct ReadingColumns {
+    std::string geometry;  ///< by which the columns are called; empty: a row is a reading
+    std::map<std::string, std::size_t> columns = {};
+    std::vector<std::size_t> spectrum = {};
+    std::vector<double> wavelengths_nm = {};
+};
+
+/// The numbers of cells. A file has one decimal mark: a comma in one number and a point in another
+/// may be a separator of thousands, which would be read as a thousandth.
+class NumberCells {
+ public:
+    NumberCells(const std::string& filename, bool commas) : filename_(filename), commas_(commas) {}
+
+    std::string place(const CsvCell& cell) const {
+        return fmt::format("{}:{}:{}: ", filename_, cell.line, cell.column);
+    }
+
+    std::optional<double> parse(const CsvCell& cell) {
+        std::string text = replaced(replaced(cell.text, "\u2212", "-"), "\u00b0", "");
+        const auto commas = std::count(text.begin(), text.end(), ',');
+        const bool point = text.find('.') != std::string::npos;
+        if (commas_ && commas == 1 && !point) {
+            text = replaced(text, ",", ".");
+            const auto value = parse_number(text);
+            if (value && !comma_) comma_ = cell;
+            return value;
+        }
+        const auto value = parse_number(text);
+        if (value && point && !point_) point_ = cell;
+        return value;
+    }
+
+    void check() const {
+        if (!comma_ || !point_) return;
+        throw InputError(fmt::format(
+            "{}{} has a decimal comma, but {} in line {} has a point; a file must have "
+            "one or the other, and nothing between thousands",
+            place(*comma_), excerpt(comma_->text), excerpt(point_->text), point_->line));
+    }
+
+    /// What helps where a text is no number.
+    std::string advice(const CsvCell& cell) const {
+        const bool comma = cell.text.find(',') != std::string::npos;
+        if (comma && !commas_) {
+            return "; decimal commas need semicolons or tabs between the cells";
+        }
+        return comma ? "; thousands are written without a mark" : "";
+    }
+
+ private:
+    const std::string& filename_;
+    bool commas_;
+    std::optional<CsvCell> comma_, point_;  // the first of each
+};
+
+class MeasurementTable {
+ public:
+    MeasurementTable(std::vector<CsvRow> rows, const std::string& filename,
+                     const MeasurementTableHints& hints)
+        : filename_(filename),
+          hints_(hints),
+          rows_(std::move(rows)),
+          numbers_(filename, hints.decimal_commas) {
+        if (rows_.empty()) throw InputError(filename + ": is empty: there is no header");
+        if (rows_.size() == 1) throw InputError(filename + ": has a header, but no reading");
+        read_header(rows_[0]);
+        if ((rows_.size() - 1) * readings_.size() > kMaxReadings) {
+            throw InputError(fmt::format("{}: has {} readings; at most {} are allowed", filename,
+                                         (rows_.size() - 1) * readings_.size(), kMaxReadings));
+        }
+        for (std::size_t i = 1; i < rows_.size(); ++i) fit_to_header(rows_[i]);
+    }
+
+    MeasurementFile samples(measure::Conditions conditions) {
+        conditions.illuminant = same_in_all_rows(
+            "illuminant", conditions.illuminant,
+            [](const CsvCell& cell) { return spectra::parse_illuminant(cell.text); });
+        conditions.observer =
+            same_in_all_rows("observer", conditions.observer, [](const CsvCell& cell) {
+                return spectra::parse_observer(replaced(cell.text, "\u00b0", ""));
+            });
+        conditions.aperture.lamp_half_angle_deg =
+            half_angle("lamp_half_angle_deg", conditions.aperture.lamp_half_angle_deg);
+        conditions.aperture.detector_half_angle_deg =
+            half_angle("detector_half_angle_deg", conditions.aperture.detector_half_angle_deg);
+        std::vector<std::string> names;  // of samples
+        std::vector<std::size_t> sample_of;
+        std::vector<MeasurementRow> readings;
+        for (std::size_t i = 1; i < rows_.size(); ++i) {
+            const std::size_t sample = sample_of_row(i, names);
+            for (const ReadingColumns& columns : readings_) {
+                if (auto reading = read(rows_[i], columns)) {
+                    readings.push_back(std::move(*reading));
+                    sample_of.push_back(sample);
+                }
+            }
+        }
+        numbers_.check();
+        MeasurementFile file;
+        apply_scale(readings, conditions, file.notes);
+        std::vector<std::vector<MeasurementRow>> by_sample(names.size());
+        for (std::size_t i = 0; i < readings.size(); ++i) {
+            by_sample[sample_of[i]].push_back(std::move(readings[i]));
+        }
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (by_sample[i].empty()) continue;  // an empty row among them
+            file.samples.push_back(
+                assemble_measurement(names[i], conditions, wavelengths_nm(), by_sample[i]));
+        }
+        if (file.samples.empty()) throw InputError(filename_ + ": has a header, but no reading");
+        return file;
+    }
+
+ private:
+    std::string place(const CsvCell& cell) const { return numbers_.place(cell); }
+    bool by_angle() const { return !readings_[0].geometry.empty(); }
+    const std::vector<double>& wavelengths_nm() const { return readings_[0].wavelengths_nm; }
+
+    // ------------------------------------------------------------------------------ the header
+
+    void read_header(const CsvRow& header) {
+        if (header.size() > kMaxMeasuredColumns) {
+            throw InputError(
+                fmt::format("{}more than {} columns", place(header[0]), kMaxMeasuredColumns));
+        }
+        std::vector<std::optional<MeasurementHeading>> headings;
+        bool names_geometries = false;
+        for (const CsvCell& cell : header) {
+            headings.push_back(heading_of(cell.text));
+            if (!headings.back()) continue;
+            const std::string& column = headings.back()->column;
+            names_geometries = names_geometries || column == "geometry" ||
+                               column == "aspecular_deg" || column == "theta_i";
+        }
+        ReadingColumns row;  // what is called by no angle
+        for (std::size_t i = 0; i < header.size(); ++i) {
+            const auto& heading = headings[i];
+            if (!heading) {
+                refuse_misspelt(header[i]);
+            } else if (heading->geometry.empty()) {
+                add(row, *heading, header[i], i);
+            } else if (!names_geometries) {
+                add(columns_of(heading->geometry, header[i]), *heading, header[i], i);
+            }
+        }
+        columns_ = row.columns;
+        if (readings_.empty()) readings_.push_back(std::move(row));
+        for (const ReadingColumns& columns : readings_) {
+            if (columns.wavelengths_nm != readings_[0].wavelengths_nm) {
+                throw InputError(fmt::format("{}the spectra at {} and {} have other wavelengths",
+                                             place(header[0]), readings_[0].geometry,
+                                             columns.geometry));
+            }
+        }
+    }
+
+    ReadingColumns& columns_of(const std::string& geometry, const CsvCell& cell) {
+        const auto found = std::ranges::find(readings_, geometry, &ReadingColumns::geometry);
+        if (found != readings_.end()) return *found;
+        if (readings_.size() == kMaxMeasuredAngles) {
+            throw InputError(fmt::format("{}more than {} angles", place(cell), kMaxMeasuredAngles));
+        }
+        return readings_.emplace_back(ReadingColumns{.geometry = geometry});
+    }
+
+    void add(ReadingColumns& columns, const MeasurementHeading& heading, const CsvCell& cell,
+             std::size_t position) {
+        if (heading.column == "r") {
+            add_wavelength(columns, heading, cell, position);
+        } else if (!columns.columns.emplace(heading.column, position).second) {
+            throw InputError(
+                fmt::format("{}column '{}' appears twice", place(cell), excerpt(cell.text)));
+        }
+    }
+
+    void add_wavelength(ReadingColumns& columns, const MeasurementHeading& heading,
+                        const CsvCell& cell, std::size_t position) {
+        std::vector<double>& nm = columns.wavelengths_nm;
+        if (!kMeasuredWavelength.contains(heading.wavelength_nm)) {
+            throw InputError(fmt::format("{}wavelength = {}: must be in {}", place(cell),
+                                         heading.wavelength_nm, kMeasuredWavelength.text()));
+        }
+        if (!nm.empty() && !(heading.wavelength_nm > nm.back())) {
+            throw InputError(fmt::format("{}wavelength = {} nm: must be above the {} nm before it",
+                                         place(cell), heading.wavelength_nm, nm.back()));
+        }
+        if (nm.size() == kMaxMeasuredWavelengths) {
+            throw InputError(
+                fmt::format("{}more than {} wavelengths", place(cell), kMaxMeasuredWavelengths));
+        }
+        says_percent_ = says_percent_ || heading.percent;
+        says_factor_ = says_factor_ || heading.factor;
+        nm.push_back(heading.wavelength_nm);
+        columns.spectrum.push_back(position);
+    }
+
+    /// Exporters add dates and comments, which are passed over; a misspelt name must not be.
+    void refuse_misspelt(const CsvCell& cell) const {
+        if (!closest_match(cell.text, watched_names())) return;
+        throw InputError(fmt::format("{}unknown column '{}'{}", place(cell), excerpt(cell.text),
+                                     did_you_mean(cell.text, watched_names())));
+    }
+
+    /// Spreadsheets fill rows with empty cells.
+    void fit_to_header(CsvRow& row) const {
+        const std::size_t width = rows_[0].size();
+        while (row.size() > width && row.back().text.empty()) row.pop_back();
+        if (row.size() == width) return;
+        const bool commas = row.size() > width && !hints_.decimal_commas;
+        throw InputError(fmt::format(
+            "{}has {} cells; the header has {}{}", place(row[0]), row.size(), width,
+            commas ? "; decimal commas need semicolons or tabs between the cells" : ""));
+    }
+
+    // -------------------------------------------------------------------------------- the rows
+
+    /// Null if there is no such column, or the cell is empty.
+    static const CsvCell* cell(const CsvRow& row, const std::map<std::string, std::size_t>& columns,
+                               const std::string& column) {
+        const auto found = columns.find(column);
+        if (found == columns.end() || row[found->second].text.empty()) return nullptr;
+        return &row[found->second];
+    }
+
+    double number(const CsvCell& cell, const std::string& what, const Range& range) {
+        const auto value = numbers_.parse(cell);
+        if (!value || !range.contains(*value)) {
+            throw InputError(fmt::format("{}{} = {}: must be a number in {}{}", place(cell), what,
+                                         excerpt(cell.text), range.text(),
+                                         value ? "" : numbers_.advice(cell)));
+        }
+        return *value;
+    }
+    std::optional<double> number(const CsvRow& row, const ReadingColumns& columns,
+                                 const std::string& column, const Range& range) {
+        const CsvCell* found = cell(row, columns.columns, column);
+        if (!found) return std::nullopt;
+        // As the file calls it.
+        return number(*found, rows_[0][columns.columns.at(column)].text, range);
+    }
+
+    /// Three columns that belong together, or none of them.
+    std::optional<Vec3d> triple(const CsvRow& row, const ReadingColumns& columns,
+                                const char* const (&names)[3], const Range& range) {
+        Vec3d values{};
+        int found = 0;
+        for (int c = 0; c < 3; ++c) {
+            if (const auto value = number(row, columns, names[c], range)) {
+                values[c] = *value;
+                ++found;
+            }
+        }
+        if (found == 0) return std::nullopt;
+        if (found < 3) {
+            throw InputError(fmt::format("{}{}, {} and {}{}: one is given without the others",
+                                         place(row[0]), names[0], names[1], names[2],
+                                         by_angle() ? " at " + columns.geometry : ""));
+        }
+        return values;
+    }
+
+    std::optional<Vec3d> lab(const CsvRow& row, const ReadingColumns& columns) {
+        if (cell(row, columns.columns, "a") || cell(row, columns.columns, "b")) {
+            return triple(row, columns, {"l", "a", "b"}, kMeasuredColour);
+        }
+        auto lch = triple(row, columns, {"l", "c", "h"}, kMeasuredColour);
+        if (!lch) return std::nullopt;
+        const double h = (*lch)[2] * std::numbers::pi / 180, c = (*lch)[1];
+        return Vec3d{(*lch)[0], c * std::cos(h), c * std::sin(h)};
+    }
+
+    std::vector<double> spectrum(const CsvRow& row, const ReadingColumns& columns) {
+        const bool there = std::any_of(columns.spectrum.begin(), columns.spectrum.end(),
+                                       [&](std::size_t i) { return !row[i].text.empty(); });
+        std::vector<double> values;
+        for (std::size_t i = 0; there && i < columns.spectrum.size(); ++i) {
+            CsvCell cell = row[columns.spectrum[i]];
+            if (cell.text.ends_with('%')) {  // as spreadsheets show a number in percent
+                cell.text = trimmed(std::string_view(cell.text).substr(0, cell.text.size() - 1));
+                says_percent_ = true;
+            }
+            values.push_back(
+                number(cell, fmt::format("R{}", columns.wavelengths_nm[i]), kMeasuredReflectance));
+        }
+        return values;
+    }
+
+    /// The name of a geometry; "-15" is the text of a number.
+    std::string geometry_in(const CsvRow& row) {
+        const CsvCell* name = cell(row, columns_, "geometry");
+        if (!name) return {};
+        // Beside directions a name is a label, which may be a number too.
+        if (cell(row, columns_, "theta_o")) return name->text;
+        if (const auto angle = numbers_.parse(*name)) return fmt::format("{}", *angle);
+        const std::string spaceless = replaced(replaced(name->text, "\u2212", "-"), " ", "");
+        return spaceless == name->text ? name->text
+                                       : geometry_name_of(spaceless).value_or(name->text);
+    }
+
+    /// None where a row says nothing at an angle.
+    std::optional<MeasurementRow> read(const CsvRow& row, const ReadingColumns& columns) {
+        MeasurementRow reading;
+        reading.place = place(row[0]);
+        if (by_angle()) {
+            reading.name = columns.geometry;
+        } else if (columns_.contains("geometry")) {
+            reading.name = geometry_in(row);
+        } else if (!columns_.contains("aspecular_deg") && !columns_.contains("theta_i")) {
+            reading.name = hints_.geometry;
+        }
+        reading.lab = lab(row, columns);
+        reading.xyz = triple(row, columns, {"x", "y", "z"}, kMeasuredTristimulus);
+        reading.reflectance_factor = spectrum(row, columns);
+        if (by_angle()) {
+            if (!reading.lab && !reading.xyz && reading.reflectance_factor.empty()) return {};
+            return reading;
+        }
+        reading.theta_i_deg = number(row, columns, "theta_i", kMeasuredAngle);
+        reading.aspecular_deg = number(row, columns, "aspecular_deg", kMeasuredAngle);
+        reading.theta_o_deg = number(row, columns, "theta_o", kMeasuredAngle);
+        reading.phi_deg = number(row, columns, "phi", kMeasuredAngle);
+        return reading;
+    }
+
+    /// A row of angles is a sample; rows of one angle each belong to that which they name.
+    std::size_t sample_of_row(std::size_t row, std::vector<std::string>& names) {
+        const CsvCell *name = cell(rows_[row], columns_, "sample"),
+                      *number = cell(rows_[row], columns_, "sample_id");
+        if (!name && !hints_.geometry.empty()) name = number;
+        if (by_angle()) {
+            if (!name) name = number;
+            const bool one = rows_.size() == 2;
+            names.push_back(name ? name->text : one ? std::string() : fmt::format("{}", row));
+            return names.size() - 1;
+        }
+        if (!name && !names.empty() && !names.back().empty()) {
+            throw InputError(fmt::format("{}sample: is missing here, but is '{}' above",
+                                         place(rows_[row][0]), excerpt(names.back())));
+        }
+        if (name && !names.empty() && names[0].empty()) {
+            throw InputError(fmt::format("{}sample = {}: is missing in the rows above",
+                                         place(*name), excerpt(name->text)));
+        }
+        const auto [place_of, is_new] =
+            sample_places_.emplace(name ? name->text : std::string(), names.size());
+        if (is_new) names.push_back(place_of->first);
+        return place_of->second;
+    }
+
+    void apply_scale(std::vector<MeasurementRow>& readings, const measure::Conditions& conditions,
+                     std::vector<std::string>& notes) const {
+        if (says_percent_ && says_factor_) {
+            throw InputError(fmt::format(
+                "{}the reflectances of some columns are in percent, those of others factors",
+                place(rows_[0][0])));
+        }
+        MeasurementScale scale{says_percent_ || hints_.percent.value_or(false), {}};
+        if (!says_percent_ && !says_factor_ && !hints_.percent) {
+            scale = measurement_scale(readings, wavelengths_nm(), conditions, filename_);
+        }
+        if (!scale.note.empty()) notes.push_back(scale.note);
+        if (!scale.percent) return;
+        for (MeasurementRow& reading : readings) {
+            for (double& value : reading.reflectance_factor) value /= 100;
+        }
+    }
+
+    // ------------------------------------------------------------------ what concerns the file
+
+    double half_angle(const std::string& column, double fallback) {
+        return same_in_all_rows(column, fallback, [&](const CsvCell& cell) {
+            const auto value = numbers_.parse(cell);
+            if (!value || !measure::kHalfAngle.contains(*value)) {
+                throw InputError(fmt::format("'{}' is no number in {}", excerpt(cell.text),
+                                             measure::kHalfAngle.text()));
+            }
+            return *value;
+        });
+    }
+
+    template <class Value, class Parse>
+    Value same_in_all_rows(const std::string& column, Value fallback, const Parse& parse) const {
+        const CsvCell* first = nullptr;
+        for (std::size_t i = 1; i < rows_.size(); ++i) {
+            const CsvCell* here = cell(rows_[i], columns_, column);
+            if (!here) {
+                if (!first) continue;
+                throw InputError(fmt::format("{}{}: is missing here, but is '{}' above",
+                                             place(rows_[i][0]), column, excerpt(first->text)));
+            }
+            if (!first && i > 1) {
+                throw InputError(fmt::format("{}{} = {}: is missing in the rows above",
+                                             place(*here), column, excerpt(here->text)));
+            }
+            if (first && here->text != first->text) {
+                throw InputError(
+                    fmt::format("{}{} = {}: is '{}' above; it must be the same in all rows",
+                                place(*here), column, excerpt(here->text), excerpt(first->text)));
+            }
+            first = here;
+        }
+        if (!first) return fallback;
+        try {
+            return parse(*first);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}{}: {}", place(*first), column, error.what()));
+        }
+    }
+
+    const std::string& filename_;
+    const MeasurementTableHints& hints_;
+    std::vector<CsvRow> rows_;
+    NumberCells numbers_;
+    std::map<std::string, std::size_t> columns_;  // of a row as a whole
+    std::vector<ReadingColumns> readings_;        // one at least
+    std::map<std::string, std::size_t> sample_places_;
+    bool says_percent_ = false, says_factor_ = false;
+};
+
+}  // namespace
+
+MeasurementFile read_measurement_table(std::vector<CsvRow> rows, const std::string& filename,
+                                       const MeasurementTableHints& hints,
+                                       const measure::Conditions& defaults) {
+    return MeasurementTable(std::move(rows), filename, hints).samples(defaults);
+}
+
+}  // namespace nacre::io
