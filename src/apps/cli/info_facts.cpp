@@ -110,9 +110,9 @@ void describe_spectrum(Facts& facts, std::string_view bytes, const std::string& 
     const std::vector<CsvRow> rows = parse_csv(bytes, file);
     std::vector<double> nm, values;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        const auto wavelength = parse_number(rows[i][0].text);
+        const auto wavelength = nacre::parse_number(rows[i][0].text);
         const auto value =
-            rows[i].size() == 2 ? parse_number(rows[i][1].text) : std::optional<double>();
+            rows[i].size() == 2 ? nacre::parse_number(rows[i][1].text) : std::optional<double>();
         if (!wavelength || !value) {
             throw InputError(fmt::format("{}:{}: must have two numbers", file, rows[i][0].line));
         }

@@ -28,7 +28,7 @@ struct PanelOptions : CommonOptions {
     std::string recipe, versus;
     std::string quality = "normal";
     std::string scene = "curved-panel";
-    ModelOptions model{.model{models::default_picture_model().info().name}};
+    ModelOptions model{.model = std::string(models::default_picture_model().info().name)};
     InstrumentOptions instrument;
     UncertaintyRequest uncertainty;
     ToleranceRequest tolerance;

@@ -29,7 +29,7 @@ struct RenderCommandOptions : CommonOptions {
     std::string scene;
     std::string paint;
     std::string brdf;  // measured, instead of the paint
-    ModelOptions model{.model{models::default_picture_model().info().name}};
+    ModelOptions model{.model = std::string(models::default_picture_model().info().name)};
     std::string size = "512x512";
     render::RenderOptions render;
     io::ToneMap tone_map;
