@@ -250,7 +250,7 @@ TEST_F(Program, MeasureRefusesUncertaintyThatItCannotTell) {
 TEST_F(Program, MeasureJudgesByATolerance) {
     write("light.toml",
           "ior = 1.5\n[[layer]]\nthickness_um = 15\n[[layer.flakes]]\narea_density_per_um = 0.1\n"
-          "orientation = { alpha = 0.2 }\nreflectance = 0.62\n");
+          "orientation = { distribution = \"beckmann\", alpha = 0.2 }\nreflectance = 0.62\n");
     const std::string compare =
         "measure light.toml --versus gray.toml --geometry 45as15,45as45,45as110 ";
     const Outcome plain = nacre(compare);

@@ -185,6 +185,12 @@ std::vector<std::string> solution_flags() {
     return flags;
 }
 
+bool asks_for_table(const ModelOptions& options) {
+    return std::ranges::any_of(all_options(), [&](const Owned& owned) {
+        return owned.option->of_solution && value_of(options, owned) != default_text(owned);
+    });
+}
+
 std::string choice_of_table(const Model& model) {
     for (const ModelOption& option : model.info().options) {
         if (!option.of_solution) continue;

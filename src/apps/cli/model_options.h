@@ -45,6 +45,8 @@ std::string choice_of(const bsdf::ModelInfo& model);
 
 /// The options of models that say in which form a solution is kept.
 std::vector<std::string> solution_flags();
+/// Whether one of these options was given another value than its default.
+bool asks_for_table(const ModelOptions& options);
 /// What the command line said to have a model make a table, as in "--table = svd".
 std::string choice_of_table(const bsdf::Model& model);
 

@@ -304,6 +304,9 @@ ExitStatus render_frames(RenderCommandOptions options, const Painted& start,
 }
 
 ExitStatus run(RenderCommandOptions options) {
+    if (!options.model.model_given && asks_for_table(options.model)) {
+        options.model.model = models::default_model().info().name;  // the one that makes tables
+    }
     parse_model_settings(options.model);  // before any work
     check_choices(options);
     parse_size(options.size, options.render);

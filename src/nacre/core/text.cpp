@@ -170,7 +170,7 @@ std::optional<std::string> closest_match(std::string_view name,
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates) {
-    constexpr std::size_t kMost = 4;
+    constexpr std::size_t kMost = 6;
     std::vector<std::string> meant;
     const std::string stem = lowercase(name.substr(0, kMaxNameLength)) + "_";
     for (const std::string& candidate : candidates) {

@@ -112,7 +112,7 @@ TEST(ClosestMatch, PrefersNamesThatGoOn) {
               " (did you mean 'TiO2_rutile_e' or 'TiO2_rutile_o'?)");
     EXPECT_EQ(did_you_mean("Si02", names), " (did you mean 'SiO2'?)");
     // So many that listing them is no suggestion.
-    const std::vector<std::string> many = {"a_1", "a_2", "a_3", "a_4", "a_5"};
+    const std::vector<std::string> many = {"a_1", "a_2", "a_3", "a_4", "a_5", "a_6", "a_7"};
     EXPECT_EQ(did_you_mean("a", many), "");
 }
 

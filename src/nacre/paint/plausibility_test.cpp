@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// Titania on mica in 15 um, as sold and sprayed.
-Recipe pearl() {
+Recipe sold_pearl() {
     FlakeSpecies flakes;
     flakes.amount = VolumeFraction{0.03};
     flakes.diameter_um = 18;
@@ -32,7 +32,7 @@ optics::Platelet& platelet(Recipe& recipe) {
 }
 
 TEST(Plausibility, APaintThatIsSoldIsPlausible) {
-    EXPECT_THAT(implausible_numbers(pearl()), IsEmpty());
+    EXPECT_THAT(implausible_numbers(sold_pearl()), IsEmpty());
     EXPECT_THAT(implausible_numbers(test::violet()), IsEmpty());
 }
 
@@ -49,7 +49,7 @@ TEST(Plausibility, FindsSlipsOfTheUnitAndOfTheDecimalPoint) {
         {[](Recipe& r) { r.layers[0].thickness_um = 0.5; },
          "layer[0].flakes[0]: flakes 0.61 um thick do not fit into a layer of 0.5 um"},
         {[](Recipe& r) { r.layers[0].thickness_um = 2; },
-         "layer[0].flakes[0]: flakes of 18 um that are tilted as these reach over 2.83 um of "
+         "layer[0].flakes[0]: flakes of 18 um that are tilted as these reach over 2.84 um of "
          "depth"},
         {[](Recipe& r) { r.layers[0].thickness_um = 15000; },
          "layer[0].thickness_um = 15000 um: thicker than 1000 um"},
@@ -67,14 +67,14 @@ TEST(Plausibility, FindsSlipsOfTheUnitAndOfTheDecimalPoint) {
          "than "
          "22.6 deg"}};
     for (const Slip& slip : slips) {
-        Recipe recipe = pearl();
+        Recipe recipe = sold_pearl();
         slip.make(recipe);
         EXPECT_THAT(implausible_numbers(recipe), ElementsAre(HasSubstr(slip.finding)));
     }
 }
 
 TEST(Plausibility, PigmentsCountAmongTheSolids) {
-    Recipe recipe = pearl();
+    Recipe recipe = sold_pearl();
     recipe.layers[0].pigments = {{PigmentCoefficients{.amount = PigmentVolume{0.38}}, "white"}};
     EXPECT_THAT(implausible_numbers(recipe), ElementsAre(HasSubstr("41 % of its volume")));
 }

@@ -113,7 +113,7 @@ void describe(Visitor& visit, MeshFile& mesh) {
           mesh.path);
     visit({.key = "mm_per_unit",
            .range = {0, 1e9, "mm", true},
-           .meaning = "glTF counts in metres, the other formats have no unit",
+           .meaning = "0: 1000 for glTF, which counts in metres, and 1 for the others",
            .zero = "1000 for glTF and 1 for the others"},
           mesh.mm_per_unit);
     visit({.key = "y_up", .meaning = "the file's vertical is y, as in glTF"}, mesh.y_up);
