@@ -109,8 +109,8 @@ const std::map<std::string, Builtin>& all_builtins() {
           "Panel of 150 x 105 mm, leaning back; soft boxes of daylight, a grey backdrop"}},
         {"curved-panel",
          {curved_panel_scene,
-          "Bent panel of 170 x 110 mm before a grey backdrop, which its rim mirrors; soft boxes of "
-          "daylight"}},
+          "Bent panel of 170 x 110 mm on a grey floor, whose front edge it mirrors near its rim; "
+          "soft boxes of daylight"}},
         {"speed-shape",
          {speed_shape_scene, "Free-form body on a grey backdrop; soft boxes of daylight"}},
         {"macro", {macro_scene, "Two millimetres of a panel under a microscope's lamp"}},
