@@ -25,7 +25,8 @@ Path = str | os.PathLike[str]
 
 class Paint:
     """A paint, from a file of any kind that Nacre reads: a recipe (.toml), a solved paint or a
-    table (.h5), a measured BRDF (.bsdf, .binary), measured colours (.csv, .json). Contents tell.
+    table (.h5), a measured BRDF (.bsdf, .binary), measured colours (.csv, .json, CGATS). Contents
+    tell. One sample of several is named behind the file: ``Paint("panels.csv#Silver 2")``.
 
     The recipe is solved once, when values are first asked for; ``paint[key] = value`` makes it
     another paint, to be solved anew.
@@ -329,6 +330,11 @@ class Paint:
     def implausible(self) -> list[str]:
         """The numbers that can be computed with and are hardly meant: key, value and why."""
         return list(self._paint.implausible_numbers())
+
+    @property
+    def notes(self) -> list[str]:
+        """What was decided about measured colours that their file does not say, such as percent."""
+        return list(self._paint.notes())
 
     # Instruments
 

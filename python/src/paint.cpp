@@ -320,6 +320,7 @@ void bind_paint(nb::module_& module) {
         .def("warnings", &warnings)
         .def("implausible_numbers",
              [](const PaintHandle& p) { return p.paint.implausible_numbers(); })
+        .def("notes", [](const PaintHandle& p) { return p.paint.notes(); })
         .def(
             "wavelengths_nm",
             [](const PaintHandle& p, const std::optional<Model>& chosen) {

@@ -71,9 +71,10 @@ nlohmann::json sample_json(const Sample& sample) {
     return document;
 }
 
-/// CSV for programs, a table for people: without --format, by who reads.
+/// CSV for programs, a table for people: without --format, by who reads and what is asked of CSV.
 bool wants_text(const MeasureOptions& options) {
     if (!options.format.empty()) return options.format == "text";
+    if (options.decimal_comma || options.byte_order_mark) return false;
     return options.output.empty() && isatty(STDOUT_FILENO);
 }
 
@@ -160,7 +161,8 @@ ExitStatus run(const MeasureOptions& options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    if (options.format == "json" && options.contributions.empty()) refuse_table_options(options);
+    const bool writes_csv = options.format.empty() || options.format == "csv";
+    if (!writes_csv && options.contributions.empty()) refuse_table_options(options);
     if (options.versus.empty() && !options.weights.empty()) {
         throw UsageError("--weights belongs to --versus");
     }

@@ -161,6 +161,14 @@ std::optional<double> wavelength_of(std::string_view compact, bool marked) {
     return std::nullopt;
 }
 
+/// Whether digits stand in one word alone: in "R400 15" the second is an angle.
+bool has_one_number(std::string_view text) {
+    const auto numbers = words(text);
+    return std::count_if(numbers.begin(), numbers.end(), [](std::string_view word) {
+               return word.find_first_of("0123456789") != std::string_view::npos;
+           }) == 1;
+}
+
 std::optional<std::string> canonical(std::string_view text) {
     try {
         return measure::parse_geometry(text).name;
@@ -250,7 +258,9 @@ std::optional<MeasurementHeading> heading_of(std::string_view text) {
         found.column = column;
         return found;
     }
-    if (const auto wavelength = wavelength_of(compact, false)) {
+    const auto wavelength =
+        has_one_number(plain.text) ? wavelength_of(compact, false) : std::nullopt;
+    if (wavelength) {
         found.column = "r";
         found.wavelength_nm = *wavelength;
         return found;
