@@ -187,8 +187,8 @@ def render(
     size
         Width and height in pixels.
     model
-        Of all recipes, by default "nacre"; ``Model("nacre", flakes="explicit")`` follows light among
-        discs.
+        Of all recipes, by default "nacre"; ``Model("nacre", flakes="explicit")`` follows light
+        among discs.
     depth
         Surface reflections along a path.
     footprint_pixels

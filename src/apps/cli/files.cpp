@@ -162,7 +162,6 @@ CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inp
 void check_files(const CommandFiles& files) {
     std::vector<Output> named = files.files;
     std::erase_if(named, [](const Output& output) { return output.name.empty(); });
-    for (const Output& output : named) check_format(output);
     std::vector<Output> outputs = named, checked = named;
     std::error_code ec;
     for (const OutputFolder& folder : files.folders) {
@@ -180,6 +179,7 @@ void check_files(const CommandFiles& files) {
         check_not_an_input(outputs[i], inputs);
         for (std::size_t j = 0; j < i; ++j) check_not_another(outputs[i], outputs[j]);
     }
+    for (const Output& output : named) check_format(output);
     for (const Output& output : checked) {
         check_output_file(output.name);
         if (output.beside) io::check_png_beside(output.name);

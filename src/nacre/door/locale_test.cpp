@@ -53,7 +53,7 @@ Texts texts() {
     const Paint again = open_text(all.readings, "readings.csv");
     EXPECT_EQ(again.measure().csv(), all.readings);
     try {
-        paint.with("thickness_um", -1234.5);
+        paint.with("layer[0].thickness_um", -1234.5);
     } catch (const DomainError& error) {
         all.message = error.what();
     }

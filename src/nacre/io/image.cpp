@@ -314,14 +314,17 @@ void check_png_beside(const std::filesystem::path& png) {
                     png.string()));
 }
 
+std::string rgb_sha256(const Image& image) {
+    const std::vector<float> rgb = interleaved_rgb(image, "picture");
+    return sha256_hex({reinterpret_cast<const char*>(rgb.data()), sizeof(float) * rgb.size()});
+}
+
 void write_exr_and_png(const std::filesystem::path& exr, Image image, const ToneMap& tone_map) {
     image.metadata.emplace("nacre:version", version());
     const std::filesystem::path png = png_beside(exr);
     check_png_beside(png);
     AtomicFile exr_file(exr), png_file(png);
-    const std::vector<float> rgb = interleaved_rgb(image, exr.string());
-    image.metadata["nacre:rgb_sha256"] =
-        sha256_hex({reinterpret_cast<const char*>(rgb.data()), sizeof(float) * rgb.size()});
+    image.metadata["nacre:rgb_sha256"] = rgb_sha256(image);
     exr_file.write(encode_exr(image, exr.string()));
     png_file.write(encode_png(image, png.string(), tone_map));
     // What takes long before both, so that a kill between them is unlikely.

@@ -93,9 +93,13 @@ bool is_own_picture(std::string_view bytes, const std::string& name);
 /// @throws InputError naming the file if there is one that Nacre did not write
 void check_png_beside(const std::filesystem::path& png);
 
+/// Of R, G and B pixel by pixel, as little-endian floats: tells which files show one picture.
+/// @throws DomainError if a channel is missing
+std::string rgb_sha256(const Image& image);
+
 /// Writes an EXR as write_exr() and the PNG beside it as write_png(), with "nacre:version" added to
-/// the metadata of both if it is missing, and "nacre:rgb_sha256" of the EXR's R, G and B (pixel by
-/// pixel, little-endian floats), by which the two are known for a pair. Neither file is replaced
+/// the metadata of both if it is missing, and "nacre:rgb_sha256", by which the two are
+/// known for a pair. Neither file is replaced
 /// before both are on the disk.
 /// @throws InputError as check_png_beside(); what write_exr() and write_png() throw
 void write_exr_and_png(const std::filesystem::path& exr, Image image, const ToneMap& tone_map = {});

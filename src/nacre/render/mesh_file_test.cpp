@@ -215,7 +215,8 @@ TEST(MeshContents, GlbIsReadAsFarAsItsChunksGo) {
                word(static_cast<std::uint32_t>(buffer.size())) + std::string("BIN\0", 4) + buffer;
     };
     const auto text_size = static_cast<std::uint32_t>(text.size());
-    EXPECT_NEAR(testing::area_mm2(parse_mesh(glb(length, text_size), MeshFile{.path = "m.glb"})),
+    EXPECT_NEAR(testing::area_mm2(parse_mesh(glb(length, text_size),
+                                             MeshFile{.path = "m.glb", .mm_per_unit = 1})),
                 0.5, 1e-6);
     EXPECT_THAT(fault(".glb", glb(0xfffffff0, text_size)), HasSubstr("4294967280 bytes"));
     EXPECT_THAT(fault(".glb", glb(length, 0xffffff00)), HasSubstr("a chunk is longer"));

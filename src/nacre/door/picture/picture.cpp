@@ -112,7 +112,11 @@ std::vector<std::string> paint_slots(const render::SceneDescription& scene) {
     return slots;
 }
 
-io::Image Picture::image() const { return render::image_of(result, metadata); }
+io::Image Picture::image() const {
+    io::Image image = render::image_of(result, metadata);
+    image.metadata["nacre:rgb_sha256"] = io::rgb_sha256(image);
+    return image;
+}
 
 void Picture::write(const fs::path& path, const ToneMap& tone_map) const {
     if (path.extension() == ".exr") return io::write_exr(path, image());

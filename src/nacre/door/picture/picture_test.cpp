@@ -20,7 +20,7 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
     const Paint paint(fit::testing::pearl());
     const Scene scene(find_scene("sphere"), {.slot = paint});
     ASSERT_EQ(scene.paints().size(), 1u);
-    EXPECT_EQ(scene.model_name(), "microflake");
+    EXPECT_EQ(scene.model_name(), "nacre");
     const Picture picture = scene.render(kTiny), again = Scene(scene).render(kTiny);
     EXPECT_EQ(picture.result.rgb, again.result.rgb);
     EXPECT_EQ(picture.metadata.at("nacre:scene"), "sphere");
@@ -33,7 +33,7 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
         return Scene(close, {.slot = paint, .model = NacreModel{.specimen = specimen}});
     };
     const Scene first = flakes_of(0), second = flakes_of(1);
-    EXPECT_NE(Scene(close, {.slot = paint}).render(kTiny).result.rgb,
+    EXPECT_NE(Scene(close, {.slot = paint, .model = MicroflakeModel{}}).render(kTiny).result.rgb,
               first.render(kTiny).result.rgb);
     EXPECT_NE(second.render(kTiny).result.rgb, first.render(kTiny).result.rgb);
     EXPECT_EQ(paint.solved(), solved);
@@ -56,7 +56,7 @@ TEST(Picture, ModelsThatCannotShowAnOrangePeelRefuseIt) {
     paint::Recipe recipe = fit::testing::pearl();
     recipe.clearcoat = paint::Clearcoat{40, 0.0, 0, paint::OrangePeel{.wd = 0.002}};
     const Paint paint(recipe);
-    EXPECT_EQ(Scene(find_scene("sphere"), {.slot = paint}).model_name(), "microflake");
+    EXPECT_EQ(Scene(find_scene("sphere"), {.slot = paint}).model_name(), "nacre");
     EXPECT_THAT(message_of<SettingError>(
                     [&] { Scene(find_scene("sphere"), {.slot = paint, .model = VolumeModel{}}); }),
                 HasSubstr("orange_peel of the paint of the material paint; must be nacre or "
