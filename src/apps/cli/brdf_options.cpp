@@ -17,6 +17,7 @@ void add_brdf_options(CLI::App& command, BrdfOptions& options) {
                     "Direction towards the eye as theta[,phi], deg; may be repeated")
         ->required()
         ->allow_extra_args(false);
+    add_set(command, options);
     add_untrusted(command, options);
     command
         .add_option("--part", options.part,

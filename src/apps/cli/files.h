@@ -21,6 +21,8 @@ struct Output {
     std::string name;
     /// A PNG beside an EXR: nobody named it, so that only one of Nacre's own may be replaced.
     bool beside = false;
+    /// An input, as CommandFiles names it, that the user allows this file to replace.
+    std::string may_replace = {};
 };
 
 /// A folder to be written into; an empty name: none.

@@ -33,7 +33,7 @@ enum class ExitStatus {
     usage = 1,              ///< the command line is wrong
     bad_input = 2,          ///< a file, or a value in it, is wrong
     failure = 3,            ///< something failed while running
-    comparison_failed = 4,  ///< pictures differ by more than was allowed
+    comparison_failed = 4,  ///< pictures or colours differ by more than was allowed
 };
 
 struct Command {
@@ -82,18 +82,21 @@ class App;
 namespace nacre::cli {
 
 struct CommonOptions {
-    int threads = 0;         ///< 0: all
-    std::uint64_t seed = 0;  ///< of random numbers
-    bool quiet = false;      ///< no progress, no messages other than errors
-    std::string report;      ///< JSON file about the run; empty: none
-    std::string output;      ///< empty: stdout
-    bool untrusted = false;  ///< recipes and scenes name files in their folders only
+    int threads = 0;               ///< 0: all
+    std::uint64_t seed = 0;        ///< of random numbers
+    bool quiet = false;            ///< no progress, no messages other than errors
+    std::string report;            ///< JSON file about the run; empty: none
+    std::string output;            ///< empty: stdout
+    bool untrusted = false;        ///< recipes and scenes name files in their folders only
+    std::vector<std::string> set;  ///< changes of the recipe, key=value; see open_paint()
 };
 
 void add_output(CLI::App& command, CommonOptions& options);  ///< -o, --output
 void add_quiet(CLI::App& command, CommonOptions& options);
 void add_report(CLI::App& command, CommonOptions& options);
 void add_untrusted(CLI::App& command, CommonOptions& options);  ///< of all that open recipes
+/// --set, of all that take a recipe, which is opened by open_paint().
+void add_set(CLI::App& command, CommonOptions& options);
 void add_threads(CLI::App& command, CommonOptions& options);
 void add_seed(CLI::App& command, CommonOptions& options);
 /// Of commands that compute: --threads, --quiet and --report.

@@ -7,6 +7,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/text.h"
 #include "nacre/optics/material_file.h"
 
 namespace nacre::cli {
@@ -33,6 +34,26 @@ std::string advice(const SolverWarning& warning) {
 
 Paint open_input(const CommonOptions& options, const std::string& file) {
     return open(file, references_of(options, file));
+}
+
+Paint open_paint(const CommonOptions& options, const std::string& file) {
+    const Paint paint = open_input(options, file);
+    if (options.set.empty()) return paint;
+    std::vector<std::pair<std::string, std::string>> settings;
+    for (const std::string& text : options.set) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            throw UsageError(
+                fmt::format("--set {}: must be KEY=VALUE, as in layer[0].thickness_um=20", text));
+        }
+        settings.emplace_back(trimmed(std::string_view(text).substr(0, equals)),
+                              text.substr(equals + 1));
+    }
+    try {
+        return paint.with_settings(settings);
+    } catch (const DomainError& error) {
+        throw UsageError(std::string("--set ") + error.what());
+    }
 }
 
 optics::Material open_material(const std::string& text) {

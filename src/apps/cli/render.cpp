@@ -79,11 +79,14 @@ std::optional<Paint> paint_for_slots(const render::SceneDescription& description
                                      brdf ? "--brdf" : "--paint",
                                      brdf ? options.brdf : options.paint, options.scene));
     }
-    return brdf ? brdf : open_input(options, options.paint);
+    return brdf ? brdf : open_paint(options, options.paint);
 }
 
 Scene painted_scene(const RenderCommandOptions& options) {
     const bsdf::Model model = parse_model_settings(options.model);
+    if (options.paint.empty() && !options.set.empty()) {
+        throw UsageError("--set belongs to --paint: it changes that recipe");
+    }
     std::optional<Paint> brdf = open_brdf(options);
     render::SceneDescription description =
         find_scene(options.scene, references_of(options, options.scene));
@@ -229,6 +232,7 @@ Command add_render(CLI::App& program) {
         ->required()
         ->type_name("FILE");
     add_seed(*command, *options);
+    add_set(*command, *options);
     add_untrusted(*command, *options);
     add_run_options(*command, *options);
     command->footer(

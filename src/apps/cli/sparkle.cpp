@@ -186,7 +186,7 @@ ExitStatus run(SparkleOptions options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const Paint paint = open_input(options, options.recipe);
+    const Paint paint = open_paint(options, options.recipe);
     refuse_measured_brdf(paint);
     const auto look = [&] {
         ProgressBar bar("solve", options.quiet);
@@ -284,6 +284,7 @@ Command add_sparkle(CLI::App& program) {
         ->type_name("DIR");
     add_output(*sparkle, *options);
     add_seed(*sparkle, *options);
+    add_set(*sparkle, *options);
     add_untrusted(*sparkle, *options);
     add_run_options(*sparkle, *options);
     sparkle->footer(
