@@ -21,8 +21,9 @@ struct Output {
     std::string name;
     /// A PNG beside an EXR: nobody named it, so that only one of Nacre's own may be replaced.
     bool beside = false;
-    /// An input, as CommandFiles names it, that the user allows this file to replace.
+    /// An input, as CommandFiles names it, that the flag --overwrite lets this file replace.
     std::string may_replace = {};
+    bool overwrite = false;  ///< the flag was given
 };
 
 /// A folder to be written into; an empty name: none.

@@ -163,12 +163,13 @@ ExitStatus run(const FitOptions& options) {
 CommandFiles files(const FitOptions& options) {
     CommandFiles files =
         files_of(options, {options.standard, options.start, options.instrument.geometry});
-    if (!options.overwrite) return files;
-    if (options.output.empty()) {
+    if (options.overwrite && options.output.empty()) {
         throw UsageError("--overwrite belongs to --output: it lets that be the start recipe");
     }
     for (Output& output : files.files) {
-        if (output.option == "--output") output.may_replace = options.start;
+        if (output.option != "--output") continue;
+        output.may_replace = options.start;
+        output.overwrite = options.overwrite;
     }
     return files;
 }

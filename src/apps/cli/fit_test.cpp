@@ -178,7 +178,8 @@ TEST_F(Program, FitKeepsTheCommentsOfTheStartAndReplacesItOnlyIfTold) {
     const std::string arguments = "fit gray.toml --start start.toml --starts 1 -q -o ";
     const Outcome refused = nacre(arguments + "start.toml");
     EXPECT_EQ(refused.status, 1);
-    EXPECT_THAT(refused.err, HasSubstr("--output = start.toml: would replace an input"));
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("--output = start.toml: would replace an input"),
+                                   HasSubstr("--overwrite allows it")));
     EXPECT_EQ(contents(folder_ / "start.toml"), mine);
     EXPECT_EQ(nacre(arguments + "gray.toml --overwrite").status, 1);  // the standard
     EXPECT_EQ(nacre("fit gray.toml --start start.toml --overwrite").status, 1);

@@ -23,13 +23,14 @@ constexpr double kWorthSaying = 0.9;
 constexpr double kWider = 3;
 constexpr DescentLimits kRemedyLimits{8, 1e-3, 1e-4, 0.1};
 
-/// A number to try, as the only free one of the paint that was found.
+/// A number to try, as the only free one of a paint.
 struct Trial {
-    Trial(const Target& target, const paint::Recipe& found, const paint::ParameterBounds& bounds,
+    Trial(const Target& target, const paint::Recipe& paint, const paint::ParameterBounds& bounds,
           bool widens, SharedProgress& work)
-        : widens(widens), numbers(found, {bounds.key}, {bounds}), model(numbers, target, work) {}
+        : widens(widens), numbers(paint, {bounds.key}, {bounds}), model(numbers, target, work) {}
 
     const FreeNumber& number() const { return numbers[0]; }
+    double least_rms() const { return rms_delta_e[best]; }
 
     bool widens;
     FreeNumbers numbers;
@@ -51,7 +52,9 @@ paint::ParameterBounds widened(const paint::Recipe& recipe, const FittedParamete
 
 using Trials = std::vector<std::unique_ptr<Trial>>;
 
-Trials trials_of(const Target& target, const paint::Recipe& found,
+/// The numbers of the paint that was found, each also in the paint from which the fit started: what
+/// was free may have gone far astray in place of the number that was not.
+Trials trials_of(const Target& target, const paint::Recipe& found, const paint::Recipe& start,
                  const std::vector<FittedParameter>& free, SharedProgress& work) {
     Trials trials;
     const EffectOnColours effect(found, target.hot_spot(), work);
@@ -64,7 +67,9 @@ Trials trials_of(const Target& target, const paint::Recipe& found,
                 widens ? widened(found, *fitted) : default_bounds(found, number.key);
             if (widens && bounds == fitted->number.bounds) continue;
             auto trial = std::make_unique<Trial>(target, found, bounds, widens, work);
-            if (effect.of(trial->number())) trials.push_back(std::move(trial));
+            if (!effect.of(trial->number())) continue;
+            trials.push_back(std::move(trial));
+            trials.push_back(std::make_unique<Trial>(target, start, bounds, widens, work));
         } catch (const DomainError&) {  // it has no bounds in which to be tried
         }
     }
@@ -90,7 +95,6 @@ void try_places(const Trials& trials, const Target& target) {
 
 /// The trial's number with the free ones, from its best place.
 std::optional<Remedy> descended(const Trial& trial, const Target& target,
-                                const paint::Recipe& found,
                                 const std::vector<FittedParameter>& free, SharedProgress& work,
                                 int& solves) {
     std::vector<std::string> keys = {trial.number().bounds.key};
@@ -100,7 +104,7 @@ std::optional<Remedy> descended(const Trial& trial, const Target& target,
         keys.push_back(other.number.bounds.key);
         bounds.push_back(other.number.bounds);
     }
-    const FreeNumbers numbers(found, keys, bounds);
+    const FreeNumbers numbers(trial.numbers.start(), keys, bounds);
     const ColourModel model(numbers, target, work);
     std::vector<double> x = numbers.start_point();
     x[0] = place(trial.best);
@@ -115,17 +119,26 @@ std::optional<Remedy> descended(const Trial& trial, const Target& target,
 }  // namespace
 
 std::vector<Remedy> find_remedies(const Target& target, const paint::Recipe& found,
+                                  const paint::Recipe& start,
                                   const std::vector<FittedParameter>& free, double mean_now,
                                   SharedProgress& work, int& solves) {
-    Trials trials = trials_of(target, found, free, work);
+    Trials trials = trials_of(target, found, start, free, work);
     try_places(trials, target);
-    std::ranges::stable_sort(trials, {},
-                             [](const auto& trial) { return trial->rms_delta_e[trial->best]; });
+    if (trials.empty()) return {};
+    const auto now = trials[0]->model.evaluate(trials[0]->numbers.start_point(), Detail::screening);
+    const double rms_now = now ? target.rms_delta_e(now->values) : INFINITY;
+    std::ranges::stable_sort(trials, {}, [](const auto& trial) { return trial->least_rms(); });
     std::vector<Remedy> remedies;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-        solves += trials[i]->model.solves();
-        if (i >= kMostRemedies || !std::isfinite(trials[i]->rms_delta_e[trials[i]->best])) continue;
-        const auto remedy = descended(*trials[i], target, found, free, work, solves);
+    std::vector<std::string> tried;
+    for (const auto& trial : trials) {
+        solves += trial->model.solves();
+        const std::string& key = trial->number().bounds.key;
+        if (tried.size() == kMostRemedies || trial->least_rms() >= rms_now ||
+            std::ranges::find(tried, key) != tried.end()) {
+            continue;
+        }
+        tried.push_back(key);
+        const auto remedy = descended(*trial, target, free, work, solves);
         if (remedy && remedy->mean_delta_e_2000 <= kWorthSaying * mean_now) {
             remedies.push_back(*remedy);
         }

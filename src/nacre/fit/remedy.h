@@ -19,16 +19,19 @@ struct Remedy {
 };
 
 /// Tries each number that was not free, within default_bounds(), and each bound at which a free one
-/// ended, three times as wide as far as its key allows: first alone, at several places, then from the
-/// best of them together with the free numbers, by a short descent. The differences are those of the
-/// paints that these end at; a whole fit would come nearer.
+/// ended, three times as wide as far as its key allows: first alone, at several places, in the paint
+/// that was found and in that from which the fit started; then from the best of them together with
+/// the free numbers, by a short descent. The differences are those of the paints that these end at; a
+/// whole fit would come nearer.
 ///
 /// @param found       what the fit ended with
+/// @param start       what it began with
 /// @param free        its numbers, with their values in `found`
 /// @param mean_now    mean Delta E 2000 of `found`
 /// @param solves      counts those that this takes
 /// @return at most three that take a tenth off the difference or more, the best first
 std::vector<Remedy> find_remedies(const Target& target, const paint::Recipe& found,
+                                  const paint::Recipe& start,
                                   const std::vector<FittedParameter>& free, double mean_now,
                                   SharedProgress& work, int& solves);
 

@@ -13,17 +13,27 @@ namespace {
 constexpr double kLeastShare = 0.1;
 constexpr double kLeastDelta_e = 0.5;
 
-/// The standard's colour but for one attribute, which is the sample's.
-Vec3d with_attribute(const Vec3d& standard, const Vec3d& sample, Attribute attribute) {
-    if (attribute == Attribute::lightness) return {sample[0], standard[1], standard[2]};
-    const double chroma = std::hypot(standard[1], standard[2]),
-                 wanted = std::hypot(sample[1], sample[2]);
-    if (attribute == Attribute::hue) {  // grey has no hue to take over
-        if (wanted == 0) return standard;
-        return {standard[0], sample[1] * chroma / wanted, sample[2] * chroma / wanted};
+/// A colour of another chroma; grey stays grey.
+Vec3d with_chroma(const Vec3d& lab, double wanted) {
+    const double chroma = measure::chroma(lab);
+    if (chroma == 0) return lab;
+    return {lab[0], lab[1] * wanted / chroma, lab[2] * wanted / chroma};
+}
+
+/// The difference that one attribute makes alone. Hues are compared at the geometric mean of both
+/// chromas, as the formula does: what is nearly grey hardly differs in hue.
+double delta_e_alone(const Vec3d& standard, const Vec3d& sample, Attribute attribute) {
+    if (attribute == Attribute::lightness) {
+        return spectra::delta_e_2000(standard, {sample[0], standard[1], standard[2]});
     }
-    if (chroma == 0) return {standard[0], sample[1], sample[2]};
-    return {standard[0], standard[1] * wanted / chroma, standard[2] * wanted / chroma};
+    const double chroma = measure::chroma(standard), other = measure::chroma(sample);
+    if (attribute == Attribute::chroma) {
+        const Vec3d hue = chroma > 0 ? standard : Vec3d{standard[0], sample[1], sample[2]};
+        return spectra::delta_e_2000(standard, with_chroma(hue, other));
+    }
+    const double mean = std::sqrt(chroma * other);
+    return spectra::delta_e_2000(with_chroma(standard, mean),
+                                 with_chroma({standard[0], sample[1], sample[2]}, mean));
 }
 
 double delta_of(const measure::AngleDifference& angle, Attribute attribute) {
@@ -37,11 +47,9 @@ std::vector<Shortfall> shortfalls(const measure::Difference& difference) {
     std::vector<Shortfall> all;
     double sum = 0;
     for (const Attribute attribute : {Attribute::lightness, Attribute::chroma, Attribute::hue}) {
-        Shortfall one{attribute};
+        Shortfall one{.attribute = attribute, .share = 0, .angles = {}};
         for (const measure::AngleDifference& angle : difference.angles) {
-            const double alone = spectra::delta_e_2000(
-                angle.lab_standard,
-                with_attribute(angle.lab_standard, angle.lab_sample, attribute));
+            const double alone = delta_e_alone(angle.lab_standard, angle.lab_sample, attribute);
             one.share += angle.weight * alone * alone;
             if (alone >= kLeastDelta_e && angle.weight > 0) {
                 one.angles.push_back({&angle, delta_of(angle, attribute), alone});

@@ -25,7 +25,7 @@ struct Shortfall {
 
 /// Attributes with a share of a tenth or more that show at some angle, the largest first. What an
 /// attribute does alone is the Delta E 2000 of the standard's colour from the one that differs from
-/// it in this attribute as the sample does.
+/// it in this attribute as the sample does; of hue, both having the geometric mean of their chromas.
 /// @param difference  outlives what is returned
 std::vector<Shortfall> shortfalls(const measure::Difference& difference);
 

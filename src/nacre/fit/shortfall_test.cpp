@@ -61,9 +61,12 @@ TEST(Shortfall, GreyAndEqualColoursAreNoDifficulty) {
     difference.angles = {angle({40, 0, 0}, {40, 0, 0})};
     EXPECT_TRUE(shortfalls(difference).empty());
     difference.angles = {angle({40, 0, 0}, {40, 20, 0}), angle({40, 20, 0}, {40, 0, 0})};
-    const std::vector<Shortfall> found = shortfalls(difference);
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].attribute, Attribute::chroma);
+    ASSERT_EQ(shortfalls(difference).size(), 1u);
+    EXPECT_EQ(shortfalls(difference)[0].attribute, Attribute::chroma);
+    // What rounding leaves of a grey has no hue.
+    difference.angles = {angle({40, 20, 0}, {40, -1e-13, 1e-13})};
+    ASSERT_EQ(shortfalls(difference).size(), 1u);
+    EXPECT_EQ(shortfalls(difference)[0].attribute, Attribute::chroma);
 }
 
 }  // namespace
