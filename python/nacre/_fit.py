@@ -46,6 +46,19 @@ class Alternative:
 
 
 @dataclass(frozen=True)
+class Remedy:
+    """One more free number, or wider bounds of one, that brings an unmatched standard nearer."""
+
+    key: str
+    widens: bool
+    """the number was free, and is at its bound"""
+    lo: float
+    hi: float
+    value: float
+    mean_dE2000: float
+
+
+@dataclass(frozen=True)
 class Match:
     """What a fit found."""
 
@@ -58,6 +71,12 @@ class Match:
     at_start: Difference
     other_lights: dict[str, Difference]
     """by illuminant, where the standard has spectra"""
+    matched: bool
+    """whether the mean Delta E 2000 is within ``matched_dE``"""
+    remedies: list[Remedy]
+    """where it is not: what might help, the best first"""
+    skipped: dict[str, str]
+    """numbers that a pattern of ``free`` means and that cannot be free, and why"""
     converged: bool
     ended: str
     tradeoffs: list[Tradeoff]
@@ -89,6 +108,7 @@ def fit(
     seed: int = 0,
     noise_dE: float | None = None,
     equal_dE: float = 0.3,
+    matched_dE: float = 1.0,
     progress: Progress = False,
 ) -> Match:
     """The composition between bounds whose colours are nearest to a standard's (docs/fit.md).
@@ -100,8 +120,8 @@ def fit(
     start
         A paint with a recipe, from which the search starts.
     free
-        Numbers to turn, by key or the end of a key, `*` for any text; None: those of the recipe's
-        table [fit].
+        Numbers to turn, by key or the end of a key, `*` for any text (what cannot be free is
+        skipped); None: those of the recipe's table [fit].
     model
         By which paints are seen: ``nacre`` with its hot spot, else by the equation of transfer.
     also
@@ -114,6 +134,8 @@ def fit(
         Standard deviation of the standard's colours in each component; None: from the residual.
     equal_dE
         Mean Delta E 2000 within which compositions count as equal.
+    matched_dE
+        Mean Delta E 2000 up to which the standard counts as matched.
 
     Raises
     ------
@@ -138,6 +160,7 @@ def fit(
             seed,
             noise_dE,
             equal_dE,
+            matched_dE,
             report,
         )
     return Match(
@@ -148,6 +171,9 @@ def fit(
         difference=Difference(**found["difference"]),
         at_start=Difference(**found["at_start"]),
         other_lights={k: Difference(**v) for k, v in found["other_lights"].items()},
+        matched=found["matched"],
+        remedies=[Remedy(**r) for r in found["remedies"]],
+        skipped=found["skipped"],
         converged=found["converged"],
         ended=found["ended"],
         tradeoffs=[Tradeoff(**t) for t in found["tradeoffs"]],

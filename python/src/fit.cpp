@@ -63,6 +63,21 @@ nb::list alternatives_of(const Match& match) {
     return all;
 }
 
+nb::list remedies_of(const Match& match) {
+    nb::list all;
+    for (const fit::Remedy& remedy : match.remedies) {
+        nb::dict one;
+        one["key"] = remedy.key;
+        one["widens"] = remedy.widens;
+        one["lo"] = remedy.bounds.lo;
+        one["hi"] = remedy.bounds.hi;
+        one["value"] = remedy.value;
+        one["mean_dE2000"] = remedy.mean_delta_e_2000;
+        all.append(one);
+    }
+    return all;
+}
+
 nb::dict other_lights_of(const Match& match) {
     nb::dict all;
     for (const auto& [light, difference] : match.other_lights) {
@@ -80,6 +95,11 @@ nb::dict match_of(const Match& match) {
     result["difference"] = difference_of(match.difference);
     result["at_start"] = difference_of(match.at_start);
     result["other_lights"] = other_lights_of(match);
+    nb::dict skipped;
+    for (const fit::SkippedNumber& one : match.skipped) skipped[one.key.c_str()] = one.why;
+    result["skipped"] = skipped;
+    result["matched"] = match.matched();
+    result["remedies"] = remedies_of(match);
     result["converged"] = match.converged;
     result["ended"] = match.ended;
     result["tradeoffs"] = tradeoffs_of(match);
@@ -97,12 +117,14 @@ void bind_fit(nb::module_& module) {
         [](const Readings& standard, const PaintHandle& start, const std::vector<std::string>& free,
            const std::optional<Model>& model, const std::vector<std::string>& also,
            const std::map<std::string, double>& weights, int starts, std::uint64_t seed,
-           const std::optional<double>& noise_dE, double equal_dE, const nb::object& progress) {
+           const std::optional<double>& noise_dE, double equal_dE, double matched_dE,
+           const nb::object& progress) {
             FitSettings settings;
             settings.starts = starts;
             settings.seed = seed;
             settings.noise_delta_e = noise_dE;
             settings.equal_delta_e = equal_dE;
+            settings.matched_delta_e = matched_dE;
             settings.target.weights = weights;
             settings.target.hot_spot = model && shows_hot_spot(*model);
             if (!also.empty()) {
@@ -112,13 +134,12 @@ void bind_fit(nb::module_& module) {
                 }
             }
             const Match match = run(progress, [&](const Progress& ask) {
-                return start.paint.fit(standard.measurement, start.paint.free_keys(free), settings,
-                                       ask);
+                return start.paint.fit(standard.measurement, free, settings, ask);
             });
             return match_of(match);
         },
         "standard"_a, "start"_a, "free"_a, "model"_a.none(), "also"_a, "weights"_a, "starts"_a,
-        "seed"_a, "noise_dE"_a.none(), "equal_dE"_a, "progress"_a.none());
+        "seed"_a, "noise_dE"_a.none(), "equal_dE"_a, "matched_dE"_a, "progress"_a.none());
 }
 
 }  // namespace nacre::python

@@ -312,7 +312,7 @@ void bind_paint(nb::module_& module) {
         .def(
             "free_keys",
             [](const PaintHandle& p, const std::vector<std::string>& patterns) {
-                return p.paint.free_keys(patterns);
+                return p.paint.free_keys(patterns).keys;
             },
             "patterns"_a)
         .def("solve", &solve, wavelengths, "exit_nodes"_a, "inner_nodes"_a, "max_orders"_a,

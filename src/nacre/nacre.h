@@ -21,6 +21,7 @@
 #include "nacre/core/references.h"
 #include "nacre/exchange/material_fit.h"
 #include "nacre/fit/fit.h"
+#include "nacre/fit/free_keys.h"
 #include "nacre/fit/uncertainty.h"
 #include "nacre/measure/acquire.h"
 #include "nacre/measure/geometry.h"
@@ -239,6 +240,10 @@ struct SparkleReadings {
 SparkleReadings measure_sparkle(const bsdf::Bsdf& look, const SparkleSettings& settings = {},
                                 const Progress& progress = {});
 
+namespace io {
+struct RecipeText;  // io/recipe_text.h
+}
+
 using FitSettings = fit::FitOptions;
 /// Whether a fit sees paints as this model shows them, with its hot spot
 /// (fit::TargetOptions::hot_spot); by the equation of transfer for every other model.
@@ -294,6 +299,14 @@ class Paint {
     /// @param key  as paint::matching_parameters(), meaning one number: "coats[0].thickness_nm"
     /// @throws InputError as recipe(); DomainError naming key, value and range
     Paint with(std::string_view key, double value) const;
+    /// The same with any values of the recipe changed, numbers and texts, as a user writes them:
+    /// {{"coats[0].material", "SiO2"}, {"alpha", "0.2"}}. Keys and values: io::with_settings().
+    /// @throws InputError as recipe(); DomainError "key=value: reason"
+    Paint with_settings(const std::vector<std::pair<std::string, std::string>>& settings) const;
+    /// The recipe as a file that keeps what a person wrote into the one that it was read from.
+    /// @param there  the files that it may name where it will stand
+    /// @throws InputError as recipe()
+    io::RecipeText recipe_text(const References& there) const;
 
     /// The paint solved: as its file holds it, whatever the settings' resolution, or its recipe
     /// solved, once for all copies of this paint, when first asked with such settings.
@@ -371,15 +384,15 @@ class Paint {
                              const Progress& progress = {}) const;
 
     /// Seeks the composition, starting from this one, whose colours are nearest to a standard's.
-    /// @param keys  of the numbers that may change, as paint::matching_parameters(), `*` for any
-    ///        text; empty: those between bounds()
+    /// @param keys  of the numbers that may change, as fit::free_keys(); empty: those between
+    ///        bounds()
     /// @throws InputError as recipe(), or without layers; DomainError, Error as fit::fit()
     Match fit(const Measurement& standard, const std::vector<std::string>& keys = {},
               const FitSettings& settings = {}, const Progress& progress = {}) const;
-    /// The whole keys that such patterns mean, each once.
-    /// @throws InputError as recipe(); DomainError if there are none, or as
-    ///         paint::matching_parameters()
-    std::vector<std::string> free_keys(const std::vector<std::string>& patterns) const;
+    /// The numbers that such keys mean, and those among them that cannot be free.
+    /// @throws InputError as recipe(); DomainError if there are none, or as fit::free_keys()
+    fit::FreeKeys free_keys(const std::vector<std::string>& patterns,
+                            const FitSettings& settings = {}, const Progress& progress = {}) const;
 
  private:
     struct State;
@@ -393,6 +406,7 @@ class Paint {
 /// What a fit found: its numbers, how sure they are, and the paint that they make.
 struct Match : fit::Fit {
     Paint paint;
+    std::vector<fit::SkippedNumber> skipped;  ///< which keys with `*` meant, but cannot be free
 };
 
 /// Measures two panels so that they can be compared: beside measured colours, a paint is measured

@@ -110,7 +110,7 @@ datasheet::Atlas atlas_of_flake(const AtlasOptions& options, const Progress& pro
 }
 
 datasheet::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& progress) {
-    const paint::Recipe recipe = open_input(options, options.recipe).recipe();
+    const paint::Recipe recipe = open_paint(options, options.recipe).recipe();
     const std::vector<std::string> keys = paint::matching_parameters(recipe, options.key);
     if (keys.size() != 1) {
         throw UsageError(fmt::format("--key = {}: means {} numbers, such as {}; must mean one",
@@ -126,7 +126,7 @@ void check_choice(const AtlasOptions& options, const CLI::App& command) {
         throw UsageError("either --film or --recipe must be given");
     }
     const std::vector<const char*> foreign =
-        options.recipe.empty() ? std::vector{"--key"}
+        options.recipe.empty() ? std::vector{"--key", "--set"}
                                : std::vector{"--core", "--outer", "--spread", "--ior"};
     for (const char* option : foreign) {
         if (command.count(option) > 0) {
@@ -219,6 +219,7 @@ Command add_atlas(CLI::App& program) {
                         "Number of the recipe that varies, as in coats[0].thickness_nm");
     add_table_output(*command, *options);
     add_input_options(*command, *options);
+    add_set(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Writes a picture of chips (FILE.svg, FILE.png) or CSV: the value, theta_i, "

@@ -18,6 +18,7 @@ void add_brdf_options(CLI::App& command, BrdfOptions& options) {
         ->required()
         ->allow_extra_args(false);
     add_input_options(command, options);
+    add_set(command, options);
     command
         .add_option("--part", options.part,
                     "total, single (met exactly one flake) or multiple scattering")

@@ -30,10 +30,9 @@ TEST_F(Program, SuggestsTheOptionThatWasMeant) {
                               "measure --iluminant D65 gray.toml"}) {
         const Outcome outcome = nacre(wrong);
         EXPECT_EQ(outcome.status, 1);
-        EXPECT_EQ(
-            outcome.err,
-            "nacre: measure has no option --iluminant (did you mean '--illuminant'?); nacre "
-            "measure --help tells what it takes\n")
+        EXPECT_EQ(outcome.err,
+                  "nacre: measure has no option --iluminant (did you mean '--illuminant'?); nacre "
+                  "measure --help tells what it takes\n")
             << wrong;
     }
     // Not the option that is missing since it was misspelt.
@@ -66,7 +65,8 @@ TEST_F(Program, MaterialsThatAreNamedInPartAreOffered) {
 TEST_F(Program, AFractionInPerCentIsToldHowToWriteIt) {
     write("percent.toml",
           "ior = 1.5\n[[layer]]\nthickness_um = 15\n[[layer.flakes]]\nvolume_fraction = 3\n"
-          "thickness_um = 0.3\norientation = { distribution = \"beckmann\", alpha = 0.2 }\nreflectance = 0.6\n");
+          "thickness_um = 0.3\norientation = { distribution = \"beckmann\", alpha = 0.2 "
+          "}\nreflectance = 0.6\n");
     EXPECT_THAT(nacre("info percent.toml").err,
                 AllOf(HasSubstr("volume_fraction = 3: must be a number in (0, 1]"),
                       HasSubstr("; 3 % is 0.03")));
@@ -141,7 +141,8 @@ TEST_F(Program, BuiltInScenesBecomeFiles) {
 TEST_F(Program, ImplausibleNumbersAreWarnedOf) {
     write("thin.toml",
           "ior = 1.5\n[[layer]]\nthickness_um = 0.2\n[[layer.flakes]]\narea_density_per_um = 0.1\n"
-          "thickness_um = 0.3\norientation = { distribution = \"beckmann\", alpha = 0.2 }\nreflectance = 0.6\n");
+          "thickness_um = 0.3\norientation = { distribution = \"beckmann\", alpha = 0.2 "
+          "}\nreflectance = 0.6\n");
     const char* commands[] = {"info thin.toml",
                               "solve thin.toml --wavelength 550 -o thin.h5",
                               "measure thin.toml --geometry 45as45",

@@ -76,7 +76,7 @@ ExitStatus run(const EvalOptions& options) {
         settings.wavelengths_nm =
             parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength);
     }
-    const Paint paint = open_input(options, options.recipe);
+    const Paint paint = open_paint(options, options.recipe);
     settings.model = model_for({&paint}, options.model);
     ProgressBar bar("prepare", options.quiet || !settings.model || !settings.model->makes_table());
     const PaintBrdf values = on_patch(paint.brdf(settings, bar.callback()), options);

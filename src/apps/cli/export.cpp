@@ -164,7 +164,7 @@ ExitStatus run(const ExportOptions& options) {
     if (is_fit(format) && options.chips.empty()) check_chips_beside(chips_name(options));
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
-    const Paint paint = open_input(options, options.paint);
+    const Paint paint = open_paint(options, options.paint);
     settings.model = model_for({&paint}, options.model);
     if (is_fit(format)) {
         write_material(
@@ -231,6 +231,7 @@ Command add_export(CLI::App& program) {
          options->only_fits)
         ->type_name("FILE");
     add_input_options(*command, *options);
+    add_set(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The specular reflection of a smooth interface is not part of a BRDF: add it in the other\n"

@@ -77,8 +77,12 @@ std::vector<Input> existing_inputs(const CommandFiles& files) {
 void check_not_an_input(const Output& output, const std::vector<Input>& inputs) {
     for (const Input& input : inputs) {
         if (!is_same_file(output.name, input.path)) continue;
-        throw UsageError(fmt::format("{} = {}: would replace an input, {}", output.option,
-                                     output.name, input.text));
+        const bool optional =
+            !output.may_replace.empty() && is_same_file(output.may_replace, input.path);
+        if (optional && output.overwrite) continue;
+        throw UsageError(fmt::format("{} = {}: would replace an input, {}{}", output.option,
+                                     output.name, input.text,
+                                     optional ? "; --overwrite allows it" : ""));
     }
 }
 

@@ -24,6 +24,9 @@ struct Output {
     /// "CSV" or "JSON": a name that ends like that of another format is refused. Empty: the name
     /// has been looked at already, or may end as it likes.
     std::string format = {};
+    /// An input, as CommandFiles names it, that the flag --overwrite lets this file replace.
+    std::string may_replace = {};
+    bool overwrite = false;  ///< the flag was given
 };
 
 /// A folder to be written into; an empty name: none.

@@ -16,6 +16,7 @@
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/io/recipe_text.h"
 #include "nacre/nacre.h"
 
 namespace nacre::cli {
@@ -23,17 +24,21 @@ namespace nacre::cli {
 namespace {
 
 constexpr Range kNoise{1e-6, 100, "Delta E"}, kEqual{1e-3, 100, "Delta E"};
+/// Numbers passed over whose reasons are printed, at most.
+constexpr std::size_t kMostSkippedShown = 12;
 
 struct FitOptions : CommonOptions {
     std::string standard, start, free, weights, also, noise, format = "text";
-    double equal_delta_e = 0.3;
+    double equal_delta_e = 0.3, matched_delta_e = fit::FitOptions().matched_delta_e;
     int starts = 8;
+    bool overwrite = false;
     ModelOptions model;
     InstrumentOptions instrument;
 };
 
-/// The keys that --free means, each once; those of the recipe's table [fit] without it.
-std::vector<std::string> free_keys(const FitOptions& options, const Paint& start) {
+/// The numbers that --free means, or without it those of the recipe's table [fit].
+fit::FreeKeys free_keys(const FitOptions& options, const Paint& start,
+                        const FitSettings& settings) {
     if (options.free.empty() && start.bounds().empty()) {
         throw UsageError(fmt::format(
             "--free: say which numbers of {} are free, or bound them there in a table [fit]",
@@ -46,9 +51,18 @@ std::vector<std::string> free_keys(const FitOptions& options, const Paint& start
         }
     }
     try {
-        return start.free_keys(patterns);
+        return start.free_keys(patterns, settings, [](double) { return !interrupt_requested(); });
     } catch (const DomainError& error) {
         throw UsageError(fmt::format("--free: {}: {}", options.start, error.what()));
+    }
+}
+
+void say_skipped(const FitOptions& options, const std::vector<fit::SkippedNumber>& skipped) {
+    for (std::size_t i = 0; i < skipped.size() && i < kMostSkippedShown; ++i) {
+        say(options, fmt::format("--free passes over {}: {}", skipped[i].key, skipped[i].why));
+    }
+    if (skipped.size() > kMostSkippedShown) {
+        say(options, fmt::format("--free passes over {} more", skipped.size() - kMostSkippedShown));
     }
 }
 
@@ -57,6 +71,7 @@ fit::FitOptions parse(const FitOptions& options) {
     parsed.starts = options.starts;
     parsed.seed = options.seed;
     parsed.equal_delta_e = options.equal_delta_e;
+    parsed.matched_delta_e = options.matched_delta_e;
     parsed.target.weights = parse_weights(options.weights);
     if (!options.noise.empty()) {
         parsed.noise_delta_e = parse_number("--noise", options.noise, kNoise);
@@ -78,6 +93,20 @@ void add_lights(const FitOptions& options, const measure::Measurement& standard,
     }
 }
 
+/// The fitted recipe, as the text of the start with other numbers.
+/// @return why it is none of the start's text; else empty
+std::string write_found(const FitOptions& options, const Paint& paint) {
+    if (options.output.empty()) return {};
+    const io::RecipeText written = paint.recipe_text(references_of(options, options.output));
+    if (!written.rewritten.empty()) {
+        say(options,
+            fmt::format("nacre: warning: {} is written anew, without the comments of {}: {}",
+                        options.output, options.start, written.rewritten));
+    }
+    write_file_atomically(options.output, written.text);
+    return written.rewritten;
+}
+
 ExitStatus run(const FitOptions& options) {
     fit::FitOptions how = parse(options);
     InstrumentRequest instrument = parse_instrument(options.instrument);
@@ -85,13 +114,14 @@ ExitStatus run(const FitOptions& options) {
     how.target.hot_spot = shows_hot_spot(parse_model_settings(options.model));
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
-    const Paint start = open_input(options, options.start);
+    const Paint start = open_paint(options, options.start);
     if (start.recipe().layers.empty()) {
         throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
                                      options.start));
     }
-    const std::vector<std::string> keys = free_keys(options, start);
-    fit::FreeNumbers(start.recipe(), keys, start.bounds());  // before any work
+    const fit::FreeKeys free = free_keys(options, start, how);
+    fit::FreeNumbers(start.recipe(), free.keys, start.bounds());  // before any work
+    say_skipped(options, free.skipped);
     const Paint standard = open_input(options, options.standard);
     ModelOptions of_standard = options.model;
     of_standard.model_given = false;  // also for the paint that is sought
@@ -105,7 +135,7 @@ ExitStatus run(const FitOptions& options) {
     add_lights(options, wanted, how.target);
 
     std::optional<ProgressBar> bar(std::in_place, "fit", options.quiet);
-    const Match found = start.fit(wanted, keys, how, bar->callback());
+    const Match found = start.fit(wanted, free.keys, how, bar->callback());
     bar.reset();
 
     nlohmann::json document = fit_json(found);
@@ -114,11 +144,11 @@ ExitStatus run(const FitOptions& options) {
     document["model"] = options.model.model;
     document["hot_spot"] = how.target.hot_spot;
     document["recipe_sha256"] = io::recipe_hash(found.recipe);
-    require_going();
-    if (!options.output.empty()) {
-        write_file_atomically(options.output, io::write_recipe(found.recipe, found.paint.bounds(),
-                                                               found.paint.deviations()));
+    for (const fit::SkippedNumber& skipped : free.skipped) {
+        document["skipped"].push_back({{"key", skipped.key}, {"why", skipped.why}});
     }
+    require_going();
+    document["rewritten"] = write_found(options, found.paint);
     CommonOptions to_stdout = options;
     to_stdout.output.clear();
     emit(to_stdout,
@@ -127,7 +157,21 @@ ExitStatus run(const FitOptions& options) {
              : document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     say(options, fmt::format("{} solves, {:.1f} s", found.effort.solves, found.effort.seconds));
     write_report(options, "fit", document);
-    return ExitStatus::ok;
+    return found.matched() ? ExitStatus::ok : ExitStatus::comparison_failed;
+}
+
+CommandFiles files(const FitOptions& options) {
+    CommandFiles files =
+        files_of(options, {options.standard, options.start, options.instrument.geometry});
+    if (options.overwrite && options.output.empty()) {
+        throw UsageError("--overwrite belongs to --output: it lets that be the start recipe");
+    }
+    for (Output& output : files.files) {
+        if (output.option != "--output") continue;
+        output.may_replace = options.start;
+        output.overwrite = options.overwrite;
+    }
+    return files;
 }
 
 }  // namespace
@@ -158,6 +202,12 @@ Command add_fit(CLI::App& program) {
                      "Mean Delta E 2000 within which compositions count as equal")
         ->check(CLI::Range(kEqual.lo, kEqual.hi))
         ->capture_default_str();
+    command
+        ->add_option("--within", options->matched_delta_e,
+                     "Mean Delta E 2000 up to which the standard counts as matched; beyond, the "
+                     "exit status is 4")
+        ->check(CLI::Range(kEqual.lo, kEqual.hi))
+        ->capture_default_str();
     command->add_option("--starts", options->starts, "Descents from different places")
         ->check(CLI::Range(1, fit::FitOptions::kMaxStarts))
         ->capture_default_str();
@@ -166,9 +216,12 @@ Command add_fit(CLI::App& program) {
         ->capture_default_str();
     command->add_option("-o,--output", options->output, "Fitted recipe (TOML) to write")
         ->type_name("FILE");
+    command->add_flag("--overwrite", options->overwrite,
+                      "Let -o replace the start recipe; without it, that is refused");
     add_model_options(*command, options->model);
     add_seed(*command, *options);
     add_input_options(*command, *options);
+    add_set(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Bounds come from the table [fit] of the starting recipe; without them a third to three\n"
@@ -176,16 +229,13 @@ Command add_fit(CLI::App& program) {
         "the\n"
         "paint that is sought is seen by nacre with its hot spot if it is that, else by "
         "microflake.\n"
-        "Ctrl-C stops the fit; nothing is written then.\n\n"
+        "Ctrl-C stops the fit; nothing is written then. A standard that is not matched ends with\n"
+        "status 4, what is missing and what might help; everything is written all the same. The\n"
+        "fitted recipe keeps the comments of the start.\n\n"
         "Example: how thick the film of a pearl is\n"
         "  nacre fit paints/tio2-mica-110.toml --start paints/tio2-mica-80.toml \\\n"
         "            --free 'coats[0].thickness_nm' -o fitted.toml");
-    return {command,
-            [options] {
-                return files_of(*options,
-                                {options->standard, options->start, options->instrument.geometry});
-            },
-            [options] { return run(*options); }};
+    return {command, [options] { return files(*options); }, [options] { return run(*options); }};
 }
 
 }  // namespace nacre::cli

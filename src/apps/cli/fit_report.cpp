@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/difference_table.h"
+#include "nacre/fit/shortfall.h"
 #include "nacre/spectra/observer.h"
 
 namespace nacre::cli {
@@ -16,6 +17,8 @@ namespace {
 
 using fit::FittedParameter;
 
+/// Angles that are named for one attribute of a colour, at most.
+constexpr std::size_t kMostAnglesNamed = 3;
 /// The correlation of the errors of two numbers above which it is printed.
 constexpr double kMinShownCorrelation = 0.9;
 
@@ -101,7 +104,8 @@ void add_certainty(Text& text, const fit::Fit& fit) {
             changes += fmt::format("{}{} {:.4g} -> {:.4g}", changes.empty() ? "" : ", ", change.key,
                                    change.from, change.to);
         }
-        text.line("Hardly seen (rms Delta E about {:.2g}): {}.", tradeoff.rms_delta_e, changes);
+        text.line("Hardly seen (rms Delta E {:.2g} at the far end): {}.", tradeoff.rms_delta_e,
+                  changes);
     }
 }
 
@@ -114,6 +118,88 @@ void add_alternatives(Text& text, const fit::Fit& fit) {
         }
         text.line("As good within {:g} (mean {:.3f}, greatest {:.3f}): {}.", fit.equal_delta_e,
                   minimum.mean_delta_e_2000, minimum.max_delta_e_2000, values);
+    }
+}
+
+const char* name_of(fit::Attribute attribute) {
+    if (attribute == fit::Attribute::lightness) return "lightness";
+    return attribute == fit::Attribute::chroma ? "chroma" : "hue";
+}
+
+/// "too dark by 12.1 at 45as15"
+std::string shortfall_at(fit::Attribute attribute, const fit::Shortfall::AtAngle& at) {
+    const measure::AngleDifference& angle = *at.angle;
+    if (attribute == fit::Attribute::hue) {
+        return fmt::format("{:.0f} instead of {:.0f} deg (Delta H* {:+.1f}) at {}",
+                           measure::hue_deg(angle.lab_sample), measure::hue_deg(angle.lab_standard),
+                           at.delta, angle.geometry.name);
+    }
+    const bool light = attribute == fit::Attribute::lightness;
+    const char* sense =
+        at.delta < 0 ? (light ? "too dark" : "too dull") : (light ? "too light" : "too vivid");
+    return fmt::format("{} by {:.1f} at {}", sense, std::abs(at.delta), angle.geometry.name);
+}
+
+void add_verdict(Text& text, const fit::Fit& fit) {
+    if (fit.matched()) {
+        text.line("Matched: the mean is within {:g}.", fit.matched_delta_e);
+        return;
+    }
+    text.line("NOT MATCHED: the mean is above {:g} (--within). What is missing:",
+              fit.matched_delta_e);
+    for (const fit::Shortfall& shortfall : fit::shortfalls(fit.difference)) {
+        std::string angles;
+        for (std::size_t i = 0; i < std::min(shortfall.angles.size(), kMostAnglesNamed); ++i) {
+            angles += (i > 0 ? ", " : "") + shortfall_at(shortfall.attribute, shortfall.angles[i]);
+        }
+        if (shortfall.angles.size() > kMostAnglesNamed) {
+            angles += fmt::format(" and at {} more", shortfall.angles.size() - kMostAnglesNamed);
+        }
+        text.line("  {} ({:.0f} %): {}", name_of(shortfall.attribute), 100 * shortfall.share,
+                  angles);
+    }
+    if (fit.remedies.empty()) {
+        text.line(
+            "No other number of this recipe, tried together with the free ones, takes a tenth off: "
+            "the recipe may lack something that the standard has.");
+        return;
+    }
+    text.line("What might help, each tried together with the free numbers:");
+    for (const fit::Remedy& remedy : fit.remedies) {
+        const std::string then = fmt::format("mean Delta E about {:.2g} at {:.4g}",
+                                             remedy.mean_delta_e_2000, remedy.value);
+        if (remedy.widens) {
+            text.line("  in [fit], \"{}\" = [{:.4g}, {:.4g}], as it is at its bound: {}",
+                      remedy.key, remedy.bounds.lo, remedy.bounds.hi, then);
+        } else {
+            text.line("  free {}: {}", paint::shortest_pattern(fit.recipe, remedy.key), then);
+        }
+    }
+}
+
+void add_verdict(nlohmann::json& document, const fit::Fit& fit) {
+    document["matched"] = fit.matched();
+    document["within"] = fit.matched_delta_e;
+    document["missing"] = nlohmann::json::array();
+    document["remedies"] = nlohmann::json::array();
+    if (fit.matched()) return;
+    for (const fit::Shortfall& shortfall : fit::shortfalls(fit.difference)) {
+        nlohmann::json angles = nlohmann::json::array();
+        for (const auto& at : shortfall.angles) {
+            angles.push_back({{"geometry", at.angle->geometry.name},
+                              {"delta", at.delta},
+                              {"delta_e_2000", at.delta_e_2000}});
+        }
+        document["missing"].push_back({{"attribute", name_of(shortfall.attribute)},
+                                       {"share", shortfall.share},
+                                       {"angles", std::move(angles)}});
+    }
+    for (const fit::Remedy& remedy : fit.remedies) {
+        document["remedies"].push_back({{"key", remedy.key},
+                                        {"action", remedy.widens ? "widen" : "free"},
+                                        {"bounds", {remedy.bounds.lo, remedy.bounds.hi}},
+                                        {"value", remedy.value},
+                                        {"mean_delta_e_2000", remedy.mean_delta_e_2000}});
     }
 }
 
@@ -137,6 +223,7 @@ std::string fit_text(const fit::Fit& fit) {
                   difference.mean_delta_e_2000, difference.max_delta_e_2000);
     }
     text.line("{}: {}.", fit.converged ? "Converged" : "Not converged", fit.ended);
+    add_verdict(text, fit);
     add_certainty(text, fit);
     add_alternatives(text, fit);
     return std::move(text).take();
@@ -161,6 +248,7 @@ nlohmann::json fit_json(const fit::Fit& fit) {
     for (const auto& [light, difference] : fit.other_lights) {
         document["other_lights"][spectra::name(light)] = difference_json(difference);
     }
+    add_verdict(document, fit);
     document["converged"] = fit.converged;
     document["ended"] = fit.ended;
     document["noise_delta_e"] = optional_number(fit.certainty.noise_delta_e);

@@ -9,8 +9,8 @@
 
 namespace nacre::cli {
 
-/// Tables: numbers with bounds and errors, differences by angle, numbers that the colours do not
-/// determine.
+/// Tables: numbers with bounds and errors, differences by angle, whether the standard was matched and
+/// else what is missing and what might help, numbers that the colours do not determine.
 std::string fit_text(const fit::Fit& fit);
 
 /// The same and more: correlations, other lights, alternatives, effort.

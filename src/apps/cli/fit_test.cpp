@@ -5,6 +5,7 @@
 
 #include "apps/cli/program_test_support.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/testing/files.h"
 
 // `nacre fit` as a colour designer meets it.
 
@@ -130,6 +131,88 @@ TEST_F(Program, FitRefusesWhatItCannotDo) {
         EXPECT_THAT(outcome.out, IsEmpty());
         EXPECT_FALSE(exists("out.toml")) << wrong.arguments;
     }
+}
+
+TEST_F(Program, FitSaysThatAStandardIsNotMatched) {
+    write("start.toml", kStart);
+    write("lab.csv", "geometry,L,a,b\n45as15,60,70,10\n45as45,30,60,10\n45as110,10,20,5\n");
+    const std::string arguments = "fit lab.csv --start start.toml --starts 1";
+    const Outcome fit = nacre(arguments + " -o fitted.toml --report report.json");
+    EXPECT_EQ(fit.status, 4) << fit.err;
+    EXPECT_THAT(fit.out, AllOf(HasSubstr("NOT MATCHED: the mean is above 1"), HasSubstr("chroma ("),
+                               HasSubstr("too dull by")));
+    EXPECT_TRUE(exists("fitted.toml"));
+    const auto report = nlohmann::json::parse(contents(folder_ / "report.json"));
+    EXPECT_EQ(report["matched"], false);
+    EXPECT_EQ(report["missing"][0]["attribute"], "chroma");
+    EXPECT_LT(report["missing"][0]["angles"][0]["delta"], -10);
+    EXPECT_EQ(nacre(arguments + " --within 100 -q").status, 0);
+    EXPECT_EQ(nacre(arguments + " --within 0 -q").status, 1);
+}
+
+TEST_F(Program, FitNamesWhatWouldHelp) {
+    write("start.toml", kStart);
+    const Outcome fit = nacre(
+        "fit gray.toml --start start.toml --free area_density_per_um "
+        "--starts 1 --within 0.01 -q");
+    EXPECT_EQ(fit.status, 4) << fit.err;
+    EXPECT_THAT(fit.out, HasSubstr("  free alpha: mean Delta E about"));
+}
+
+TEST_F(Program, FitPassesOverWhatCannotBeFree) {
+    write("start.toml", kStart);
+    const Outcome fit = nacre(
+        "fit gray.toml --start start.toml --free '*' --starts 1 "
+        "--report report.json");
+    ASSERT_EQ(fit.status, 0) << fit.err;
+    EXPECT_THAT(fit.err, HasSubstr("--free passes over layer[0].flakes[0].diameter_um: does not "
+                                   "change the colours"));
+    const auto report = nlohmann::json::parse(contents(folder_ / "report.json"));
+    EXPECT_GT(report["skipped"].size(), 1u);
+    EXPECT_GT(report["numbers"].size(), 3u);
+}
+
+TEST_F(Program, FitKeepsTheCommentsOfTheStartAndReplacesItOnlyIfTold) {
+    const std::string mine = "# Trial 7\r\n" + std::string(kStart) + "# The end.\n";
+    write("start.toml", mine);
+    const std::string arguments = "fit gray.toml --start start.toml --starts 1 -q -o ";
+    const Outcome refused = nacre(arguments + "start.toml");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("--output = start.toml: would replace an input"),
+                                   HasSubstr("--overwrite allows it")));
+    EXPECT_EQ(contents(folder_ / "start.toml"), mine);
+    EXPECT_EQ(nacre(arguments + "gray.toml --overwrite").status, 1);  // the standard
+    EXPECT_EQ(nacre("fit gray.toml --start start.toml --overwrite").status, 1);
+    ASSERT_EQ(nacre(arguments + "fitted.toml").status, 0);
+    const std::string fitted = contents(folder_ / "fitted.toml");
+    EXPECT_THAT(fitted, AllOf(::testing::StartsWith("# Trial 7\r\nior = 1.5\n"),
+                              ::testing::EndsWith(mine.substr(mine.find("reflectance")))));
+    ASSERT_EQ(nacre(arguments + "start.toml --overwrite").status, 0);
+    EXPECT_EQ(contents(folder_ / "start.toml"), fitted);
+}
+
+TEST_F(Program, FitSaysWhereCommentsAreLost) {
+    std::filesystem::create_directory(folder_ / "out");
+    write("primer.csv", "wavelength_nm,r\n380,0.1\n780,0.1\n");
+    write("start.toml",
+          "# Mine\n" +
+              test::replaced(kStart, "[fit]", "[substrate]\nreflectance = \"primer.csv\"\n[fit]"));
+    const Outcome fit = nacre(
+        "fit gray.toml --start start.toml --starts 1 --within 100 "
+        "-o out/fitted.toml");
+    ASSERT_EQ(fit.status, 0) << fit.err;
+    EXPECT_THAT(fit.err, AllOf(HasSubstr("out/fitted.toml is written anew, without the comments"),
+                               HasSubstr("primer.csv")));
+    EXPECT_EQ(nacre("info out/fitted.toml").status, 0);
+}
+
+TEST_F(Program, FitPrintsNothingOfItsSolverWhenInterrupted) {
+    write("start.toml", kStart);
+    const Outcome fit = shell(
+        "$NACRE fit gray.toml --start start.toml --starts 256 & fit=$!\n"
+        "sleep 1.5; kill -INT $fit; wait $fit\n");
+    EXPECT_EQ(fit.status, 3);
+    EXPECT_EQ(fit.err, "nacre: the fit was stopped before it was done\n");
 }
 
 TEST_F(Program, OtherCommandsIgnoreTheBoundsOfAFit) {

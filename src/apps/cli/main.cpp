@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
     program.require_subcommand(1);
     program.footer(
         "Exit status: 0 done, 1 wrong usage, 2 bad input, 3 failure while running, 4 a comparison "
-        "failed.\n\"nacre COMMAND --help\" documents each command.");
+        "failed or a standard was not matched.\n\"nacre COMMAND --help\" documents each command.");
     const std::vector<nacre::cli::Command> commands = {
         nacre::cli::add_film(program),      nacre::cli::add_solve(program),
         nacre::cli::add_eval(program),      nacre::cli::add_reference(program),

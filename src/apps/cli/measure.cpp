@@ -192,7 +192,7 @@ ExitStatus run(const MeasureOptions& options) {
         return Sample{paint, paint.is_measured() ? std::string() : options.model.model,
                       std::move(readings)};
     };
-    const Paint paint = open_input(options, options.sample);
+    const Paint paint = open_paint(options, options.sample);
 
     if (options.versus.empty()) {
         instrument.settings.model = model_for({&paint}, options.model, true);
@@ -290,6 +290,7 @@ Command add_measure(CLI::App& program) {
     add_table_output(*command, *options);
     add_seed(*command, *options);
     add_input_options(*command, *options);
+    add_set(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "On a terminal a table for people. Else CSV: "

@@ -66,6 +66,15 @@ void add_input_options(CLI::App& command, CommonOptions& options) {
         ->group(kRunningGroup);
 }
 
+void add_set(CLI::App& command, CommonOptions& options) {
+    command
+        .add_option("--set", options.set,
+                    "Value to put into the recipe as KEY=VALUE, before all else; may be repeated. "
+                    "KEY is the key, or the end of it, as in coats[0].thickness_nm=95")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
 References references_of(const CommonOptions& options, const std::string& input) {
     return options.untrusted ? References::of_untrusted_file(input) : References::of_file(input);
 }
@@ -140,6 +149,7 @@ void write_report(const CommonOptions& options, const std::string& command, nloh
     if (options.report.empty()) return;
     report["command"] = command;
     report["version"] = version();
+    if (!options.set.empty()) report["set"] = options.set;
     // Names come from files that may hold any bytes: what is not UTF-8 is replaced.
     write_file_atomically(
         options.report,

@@ -33,7 +33,7 @@ enum class ExitStatus {
     usage = 1,              ///< the command line is wrong
     bad_input = 2,          ///< a file, or a value in it, is wrong
     failure = 3,            ///< something failed while running
-    comparison_failed = 4,  ///< pictures differ by more than was allowed
+    comparison_failed = 4,  ///< pictures or colours differ by more than was allowed
 };
 
 struct Command {
@@ -93,6 +93,7 @@ struct CommonOptions {
     bool strict = false;           ///< what would be warned of is an error
     bool decimal_comma = false;    ///< in tables; semicolons between the cells then
     bool byte_order_mark = false;  ///< at the beginning of tables
+    std::vector<std::string> set;  ///< changes of the recipe, key=value; see open_paint()
 };
 
 void add_output(CLI::App& command, CommonOptions& options);  ///< -o, --output
@@ -102,6 +103,8 @@ void add_quiet(CLI::App& command, CommonOptions& options);
 void add_report(CLI::App& command, CommonOptions& options);
 /// Of all that open recipes: --untrusted and --strict.
 void add_input_options(CLI::App& command, CommonOptions& options);
+/// --set, of all that take a recipe, which is opened by open_paint().
+void add_set(CLI::App& command, CommonOptions& options);
 void add_threads(CLI::App& command, CommonOptions& options);
 void add_seed(CLI::App& command, CommonOptions& options);
 /// Of commands that compute: --threads, --quiet and --report.

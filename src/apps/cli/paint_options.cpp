@@ -7,6 +7,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/core/text.h"
 #include "nacre/optics/material_file.h"
 
 namespace nacre::cli {
@@ -29,18 +30,49 @@ std::string advice(const SolverWarning& warning) {
            "pigments)";
 }
 
-}  // namespace
-
-Paint open_input(const CommonOptions& options, const std::string& file) {
+/// With what its reader made of it said.
+Paint open_as_it_is(const CommonOptions& options, const std::string& file) {
     const std::string path = find_paint(file).string();
     Paint paint = open(path, references_of(options, path));
     for (const std::string& note : paint.notes()) say(options, "nacre: note: " + note);
+    return paint;
+}
+
+Paint with_settings(const CommonOptions& options, const Paint& paint) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    for (const std::string& text : options.set) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            throw UsageError(
+                fmt::format("--set {}: must be KEY=VALUE, as in layer[0].thickness_um=20", text));
+        }
+        settings.emplace_back(trimmed(std::string_view(text).substr(0, equals)),
+                              text.substr(equals + 1));
+    }
+    try {
+        return paint.with_settings(settings);
+    } catch (const DomainError& error) {
+        throw UsageError(std::string("--set ") + error.what());
+    }
+}
+
+}  // namespace
+
+Paint open_input(const CommonOptions& options, const std::string& file) {
+    Paint paint = open_as_it_is(options, file);
     warn_of_implausible(options, paint);
     return paint;
 }
 
 void warn_of_implausible(const CommonOptions& options, const Paint& paint) {
     for (const std::string& line : paint.implausible_numbers()) warn(options, line);
+}
+
+Paint open_paint(const CommonOptions& options, const std::string& file) {
+    Paint paint = open_as_it_is(options, file);
+    if (!options.set.empty()) paint = with_settings(options, paint);
+    warn_of_implausible(options, paint);
+    return paint;
 }
 
 optics::Material open_material(const std::string& text) {

@@ -17,6 +17,11 @@ namespace nacre::cli {
 /// @throws InputError as nacre::find_paint() and open(), and warn()
 Paint open_input(const CommonOptions& options, const std::string& file);
 
+/// The same with the values of --set in its recipe.
+/// @throws UsageError naming --set, the key, the value and what is allowed; InputError as
+///         open_input(), or if the file holds no recipe
+Paint open_paint(const CommonOptions& options, const std::string& file);
+
 /// The material that an argument names: as optics::find_material(), or a file of one through a
 /// stream, as "-".
 /// @throws InputError as optics::find_material() and optics::read_material_file()

@@ -93,7 +93,7 @@ void check_choices(const PanelOptions& options) {
 
 /// @throws InputError if the file holds no paint
 Paint open_panel(const PanelOptions& options, const std::string& file) {
-    const Paint paint = open_input(options, file);
+    const Paint paint = open_paint(options, file);
     if (paint.is_measured()) {
         throw InputError(fmt::format(
             "{}: holds measured values; a panel report needs a recipe, for its pictures and its "
@@ -226,6 +226,7 @@ Command add_panel(CLI::App& program) {
     add_uncertainty_options(*command, options->uncertainty);
     add_seed(*command, *options);
     add_input_options(*command, *options);
+    add_set(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "Writes one HTML file without scripts that needs no other file and prints to A4. Sparkle\n"

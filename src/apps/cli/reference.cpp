@@ -38,7 +38,7 @@ ExitStatus run(const ReferenceOptions& options) {
     if (rows > kMaxRows) {
         throw UsageError(fmt::format("{} rows are too many: at most {}", rows, kMaxRows));
     }
-    const paint::Recipe recipe = open_input(options, options.recipe).recipe();
+    const paint::Recipe recipe = open_paint(options, options.recipe).recipe();
     std::vector<Estimate> estimates;
     {
         ProgressBar bar("reference", options.quiet);

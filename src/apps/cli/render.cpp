@@ -89,7 +89,7 @@ std::optional<Paint> paint_for_slots(const render::SceneDescription& description
                                      brdf ? "--brdf" : "--paint",
                                      brdf ? options.brdf : options.paint, options.scene));
     }
-    return brdf ? brdf : open_input(options, options.paint);
+    return brdf ? brdf : open_paint(options, options.paint);
 }
 
 /// What a picture, or each frame, is made from.
@@ -176,6 +176,9 @@ render::Turning parse_turning(const std::string& text) {
 
 /// Options that only go with others, before any work.
 void check_choices(const RenderCommandOptions& options) {
+    if (options.paint.empty() && !options.set.empty()) {
+        throw UsageError("--set belongs to --paint: it changes that recipe");
+    }
     if (options.frames.empty() && (options.turntable || options.step_deg)) {
         throw UsageError("--turntable and --step belong to --frames");
     }
@@ -419,6 +422,7 @@ Command add_render(CLI::App& program) {
         ->type_name("FILE");
     add_seed(*command, *options);
     add_input_options(*command, *options);
+    add_set(*command, *options);
     add_run_options(*command, *options);
     command->footer(
         "The EXR holds linear Rec. 709 (1 is the perfect diffuser in full light), albedo and "

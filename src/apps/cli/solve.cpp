@@ -42,7 +42,7 @@ ExitStatus run(const SolveOptions& options) {
     const SolveSettings settings{
         parse_numbers("--wavelength", options.wavelengths, paint::limits::kWavelength),
         options.settings};
-    const Paint paint = open_input(options, options.recipe);
+    const Paint paint = open_paint(options, options.recipe);
     if (const std::size_t bytes = paint.memory_to_solve(settings); bytes > kMemoryToSay) {
         say(options, fmt::format("{}: takes about {:.1f} GB of memory", options.recipe,
                                  static_cast<double>(bytes) / 1e9));
@@ -114,6 +114,7 @@ Command add_solve(CLI::App& program) {
         ->capture_default_str();
     add_solution_options(*solve, options->model);
     add_input_options(*solve, *options);
+    add_set(*solve, *options);
     add_run_options(*solve, *options);
     solve->footer(
         "Everything that takes a recipe takes the solved file too, and is then faster.\n\n"

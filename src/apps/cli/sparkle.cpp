@@ -186,9 +186,8 @@ struct Seen {
     double prepare_s = 0, pictures_s = 0;
 };
 
-Seen see(const SparkleOptions& options, const std::string& file, const bsdf::Model& model) {
+Seen see(const SparkleOptions& options, const Paint& paint, const bsdf::Model& model) {
     const Stopwatch watch;
-    const Paint paint = open_input(options, file);
     refuse_measured_brdf(paint);
     const auto look = [&] {
         ProgressBar bar("solve", options.quiet);
@@ -292,13 +291,13 @@ ExitStatus run(SparkleOptions options) {
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
-    const Seen sample = see(options, options.recipe, model);
+    const Seen sample = see(options, open_paint(options, options.recipe), model);
     say_doubts(options, sample);
     std::vector<Compared> rows;
     if (!options.versus.empty()) {
         bsdf::Model other = model;  // flakes of its own, or equal panels would err alike
         other.set_specimen(model.specimen().value_or(0) + 1);
-        const Seen standard = see(options, options.versus, other);
+        const Seen standard = see(options, open_input(options, options.versus), other);
         say_doubts(options, standard);
         rows = compared(standard.measurement, sample.measurement);
     }
@@ -372,6 +371,7 @@ Command add_sparkle(CLI::App& program) {
     add_table_output(*sparkle, *options);
     add_seed(*sparkle, *options);
     add_input_options(*sparkle, *options);
+    add_set(*sparkle, *options);
     add_run_options(*sparkle, *options);
     sparkle->footer(
         "The camera looks along the normal of a flat panel. One row a lamp (15s, 45s, 75s) and "

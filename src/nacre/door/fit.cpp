@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "nacre/door/state.h"
 
 namespace nacre {
@@ -13,21 +11,17 @@ bool shows_hot_spot(const Model& model) {
     return nacre && nacre->hot_spot;
 }
 
-std::vector<std::string> Paint::free_keys(const std::vector<std::string>& patterns) const {
-    std::vector<std::string> keys;
-    for (const std::string& pattern : patterns) {
-        for (const std::string& key : paint::matching_parameters(recipe(), pattern)) {
-            if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-        }
+fit::FreeKeys Paint::free_keys(const std::vector<std::string>& patterns,
+                               const FitSettings& settings, const Progress& progress) const {
+    if (!patterns.empty()) {
+        return fit::free_keys(recipe(), patterns, bounds(), settings.target.hot_spot, progress);
     }
-    if (patterns.empty()) {
-        for (const paint::ParameterBounds& b : bounds()) keys.push_back(b.key);
-        if (keys.empty()) {
-            throw SettingError("keys",
-                               "say which numbers are free, or bound them in a table [fit]");
-        }
+    fit::FreeKeys free;
+    for (const paint::ParameterBounds& b : bounds()) free.keys.push_back(b.key);
+    if (free.keys.empty()) {
+        throw SettingError("keys", "say which numbers are free, or bound them in a table [fit]");
     }
-    return keys;
+    return free;
 }
 
 Match Paint::fit(const Measurement& standard, const std::vector<std::string>& keys,
@@ -36,15 +30,17 @@ Match Paint::fit(const Measurement& standard, const std::vector<std::string>& ke
         throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
                                      state_->label()));
     }
-    const fit::FreeNumbers numbers(recipe(), free_keys(keys), bounds());
+    fit::FreeKeys free = free_keys(keys, settings, only_asking(progress));
+    const fit::FreeNumbers numbers(recipe(), free.keys, bounds());
     fit::Fit found = fit::fit(standard, numbers, settings, progress);
-    io::RecipeFile made{found.recipe, bounds(), deviations()};
+    io::RecipeFile made = state_->recipe_file();
+    made.recipe = found.recipe;
     // A percentage says nothing about a number that was fitted to 0.
     std::erase_if(made.deviations, [&](const paint::ParameterDeviation& d) {
         return d.relative && paint::find_parameter(found.recipe, d.key).value == 0;
     });
     Paint paint(std::make_shared<const State>(std::move(made), file()));
-    return {std::move(found), std::move(paint)};
+    return {std::move(found), std::move(paint), std::move(free.skipped)};
 }
 
 }  // namespace nacre

@@ -430,7 +430,7 @@ TEST(Fit, FindsThePaintThatTheStandardWasMeasuredOn) {
     EXPECT_NEAR(match.parameters[0].value, 110, 0.1);
     EXPECT_EQ(match.paint.recipe(), match.recipe);
     EXPECT_EQ(match.paint.bounds(), start.bounds());
-    EXPECT_EQ(start.free_keys({"*thickness_nm"}).size(), 2u);
+    EXPECT_EQ(start.free_keys({"*thickness_nm"}).keys.size(), 2u);
     EXPECT_THAT(message_of<SettingError>([] { Paint(fit::testing::pearl()).free_keys({}); }),
                 HasSubstr("[fit]"));
 }

@@ -14,6 +14,7 @@
 #include "nacre/io/file_kind.h"
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/measurement_file.h"
+#include "nacre/io/recipe_text.h"
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/paint/plausibility.h"
 #include "nacre/solver/resolution.h"
@@ -230,8 +231,7 @@ const paint::Recipe& Paint::recipe() const {
             std::get_if<std::shared_ptr<const solver::SolvedPaint>>(&state_->contents)) {
         return (*solved)->recipe;
     }
-    throw InputError(
-        fmt::format("{}: holds {}; a recipe is needed here", state_->label(), name_of(kind())));
+    state_->refuse_without_recipe();
 }
 
 std::string Paint::recipe_sha256() const {
@@ -250,8 +250,30 @@ const std::vector<paint::ParameterDeviation>& Paint::deviations() const {
     return file ? file->deviations : none;
 }
 
+void Paint::State::refuse_without_recipe() const {
+    throw InputError(fmt::format("{}: holds {}; a recipe is needed here", label(),
+                                 name_of(static_cast<Kind>(contents.index()))));
+}
+
+io::RecipeFile Paint::State::recipe_file() const {
+    if (const auto* read = std::get_if<io::RecipeFile>(&contents)) return *read;
+    if (const auto* solved = std::get_if<std::shared_ptr<const solver::SolvedPaint>>(&contents)) {
+        return {(*solved)->recipe, {}};
+    }
+    refuse_without_recipe();
+}
+
+Paint Paint::with_settings(const std::vector<std::pair<std::string, std::string>>& settings) const {
+    return Paint(std::make_shared<const State>(io::with_settings(state_->recipe_file(), settings),
+                                               state_->file));
+}
+
+io::RecipeText Paint::recipe_text(const References& there) const {
+    return io::recipe_text(state_->recipe_file(), there);
+}
+
 Paint Paint::with(std::string_view key, double value) const {
-    io::RecipeFile changed{recipe(), bounds(), deviations()};
+    io::RecipeFile changed = state_->recipe_file();
     const std::vector<std::string> keys = paint::matching_parameters(changed.recipe, key);
     if (keys.size() != 1) {
         throw SettingError(

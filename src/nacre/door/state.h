@@ -50,6 +50,11 @@ struct Paint::State {
     const Contents contents;
     const std::string file;
 
+    /// The recipe with what stands beside it in its file.
+    /// @throws InputError as Paint::recipe()
+    io::RecipeFile recipe_file() const;
+    /// @throws InputError as Paint::recipe(), always
+    [[noreturn]] void refuse_without_recipe() const;
     /// How messages name the paint.
     std::string label() const;
     /// @throws InputError naming the file if it holds an anisotropic BRDF

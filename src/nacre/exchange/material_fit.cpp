@@ -11,6 +11,7 @@
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/quiet_ceres.h"
 #include "nacre/core/random.h"
 #include "nacre/spectra/colour.h"
 
@@ -86,6 +87,7 @@ void improve(const ColourResiduals& residuals, std::vector<double>& x) {
     options.max_num_iterations = 200;
     options.function_tolerance = 1e-7;
     ceres::Solver::Summary summary;
+    const QuietCeres quiet;
     ceres::Solve(options, &problem, &summary);
 }
 

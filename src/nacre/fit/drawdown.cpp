@@ -13,6 +13,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
+#include "nacre/core/quiet_ceres.h"
 #include "nacre/core/text.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/solver.h"
@@ -304,6 +305,7 @@ FoundDepths found_depths(const OneWavelength& readings, std::array<double, 2> st
     options.parameter_tolerance = 1e-6;
     options.gradient_tolerance = 1e-12;
     ceres::Solver::Summary summary;
+    const QuietCeres quiet;
     ceres::Solve(options, &problem, &summary);
 
     found.reflectance = readings.reflectances(found.depth);

@@ -9,7 +9,9 @@
 #include "nacre/core/progress.h"
 #include "nacre/fit/certainty.h"
 #include "nacre/fit/free_numbers.h"
+#include "nacre/fit/remedy.h"
 #include "nacre/fit/target.h"
+#include "nacre/fit/tradeoff.h"
 #include "nacre/measure/difference.h"
 
 // From multi-angle colour back to composition. The method, what it determines and what it cannot:
@@ -28,16 +30,10 @@ struct FitOptions {
     std::optional<double> noise_delta_e;
     /// Paints whose mean Delta E 2000 exceeds that of the best one by this or less count as equal.
     double equal_delta_e = 0.3;
+    /// Mean Delta E 2000 up to which the standard counts as matched: 1 is about just noticeable.
+    double matched_delta_e = 1;
 
     static constexpr int kMaxStarts = 256;
-};
-
-/// The fitted value of a free number.
-struct FittedParameter {
-    FreeNumber number;
-    double value = 0;
-    std::optional<double> standard_error;  ///< none: not determined (Certainty::standard_error)
-    bool at_lower_bound = false, at_upper_bound = false;
 };
 
 /// Another local minimum of the colour difference.
@@ -46,16 +42,6 @@ struct Minimum {
     double mean_delta_e_2000 = 0, max_delta_e_2000 = 0;
     bool converged = false;
     std::string ended;
-};
-
-/// A change of several numbers together that leaves the colours nearly the same.
-struct Tradeoff {
-    struct Change {
-        std::string key;
-        double from = 0, to = 0;
-    };
-    std::vector<Change> changes;  ///< of those that take part, the largest first
-    double rms_delta_e = 0;       ///< at most, to first order at the minimum
 };
 
 /// Cost of a fit.
@@ -81,7 +67,12 @@ struct Fit {
     double equal_delta_e = 0.3;  ///< as in FitOptions
     std::vector<Tradeoff> tradeoffs;
     std::vector<Minimum> alternatives;  ///< within equal_delta_e of the best, the nearest first
+    double matched_delta_e = 1;         ///< as in FitOptions
+    std::vector<Remedy> remedies;       ///< where the standard was not matched, the best first
     Effort effort;
+
+    /// Whether the standard's colours were reached.
+    bool matched() const { return difference.mean_delta_e_2000 <= matched_delta_e; }
 };
 
 /// Seeks the composition whose colours are nearest to the standard's: the least weighted mean

@@ -160,16 +160,97 @@ TEST(Fit, SaysWhatColoursCannotTell) {
     EXPECT_GT(std::abs(std::log(thickness_ratio)), std::log(1.2));
 }
 
+// Scattering at the lower end of its bounds: the derivative by its logarithm vanishes there, and
+// would say that 300 per mm look the same.
+TEST(Fit, TradeoffsEndWhereTheColoursDoNotFollow) {
+    paint::Recipe clear = solid();
+    paint::set_parameter(clear, kScattering, 0.01);
+    const FreeNumbers numbers(clear, {kScattering}, {{kScattering, 0.01, 300}});
+    const Fit found = fit(read(clear), numbers, with_starts(1));
+    ASSERT_THAT(found.certainty.weak, SizeIs(1));
+    ASSERT_THAT(found.tradeoffs, SizeIs(1));
+    const Tradeoff& tradeoff = found.tradeoffs[0];
+    EXPECT_GT(tradeoff.changes[0].to, 2 * tradeoff.changes[0].from);
+    const auto seen_at = [&](double scattering) {
+        paint::Recipe there = found.recipe;
+        paint::set_parameter(there, kScattering, scattering);
+        return measure::difference(found.colours, read(there));
+    };
+    double squares = 0;
+    for (const auto& angle : seen_at(tradeoff.changes[0].to).angles) {
+        squares += angle.delta_e_2000 * angle.delta_e_2000 / 6;
+    }
+    EXPECT_NEAR(std::sqrt(squares), tradeoff.rms_delta_e, 0.01);
+    EXPECT_LE(tradeoff.rms_delta_e, found.equal_delta_e);
+    EXPECT_GT(seen_at(1.3 * tradeoff.changes[0].to).mean_delta_e_2000, 0.8 * found.equal_delta_e);
+    EXPECT_GT(seen_at(300).mean_delta_e_2000, 5);
+}
+
+TEST(Fit, FindsANumberThatIsZeroAtTheStartAndMayBeZero) {
+    paint::Recipe start = solid(), hidden = solid();
+    paint::set_parameter(start, kScattering, 0);
+    paint::set_parameter(hidden, kScattering, 5);
+    const FreeNumbers numbers(start, {kScattering}, {{kScattering, 0, 1000}});
+    EXPECT_NEAR(fit(read(hidden), numbers, with_starts(2)).parameters[0].value, 5, 0.05);
+    const Fit none = fit(read(start), numbers, with_starts(2));
+    EXPECT_LT(none.parameters[0].value, 0.01);
+    EXPECT_LT(none.difference.mean_delta_e_2000, kExact_delta_e);
+}
+
+TEST(Fit, SaysWhichNumberWouldHelp) {
+    const Fit found = fit(read(pearl(131)), FreeNumbers(pearl(80), {kAmount}, {}), with_starts(1));
+    EXPECT_FALSE(found.matched());
+    ASSERT_FALSE(found.remedies.empty());
+    const Remedy& best = found.remedies[0];
+    EXPECT_EQ(best.key, kFilm);
+    EXPECT_FALSE(best.widens);
+    EXPECT_NEAR(best.value, 131, 5);
+    EXPECT_LT(best.mean_delta_e_2000, 0.2 * found.difference.mean_delta_e_2000);
+    for (const Remedy& other : found.remedies) {
+        EXPECT_LE(other.mean_delta_e_2000, 0.9 * found.difference.mean_delta_e_2000);
+        EXPECT_GE(other.mean_delta_e_2000, best.mean_delta_e_2000);
+    }
+}
+
+// Alone, alpha goes to its bound, where no film looks like the standard.
+TEST(Fit, SaysWhichNumberWouldHelpWhereTheFreeOneWentAstray) {
+    const FreeNumbers numbers(pearl(80), {kAlpha}, {{kAlpha, 0.2, 0.9}});
+    const Fit found = fit(read(pearl(131)), numbers, with_starts(1));
+    ASSERT_FALSE(found.remedies.empty());
+    EXPECT_EQ(found.remedies[0].key, kFilm);
+    EXPECT_NEAR(found.remedies[0].value, 131, 5);
+    EXPECT_LT(found.remedies[0].mean_delta_e_2000, 1);
+}
+
+TEST(Fit, SaysWhichBoundIsInTheWay) {
+    const FreeNumbers numbers(pearl(80), {kFilm}, {{kFilm, 60, 105}});
+    const Fit found = fit(read(pearl(120)), numbers, with_starts(2));
+    ASSERT_FALSE(found.matched());
+    ASSERT_TRUE(found.parameters[0].at_upper_bound);
+    ASSERT_FALSE(found.remedies.empty());
+    EXPECT_EQ(found.remedies[0].key, kFilm);
+    EXPECT_TRUE(found.remedies[0].widens);
+    EXPECT_EQ(found.remedies[0].bounds.lo, 60);
+    EXPECT_EQ(found.remedies[0].bounds.hi, 315);
+    EXPECT_NEAR(found.remedies[0].value, 120, 5);
+}
+
 TEST(Fit, AStandardOutOfReachLeavesItsResidual) {
     paint::Recipe green = solid();
     std::get<paint::PigmentCoefficients>(green.layers[0].pigments[0].body).absorption_per_mm =
         spectra::Spectrum({400, 480, 500, 570, 590, 700}, {60, 60, 2, 2, 60, 60});
     const FreeNumbers numbers(solid(), {kAbsorption}, {{kAbsorption, 30, 90}});
-    const Fit found = fit(read(green), numbers, with_starts(2));
+    FitOptions options = with_starts(2);
+    const Fit found = fit(read(green), numbers, options);
     EXPECT_GT(found.difference.mean_delta_e_2000, 10);
     EXPECT_TRUE(found.parameters[0].at_lower_bound);  // the least red
     EXPECT_FALSE(found.ended.empty());
     EXPECT_GT(*found.certainty.noise_delta_e, 5);
+    EXPECT_FALSE(found.matched());
+    options.matched_delta_e = 100;
+    const Fit contented = fit(read(green), numbers, options);
+    EXPECT_TRUE(contented.matched());
+    EXPECT_THAT(contented.remedies, IsEmpty());
 }
 
 // The film of the other three angles differs: with equal weights it would shift the fit.

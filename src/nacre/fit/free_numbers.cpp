@@ -15,6 +15,8 @@ constexpr double kFactor = 3;            // of a number with a size, either way
 constexpr double kIndexFactor = 1.1;     // of a refractive index
 constexpr double kSpreadOfFilm = 0.15;   // of its thickness
 constexpr double kMaxAnisotropy = 0.95;  // within what the solver takes (solver/resolution.cpp)
+constexpr double kFarAbove = 10;         // of an upper bound over the start, the lower one being 0
+constexpr double kSizeOfNothing = 0.01;  // of a start of 0, over the upper bound
 
 bool ends_with(const std::string& key, std::string_view end) { return key.ends_with(end); }
 
@@ -48,9 +50,18 @@ paint::ParameterBounds default_bounds(const paint::Recipe& recipe, const std::st
             std::min(range.hi, parameter.value * factor)};
 }
 
+double FreeNumber::size() const {
+    const auto [key, lo, hi] = bounds;
+    const double size = start > 0 ? start : kSizeOfNothing * hi;
+    return lo == 0 && hi > kFarAbove * size ? size : 0;
+}
+
 double FreeNumber::to_unit(double value) const {
     const auto [key, lo, hi] = bounds;
-    const double x = lo > 0 ? std::log(value / lo) / std::log(hi / lo) : (value - lo) / (hi - lo);
+    const double s = size();
+    const double x = lo > 0  ? std::log(value / lo) / std::log(hi / lo)
+                     : s > 0 ? std::log1p(value / s) / std::log1p(hi / s)
+                             : (value - lo) / (hi - lo);
     return std::clamp(x, 0.0, 1.0);
 }
 
@@ -59,12 +70,18 @@ double FreeNumber::from_unit(double x) const {
     // The ends to the last bit, so that a number at its bound is not beyond it.
     if (x <= 0) return lo;
     if (x >= 1) return hi;
-    return std::clamp(lo > 0 ? lo * std::pow(hi / lo, x) : lo + x * (hi - lo), lo, hi);
+    const double s = size();
+    const double value = lo > 0  ? lo * std::pow(hi / lo, x)
+                         : s > 0 ? s * std::expm1(x * std::log1p(hi / s))
+                                 : lo + x * (hi - lo);
+    return std::clamp(value, lo, hi);
 }
 
 double FreeNumber::slope(double x) const {
     const auto [key, lo, hi] = bounds;
-    return lo > 0 ? from_unit(x) * std::log(hi / lo) : hi - lo;
+    if (lo > 0) return from_unit(x) * std::log(hi / lo);
+    const double s = size();
+    return s > 0 ? (from_unit(x) + s) * std::log1p(hi / s) : hi - lo;
 }
 
 FreeNumbers::FreeNumbers(const paint::Recipe& start, const std::vector<std::string>& keys,

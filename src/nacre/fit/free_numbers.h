@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,10 +26,24 @@ struct FreeNumber {
     bool bounds_given = false;  ///< by the recipe's table [fit], not by default_bounds()
 
     /// The coordinate of a value between the bounds, 0 to 1: in its logarithm if the lower bound is
-    /// above 0, since amounts and thicknesses act by their ratios, else in the value.
+    /// above 0, since amounts and thicknesses act by their ratios, else in the value. From 0 to far
+    /// above the start: in log(1 + value / size), which is linear near 0 and a logarithm beyond, the
+    /// size being the start, or where that is 0 a hundredth of the upper bound.
     double to_unit(double value) const;
     double from_unit(double x) const;
     double slope(double x) const;  ///< derivative of from_unit()
+
+ private:
+    /// Where log(1 + value / size) is the coordinate; else 0.
+    double size() const;
+};
+
+/// The fitted value of a free number.
+struct FittedParameter {
+    FreeNumber number;
+    double value = 0;
+    std::optional<double> standard_error;  ///< none: not determined (Certainty::standard_error)
+    bool at_lower_bound = false, at_upper_bound = false;
 };
 
 class FreeNumbers {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "nacre/core/error.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/fit.h"
@@ -24,6 +26,24 @@ TEST(FreeNumbers, PlacesBetweenTheBoundsComeBack) {
         EXPECT_EQ(number.from_unit(1), number.bounds.hi);
         for (double x : {0.1, 0.5, 0.93}) {
             EXPECT_NEAR(number.to_unit(number.from_unit(x)), x, 1e-14);
+            const double h = 1e-6;
+            EXPECT_NEAR(number.slope(x),
+                        (number.from_unit(x + h) - number.from_unit(x - h)) / (2 * h),
+                        1e-6 * number.slope(x));
+        }
+    }
+}
+
+// From 0 to far above the start: even steps would leave no room for the small values.
+TEST(FreeNumbers, LongWaysFromZeroAreSpreadAsLogarithmsAre) {
+    const FreeNumber from_start{{"x", 0, 300}, 3, true}, from_nothing{{"x", 0, 300}, 0, true};
+    for (const FreeNumber& number : {from_start, from_nothing}) {
+        EXPECT_EQ(number.to_unit(0), 0);
+        EXPECT_EQ(number.from_unit(0), 0);
+        EXPECT_EQ(number.from_unit(1), 300);
+        EXPECT_NEAR(number.to_unit(27), std::log(10) / std::log(101), 1e-12);  // size 3
+        for (double x : {0.001, 0.1, 0.5, 0.93}) {
+            EXPECT_NEAR(number.to_unit(number.from_unit(x)), x, 1e-12);
             const double h = 1e-6;
             EXPECT_NEAR(number.slope(x),
                         (number.from_unit(x + h) - number.from_unit(x - h)) / (2 * h),

@@ -12,6 +12,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/quiet_ceres.h"
 #include "nacre/core/random.h"
 
 namespace nacre::fit {
@@ -124,6 +125,7 @@ Descent descend(const ColourModel& model, std::vector<double> x, Detail detail,
     options.callbacks.push_back(&callback);
 
     ceres::Solver::Summary summary;
+    const QuietCeres quiet;
     ceres::Solve(options, &problem, &summary);
     descent.x = x;
     descent.steps = static_cast<int>(summary.iterations.size());

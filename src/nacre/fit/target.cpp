@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "nacre/core/error.h"
-#include "nacre/measure/difference.h"
 #include "nacre/spectra/lab.h"
 #include "nacre/spectra/spectrum.h"
 
@@ -77,6 +76,7 @@ Target::Target(const measure::Measurement& standard, const TargetOptions& option
     measure::difference(standard, standard, options.weights);  // checks the weights
     has_spectra_ = has_all_spectra(standard);
     hot_spot_ = options.hot_spot;
+    weights_ = options.weights;
 
     double sum = 0;
     for (const measure::Reading& reading : standard.readings) {
@@ -144,6 +144,20 @@ double Target::rms_delta_e(const std::vector<double>& residuals) const {
     return std::sqrt(sum / static_cast<double>(geometry_count_));
 }
 
+double Target::rms_delta_e(const measure::Measurement& a, const measure::Measurement& b) const {
+    double sum = 0;
+    for (const measure::Measurement& wanted : standards(Detail::fine)) {
+        const measure::Measurement seen_a = restated(a, wanted.conditions),
+                                   seen_b = restated(b, wanted.conditions);
+        for (std::size_t i = 0; i < geometries_.size(); ++i) {
+            const double difference =
+                spectra::delta_e_2000(seen_a.readings[i].lab, seen_b.readings[i].lab);
+            sum += std::pow(root_weight_[i] * difference, 2);
+        }
+    }
+    return std::sqrt(sum / static_cast<double>(geometry_count_));
+}
+
 namespace {
 
 /// Step of the differences, in the unit cube. The function is smooth over a hundredth (a hue turns
@@ -179,20 +193,34 @@ std::string ColourModel::first_failure() const {
     return first_failure_;
 }
 
-std::optional<Evaluation> ColourModel::evaluate(std::span<const double> x, Detail detail,
-                                                const solver::SolverSettings* settings) const {
+template <class Read>
+auto ColourModel::solved(std::span<const double> x, Detail detail,
+                         const solver::SolverSettings* settings, const Read& read) const
+    -> std::optional<decltype(read(std::declval<Solution>()))> {
     if (stopped()) return std::nullopt;
     try {
         ++solves_;
-        const Solution solution = solve_alike(numbers_.at(x), target_.wavelengths_nm(detail),
-                                              kTolerance[static_cast<int>(detail)], settings,
-                                              films_[static_cast<int>(detail)], work_);
-        return Evaluation{target_.residuals(solution.paint, detail), solution.settings};
+        return read(solve_alike(numbers_.at(x), target_.wavelengths_nm(detail),
+                                kTolerance[static_cast<int>(detail)], settings,
+                                films_[static_cast<int>(detail)], work_));
     } catch (const Error& error) {
         const std::lock_guard lock(mutex_);
         if (first_failure_.empty()) first_failure_ = error.what();
         return std::nullopt;
     }
+}
+
+std::optional<Evaluation> ColourModel::evaluate(std::span<const double> x, Detail detail,
+                                                const solver::SolverSettings* settings) const {
+    return solved(x, detail, settings, [&](const Solution& solution) {
+        return Evaluation{target_.residuals(solution.paint, detail), solution.settings};
+    });
+}
+
+std::optional<measure::Measurement> ColourModel::colours(std::span<const double> x) const {
+    return solved(x, Detail::fine, nullptr, [&](const Solution& solution) {
+        return target_.read(solution.paint, Detail::fine);
+    });
 }
 
 std::optional<std::vector<double>> ColourModel::derivatives(std::span<const double> x,

@@ -7,11 +7,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nacre/core/progress.h"
 #include "nacre/fit/differences.h"
 #include "nacre/fit/free_numbers.h"
+#include "nacre/measure/difference.h"
 #include "nacre/measure/measurement.h"
 #include "nacre/solver/film_cache.h"
 #include "nacre/solver/solved_paint.h"
@@ -61,6 +63,13 @@ class Target {
     std::vector<double> residuals(const solver::SolvedPaint& paint, Detail detail) const;
     /// Root of the weighted mean square of Delta E 2000.
     double rms_delta_e(const std::vector<double>& residuals) const;
+    /// The same between two paints, of what read() says about them, under all illuminants.
+    double rms_delta_e(const measure::Measurement& a, const measure::Measurement& b) const;
+
+    /// Of a paint's readings from the standard, under the first illuminant, weighted.
+    measure::Difference difference(const measure::Measurement& sample) const {
+        return measure::difference(standard(), sample, weights_);
+    }
 
     /// How many have a weight above 0.
     std::size_t geometry_count() const { return geometry_count_; }
@@ -72,6 +81,7 @@ class Target {
 
     static constexpr std::size_t kDetails = 3;
     bool has_spectra_ = false, hot_spot_ = false;
+    std::map<std::string, double> weights_;
     std::vector<measure::Geometry> geometries_;
     std::vector<double> root_weight_;  // by geometry
     std::size_t geometry_count_ = 0;   // with a weight above 0
@@ -102,6 +112,10 @@ class ColourModel {
     std::optional<Evaluation> evaluate(std::span<const double> x, Detail detail,
                                        const solver::SolverSettings* settings = nullptr) const;
 
+    /// What the standard's instrument reads at x (Target::read()), solved finely. Empty as
+    /// evaluate().
+    std::optional<measure::Measurement> colours(std::span<const double> x) const;
+
     /// differences() of the residuals, forward (backward at the upper bound). Empty as evaluate().
     std::optional<std::vector<double>> jacobian(std::span<const double> x, const Evaluation& at_x,
                                                 Detail detail) const;
@@ -118,6 +132,10 @@ class ColourModel {
     std::string first_failure() const;
 
  private:
+    /// Something of the paint at x and how it was solved; empty as evaluate().
+    template <class Read>
+    auto solved(std::span<const double> x, Detail detail, const solver::SolverSettings* settings,
+                const Read& read) const -> std::optional<decltype(read(std::declval<Solution>()))>;
     std::optional<std::vector<double>> derivatives(std::span<const double> x,
                                                    const Evaluation& at_x, Detail detail,
                                                    bool central) const;

@@ -221,16 +221,6 @@ class Reader final : public paint::Visitor {
 
 // ---------------------------------------------------------------------------------- writing
 
-/// Shortest text that reads back to the same double; TOML spells it so too.
-std::string number_text(double x) { return fmt::format("{}", x); }
-
-std::string spectrum_text(const Spectrum& s) {
-    // A single sample at a wavelength is constant too, but another value: it is written in full.
-    if (s == Spectrum(s.values()[0])) return number_text(s.values()[0]);
-    return fmt::format("{{ wavelengths_nm = {}, values = {} }}", toml_list(s.wavelengths_nm()),
-                       toml_list(s.values()));
-}
-
 /// Whether a recipe that only names the material, in any folder, gets this one.
 bool is_shipped(const Material& material) {
     if (material.name().empty()) return false;
@@ -245,7 +235,7 @@ bool is_shipped(const Material& material) {
 
 std::string material_text(const Material& material) {
     if (!material.is_dispersive() && material == Material(material.samples()[0].real())) {
-        return number_text(material.samples()[0].real());
+        return toml_number(material.samples()[0].real());
     }
     if (is_shipped(material)) return toml_text(material.name());
     std::vector<double> n, k;
@@ -269,9 +259,9 @@ class Writer final : public paint::Visitor {
         : path_(std::move(path)), in_line_(in_line) {}
 
     void number(const Field& field, double& x) override {
-        if (!field.tacit || x != 0) add(field, number_text(x));
+        if (!field.tacit || x != 0) add(field, toml_number(x));
     }
-    void spectrum(const Field& field, Spectrum& s) override { add(field, spectrum_text(s)); }
+    void spectrum(const Field& field, Spectrum& s) override { add(field, toml_spectrum(s)); }
     void material(const Field& field, Material& m) override { add(field, material_text(m)); }
     void text(const Field& field, std::string& text) override { add(field, toml_text(text)); }
     void choice(const Field& field, const paint::Words& words, std::size_t& index) override {
@@ -363,9 +353,18 @@ std::string toml_text(const std::string& text) {
     return out + "\"";
 }
 
+std::string toml_number(double x) { return fmt::format("{}", x); }
+
+std::string toml_spectrum(const Spectrum& s) {
+    // A single sample at a wavelength is constant too, but another value: it is written in full.
+    if (s == Spectrum(s.values()[0])) return toml_number(s.values()[0]);
+    return fmt::format("{{ wavelengths_nm = {}, values = {} }}", toml_list(s.wavelengths_nm()),
+                       toml_list(s.values()));
+}
+
 std::string toml_list(const std::vector<double>& values) {
     std::string out = "[";
-    for (double value : values) out += (out.size() > 1 ? ", " : "") + number_text(value);
+    for (double value : values) out += (out.size() > 1 ? ", " : "") + toml_number(value);
     return out + "]";
 }
 

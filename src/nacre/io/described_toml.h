@@ -5,6 +5,7 @@
 
 #include "nacre/io/table_reader.h"
 #include "nacre/paint/description.h"
+#include "nacre/spectra/spectrum.h"
 
 // Reads and writes described objects (paint/description.h) as tables of TOML.
 
@@ -20,8 +21,10 @@ void read_described(const TableReader& table, const paint::Described& object);
 /// that are not among those shipped are written out sample by sample.
 std::string write_described(const paint::Described& object);
 
-// Values as TOML.
+// Values as TOML. A number is the shortest text that reads back to the same double.
 std::string toml_text(const std::string& text);
+std::string toml_number(double x);
 std::string toml_list(const std::vector<double>& values);
+std::string toml_spectrum(const spectra::Spectrum& spectrum);
 
 }  // namespace nacre::io

@@ -23,14 +23,6 @@ constexpr std::size_t kMaxPigmentPathLength = 2000;
 /// With which a file is read to see whether it is right.
 constexpr double kTrialVolume = 0.1;
 
-/// Keys that a recipe states of a pigment from a file: how much of it there is, and its name here.
-std::vector<std::string> keys_beside_from() {
-    std::vector<std::string> keys = paint::keys_of_new<paint::PigmentVolume>();
-    for (std::string& key : paint::keys_of_new<paint::PigmentMass>()) keys.push_back(key);
-    keys.emplace_back("name");
-    return keys;
-}
-
 bool contains(const std::vector<std::string>& keys, std::string_view key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
@@ -95,6 +87,13 @@ toml::table find_keys(const TableReader& table, std::string_view from) {
 }
 
 }  // namespace
+
+std::vector<std::string> keys_beside_from() {
+    std::vector<std::string> keys = paint::keys_of_new<paint::PigmentVolume>();
+    for (std::string& key : paint::keys_of_new<paint::PigmentMass>()) keys.push_back(key);
+    keys.emplace_back("name");
+    return keys;
+}
 
 PigmentFile parse_pigment_file(std::string_view text, const std::string& filename,
                                double volume_fraction) {

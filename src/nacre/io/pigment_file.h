@@ -43,6 +43,9 @@ bool looks_like_pigment(const TomlDocument& document);
 /// The text of such a file, without the pigment's amount.
 std::string write_pigment_file(const PigmentFile& file);
 
+/// The keys that stand beside `from` in a recipe: how much of the pigment there is, and its name.
+std::vector<std::string> keys_beside_from();
+
 /// The table of a pigment in a recipe, whose key `from` names a file, with the keys of the file.
 /// @throws InputError if there is no such file, or it is wrong inside, or a key of the file stands
 ///         in the recipe too, or the recipe says no amount

@@ -115,7 +115,9 @@ RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
     } catch (const DomainError& error) {
         rethrow_with_location(document, error.what());
     }
-    return {recipe, read_bounds(table, recipe), read_deviations(table, recipe)};
+    return {recipe, read_bounds(table, recipe), read_deviations(table, recipe),
+            std::make_shared<const RecipeSource>(
+                RecipeSource{std::string(text), filename, references})};
 }
 
 RecipeFile read_recipe_file(const std::filesystem::path& path) {

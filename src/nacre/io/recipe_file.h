@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,13 @@ paint::Recipe read_recipe(const std::filesystem::path& path);
 paint::Recipe parse_recipe(std::string_view text, const std::string& filename,
                            const References& references);
 
+/// The text that a recipe was read from.
+struct RecipeSource {
+    std::string text;
+    std::string filename;   ///< for messages
+    References references;  ///< the files that it may name
+};
+
 /// A recipe, the bounds of its numbers in a fit, from the table [fit] of its file, and how well they
 /// are known, from its table [uncertainty], both in the order of paint::recipe_parameters(). They
 /// are not part of the paint.
@@ -33,6 +41,8 @@ struct RecipeFile {
     paint::Recipe recipe;
     std::vector<paint::ParameterBounds> bounds;
     std::vector<paint::ParameterDeviation> deviations = {};
+    /// Null where no text holds it. The numbers above may have been changed since: io/recipe_text.h.
+    std::shared_ptr<const RecipeSource> source = {};
 };
 
 /// As read_recipe(), which checks these tables too, but does not hand them over.

@@ -183,14 +183,13 @@ void set_parameter(Recipe& recipe, std::string_view key, double value) {
     slot.set(value);
 }
 
-std::vector<std::string> matching_parameters(const Recipe& recipe, std::string_view pattern) {
-    const std::vector<std::string> keys = names_of(recipe_parameters(recipe));
+std::vector<std::string> matching_keys(const std::vector<std::string>& keys,
+                                       std::string_view pattern) {
     std::vector<std::string> found;
     for (const std::string& key : keys) {
         if (key == pattern) return {key};
         if (!pattern.empty() && matches_end(pattern, key)) found.push_back(key);
     }
-    if (found.empty()) refuse_unknown(pattern, keys);
     if (found.size() > 1 && pattern.find('*') == std::string_view::npos) {
         throw DomainError(
             fmt::format("{}: may mean {}; write more of the key, or *{} for all of "
@@ -198,6 +197,27 @@ std::vector<std::string> matching_parameters(const Recipe& recipe, std::string_v
                         pattern, listed(found), pattern));
     }
     return found;
+}
+
+std::vector<std::string> matching_parameters(const Recipe& recipe, std::string_view pattern) {
+    const std::vector<std::string> keys = names_of(recipe_parameters(recipe));
+    std::vector<std::string> found = matching_keys(keys, pattern);
+    if (found.empty()) refuse_unknown(pattern, keys);
+    return found;
+}
+
+std::string shortest_pattern(const Recipe& recipe, const std::string& key) {
+    const std::vector<std::string> keys = names_of(recipe_parameters(recipe));
+    for (std::size_t dot = key.rfind('.'); dot != std::string::npos && dot > 0;
+         dot = key.rfind('.', dot - 1)) {
+        const std::string end = key.substr(dot + 1);
+        if (end == "max") continue;  // says nothing
+        if (std::count_if(keys.begin(), keys.end(),
+                          [&](const std::string& k) { return matches_end(end, k); }) == 1) {
+            return end;
+        }
+    }
+    return key;
 }
 
 void check_bounds(const Recipe& recipe, const ParameterBounds& bounds) {

@@ -42,6 +42,14 @@ void set_parameter(Recipe& recipe, std::string_view key, double value);
 /// @throws DomainError if there is none, or if the pattern is without `*` and several keys end so
 std::vector<std::string> matching_parameters(const Recipe& recipe, std::string_view pattern);
 
+/// The same among any keys; none where none matches.
+/// @throws DomainError if the pattern is without `*` and several keys end so
+std::vector<std::string> matching_keys(const std::vector<std::string>& keys,
+                                       std::string_view pattern);
+
+/// The shortest pattern that means this number of the recipe alone.
+std::string shortest_pattern(const Recipe& recipe, const std::string& key);
+
 /// The interval in which a fit varies a number.
 struct ParameterBounds {
     std::string key;
