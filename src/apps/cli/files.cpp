@@ -158,8 +158,7 @@ std::vector<Output> outputs_in(const OutputFolder& folder) {
 CommandFiles files_of(const CommonOptions& options, std::vector<std::string> inputs,
                       const std::string& format) {
     return {.inputs = std::move(inputs),
-            .files = {{"--output", options.output, false, format},
-                      {"--report", options.report, false, "JSON"}},
+            .files = {{"--output", options.output, false, format}, {"--report", options.report}},
             .untrusted = options.untrusted};
 }
 
@@ -191,6 +190,7 @@ void check_files(const CommandFiles& files) {
     for (const OutputFolder& folder : files.folders) {
         if (!folder.name.empty()) check_output_folder(folder.name);
     }
+    for (const Output& output : named) check_format(output);
 }
 
 void check_names(const CLI::App& command) {

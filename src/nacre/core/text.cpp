@@ -78,10 +78,22 @@ std::optional<std::size_t> first_not_utf8(std::string_view text) {
     return std::nullopt;
 }
 
+bool looks_like_utf16(std::string_view bytes) {
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return true;
+    // Of a letter of ASCII, with which people's texts begin, one byte is 0 and the other is not.
+    constexpr std::size_t kLetters = 16;
+    const std::size_t letters = std::min(bytes.size() / 2, kLetters);
+    const auto are_zero = [&](std::size_t parity, bool zero) {
+        for (std::size_t i = 0; i < letters; ++i) {
+            if ((bytes[2 * i + parity] == 0) != zero) return false;
+        }
+        return letters > 0;
+    };
+    return (are_zero(0, true) && are_zero(1, false)) || (are_zero(0, false) && are_zero(1, true));
+}
+
 void require_utf8(std::string_view text, const std::string& filename) {
-    // People's texts begin with a letter of ASCII, half of which is 0 in UTF-16.
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
-        (text.size() > 1 && (text[0] == 0) != (text[1] == 0))) {
+    if (looks_like_utf16(text)) {
         throw InputError(filename + ": is UTF-16; save the file as UTF-8");
     }
     if (text.find('\0') != std::string_view::npos) {

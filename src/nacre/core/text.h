@@ -79,6 +79,9 @@ inline std::string_view without_byte_order_mark(std::string_view text) {
 /// Where a text is not UTF-8: the position of the first byte that is part of no character.
 std::optional<std::size_t> first_not_utf8(std::string_view text);
 
+/// Whether bytes are a text in UTF-16: by its mark, or by zeros in every other byte of its beginning.
+bool looks_like_utf16(std::string_view bytes);
+
 /// Refuses a text in another encoding, which editors and spreadsheets write where they are not told
 /// otherwise. UTF-8 may begin with a byte order mark.
 /// @param filename  for the message, which quotes nothing of the text

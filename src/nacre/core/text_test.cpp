@@ -64,7 +64,9 @@ TEST(Encoding, OthersAreNamedWithTheirPlace) {
                                     std::string("n\0a\0", 4), std::string("\0n\0a", 4)}) {
         EXPECT_EQ(encoding_complaint(text), "f.csv: is UTF-16; save the file as UTF-8");
     }
-    EXPECT_THAT(encoding_complaint(std::string("ab\0c", 4)), testing::HasSubstr("binary data"));
+    for (const std::string& bytes : {std::string("ab\0c", 4), std::string("Z\0\0\0Z\0\0\0", 8)}) {
+        EXPECT_THAT(encoding_complaint(bytes), testing::HasSubstr("binary data"));
+    }
 }
 
 TEST(Replaced, ChangesAllPlacesAndNothingElse) {

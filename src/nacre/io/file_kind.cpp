@@ -224,13 +224,10 @@ FileKind kind_of_bytes(std::string_view bytes) {
             bytes, {"\xFF\xD8\xFF", std::string_view("II*\0", 4), std::string_view("MM\0*", 4)})) {
         return FileKind::other_picture;
     }
-    if (starts_with_any(bytes, {"\xFF\xFE", "\xFE\xFF"})) return FileKind::other_encoding;
+    if (looks_like_utf16(bytes)) return FileKind::other_encoding;
     const std::string_view head = bytes.substr(0, kKindHeadBytes);
     const bool cut = head.size() < bytes.size();
-    if (head.find('\0') != std::string_view::npos) {
-        const bool sixteen_bits = head.size() > 1 && (head[0] == 0) != (head[1] == 0);
-        return sixteen_bits ? FileKind::other_encoding : FileKind::binary;
-    }
+    if (head.find('\0') != std::string_view::npos) return FileKind::binary;
     const FileKind kind = kind_of_text(head, cut);
     const auto odd = first_not_utf8(head);  // which may be half of a character at the end
     const bool encoded = !odd || (cut && *odd + 4 > head.size());

@@ -86,6 +86,8 @@ TEST(FileKind, AReaderOfTomlSaysWhatItWasGivenInstead) {
               "f: is measured colours; a text in TOML is needed here");
     EXPECT_THAT(complaint("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("f: is a mesh"));
     EXPECT_THAT(complaint("n\xe4me = 1\n"), HasSubstr("f:1:2: is not UTF-8"));
+    EXPECT_THAT(complaint("15 122.4 -0.6 -1.1\n"),
+                HasSubstr("f:1:4: the file is of no kind that is read here; taken for TOML: "));
     EXPECT_EQ(complaint("\xEF\xBB\xBFname = \"x\"\n"), "accepted");
     // A file that another one names is not talked about.
     EXPECT_EQ(complaint("v 0 0 0\n", References().beside("x")), "f:1:3: is not TOML");

@@ -138,7 +138,7 @@ class MeasurementTable {
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (by_sample[i].empty()) continue;  // an empty row among them
             file.samples.push_back(
-                assemble_measurement(names[i], conditions, wavelengths_nm(), by_sample[i]));
+                assemble_measurement(names[i], conditions, wavelengths_nm_, by_sample[i]));
         }
         if (file.samples.empty()) throw InputError(filename_ + ": has a header, but no reading");
         return file;
@@ -147,7 +147,6 @@ class MeasurementTable {
  private:
     std::string place(const CsvCell& cell) const { return numbers_.place(cell); }
     bool by_angle() const { return !readings_[0].geometry.empty(); }
-    const std::vector<double>& wavelengths_nm() const { return readings_[0].wavelengths_nm; }
 
     // ------------------------------------------------------------------------------ the header
 
@@ -179,10 +178,13 @@ class MeasurementTable {
         columns_ = row.columns;
         if (readings_.empty()) readings_.push_back(std::move(row));
         for (const ReadingColumns& columns : readings_) {
-            if (columns.wavelengths_nm != readings_[0].wavelengths_nm) {
-                throw InputError(fmt::format("{}the spectra at {} and {} have other wavelengths",
-                                             place(header[0]), readings_[0].geometry,
-                                             columns.geometry));
+            if (columns.wavelengths_nm.empty()) continue;  // colours alone were read there
+            if (wavelengths_nm_.empty()) wavelengths_nm_ = columns.wavelengths_nm;
+            if (columns.wavelengths_nm != wavelengths_nm_) {
+                throw InputError(
+                    fmt::format("{}the spectra at {} have other wavelengths than those "
+                                "before them",
+                                place(header[0]), columns.geometry));
             }
         }
     }
@@ -389,7 +391,7 @@ class MeasurementTable {
         }
         MeasurementScale scale{says_percent_ || hints_.percent.value_or(false), {}};
         if (!says_percent_ && !says_factor_ && !hints_.percent) {
-            scale = measurement_scale(readings, wavelengths_nm(), conditions, filename_);
+            scale = measurement_scale(readings, wavelengths_nm_, conditions, filename_);
         }
         if (!scale.note.empty()) notes.push_back(scale.note);
         if (!scale.percent) return;
@@ -446,6 +448,7 @@ class MeasurementTable {
     NumberCells numbers_;
     std::map<std::string, std::size_t> columns_;  // of a row as a whole
     std::vector<ReadingColumns> readings_;        // one at least
+    std::vector<double> wavelengths_nm_;          // of all spectra
     std::map<std::string, std::size_t> sample_places_;
     bool says_percent_ = false, says_factor_ = false;
 };

@@ -78,6 +78,10 @@ TEST(MeasurementTable, ReadsSpectraByAngle) {
     ASSERT_EQ(m.readings.size(), 2u);
     EXPECT_NEAR(m.readings[0].lab[0], 100, 1e-9);
     EXPECT_NEAR(m.readings[1].xyz[1], 50, 1e-9);
+    const auto some =
+        parse_measurement("L 15,a 15,b 15,45as110_R400,45as110_R500\n90,1,2,0.5,0.5\n", "m.csv");
+    EXPECT_TRUE(some.readings[0].reflectance_factor.empty());
+    EXPECT_THAT(some.readings[1].reflectance_factor, ElementsAre(0.5, 0.5));
     EXPECT_THAT(refused_table("45as15_R400,45as15_R500,45as45_R400,45as45_R600\n1,1,1,1\n"),
                 HasSubstr("other wavelengths"));
 }

@@ -12,6 +12,7 @@
 #include "nacre/core/file.h"
 #include "nacre/core/text.h"
 #include "nacre/io/file_kind.h"
+#include "nacre/io/measurement_columns.h"
 #include "nacre/paint/description.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/spectra/colour.h"
@@ -192,6 +193,11 @@ TomlDocument::TomlDocument(std::string_view text, std::string filename, Referenc
         if (!references_.may_quote()) throw InputError(where + "is not TOML");
         const std::size_t line = error.source().begin.line;
         const std::string comma = decimal_comma_on_line(text, line);
+        if (comma.empty() && !is_toml_line(first_csv_line(text))) {
+            throw InputError(
+                fmt::format("{}the file is of no kind that is read here; taken for TOML: {}", where,
+                            excerpt(error.description(), kMaxComplaintLength, ' ')));
+        }
         throw InputError(
             where + key_on_line(text, line) +
             (comma.empty() ? excerpt(error.description(), kMaxComplaintLength, ' ') : comma));
