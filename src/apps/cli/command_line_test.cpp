@@ -147,7 +147,7 @@ TEST_F(Program, ImplausibleNumbersAreWarnedOf) {
                               "solve thin.toml --wavelength 550 -o thin.h5",
                               "measure thin.toml --geometry 45as45",
                               "eval thin.toml --incident 45 --outgoing 30,180 --wavelength 550",
-                              "fit gray.toml --start thin.toml --free alpha --starts 1",
+                              "fit gray.toml --start thin.toml --free alpha --starts 1 --within 100",
                               "render sphere --paint thin.toml --model microflake --spp 1 --size "
                               "16x16 -o thin.exr",
                               "info thin.h5"};

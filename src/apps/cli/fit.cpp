@@ -99,9 +99,8 @@ std::string write_found(const FitOptions& options, const Paint& paint) {
     if (options.output.empty()) return {};
     const io::RecipeText written = paint.recipe_text(references_of(options, options.output));
     if (!written.rewritten.empty()) {
-        say(options,
-            fmt::format("nacre: warning: {} is written anew, without the comments of {}: {}",
-                        options.output, options.start, written.rewritten));
+        warn(options, fmt::format("{} is written anew, without the comments of {}: {}",
+                                  options.output, options.start, written.rewritten));
     }
     write_file_atomically(options.output, written.text);
     return written.rewritten;

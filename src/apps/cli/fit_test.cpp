@@ -206,15 +206,6 @@ TEST_F(Program, FitSaysWhereCommentsAreLost) {
     EXPECT_EQ(nacre("info out/fitted.toml").status, 0);
 }
 
-TEST_F(Program, FitPrintsNothingOfItsSolverWhenInterrupted) {
-    write("start.toml", kStart);
-    const Outcome fit = shell(
-        "$NACRE fit gray.toml --start start.toml --starts 256 & fit=$!\n"
-        "sleep 1.5; kill -INT $fit; wait $fit\n");
-    EXPECT_EQ(fit.status, 3);
-    EXPECT_EQ(fit.err, "nacre: the fit was stopped before it was done\n");
-}
-
 TEST_F(Program, OtherCommandsIgnoreTheBoundsOfAFit) {
     write("start.toml", kStart);
     write("bare.toml", std::string(kStart, std::string(kStart).find("[fit]")));

@@ -251,7 +251,18 @@ void describe_image(Facts& facts, const std::string& bytes, const std::string& n
     for (const auto& [key, value] : image.metadata) facts.add(key, "{}", value);
 }
 
+/// The recipe of the file with the values of --set.
+std::string describe_changed(const InfoOptions& options) {
+    const Paint paint = open_paint(options, options.file);
+    Facts facts;
+    facts.add("file", "{}", options.file);
+    facts.add("kind", "recipe, changed by --set");
+    describe_recipe(facts, paint.recipe());
+    return facts.text();
+}
+
 std::string describe(const InfoOptions& options) {
+    if (!options.set.empty()) return describe_changed(options);
     const io::SampleName name = io::split_sample_name(find_paint(options.file).string());
     const std::string file = name.file.string();
     const std::string bytes = read_file(
@@ -305,6 +316,7 @@ Command add_info(CLI::App& program) {
     info->add_option("FILE", options->file,
                      "Any that Nacre reads or writes; FILE#SAMPLE for one of several measured")
         ->required();
+    add_set(*info, *options);
     add_input_options(*info, *options);
     add_quiet(*info, *options);
     add_output(*info, *options);

@@ -40,6 +40,8 @@ TEST_F(Program, SetIsSolvedAndRenderedAndSaid) {
               0);
     const Outcome info = nacre("info w.h5");
     EXPECT_THAT(info.out, AllOf(HasSubstr("Wider"), HasSubstr("0.3")));
+    EXPECT_THAT(nacre("info gray.toml --set name=Wider").out,
+                AllOf(HasSubstr("Wider"), HasSubstr("changed by --set")));
     const auto report = nlohmann::json::parse(contents(folder_ / "report.json"));
     EXPECT_EQ(report["set"], (std::vector<std::string>{"alpha=0.3", "name=Wider"}));
     // A solved paint is solved anew.

@@ -313,6 +313,20 @@ TEST(Fit, StopsWhenAsked) {
     EXPECT_EQ(asked, 5);
 }
 
+// In a descent Ceres would complain that its function cannot be evaluated any more.
+TEST(Fit, PrintsNothingWhenItIsStopped) {
+    const FreeNumbers numbers(solid(), {kScattering, kAbsorption}, {});
+    paint::Recipe hidden = solid();
+    paint::set_parameter(hidden, kScattering, 200);
+    const measure::Measurement standard = read(hidden);
+    ::testing::internal::CaptureStderr();
+    for (const double moment : {0.17, 0.2, 0.25, 0.3, 0.35, 0.45, 0.55, 0.65}) {
+        const auto progress = [&](double fraction) { return fraction < moment; };
+        EXPECT_THROW(fit(standard, numbers, {}, progress), Stopped) << moment;
+    }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 // Reported standard errors against the scatter of fits to many standards with known noise.
 
 /// L*a*b* moved so that each component of the CIEDE2000 difference is normal with this deviation.

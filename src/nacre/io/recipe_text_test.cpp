@@ -52,19 +52,19 @@ reflectance = 0.05
 "layer[0].thickness_um" = [10, 20]
 )";
 
-RecipeFile parse(const std::string& text) { return parse_recipe_file(text, "mine.toml", {}); }
+RecipeFile parse_file(const std::string& text) { return parse_recipe_file(text, "mine.toml", {}); }
 
 std::string text_with(const std::string& text, const std::string& key, double value) {
-    RecipeFile file = parse(text);
+    RecipeFile file = parse_file(text);
     paint::set_parameter(file.recipe, key, value);
     const RecipeText written = recipe_text(file, {});
     EXPECT_THAT(written.rewritten, IsEmpty()) << key;
-    EXPECT_EQ(write_recipe(parse(written.text).recipe), write_recipe(file.recipe)) << key;
+    EXPECT_EQ(write_recipe(parse_file(written.text).recipe), write_recipe(file.recipe)) << key;
     return written.text;
 }
 
 TEST(RecipeText, OnlyTheNumbersThatDifferAreReplaced) {
-    EXPECT_EQ(recipe_text(parse(kMine), {}).text, kMine);
+    EXPECT_EQ(recipe_text(parse_file(kMine), {}).text, kMine);
     const struct {
         const char* key;
         double value;
@@ -115,7 +115,7 @@ TEST(RecipeText, APigmentFromElsewhereIsWrittenDownWhereItChanges) {
         const std::string key = std::string("layer[0].pigment[0].") + number;
         EXPECT_EQ(text_with(from, "layer[0].pigment[0].volume_fraction", 0.02),
                   replaced(from, "volume_fraction = 0.01", "volume_fraction = 0.02"));
-        const double before = paint::find_parameter(parse(from).recipe, key).value;
+        const double before = paint::find_parameter(parse_file(from).recipe, key).value;
         EXPECT_THAT(text_with(from, key, 0.9 * before),
                     AllOf(Not(HasSubstr("from =")), HasSubstr(" # ours\nvolume_fraction = 0.01\n"),
                           HasSubstr("# a dye"), HasSubstr("# sprayed by robot")));
@@ -165,7 +165,7 @@ TEST(RecipeText, WhatCannotBeKeptIsWrittenAnewAndSaid) {
     // Elsewhere the name of the file means another, or none.
     const RecipeText there = recipe_text(file, References::of_file(other / "b.toml"));
     EXPECT_THAT(there.rewritten, HasSubstr("primer.csv"));
-    EXPECT_EQ(write_recipe(parse(there.text).recipe), write_recipe(file.recipe));
+    EXPECT_EQ(write_recipe(parse_file(there.text).recipe), write_recipe(file.recipe));
     other.write("primer.csv", "wavelength_nm,r\n400,0.2\n700,0.3\n");
     EXPECT_THAT(recipe_text(file, References::of_file(other / "b.toml")).rewritten,
                 HasSubstr("not that recipe"));
@@ -174,8 +174,9 @@ TEST(RecipeText, WhatCannotBeKeptIsWrittenAnewAndSaid) {
     EXPECT_THAT(recipe_text(file, {}).rewritten, IsEmpty());
 }
 
-std::string set(const std::string& key, const std::string& value, const std::string& text = kMine) {
-    return with_settings(parse(text), {{key, value}}).source->text;
+std::string text_after(const std::string& key, const std::string& value,
+                       const std::string& text = kMine) {
+    return with_settings(parse_file(text), {{key, value}}).source->text;
 }
 
 TEST(RecipeSettings, TakeNumbersAndTextsByTheEndsOfTheirKeys) {
@@ -197,12 +198,12 @@ TEST(RecipeSettings, TakeNumbersAndTextsByTheEndsOfTheirKeys) {
         {"clearcoat.thickness_um", "45", "20]\n", "20]\n" + kRough},
     };
     for (const auto& [key, value, from, to] : cases) {
-        EXPECT_EQ(set(key, value), replaced(kMine, from, to)) << key;
+        EXPECT_EQ(text_after(key, value), replaced(kMine, from, to)) << key;
     }
     // Several, which only make sense together, and all that match.
-    const RecipeFile file = with_settings(parse(kMine), {{"clearcoat.thickness_um", "40"},
-                                                         {"clearcoat.roughness", "0.2"},
-                                                         {"*thickness_nm", "90"}});
+    const RecipeFile file = with_settings(parse_file(kMine), {{"clearcoat.thickness_um", "40"},
+                                                              {"clearcoat.roughness", "0.2"},
+                                                              {"*thickness_nm", "90"}});
     EXPECT_EQ(file.recipe.clearcoat->roughness, 0.2);
     for (const char* film : {"core", "coats[0]"}) {
         const std::string key = std::string("layer[0].flakes[0].") + film + ".thickness_nm";
@@ -213,13 +214,12 @@ TEST(RecipeSettings, TakeNumbersAndTextsByTheEndsOfTheirKeys) {
 
 TEST(RecipeSettings, ComplaintsNameKeyValueAndRange) {
     const auto refused = [](const std::string& key, const std::string& value) {
-        return message_of<DomainError>([&] { set(key, value); });
+        return message_of<DomainError>([&] { text_after(key, value); });
     };
     EXPECT_THAT(
         refused("alpha", "3"),
         StartsWith("alpha=3: layer[0].flakes[0].orientation.alpha = 3: must be a number in"));
-    EXPECT_THAT(refused("alpha", "0,3"),
-                HasSubstr("orientation.alpha = '0,3': must be a number"));
+    EXPECT_THAT(refused("alpha", "0,3"), HasSubstr("orientation.alpha = '0,3': must be a number"));
     EXPECT_THAT(refused("alhpa", "0.3"), AllOf(StartsWith("alhpa=0.3: is not a key of this recipe"),
                                                HasSubstr("did you mean")));
     EXPECT_THAT(refused("thickness_nm", "3"), HasSubstr("may mean"));
@@ -230,10 +230,11 @@ TEST(RecipeSettings, ComplaintsNameKeyValueAndRange) {
     EXPECT_THAT(refused("absorption_per_mm.max", "-1"), HasSubstr("must be in (0,"));
     EXPECT_THAT(refused("alpha", ""), HasSubstr("alpha="));
     EXPECT_THAT(refused("layer[0].thickness_um", "25"), HasSubstr("[10, 20]"));
-    EXPECT_THAT(message_of<DomainError>([&] {
-                    with_settings(parse(kMine), {{"alpha", "0.2"}, {"orientation.alpha", "0.3"}});
-                }),
-                HasSubstr("is set twice"));
+    EXPECT_THAT(
+        message_of<DomainError>([&] {
+            with_settings(parse_file(kMine), {{"alpha", "0.2"}, {"orientation.alpha", "0.3"}});
+        }),
+        HasSubstr("is set twice"));
 }
 
 }  // namespace
