@@ -35,12 +35,15 @@ def test_numbers_that_are_hardly_meant_are_told(pearl: nacre.Paint) -> None:
     assert "layer[0].flakes[0].coats[0].thickness_nm = 0.08 nm: thinner than 1 nm" in line
 
 
-def test_one_sample_of_a_spreadsheet_is_opened_and_what_was_decided_is_noted(tmp_path: Path) -> None:
+def test_one_sample_of_a_spreadsheet_is_opened_with_its_notes(tmp_path: Path) -> None:
     file = tmp_path / "panels.csv"
-    file.write_text("Probe;as45 R400;as45 R500\nRot;45,2;45\nBlau;20;30\n", encoding="utf-8")
+    file.write_text(
+        "Probe;as45 R400;as45 R500;as45 R600\nRot;45,2;45;40\nBlau;20;30;31\n", encoding="utf-8"
+    )
     paint = nacre.Paint(f"{file}#Rot")
     assert paint.measure().geometries == ["45as45"]
-    assert len(paint.notes) == 1 and "percent" in paint.notes[0]
+    (note,) = paint.notes
+    assert "percent" in note
     with pytest.raises(nacre.InputError, match="holds 2 samples: 'Rot', 'Blau'"):
         nacre.Paint(file)
 
