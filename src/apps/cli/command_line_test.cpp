@@ -143,14 +143,15 @@ TEST_F(Program, ImplausibleNumbersAreWarnedOf) {
           "ior = 1.5\n[[layer]]\nthickness_um = 0.2\n[[layer.flakes]]\narea_density_per_um = 0.1\n"
           "thickness_um = 0.3\norientation = { distribution = \"beckmann\", alpha = 0.2 "
           "}\nreflectance = 0.6\n");
-    const char* commands[] = {"info thin.toml",
-                              "solve thin.toml --wavelength 550 -o thin.h5",
-                              "measure thin.toml --geometry 45as45",
-                              "eval thin.toml --incident 45 --outgoing 30,180 --wavelength 550",
-                              "fit gray.toml --start thin.toml --free alpha --starts 1 --within 100",
-                              "render sphere --paint thin.toml --model microflake --spp 1 --size "
-                              "16x16 -o thin.exr",
-                              "info thin.h5"};
+    const char* commands[] = {
+        "info thin.toml",
+        "solve thin.toml --wavelength 550 -o thin.h5",
+        "measure thin.toml --geometry 45as45",
+        "eval thin.toml --incident 45 --outgoing 30,180 --wavelength 550",
+        "fit gray.toml --start thin.toml --free alpha --starts 1 --within 100",
+        "render sphere --paint thin.toml --model microflake --spp 1 --size "
+        "16x16 -o thin.exr",
+        "info thin.h5"};
     for (const char* command : commands) {
         const Outcome outcome = nacre(command);
         EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.err;
