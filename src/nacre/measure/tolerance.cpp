@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "nacre/core/error.h"
@@ -68,12 +70,11 @@ Verdict judge(const Difference& difference, const Tolerance& tolerance) {
             fmt::format("{} = {}: must be in {}", what, limit, kToleranceLimit.text()));
     };
     if (tolerance.limit) check("tolerance", *tolerance.limit);
+    std::set<std::string> known;
+    for (const AngleDifference& angle : difference.angles) known.insert(angle.geometry.name);
     for (const auto& [name, limit] : tolerance.limits) {
         check("tolerance of " + name, limit);
-        const bool known =
-            std::any_of(difference.angles.begin(), difference.angles.end(),
-                        [&](const AngleDifference& a) { return a.geometry.name == name; });
-        if (!known) {
+        if (!known.contains(name)) {
             throw DomainError(fmt::format(
                 "tolerance of {}: the two have no geometry of that name in common", name));
         }
