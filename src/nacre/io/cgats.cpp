@@ -227,7 +227,8 @@ measure::Conditions conditions_of(const CgatsTable& table, const std::string& fi
     }
     if (observer) {
         conditions.observer = parsed_keyword(*observer, filename, [](const std::string& text) {
-            const auto number = words(replaced(text, "\u00b0", " "));
+            const std::string plain = replaced(text, "\u00b0", " ");
+            const auto number = words(plain);  // views into it
             return spectra::parse_observer(number.empty() ? text : std::string(number[0]));
         });
     }
