@@ -1,0 +1,144 @@
+"""The command line: ``nacre-library plan|run|status|find|export|page|render``."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import signal
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import FrameType
+
+import nacre
+
+from . import engine
+from .catalogue import write_catalogue
+from .folder import planned_ids
+from .record import failures, record_ids
+from .sweep import Plan
+
+OK, FAILED, USAGE, INCOMPLETE = 0, 1, 2, 4
+"""Exit statuses: as those of ``nacre``; INCOMPLETE: done, and some records failed."""
+
+Command = Callable[[argparse.Namespace], int]
+
+
+def _plan(arguments: argparse.Namespace) -> int:
+    plan = Plan(arguments.plan)
+    state = engine.state_of(plan, arguments.library or Path("/nonexistent"))
+    print(f"{plan.name}: {len(state.planned)} records of {len(plan.sweeps)} sweeps")
+    return OK
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    summary = engine.run(
+        Plan(arguments.plan),
+        arguments.library,
+        workers=arguments.workers,
+        scheduler=arguments.scheduler,
+        retry=arguments.retry,
+        prune=arguments.prune,
+        progress=not arguments.quiet,
+    )
+    if not arguments.quiet:
+        print(
+            f"{summary.planned} records: {summary.found} were there, {summary.computed} computed "
+            f"in {summary.seconds:.0f} s, {summary.failed} failed",
+            file=sys.stderr,
+        )
+        if summary.failed:
+            print(f"why: {arguments.library}/failed/*.json", file=sys.stderr)
+    return INCOMPLETE if summary.failed else OK
+
+
+def _status(arguments: argparse.Namespace) -> int:
+    planned = planned_ids(arguments.library)
+    there = record_ids(arguments.library)
+    done = [identity for identity in planned if identity in there]
+    failed = {i: why for i, why in failures(arguments.library).items() if i not in there}
+    failed = {i: failed[i] for i in planned if i in failed}
+    print(f"planned {len(planned)}")
+    print(f"done    {len(done)}")
+    print(f"failed  {len(failed)}")
+    print(f"missing {len(planned) - len(done) - len(failed)}")
+    print(f"others  {len(there) - len(done)}")
+    for identity, why in failed.items():
+        print(f"{identity} {why['name']}: {why['error']}")
+    return OK if len(done) == len(planned) else INCOMPLETE
+
+
+def _catalogue(arguments: argparse.Namespace) -> int:
+    there = record_ids(arguments.library)
+    ids = [identity for identity in planned_ids(arguments.library) if identity in there]
+    print(f"{write_catalogue(arguments.library, ids)} records")
+    return OK
+
+
+def _whole(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise ValueError
+    return value
+
+
+def parser() -> argparse.ArgumentParser:
+    """Of all subcommands."""
+    top = argparse.ArgumentParser(
+        prog="nacre-library", description="A library of paints: planned, computed, searched."
+    )
+    commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    def add(name: str, function: Command, about: str) -> argparse.ArgumentParser:
+        sub = commands.add_parser(name, help=about, description=about)
+        sub.set_defaults(function=function)
+        return sub
+
+    sub = add("plan", _plan, "Checks a plan and says how much there is to do.")
+    sub.add_argument("plan", type=Path, metavar="PLAN.toml")
+    sub.add_argument("library", type=Path, nargs="?", metavar="LIBRARY")
+
+    sub = add("run", _run, "Computes what a library lacks of a plan.")
+    sub.add_argument("plan", type=Path, metavar="PLAN.toml")
+    sub.add_argument("library", type=Path, metavar="LIBRARY")
+    sub.add_argument("--workers", type=_whole, metavar="N", help="processes on this machine")
+    sub.add_argument(
+        "--scheduler", default="", metavar="ADDRESS", help="of a Dask scheduler, or its file"
+    )
+    sub.add_argument("--retry", action="store_true", help="try again what was refused before")
+    sub.add_argument("--prune", action="store_true", help="delete records that are not planned")
+    sub.add_argument("--quiet", action="store_true", help="errors only")
+
+    sub = add("status", _status, "Says what a library has, lacks, and why.")
+    sub.add_argument("library", type=Path, metavar="LIBRARY")
+
+    sub = add("catalogue", _catalogue, "Writes the catalogue and the checksums anew.")
+    sub.add_argument("library", type=Path, metavar="LIBRARY")
+
+    for name in ("page", "render"):
+        module = f"nacre.library.{name}"
+        if importlib.util.find_spec(module) is not None:
+            extra = importlib.import_module(module)
+            extra.add_arguments(add(name, extra.main, extra.ABOUT))
+    return top
+
+
+def _interrupt(number: int, frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs ``nacre-library`` and returns its exit status."""
+    chosen = parser().parse_args(arguments)
+    signal.signal(signal.SIGTERM, _interrupt)  # a job that is cancelled leaves a catalogue too
+    try:
+        return int(chosen.function(chosen))
+    except nacre.Error as error:
+        print(f"nacre-library: {error}", file=sys.stderr)
+        return USAGE if isinstance(error, nacre.InputError | nacre.SettingError) else FAILED
+    except OSError as error:
+        print(f"nacre-library: {error}", file=sys.stderr)
+        return FAILED
+    except KeyboardInterrupt:
+        print("nacre-library: stopped; the same command goes on", file=sys.stderr)
+        return 130
