@@ -12,7 +12,7 @@ from types import FrameType
 
 import nacre
 
-from . import engine
+from . import engine, slurm
 from .catalogue import write_catalogue
 from .folder import planned_ids
 from .record import failures, record_ids
@@ -31,12 +31,34 @@ def _plan(arguments: argparse.Namespace) -> int:
     return OK
 
 
+def _submit(arguments: argparse.Namespace) -> int:
+    """Writes the scripts of a run and hands them to Slurm."""
+    plan = Plan(arguments.plan)  # what is wrong with it is said here and not in a log
+    options = [name for name in ("--retry", "--prune") if getattr(arguments, name[2:])]
+    if arguments.interface:
+        options += ["--interface", arguments.interface]
+    scripts = slurm.write_run(
+        plan.file,
+        arguments.library,
+        arguments.workers or 1,
+        arguments.slurm_option,
+        options,
+    )
+    for script in scripts:
+        print(script if arguments.dry_run else f"job {slurm.submit(script)}: {script}")
+    return OK
+
+
 def _run(arguments: argparse.Namespace) -> int:
+    if arguments.slurm:
+        return _submit(arguments)
     summary = engine.run(
         Plan(arguments.plan),
         arguments.library,
         workers=arguments.workers,
         scheduler=arguments.scheduler,
+        listen=arguments.listen,
+        interface=arguments.interface,
         retry=arguments.retry,
         prune=arguments.prune,
         progress=not arguments.quiet,
@@ -102,9 +124,28 @@ def parser() -> argparse.ArgumentParser:
     sub.add_argument("plan", type=Path, metavar="PLAN.toml")
     sub.add_argument("library", type=Path, metavar="LIBRARY")
     sub.add_argument("--workers", type=_whole, metavar="N", help="processes on this machine")
-    sub.add_argument(
+    where = sub.add_mutually_exclusive_group()
+    where.add_argument(
         "--scheduler", default="", metavar="ADDRESS", help="of a Dask scheduler, or its file"
     )
+    where.add_argument(
+        "--listen",
+        type=Path,
+        metavar="FILE",
+        help="wait for workers from elsewhere: writes the file for dask worker --scheduler-file",
+    )
+    where.add_argument(
+        "--slurm", action="store_true", help="write job scripts and submit them with sbatch"
+    )
+    sub.add_argument("--interface", default="", metavar="NAME", help="of the network, for --listen")
+    sub.add_argument(
+        "--slurm-option",
+        action="append",
+        default=[],
+        metavar="OPTION",
+        help="of sbatch, as --slurm-option=--partition=day; any number",
+    )
+    sub.add_argument("--dry-run", action="store_true", help="with --slurm: write the scripts only")
     sub.add_argument("--retry", action="store_true", help="try again what was refused before")
     sub.add_argument("--prune", action="store_true", help="delete records that are not planned")
     sub.add_argument("--quiet", action="store_true", help="errors only")

@@ -113,6 +113,35 @@ def remote_cluster(scheduler: str) -> Iterator[Client]:
         yield client
 
 
+@contextmanager
+def listening_cluster(file: Path, interface: str = "") -> Iterator[Client]:
+    """A client of a scheduler in this process that waits for workers from elsewhere.
+
+    Parameters
+    ----------
+    file
+        Is written, so that ``dask worker --scheduler-file`` finds the scheduler.
+    interface
+        Of the network, as "eth0"; empty: the one that leads out.
+    """
+    from distributed import Client, LocalCluster
+    from distributed.utils import get_ip
+
+    network = {"interface": interface} if interface else {"host": get_ip()}
+    with (
+        LocalCluster(
+            n_workers=0, dashboard_address=None, silence_logs=logging.ERROR, **network
+        ) as cluster,
+        Client(cluster) as client,
+    ):
+        client.write_scheduler_file(str(file))
+        try:
+            yield client
+        finally:
+            file.unlink(missing_ok=True)
+            client.retire_workers(close_workers=True)
+
+
 def _compute_all(
     records: Sequence[PlannedRecord], settings: Settings, library: Path
 ) -> list[Outcome]:
@@ -188,6 +217,8 @@ def run(
     *,
     workers: int | None = None,
     scheduler: str = "",
+    listen: Path | None = None,
+    interface: str = "",
     retry: bool = False,
     prune: bool = False,
     progress: bool = False,
@@ -202,6 +233,8 @@ def run(
         Processes on this machine, >= 1; None: one for each processor.
     scheduler
         Instead, the address of a Dask scheduler that runs, or its file.
+    listen, interface
+        Instead, see :func:`listening_cluster`.
     retry
         Tries once more what was refused in an earlier run.
     prune
@@ -235,12 +268,14 @@ def run(
         try:
             with _bar(len(missing), progress) as bar:
                 if missing:
-                    most = workers or len(os.sched_getaffinity(0))
-                    with (
-                        remote_cluster(scheduler)
-                        if scheduler
-                        else local_cluster(min(most, len(missing)))
-                    ) as client:
+                    if scheduler:
+                        cluster = remote_cluster(scheduler)
+                    elif listen is not None:
+                        cluster = listening_cluster(listen, interface)
+                    else:
+                        most = workers or len(os.sched_getaffinity(0))
+                        cluster = local_cluster(min(most, len(missing)))
+                    with cluster as client:
                         compute_with(client, missing, plan.settings, library, report)
         finally:
             shutil.rmtree(library / ".work", ignore_errors=True)
