@@ -11,8 +11,9 @@ or many. ``nacre-library`` is the same on the command line.
 
 from .catalogue import Catalogue
 
+from .find import Match, find
 from .record import Record
 from .settings import Settings
 from .sweep import Plan
 
-__all__ = ["Catalogue", "Plan", "Record", "Settings"]
+__all__ = ["Catalogue", "Match", "Plan", "Record", "Settings", "find"]

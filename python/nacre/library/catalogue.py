@@ -14,6 +14,7 @@ import pyarrow.parquet as pq
 
 import nacre
 
+from .index import IndexWriter
 from .record import Record, read_record, record_folder
 from .sweep import SCHEMA
 from .table import is_number
@@ -109,11 +110,12 @@ def _at_45(readings: Record) -> dict[str, float | None]:
 
 
 def write_catalogue(library: Path, ids: Iterable[str]) -> int:
-    """Writes catalogue.parquet and checksums.sha256 over these records, in this order, each file
-    whole or not at all. Returns how many rows there are."""
+    """Writes catalogue.parquet, the index of searches and checksums.sha256 over these records, in
+    this order, each whole or not at all. Returns how many rows there are."""
     fresh = library / f".{FILE}"
     sums: list[str] = []
     rows = 0
+    index = IndexWriter()
     ids = list(ids)
     with pq.ParquetWriter(fresh, schema(), compression="zstd") as writer:
         for start in range(0, len(ids), 10_000):
@@ -121,10 +123,12 @@ def write_catalogue(library: Path, ids: Iterable[str]) -> int:
             for identity in ids[start : start + 10_000]:
                 record = read_record(library, identity)
                 batch.append(_row(record))
+                index.add(record)
                 sums += _checksums(library, record)
             writer.write_table(pa.Table.from_pylist(batch, schema=schema()))
             rows += len(batch)
     fresh.replace(library / FILE)
+    index.write(library)
     for name in ("library.toml", "LICENSE", "CITATION.cff", FILE):
         if (library / name).is_file():
             sums.append(f"{_sha256(library / name)}  {name}\n")

@@ -84,7 +84,7 @@ def local_cluster(workers: int) -> Iterator[Client]:
             n_workers=workers,
             threads_per_worker=1,
             processes=True,
-            dashboard_address=None,
+            dashboard_address="127.0.0.1:0",
             memory_limit=0,
             silence_logs=logging.ERROR,
         ) as cluster,
@@ -130,7 +130,7 @@ def listening_cluster(file: Path, interface: str = "") -> Iterator[Client]:
     network = {"interface": interface} if interface else {"host": get_ip()}
     with (
         LocalCluster(
-            n_workers=0, dashboard_address=None, silence_logs=logging.ERROR, **network
+            n_workers=0, dashboard_address="127.0.0.1:0", silence_logs=logging.ERROR, **network
         ) as cluster,
         Client(cluster) as client,
     ):

@@ -261,21 +261,25 @@ def _number(value: float | None) -> float | None:
     return None if value is None or not np.isfinite(value) else float(value)
 
 
+_ANGLES = ("theta_i_deg", "aspecular_deg", "theta_o_deg", "phi_deg")
+_COLOURS = ("Lab", "srgb", "R")
+
+
 def _readings(readings: list[Measurement]) -> Record:
     """Of all sets, each geometry once, where it comes first."""
     first = readings[0]
     columns: dict[str, list[Any]] = {
-        name: [] for name in ("geometries", "theta_i_deg", "aspecular_deg", "Lab", "srgb", "R")
+        name: [] for name in ("geometries", *_ANGLES, *_COLOURS)
     }
     for reading in readings:
         for i, geometry in enumerate(reading.geometries):
             if geometry in columns["geometries"]:
                 continue
             columns["geometries"].append(geometry)
-            columns["theta_i_deg"].append(_number(reading.theta_i_deg[i]))
-            columns["aspecular_deg"].append(_number(reading.aspecular_deg[i]))
-            for name, values in (("Lab", reading.Lab), ("srgb", reading.srgb), ("R", reading.R)):
-                columns[name].append(values[i].tolist())
+            for name in _ANGLES:
+                columns[name].append(_number(getattr(reading, name)[i]))
+            for name in _COLOURS:
+                columns[name].append(getattr(reading, name)[i].tolist())
     return {
         **columns,
         "wavelengths_nm": first.wavelengths_nm.tolist(),
