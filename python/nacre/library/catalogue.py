@@ -14,6 +14,8 @@ import pyarrow.parquet as pq
 
 import nacre
 
+from .folder import CITATION, LIBRARY, LICENSE, PLANNED
+from .index import FOLDER as INDEX
 from .index import IndexWriter
 from .record import Record, read_record, record_folder
 from .sweep import SCHEMA
@@ -129,9 +131,10 @@ def write_catalogue(library: Path, ids: Iterable[str]) -> int:
             rows += len(batch)
     fresh.replace(library / FILE)
     index.write(library)
-    for name in ("library.toml", "LICENSE", "CITATION.cff", FILE):
-        if (library / name).is_file():
-            sums.append(f"{_sha256(library / name)}  {name}\n")
+    for name in (LIBRARY, PLANNED, LICENSE, CITATION, FILE):
+        sums.append(f"{_sha256(library / name)}  {name}\n")
+    for file in sorted((library / INDEX).iterdir()):
+        sums.append(f"{_sha256(file)}  {INDEX}/{file.name}\n")
     fresh_sums = library / ".checksums.sha256"
     fresh_sums.write_text("".join(sums), encoding="utf-8")
     fresh_sums.replace(library / "checksums.sha256")

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import csv
 import importlib.util
+import json
+import math
+import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from types import FrameType
 
@@ -14,6 +19,9 @@ import nacre
 
 from . import engine, slurm
 from .catalogue import write_catalogue
+from .estimate import measure_cost, shown_size, shown_time, spread
+from .export import export
+from .find import as_row, find
 from .folder import planned_ids
 from .record import failures, record_ids
 from .sweep import Plan
@@ -26,9 +34,39 @@ Command = Callable[[argparse.Namespace], int]
 
 def _plan(arguments: argparse.Namespace) -> int:
     plan = Plan(arguments.plan)
-    state = engine.state_of(plan, arguments.library or Path("/nonexistent"))
-    print(f"{plan.name}: {len(state.planned)} records of {len(plan.sweeps)} sweeps")
+    state = engine.state_of(plan, arguments.library)
+    missing = {record.id for record in state.missing()}
+    rows = [["sweep", "records", "done", "failed", "to do", "s each", "bytes each"]]
+    seconds = size = 0.0
+    for sweep in plan.sweeps:
+        records = [record for record in state.planned if record.sweep == sweep.name]
+        ids = {record.id for record in records}
+        row = [sweep.name, str(len(ids)), *(str(len(ids & x)) for x in (state.done, state.failed))]
+        row += [str(len(ids & missing)), "", ""]
+        if arguments.measure and records:
+            cost = measure_cost(spread(records, arguments.measure), plan.settings)
+            seconds += cost.seconds * len(ids & missing)
+            size += cost.bytes * len(ids & missing)
+            row[-2:] = [f"{cost.seconds:.3g}", f"{cost.bytes:.0f}"]
+        rows.append(row)
+    print(f"{plan.name}: {len(state.planned)} records")
+    _print_table(rows)
+    if arguments.measure:
+        workers = arguments.workers
+        print(
+            f"to do: about {shown_time(seconds)} of one processor, {shown_time(seconds / workers)} "
+            f"on {workers}, and {shown_size(size)}; measured here and now on up to "
+            f"{arguments.measure} of each sweep's records"
+        )
     return OK
+
+
+def _print_table(rows: Sequence[Sequence[str]]) -> None:
+    """The first column to the left, the others to the right."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for first, *others in rows:
+        cells = [cell.rjust(width) for cell, width in zip(others, widths[1:], strict=True)]
+        print("  ".join([first.ljust(widths[0]), *cells]))
 
 
 def _submit(arguments: argparse.Namespace) -> int:
@@ -97,6 +135,40 @@ def _catalogue(arguments: argparse.Namespace) -> int:
     return OK
 
 
+def _find(arguments: argparse.Namespace) -> int:
+    if not 0 <= arguments.sparkle < math.inf:
+        raise nacre.SettingError(f"--sparkle {arguments.sparkle}: must be a number >= 0")
+    matches = find(
+        arguments.library,
+        arguments.standard,
+        arguments.count,
+        sparkle_weight=arguments.sparkle,
+        sparkle_file=arguments.standard_sparkle,
+        each_construction=arguments.each_construction,
+    )
+    form = arguments.format or ("text" if sys.stdout.isatty() else "csv")
+    if form == "json":
+        print(json.dumps([asdict(match) for match in matches], indent=1, default=str))
+    elif form == "csv":
+        rows = [as_row(match) for match in matches]
+        writer = csv.DictWriter(sys.stdout, list(rows[0]), restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    else:
+        table = [["paint", "construction", "dE2000", "largest", "id"]]
+        for match in matches:
+            numbers = (f"{match.mean_dE2000:.2f}", f"{match.max_dE2000:.2f}")
+            table.append([match.name, match.construction, *numbers, match.id[:12]])
+        _print_table(table)
+    return OK
+
+
+def _export(arguments: argparse.Namespace) -> int:
+    count = export(arguments.library, arguments.to, arguments.sweep, arguments.id)
+    print(f"{arguments.to}: {count} records", file=sys.stderr)
+    return OK
+
+
 def _whole(text: str) -> int:
     value = int(text)
     if value < 1:
@@ -119,6 +191,15 @@ def parser() -> argparse.ArgumentParser:
     sub = add("plan", _plan, "Checks a plan and says how much there is to do.")
     sub.add_argument("plan", type=Path, metavar="PLAN.toml")
     sub.add_argument("library", type=Path, nargs="?", metavar="LIBRARY")
+    sub.add_argument(
+        "--measure",
+        type=int,
+        default=1,
+        choices=range(101),
+        metavar="N",
+        help="how many records of each sweep tell what one costs; 0: none (default 1)",
+    )
+    sub.add_argument("--workers", type=_whole, default=len(os.sched_getaffinity(0)), metavar="N")
 
     sub = add("run", _run, "Computes what a library lacks of a plan.")
     sub.add_argument("plan", type=Path, metavar="PLAN.toml")
@@ -155,6 +236,31 @@ def parser() -> argparse.ArgumentParser:
 
     sub = add("catalogue", _catalogue, "Writes the catalogue and the checksums anew.")
     sub.add_argument("library", type=Path, metavar="LIBRARY")
+
+    sub = add("find", _find, "Finds the records that read most like a standard.")
+    sub.add_argument("library", type=Path, metavar="LIBRARY")
+    sub.add_argument("standard", metavar="STANDARD", help="measured colours, or a paint")
+    sub.add_argument("--count", type=_whole, default=10, metavar="N")
+    sub.add_argument(
+        "--each-construction", action="store_true", help="the best of each construction alone"
+    )
+    sub.add_argument(
+        "--sparkle",
+        type=float,
+        default=0.0,
+        metavar="WEIGHT",
+        help="what a ratio of two in sparkle adds to Delta E 2000",
+    )
+    sub.add_argument(
+        "--standard-sparkle", default="", metavar="FILE.csv", help="what nacre sparkle wrote"
+    )
+    sub.add_argument("--format", choices=("text", "csv", "json"), help="default: text on terminals")
+
+    sub = add("export", _export, "Writes a part of a library, or its catalogue as a table.")
+    sub.add_argument("library", type=Path, metavar="LIBRARY")
+    sub.add_argument("to", type=Path, metavar="OUT", help=".csv, .parquet, .zip or a new folder")
+    sub.add_argument("--sweep", action="append", default=[], metavar="NAME")
+    sub.add_argument("--id", action="append", default=[], metavar="ID", help="or how it begins")
 
     for name in ("page", "render"):
         module = f"nacre.library.{name}"

@@ -49,9 +49,11 @@ class State:
         return [r for r in self.planned if r.id not in self.done and r.id not in hopeless]
 
 
-def state_of(plan: Plan, library: Path) -> State:
-    """Compares a plan with the records that are there."""
+def state_of(plan: Plan, library: Path | None) -> State:
+    """Compares a plan with the records that are there; None: there are none."""
     planned = list(plan.records())
+    if library is None:
+        return State(planned, set(), {}, set())
     ids = {record.id for record in planned}
     there = record_ids(library)
     failed = {i: why for i, why in failures(library).items() if i in ids and i not in there}

@@ -1,12 +1,18 @@
 """Which paint of a library reads like this? The nearest records to a standard.
 
 Distance is the mean of Delta E 2000 over the angles that both have. It is computed exactly for
-those records alone that a bound does not rule out: of the sum of squares that Delta E 2000 is the root
-of, the term of lightness is one and the others are together never negative, so that
+those records alone that two lower bounds do not rule out. The bounds hold for every pair of colours, so
+that no record is missed. Delta E 2000 is the root of
 
-    Delta E 2000 >= |Delta L*| / S_L,
+    (dL / S_L)^2 + x^2 + y^2 + R_T x y,    x = dC' / S_C,  y = dH' / S_H    [sharma-2005]
 
-which takes a few operations. The bound holds for every pair of colours, so that no record is missed.
+and |R_T| < 2, so that it is at least |dL| / S_L, which takes a few operations. Of the rest,
+
+- x^2 + y^2 + R_T x y >= (1 - |R_T| / 2) (x^2 + y^2);
+- |R_T| / 2 <= sin 60 deg sqrt(c^7 / (c^7 + 25^7)) for any c that is at least the mean of both C';
+- S_H <= S_C = 1 + 0.045 times that mean, since the factor T of S_H is at most 1.93;
+- dC'^2 + dH'^2 = da'^2 + db^2 >= da^2 + db^2, since a' = (1 + G) a with 0 <= G <= 1/2 for both, and
+  for the same reason c = 1.5 times the mean of both C*.
 """
 
 from __future__ import annotations
@@ -28,6 +34,9 @@ from .record import read_record, record_folder
 
 SAME_DEG = 0.1
 """Angles that differ by less are the same, as for ``nacre measure --versus``."""
+
+
+Places = NDArray[np.intp] | slice
 
 
 @dataclass(frozen=True)
@@ -75,10 +84,37 @@ def lightness_bound(L: Floats, L_standard: Floats) -> Floats:
     -------
     array (N,)
     """
-    off = (0.5 * (L + L_standard) - 50.0) ** 2
-    S_L = 1.0 + 0.015 * off / np.sqrt(20.0 + off)
-    mean: Floats = (np.abs(L - L_standard) / S_L).mean(axis=1)
+    mean: Floats = np.abs(_of_lightness(L, L_standard)).mean(axis=1)
     return mean
+
+
+def colour_bound(Lab: Floats, Lab_standard: Floats) -> Floats:
+    """A lower bound of the mean Delta E 2000 that is never below the one of lightness alone.
+
+    Parameters
+    ----------
+    Lab
+        (3, N, G) of the records.
+    Lab_standard
+        (G, 3)
+
+    Returns
+    -------
+    array (N,)
+    """
+    L, a, b = Lab
+    L0, a0, b0 = Lab_standard.T
+    c = 0.75 * (np.hypot(a, b) + np.hypot(a0, b0))
+    c7 = c**7
+    least = 1.0 - np.sin(np.radians(60.0)) * np.sqrt(c7 / (c7 + 25.0**7))
+    chromatic = least * ((a - a0) ** 2 + (b - b0) ** 2) / (1.0 + 0.045 * c) ** 2
+    mean: Floats = np.sqrt(_of_lightness(L, L0) ** 2 + chromatic).mean(axis=1)
+    return mean
+
+
+def _of_lightness(L: Floats, L_standard: Floats) -> Floats:
+    off = (0.5 * (L + L_standard) - 50.0) ** 2
+    return np.asarray((L - L_standard) / (1.0 + 0.015 * off / np.sqrt(20.0 + off)))
 
 
 def _sparkle_distance(sparkle: Floats, standard: Floats) -> Floats:
@@ -214,40 +250,48 @@ class _Search:
     def __init__(self, index: Index, standard: Standard, sparkle_weight: float) -> None:
         self._index = index
         self._standard = standard
-        self._weight = sparkle_weight
         self._whole = standard.places == list(range(len(index.geometries)))
-        self._bound = lightness_bound(self._of(index.Lab[0]), standard.Lab[:, 0])
+        self._sparkle: Floats | None = None
+        """(N,) what sparkle adds to the distance"""
         if sparkle_weight > 0:
             assert standard.sparkle is not None
-            self._sparkle = _sparkle_distance(index.sparkle, standard.sparkle)
-            self._bound = self._bound + sparkle_weight * self._sparkle
+            self._sparkle = sparkle_weight * _sparkle_distance(index.sparkle, standard.sparkle)
+        self._weight = sparkle_weight
 
-    def _of(self, plane: Floats) -> Floats:
-        return plane if self._whole else plane[..., self._standard.places]
+    def _Lab(self, places: Places) -> Floats:
+        """(3, len(places), G) at the geometries of the standard"""
+        Lab = self._index.Lab[:, places]
+        return Lab if self._whole else Lab[:, :, self._standard.places]
 
-    def _differences(self, places: NDArray[np.intp]) -> Floats:
+    def _with_sparkle(self, distances: Floats, places: Places) -> Floats:
+        return distances if self._sparkle is None else distances + self._sparkle[places]
+
+    def _differences(self, places: Places) -> Floats:
         """(len(places), G) Delta E 2000"""
-        Lab = np.moveaxis(self._of(self._index.Lab[:, places]), 0, -1)
+        Lab = np.moveaxis(self._Lab(places), 0, -1)
         differences: Floats = nacre.delta_e_2000(Lab, self._standard.Lab)
         return differences
 
-    def _distances(self, places: NDArray[np.intp]) -> Floats:
-        distances = self._differences(places).mean(axis=1)
-        if self._weight > 0:
-            distances = distances + self._weight * self._sparkle[places]
-        return np.asarray(distances)
+    def _distances(self, places: Places) -> Floats:
+        return self._with_sparkle(np.asarray(self._differences(places).mean(axis=1)), places)
 
     def nearest(self, count: int) -> list[int]:
         """The places of the nearest records; of two alike, the earlier one comes first."""
-        first = min(max(20 * count, 1000), self._index.count)
-        places = np.sort(np.argpartition(self._bound, first - 1)[:first])
-        distances = self._distances(places)
-        # No record beyond this can be among the nearest; a rounding error of the bound is allowed.
-        limit = np.partition(distances, min(count, first) - 1)[min(count, first) - 1]
-        places = np.flatnonzero(self._bound <= limit * (1 + 1e-9))
-        distances = self._distances(places)
-        order: list[int] = places[np.argsort(distances, kind="stable")[:count]].tolist()
-        return order
+        index, standard = self._index, self._standard
+        everything = slice(None)
+        L = index.Lab[0] if self._whole else index.Lab[0][:, standard.places]
+        bound = self._with_sparkle(lightness_bound(L, standard.Lab[:, 0]), everything)
+        first = min(max(20 * count, 1000), index.count)
+        places = np.argpartition(bound, first - 1)[:first]
+        rank = min(count, first) - 1
+        # No record beyond this is among the nearest; the bounds may be off by rounding.
+        limit = np.partition(self._distances(places), rank)[rank] * (1 + 1e-9) + 1e-9
+        places = np.flatnonzero(bound <= limit)
+        bound = self._with_sparkle(colour_bound(self._Lab(places), standard.Lab), places)
+        places = places[bound <= limit]
+        order = np.argsort(self._distances(places), kind="stable")[:count]
+        nearest: list[int] = places[order].tolist()
+        return nearest
 
     def best_of_each(self, construction: NDArray[np.int32]) -> list[int]:
         """The place of the best record of each construction, the best first."""
@@ -273,7 +317,7 @@ class _Search:
                 index.geometries[geometry]: float(value)
                 for geometry, value in zip(self._standard.places, differences, strict=True)
             },
-            float(self._sparkle[place]) if self._weight > 0 else None,
+            None if self._sparkle is None else float(self._sparkle[place]) / self._weight,
             record_folder(index.library, record["id"]),
         )
 

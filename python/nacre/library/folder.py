@@ -10,10 +10,11 @@ import nacre
 from .record import write_whole
 from .sweep import SCHEMA, Plan
 
+LIBRARY, LICENSE, CITATION = "library.toml", "LICENSE", "CITATION.cff"
 PLANNED = "planned.txt"
 """The ids of the plan's records in its order, a line each."""
 
-LICENSE = """The data of this library are dedicated to the public domain under CC0 1.0 Universal:
+_LICENSE_TEXT = """The data of this library are dedicated to the public domain under CC0 1.0 Universal:
 https://creativecommons.org/publicdomain/zero/1.0/legalcode
 
 To the extent possible under law, the authors of this library have waived all copyright and related
@@ -55,10 +56,10 @@ def prepare(library: Path, plan: Plan, ids: list[str]) -> None:
         f"# Written by nacre-library {nacre.__version__}; format {SCHEMA}, see docs/library.md.\n"
         f"# The plan as it was given, from {plan.file.name}:\n\n"
     )
-    write_whole(library / "library.toml", head + plan.text)
+    write_whole(library / LIBRARY, head + plan.text)
     write_whole(library / PLANNED, "".join(f"{identity}\n" for identity in ids))
-    write_whole(library / "LICENSE", LICENSE)
-    write_whole(library / "CITATION.cff", _citation(plan))
+    write_whole(library / LICENSE, _LICENSE_TEXT)
+    write_whole(library / CITATION, _citation(plan))
 
 
 def planned_ids(library: Path) -> list[str]:

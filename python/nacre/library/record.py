@@ -202,16 +202,15 @@ def write_record(
     if settings.rgl is not None:
         with clock.step("rgl"):
             rgl = settings.rgl
-            paint.write(
-                room / "paint.bsdf", resolution=rgl.resolution, incidences=rgl.incidences
-            )
+            paint.write(room / "paint.bsdf", resolution=rgl.resolution, incidences=rgl.incidences)
     record["warnings"] = [*paint.warnings, *paint.implausible]
     record["seconds"] = {**clock.steps, "total": clock.total}
     record["files"] = {
         file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in sorted(room.iterdir())
     }
     write_whole(
-        room / "record.json", json.dumps(record, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+        room / "record.json",
+        json.dumps(record, indent=1, ensure_ascii=False, allow_nan=False) + "\n",
     )
 
 
@@ -268,9 +267,7 @@ _COLOURS = ("Lab", "srgb", "R")
 def _readings(readings: list[Measurement]) -> Record:
     """Of all sets, each geometry once, where it comes first."""
     first = readings[0]
-    columns: dict[str, list[Any]] = {
-        name: [] for name in ("geometries", *_ANGLES, *_COLOURS)
-    }
+    columns: dict[str, list[Any]] = {name: [] for name in ("geometries", *_ANGLES, *_COLOURS)}
     for reading in readings:
         for i, geometry in enumerate(reading.geometries):
             if geometry in columns["geometries"]:

@@ -184,8 +184,6 @@ def _check_names(table: Table, settings: Settings) -> None:
         if geometry.endswith(".toml"):  # its contents would not be part of the hash
             raise table.wrong("geometries", geometry, 'a set by its name, or names as "45as15"')
         try:
-            paint.measure(
-                geometry, illuminant=settings.illuminant, observer=settings.observer
-            )
+            paint.measure(geometry, illuminant=settings.illuminant, observer=settings.observer)
         except Error as error:
             raise table.error("geometries, illuminant, observer", f"= {error}") from None
