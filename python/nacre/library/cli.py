@@ -41,7 +41,11 @@ def _plan(arguments: argparse.Namespace) -> int:
     for sweep in plan.sweeps:
         records = [record for record in state.planned if record.sweep == sweep.name]
         ids = {record.id for record in records}
-        row = [sweep.name, str(len(ids)), *(str(len(ids & x)) for x in (state.done, state.failed))]
+        row = [
+            sweep.name,
+            str(len(ids)),
+            *(str(len(ids & x)) for x in (state.done, set(state.failed))),
+        ]
         row += [str(len(ids & missing)), "", ""]
         if arguments.measure and records:
             cost = measure_cost(spread(records, arguments.measure), plan.settings)

@@ -32,7 +32,7 @@ def pigment_name(pigment: Recipe) -> str:
 def _is_zero(spectrum: Any) -> bool:
     if isinstance(spectrum, dict):
         return not any(spectrum.get("values", [0]))
-    return spectrum == 0
+    return bool(spectrum == 0)
 
 
 def _clearcoat(coat: Recipe) -> str:

@@ -1,7 +1,7 @@
 """The engine: the records of a plan computed by Dask's workers, on this machine or many.
 
-What is done lies in the library's folder, which all machines share; nothing else is remembered. So a
-run may be killed at any point, and the next one computes what is missing.
+What is done lies in the library's folder, which all machines share; nothing else is remembered.
+So a run may be killed at any point, and the next one computes what is missing.
 """
 
 from __future__ import annotations
@@ -160,9 +160,9 @@ def compute_with(
 ) -> None:
     """Computes records on the workers of a cluster, which may come and go.
 
-    Records go out in tasks of about a second each. A task whose worker dies is given to another one;
-    where Dask gives up, its records are tried one by one, and one that kills its workers alone is
-    written down as failed.
+    Records go out in tasks of about a second each. A task whose worker dies is given to another
+    one; where Dask gives up, its records are tried one by one, and one that kills its workers alone
+    is written down as failed.
     """
     from distributed import as_completed
 

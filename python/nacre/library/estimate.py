@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import tempfile
 import time
 from collections.abc import Sequence
@@ -44,10 +45,8 @@ def measure_cost(records: Sequence[PlannedRecord], settings: Settings) -> Cost:
             room = Path(folder) / str(i)
             room.mkdir()
             start = time.perf_counter()
-            try:
+            with contextlib.suppress(nacre.Error):
                 write_record(room, record, settings)
-            except nacre.Error:
-                pass
             seconds.append(time.perf_counter() - start)
             sizes.append(sum(file.stat().st_size for file in room.iterdir()))
     count = len(records)
@@ -63,10 +62,9 @@ def shown_time(seconds: float) -> str:
 
 
 def shown_size(size: float) -> str:
-    for unit in ("B", "kB", "MB", "GB"):
-        if size < 1000:
-            break
+    """For people, as "3.2 GB"."""
+    units = ["B", "kB", "MB", "GB", "TB"]
+    while size >= 1000 and len(units) > 1:
         size /= 1000
-    else:
-        unit = "TB"
-    return f"{size:.3g} {unit}"
+        units.pop(0)
+    return f"{size:.3g} {units[0]}"

@@ -35,8 +35,8 @@ def export(
     Parameters
     ----------
     to
-        ``.csv``: a row a record, for spreadsheets. ``.parquet``: rows of the catalogue. ``.zip``, or
-        the name of a folder that does not exist: a library of these records.
+        ``.csv``: a row a record, for spreadsheets. ``.parquet``: rows of the catalogue. ``.zip``,
+        or the name of a folder that does not exist: a library of these records.
     sweeps, ids
         Only records of these sweeps, or whose ids begin so; none: all records.
 

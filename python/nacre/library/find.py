@@ -1,8 +1,8 @@
 """Which paint of a library reads like this? The nearest records to a standard.
 
 Distance is the mean of Delta E 2000 over the angles that both have. It is computed exactly for
-those records alone that two lower bounds do not rule out. The bounds hold for every pair of colours, so
-that no record is missed. Delta E 2000 is the root of
+those records alone that two lower bounds do not rule out. The bounds hold for every pair of
+colours, so that no record is missed. Delta E 2000 is the root of
 
     (dL / S_L)^2 + x^2 + y^2 + R_T x y,    x = dC' / S_C,  y = dH' / S_H    [sharma-2005]
 

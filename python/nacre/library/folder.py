@@ -14,7 +14,8 @@ LIBRARY, LICENSE, CITATION = "library.toml", "LICENSE", "CITATION.cff"
 PLANNED = "planned.txt"
 """The ids of the plan's records in its order, a line each."""
 
-_LICENSE_TEXT = """The data of this library are dedicated to the public domain under CC0 1.0 Universal:
+_LICENSE_TEXT = """\
+The data of this library are dedicated to the public domain under CC0 1.0 Universal:
 https://creativecommons.org/publicdomain/zero/1.0/legalcode
 
 To the extent possible under law, the authors of this library have waived all copyright and related

@@ -1,8 +1,8 @@
 """The values of a recipe by their keys, as ``--set`` of the command line has them.
 
-A recipe is a dictionary here, as :meth:`nacre.Paint.to_dict` gives it. A key is the path of a value,
-entries of lists counted from 0, ``layer[0].flakes[0].coats[0].thickness_nm``; ``X.max`` is the
-largest sample of the spectrum X, and setting it scales the others.
+A recipe is a dictionary here, as :meth:`nacre.Paint.to_dict` gives it. A key is the path of a
+value, entries of lists counted from 0, ``layer[0].flakes[0].coats[0].thickness_nm``; ``X.max`` is
+the largest sample of the spectrum X, and setting it scales the others.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ def get(recipe: Recipe, key: str) -> Any:
 
 
 def put(recipe: Recipe, key: str, value: Any) -> None:
-    """Sets the value of a whole key in place, adding it, and tables on its way, where there is none.
+    """Sets the value of a whole key in place. What is not there is added, tables on its way too.
 
     Raises
     ------

@@ -1,6 +1,7 @@
 """A record: one paint's recipe with what was computed for it, in a folder of its own.
 
-A record's folder appears by one rename, so that it is there whole or not at all, whatever is killed.
+A record's folder appears by one rename, so that it is there whole or not at all, whatever is
+killed.
 """
 
 from __future__ import annotations
