@@ -1,4 +1,5 @@
 import eslint from "@eslint/js";
+import { dirname } from "node:path";
 import { fileURLToPath } from "node:url";
 import tseslint from "typescript-eslint";
 
@@ -8,7 +9,7 @@ export default tseslint.config({ ignores: ["node_modules"] }, eslint.configs.rec
     languageOptions: {
         parserOptions: {
             projectService: true,
-            tsconfigRootDir: fileURLToPath(new URL(".", import.meta.url)),
+            tsconfigRootDir: dirname(fileURLToPath(import.meta.url)),
         },
     },
     rules: {
