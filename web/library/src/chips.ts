@@ -53,15 +53,27 @@ export function pictures(paint: Paint, lab: readonly Lab[]): HTMLElement {
     return h("div", { class: "pictures" }, ...figures);
 }
 
+export interface Group {
+    readonly title: string;
+    /** In the list of geometries. */
+    readonly places: readonly number[];
+    /** Aspecular angles where the title names the lamp, else whole names. */
+    readonly labels: readonly string[];
+}
+
 /** Angles by lamp, and those out of the plane together at the end. */
-export function groups(names: readonly string[]): { title: string; places: number[] }[] {
+export function groups(names: readonly string[]): Group[] {
     const result = [...byLamp(names)].map(([lamp, angles]) => ({
         title: lampName(lamp),
         places: angles.map((angle) => angle.index),
+        labels: angles.map((angle) => `${number(angle.aspecular, 1).replace(/\.0$/, "")}°`),
     }));
     const seen = new Set(result.flatMap((group) => group.places));
     const others = names.map((_, i) => i).filter((i) => !seen.has(i));
-    if (others.length > 0) result.push({ title: "Other directions", places: others });
+    if (others.length > 0) {
+        const labels = others.map((i) => angleName(names[i] as string));
+        result.push({ title: "Other directions", places: others, labels });
+    }
     return result;
 }
 
@@ -81,7 +93,7 @@ function cell(label: string, lines: readonly string[], faces: readonly Lab[]): H
     const why = [...new Set(faces.map(caveat))].filter(Boolean).join("; ");
     return h(
         "div",
-        { class: "chip" },
+        { class: label.length > 8 ? "chip wide" : "chip" },
         h(
             "div",
             { class: "faces" },
@@ -111,8 +123,8 @@ export function chips(
                 h(
                     "div",
                     { class: "chip-row" },
-                    ...group.places.map((i) =>
-                        cell(angleName(names[i] as string), lines(i), faces(i)),
+                    ...group.places.map((i, k) =>
+                        cell(group.labels[k] as string, lines(i), faces(i)),
                     ),
                 ),
             ),

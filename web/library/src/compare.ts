@@ -6,7 +6,7 @@ import { chips, pictures } from "./chips";
 import type { Details, Paint } from "./data";
 import { angleName, h, number } from "./dom";
 import { plot } from "./plots";
-import { ordered, spectrum } from "./record";
+import { lightName, ordered, spectrum } from "./record";
 
 export interface Side {
     readonly paint: Paint;
@@ -151,6 +151,11 @@ export function comparePage(A: Side, B: Side): HTMLElement {
     const byName = new Map(shared.map((pair) => [pair.name, pair]));
     const names = shared.map((pair) => pair.name);
     const pairAt = (place: number) => byName.get(names[place] as string) as Pair;
+    const [lightA, lightB] = [lightName(A.details), lightName(B.details)];
+    const lights =
+        lightA === lightB
+            ? lightA
+            : `A was read under ${lightA}, B under ${lightB}: not comparable.`;
     const spectraOf = (side: Side) => side.details.wavelengths_nm.length > 0;
     return h(
         "article",
@@ -162,7 +167,12 @@ export function comparePage(A: Side, B: Side): HTMLElement {
                 "div",
                 {},
                 h("h1", { tabindex: -1 }, "Comparison"),
-                h("p", {}, "Differences are B less A; Delta E 2000 with all parametric factors 1."),
+                h(
+                    "p",
+                    {},
+                    "Differences are B less A; Delta E 2000 with all parametric factors 1. ",
+                    lights,
+                ),
             ),
             h(
                 "a",

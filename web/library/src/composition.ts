@@ -130,7 +130,7 @@ function coat(title: string, table: Table): HTMLElement {
     const element = h("li", { class: "coat" }, head, list(table, shown), ...parts);
     // Thick coats are drawn thicker, but not so thick that nothing else is seen.
     const size = typeof thickness === "number" ? Math.max(0, Math.log2(1 + thickness)) : 0;
-    element.style.setProperty("--bar", `${(4 + 2.5 * size).toFixed(1)}px`);
+    element.style.setProperty("--thick", `${(4 + 2.5 * size).toFixed(1)}px`);
     return element;
 }
 

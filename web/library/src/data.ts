@@ -11,15 +11,16 @@ export interface Library {
     readonly title: string;
     readonly version: string;
     readonly records: number;
-    readonly illuminant: string;
-    readonly observer: string;
+    /** Illuminant and observer; hardly ever more than one pair. */
+    readonly lights: readonly (readonly [string, string])[];
     readonly geometry_sets: readonly (readonly string[])[];
     readonly sweeps: readonly string[];
     readonly constructions: readonly string[];
     readonly pigments: readonly string[];
     readonly gallery_files: number;
     readonly records_per_file: number;
-    readonly links: readonly string[];
+    /** Of the sparkle in the gallery; null where none was computed. */
+    readonly sparkle_lamp_deg: number | null;
 }
 
 /** page/data/gallery-0000.js: columns, so that keys are not written for each record. */
@@ -62,6 +63,17 @@ export interface Table {
     readonly [key: string]: Value;
 }
 
+/** Sparkle under a lamp, as `nacre sparkle` reads it. */
+export interface Sparkle {
+    readonly lamp_deg: number;
+    readonly sparkle: number | null;
+    readonly sparkle_se: number | null;
+    readonly spots_per_cm2: number | null;
+    readonly spots_per_cm2_se: number | null;
+    readonly intensity: number | null;
+    readonly intensity_se: number | null;
+}
+
 /** page/data/records-0000.js: everything about some records, figures unrounded. */
 export interface Details {
     readonly id: string;
@@ -72,9 +84,13 @@ export interface Details {
     readonly R: readonly (readonly (number | null)[])[];
     readonly flop_index: number | null;
     readonly colour_travel: number | null;
-    readonly sparkle: Readonly<Record<string, number | null>> | null;
+    readonly illuminant: string;
+    readonly observer: string;
+    /** A lamp each; _se are standard errors. */
+    readonly sparkle: readonly Sparkle[] | null;
     readonly graininess: number | null;
-    readonly swept: Readonly<Record<string, number>>;
+    readonly warnings: readonly string[];
+    readonly swept: Readonly<Record<string, number | string>>;
     readonly parameters: Readonly<Record<string, number>>;
     readonly recipe: Table;
     readonly recipe_text: string;

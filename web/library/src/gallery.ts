@@ -13,7 +13,9 @@ import { MEASURES, measureOf } from "./query";
 
 const GAP = 16;
 const PADDING = 20;
-const STRIP_AND_TEXT = 92; // below the picture; .card in style.css
+/** Below the picture, in pixels: chips, name and figures; more where cards say what they show. */
+const TEXT = 72;
+const KIND = 18;
 const SPARE_ROWS = 3;
 
 /** Wishes for the width of a card, in pixels. */
@@ -60,13 +62,22 @@ export class Gallery {
     private current = 0;
     private scrollTop = 0;
 
-    constructor(private readonly events: GalleryEvents) {
+    private readonly text: number;
+
+    /** `kinds`: cards say whether their picture was rendered or drawn, as some were not rendered. */
+    constructor(
+        private readonly events: GalleryEvents,
+        kinds: boolean,
+    ) {
+        this.text = TEXT + (kinds ? KIND : 0);
         this.canvas = h("div", { class: "canvas", role: "grid", "aria-label": "Paints" });
         this.nothing = h(
             "p",
             { class: "nothing", hidden: true },
             "No paint is within these limits.",
         );
+        this.canvas.style.setProperty("--text", `${String(this.text)}px`);
+        this.canvas.classList.toggle("kinds", kinds);
         this.element = h("div", { class: "gallery" }, this.canvas, this.nothing);
         this.element.addEventListener("scroll", () => {
             this.scrollTop = this.element.scrollTop;
@@ -126,7 +137,7 @@ export class Gallery {
     }
 
     private get rowHeight(): number {
-        return this.cardWidth + STRIP_AND_TEXT + GAP;
+        return this.cardWidth + this.text + GAP;
     }
 
     private layOut(anew = false): void {
@@ -229,7 +240,11 @@ export class Gallery {
             card.picture.style.background = "";
             card.image.src = `${folder(paint.id)}/${thumbnail}`;
         }
-        card.kind.textContent = thumbnail === undefined ? "ramp of readings" : "rendered";
+        const [first, last] = [angles[0], angles[angles.length - 1]];
+        card.kind.textContent =
+            thumbnail !== undefined
+                ? "rendered"
+                : `readings, ${number(first?.aspecular, 0)}° to ${number(last?.aspecular, 0)}°`;
         card.strip.replaceChildren(
             ...angles.map((angle) => h("i", { style: `background:${chip(lab(angle.index)).css}` })),
         );
@@ -250,7 +265,12 @@ export class Gallery {
         card.figures.textContent = figures.slice(0, 2).join("   ");
         card.link.setAttribute(
             "aria-label",
-            [paint.name, ...figures, `at ${angleName(at)}: ` + labText(paint, at)].join(", "),
+            [
+                paint.name,
+                card.kind.textContent,
+                ...figures,
+                `at ${angleName(at)}: ` + labText(paint, at),
+            ].join(", "),
         );
         this.markPick(card);
     }

@@ -50,11 +50,14 @@ class Page {
         this.byId = new Map(paints.map((paint) => [paint.id, paint]));
         this.usual = emptyQuery(usualAngle(library));
         this.query = { ...this.usual };
-        this.gallery = new Gallery({
-            picked: (paint) => {
-                this.pick(paint);
+        this.gallery = new Gallery(
+            {
+                picked: (paint) => {
+                    this.pick(paint);
+                },
             },
-        });
+            paints.some((paint) => paint.thumbnails.length === 0),
+        );
         const change = (part: (query: Query) => void) => {
             part(this.query);
             this.changed();
@@ -168,6 +171,8 @@ class Page {
                 page = recordPage(this.library, first.paint, first.details, pick);
             } else if (kind === "compare" && first !== undefined && second !== undefined) {
                 page = comparePage(first, second);
+                this.picks = [first.paint, second.paint];
+                this.showPicks();
             } else {
                 throw new Error("There is no such page.");
             }

@@ -16,6 +16,10 @@ export function ordered(names: readonly string[]): number[] {
     return groups(names).flatMap((group) => group.places);
 }
 
+export function lightName(details: Details): string {
+    return `${details.illuminant}, ${details.observer}° observer`;
+}
+
 function readings(details: Details): HTMLElement {
     const head = ["Geometry", "L*", "a*", "b*", "C*", "h"];
     const body = ordered(details.geometries).map((i) => {
@@ -69,13 +73,14 @@ function spectra(details: Details): HTMLElement | null {
 function flop(details: Details): HTMLElement[] {
     const lamps = [...byLamp(details.geometries)];
     const curves = (x: (lab: Lab, degrees: number) => number, y: (lab: Lab) => number) =>
-        lamps.map(([lamp, angles]): Curve => {
+        lamps.map(([lamp, angles], i): Curve => {
             const labs = angles.map((angle) => details.Lab[angle.index] as Lab);
             return {
                 x: labs.map((lab, i) => x(lab, angles[i]?.aspecular ?? 0)),
                 y: labs.map(y),
                 colour: "var(--line)",
                 label: lampName(lamp),
+                dashed: i > 0,
                 points: true,
                 pointColours: labs.map((lab) => chip(lab).css),
             };
@@ -84,16 +89,20 @@ function flop(details: Details): HTMLElement[] {
         (_, degrees) => degrees,
         (lab) => lab[0],
     );
+    const degrees = lightness.flatMap((curve) => curve.x);
+    const [first, last] = [Math.min(...degrees), Math.max(...degrees)];
     const top = Math.max(100, ...lightness.flatMap((curve) => curve.y.map((y) => y ?? 0)));
     return [
         h(
             "figure",
             {},
             plot(lightness, {
-                width: 400,
+                width: 460,
                 height: 330,
                 xLabel: "Aspecular angle, °",
                 yLabel: "L*",
+                named: true,
+                x: [first - 5, last + 5],
                 y: [0, 1.04 * top],
                 describedAs: "Lightness over the aspecular angle, a curve a lamp",
             }),
@@ -152,21 +161,39 @@ function downloads(paint: Paint, details: Details): HTMLElement {
     );
 }
 
-/** Names of figures for people: "45s_spots_per_cm2" is left as the library writes it. */
 function keyFigures(details: Details): HTMLElement {
-    const figures: [string, string][] = [
-        ["Flop index", number(details.flop_index, 2)],
-        ["Colour travel", number(details.colour_travel, 1)],
+    const figures = [
+        h("div", {}, h("dt", {}, "Flop index"), h("dd", {}, number(details.flop_index, 2))),
+        h("div", {}, h("dt", {}, "Colour travel"), h("dd", {}, number(details.colour_travel, 1))),
     ];
-    for (const [name, value] of Object.entries(details.sparkle ?? {})) {
-        figures.push([`Sparkle, ${name.replace(/_/g, " ")}`, number(value, 2)]);
+    for (const lamp of details.sparkle ?? []) {
+        const spots = `${number(lamp.spots_per_cm2, 0)} spots per cm², intensity ${number(lamp.intensity, 1)}`;
+        figures.push(
+            h(
+                "div",
+                {},
+                h("dt", {}, `Sparkle, lamp at ${String(lamp.lamp_deg)}°`),
+                h("dd", {}, `${number(lamp.sparkle, 1)} `, error(lamp.sparkle_se)),
+                h("dd", { class: "note" }, spots),
+            ),
+        );
     }
-    if (details.graininess !== null) figures.push(["Graininess", number(details.graininess, 2)]);
-    return h(
-        "dl",
-        { class: "key-figures" },
-        ...figures.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))),
-    );
+    if (details.graininess !== null) {
+        const value = number(details.graininess, 1);
+        figures.push(h("div", {}, h("dt", {}, "Graininess"), h("dd", {}, value)));
+    }
+    return h("dl", { class: "key-figures" }, ...figures);
+}
+
+/** The standard deviation of a figure's error. */
+function error(value: number | null): HTMLElement | null {
+    return value === null ? null : h("small", {}, `± ${number(value, 1)}`);
+}
+
+function warnings(details: Details): HTMLElement | null {
+    if (details.warnings.length === 0) return null;
+    const items = details.warnings.map((text) => h("li", {}, text));
+    return h("section", { class: "warnings" }, h("h2", {}, "Warnings"), h("ul", {}, ...items));
 }
 
 function swept(details: Details): HTMLElement | null {
@@ -181,7 +208,11 @@ function swept(details: Details): HTMLElement | null {
             {},
             ...entries.flatMap(([key, value]) => [
                 h("dt", {}, h("code", {}, key)),
-                h("dd", {}, String(Number(value.toPrecision(8)))),
+                h(
+                    "dd",
+                    {},
+                    typeof value === "number" ? String(Number(value.toPrecision(8))) : value,
+                ),
             ]),
         ),
     );
@@ -218,6 +249,7 @@ export function recordPage(
             ),
         ),
         keyFigures(details),
+        warnings(details),
         h(
             "section",
             { class: "two" },
@@ -226,7 +258,7 @@ export function recordPage(
                 {},
                 h("h2", {}, "Readings"),
                 readings(details),
-                h("p", { class: "note" }, `${library.illuminant}, ${library.observer}° observer`),
+                h("p", { class: "note" }, lightName(details)),
             ),
             h("div", {}, h("h2", {}, "Spectra"), spectra(details)),
         ),
