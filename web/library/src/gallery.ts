@@ -240,11 +240,11 @@ export class Gallery {
             card.picture.style.background = "";
             card.image.src = `${folder(paint.id)}/${thumbnail}`;
         }
-        const [first, last] = [angles[0], angles[angles.length - 1]];
+        const [near, far] = [angles[0], angles[angles.length - 1]];
         card.kind.textContent =
             thumbnail !== undefined
                 ? "rendered"
-                : `readings, ${number(first?.aspecular, 0)}° to ${number(last?.aspecular, 0)}°`;
+                : `readings, ${number(near?.aspecular, 0)}° to ${number(far?.aspecular, 0)}°`;
         card.strip.replaceChildren(
             ...angles.map((angle) => h("i", { style: `background:${chip(lab(angle.index)).css}` })),
         );
