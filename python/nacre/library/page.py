@@ -103,6 +103,17 @@ def _title(library: Path) -> str:
     return str(name) if name else library.resolve().name
 
 
+def _settings(library: Path, catalogue: Catalogue) -> Row:
+    """What all records have in common."""
+    rows = catalogue.table(["geometries", "wavelengths_nm", "illuminant", "observer"]).to_pylist()
+    for row in rows:
+        if row != rows[0]:
+            raise nacre.InputError(
+                f"{library}: its records were not all read alike: {row} and {rows[0]}"
+            )
+    return dict(rows[0])
+
+
 def _batches(catalogue: Catalogue) -> Iterator[list[Row]]:
     """All rows, a few at a time: as Python objects all of them would take gigabytes."""
     table = catalogue.table()
@@ -112,13 +123,11 @@ def _batches(catalogue: Catalogue) -> Iterator[list[Row]]:
 
 def _write_data(library: Path, catalogue: Catalogue, folder: Path) -> int:
     few = catalogue.table(
-        ["sweep", "construction", "pigments", "geometries", "illuminant", "observer", "sparkle"]
+        ["sweep", "construction", "pigments", "sparkle"]
     ).to_pylist()
     sweeps = _Names(Counter(row["sweep"] for row in few))
     constructions = _Names(Counter(row["construction"] for row in few))
     pigments = _Names(Counter(name for row in few for name in row["pigments"]))
-    sets = _Names(Counter(tuple(row["geometries"]) for row in few))
-    lights = _Names(Counter((row["illuminant"], row["observer"]) for row in few))
     lamps = [lamp["lamp_deg"] for row in few for lamp in row["sparkle"] or []]
     # Near the mirror direction a paint sparkles most.
     lamp_deg = min(lamps) if lamps else None
@@ -131,7 +140,6 @@ def _write_data(library: Path, catalogue: Catalogue, folder: Path) -> int:
             "sweep": [sweeps[row["sweep"]] for row in rows],
             "construction": [constructions[row["construction"]] for row in rows],
             "pigments": [[pigments[name] for name in row["pigments"]] for row in rows],
-            "geometry_set": [sets[tuple(row["geometries"])] for row in rows],
             "Lab": [np.ravel(row["Lab"]).round(4).tolist() for row in rows],
             "flop_index": [_rounded(row["flop_index"]) for row in rows],
             "colour_travel": [_rounded(row["colour_travel"]) for row in rows],
@@ -154,8 +162,7 @@ def _write_data(library: Path, catalogue: Catalogue, folder: Path) -> int:
             "title": _title(library),
             "version": nacre.__version__,
             "records": len(few),
-            "lights": lights.names,
-            "geometry_sets": sets.names,
+            **_settings(library, catalogue),
             "sweeps": sweeps.names,
             "constructions": constructions.names,
             "pigments": pigments.names,
@@ -189,8 +196,8 @@ def _details(library: Path, row: Row) -> Row:
     except OSError as error:
         raise nacre.InputError(f"{library}: {row['id']} is in the catalogue, but {error}") from None
     reflectance = np.array(row["R"], dtype=float).round(6)
-    kept = ("id", "geometries", "Lab", "wavelengths_nm", "illuminant", "observer", "flop_index")
-    kept += ("colour_travel", "sparkle", "graininess", "warnings", "seconds", "version")
+    kept = ("id", "Lab", "flop_index", "colour_travel", "sparkle", "graininess")
+    kept += ("warnings", "seconds", "version")
     return {name: row[name] for name in kept} | {
         "R": [[None if np.isnan(x) else x for x in curve] for curve in reflectance.tolist()],
         "parameters": dict(row["parameters"]),

@@ -5,6 +5,7 @@ import { chip } from "./colour";
 import type { Paint } from "./data";
 import { folder } from "./data";
 import { angleName, h, number } from "./dom";
+import { labAt } from "./query";
 import { byLamp, mainAngles, ramp } from "./geometry";
 
 export function lampName(lamp: number): string {
@@ -18,7 +19,7 @@ const PICTURES: Record<string, string> = {
 };
 
 /** Rendered pictures where there are any, else a ramp of the readings; each says which it is. */
-export function pictures(paint: Paint, lab: readonly Lab[]): HTMLElement {
+export function pictures(paint: Paint, names: readonly string[]): HTMLElement {
     const figures = paint.thumbnails.map((file) => {
         const label = PICTURES[file] ?? file;
         const image = h("img", {
@@ -28,10 +29,9 @@ export function pictures(paint: Paint, lab: readonly Lab[]): HTMLElement {
         return h("figure", {}, image, h("figcaption", {}, `${label}, rendered`));
     });
     if (figures.length === 0) {
-        const angles = mainAngles(paint.geometries);
+        const angles = mainAngles(names);
         const [first, last] = [angles[0], angles[angles.length - 1]];
-        const zero: Lab = [0, 0, 0];
-        const style = `background:${ramp(angles, (i) => lab[i] ?? zero)}`;
+        const style = `background:${ramp(angles, (i) => labAt(paint, i))}`;
         const range =
             first === undefined || last === undefined
                 ? "no angle in the lamp's plane was read"
@@ -114,7 +114,7 @@ export function chips(
     const notes = [...new Set(all.map(caveat))].filter(Boolean);
     return h(
         "div",
-        { class: "chip-groups" },
+        { class: groups(names).length > 1 ? "chip-groups several" : "chip-groups" },
         ...groups(names).map((group) =>
             h(
                 "section",

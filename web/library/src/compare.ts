@@ -1,9 +1,9 @@
 /** Two records side by side: B as a sample against A as the standard. */
 
 import type { Lab } from "./colour";
-import { chip, chroma, deltaE2000, deltaHue } from "./colour";
+import { chroma, deltaE2000, deltaHue } from "./colour";
 import { chips, pictures } from "./chips";
-import type { Details, Paint } from "./data";
+import type { Details, Library, Paint } from "./data";
 import { angleName, h, number } from "./dom";
 import { plot } from "./plots";
 import { lightName, ordered, spectrum } from "./record";
@@ -16,27 +16,23 @@ export interface Side {
 interface Pair {
     readonly name: string;
     readonly i: number;
-    readonly j: number;
     readonly a: Lab;
     readonly b: Lab;
     readonly dE: number;
 }
 
-/** The angles that both have, in the order of the standard. */
-function pairs(A: Details, B: Details): Pair[] {
-    return ordered(A.geometries).flatMap((i): Pair[] => {
-        const name = A.geometries[i] as string;
-        const j = B.geometries.indexOf(name);
-        const [a, b] = [A.Lab[i], B.Lab[j]];
-        if (a === undefined || b === undefined) return [];
-        return [{ name, i, j, a, b, dE: deltaE2000(a, b) }];
+/** By geometry, in the library's order. */
+function pairs(names: readonly string[], A: Details, B: Details): Pair[] {
+    return names.map((name, i): Pair => {
+        const [a, b] = [A.Lab[i] as Lab, B.Lab[i] as Lab];
+        return { name, i, a, b, dE: deltaE2000(a, b) };
     });
 }
 
-function table(shared: readonly Pair[], most: number): HTMLElement {
+function table(angles: readonly Pair[], most: number): HTMLElement {
     const head = ["Geometry", "L* A", "a* A", "b* A", "L* B", "a* B", "b* B"];
     const differences = ["ΔL*", "Δa*", "Δb*", "ΔC*", "ΔH*", "ΔE2000"];
-    const rows = shared.map(({ name, a, b, dE }) => {
+    const rows = angles.map(({ name, a, b, dE }) => {
         const change = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
         const all = [...a, ...b, ...change, chroma(b) - chroma(a), deltaHue(a, b)];
         const bar = h("i", {
@@ -68,9 +64,13 @@ function table(shared: readonly Pair[], most: number): HTMLElement {
     );
 }
 
-function curves(A: Details, B: Details, shared: readonly Pair[]): HTMLElement {
-    const figures = shared.map(({ name, i, j }) => {
-        const both = [spectrum(A, i, { label: "A" }), spectrum(B, j, { label: "B", dashed: true })];
+function curves(library: Library, A: Details, B: Details): HTMLElement {
+    const figures = ordered(library.geometries).map((i) => {
+        const name = library.geometries[i] as string;
+        const both = [
+            spectrum(library, A, i, { label: "A" }),
+            spectrum(library, B, i, { label: "B", dashed: true }),
+        ];
         const most = Math.max(...both.flatMap((curve) => curve.y.map((y) => y ?? 0)));
         return h(
             "figure",
@@ -134,12 +134,13 @@ function figure(name: string, a: number | null, b: number | null, decimals: numb
     );
 }
 
-export function comparePage(A: Side, B: Side): HTMLElement {
-    const shared = pairs(A.details, B.details);
-    const dE = shared.map((pair) => pair.dE);
-    const most = Math.max(0, ...dE);
-    const mean = dE.length === 0 ? null : dE.reduce((sum, x) => sum + x, 0) / dE.length;
-    const worst = shared.find((pair) => pair.dE === most);
+export function comparePage(library: Library, A: Side, B: Side): HTMLElement {
+    const names = library.geometries;
+    const angles = pairs(names, A.details, B.details);
+    const dE = angles.map((angle) => angle.dE);
+    const most = Math.max(...dE);
+    const mean = dE.reduce((sum, x) => sum + x, 0) / dE.length;
+    const worst = names[dE.indexOf(most)] ?? "";
     const title = ({ paint }: Side, letter: string, role: string) =>
         h(
             "div",
@@ -148,15 +149,7 @@ export function comparePage(A: Side, B: Side): HTMLElement {
             h("a", { href: `#/record/${paint.id}` }, paint.name),
             h("span", { class: "note" }, role),
         );
-    const byName = new Map(shared.map((pair) => [pair.name, pair]));
-    const names = shared.map((pair) => pair.name);
-    const pairAt = (place: number) => byName.get(names[place] as string) as Pair;
-    const [lightA, lightB] = [lightName(A.details), lightName(B.details)];
-    const lights =
-        lightA === lightB
-            ? lightA
-            : `A was read under ${lightA}, B under ${lightB}: not comparable.`;
-    const spectraOf = (side: Side) => side.details.wavelengths_nm.length > 0;
+    const angle = (place: number) => angles[place] as Pair;
     return h(
         "article",
         { class: "record compare" },
@@ -171,7 +164,7 @@ export function comparePage(A: Side, B: Side): HTMLElement {
                     "p",
                     {},
                     "Differences are B less A; Delta E 2000 with all parametric factors 1. ",
-                    lights,
+                    lightName(library),
                 ),
             ),
             h(
@@ -184,17 +177,12 @@ export function comparePage(A: Side, B: Side): HTMLElement {
         h(
             "section",
             { class: "stage", "aria-label": "Pictures and chips" },
-            h(
-                "div",
-                { class: "sides" },
-                pictures(A.paint, A.details.Lab),
-                pictures(B.paint, B.details.Lab),
-            ),
+            h("div", { class: "sides" }, pictures(A.paint, names), pictures(B.paint, names)),
             h("p", { class: "note" }, "Chips: A above, B below; under each Delta E 2000."),
             chips(
                 names,
-                (place) => [pairAt(place).a, pairAt(place).b],
-                (place) => [`ΔE ${number(pairAt(place).dE, 2)}`],
+                (place) => [angle(place).a, angle(place).b],
+                (place) => [`ΔE ${number(angle(place).dE, 2)}`],
             ),
         ),
         h(
@@ -205,12 +193,8 @@ export function comparePage(A: Side, B: Side): HTMLElement {
                 "div",
                 {},
                 h("dt", {}, "Largest ΔE2000"),
-                h("dd", {}, number(dE.length === 0 ? null : most, 2)),
-                h(
-                    "dd",
-                    { class: "note" },
-                    worst === undefined ? "" : `at ${angleName(worst.name)}`,
-                ),
+                h("dd", {}, number(most, 2)),
+                h("dd", { class: "note" }, `at ${angleName(worst)}`),
             ),
             figure("Flop index A / B", A.details.flop_index, B.details.flop_index, 2),
             figure("Colour travel A / B", A.details.colour_travel, B.details.colour_travel, 1),
@@ -219,17 +203,18 @@ export function comparePage(A: Side, B: Side): HTMLElement {
             "section",
             {},
             h("h2", {}, "By angle"),
-            shared.length === 0
-                ? h("p", {}, "The two have no angle in common.")
-                : table(shared, most),
+            table(
+                ordered(names).map((i) => angle(i)),
+                most,
+            ),
         ),
-        spectraOf(A) && spectraOf(B)
+        library.wavelengths_nm.length > 0
             ? h(
                   "section",
                   {},
                   h("h2", {}, "Spectra"),
                   h("p", { class: "note" }, "A full, B dashed, each in the colour of its reading."),
-                  curves(A.details, B.details, shared),
+                  curves(library, A.details, B.details),
               )
             : null,
         h(
@@ -239,10 +224,4 @@ export function comparePage(A: Side, B: Side): HTMLElement {
             parameters(A.details, B.details),
         ),
     );
-}
-
-/** For the tray in the header. */
-export function swatchOf(paint: Paint, at: string): string {
-    const lab = paint.lab[Math.max(0, paint.geometries.indexOf(at))];
-    return lab === undefined ? "transparent" : chip(lab).css;
 }

@@ -11,9 +11,11 @@ export interface Library {
     readonly title: string;
     readonly version: string;
     readonly records: number;
-    /** Illuminant and observer; hardly ever more than one pair. */
-    readonly lights: readonly (readonly [string, string])[];
-    readonly geometry_sets: readonly (readonly string[])[];
+    /** Of all records alike, as are light and observer: a library has one setting. */
+    readonly geometries: readonly string[];
+    readonly wavelengths_nm: readonly number[];
+    readonly illuminant: string;
+    readonly observer: string;
     readonly sweeps: readonly string[];
     readonly constructions: readonly string[];
     readonly pigments: readonly string[];
@@ -30,7 +32,6 @@ interface GalleryPart {
     readonly sweep: readonly number[];
     readonly construction: readonly number[];
     readonly pigments: readonly (readonly number[])[];
-    readonly geometry_set: readonly number[];
     readonly Lab: readonly (readonly number[])[];
     readonly flop_index: readonly (number | null)[];
     readonly colour_travel: readonly (number | null)[];
@@ -47,7 +48,7 @@ export interface Paint {
     readonly sweep: number;
     readonly construction: number;
     readonly pigments: readonly number[];
-    readonly geometries: readonly string[];
+    /** By geometry. */
     readonly lab: readonly Lab[];
     readonly flop: number | null;
     readonly travel: number | null;
@@ -77,15 +78,11 @@ export interface Sparkle {
 /** page/data/records-0000.js: everything about some records, figures unrounded. */
 export interface Details {
     readonly id: string;
-    readonly geometries: readonly string[];
     readonly Lab: readonly Lab[];
-    readonly wavelengths_nm: readonly number[];
     /** (geometry, wavelength), rounded to 1e-6 for curves */
     readonly R: readonly (readonly (number | null)[])[];
     readonly flop_index: number | null;
     readonly colour_travel: number | null;
-    readonly illuminant: string;
-    readonly observer: string;
     /** A lamp each; _se are standard errors. */
     readonly sparkle: readonly Sparkle[] | null;
     readonly graininess: number | null;
@@ -173,7 +170,6 @@ export async function loadPaints(library: Library): Promise<Paint[]> {
                 sweep: at(part.sweep),
                 construction: at(part.construction),
                 pigments: at(part.pigments),
-                geometries: library.geometry_sets[at(part.geometry_set)] ?? [],
                 lab: triples(at(part.Lab)),
                 flop: at(part.flop_index),
                 travel: at(part.colour_travel),
@@ -211,8 +207,4 @@ export async function loadDetails(library: Library, paint: Paint): Promise<Detai
 /** Where the files of a record are, relative to the page. */
 export function folder(id: string): string {
     return `records/${id.slice(0, 2)}/${id}`;
-}
-
-export function labAt(paint: Paint, geometry: string): Lab | null {
-    return paint.lab[paint.geometries.indexOf(geometry)] ?? null;
 }

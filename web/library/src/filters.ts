@@ -23,7 +23,7 @@ export class Filters {
     private readonly reset: HTMLButtonElement;
     private readonly controls = new Map<Measure, LimitsControl>();
     private readonly entries = new Map<Choice, Entry[]>();
-    private at = "";
+    private at = -1;
 
     constructor(
         private readonly library: Library,
@@ -73,17 +73,18 @@ export class Filters {
             ...choices.map((choice) => this.list(choice)),
         );
         for (const measure of ["flop", "travel", "sparkle", "graininess"] as const) {
-            const values = this.valuesOf(paints, measure, "");
+            const values = this.valuesOf(paints, measure, 0);
             this.controls.get(measure)?.setDomain(values, domainOf(values));
         }
     }
 
     /** Shows a query and what it found. */
     show(query: Query, found: Found): void {
-        if (query.at !== this.at) {
-            this.at = query.at;
+        const at = this.library.geometries.indexOf(query.at);
+        if (at !== this.at) {
+            this.at = at;
             for (const measure of ["L", "C", "h"] as const) {
-                const values = this.valuesOf(this.paints, measure, query.at);
+                const values = this.valuesOf(this.paints, measure, at);
                 const circle: Domain = { from: 0, to: 360, decimals: 0 };
                 const domain = measure === "h" ? circle : domainOf(values);
                 this.controls.get(measure)?.setDomain(values, domain);
@@ -92,7 +93,7 @@ export class Filters {
         if (document.activeElement !== this.search) this.search.value = query.text;
         for (const [measure, control] of this.controls) {
             control.set(query.limits[measure] ?? { from: null, to: null });
-            control.setFound(this.valuesOf(found.paints, measure, query.at));
+            control.setFound(this.valuesOf(found.paints, measure, at));
         }
         for (const [choice, entries] of this.entries) {
             entries.forEach((entry, place) => {
@@ -107,7 +108,7 @@ export class Filters {
         this.reset.disabled = !any;
     }
 
-    private valuesOf(paints: readonly Paint[], measure: Measure, at: string): number[] {
+    private valuesOf(paints: readonly Paint[], measure: Measure, at: number): number[] {
         const values: number[] = [];
         for (const paint of paints) {
             const value = measureOf(paint, measure, at);

@@ -3,13 +3,15 @@
  * scroll as ten do. Cards keep their elements when they are reused for other records.
  */
 
+import type { Lab } from "./colour";
 import { chip } from "./colour";
-import type { Paint } from "./data";
+import type { Library, Paint } from "./data";
 import { folder } from "./data";
 import { angleName, h, number } from "./dom";
+import type { Angle } from "./geometry";
 import { mainAngles, ramp } from "./geometry";
 import type { Query } from "./query";
-import { MEASURES, measureOf } from "./query";
+import { labAt, MEASURES, measureOf } from "./query";
 
 const GAP = 16;
 const PADDING = 20;
@@ -63,12 +65,15 @@ export class Gallery {
     private scrollTop = 0;
 
     private readonly text: number;
+    private readonly angles: readonly Angle[];
 
     /** `kinds`: cards say whether their picture was rendered or drawn, as some were not rendered. */
     constructor(
+        private readonly library: Library,
         private readonly events: GalleryEvents,
         kinds: boolean,
     ) {
+        this.angles = mainAngles(library.geometries);
         this.text = TEXT + (kinds ? KIND : 0);
         this.canvas = h("div", { class: "canvas", role: "grid", "aria-label": "Paints" });
         this.nothing = h(
@@ -229,8 +234,8 @@ export class Gallery {
         card.name.textContent = paint.name;
         card.name.title = paint.name;
 
-        const angles = mainAngles(paint.geometries);
-        const lab = (i: number) => paint.lab[i] ?? [0, 0, 0];
+        const angles = this.angles;
+        const lab = (i: number) => labAt(paint, i);
         const thumbnail = paint.thumbnails[0];
         card.image.hidden = true; // until it is there: never another paint's picture
         if (thumbnail === undefined) {
@@ -251,6 +256,7 @@ export class Gallery {
 
         const distance = this.distance?.[paint.index];
         const { sort, at } = this.query;
+        const place = this.library.geometries.indexOf(at);
         const figures = [`flop ${number(paint.flop, 1)}`, `travel ${number(paint.travel, 0)}`];
         let first: string | null = null;
         if (distance !== undefined && this.distance !== null) {
@@ -259,7 +265,7 @@ export class Gallery {
             const label = { L: "L*", C: "C*", h: "h", sparkle: "sparkle", graininess: "grain" }[
                 sort
             ];
-            first = `${label} ${number(measureOf(paint, sort, at), 1)}`;
+            first = `${label} ${number(measureOf(paint, sort, place), 1)}`;
         }
         if (first !== null) figures.unshift(first);
         card.figures.textContent = figures.slice(0, 2).join("   ");
@@ -269,7 +275,7 @@ export class Gallery {
                 paint.name,
                 card.kind.textContent,
                 ...figures,
-                `at ${angleName(at)}: ` + labText(paint, at),
+                `at ${angleName(at)}: ` + labText(labAt(paint, place)),
             ].join(", "),
         );
         this.markPick(card);
@@ -342,10 +348,7 @@ export class Gallery {
     }
 }
 
-function labText(paint: Paint, at: string): string {
-    const i = paint.geometries.indexOf(at);
-    const lab = paint.lab[i];
-    if (lab === undefined) return "not read";
+function labText(lab: Lab): string {
     return `L* ${number(lab[0], 1)}, a* ${number(lab[1], 1)}, b* ${number(lab[2], 1)}`;
 }
 

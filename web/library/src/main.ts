@@ -3,7 +3,8 @@
  * #/?QUERY is the gallery, #/record/ID a record, #/compare/ID/ID two of them.
  */
 
-import { comparePage, swatchOf } from "./compare";
+import { chip } from "./colour";
+import { comparePage } from "./compare";
 import type { Library, Paint } from "./data";
 import { loadDetails, loadLibrary, loadPaints } from "./data";
 import { h } from "./dom";
@@ -12,7 +13,7 @@ import type { Size } from "./gallery";
 import { Gallery, SIZES } from "./gallery";
 import { mainAngles } from "./geometry";
 import type { Query } from "./query";
-import { emptyQuery, find, read, write } from "./query";
+import { emptyQuery, find, labAt, read, write } from "./query";
 import { recordPage } from "./record";
 import { remembered, remember } from "./memory";
 import { themeButton } from "./theme";
@@ -20,7 +21,7 @@ import { Toolbar } from "./toolbar";
 
 /** The usual angle of a library: 45 degrees from the mirror direction, else the middle one. */
 function usualAngle(library: Library): string {
-    const names = library.geometry_sets[0] ?? [];
+    const names = library.geometries;
     const angles = mainAngles(names);
     const place =
         angles.find((angle) => angle.aspecular === 45) ?? angles[Math.floor(angles.length / 2)];
@@ -51,6 +52,7 @@ class Page {
         this.usual = emptyQuery(usualAngle(library));
         this.query = { ...this.usual };
         this.gallery = new Gallery(
+            library,
             {
                 picked: (paint) => {
                     this.pick(paint);
@@ -170,7 +172,7 @@ class Page {
                 const pick = this.pickButton(first.paint);
                 page = recordPage(this.library, first.paint, first.details, pick);
             } else if (kind === "compare" && first !== undefined && second !== undefined) {
-                page = comparePage(first, second);
+                page = comparePage(this.library, first, second);
                 this.picks = [first.paint, second.paint];
                 this.showPicks();
             } else {
@@ -259,7 +261,8 @@ class Page {
             remove.addEventListener("click", () => {
                 this.pick(paint);
             });
-            const swatch = h("i", { style: `background:${swatchOf(paint, this.query.at)}` });
+            const lab = labAt(paint, this.library.geometries.indexOf(this.query.at));
+            const swatch = h("i", { style: `background:${chip(lab).css}` });
             const name = h("a", { href: `#/record/${paint.id}`, title: paint.name }, paint.name);
             return h("span", { class: "slot" }, h("b", {}, letter), swatch, name, remove);
         });

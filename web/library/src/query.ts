@@ -3,7 +3,6 @@
 import type { Lab } from "./colour";
 import { chroma, deltaE2000, hue } from "./colour";
 import type { Library, Paint } from "./data";
-import { labAt } from "./data";
 
 /** Figures of a record that can be limited and sorted by. */
 export const MEASURES = {
@@ -25,7 +24,7 @@ export interface Limits {
 }
 
 /** Lists of which some are chosen. */
-export const CHOICES = { with: "Materials", of: "Construction", sweep: "Sweep" } as const;
+export const CHOICES = { with: "Flakes and pigments", of: "Construction", sweep: "Sweep" } as const;
 export type Choice = keyof typeof CHOICES;
 export const choices = Object.keys(CHOICES) as Choice[];
 
@@ -55,13 +54,19 @@ export function emptyQuery(at: string): Query {
     };
 }
 
-export function measureOf(paint: Paint, measure: Measure, at: string): number | null {
+/** `at` is the place of a geometry in the library's list. */
+export function measureOf(paint: Paint, measure: Measure, at: number): number | null {
     if (measure === "L" || measure === "C" || measure === "h") {
         const lab = labAt(paint, at);
-        if (lab === null) return null;
         return measure === "L" ? lab[0] : measure === "C" ? chroma(lab) : hue(lab);
     }
     return paint[measure];
+}
+
+export function labAt(paint: Paint, at: number): Lab {
+    const lab = paint.lab[at];
+    if (lab === undefined) throw new Error(`${paint.id}: has no reading number ${String(at)}`);
+    return lab;
 }
 
 export function within(measure: Measure, value: number | null, limits: Limits): boolean {
@@ -86,13 +91,14 @@ export function listOf(library: Library, choice: Choice): readonly string[] {
 
 export interface Found {
     readonly paints: Paint[];
-    /** Delta E 2000 from the target by a record's index; NaN where the angle was not read. */
+    /** Delta E 2000 from the target by a record's index. */
     readonly distance: Float64Array | null;
     /** How many of those found have each entry of the library's lists. */
     readonly counts: Record<Choice, number[]>;
 }
 
 export function find(library: Library, paints: readonly Paint[], query: Query): Found {
+    const at = library.geometries.indexOf(query.at);
     const words = query.text.toLowerCase().split(/\s+/).filter(Boolean);
     const limits = measures.flatMap((measure) => {
         const limit = query.limits[measure];
@@ -112,7 +118,7 @@ export function find(library: Library, paints: readonly Paint[], query: Query): 
             if (!(choice === "with" ? places.every(is) : places.some(is))) return false;
         }
         for (const { measure, limit } of limits) {
-            if (!within(measure, measureOf(paint, measure, query.at), limit)) return false;
+            if (!within(measure, measureOf(paint, measure, at), limit)) return false;
         }
         if (words.length === 0) return true;
         const text = `${paint.name} ${paint.id}`.toLowerCase();
@@ -124,8 +130,7 @@ export function find(library: Library, paints: readonly Paint[], query: Query): 
     if (target !== null) {
         distance = new Float64Array(paints.length).fill(NaN);
         for (const paint of shown) {
-            const lab = labAt(paint, query.at);
-            if (lab !== null) distance[paint.index] = deltaE2000(target, lab);
+            distance[paint.index] = deltaE2000(target, labAt(paint, at));
         }
     }
 
@@ -137,14 +142,19 @@ export function find(library: Library, paints: readonly Paint[], query: Query): 
         }
         counts[choice] = count;
     }
-    return { paints: sorted(shown, query, distance), distance, counts };
+    return { paints: sorted(shown, query, at, distance), distance, counts };
 }
 
 const collator = new Intl.Collator("en", { numeric: true });
 
 /** Records without the figure come last, in either direction; equal ones stay in the order of names. */
-function sorted(paints: readonly Paint[], query: Query, distance: Float64Array | null): Paint[] {
-    const { sort, at } = query;
+function sorted(
+    paints: readonly Paint[],
+    query: Query,
+    at: number,
+    distance: Float64Array | null,
+): Paint[] {
+    const { sort } = query;
     const byName = [...paints]; // the library's order
     const sign = query.descending ? -1 : 1;
     if (sort === "name") {
@@ -189,7 +199,7 @@ export function read(text: string, usual: Query, library: Library): Query {
     const query: Query = { ...usual, limits: {}, chosen: { ...usual.chosen } };
     query.text = given.get("q") ?? "";
     const at = given.get("at");
-    if (at !== null && library.geometry_sets.some((set) => set.includes(at))) query.at = at;
+    if (at !== null && library.geometries.includes(at)) query.at = at;
     for (const measure of measures) {
         const limit = /^(-?[\d.]*)\.\.(-?[\d.]*)$/.exec(given.get(measure) ?? "");
         const number = (digits: string | undefined) => {

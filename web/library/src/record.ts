@@ -16,19 +16,19 @@ export function ordered(names: readonly string[]): number[] {
     return groups(names).flatMap((group) => group.places);
 }
 
-export function lightName(details: Details): string {
-    return `${details.illuminant}, ${details.observer}° observer`;
+export function lightName(library: Library): string {
+    return `${library.illuminant}, ${library.observer}° observer`;
 }
 
-function readings(details: Details): HTMLElement {
+function readings(names: readonly string[], details: Details): HTMLElement {
     const head = ["Geometry", "L*", "a*", "b*", "C*", "h"];
-    const body = ordered(details.geometries).map((i) => {
+    const body = ordered(names).map((i) => {
         const lab = details.Lab[i] as Lab;
         const swatch = h("i", { class: "dot", style: `background:${chip(lab).css}` });
         return h(
             "tr",
             {},
-            h("th", { scope: "row" }, swatch, angleName(details.geometries[i] as string)),
+            h("th", { scope: "row" }, swatch, angleName(names[i] as string)),
             ...[...lab, chroma(lab), hue(lab)].map((x) => h("td", {}, number(x, 2))),
         );
     });
@@ -40,21 +40,26 @@ function readings(details: Details): HTMLElement {
     );
 }
 
-export function spectrum(details: Details, i: number, more: Partial<Curve> = {}): Curve {
+export function spectrum(
+    library: Library,
+    details: Details,
+    i: number,
+    more: Partial<Curve> = {},
+): Curve {
     return {
-        x: details.wavelengths_nm,
+        x: library.wavelengths_nm,
         y: details.R[i] ?? [],
         colour: chip(details.Lab[i] as Lab).css,
-        label: angleName(details.geometries[i] as string),
+        label: angleName(library.geometries[i] as string),
         ...more,
     };
 }
 
-function spectra(details: Details): HTMLElement | null {
-    if (details.wavelengths_nm.length === 0) return null;
-    const curves = ordered(details.geometries).map((i) => spectrum(details, i));
+function spectra(library: Library, details: Details): HTMLElement | null {
+    if (library.wavelengths_nm.length === 0) return null;
+    const curves = ordered(library.geometries).map((i) => spectrum(library, details, i));
     const most = Math.max(...curves.flatMap((curve) => curve.y.map((y) => y ?? 0)));
-    return h(
+    const figure = h(
         "figure",
         {},
         plot(curves, {
@@ -67,11 +72,12 @@ function spectra(details: Details): HTMLElement | null {
             describedAs: "Reflectance factor over wavelength, a curve an angle",
         }),
     );
+    return h("div", {}, h("h2", {}, "Spectra"), figure);
 }
 
 /** L* over the aspecular angle, and the way of the colour through a* and b*. */
-function flop(details: Details): HTMLElement[] {
-    const lamps = [...byLamp(details.geometries)];
+function flop(names: readonly string[], details: Details): HTMLElement[] {
+    const lamps = [...byLamp(names)];
     const curves = (x: (lab: Lab, degrees: number) => number, y: (lab: Lab) => number) =>
         lamps.map(([lamp, angles], i): Curve => {
             const labs = angles.map((angle) => details.Lab[angle.index] as Lab);
@@ -225,6 +231,7 @@ export function recordPage(
     pick: HTMLElement,
 ): HTMLElement {
     const labs = details.Lab;
+    const names = library.geometries;
     const about = [
         library.constructions[paint.construction],
         library.sweeps.length > 1 ? `sweep ${library.sweeps[paint.sweep] ?? ""}` : null,
@@ -241,9 +248,9 @@ export function recordPage(
         h(
             "section",
             { class: "stage", "aria-label": "Pictures and chips" },
-            pictures(paint, labs),
+            pictures(paint, names),
             chips(
-                details.geometries,
+                names,
                 (i) => [labs[i] as Lab],
                 (i) => [labLine(labs[i] as Lab)],
             ),
@@ -257,12 +264,17 @@ export function recordPage(
                 "div",
                 {},
                 h("h2", {}, "Readings"),
-                readings(details),
-                h("p", { class: "note" }, lightName(details)),
+                readings(names, details),
+                h("p", { class: "note" }, lightName(library)),
             ),
-            h("div", {}, h("h2", {}, "Spectra"), spectra(details)),
+            spectra(library, details),
         ),
-        h("section", {}, h("h2", {}, "Flop"), h("div", { class: "plots" }, ...flop(details))),
+        h(
+            "section",
+            {},
+            h("h2", {}, "Flop"),
+            h("div", { class: "plots" }, ...flop(names, details)),
+        ),
         h(
             "section",
             { class: "two" },

@@ -63,11 +63,10 @@ export class Toolbar {
             this.typed();
         });
 
-        const angles = [...new Set(library.geometry_sets.flat())];
         this.at = h(
             "select",
             {},
-            ...angles.map((name) => h("option", { value: name }, angleName(name))),
+            ...library.geometries.map((name) => h("option", { value: name }, angleName(name))),
         );
         this.at.addEventListener("change", () => {
             change((query) => (query.at = this.at.value));
