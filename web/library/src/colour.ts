@@ -23,8 +23,9 @@ export function deltaHue(standard: Lab, sample: Lab): number {
     const product = chroma(standard) * chroma(sample);
     const cosine = a1 * a2 + b1 * b2;
     const sine = a1 * b2 - a2 * b1;
-    if (product + cosine > 0) return Math.sqrt(2 / (product + cosine)) * sine;
-    return 2 * Math.sqrt(product);
+    // Two forms of one number: near hues lose digits in the second, opposite ones in the first.
+    if (cosine > 0) return Math.sqrt(2 / (product + cosine)) * sine;
+    return (sine < 0 ? -1 : 1) * Math.sqrt(2 * (product - cosine));
 }
 
 function hueOf(a: number, b: number): number {
