@@ -17,16 +17,14 @@ async function buildTests() {
     await build({
         absWorkingDir: here,
         entryPoints: { unit: "test/unit.test.ts", browser: "test/browser.test.ts" },
-        outdir: join(root, "build", "web", "tests"),
+        outdir: join(here, "node_modules", ".tests"), // where playwright-core is found
         bundle: true,
         platform: "node",
         format: "esm",
         target: "node18",
         outExtension: { ".js": ".mjs" },
         sourcemap: "inline",
-        define: { REPOSITORY: JSON.stringify(root) },
         external: ["playwright-core"],
-        nodePaths: [join(here, "node_modules")],
     });
 }
 
