@@ -2,8 +2,8 @@
 
     python python/tests/synthetic_library.py LIBRARY RECORDS
 
-Half of the records have thumbnails. The page is written too, and expected.json beside it: what a reader
-of the page must find, computed here.
+Half of the records have thumbnails. The page is written too, and expected.json beside it: what a
+reader of the page must find, computed here.
 """
 
 from __future__ import annotations
@@ -17,15 +17,16 @@ import zlib
 from pathlib import Path
 from typing import Any
 
-import nacre
 import numpy as np
-from nacre import Measurement, _toml
 from nacre.library.catalogue import Catalogue, write_catalogue
 from nacre.library.construction import construction, ingredients
 from nacre.library.page import write_page
 from nacre.library.record import _readings, record_folder
 from nacre.library.settings import read_settings
 from numpy.typing import NDArray
+
+import nacre
+from nacre import Measurement, _toml
 
 Floats = NDArray[np.float64]
 
@@ -37,6 +38,10 @@ TARGET = (38.5, 21.0, -12.25)
 SETTINGS = read_settings(None).to_dict()
 FILMS = ["TiO2_rutile", "Fe2O3", "SnO2", "SiO2"]
 CORES = ["mica", "Al", "glass", "Al2O3"]
+
+
+NASTY = '</script><b title="&amp;">\\ \u2028 \u00e4 \U0001f3a8'
+"""The name of record 3, which must stay text wherever it is shown."""
 
 
 def recipe(number: int, rng: np.random.Generator) -> dict[str, Any]:
@@ -52,7 +57,7 @@ def recipe(number: int, rng: np.random.Generator) -> dict[str, Any]:
         "coats": [coat],
     }
     return {
-        "name": f"{film} on {core}, {coat['thickness_nm']:g} nm, no. {number}",
+        "name": NASTY if number == 3 else f"{film} on {core}, no. {number}",
         "ior": 1.5,
         "clearcoat": {"thickness_um": 45.0},
         "layer": [{"thickness_um": 15.0, "flakes": [flakes]}],
@@ -84,7 +89,9 @@ def png(rng: np.random.Generator, size: int = 192) -> bytes:
     rows = b"".join(b"\0" + row.tobytes() for row in pixels)
 
     def chunk(kind: bytes, data: bytes) -> bytes:
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        return (
+            struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        )
 
     head = struct.pack(">IIBBBBB", size, size, 8, 2, 0, 0, 0)
     return b"\x89PNG\r\n\x1a\n" + b"".join(
@@ -181,13 +188,14 @@ def expected(library: Path) -> dict[str, Any]:
         "with_Fe2O3_mica": len(film),
         "flop_10_to_20": sum(1 for row in rows if 10 <= (row["flop_index"] or -1) <= 20),
         "hue_300_to_40": sum(1 for row in rows if not 40 < row["h45"] < 300),
-        "sparkling": sum(
-            1 for row in rows for lamp in row["sparkle"] if _sparkles(lamp, 15.0, 50)
-        ),
+        "sparkling": sum(1 for row in rows for lamp in row["sparkle"] if _sparkles(lamp, 15.0, 50)),
         "ids": [row["id"] for row in rows],
+        "nasty": {"id": rows[3]["id"], "name": NASTY},
         "first": {
             "id": first["id"],
-            "chips": ["#" + "".join(f"{round(255 * x):02x}" for x in srgb) for srgb in first["srgb"]],
+            "chips": [
+                "#" + "".join(f"{round(255 * x):02x}" for x in srgb) for srgb in first["srgb"]
+            ],
         },
         "difference": _difference(library, rows[0]["id"], rows[1]["id"]),
     }
@@ -198,7 +206,9 @@ def _sparkles(lamp: dict[str, float], lamp_deg: float, least: float) -> bool:
 
 
 def _difference(library: Path, standard: str, sample: str) -> dict[str, Any]:
-    a, b = (Measurement.read(record_folder(library, x) / "readings.csv") for x in (standard, sample))
+    a, b = (
+        Measurement.read(record_folder(library, x) / "readings.csv") for x in (standard, sample)
+    )
     difference = b.difference(a)
     return {
         "standard": standard,

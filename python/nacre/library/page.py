@@ -1,8 +1,8 @@
 """The static page of a library: index.html, page/ and what they show.
 
-The page opens from disk and from any web server, and reads nothing else at run time. A page that was
-opened from disk may not fetch files but may run scripts; so the data are scripts, each of which hands
-over its part by ``nacreLibrary(name, part)``. Its sources are in web/library.
+The page opens from disk and from any web server, and reads nothing else at run time. A page that
+was opened from disk may not fetch files but may run scripts; so the data are scripts, each of which
+hands over its part by ``nacreLibrary(name, part)``. The page's sources are in web/library.
 """
 
 from __future__ import annotations
@@ -122,9 +122,7 @@ def _batches(catalogue: Catalogue) -> Iterator[list[Row]]:
 
 
 def _write_data(library: Path, catalogue: Catalogue, folder: Path) -> int:
-    few = catalogue.table(
-        ["sweep", "construction", "pigments", "sparkle"]
-    ).to_pylist()
+    few = catalogue.table(["sweep", "construction", "pigments", "sparkle"]).to_pylist()
     sweeps = _Names(Counter(row["sweep"] for row in few))
     constructions = _Names(Counter(row["construction"] for row in few))
     pigments = _Names(Counter(name for row in few for name in row["pigments"]))
@@ -196,8 +194,8 @@ def _details(library: Path, row: Row) -> Row:
     except OSError as error:
         raise nacre.InputError(f"{library}: {row['id']} is in the catalogue, but {error}") from None
     reflectance = np.array(row["R"], dtype=float).round(6)
-    kept = ("id", "Lab", "flop_index", "colour_travel", "sparkle", "graininess")
-    kept += ("warnings", "seconds", "version")
+    kept = ["id", "Lab", "flop_index", "colour_travel", "sparkle", "graininess"]
+    kept += ["warnings", "seconds", "version"]
     return {name: row[name] for name in kept} | {
         "R": [[None if np.isnan(x) else x for x in curve] for curve in reflectance.tolist()],
         "parameters": dict(row["parameters"]),

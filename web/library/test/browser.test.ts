@@ -25,6 +25,7 @@ interface Expected {
     readonly hue_300_to_40: number;
     readonly sparkling: number;
     readonly ids: readonly string[];
+    readonly nasty: { readonly id: string; readonly name: string };
     readonly first: { readonly id: string; readonly chips: readonly string[] };
     readonly difference: {
         readonly standard: string;
@@ -364,6 +365,16 @@ test("the back button returns to the same place of the same query", async () => 
     await page.goForward();
     await page.waitForSelector(".record");
     assert.equal(await page.textContent("h1"), first);
+});
+
+test("names are text, whatever they hold", async () => {
+    const { id, name } = expected.nasty;
+    await open(`/?q=${id}`);
+    await count(1);
+    assert.equal(await page.textContent(".row:not([hidden]) .card:not([hidden]) .name"), name);
+    await open(`/record/${id}`);
+    assert.equal(await page.textContent("h1"), name);
+    assert.equal(await page.locator("b[title]").count(), 0);
 });
 
 test("what is not there is said", async () => {
