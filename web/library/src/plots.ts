@@ -75,7 +75,7 @@ export function plot(curves: readonly Curve[], axes: Axes): SVGSVGElement {
     const { width, height } = axes;
     const named = axes.named ?? false;
     const longest = Math.max(...curves.map((curve) => curve.label.length));
-    const margin = { left: 46, right: named ? 14 + 6 * longest : 12, top: 10, bottom: 38 };
+    const margin = { left: 46, right: named ? 14 + 6.6 * longest : 12, top: 10, bottom: 38 };
     const inner = { w: width - margin.left - margin.right, h: height - margin.top - margin.bottom };
 
     const ys = curves.flatMap((curve) => curve.y.filter((y): y is number => y !== null));

@@ -122,7 +122,7 @@ function flop(names: readonly string[], details: Details): HTMLElement[] {
                     (lab) => lab[2],
                 ),
                 {
-                    width: 400,
+                    width: 460,
                     height: 330,
                     xLabel: "a*",
                     yLabel: "b*",

@@ -9,6 +9,11 @@ import { SIZES, sortName } from "./gallery";
 import type { Found, Query, SortKey } from "./query";
 import { measures } from "./query";
 
+/** 10 000 */
+function grouped(count: number): string {
+    return count.toLocaleString("en").replace(/,/g, "\u2009");
+}
+
 export interface ToolbarEvents {
     change: (part: (query: Query) => void) => void;
     size: (size: Size) => void;
@@ -32,7 +37,10 @@ export class Toolbar {
         size: Size,
     ) {
         const { change } = events;
-        this.count = h("p", { class: "count", role: "status" });
+        // As wide as its longest text, so that nothing moves when the count changes.
+        const longest = 2 * grouped(library.records).length + " of ".length;
+        const width = `min-width:${String(longest + 1)}ch`;
+        this.count = h("p", { class: "count", role: "status", style: width });
         this.filtersButton = h(
             "button",
             {
@@ -57,7 +65,11 @@ export class Toolbar {
             return field;
         });
         this.swatch = h("span", { class: "swatch", title: "The colour typed in" });
-        this.clear = h("button", { type: "button", class: "clear" }, "Clear");
+        this.clear = h(
+            "button",
+            { type: "button", class: "clear", "aria-label": "Clear this colour" },
+            "×",
+        );
         this.clear.addEventListener("click", () => {
             for (const field of this.fields) field.value = "";
             this.typed();
@@ -139,11 +151,10 @@ export class Toolbar {
     }
 
     show(query: Query, found: Found): void {
-        const number = (n: number) => n.toLocaleString("en").replace(/,/g, "\u2009");
         const [shown, all] = [found.paints.length, this.library.records];
         this.count.replaceChildren(
-            h("b", {}, number(shown)),
-            shown === all ? " paints" : ` of ${number(all)} paints`,
+            h("b", {}, grouped(shown)),
+            shown === all ? " paints" : ` of ${grouped(all)}`,
         );
         this.at.value = query.at;
         this.sort.value = query.sort;
