@@ -131,6 +131,9 @@ class AskedParts {
 /// The pixel of the whole picture that a column, or a row, of one with every `stride`-th is.
 int pixel_of(int taken, int stride) { return stride / 2 + stride * taken; }
 
+/// How many columns, or rows, it has.
+int taken_of(int pixels, int stride) { return (pixels + stride - 1 - stride / 2) / stride; }
+
 /// Renders a picture pass by pass, or every `stride`-th of its columns and rows.
 class Renderer {
  public:
@@ -141,8 +144,8 @@ class Renderer {
           camera_(scene.camera, options.width, options.height),
           parts_(options.samples_per_pixel),
           stride_(stride),
-          columns_(taken_of(options.width)),
-          rows_(taken_of(options.height)),
+          columns_(taken_of(options.width, stride)),
+          rows_(taken_of(options.height, stride)),
           film_(FilmSums(columns_, rows_, options.spectral_bins, options.sparkle)),
           tiles_across_((columns_ + kTile - 1) / kTile),
           tiles_down_((rows_ + kTile - 1) / kTile) {
@@ -185,8 +188,6 @@ class Renderer {
     FilmSums take_sums() { return film_.take_sums(); }
 
  private:
-    int taken_of(int pixels) const { return (pixels + stride_ - 1 - stride_ / 2) / stride_; }
-
     /// @return whether the whole tile was done
     bool run_tile(const Pass& pass, int tile, bsdf::PatchMemory& memory, SharedProgress& counter) {
         const int x0 = tile % tiles_across_ * kTile;
@@ -233,10 +234,19 @@ double default_footprint_pixels(int samples_per_pixel) {
 
 namespace {
 
-/// From one of a picture's passes, which are its samples in the order of the work, to before another.
+/// [begin, end) of a picture's passes: its samples, in the order of the work.
 struct PassRange {
     int begin = 0, end = 0;
+    int count() const { return end - begin; }
 };
+
+/// Passes that follow each other: those that ask flakes, which take longer, are spread evenly.
+PassRange passes_of(const RenderOptions& options, const Share& share) {
+    const auto before = [&](int shares) {
+        return static_cast<int>(std::int64_t{options.samples_per_pixel} * shares / share.count);
+    };
+    return {before(share.number - 1), before(share.number)};
+}
 
 /// Takes renderers of pictures with as many samples through passes, together.
 /// @return false if asked to stop
@@ -314,7 +324,7 @@ class Rendering {
     bool run(PassRange range, const Progress& progress) {
         std::vector<Renderer*> renderers = {&picture_};
         if (probe_) renderers.push_back(&*probe_);
-        SharedProgress counter(progress, range.end - range.begin);
+        SharedProgress counter(progress, range.count());
         const bool done = run_passes(scene_, renderers, range, counter);
         seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
         return done;
@@ -322,7 +332,9 @@ class Rendering {
 
     /// Of passes that are all done.
     RenderSums take_sums() {
-        RenderSums sums{picture_.take_sums(), {}, seconds_};
+        RenderSums sums;
+        sums.picture = picture_.take_sums();
+        sums.seconds = seconds_;
         if (probe_) sums.probe = probe_->take_sums();
         return sums;
     }
@@ -358,6 +370,15 @@ double noise_against(const RenderResult& picture, const RenderResult& probe, int
 
 }  // namespace
 
+RenderSums::RenderSums(const RenderOptions& options)
+    : picture(options.width, options.height, options.spectral_bins, options.sparkle) {
+    if (!options.noise) return;
+    const int stride = noise_stride(options);
+    const RenderOptions of_probe = noise_options(options, 0);
+    probe.emplace(taken_of(options.width, stride), taken_of(options.height, stride),
+                  of_probe.spectral_bins, of_probe.sparkle);
+}
+
 void RenderSums::add(const RenderSums& other) {
     picture.add(other.picture);
     if (probe) probe->add(*other.probe);
@@ -374,15 +395,15 @@ RenderResult develop(RenderSums whole, const RenderOptions& options) {
     return result;
 }
 
+int samples_of(const RenderOptions& options, const Share& share) {
+    return passes_of(options, share).count();
+}
+
 RenderSums render_share(const Scene& scene, const RenderOptions& options, const Share& share,
                         const Progress& progress) {
     check(options, share);
     Rendering rendering(scene.compiled(), options, DirectLight::combined);
-    // Passes that follow each other: those that ask flakes, which take longer, are spread evenly.
-    const auto passes_before = [&](int shares) {
-        return static_cast<int>(std::int64_t{options.samples_per_pixel} * shares / share.count);
-    };
-    if (!rendering.run({passes_before(share.number - 1), passes_before(share.number)}, progress)) {
+    if (!rendering.run(passes_of(options, share), progress)) {
         throw Stopped("the share of the picture was stopped");
     }
     return rendering.take_sums();

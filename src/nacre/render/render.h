@@ -29,6 +29,8 @@ struct RenderOptions {
         false;  ///< RenderResult::noise is asked for; from 64 x 64 pixels it takes a 64th more
     int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
                             ///< times the pixels at most 2^32
+
+    friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
 /// 1.5 / sqrt(samples_per_pixel), at most 1.
@@ -51,6 +53,11 @@ struct Share {
 
 /// What a share of the samples adds to a picture, and all of them make the whole of.
 struct RenderSums {
+    RenderSums() = default;
+    /// Of no samples.
+    /// @param options  as check() takes them
+    explicit RenderSums(const RenderOptions& options);
+
     FilmSums picture;
     /// Of the pixels that are rendered twice for RenderResult::noise; none unless asked for.
     std::optional<FilmSums> probe;
@@ -58,6 +65,8 @@ struct RenderSums {
 
     /// @param other  of the same options, and of other samples
     void add(const RenderSums& other);
+
+    friend bool operator==(const RenderSums&, const RenderSums&) = default;
 };
 
 /// A picture, row-major from the top left. Radiance is linear; luminance 1 is the radiance of an
@@ -101,6 +110,9 @@ void check(const RenderOptions& options, const Share& share);
 /// @throws DomainError, Error as check()
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const Progress& progress = {});
+
+/// How many samples a pixel has of a share.
+int samples_of(const RenderOptions& options, const Share& share);
 
 /// Renders one share of a picture's samples. The sums of all shares, added in any order, develop()
 /// to the picture that render() makes, bit for bit in every channel: each sample is the one that it
