@@ -86,7 +86,8 @@ struct SharePicture : Picture {
     }
 };
 
-void write(const SharePicture& picture, const std::filesystem::path& path, double exposure_stops) {
+void write_share_picture(const SharePicture& picture, const std::filesystem::path& path,
+                         double exposure_stops) {
     if (path.extension() == ".h5") return write_share(path, picture.share);
     picture.write(path, {exposure_stops});
 }
@@ -154,7 +155,7 @@ NB_MODULE(_render, module) {
                      [](const SharePicture& p) {
                          return std::pair(p.share.share.number, p.share.share.count);
                      })
-        .def("write", &write, "path"_a, "exposure_stops"_a,
+        .def("write", &write_share_picture, "path"_a, "exposure_stops"_a,
              nanobind::call_guard<nanobind::gil_scoped_release>());
     module.def(
         "merge",
