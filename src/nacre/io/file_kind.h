@@ -17,6 +17,7 @@ enum class FileKind {
     // Results of Nacre in HDF5.
     solved_paint,
     brdf_table,
+    picture_share,  ///< of its samples
     // Measurements.
     rgl,               ///< .bsdf
     merl,              ///< .binary
@@ -47,6 +48,9 @@ enum class FileKind {
     /// A text that is none of these: perhaps TOML.
     text
 };
+
+/// How a share of a picture begins; it is read above this room (render/share_file.h).
+inline constexpr std::string_view kPictureShareName = "nacre share of a picture";
 
 /// As messages name it: "a scene", "a spreadsheet or another archive; save its table as CSV".
 std::string words_for(FileKind kind);

@@ -1,0 +1,303 @@
+"""The engine: the records of a plan computed by Dask's workers, on this machine or many.
+
+What is done lies in the library's folder, which all machines share; nothing else is remembered.
+So a run may be killed at any point, and the next one computes what is missing.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import logging
+import os
+import shutil
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import nacre
+
+from .catalogue import write_catalogue
+from .folder import prepare
+from .record import Outcome, compute, failures, record_failure, record_folder, record_ids
+from .settings import Settings
+from .sweep import Plan, PlannedRecord
+
+TASK_SECONDS = 1.0
+"""How long a task of several records is to take: short against a run, long against its overhead."""
+MOST_IN_TASK = 64
+
+Client = Any  # of distributed, which has no types
+
+
+@dataclass(frozen=True)
+class State:
+    """What a library has of a plan."""
+
+    planned: list[PlannedRecord]
+    done: set[str]
+    failed: dict[str, dict[str, Any]]
+    """why, by id; without those that are done by now"""
+    others: set[str]
+    """records that the plan does not name"""
+
+    def missing(self, retry: bool = False) -> list[PlannedRecord]:
+        """What a run has to compute. What Nacre refused before is left out, unless ``retry``."""
+        hopeless = {i for i, why in self.failed.items() if not (retry or why["again"])}
+        return [r for r in self.planned if r.id not in self.done and r.id not in hopeless]
+
+
+def state_of(plan: Plan, library: Path | None) -> State:
+    """Compares a plan with the records that are there; None: there are none."""
+    planned = list(plan.records())
+    if library is None:
+        return State(planned, set(), {}, set())
+    ids = {record.id for record in planned}
+    there = record_ids(library)
+    failed = {i: why for i, why in failures(library).items() if i in ids and i not in there}
+    return State(planned, there & ids, failed, there - ids)
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What a run did."""
+
+    planned: int
+    found: int
+    """that were there before"""
+    computed: int
+    failed: int
+    """those of earlier runs included"""
+    seconds: float
+
+
+Report = Callable[[Outcome], object]
+
+
+@contextmanager
+def local_cluster(workers: int) -> Iterator[Client]:
+    """A client of worker processes on this machine, each with one thread."""
+    from distributed import Client, LocalCluster
+
+    with (
+        LocalCluster(
+            n_workers=workers,
+            threads_per_worker=1,
+            processes=True,
+            dashboard_address="127.0.0.1:0",
+            memory_limit=0,
+            silence_logs=logging.ERROR,
+        ) as cluster,
+        Client(cluster) as client,
+    ):
+        yield client
+
+
+@contextmanager
+def remote_cluster(scheduler: str) -> Iterator[Client]:
+    """A client of a scheduler that runs, by its address or the file that it wrote.
+
+    Raises
+    ------
+    nacre.Error
+        If nothing answers there.
+    """
+    from distributed import Client
+
+    is_file = Path(scheduler).is_file()
+    try:
+        client = Client(scheduler_file=scheduler) if is_file else Client(scheduler)
+    except (OSError, ValueError) as error:
+        raise nacre.Error(f"--scheduler {scheduler}: no scheduler answers there: {error}") from None
+    with client:
+        yield client
+
+
+@contextmanager
+def listening_cluster(file: Path, interface: str = "") -> Iterator[Client]:
+    """A client of a scheduler in this process that waits for workers from elsewhere.
+
+    Parameters
+    ----------
+    file
+        Is written, so that ``dask worker --scheduler-file`` finds the scheduler.
+    interface
+        Of the network, as "eth0"; empty: the one that leads out.
+    """
+    from distributed import Client, LocalCluster
+    from distributed.utils import get_ip
+
+    network = {"interface": interface} if interface else {"host": get_ip()}
+    with (
+        LocalCluster(
+            n_workers=0, dashboard_address="127.0.0.1:0", silence_logs=logging.ERROR, **network
+        ) as cluster,
+        Client(cluster) as client,
+    ):
+        client.write_scheduler_file(str(file))
+        try:
+            yield client
+        finally:
+            file.unlink(missing_ok=True)
+            client.retire_workers(close_workers=True)
+
+
+def _compute_all(
+    records: Sequence[PlannedRecord], settings: Settings, library: Path
+) -> list[Outcome]:
+    """What a worker is asked to do; what is there already is passed over."""
+    return [compute(record, settings, library) for record in records]
+
+
+def compute_with(
+    client: Client,
+    records: Sequence[PlannedRecord],
+    settings: Settings,
+    library: Path,
+    report: Report,
+) -> None:
+    """Computes records on the workers of a cluster, which may come and go.
+
+    Records go out in tasks of about a second each. A task whose worker dies is given to another
+    one; where Dask gives up, its records are tried one by one, and one that kills its workers alone
+    is written down as failed.
+    """
+    from distributed import as_completed
+
+    waiting = list(reversed(records))
+    alone: list[PlannedRecord] = []
+    running: dict[Any, list[PlannedRecord]] = {}
+    completed = as_completed([])
+    spent, count = 0.0, 0
+
+    def send() -> None:
+        workers = max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+        while len(running) < 3 * workers and (waiting or alone):
+            if alone:
+                task = [alone.pop()]
+            else:
+                size = int(TASK_SECONDS * count / spent) if spent > 0 else 1
+                size = min(size, MOST_IN_TASK, len(waiting) // (2 * workers))  # an even end
+                task = [waiting.pop() for _ in range(max(1, size))]
+            future = client.submit(_compute_all, task, settings, library, pure=False)
+            running[future] = task
+            completed.add(future)
+
+    send()
+    for future in completed:
+        task = running.pop(future)
+        if future.status == "finished":
+            for outcome in future.result():
+                spent, count = spent + outcome.seconds, count + 1
+                report(outcome)
+        elif len(task) > 1:
+            alone += task
+        else:
+            error = future.exception()
+            report(record_failure(task[0], library, error, 0.0))
+        future.release()
+        send()
+
+
+@contextmanager
+def _alone(library: Path) -> Iterator[None]:
+    """Only one run at a time may write into a library."""
+    library.mkdir(parents=True, exist_ok=True)
+    with open(library / ".lock", "w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise nacre.Error(f"{library}: another run is at work on this library") from None
+        yield
+
+
+def run(
+    plan: Plan,
+    library: str | Path,
+    *,
+    workers: int | None = None,
+    scheduler: str = "",
+    listen: Path | None = None,
+    interface: str = "",
+    retry: bool = False,
+    prune: bool = False,
+    progress: bool = False,
+) -> Summary:
+    """Computes what a library lacks of a plan and writes its catalogue.
+
+    Parameters
+    ----------
+    library
+        The folder. All workers must have it under this path.
+    workers
+        Processes on this machine, >= 1; None: one for each processor.
+    scheduler
+        Instead, the address of a Dask scheduler that runs, or its file.
+    listen, interface
+        Instead, see :func:`listening_cluster`.
+    retry
+        Tries once more what was refused in an earlier run.
+    prune
+        Deletes the records that the plan does not name.
+    progress
+        Draws a bar with an estimate if stderr is a terminal.
+
+    Raises
+    ------
+    nacre.Error
+        If another run is at work on the library, or no scheduler answers.
+    """
+    library = Path(library).absolute()
+    start = time.monotonic()
+    with _alone(library):
+        shutil.rmtree(library / ".work", ignore_errors=True)  # of runs that were killed
+        state = state_of(plan, library)
+        prepare(library, plan, [record.id for record in state.planned])
+        missing = state.missing(retry)
+        failed = set(state.failed) - {record.id for record in missing}
+        done = set(state.done)
+        if prune:
+            _prune(library, state.others)
+
+        def report(outcome: Outcome) -> None:
+            (failed if outcome.error else done).add(outcome.id)
+            bar.update()
+            if failed:
+                bar.set_postfix(failed=len(failed), refresh=False)
+
+        try:
+            with _bar(len(missing), progress) as bar:
+                if missing:
+                    if scheduler:
+                        cluster = remote_cluster(scheduler)
+                    elif listen is not None:
+                        cluster = listening_cluster(listen, interface)
+                    else:
+                        most = workers or len(os.sched_getaffinity(0))
+                        cluster = local_cluster(min(most, len(missing)))
+                    with cluster as client:
+                        compute_with(client, missing, plan.settings, library, report)
+        finally:
+            shutil.rmtree(library / ".work", ignore_errors=True)
+            write_catalogue(library, (r.id for r in state.planned if r.id in done))
+    return Summary(
+        len(state.planned),
+        len(state.done),
+        len(done) - len(state.done),
+        len(failed),
+        time.monotonic() - start,
+    )
+
+
+def _prune(library: Path, ids: set[str]) -> None:
+    for identity in ids:
+        shutil.rmtree(record_folder(library, identity))
+
+
+def _bar(total: int, progress: bool) -> Any:
+    from tqdm import tqdm
+
+    # None: only where stderr is a terminal
+    return tqdm(total=total, unit="paint", disable=None if progress else True, smoothing=0.05)
