@@ -29,7 +29,7 @@ from ._measurement import Difference, Measurement, geometry_sets
 from ._model import Model, model_names
 from ._nacre import version
 from ._paint import Paint, shipped_paints
-from ._picture import Image, Picture, read_image, render, scene_names
+from ._picture import Image, Picture, merge, read_image, render, scene_names
 from ._pigment import DrawdownFit, Pigment, pigment
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
 from ._threads import set_threads, threads
@@ -78,6 +78,7 @@ __all__ = [
     "geometry_sets",
     "lab",
     "material_names",
+    "merge",
     "model_names",
     "pigment",
     "read_image",

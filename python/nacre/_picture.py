@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -123,8 +123,14 @@ class Picture:
 
     @property
     def complete(self) -> bool:
-        """False: stopped early, a valid picture of that many samples."""
+        """False: stopped early or a share, a valid picture of that many samples."""
         return bool(self._picture.complete)
+
+    @property
+    def shard(self) -> tuple[int, int] | None:
+        """Number and count of a share of a picture's samples; None: it is the whole."""
+        value: tuple[int, int] | None = self._picture.shard
+        return value
 
     @property
     def seconds(self) -> float:
@@ -144,7 +150,8 @@ class Picture:
         return self.rgb.astype(dtype)
 
     def write(self, path: Path, *, exposure_stops: float = 0.0) -> None:
-        """As .exr, with every channel, or .png, tone-mapped; whole or not at all."""
+        """As .exr, with every channel, .png, tone-mapped, or, of a share, .h5 for :func:`merge`;
+        whole or not at all."""
         self._picture.write(path, exposure_stops)
 
     def _repr_png_(self) -> bytes:
@@ -171,6 +178,7 @@ def render(
     sparkle: bool = False,
     noise: bool = True,
     spectral_bins: int = 0,
+    shard: tuple[int, int] | None = None,
     progress: Progress = False,
 ) -> Picture:
     """A picture of a painted scene by spectral path tracing; the same bits for any number of
@@ -199,6 +207,9 @@ def render(
         Measures :attr:`Picture.noise` by rendering one pixel of 64 twice.
     spectral_bins
         Spectral channels over 400 to 700 nm.
+    shard
+        ``(i, n)``: share i of n of the samples only, i from 1 to n. :func:`merge` makes the picture
+        of all n, bit for bit the one without shares.
 
     Raises
     ------
@@ -225,6 +236,21 @@ def render(
                 sparkle,
                 noise,
                 spectral_bins,
+                shard,
                 report,
             )
         )
+
+
+def merge(shares: Iterable[Path]) -> Picture:
+    """The picture of all its shares, given by their files in any order: bit for bit the one of a
+    single process. Its ``seconds`` are those of all together.
+
+    Raises
+    ------
+    InputError
+        If a file holds no share, or one of another picture; if a share is missing or there twice.
+    """
+    from . import _render
+
+    return Picture(_render.merge([os.fspath(share) for share in shares]))

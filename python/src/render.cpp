@@ -76,17 +76,44 @@ nb::object spectral(nb::handle self) {
 
 nb::tuple image(const Picture& picture) { return to_arrays(picture.image()); }
 
-Picture render(const std::string& scene_name, const std::optional<PaintHandle>& paint,
-               const std::optional<std::pair<std::string, ModelChoices>>& model,
-               const RenderSettings& settings, const nb::object& progress) {
-    return run(progress, [&](const Progress& ask) {
-        render::check(settings);  // before the paint is solved
+/// The picture of a share's samples, and what nacre.merge() takes of it.
+struct SharePicture : Picture {
+    PictureShare share;
+
+    explicit SharePicture(PictureShare s)
+        : Picture{render::develop(s.sums, s.options), s.metadata}, share(std::move(s)) {
+        result.complete = share.share.count == 1;
+    }
+};
+
+void write_share_picture(const SharePicture& picture, const std::filesystem::path& path,
+                         double exposure_stops) {
+    if (path.extension() == ".h5") return write_share(path, picture.share);
+    picture.write(path, {exposure_stops});
+}
+
+Share share_of(std::pair<int, int> number_and_count) {
+    return {number_and_count.first, number_and_count.second};
+}
+
+nb::object render(const std::string& scene_name, const std::optional<PaintHandle>& paint,
+                  const std::optional<std::pair<std::string, ModelChoices>>& model,
+                  const RenderSettings& settings, const std::optional<std::pair<int, int>>& shard,
+                  const nb::object& progress) {
+    const auto scene = [&](const Progress& ask) {
+        render::check(settings, shard ? share_of(*shard) : Share{});  // before the paint is solved
         ScenePaints paints;
         if (paint) paints.slot = paint->paint;
         if (model) paints.model = render_model(model->first, model->second);
-        const Scene scene(find_scene(scene_name), paints, [&](double) { return ask(0); });
-        return scene.render(settings, ask);
-    });
+        return Scene(find_scene(scene_name), paints, [&](double) { return ask(0); });
+    };
+    if (!shard) {
+        return nb::cast(
+            run(progress, [&](const Progress& ask) { return scene(ask).render(settings, ask); }));
+    }
+    return nb::cast(run(progress, [&](const Progress& ask) {
+        return SharePicture(scene(ask).render_share(settings, share_of(*shard), ask));
+    }));
 }
 
 }  // namespace
@@ -115,6 +142,7 @@ NB_MODULE(_render, module) {
         .def_prop_ro("samples", [](const Picture& p) { return p.result.samples; })
         .def_prop_ro("complete", [](const Picture& p) { return p.result.complete; })
         .def_prop_ro("seconds", [](const Picture& p) { return p.result.seconds; })
+        .def_prop_ro("shard", [](const Picture&) { return nanobind::none(); })
         .def("image", &image)
         .def(
             "write",
@@ -122,12 +150,26 @@ NB_MODULE(_render, module) {
                 p.write(path, {exposure_stops});
             },
             "path"_a, "exposure_stops"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
+    nanobind::class_<SharePicture, Picture>(module, "SharePicture")
+        .def_prop_ro("shard",
+                     [](const SharePicture& p) {
+                         return std::pair(p.share.share.number, p.share.share.count);
+                     })
+        .def("write", &write_share_picture, "path"_a, "exposure_stops"_a,
+             nanobind::call_guard<nanobind::gil_scoped_release>());
+    module.def(
+        "merge",
+        [](const std::vector<std::filesystem::path>& shares) {
+            return nacre::merge_shares(shares);
+        },
+        "shares"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
     module.def(
         "render",
         [](const std::string& scene, const std::optional<PaintHandle>& paint,
            const std::optional<std::pair<std::string, ModelChoices>>& model, int width, int height,
            int spp, std::uint64_t seed, int depth, double footprint_pixels, bool sparkle,
-           bool noise, int spectral_bins, const nanobind::object& progress) {
+           bool noise, int spectral_bins, const std::optional<std::pair<int, int>>& shard,
+           const nanobind::object& progress) {
             return render(scene, paint, model,
                           {.width = width,
                            .height = height,
@@ -138,10 +180,10 @@ NB_MODULE(_render, module) {
                            .sparkle = sparkle,
                            .noise = noise,
                            .spectral_bins = spectral_bins},
-                          progress);
+                          shard, progress);
         },
         "scene"_a, "paint"_a.none(), "model"_a.none(), "width"_a, "height"_a, "spp"_a, "seed"_a,
         "depth"_a, "footprint_pixels"_a, "sparkle"_a, "noise"_a, "spectral_bins"_a,
-        "progress"_a.none());
+        "shard"_a.none(), "progress"_a.none());
     module.def("scene_names", &nacre::render::builtin_scene_names);
 }

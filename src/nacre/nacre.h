@@ -291,6 +291,8 @@ class Paint {
     const paint::Recipe& recipe() const;
     /// SHA-256 of what the recipe says (io/recipe_file.h); empty without a recipe.
     std::string recipe_sha256() const;
+    /// SHA-256 of the file of a solved paint, a table or a measured BRDF; empty of others.
+    const std::string& file_sha256() const;
     /// The table [fit] of a recipe's file.
     const std::vector<paint::ParameterBounds>& bounds() const;
     /// The table [uncertainty] of a recipe's file.

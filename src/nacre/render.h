@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "nacre/nacre.h"
 #include "nacre/render/render.h"
 #include "nacre/render/scene.h"
+#include "nacre/render/share_file.h"
 
 // The part of the front door (nacre/nacre.h) that needs ray tracing: pictures of painted scenes.
 //
@@ -25,6 +27,10 @@ namespace nacre {
 using io::ToneMap;
 using montecarlo::ExplicitFlakesModel;
 using RenderSettings = render::RenderOptions;
+using render::PictureShare;
+using render::read_share;
+using render::Share;
+using render::write_share;
 
 /// A scene file, or a built-in scene by its name ("sphere"); a file of that name comes first.
 /// @throws InputError naming the file and what is wrong in it, or the scenes that there are
@@ -56,6 +62,12 @@ struct Picture {
     void write(const std::filesystem::path& path, const ToneMap& tone_map = {}) const;
 };
 
+/// The picture of the shares in these files, which must be all of one picture, each once, in any
+/// order: the one that Scene::render() makes, bit for bit, but for the seconds, which are added up.
+/// @throws InputError as read_share(); naming a file, what does not fit, and both values if it holds a
+///         share of another picture; if a share is missing or there twice
+Picture merge_shares(std::span<const std::filesystem::path> files);
+
 /// A scene ready to be rendered; a value, copies share what it holds.
 class Scene {
  public:
@@ -81,13 +93,20 @@ class Scene {
     /// The same bits for any number of threads; where `progress` asks to stop, what there is.
     /// @throws DomainError naming a setting out of range
     Picture render(const RenderSettings& settings = {}, const Progress& progress = {}) const;
+    /// One share of that picture's samples; merge_shares() makes the picture of all of them.
+    /// @throws DomainError naming a setting out of range; Stopped if `progress` asks to stop
+    PictureShare render_share(const RenderSettings& settings, const Share& share,
+                              const Progress& progress = {}) const;
     /// The samples a pixel that a noise needs: render::samples_for_noise().
     /// @throws DomainError naming a setting out of range; Stopped if `progress` asks to stop
     int samples_for_noise(const RenderSettings& settings, double noise, int most,
                           const Progress& progress = {}) const;
 
  private:
+    std::map<std::string, std::string> metadata(const RenderSettings& settings) const;
+
     std::string name_, model_name_;
+    std::string sha256_;  // of all that is seen
     bool shows_model_ = false;
     std::optional<std::uint64_t> specimen_;
     std::vector<Paint> paints_;

@@ -115,10 +115,17 @@ def _settings(library: Path, catalogue: Catalogue) -> Row:
 
 
 def _batches(catalogue: Catalogue) -> Iterator[list[Row]]:
-    """All rows, a few at a time: as Python objects all of them would take gigabytes."""
+    """All rows, a few at a time: as Python objects all of them would take gigabytes. Spectra come
+    as arrays (G, W)."""
     table = catalogue.table()
     for start in range(0, len(table), _RECORDS_PER_GALLERY_FILE):
-        yield table.slice(start, _RECORDS_PER_GALLERY_FILE).to_pylist()
+        some = table.slice(start, _RECORDS_PER_GALLERY_FILE)
+        rows: list[Row] = some.drop_columns(["R"]).to_pylist()
+        spectra = some.column("R").combine_chunks().flatten().flatten().to_numpy(zero_copy_only=False)
+        shape = (len(rows), len(rows[0]["geometries"]), len(rows[0]["wavelengths_nm"]))
+        for row, reflectance in zip(rows, spectra.reshape(shape), strict=True):
+            row["R"] = reflectance
+        yield rows
 
 
 def _write_data(library: Path, catalogue: Catalogue, folder: Path) -> int:
@@ -193,7 +200,7 @@ def _details(library: Path, row: Row) -> Row:
         ]
     except OSError as error:
         raise nacre.InputError(f"{library}: {row['id']} is in the catalogue, but {error}") from None
-    reflectance = np.array(row["R"], dtype=float).round(6)
+    reflectance = row["R"].astype(float).round(6)
     kept = ["id", "Lab", "flop_index", "colour_travel", "sparkle", "graininess"]
     kept += ["warnings", "seconds", "version"]
     return {name: row[name] for name in kept} | {

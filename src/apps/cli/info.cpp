@@ -24,6 +24,7 @@
 #include "nacre/paint/expansion.h"
 #include "nacre/paint/orientation.h"
 #include "nacre/render/mesh_file.h"
+#include "nacre/render/share_file.h"
 
 namespace nacre::cli {
 
@@ -251,6 +252,18 @@ void describe_image(Facts& facts, const std::string& bytes, const std::string& n
     for (const auto& [key, value] : image.metadata) facts.add(key, "{}", value);
 }
 
+void describe_picture_share(Facts& facts, const std::string& bytes, const std::string& name) {
+    const render::PictureShare share = render::parse_share(bytes, name);
+    facts.add("kind", "share {}/{} of a picture (HDF5, format {}); nacre merge puts all together",
+              share.share.number, share.share.count, render::kShareFormatVersion);
+    facts.add("bytes", "{}", bytes.size());
+    facts.add("samples", "{} of {} per pixel", share.sums.picture.passes.count,
+              share.options.samples_per_pixel);
+    facts.add("seconds", "{:.3g}", share.sums.seconds);
+    for (const auto& [key, value] : render::identity_of(share)) facts.add(key, "{}", value);
+    facts.add("nacre:scene", "{}", share.metadata.at("nacre:scene"));
+}
+
 /// The recipe of the file with the values of --set.
 std::string describe_changed(const InfoOptions& options) {
     const Paint paint = open_paint(options, options.file);
@@ -284,6 +297,9 @@ std::string describe(const InfoOptions& options) {
             break;
         case io::FileKind::brdf_table:
             describe_brdf_table(facts, bytes, file);
+            break;
+        case io::FileKind::picture_share:
+            describe_picture_share(facts, bytes, file);
             break;
         case io::FileKind::rgl:
             describe_rgl(facts, bytes, file);

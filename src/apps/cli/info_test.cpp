@@ -48,7 +48,8 @@ TEST_F(Info, OpensWhatNacreWrites) {
           "solve gray.toml --wavelength 550 -o gray.h5",
           "export gray.toml --resolution 8 --incidences 8 -o gray.bsdf",
           "atlas --film TiO2_anatase --thickness 40:80:20 -o atlas.csv",
-          "render sphere --paint gray.toml --spp 1 --size 2x2 -o picture.exr"}) {
+          "render sphere --paint gray.toml --spp 1 --size 2x2 -o picture.exr",
+          "render sphere --paint gray.toml --spp 4 --size 2x2 --shard 2/3 -o share.h5"}) {
         const Outcome outcome = nacre(command);
         ASSERT_EQ(outcome.status, 0) << command << '\n' << outcome.err;
     }
@@ -74,6 +75,9 @@ TEST_F(Info, OpensWhatNacreWrites) {
     EXPECT_THAT(told("gray.bsdf"), HasSubstr("RGL"));
     EXPECT_THAT(told("picture.exr"), HasSubstr("size: 2 x 2 pixels"));
     EXPECT_THAT(told("picture.png"), HasSubstr("kind: picture"));
+    EXPECT_THAT(told("share.h5"),
+                AllOf(HasSubstr("kind: share 2/3 of a picture"),
+                      HasSubstr("samples: 1 of 4 per pixel"), HasSubstr("nacre:scene: sphere")));
 }
 
 TEST_F(Info, OpensWhatNacreReads) {

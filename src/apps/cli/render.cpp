@@ -13,6 +13,7 @@
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
+#include "apps/cli/picture_output.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
@@ -38,6 +39,8 @@ struct RenderCommandOptions : CommonOptions {
     std::string frames;
     std::optional<std::string> turntable;
     std::optional<double> step_deg;
+    std::optional<std::string> shard;
+    std::optional<Share> share;  // that it says
 };
 
 /// More samples are taken only where --spp says so.
@@ -165,8 +168,25 @@ Frames parse_frames(const std::string& text) {
 }
 
 /// "out.exr" of frame 7: "out.0007.exr".
-fs::path frame_file(const fs::path& exr, long frame) {
-    return fs::path(exr).replace_extension(fmt::format(".{:04}.exr", frame));
+fs::path frame_file(const fs::path& output, long frame) {
+    return fs::path(output).replace_extension(
+        fmt::format(".{:04}{}", frame, output.extension().string()));
+}
+
+/// "2/8".
+Share parse_share(const std::string& text, int samples_per_pixel) {
+    const std::vector<std::string_view> parts = split(text, '/');
+    const Range range{1, static_cast<double>(samples_per_pixel)};
+    if (parts.size() == 2) {
+        const double number = parse_number("--shard (share)", parts[0], range);
+        const double count = parse_number("--shard (of)", parts[1], range);
+        const Share share{static_cast<int>(number), static_cast<int>(count)};
+        if (share.number == number && share.count == count && number <= count) return share;
+    }
+    throw UsageError(
+        fmt::format("--shard = {}: must be one from 1/N to N/N in whole numbers, N at most the {} "
+                    "samples of a pixel, as in 2/8",
+                    text, samples_per_pixel));
 }
 
 render::Turning parse_turning(const std::string& text) {
@@ -185,6 +205,14 @@ void check_choices(const RenderCommandOptions& options) {
     if (!options.frames.empty() && !options.turntable) {
         throw UsageError("--frames needs --turntable, which says what turns");
     }
+    if (options.shard && options.noise) {
+        throw UsageError(
+            "--shard and --noise exclude each other: say with --spp how many samples all shares "
+            "have together");
+    }
+    if (options.shard && options.tone_map.exposure_stops != 0) {
+        throw UsageError("--exposure belongs to nacre merge where there is --shard");
+    }
     if (options.render.sparkle && !parse_model(options.model).can.sparkle) {
         throw UsageError(fmt::format("--sparkle: the model {} shows no single flakes; must be {}",
                                      options.model.model, fmt::join(sparkling_models(), " or ")));
@@ -193,17 +221,53 @@ void check_choices(const RenderCommandOptions& options) {
 
 /// Without --noise the samples that were asked for.
 int samples_for(const RenderCommandOptions& options, const Scene& scene) {
-    if (!options.noise) return options.spp.value_or(options.render.samples_per_pixel);
+    if (!options.noise) return options.render.samples_per_pixel;
     ProgressBar bar("noise", options.quiet);
     return scene.samples_for_noise(options.render, *options.noise,
                                    options.spp.value_or(kMostSamplesForNoise), bar.callback());
 }
 
-std::string percent_text(double fraction) { return fmt::format("{:.2g} %", 100 * fraction); }
+/// Of a picture and a share.
+void add_scene_report(nlohmann::json& report, const RenderCommandOptions& options,
+                      const Scene& scene, const render::RenderOptions& how) {
+    report["scene"] = options.scene;
+    report["model"] = scene.model_name();
+    report["recipe_sha256"] = scene.recipe_sha256();
+    report["seed"] = how.seed;
+    report["specimen"] = scene.specimen() ? nlohmann::json(*scene.specimen()) : nullptr;
+}
+
+/// Renders a share of one picture and writes it. @return for the report
+nlohmann::json render_share_to(const RenderCommandOptions& options, const Scene& scene,
+                               const fs::path& file) {
+    render::RenderOptions how = options.render;
+    how.noise = true;
+    PictureShare share = [&] {
+        ProgressBar bar("render", options.quiet);
+        return scene.render_share(how, *options.share, bar.callback());
+    }();
+    share.metadata["nacre:scene"] = options.scene;
+    write_share(file, share);
+    const int samples = render::samples_of(how, *options.share);
+    say(options,
+        fmt::format("{}: share {}/{} of {} x {} pixels, {} of {} samples each, {}", file.string(),
+                    options.share->number, options.share->count, how.width, how.height, samples,
+                    how.samples_per_pixel, duration_text(share.sums.seconds)));
+    nlohmann::json report = {{"output", {file.string()}},
+                             {"width", how.width},
+                             {"height", how.height},
+                             {"share", options.share->number},
+                             {"shares", options.share->count},
+                             {"samples_per_pixel", samples},
+                             {"complete", true},
+                             {"render_s", share.sums.seconds}};
+    add_scene_report(report, options, scene, how);
+    return report;
+}
 
 /// Renders one picture and writes it. @return for the report
-nlohmann::json render_to(const RenderCommandOptions& options, const Scene& scene,
-                         const fs::path& exr) {
+nlohmann::json render_picture_to(const RenderCommandOptions& options, const Scene& scene,
+                                 const fs::path& exr) {
     render::RenderOptions how = options.render;
     how.noise = true;
     how.samples_per_pixel = samples_for(options, scene);
@@ -215,24 +279,12 @@ nlohmann::json render_to(const RenderCommandOptions& options, const Scene& scene
     if (result.samples == 0) {
         throw Error("stopped before every pixel had a sample; nothing was written");
     }
-    if (std::ranges::all_of(result.alpha, [](float share) { return share == 0; })) {
-        warn(options, fmt::format("{}: the camera sees no shape, only what surrounds the scene; is "
-                                  "a mesh of another size (mm_per_unit), or the camera elsewhere?",
-                                  options.scene));
-    }
+    warn_of_picture(options, result, options.scene);
     picture.metadata["nacre:scene"] = options.scene;
     io::write_exr_and_png(exr, picture.image(), options.tone_map);
 
-    const fs::path png = io::png_beside(exr);
-    const double samples = static_cast<double>(result.samples) * result.width * result.height;
-    const double msamples_per_s = samples / result.seconds / 1e6;
     say(options,
-        fmt::format("{}{} and {}: {} x {} pixels, {} samples each{}, {} ({:.2f} "
-                    "Msamples/s)",
-                    result.complete ? "" : "stopped early; partial picture in ", exr.string(),
-                    png.string(), result.width, result.height, result.samples,
-                    result.noise ? ", noise " + percent_text(*result.noise) : "",
-                    duration_text(result.seconds), msamples_per_s));
+        (result.complete ? "" : "stopped early; partial picture in ") + summary(result, exr));
     const bool capped = how.samples_per_pixel == options.spp.value_or(kMostSamplesForNoise);
     if (options.noise && capped && result.complete && result.noise > options.noise) {
         say(options,
@@ -240,28 +292,27 @@ nlohmann::json render_to(const RenderCommandOptions& options, const Scene& scene
                         "--spp allows",
                         percent_text(*result.noise), percent_text(*options.noise), result.samples));
     }
-    return {{"scene", options.scene},
-            {"model", scene.model_name()},
-            {"recipe_sha256", scene.recipe_sha256()},
-            {"output", {exr.string(), png.string()}},
-            {"width", result.width},
-            {"height", result.height},
-            {"samples_per_pixel", result.samples},
-            {"noise", result.noise ? nlohmann::json(*result.noise) : nullptr},
-            {"seed", how.seed},
-            {"specimen", scene.specimen() ? nlohmann::json(*scene.specimen()) : nullptr},
-            {"complete", result.complete},
-            {"render_s", result.seconds},
-            {"msamples_per_s", msamples_per_s}};
+    nlohmann::json report = report_of(result, exr);
+    add_scene_report(report, options, scene, how);
+    return report;
+}
+
+nlohmann::json render_to(const RenderCommandOptions& options, const Scene& scene,
+                         const fs::path& output) {
+    return options.share ? render_share_to(options, scene, output)
+                         : render_picture_to(options, scene, output);
+}
+
+void add_png_beside(CommandFiles& files, const fs::path& exr) {
+    files.files.push_back({"--output", io::png_beside(exr).string(), true});
 }
 
 /// What one frame reads and writes. Frames are checked one by one: all against all would take long.
 CommandFiles frame_files(const RenderCommandOptions& options, long frame) {
     CommandFiles files = files_of(options, {options.scene, options.paint, options.brdf});
-    const fs::path exr = frame_file(options.output, frame);
-    files.files = {{"--report", options.report},
-                   {"--output", exr.string()},
-                   {"--output", io::png_beside(exr).string(), true}};
+    const fs::path file = frame_file(options.output, frame);
+    files.files = {{"--report", options.report}, {"--output", file.string()}};
+    if (!options.shard) add_png_beside(files, file);
     return files;
 }
 
@@ -314,7 +365,11 @@ ExitStatus run(RenderCommandOptions options) {
     check_choices(options);
     parse_size(options.size, options.render);
     options.render.seed = options.seed;
+    if (options.spp) options.render.samples_per_pixel = *options.spp;
     render::check(options.render);
+    if (options.shard) {
+        options.share = parse_share(*options.shard, options.render.samples_per_pixel);
+    }
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Stopwatch watch;
@@ -333,16 +388,11 @@ ExitStatus run(RenderCommandOptions options) {
 }
 
 CommandFiles files(const RenderCommandOptions& options) {
-    const fs::path exr = options.output;
-    if (exr.extension() != ".exr") {
-        throw UsageError(fmt::format("--output = {}: must end in .exr", options.output));
-    }
+    check_extension(options, options.shard ? ".h5" : ".exr");
+    if (!options.frames.empty()) return frame_files(options, parse_frames(options.frames).first);
     CommandFiles files = files_of(options, {options.scene, options.paint, options.brdf});
-    if (options.frames.empty()) {
-        files.files.push_back({"--output", io::png_beside(exr).string(), true});
-        return files;
-    }
-    return frame_files(options, parse_frames(options.frames).first);
+    if (!options.shard) add_png_beside(files, options.output);
+    return files;
 }
 
 std::string joined_scene_names() {
@@ -412,14 +462,12 @@ Command add_render(CLI::App& program) {
         ->check(CLI::Range(0, 300))
         ->capture_default_str();
     command
-        ->add_option("--exposure", options->tone_map.exposure_stops,
-                     "Exposure of the PNG in stops; the EXR is not touched")
-        ->check(CLI::Range(-50.0, 50.0))
-        ->capture_default_str();
-    command
-        ->add_option("-o,--output", options->output, "File to write (.exr); the .png is put beside")
-        ->required()
-        ->type_name("FILE");
+        ->add_option("--shard", options->shard,
+                     "Render share I of N of the samples only, as 2/8, for nacre merge; -o then "
+                     "names an .h5")
+        ->type_name("I/N");
+    add_exposure(*command, options->tone_map);
+    add_picture_output(*command, *options);
     add_seed(*command, *options);
     add_input_options(*command, *options);
     add_set(*command, *options);
@@ -430,7 +478,7 @@ Command add_render(CLI::App& program) {
         "for denoisers, and the settings; the PNG is tone-mapped for looking at. With --sparkle,\n"
         "take sparkle from the picture, denoise the rest and add it again. For a given seed\n"
         "the picture does not depend on the number of threads. Ctrl-C writes what is there, marks\n"
-        "it as partial and ends with status 3.\n\n"
+        "it as partial and ends with status 3; of a share it writes nothing.\n\n"
         "Example:\n"
         "  nacre render sphere --paint paints/red-gold.toml --spp 256 --size 512x512 -o red.exr");
     return {command, [options] { return files(*options); }, [options] { return run(*options); }};

@@ -8,6 +8,7 @@
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/core/file.h"
+#include "nacre/core/sha256.h"
 #include "nacre/core/text.h"
 #include "nacre/door/state.h"
 #include "nacre/io/brdf_table_file.h"
@@ -170,13 +171,13 @@ Paint open_text(std::string bytes, const std::string& name, const References& re
         case Kind::solved_paint:
             return Paint(std::make_shared<const Paint::State>(
                 std::make_shared<const solver::SolvedPaint>(io::parse_solved_paint(bytes, name)),
-                name));
+                name, sha256_hex(bytes)));
         case Kind::brdf_table:
             return Paint(std::make_shared<const Paint::State>(
-                bsdf::share_table(io::parse_brdf_table(bytes, name)), name));
+                bsdf::share_table(io::parse_brdf_table(bytes, name)), name, sha256_hex(bytes)));
         case Kind::measured_brdf:
-            return Paint(
-                std::make_shared<const Paint::State>(read_measured_brdf(bytes, name), name));
+            return Paint(std::make_shared<const Paint::State>(read_measured_brdf(bytes, name), name,
+                                                              sha256_hex(bytes)));
         case Kind::measured_colours: {
             if (!references.may_quote()) {  // as the reader would
                 throw InputError(
@@ -237,6 +238,8 @@ const paint::Recipe& Paint::recipe() const {
 std::string Paint::recipe_sha256() const {
     return has_recipe() ? io::recipe_hash(recipe()) : std::string();
 }
+
+const std::string& Paint::file_sha256() const { return state_->file_sha256; }
 
 const std::vector<paint::ParameterBounds>& Paint::bounds() const {
     static const std::vector<paint::ParameterBounds> none;

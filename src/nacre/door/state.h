@@ -45,10 +45,12 @@ struct Paint::State {
     using Contents = std::variant<io::RecipeFile, std::shared_ptr<const solver::SolvedPaint>,
                                   bsdf::BrdfTable, MeasuredBrdf, MeasuredColours>;
 
-    State(Contents c, std::string f) : contents(std::move(c)), file(std::move(f)) {}
+    State(Contents c, std::string f, std::string sha256 = {})
+        : contents(std::move(c)), file(std::move(f)), file_sha256(std::move(sha256)) {}
 
     const Contents contents;
     const std::string file;
+    const std::string file_sha256;  ///< of binary files
 
     /// The recipe with what stands beside it in its file.
     /// @throws InputError as Paint::recipe()

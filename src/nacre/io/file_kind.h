@@ -17,10 +17,11 @@ enum class FileKind {
     // Results of Nacre in HDF5.
     solved_paint,
     brdf_table,
+    picture_share,  ///< of its samples
     // Measurements.
     rgl,               ///< .bsdf
     merl,              ///< .binary
-    measured_colours,  ///< CSV, JSON or CGATS
+    measured_colours,  ///< CSV, JSON, CGATS or CxF3
     drawdown,          ///< CSV
     // What recipes and scenes name.
     material,  ///< optical constants, CSV or YAML
@@ -37,7 +38,7 @@ enum class FileKind {
     empty,
     other_table,  ///< CSV whose header is not known
     other_json,
-    other_xml,  ///< CxF is one
+    other_xml,
     other_hdf5,
     other_picture,   ///< JPEG, TIFF
     spreadsheet,     ///< .xlsx, .ods, .xls; or another archive
@@ -47,6 +48,9 @@ enum class FileKind {
     /// A text that is none of these: perhaps TOML.
     text
 };
+
+/// How a share of a picture begins; it is read above this room (render/share_file.h).
+inline constexpr std::string_view kPictureShareName = "nacre share of a picture";
 
 /// As messages name it: "a scene", "a spreadsheet or another archive; save its table as CSV".
 std::string words_for(FileKind kind);

@@ -194,6 +194,10 @@ void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const i
                  const char* unit, const char* meaning) {
     write_typed_array(parent, name, shape, H5T_NATIVE_INT, values, unit, meaning);
 }
+void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const std::int64_t* values,
+                 const char* unit, const char* meaning) {
+    write_typed_array(parent, name, shape, H5T_NATIVE_INT64, values, unit, meaning);
+}
 
 void write_text(hid_t parent, const char* name, const std::string& text, const char* meaning) {
     const std::string action = fmt::format("write text {}", name);
@@ -239,6 +243,11 @@ std::vector<float> read_floats(hid_t parent, const char* name, std::size_t rank,
 std::vector<int> read_ints(hid_t parent, const char* name, std::size_t rank,
                            std::size_t max_values) {
     return read_typed_array<int>(parent, name, rank, max_values, H5T_NATIVE_INT, H5T_INTEGER);
+}
+std::vector<std::int64_t> read_int64s(hid_t parent, const char* name, std::size_t rank,
+                                      std::size_t max_values) {
+    return read_typed_array<std::int64_t>(parent, name, rank, max_values, H5T_NATIVE_INT64,
+                                          H5T_INTEGER);
 }
 
 std::string read_text(hid_t parent, const char* name, std::size_t max_bytes) {

@@ -64,6 +64,8 @@ void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const f
                  const char* unit, const char* meaning, SharedProgress* work = nullptr);
 void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const int* values,
                  const char* unit, const char* meaning);
+void write_array(hid_t parent, const char* name, const Hdf5Shape& shape, const std::int64_t* values,
+                 const char* unit, const char* meaning);
 void write_text(hid_t parent, const char* name, const std::string& text, const char* meaning);
 
 /// Shape of an array of `rank` dimensions.
@@ -75,6 +77,8 @@ std::vector<float> read_floats(hid_t parent, const char* name, std::size_t rank,
                                std::size_t max_values);
 std::vector<int> read_ints(hid_t parent, const char* name, std::size_t rank,
                            std::size_t max_values);
+std::vector<std::int64_t> read_int64s(hid_t parent, const char* name, std::size_t rank,
+                                      std::size_t max_values);
 std::string read_text(hid_t parent, const char* name, std::size_t max_bytes);
 
 /// What a file says must make sense. @throws Error `what`

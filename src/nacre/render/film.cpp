@@ -12,34 +12,36 @@ namespace {
 /// XYZ of D65 of luminance 1.
 Vec3d white_xyz() { return spectra::linear_rec709_to_xyz({1, 1, 1}); }
 
-double estimate(const XyzWeights& weights, int channel, FloatLanes radiance) {
+float estimate(const XyzWeights& weights, int channel, FloatLanes radiance) {
     return lane_sum(weights[channel] * radiance);
+}
+
+/// Light that sums may hold at each wavelength: the perfect diffuser in full light has 1. The XYZ of
+/// it and of differences stay below what LightSum takes.
+constexpr float kMaxLight = 0x1p53f;
+
+bool can_be_summed(FloatLanes light) {
+    for (int i = 0; i < kLanes; ++i) {
+        if (!(std::abs(light[i]) < kMaxLight)) return false;
+    }
+    return true;
 }
 
 }  // namespace
 
-Film::Film(int width, int height, int spectral_bins, bool with_sparkle)
-    : width_(width), height_(height), bins_(spectral_bins) {
-    const std::size_t pixels = static_cast<std::size_t>(width) * height;
-    xyz_.resize(pixels);
-    albedo_.resize(pixels);
-    normal_.resize(pixels);
-    met_.resize(pixels);
-    if (with_sparkle) sparkle_.resize(pixels);
-    invalid_.resize(pixels);
-    ahead_.resize(pixels);
-    done_.bin_weights.resize(bins_);
-    spectral_.resize(pixels * bins_);
+Film::Film(FilmSums sums)
+    : sums_(std::move(sums)), bins_(static_cast<int>(sums_.passes.bin_weights.size())) {
+    ahead_.resize(sums_.pixels());
 }
 
 void Film::begin_pass(const Pass& pass, bool with_albedo) {
     with_albedo_ = with_albedo;
-    with_current_ = done_;
+    with_current_ = sums_.passes;
     ++with_current_.count;
     for (int c = 0; c < 3; ++c) {
-        const double d65 = estimate(pass.xyz_weights, c, pass.d65);
-        with_current_.d65[c] += d65;
-        if (with_albedo) with_current_.albedo_d65[c] += d65;
+        const float d65 = estimate(pass.xyz_weights, c, pass.d65);
+        with_current_.d65[c].add(d65);
+        if (with_albedo) with_current_.albedo_d65[c].add(d65);
     }
     if (bins_ == 0) return;
     for (int i = 0; i < kLanes; ++i) {
@@ -50,103 +52,102 @@ void Film::begin_pass(const Pass& pass, bool with_albedo) {
         const int bin = std::min(static_cast<int>(x), std::max(bins_ - 2, 0));
         const auto next = static_cast<float>(x - bin);
         splats_[i] = {bin, 1 - next, next};
-        with_current_.bin_weights[bin] += splats_[i].weight;
-        if (bin + 1 < bins_) with_current_.bin_weights[bin + 1] += splats_[i].next_weight;
+        with_current_.bin_weights[bin].add(splats_[i].weight);
+        if (bin + 1 < bins_) with_current_.bin_weights[bin + 1].add(splats_[i].next_weight);
     }
 }
 
 void Film::add(std::size_t pixel, const Pass& pass, const PathLight& path) {
     ahead_[pixel] = 1;
-    Vec3d xyz, sparkle;
-    for (int c = 0; c < 3; ++c) {
-        xyz[c] = estimate(pass.xyz_weights, c, path.radiance);
-        if (!sparkle_.empty()) {
-            sparkle[c] = estimate(pass.xyz_weights, c, path.radiance - path.smooth);
-        }
-    }
-    if (!std::isfinite(xyz[0] + xyz[1] + xyz[2] + sparkle[0] + sparkle[1] + sparkle[2])) {
-        ++invalid_[pixel];
+    const bool with_sparkle = !sums_.sparkle.empty();
+    if (!can_be_summed(path.radiance) || (with_sparkle && !can_be_summed(path.smooth))) {
+        ++sums_.invalid[pixel];
         return;
     }
-    xyz_[pixel] += xyz;
-    if (!sparkle_.empty()) sparkle_[pixel] += sparkle;
+    for (int c = 0; c < 3; ++c) {
+        sums_.xyz[pixel][c].add(estimate(pass.xyz_weights, c, path.radiance));
+        if (with_sparkle) {
+            sums_.sparkle[pixel][c].add(estimate(pass.xyz_weights, c, path.radiance - path.smooth));
+        }
+    }
     if (bins_ > 0) {
-        float* bins = &spectral_[pixel * bins_];
+        LightSum* bins = &sums_.spectral[pixel * bins_];
         for (int i = 0; i < kLanes; ++i) {
             const Splat& s = splats_[i];
-            bins[s.bin] += s.weight * path.radiance[i];
-            if (s.next_weight > 0) bins[s.bin + 1] += s.next_weight * path.radiance[i];
+            bins[s.bin].add(s.weight * path.radiance[i]);
+            if (s.next_weight > 0) bins[s.bin + 1].add(s.next_weight * path.radiance[i]);
         }
     }
     if (!path.met_surface) return;
-    met_[pixel] += 1;
-    normal_[pixel] = normal_[pixel] + path.normal;
-    if (with_albedo_) {
+    ++sums_.met[pixel];
+    for (int c = 0; c < 3; ++c) {
+        if (std::abs(path.normal[c]) <= 1) sums_.normal[pixel][c].add(path.normal[c]);
+    }
+    if (with_albedo_ && can_be_summed(path.albedo)) {
         for (int c = 0; c < 3; ++c) {
-            const double albedo = estimate(pass.xyz_weights, c, path.albedo * pass.d65);
-            if (std::isfinite(albedo)) albedo_[pixel][c] += albedo;
+            sums_.albedo[pixel][c].add(estimate(pass.xyz_weights, c, path.albedo * pass.d65));
         }
     }
 }
 
 void Film::end_pass() {
-    done_ = with_current_;
+    sums_.passes = with_current_;
     std::fill(ahead_.begin(), ahead_.end(), std::uint8_t{0});
 }
 
-Vec3d Film::colour(const Vec3d& sum, const Vec3d& d65) const {
+Vec3d Film::colour(const SumTriple<LightSum>& sum, const SumTriple<LightSum>& d65) const {
     static const Vec3d white = white_xyz();
+    const Vec3d light = sum.value(), of_white = d65.value();
     Vec3d xyz{};
-    for (int c = 0; c < 3; ++c) xyz[c] = d65[c] > 0 ? sum[c] / d65[c] * white[c] : 0;
+    for (int c = 0; c < 3; ++c) xyz[c] = of_white[c] > 0 ? light[c] / of_white[c] * white[c] : 0;
     return spectra::xyz_to_linear_rec709(xyz);
 }
 
 RenderResult Film::develop() const {
     RenderResult result;
-    result.width = width_;
-    result.height = height_;
-    result.samples = done_.count;
-    const std::size_t pixels = xyz_.size();
+    result.width = sums_.width;
+    result.height = sums_.height;
+    result.samples = sums_.passes.count;
+    const std::size_t pixels = sums_.pixels();
     result.rgb.resize(3 * pixels);
     result.albedo.resize(3 * pixels);
     result.normal.resize(3 * pixels);
     result.alpha.resize(pixels);
-    result.sparkle.resize(3 * sparkle_.size());
-    for (std::size_t p = 0; p < sparkle_.size(); ++p) {
-        const auto sparkle = colour(sparkle_[p], (ahead_[p] ? with_current_ : done_).d65);
-        for (int c = 0; c < 3; ++c) result.sparkle[3 * p + c] = static_cast<float>(sparkle[c]);
-    }
+    result.sparkle.resize(3 * sums_.sparkle.size());
     for (std::size_t p = 0; p < pixels; ++p) {
-        const Passes& passes = ahead_[p] ? with_current_ : done_;
-        const float per_pass = passes.count > 0 ? 1.0f / static_cast<float>(passes.count) : 0;
-        const auto rgb = colour(xyz_[p], passes.d65);
-        const auto albedo = colour(albedo_[p], passes.albedo_d65);
-        const Vec3f normal = per_pass * normal_[p];
+        const PassSums& passes = ahead_[p] ? with_current_ : sums_.passes;
+        const double per_pass = passes.count > 0 ? 1.0 / passes.count : 0;
+        const Vec3d rgb = colour(sums_.xyz[p], passes.d65);
+        const Vec3d albedo = colour(sums_.albedo[p], passes.albedo_d65);
+        const Vec3d normal = sums_.normal[p].value();
         for (int c = 0; c < 3; ++c) {
             result.rgb[3 * p + c] = static_cast<float>(rgb[c]);
             // A saturated paint's colour may lie outside Rec. 709; denoisers want [0, 1].
             result.albedo[3 * p + c] = static_cast<float>(std::clamp(albedo[c], 0.0, 1.0));
+            result.normal[3 * p + c] = static_cast<float>(per_pass * normal[c]);
         }
-        result.normal[3 * p] = normal.x;
-        result.normal[3 * p + 1] = normal.y;
-        result.normal[3 * p + 2] = normal.z;
-        result.alpha[p] = per_pass * met_[p];
+        if (!sums_.sparkle.empty()) {
+            const Vec3d sparkle = colour(sums_.sparkle[p], passes.d65);
+            for (int c = 0; c < 3; ++c) result.sparkle[3 * p + c] = static_cast<float>(sparkle[c]);
+        }
+        result.alpha[p] = static_cast<float>(per_pass * sums_.met[p]);
     }
-    result.invalid_paths = std::accumulate(invalid_.begin(), invalid_.end(), 0L);
+    result.invalid_paths = std::accumulate(sums_.invalid.begin(), sums_.invalid.end(), 0L);
 
-    result.spectral.resize(spectral_.size());
+    result.spectral.resize(sums_.spectral.size());
     for (int b = 0; b < bins_; ++b) {
         result.bin_centres_nm.push_back(kFilmFirst_nm +
                                         (b + 0.5) * (kFilmLast_nm - kFilmFirst_nm) / bins_);
     }
-    develop_bins(done_, false, result);
+    develop_bins(sums_.passes, false, result);
     develop_bins(with_current_, true, result);
     return result;
 }
 
 /// The spectra of the pixels that have had these passes.
-void Film::develop_bins(const Passes& passes, bool ahead, RenderResult& result) const {
-    const std::vector<double>& weights = passes.bin_weights;
+void Film::develop_bins(const PassSums& passes, bool ahead, RenderResult& result) const {
+    std::vector<double> weights;
+    for (const LightSum& weight : passes.bin_weights) weights.push_back(weight.value());
     for (std::size_t b = 0; b < weights.size(); ++b) {
         // With fewer wavelengths than bins some bins have none: they take the value of the nearest
         // bin that has one.
@@ -156,10 +157,11 @@ void Film::develop_bins(const Passes& passes, bool ahead, RenderResult& result) 
             if (b + step < weights.size() && weights[b + step] > 0) source = b + step;
         }
         if (weights[source] <= 0) continue;
-        const auto scale = static_cast<float>(1 / weights[source]);
+        const double scale = 1 / weights[source];
         for (std::size_t p = 0; p < ahead_.size(); ++p) {
             if ((ahead_[p] != 0) != ahead) continue;
-            result.spectral[p * bins_ + b] = scale * spectral_[p * bins_ + source];
+            result.spectral[p * bins_ + b] =
+                static_cast<float>(scale * sums_.spectral[p * bins_ + source].value());
         }
     }
 }

@@ -1,17 +1,20 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "nacre/render/film_sums.h"
 #include "nacre/render/integrator.h"
 #include "nacre/render/render.h"
 
 namespace nacre::render {
 
-/// Sums over the paths of each pixel. A pixel is touched by one thread at a time and its sums
-/// grow in the order of the passes, so they do not depend on the number of threads.
+/// Gathers the light of paths, a pass at a time, and makes the picture of it. A pixel is touched by
+/// one thread at a time.
 class Film {
  public:
-    Film(int width, int height, int spectral_bins, bool with_sparkle);
+    /// One that goes on from these sums.
+    explicit Film(FilmSums sums);
 
     /// Prepares for the paths of one pass; called once before its add().
     void begin_pass(const Pass& pass, bool with_albedo);
@@ -27,31 +30,23 @@ class Film {
     /// finite number of wavelengths that a short render has seen.
     RenderResult develop() const;
 
+    /// Of the passes that are done; another one must not be under way.
+    FilmSums take_sums() { return std::move(sums_); }
+
  private:
     struct Splat {  // of one lane onto two neighbouring bins
         int bin;
         float weight, next_weight;
     };
-    /// Sums over passes, the same for all pixels that had as many.
-    struct Passes {
-        int count = 0;
-        Vec3d d65, albedo_d65;  // XYZ of D65
-        std::vector<double> bin_weights;
-    };
-    Vec3d colour(const Vec3d& sum, const Vec3d& d65) const;
-    void develop_bins(const Passes& passes, bool ahead, RenderResult& result) const;
+    Vec3d colour(const SumTriple<LightSum>& sum, const SumTriple<LightSum>& d65) const;
+    void develop_bins(const PassSums& passes, bool ahead, RenderResult& result) const;
 
-    int width_, height_, bins_;
+    FilmSums sums_;  // their passes: without the one that is under way
+    int bins_;
     bool with_albedo_ = false;
     std::array<Splat, kLanes> splats_{};
-    Passes done_, with_current_;       // without the pass that is under way, and with it
+    PassSums with_current_;            // and with it
     std::vector<std::uint8_t> ahead_;  // the pixels that this pass got to
-    std::vector<Vec3d> xyz_, albedo_;
-    std::vector<Vec3d> sparkle_;  // empty unless asked for
-    std::vector<Vec3f> normal_;
-    std::vector<float> met_;
-    std::vector<float> spectral_;
-    std::vector<std::uint32_t> invalid_;
 };
 
 }  // namespace nacre::render

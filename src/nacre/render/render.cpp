@@ -28,7 +28,7 @@ constexpr int kAlbedoPasses = 16;
 constexpr int kTile = 16;
 
 // Bytes a pixel: sums and the developed picture, or that and the channels of its image.
-constexpr double kBytesPerPixel = 120, kSparkleBytesPerPixel = 50, kBytesPerBin = 8.5;
+constexpr double kBytesPerPixel = 180, kSparkleBytesPerPixel = 75, kBytesPerBin = 21;
 
 }  // namespace
 
@@ -47,6 +47,17 @@ void check(const RenderOptions& options) {
                    fmt::format("a picture of {} x {} pixels with {} spectral bins", options.width,
                                options.height, options.spectral_bins),
                    "choose fewer pixels or bins");
+}
+
+void check(const RenderOptions& options, const Share& share) {
+    check(options);
+    if (share.count < 1 || share.count > options.samples_per_pixel || share.number < 1 ||
+        share.number > share.count) {
+        throw DomainError(
+            fmt::format("shard = {}/{}: must be one from 1/N to N/N, with N from 1 to the {} "
+                        "samples of a pixel",
+                        share.number, share.count, options.samples_per_pixel));
+    }
 }
 
 namespace {
@@ -117,6 +128,12 @@ class AskedParts {
     float weight_;
 };
 
+/// The pixel of the whole picture that a column, or a row, of one with every `stride`-th is.
+int pixel_of(int taken, int stride) { return stride / 2 + stride * taken; }
+
+/// How many columns, or rows, it has.
+int taken_of(int pixels, int stride) { return (pixels + stride - 1 - stride / 2) / stride; }
+
 /// Renders a picture pass by pass, or every `stride`-th of its columns and rows.
 class Renderer {
  public:
@@ -127,9 +144,9 @@ class Renderer {
           camera_(scene.camera, options.width, options.height),
           parts_(options.samples_per_pixel),
           stride_(stride),
-          columns_(taken_of(options.width)),
-          rows_(taken_of(options.height)),
-          film_(columns_, rows_, options.spectral_bins, options.sparkle),
+          columns_(taken_of(options.width, stride)),
+          rows_(taken_of(options.height, stride)),
+          film_(FilmSums(columns_, rows_, options.spectral_bins, options.sparkle)),
           tiles_across_((columns_ + kTile - 1) / kTile),
           tiles_down_((rows_ + kTile - 1) / kTile) {
         path_options_.max_depth = options.max_depth;
@@ -168,13 +185,9 @@ class Renderer {
                             : static_cast<std::uint32_t>(pass);
     }
     RenderResult develop() const { return film_.develop(); }
-
-    /// The pixel of the whole picture that a column, or a row, of this one is.
-    int pixel_of(int taken) const { return stride_ / 2 + stride_ * taken; }
+    FilmSums take_sums() { return film_.take_sums(); }
 
  private:
-    int taken_of(int pixels) const { return (pixels + stride_ - 1 - stride_ / 2) / stride_; }
-
     /// @return whether the whole tile was done
     bool run_tile(const Pass& pass, int tile, bsdf::PatchMemory& memory, SharedProgress& counter) {
         const int x0 = tile % tiles_across_ * kTile;
@@ -182,7 +195,7 @@ class Renderer {
         for (int row = y0; row < std::min(y0 + kTile, rows_); ++row) {
             for (int column = x0; column < std::min(x0 + kTile, columns_); ++column) {
                 if (!counter.ask()) return false;
-                const int x = pixel_of(column), y = pixel_of(row);
+                const int x = pixel_of(column, stride_), y = pixel_of(row, stride_);
                 const auto pixel = static_cast<std::uint32_t>(y) * options_.width + x;
                 const auto taken = static_cast<std::size_t>(row) * columns_ + column;
                 const PathSampler sampler(options_.seed, pixel, pass.sample_index);
@@ -221,14 +234,29 @@ double default_footprint_pixels(int samples_per_pixel) {
 
 namespace {
 
-/// Takes renderers of pictures with as many samples through all passes, together.
+/// [begin, end) of a picture's passes: its samples, in the order of the work.
+struct PassRange {
+    int begin = 0, end = 0;
+    int count() const { return end - begin; }
+};
+
+/// Passes that follow each other: those that ask flakes, which take longer, are spread evenly.
+PassRange passes_of(const RenderOptions& options, const Share& share) {
+    const auto before = [&](int shares) {
+        return static_cast<int>(std::int64_t{options.samples_per_pixel} * shares / share.count);
+    };
+    return {before(share.number - 1), before(share.number)};
+}
+
+/// Takes renderers of pictures with as many samples through passes, together.
 /// @return false if asked to stop
-bool run_passes(const CompiledScene& scene, const std::vector<Renderer*>& renderers, int total,
-                SharedProgress& counter) {
+bool run_passes(const CompiledScene& scene, const std::vector<Renderer*>& renderers,
+                PassRange range, SharedProgress& counter) {
     // Surfaces are bound for a few passes at a time, in parallel, each pass to its own wavelengths.
     constexpr int kPassesBound = 8;
-    for (int first = 0; first < total; first += kPassesBound) {
-        std::vector<std::unique_ptr<const Pass>> passes(std::min(kPassesBound, total - first));
+    for (int first = range.begin; first < range.end; first += kPassesBound) {
+        if (counter.stopped()) return false;
+        std::vector<std::unique_ptr<const Pass>> passes(std::min(kPassesBound, range.end - first));
         try {
             parallel_for_ranges(0, passes.size(), 1, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
@@ -244,7 +272,6 @@ bool run_passes(const CompiledScene& scene, const std::vector<Renderer*>& render
                 if (!renderer->run(*pass, counter)) return false;
             }
             counter.add();
-            if (counter.stopped()) return false;
             pass.reset();
         }
     }
@@ -281,39 +308,113 @@ double noise_between(const std::vector<std::array<double, 2>>& pairs) {
 
 }  // namespace
 
+namespace {
+
+/// A picture and, where its noise is asked for, its second rendering of some pixels.
+class Rendering {
+ public:
+    Rendering(const CompiledScene& scene, const RenderOptions& options, DirectLight direct_light)
+        : scene_(scene), picture_(scene, options, direct_light) {
+        if (options.noise) {
+            probe_.emplace(scene, noise_options(options, 0), direct_light, noise_stride(options));
+        }
+    }
+
+    /// @return false if asked to stop
+    bool run(PassRange range, const Progress& progress) {
+        std::vector<Renderer*> renderers = {&picture_};
+        if (probe_) renderers.push_back(&*probe_);
+        SharedProgress counter(progress, range.count());
+        const bool done = run_passes(scene_, renderers, range, counter);
+        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        return done;
+    }
+
+    /// Of passes that are all done.
+    RenderSums take_sums() {
+        RenderSums sums;
+        sums.picture = picture_.take_sums();
+        sums.seconds = seconds_;
+        if (probe_) sums.probe = probe_->take_sums();
+        return sums;
+    }
+    /// What there is of a picture that was stopped.
+    RenderResult develop_partial() const {
+        RenderResult result = picture_.develop();
+        result.complete = false;
+        result.seconds = seconds_;
+        return result;
+    }
+
+ private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    const CompiledScene& scene_;
+    Renderer picture_;
+    std::optional<Renderer> probe_;
+    double seconds_ = 0;
+};
+
+/// Of a picture and its probe.
+double noise_against(const RenderResult& picture, const RenderResult& probe, int stride) {
+    std::vector<std::array<double, 2>> pairs;
+    for (int row = 0; row < probe.height; ++row) {
+        for (int column = 0; column < probe.width; ++column) {
+            const auto taken = static_cast<std::size_t>(row) * probe.width + column;
+            const auto pixel = static_cast<std::size_t>(pixel_of(row, stride)) * picture.width +
+                               pixel_of(column, stride);
+            pairs.push_back({luminance(&picture.rgb[3 * pixel]), luminance(&probe.rgb[3 * taken])});
+        }
+    }
+    return noise_between(pairs);
+}
+
+}  // namespace
+
+RenderSums::RenderSums(const RenderOptions& options)
+    : picture(options.width, options.height, options.spectral_bins, options.sparkle) {
+    if (!options.noise) return;
+    const int stride = noise_stride(options);
+    const RenderOptions of_probe = noise_options(options, 0);
+    probe.emplace(taken_of(options.width, stride), taken_of(options.height, stride),
+                  of_probe.spectral_bins, of_probe.sparkle);
+}
+
+void RenderSums::add(const RenderSums& other) {
+    picture.add(other.picture);
+    if (probe) probe->add(*other.probe);
+    seconds += other.seconds;
+}
+
+RenderResult develop(RenderSums whole, const RenderOptions& options) {
+    RenderResult result = Film(std::move(whole.picture)).develop();
+    if (whole.probe) {
+        const RenderResult probe = Film(std::move(*whole.probe)).develop();
+        result.noise = noise_against(result, probe, noise_stride(options));
+    }
+    result.seconds = whole.seconds;
+    return result;
+}
+
+int samples_of(const RenderOptions& options, const Share& share) {
+    return passes_of(options, share).count();
+}
+
+RenderSums render_share(const Scene& scene, const RenderOptions& options, const Share& share,
+                        const Progress& progress) {
+    check(options, share);
+    Rendering rendering(scene.compiled(), options, DirectLight::combined);
+    if (!rendering.run(passes_of(options, share), progress)) {
+        throw Stopped("the share of the picture was stopped");
+    }
+    return rendering.take_sums();
+}
+
 RenderResult render_with(const Scene& scene, const RenderOptions& options, DirectLight direct_light,
                          const Progress& progress) {
     check(options);
-    const auto start = std::chrono::steady_clock::now();
-    Renderer renderer(scene.compiled(), options, direct_light);
-    std::optional<Renderer> probe;
-    std::vector<Renderer*> renderers = {&renderer};
-    if (options.noise) {
-        probe.emplace(scene.compiled(), noise_options(options, 0), direct_light,
-                      noise_stride(options));
-        renderers.push_back(&*probe);
-    }
-    SharedProgress counter(progress, options.samples_per_pixel);
-    run_passes(scene.compiled(), renderers, options.samples_per_pixel, counter);
-    RenderResult result = renderer.develop();
-    result.complete = result.samples == options.samples_per_pixel;
-    if (probe && result.complete) {
-        const RenderResult other = probe->develop();
-        std::vector<std::array<double, 2>> pairs;
-        for (int row = 0; row < other.height; ++row) {
-            for (int column = 0; column < other.width; ++column) {
-                const auto taken = static_cast<std::size_t>(row) * other.width + column;
-                const auto pixel = static_cast<std::size_t>(probe->pixel_of(row)) * result.width +
-                                   probe->pixel_of(column);
-                pairs.push_back(
-                    {luminance(&result.rgb[3 * pixel]), luminance(&other.rgb[3 * taken])});
-            }
-        }
-        if (other.samples == result.samples) result.noise = noise_between(pairs);
-    }
-    result.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return result;
+    Rendering rendering(scene.compiled(), options, direct_light);
+    const bool done = rendering.run({0, options.samples_per_pixel}, progress);
+    return done ? develop(rendering.take_sums(), options) : rendering.develop_partial();
 }
 
 double noise_of(const Scene& scene, const RenderOptions& options, const Progress& progress) {
@@ -323,7 +424,7 @@ double noise_of(const Scene& scene, const RenderOptions& options, const Progress
     Renderer b(scene.compiled(), noise_options(options, 1), DirectLight::combined,
                noise_stride(options));
     SharedProgress counter(progress, options.samples_per_pixel);
-    if (!run_passes(scene.compiled(), {&a, &b}, options.samples_per_pixel, counter)) {
+    if (!run_passes(scene.compiled(), {&a, &b}, {0, options.samples_per_pixel}, counter)) {
         throw Stopped("the estimate of the noise was stopped");
     }
     const RenderResult first = a.develop(), second = b.develop();

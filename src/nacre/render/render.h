@@ -6,6 +6,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/progress.h"
+#include "nacre/render/film_sums.h"
 #include "nacre/render/integrator.h"
 #include "nacre/render/scene.h"
 
@@ -28,6 +29,8 @@ struct RenderOptions {
         false;  ///< RenderResult::noise is asked for; from 64 x 64 pixels it takes a 64th more
     int spectral_bins = 0;  ///< bins of the spectral film over 400-700 nm, [0, 300]; 0: none;
                             ///< times the pixels at most 2^32
+
+    friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
 /// 1.5 / sqrt(samples_per_pixel), at most 1.
@@ -39,6 +42,32 @@ struct RenderOptions {
 /// the same, as the filter is far wider than a patch. The more samples, the smaller the patches:
 /// the picture converges to that of points.
 double default_footprint_pixels(int samples_per_pixel);
+
+/// One of `count` parts of a picture's samples, which are alike in number but for one sample.
+struct Share {
+    int number = 1;  ///< [1, count]
+    int count = 1;   ///< [1, RenderOptions::samples_per_pixel]
+
+    friend bool operator==(const Share&, const Share&) = default;
+};
+
+/// What a share of the samples adds to a picture, and all of them make the whole of.
+struct RenderSums {
+    RenderSums() = default;
+    /// Of no samples.
+    /// @param options  as check() takes them
+    explicit RenderSums(const RenderOptions& options);
+
+    FilmSums picture;
+    /// Of the pixels that are rendered twice for RenderResult::noise; none unless asked for.
+    std::optional<FilmSums> probe;
+    double seconds = 0;  ///< wall-clock time
+
+    /// @param other  of the same options, and of other samples
+    void add(const RenderSums& other);
+
+    friend bool operator==(const RenderSums&, const RenderSums&) = default;
+};
 
 /// A picture, row-major from the top left. Radiance is linear; luminance 1 is the radiance of an
 /// emitter of scale 1 (scene.h).
@@ -58,9 +87,10 @@ struct RenderResult {
     /// Standard error of a pixel's luminance, root mean square over the picture, over its mean
     /// luminance; none unless asked for, and of pictures that were stopped. See noise_of().
     std::optional<double> noise = {};
-    /// Paths whose light was not finite, taken as black: always 0 unless a surface is at fault.
+    /// Paths whose light was not finite, or beyond 2^53 times the perfect diffuser's in full light,
+    /// taken as black: always 0 unless a surface or a light is at fault.
     long invalid_paths = 0;
-    double seconds = 0;    ///< wall-clock time
+    double seconds = 0;    ///< wall-clock time, of shares their sum
     bool complete = true;  ///< false: stopped by `progress`; a valid picture of `samples` samples
 };
 
@@ -68,6 +98,9 @@ struct RenderResult {
 /// @throws DomainError naming an option out of range; Error if the machine has less memory than the
 ///         picture takes until it is written
 void check(const RenderOptions& options);
+/// The same of one share.
+/// @throws DomainError "shard = ..." besides
+void check(const RenderOptions& options, const Share& share);
 
 /// Renders by unidirectional path tracing with multiple importance sampling. Uses the threads of
 /// the caller's oneTBB arena; for a given seed the result is the same, bit for bit, however many
@@ -77,6 +110,21 @@ void check(const RenderOptions& options);
 /// @throws DomainError, Error as check()
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const Progress& progress = {});
+
+/// How many samples a pixel has of a share.
+int samples_of(const RenderOptions& options, const Share& share);
+
+/// Renders one share of a picture's samples. The sums of all shares, added in any order, develop()
+/// to the picture that render() makes, bit for bit in every channel: each sample is the one that it
+/// would be there, with the flakes of its part of the pixel, and sums of light are exact
+/// (core/order_free_sum.h).
+/// @throws DomainError, Error as check(); Stopped if `progress` asks to stop
+RenderSums render_share(const Scene& scene, const RenderOptions& options, const Share& share,
+                        const Progress& progress = {});
+
+/// The picture of all its samples.
+/// @param options  with which they were rendered
+RenderResult develop(RenderSums whole, const RenderOptions& options);
 
 /// The noise that a picture would have (RenderResult::noise): some of its pixels, one of 64 where
 /// there are many, are rendered twice with seeds of their own, and half the mean square of their

@@ -3,10 +3,15 @@
 #include <variant>
 
 #include "nacre/core/file.h"
+#include "nacre/core/sha256.h"
+#include "nacre/io/described_toml.h"
+#include "nacre/io/named_files.h"
 #include "nacre/models/models.h"
 #include "nacre/render.h"
 #include "nacre/render/builtin_scenes.h"
+#include "nacre/render/mesh_file.h"
 #include "nacre/render/render_image.h"
+#include "nacre/render/scene_description.h"
 #include "nacre/render/scene_file.h"
 
 namespace nacre {
@@ -90,6 +95,40 @@ class Painter {
     std::vector<Opened> opened_;
 };
 
+/// Of a mesh file and those that it names.
+std::string mesh_sha256(const fs::path& mesh, const References& references) {
+    std::string all = sha256_hex(read_file(mesh, render::kMaxMeshBytes));
+    for (const fs::path& named : io::files_named_by(mesh, references.beside(mesh))) {
+        all += sha256_hex(read_file(named, render::kMaxMeshBytes));
+    }
+    return sha256_hex(all);
+}
+
+/// SHA-256 of all that a scene shows, whatever its files are called and where they lie.
+/// @param paints  by material
+std::string sha256_of(render::SceneDescription scene,
+                      const std::map<std::string, std::string>& paints) {
+    scene.name.clear();
+    for (render::Shape& shape : scene.shapes) {
+        if (auto* mesh = std::get_if<render::MeshFile>(&shape.geometry)) {
+            mesh->path = mesh_sha256(mesh->path, scene.references);
+        }
+    }
+    for (auto& [name, material] : scene.materials) {
+        auto* paint = std::get_if<render::PaintMaterial>(&material);
+        if (paint) paint->recipe = paints.at(name);
+    }
+    Sha256 sum;
+    if (scene.environment) {
+        if (auto* image = std::get_if<render::ImageEnvironment>(&*scene.environment)) {
+            sum.update(fmt::format("{} x {}\n", image->width, image->height));
+            sum.update(image->rgb.data(), image->rgb.size() * sizeof(float));
+        }
+    }
+    sum.update(io::write_described(paint::Described::to_inspect(scene)));
+    return sum.hex();
+}
+
 }  // namespace
 
 render::SceneDescription find_scene(const std::string& name) {
@@ -129,6 +168,7 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
     : name_(description.name) {
     Painter painter(paints, description.specimen, progress);
     render::PaintTable table;
+    std::map<std::string, std::string> shown;
     for (const auto& [name, material] : description.materials) {
         const auto* wanted = std::get_if<render::PaintMaterial>(&material);
         if (!wanted) continue;
@@ -146,23 +186,33 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
         }
         shows_model_ |= paint.kind() != Kind::measured_brdf;
         if (paint.has_recipe()) recipe_sha256_[name] = paint.recipe_sha256();
+        shown[name] = fmt::format("{} {} {}", paint.recipe_sha256(), paint.file_sha256(),
+                                  painter.model().text());
     }
     paints_ = painter.all();
     model_name_ = shows_model_ || table.empty() ? painter.model().info().name : "measured";
     if (shows_model_) specimen_ = painter.model().specimen();
     compiled_.emplace(description, table);
+    sha256_ = sha256_of(std::move(description), shown);
+}
+
+std::map<std::string, std::string> Scene::metadata(const RenderSettings& settings) const {
+    std::map<std::string, std::string> all = {{"nacre:scene", name_},
+                                              {"nacre:model", model_name_},
+                                              {"nacre:seed", fmt::format("{}", settings.seed)}};
+    if (specimen_) all["nacre:specimen"] = fmt::format("{}", *specimen_);
+    for (const auto& [name, hash] : recipe_sha256_) all["nacre:recipe_sha256:" + name] = hash;
+    return all;
 }
 
 Picture Scene::render(const RenderSettings& settings, const Progress& progress) const {
-    Picture picture{render::render(*compiled_, settings, progress),
-                    {{"nacre:scene", name_},
-                     {"nacre:model", model_name_},
-                     {"nacre:seed", fmt::format("{}", settings.seed)}}};
-    if (specimen_) picture.metadata["nacre:specimen"] = fmt::format("{}", *specimen_);
-    for (const auto& [name, hash] : recipe_sha256_) {
-        picture.metadata["nacre:recipe_sha256:" + name] = hash;
-    }
-    return picture;
+    return {render::render(*compiled_, settings, progress), metadata(settings)};
+}
+
+PictureShare Scene::render_share(const RenderSettings& settings, const Share& share,
+                                 const Progress& progress) const {
+    return {settings, share, render::render_share(*compiled_, settings, share, progress),
+            metadata(settings), sha256_};
 }
 
 int Scene::samples_for_noise(const RenderSettings& settings, double noise, int most,

@@ -1,0 +1,74 @@
+#include "apps/cli/picture_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace nacre::cli {
+
+namespace {
+
+double msamples_per_s(const render::RenderResult& result) {
+    return static_cast<double>(result.samples) * result.width * result.height / result.seconds /
+           1e6;
+}
+
+}  // namespace
+
+void add_exposure(CLI::App& command, ToneMap& tone_map) {
+    command
+        .add_option("--exposure", tone_map.exposure_stops,
+                    "Exposure of the PNG in stops; the EXR is not touched")
+        ->check(CLI::Range(-50.0, 50.0))
+        ->capture_default_str();
+}
+
+void add_picture_output(CLI::App& command, CommonOptions& options) {
+    command
+        .add_option("-o,--output", options.output, "File to write (.exr); the .png is put beside")
+        ->required()
+        ->type_name("FILE");
+}
+
+void check_extension(const CommonOptions& options, const std::string& extension) {
+    if (std::filesystem::path(options.output).extension() == extension) return;
+    throw UsageError(fmt::format("--output = {}: must end in {}", options.output, extension));
+}
+
+void warn_of_picture(const CommonOptions& options, const render::RenderResult& result,
+                     const std::string& scene) {
+    if (std::ranges::all_of(result.alpha, [](float share) { return share == 0; })) {
+        warn(options, fmt::format("{}: the camera sees no shape, only what surrounds the scene; is "
+                                  "a mesh of another size (mm_per_unit), or the camera elsewhere?",
+                                  scene));
+    }
+    if (result.invalid_paths > 0) {
+        warn(options,
+             fmt::format("{}: the light of {} paths is not finite or beyond 2^53 times that of the "
+                         "perfect diffuser in full light, and was taken as black",
+                         scene, result.invalid_paths));
+    }
+}
+
+std::string summary(const render::RenderResult& result, const std::filesystem::path& exr) {
+    return fmt::format("{} and {}: {} x {} pixels, {} samples each{}, {} ({:.2f} Msamples/s)",
+                       exr.string(), io::png_beside(exr).string(), result.width, result.height,
+                       result.samples, result.noise ? ", noise " + percent_text(*result.noise) : "",
+                       duration_text(result.seconds), msamples_per_s(result));
+}
+
+nlohmann::json report_of(const render::RenderResult& result, const std::filesystem::path& exr) {
+    return {{"output", {exr.string(), io::png_beside(exr).string()}},
+            {"width", result.width},
+            {"height", result.height},
+            {"samples_per_pixel", result.samples},
+            {"noise", result.noise ? nlohmann::json(*result.noise) : nullptr},
+            {"complete", result.complete},
+            {"render_s", result.seconds},
+            {"msamples_per_s", msamples_per_s(result)}};
+}
+
+std::string percent_text(double fraction) { return fmt::format("{:.2g} %", 100 * fraction); }
+
+}  // namespace nacre::cli
