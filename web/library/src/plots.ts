@@ -141,9 +141,8 @@ export function plot(curves: readonly Curve[], axes: Axes): SVGSVGElement {
         const path = points
             .map(({ x, y }, i) => `${i === 0 ? "M" : "L"}${at(x)} ${at(y)}`)
             .join("");
-        const dots = points.map(({ x, y }, i) => {
-            const fill = curve.pointColours?.[i];
-            if (fill === undefined) return null;
+        const dots = (curve.pointColours ?? []).map((fill, i) => {
+            const { x, y } = points[i] as { x: number; y: number };
             return svg("circle", { cx: at(x), cy: at(y), r: 4.5, style: `fill:${fill}` });
         });
         const group = svg("g", { class: (curve.dashed ?? false) ? "curve dashed" : "curve" });
