@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import hashlib
 import json
 import random
@@ -17,7 +18,7 @@ import pytest
 from conftest import Run
 from nacre.library import Catalogue, Plan, cli, engine, find, keys, sampling
 from nacre.library.construction import construction, ingredients
-from nacre.library.record import failures, read_record, record_folder, record_ids
+from nacre.library.record import compute, failures, read_record, record_folder, record_ids
 
 import nacre
 
@@ -307,6 +308,16 @@ def test_what_fails_says_why_and_is_not_tried_again(
     out = capsys.readouterr().out
     assert "planned 12\ndone    11\nfailed  1\nmissing 0\n" in out
     assert "reflectance + transmittance" in out
+
+
+def test_a_worker_with_another_version_is_noticed(tmp_path: Path) -> None:
+    plan = plan_of(tmp_path, '[[sweep]]\nbase = "metallic-gray"\n')
+    (record,) = plan.records()
+    record = dataclasses.replace(record, version="0.0.1")
+    outcome = compute(record, plan.settings, tmp_path)
+    assert "Nacre 0.0.1 was asked for" in outcome.error
+    (why,) = failures(tmp_path).values()
+    assert why["again"] is True  # by a worker with the right one
 
 
 def test_a_plan_that_shrinks_keeps_its_records_until_they_are_pruned(
