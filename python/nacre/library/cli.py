@@ -180,6 +180,10 @@ def _whole(text: str) -> int:
     return value
 
 
+def _workers(text: str) -> int:
+    return 0 if text == "0" else _whole(text)
+
+
 def parser() -> argparse.ArgumentParser:
     """Of all subcommands."""
     top = argparse.ArgumentParser(
@@ -208,7 +212,13 @@ def parser() -> argparse.ArgumentParser:
     sub = add("run", _run, "Computes what a library lacks of a plan.")
     sub.add_argument("plan", type=Path, metavar="PLAN.toml")
     sub.add_argument("library", type=Path, metavar="LIBRARY")
-    sub.add_argument("--workers", type=_whole, metavar="N", help="processes on this machine")
+    sub.add_argument(
+        "--workers",
+        type=_workers,
+        metavar="N",
+        help="processes on this machine, or tasks of Slurm (default: one for each processor); "
+        "0: this process alone",
+    )
     where = sub.add_mutually_exclusive_group()
     where.add_argument(
         "--scheduler", default="", metavar="ADDRESS", help="of a Dask scheduler, or its file"

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from nacre import DomainError, Error, InputError, Paint, __version__, shipped_paints
+from nacre import Error, InputError, Paint, Parameter, __version__, shipped_paints
 
 from . import keys, sampling
 from .keys import Recipe
@@ -320,19 +320,22 @@ def _points(table: Table, method: str, vary: list[Vary]) -> list[Point]:
 
 
 def _try(table: Table, base: str, recipe: Recipe, changes: list[tuple[str, Any]]) -> None:
-    """Whether Nacre reads the recipe with these values; where they are numbers that it has, only
-    each for itself: together with others of the sweep they may fit."""
+    """Whether Nacre takes these values, each for itself. A number within its own range is let
+    pass: what it does not go together with here may vary too."""
+    known = Paint.from_dict(recipe).parameters
     for pattern, value in changes:
         try:
             changed = copy.deepcopy(recipe)
             found = apply(changed, [(pattern, value)])
-            paint = Paint.from_dict(recipe)
-            if is_number(value) and all(key in paint.parameters for key in found):
-                paint.with_values({key: float(value) for key in found})
-            else:
+            if not (is_number(value) and all(_is_inside(known.get(key), value) for key in found)):
                 Paint.from_dict(changed)
-        except (DomainError, InputError, ValueError) as error:
+        except (InputError, ValueError) as error:
             raise table.error(pattern, f"= {value!r}, in {base}: {error}") from None
+
+
+def _is_inside(number: Parameter | None, value: float) -> bool:
+    """Whether a value is allowed for sure; an end of a range may or may not belong to it."""
+    return number is not None and number.lo < value < number.hi
 
 
 def _check_ends(table: Table, base: str, recipe: Recipe, vary: list[Vary]) -> None:
