@@ -65,12 +65,13 @@ def _plan(arguments: argparse.Namespace) -> int:
     return OK
 
 
-def _print_table(rows: Sequence[Sequence[str]]) -> None:
-    """The first column to the left, the others to the right."""
+def _print_table(rows: Sequence[Sequence[str]], left: int = 1) -> None:
+    """So many columns to the left, the others to the right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for first, *others in rows:
-        cells = [cell.rjust(width) for cell, width in zip(others, widths[1:], strict=True)]
-        print("  ".join([first.ljust(widths[0]), *cells]))
+    for row in rows:
+        cells = zip(row, widths, strict=True)
+        text = [c.ljust(w) if n < left else c.rjust(w) for n, (c, w) in enumerate(cells)]
+        print("  ".join(text))
 
 
 def _submit(arguments: argparse.Namespace) -> int:
@@ -163,7 +164,7 @@ def _find(arguments: argparse.Namespace) -> int:
         for match in matches:
             numbers = (f"{match.mean_dE2000:.2f}", f"{match.max_dE2000:.2f}")
             table.append([match.name, match.construction, *numbers, match.id[:12]])
-        _print_table(table)
+        _print_table(table, left=2)
     return OK
 
 
@@ -178,6 +179,10 @@ def _whole(text: str) -> int:
     if value < 1:
         raise ValueError
     return value
+
+
+def _workers(text: str) -> int:
+    return 0 if text == "0" else _whole(text)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -208,7 +213,13 @@ def parser() -> argparse.ArgumentParser:
     sub = add("run", _run, "Computes what a library lacks of a plan.")
     sub.add_argument("plan", type=Path, metavar="PLAN.toml")
     sub.add_argument("library", type=Path, metavar="LIBRARY")
-    sub.add_argument("--workers", type=_whole, metavar="N", help="processes on this machine")
+    sub.add_argument(
+        "--workers",
+        type=_workers,
+        metavar="N",
+        help="processes on this machine, or tasks of Slurm (default: one for each processor); "
+        "0: this process alone",
+    )
     where = sub.add_mutually_exclusive_group()
     where.add_argument(
         "--scheduler", default="", metavar="ADDRESS", help="of a Dask scheduler, or its file"

@@ -12,7 +12,7 @@ import os
 import shutil
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -144,6 +144,16 @@ def listening_cluster(file: Path, interface: str = "") -> Iterator[Client]:
             client.retire_workers(close_workers=True)
 
 
+def _cluster(
+    scheduler: str, listen: Path | None, interface: str, workers: int | None, records: int
+) -> AbstractContextManager[Client]:
+    if scheduler:
+        return remote_cluster(scheduler)
+    if listen is not None:
+        return listening_cluster(listen, interface)
+    return local_cluster(min(workers or len(os.sched_getaffinity(0)), records))
+
+
 def _compute_all(
     records: Sequence[PlannedRecord], settings: Settings, library: Path
 ) -> list[Outcome]:
@@ -202,7 +212,7 @@ def compute_with(
 
 
 @contextmanager
-def _alone(library: Path) -> Iterator[None]:
+def only_run(library: Path) -> Iterator[None]:
     """Only one run at a time may write into a library."""
     library.mkdir(parents=True, exist_ok=True)
     with open(library / ".lock", "w") as lock:
@@ -232,7 +242,8 @@ def run(
     library
         The folder. All workers must have it under this path.
     workers
-        Processes on this machine, >= 1; None: one for each processor.
+        Processes on this machine; None: one for each processor; 0: this process alone, without
+        Dask.
     scheduler
         Instead, the address of a Dask scheduler that runs, or its file.
     listen, interface
@@ -251,7 +262,7 @@ def run(
     """
     library = Path(library).absolute()
     start = time.monotonic()
-    with _alone(library):
+    with only_run(library):
         shutil.rmtree(library / ".work", ignore_errors=True)  # of runs that were killed
         state = state_of(plan, library)
         prepare(library, plan, [record.id for record in state.planned])
@@ -269,15 +280,11 @@ def run(
 
         try:
             with progress_bar(len(missing), progress, "paint") as bar:
-                if missing:
-                    if scheduler:
-                        cluster = remote_cluster(scheduler)
-                    elif listen is not None:
-                        cluster = listening_cluster(listen, interface)
-                    else:
-                        most = workers or len(os.sched_getaffinity(0))
-                        cluster = local_cluster(min(most, len(missing)))
-                    with cluster as client:
+                if workers == 0 and not scheduler and listen is None:
+                    for record in missing:
+                        report(compute(record, plan.settings, library))
+                elif missing:
+                    with _cluster(scheduler, listen, interface, workers, len(missing)) as client:
                         compute_with(client, missing, plan.settings, library, report)
         finally:
             shutil.rmtree(library / ".work", ignore_errors=True)

@@ -111,7 +111,10 @@ def put(recipe: Recipe, key: str, value: Any) -> None:
         largest = max(place["values"])
         if largest <= 0:
             raise ValueError(f"{key}: a spectrum of zeros cannot be scaled")
-        place["values"] = [sample * (value / largest) for sample in place["values"]]
+        # As set_parameter() of the C++ library, to the last bit.
+        place["values"] = [
+            value if x == largest else value * (x / largest) for x in place["values"]
+        ]
     elif isinstance(last, int):
         if not isinstance(place, list) or last >= len(place):
             raise ValueError(f"{key}: the recipe has no entry [{last}] there")

@@ -16,9 +16,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from nacre import DomainError, Error, InputError, Paint, __version__, shipped_paints
+from nacre import Error, InputError, Paint, Parameter, __version__, shipped_paints
 
 from . import keys, sampling
+from .construction import label
 from .keys import Recipe
 from .sampling import Axis, Choice, Point, Range
 from .settings import Settings, read_settings
@@ -184,19 +185,13 @@ def _floats(value: Any) -> Any:
     return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
-def _shown(value: Any) -> str:
-    if is_number(value):
-        return f"{value:.4g}"
-    return str(value.get("name", "")) if isinstance(value, dict) else str(value)
-
-
 def _name(form: str, base: str, swept: dict[str, Any]) -> str:
     """What a record is called: it says what varies and not where in the plan it stands, so that a
     plan can grow and its records stay what they are."""
     if form:
-        name = re.sub(r"\{([^{}]+)\}", lambda m: _shown(_by_end(swept, m[1], base)), form)
+        name = re.sub(r"\{([^{}]+)\}", lambda m: label(_by_end(swept, m[1], base)), form)
     else:
-        parts = [f"{key.rsplit('.', 1)[-1]} {_shown(value)}" for key, value in swept.items()]
+        parts = [f"{key.rsplit('.', 1)[-1]} {label(value)}" for key, value in swept.items()]
         name = ", ".join([base, *parts])
     return name if len(name) <= 200 else name[:197] + "..."
 
@@ -320,19 +315,22 @@ def _points(table: Table, method: str, vary: list[Vary]) -> list[Point]:
 
 
 def _try(table: Table, base: str, recipe: Recipe, changes: list[tuple[str, Any]]) -> None:
-    """Whether Nacre reads the recipe with these values; where they are numbers that it has, only
-    each for itself: together with others of the sweep they may fit."""
+    """Whether Nacre takes these values, each for itself. A number within its own range is let
+    pass: what it does not go together with here may vary too."""
+    known = Paint.from_dict(recipe).parameters
     for pattern, value in changes:
         try:
             changed = copy.deepcopy(recipe)
             found = apply(changed, [(pattern, value)])
-            paint = Paint.from_dict(recipe)
-            if is_number(value) and all(key in paint.parameters for key in found):
-                paint.with_values({key: float(value) for key in found})
-            else:
+            if not (is_number(value) and all(_is_inside(known.get(key), value) for key in found)):
                 Paint.from_dict(changed)
-        except (DomainError, InputError, ValueError) as error:
+        except (InputError, ValueError) as error:
             raise table.error(pattern, f"= {value!r}, in {base}: {error}") from None
+
+
+def _is_inside(number: Parameter | None, value: float) -> bool:
+    """Whether a value is allowed for sure; an end of a range may or may not belong to it."""
+    return number is not None and number.lo < value < number.hi
 
 
 def _check_ends(table: Table, base: str, recipe: Recipe, vary: list[Vary]) -> None:

@@ -132,7 +132,7 @@ TEST(ShareFile, RefusesWhatIsNone) {
     other.options.width = 21;
     EXPECT_THAT(refused(share_bytes(other)), HasSubstr("the sizes of the arrays are not those"));
     other = share;
-    other.options.width = other.options.height = 10'000;  // of 18 GB
+    other.options.width = other.options.height = 1000;  // of 0.4 GB
     EXPECT_THAT(refused(share_bytes(other)), HasSubstr("the sizes of the arrays are not those"));
     other = share;
     other.share.number = 3;

@@ -1,0 +1,538 @@
+"""Plans, records, the catalogue, searches and exports of a library, in one process."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import json
+import random
+import re
+import subprocess
+import tomllib
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import Run
+from nacre.library import Catalogue, Plan, cli, engine, find, keys, sampling
+from nacre.library.construction import construction, ingredients
+from nacre.library.find import Standard, colour_bound, lightness_bound
+from nacre.library.index import Index, IndexWriter
+from nacre.library.record import failures, read_record, record_folder, record_ids
+
+import nacre
+
+PLAN = """
+[library]
+name = "Some paints"
+description = "To be tested with"
+authors = ["A. Painter"]
+
+[record]
+geometries = ["byk-mac", "15as15,45as25az90"]
+
+[record.sparkle]
+lamps_deg = [15]
+field_mm = 1.5
+diffuse_samples = 2
+
+[record.thumbnails]
+ball = { size = 16, samples = 1 }
+
+[[sweep]]
+name = "as they are"
+base = ["solid-red", "candy-red"]
+
+[[sweep]]
+name = "pearls"
+base = "tio2-mica-80"
+method = "latin-hypercube"
+count = 6
+seed = 3
+[sweep.set]
+"layer[0].flakes[0].waviness" = 0.02
+[sweep.vary]
+"coats[0].thickness_nm" = { from = 50, to = 150 }
+"coats[0].material" = ["TiO2_anatase", "SiO2"]
+
+[[sweep]]
+name = "prescribed"
+base = "metallic-gray"
+[sweep.vary]
+"flakes[0].reflectance" = { from = 0.3, to = 0.9, steps = 2 }
+"flakes[0].transmittance" = { from = 0.05, to = 0.6, steps = 2 }
+"""
+RECORDS, REFUSED = 12, 1  # of the last sweep one reflects and transmits more than there is
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("library")
+    (folder / "plan.toml").write_text(PLAN, encoding="utf-8")
+    summary = engine.run(Plan(folder / "plan.toml"), folder / "made", workers=0)
+    assert (summary.planned, summary.found) == (RECORDS, 0)
+    assert (summary.computed, summary.failed) == (RECORDS - REFUSED, REFUSED)
+    return folder / "made"
+
+
+# Where a sweep looks
+
+
+def test_grids_have_both_ends_and_every_combination() -> None:
+    length = sampling.Range(1, 100, logarithmic=True, steps=3)
+    assert length.grid() == [1, 10, 100]
+    points = sampling.grid([length, sampling.Choice(("mica", "SiO2"))])
+    assert points == [(x, m) for x in (1, 10, 100) for m in ("mica", "SiO2")]
+
+
+@pytest.mark.parametrize("count", [1, 7, 50])
+def test_a_latin_hypercube_has_one_point_in_each_interval(count: int) -> None:
+    axes = [sampling.Range(10, 20), sampling.Range(1, 100, logarithmic=True)]
+    points = np.array(sampling.latin_hypercube(axes, count, seed=5), dtype=float)
+    units = np.stack([(points[:, 0] - 10) / 10, np.log10(points[:, 1]) / 2])
+    for unit in units:
+        assert sorted(np.floor(unit * count * (1 - 1e-6)).astype(int)) == list(range(count))
+
+
+def test_a_longer_sobol_sequence_begins_with_the_shorter_one() -> None:
+    axes: list[sampling.Axis] = [sampling.Range(0, 1), sampling.Choice(("a", "b", "c"))]
+    points = sampling.sobol(axes, 64, seed=1)
+    assert points[:10] == sampling.sobol(axes, 10, seed=1)
+    assert points != sampling.sobol(axes, 64, seed=2)
+    # Balanced: a power of two has as many points in each of two halves.
+    assert sum(float(x) < 0.5 for x, _ in points) == 32
+    assert {choice for _, choice in points} == {"a", "b", "c"}
+
+
+# Keys
+
+
+def test_numbers_set_by_key_are_those_of_paint() -> None:
+    for name in ("ruby", "candy-red", "satin-silver", "black-pearl"):
+        paint = nacre.Paint(name)
+        recipe = paint.to_dict()
+        for key, number in paint.parameters.items():
+            changed = paint.to_dict()
+            assert keys.all_values(recipe)[key] == pytest.approx(number.value, abs=1e-15)
+            if number.value == 0:
+                continue
+            value = 0.875 * number.value if number.value > number.lo else number.value
+            keys.put(changed, key, value)
+            expected = paint.with_values({key: value})
+            assert nacre.Paint.from_dict(changed).sha256 == expected.sha256, key
+
+
+def test_keys_are_found_by_their_end() -> None:
+    recipe = nacre.Paint("ruby").to_dict()
+    assert keys.matching(recipe, "substrate.reflectance") == ["substrate.reflectance"]
+    assert keys.matching(recipe, "flakes[1].core.thickness_nm") == [
+        "layer[0].flakes[1].core.thickness_nm"
+    ]
+    assert len(keys.matching(recipe, "*alpha")) == 2
+    assert keys.matching(recipe, "pha") == []
+    with pytest.raises(ValueError, match=r"flakes\[0\].*flakes\[1\].*write more of the key"):
+        keys.matching(recipe, "alpha")
+
+
+def test_what_is_not_there_is_added_by_its_whole_path() -> None:
+    recipe = nacre.Paint("metallic-gray").to_dict()
+    keys.put(recipe, "clearcoat.thickness_um", 40)
+    assert recipe["clearcoat"] == {"thickness_um": 40}
+    with pytest.raises(ValueError, match=r"layer\[1\].thickness_um: the recipe has no entry \[1\]"):
+        keys.put(recipe, "layer[1].thickness_um", 40)
+    with pytest.raises(ValueError, match="ior"):
+        keys.put(recipe, "ior.n", 40)
+
+
+def test_a_construction_has_no_numbers() -> None:
+    black_pearl = nacre.Paint("black-pearl")
+    text = "clear / TiO2_anatase|SiO2 + carbon black, fine"
+    assert construction(black_pearl.to_dict()) == text
+    changed = black_pearl.with_values({key: black_pearl[key] * 0.9 for key in ("alpha",)})
+    assert construction(changed.to_dict()) == text
+    assert construction(nacre.Paint("candy-red").to_dict()) == "tinted clear / Al2O3|Al"
+    assert construction(nacre.Paint("satin-silver").to_dict()) == "rough clear / Al2O3|Al"
+    assert construction(nacre.Paint("metallic-gray").to_dict()) == "prescribed flakes"
+    assert ingredients(nacre.Paint("ruby").to_dict()) == ["Fe2O3|mica", "Al2O3|Al", "pigment"]
+
+
+# Plans
+
+SWEEP = '[[sweep]]\nbase = "tio2-mica-80"\n'
+REFUSALS = {
+    "[[sweep]": "cannot be read as a plan",
+    "": "has no [[sweep]]",
+    SWEEP + "colour = 1": "sweep[0].colour = 1: unknown key; allowed here: name, recipe, base",
+    "[record]\nsolved = 1\n" + SWEEP: "record.solved = 1: must be true or false",
+    '[record]\ngeometries = "byk-max"\n' + SWEEP: "did you mean 'byk-mac'",
+    '[record]\nmodel = "glue"\n' + SWEEP: "record.model = 'glue'",
+    '[record]\nilluminant = "D66"\n' + SWEEP: "illuminant 'D66' is unknown",
+    "[record.thumbnails]\nball = { size = 8 }\n"
+    + SWEEP: "record.thumbnails.ball.size = 8: must be",
+    '[[sweep]]\nbase = "tio2-mica-8"': "sweep[0].base = 'tio2-mica-8': must be a recipe's file or",
+    SWEEP + "recipe = { ior = 1.5 }": "sweep[0].base or a table recipe",
+    "[[sweep]]\nrecipe = { ior = 0.5 }": "sweep[0].recipe : recipe:1",
+    SWEEP + 'method = "dice"': "sweep[0].method = 'dice': must be one of grid, list,",
+    SWEEP + 'method = "sobol"\nvary = { ior = { from = 1, to = 2 } }': "sweep[0].count is missing",
+    SWEEP + 'method = "sobol"\ncount = 8': "sweep[0].vary is missing",
+    SWEEP + "vary = { ior = { from = 1, to = 2 } }": "sweep[0].vary.ior.steps is missing",
+    SWEEP + "vary = { ior = { from = 2, to = 1, steps = 2 } }": "ior.to = 1.0: must be above from",
+    SWEEP + 'vary = { ior = { from = 0, to = 1, steps = 2, scale = "log" } }': "above 0",
+    SWEEP + "vary = { ior = { from = 1.4, to = 3.5, steps = 3 } }": (
+        "sweep[0].vary.ior = 3.5, in TiO2 on mica, 80 nm (gold): recipe:2:7: ior = 3.5: "
+        "must be a number in [1, 3]"
+    ),
+    SWEEP + 'vary = { "core.material" = ["mica", "micca"] }': (
+        "sweep[0].vary.\"core.material\" = 'micca'"
+    ),
+    SWEEP + "vary = { thickness_nm = [1, 2] }": "write more of the key",
+    SWEEP + 'vary = { "layer[0].thicknes_um" = [1, 2] }': "thicknes_um",
+    SWEEP + "vary = { thicknes_um = [1, 2] }": "is no value of this recipe; its numbers are ior,",
+    SWEEP + 'method = "list"\nvary = { ior = [1.5], "*alpha" = [0.1, 0.2] }': "equally long",
+    SWEEP + 'set = { "substrate.reflectance" = 2 }': 'sweep[0].set."substrate.reflectance" = 2',
+    SWEEP + 'name = "a"\n' + SWEEP + 'name = "a"': "name = 'a': must be another for each sweep",
+    SWEEP + 'name_format = "{alpha}"\n': "sweep[0].name_format = '{alpha}': {alpha}: does not vary",
+}
+
+
+@pytest.mark.parametrize(("text", "message"), REFUSALS.items())
+def test_what_is_wrong_in_a_plan_is_refused(tmp_path: Path, text: str, message: str) -> None:
+    file = tmp_path / "plan.toml"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(nacre.InputError) as error:
+        Plan(file)
+    assert str(error.value).startswith(f"{file}: ")
+    assert message in str(error.value)
+
+
+def plan_of(folder: Path, text: str) -> Plan:
+    (folder / "plan.toml").write_text(text, encoding="utf-8")
+    return Plan(folder / "plan.toml")
+
+
+def ids_of(folder: Path, text: str) -> list[str]:
+    return [record.id for record in plan_of(folder, text).records()]
+
+
+def test_a_record_is_named_by_its_content(tmp_path: Path) -> None:
+    sobol = SWEEP + 'method = "sobol"\nvary = {"*alpha" = {from = 0.05, to = 0.2}}\ncount = '
+    few, many = ids_of(tmp_path, sobol + "4"), ids_of(tmp_path, sobol + "8")
+    assert many[:4] == few
+    assert len(set(many)) == 8
+    # Whole numbers are numbers, and a paint that is planned twice is one record.
+    whole, broken = (f'vary = {{"clearcoat.thickness_um" = [{x}]}}\n' for x in ("40", "40.0"))
+    twice = SWEEP + 'name = "a"\n' + whole + SWEEP + 'name = "b"\n' + broken
+    assert len(ids_of(tmp_path, twice)) == 1
+    # What is computed is part of it.
+    assert not set(few) & set(ids_of(tmp_path, "[record]\nsolved = true\n" + sobol + "4"))
+
+
+def test_a_base_may_be_a_file_beside_the_plan_with_files_of_its_own(tmp_path: Path) -> None:
+    (tmp_path / "primer.csv").write_text("wavelength_nm,value\n400,0.2\n700,0.4\n", "utf-8")
+    recipe = (
+        'ior = 1.5\n[[layer]]\nthickness_um = 5\n[substrate]\nreflectance = "primer.csv"\n'
+        '[fit]\n"layer[0].thickness_um" = [4, 6]\n'
+    )
+    (tmp_path / "base.toml").write_text(recipe, "utf-8")
+    plan = plan_of(
+        tmp_path, '[[sweep]]\nbase = "base.toml"\nvary = {"layer[0].thickness_um" = [9]}\n'
+    )
+    (record,) = plan.records()
+    assert record.recipe["substrate"]["reflectance"]["values"] == [0.2, 0.4]
+    assert record.swept == {"layer[0].thickness_um": 9}
+    assert record.name == "base, thickness_um 9"
+    # Bounds of a fit are no part of the paint, and the swept value lies outside of them.
+    assert nacre.Paint.from_dict(record.recipe)["layer[0].thickness_um"] == 9
+
+
+# Records
+
+
+def test_ten_drawn_records_are_what_the_program_measures(library: Path, nacre_program: Run) -> None:
+    for identity in random.Random(1).sample(sorted(record_ids(library)), 10):
+        folder = record_folder(library, identity)
+        for file, command in read_record(library, identity)["commands"].items():
+            arguments = [folder / x if x == "recipe.toml" else x for x in command[1:]]
+            assert nacre_program(*arguments).stdout == (folder / file).read_text("utf-8")
+
+
+def test_a_record_says_what_it_holds(library: Path) -> None:
+    catalogue = {row["id"]: row for row in Catalogue(library).rows()}
+    for identity, row in catalogue.items():
+        record = read_record(library, identity)
+        folder = record_folder(library, identity)
+        paint = nacre.Paint(folder / "recipe.toml")
+        assert row["parameters"] == {k: p.value for k, p in paint.parameters.items()}
+        assert row["recipe_sha256"] == paint.sha256
+        assert row["name"] == paint.name
+        reading = nacre.Measurement.read(folder / "readings.csv")
+        assert row["geometries"] == [*reading.geometries, "15as15", "45as25az90"]
+        assert np.array_equal(row["Lab"][:6], reading.Lab)
+        assert np.array_equal(row["R"][:6], reading.R.astype(np.float32))
+        assert np.array_equal(record["readings"]["R"][:6], reading.R)
+        assert [row["L45"], row["a45"], row["b45"]] == reading.Lab[3].tolist()
+        assert row["flop_index"] == reading.flop_index
+        assert row["thumbnails"] == ["ball.png"]
+        assert {file.name for file in folder.iterdir()} == set(row["files"])
+        if row["sweep"] != "as they are":
+            continue
+        sparkle = paint.sparkle(lamps_deg=[15], field_mm=1.5, diffuse_samples=2)
+        assert row["sparkle"][0]["sparkle"] == sparkle.lamps[0].sparkle.value
+        assert sparkle.diffuse is not None
+        assert row["graininess"] == sparkle.diffuse.graininess.value
+    pearl = next(row for row in catalogue.values() if row["sweep"] == "pearls")
+    assert list(pearl["swept"]) == ["layer[0].flakes[0].coats[0].thickness_nm"]
+    assert pearl["swept_names"].keys() == {"layer[0].flakes[0].coats[0].material"}
+    assert pearl["parameters"]["layer[0].flakes[0].waviness"] == 0.02
+
+
+def test_what_fails_says_why_and_is_not_tried_again(
+    library: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (why,) = failures(library).values()
+    assert why["swept"] == {
+        "layer[0].flakes[0].reflectance": 0.9,
+        "layer[0].flakes[0].transmittance": 0.6,
+    }
+    assert "reflectance + transmittance = 1.5" in why["error"]
+    assert why["again"] is False
+    folders = [record_folder(library, identity) for identity in record_ids(library)]
+    before = {folder: (folder / "record.json").stat().st_mtime_ns for folder in folders}
+    plan = str(library.parent / "plan.toml")
+    status = cli.main(["run", plan, str(library), "--workers", "0"])
+    assert status == cli.INCOMPLETE
+    assert "11 were there, 0 computed" in capsys.readouterr().err
+    for folder, written in before.items():
+        assert (folder / "record.json").stat().st_mtime_ns == written
+    assert cli.main(["status", str(library)]) == cli.INCOMPLETE
+    out = capsys.readouterr().out
+    assert "planned 12\ndone    11\nfailed  1\nmissing 0\n" in out
+    assert "reflectance + transmittance" in out
+
+
+def test_a_plan_that_shrinks_keeps_its_records_until_they_are_pruned(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    form = '[[sweep]]\nbase = "metallic-gray"\nvary = {"*alpha" = [%s]}\n'
+    library = tmp_path / "made"
+    assert engine.run(plan_of(tmp_path, form % "0.1, 0.2"), library, workers=0).computed == 2
+    shrunk = plan_of(tmp_path, form % "0.2")
+    assert engine.run(shrunk, library, workers=0).found == 1
+    assert len(Catalogue(library)) == 1
+    assert len(record_ids(library)) == 2
+    engine.run(shrunk, library, workers=0, prune=True)
+    assert len(record_ids(library)) == 1
+    with engine.only_run(library), pytest.raises(nacre.Error, match="another run is at work"):
+        engine.run(shrunk, library, workers=0)
+    capsys.readouterr()
+    assert cli.main(["plan", str(tmp_path / "plan.toml"), str(library)]) == cli.OK
+    out = capsys.readouterr().out
+    assert "sweep[0]        1     1       0      0" in out
+    assert "measured here and now on up to 1 of each sweep's records" in out
+
+
+# The catalogue
+
+
+def test_checksums_are_those_of_all_files(library: Path) -> None:
+    listed = set()
+    for line in (library / "checksums.sha256").read_text("utf-8").splitlines():
+        sha256, name = line.split("  ", 1)
+        assert hashlib.sha256((library / name).read_bytes()).hexdigest() == sha256, name
+        listed.add(name)
+    there = {f.relative_to(library).as_posix() for f in library.rglob("*") if f.is_file()}
+    there = {name for name in there if not name.startswith(("failed/", ".lock"))}
+    assert listed == there - {"checksums.sha256"}
+
+
+def test_other_programs_read_the_catalogue(library: Path) -> None:
+    import duckdb
+    import pandas
+
+    file = library / "catalogue.parquet"
+    frame = pandas.read_parquet(file)
+    assert len(frame) == RECORDS - REFUSED
+    assert list(frame.sweep.unique()) == ["as they are", "pearls", "prescribed"]
+    found = duckdb.sql(
+        f"select name, swept['layer[0].flakes[0].coats[0].thickness_nm'] from '{file}' "
+        "where sweep = 'pearls' order by L45"
+    ).fetchall()
+    pearls = frame[frame.sweep == "pearls"].sort_values("L45")
+    assert [name for name, _ in found] == list(pearls.name)
+    assert all(50 <= thickness <= 150 for _, thickness in found)
+
+
+def test_the_plan_licence_and_citation_are_there(library: Path) -> None:
+    assert tomllib.loads((library / "library.toml").read_text("utf-8")) == tomllib.loads(PLAN)
+    assert "CC0 1.0" in (library / "LICENSE").read_text("utf-8")
+    citation = (library / "CITATION.cff").read_text("utf-8")
+    assert 'title: "Some paints"' in citation
+    assert '- name: "A. Painter"' in citation
+    assert "license: CC0-1.0" in citation
+
+
+def test_another_schema_is_refused(tmp_path: Path) -> None:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    table = pa.table({"id": ["a"]}).replace_schema_metadata({"nacre:library_schema": "99"})
+    pq.write_table(table, tmp_path / "catalogue.parquet")
+    with pytest.raises(nacre.InputError, match="schema version 99: this Nacre reads 1"):
+        Catalogue(tmp_path)
+    with pytest.raises(nacre.InputError, match="is no library"):
+        Catalogue(tmp_path / "none")
+
+
+# Finding
+
+
+def pairs(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """(count, 3) L*a*b* of two colours, some near each other, some far apart, blues among them."""
+    rng = np.random.default_rng(7)
+    one = np.stack([rng.uniform(0, 160, count), *rng.normal(0, 60, (2, count))], axis=1)
+    return one, one + rng.normal(0, 1, (count, 3)) * rng.choice([0.01, 1, 10, 60], (count, 1))
+
+
+def test_no_delta_e_is_below_its_bounds() -> None:
+    one, other = pairs(200_000)
+    exact = nacre.delta_e_2000(one, other) * (1 + 1e-12)
+    of_lightness = lightness_bound(one[:, :1], other[:, 0][:, None])
+    # The bound of one angle each: N standards are as many angles of one record.
+    tight = np.array(
+        [
+            colour_bound(one[i : i + 1].T[:, :, None], other[i : i + 1])[0]
+            for i in range(0, len(one), 40)
+        ]
+    )
+    assert np.all(of_lightness <= exact)
+    assert np.all(tight <= exact[::40])
+    assert np.median(tight / exact[::40]) > 0.5  # and they say something
+
+
+@pytest.fixture(scope="module")
+def index(tmp_path_factory: pytest.TempPathFactory) -> Index:
+    """20 000 made-up paints at three angles, with sparkle."""
+    rng = np.random.default_rng(11)
+    writer = IndexWriter()
+    head = {"geometries": ["45as15", "45as45", "45as110"], "theta_i_deg": [45, 45, 45]}
+    head |= {"theta_o_deg": [30, 0, 65], "phi_deg": [180, 0, 0]}
+    for i in range(20_000):
+        Lab = rng.uniform((5, -60, -60), (130, 60, 60), (1, 3)) + rng.normal(0, 10, (3, 3))
+        record = {"id": f"{i:032x}", "construction": f"kind {i % 7}", "settings": {}}
+        record |= {"readings": {**head, "Lab": Lab.tolist()}, "graininess": rng.uniform(0, 40)}
+        record["sparkle"] = [{"sparkle": rng.uniform(0, 800)}]
+        writer.add(record)
+    folder = tmp_path_factory.mktemp("index")
+    writer.write(folder)
+    return Index.open(folder)
+
+
+@pytest.mark.parametrize("places", [[0, 1, 2], [2, 0]])
+@pytest.mark.parametrize("weight", [0.0, 3.0])
+def test_a_search_finds_what_comparing_with_all_finds(
+    index: Index, places: list[int], weight: float
+) -> None:
+    from nacre.library.find import _Search
+
+    rng = np.random.default_rng(2)
+    Lab = np.moveaxis(np.asarray(index.Lab), 0, -1)[:, places]
+    for place in rng.integers(index.count, size=20):
+        standard = Standard(
+            "", Lab[place] + rng.normal(0, 3, (len(places), 3)), places, np.array([50.0, 9.0])
+        )
+        all_of_them = nacre.delta_e_2000(Lab, standard.Lab).mean(axis=1)
+        ratio = np.log2((1 + index.sparkle) / (1 + np.array([50.0, 9.0])))
+        all_of_them += weight * np.abs(ratio).mean(axis=1)
+        order = np.argsort(all_of_them, kind="stable")
+        search = _Search(index, standard, weight)
+        assert search.nearest(25) == order[:25].tolist()
+        best = [next(place for place in order if place % 7 == kind) for kind in range(7)]
+        best.sort(key=lambda place: all_of_them[place])
+        assert search.best_of_each(index.construction) == best
+
+
+def test_a_paint_of_the_library_is_found(library: Path, tmp_path: Path) -> None:
+    row = Catalogue(library).rows()[4]
+    recipe = record_folder(library, row["id"]) / "recipe.toml"
+    best = find(library, recipe, 3, sparkle_weight=1)
+    assert (best[0].id, best[0].distance) == (row["id"], 0)
+    assert len(best[0].dE2000) == 8
+    assert [m.distance for m in best] == sorted(m.distance for m in best)
+    assert len({m.construction for m in find(library, recipe, 9, each_construction=True)}) == len(
+        {row["construction"] for row in Catalogue(library).rows()}
+    )
+    # A measured file with three of its angles, and a table of its sparkle.
+    text = "geometry,L,a,b\n"
+    for name, Lab in zip(row["geometries"], row["Lab"], strict=True):
+        if name in ("45as15", "45as45", "45as110"):
+            text += ",".join([name, *map(repr, Lab)]) + "\n"
+    (tmp_path / "panel.csv").write_text(text, "utf-8")
+    lamp = row["sparkle"][0]["sparkle"]
+    (tmp_path / "sparkle.csv").write_text(
+        f"geometry,sparkle,graininess\n15s,{lamp!r},\ndiffuse,,{row['graininess']!r}\n", "utf-8"
+    )
+    panel = tmp_path / "panel.csv"
+    best = find(library, panel, 1, sparkle_weight=5, sparkle_file=str(tmp_path / "sparkle.csv"))
+    assert best[0].id == row["id"]
+    assert best[0].distance == pytest.approx(0, abs=1e-9)
+    assert list(best[0].dE2000) == ["45as15", "45as45", "45as110"]
+    with pytest.raises(nacre.InputError, match="has no sparkle"):
+        find(library, panel, 1, sparkle_weight=5)
+    (tmp_path / "far.csv").write_text("geometry,L,a,b\n75as15,1,1,1\n", "utf-8")
+    with pytest.raises(nacre.InputError, match="none of the library's angles: 45as-15,"):
+        find(library, tmp_path / "far.csv")
+
+
+def test_find_prints_tables(library: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for form in ("csv", "json", "text"):
+        arguments = ["find", str(library), "candy-red", "--count", "2", "--format", form]
+        assert cli.main(arguments) == cli.OK
+        out = capsys.readouterr().out
+        if form == "csv":
+            rows = list(csv.DictReader(out.splitlines()))
+        elif form == "json":
+            rows = json.loads(out)
+        else:
+            assert re.match(r"Candy red +tinted clear / Al2O3\|Al +0\.00", out.splitlines()[1])
+            continue
+        assert [row["name"] for row in rows][:1] == ["Candy red"]
+        assert float(rows[0]["mean_dE2000"]) == 0 < float(rows[1]["mean_dE2000"])
+    assert cli.main(["find", str(library), "no such file"]) == cli.USAGE
+    assert "no such file" in capsys.readouterr().err
+
+
+# Exports
+
+
+def test_exports(library: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    def export(name: str, *options: str) -> int:
+        return cli.main(["export", str(library), str(tmp_path / name), *options])
+
+    assert export("all.csv") == cli.OK
+    table = list(csv.DictReader((tmp_path / "all.csv").read_text("utf-8").splitlines()))
+    rows = Catalogue(library).rows()
+    assert [row["id"] for row in table] == [row["id"] for row in rows]
+    assert [float(row["a_45as45"]) for row in table] == [row["a45"] for row in rows]
+    assert export("pearls.parquet", "--sweep", "pearls") == cli.OK
+    import pyarrow.parquet as pq
+
+    part = pq.read_table(tmp_path / "pearls.parquet")
+    assert part.equals(Catalogue(library).table().slice(2, 6))
+
+    assert export("two", "--id", rows[0]["id"][:6], "--id", rows[5]["id"]) == cli.OK
+    assert [row["id"] for row in Catalogue(tmp_path / "two").rows()] == [
+        rows[0]["id"],
+        rows[5]["id"],
+    ]
+    check = ["sha256sum", "--check", "--quiet", "checksums.sha256"]
+    assert subprocess.run(check, cwd=tmp_path / "two", check=False).returncode == 0
+    assert export("two.zip", "--id", rows[0]["id"]) == cli.OK
+    with zipfile.ZipFile(tmp_path / "two.zip") as zipped:
+        assert f"two/records/{rows[0]['id'][:2]}/{rows[0]['id']}/recipe.toml" in zipped.namelist()
+    capsys.readouterr()
+    assert export("two") == cli.FAILED
+    assert "is there already" in capsys.readouterr().err
+    assert export("x.csv", "--sweep", "opals") == cli.USAGE
+    assert "has no sweep opals; it has as they are, pearls," in capsys.readouterr().err
+    assert not (tmp_path / "x.csv").exists()
