@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ import pyarrow.parquet as pq
 
 import nacre
 
+from .construction import label
 from .folder import CITATION, LIBRARY, LICENSE, PLANNED
 from .index import FOLDER as INDEX
 from .index import IndexWriter
@@ -82,7 +82,7 @@ def _row(record: Record) -> Record:
     readings = record["readings"]
     swept = record["swept"]
     numbers = {k: float(v) for k, v in swept.items() if is_number(v)}
-    names = {k: _text(v) for k, v in swept.items() if k not in numbers}
+    names = {k: label(v) for k, v in swept.items() if k not in numbers}
     row = {name: record[name] for name, _ in COLUMNS if name in record}
     row |= {name: readings[name] for name, _ in COLUMNS if name in readings}
     return row | {
@@ -94,12 +94,6 @@ def _row(record: Record) -> Record:
         "files": [*record["files"], "record.json"],
         "seconds": record["seconds"]["total"],
     }
-
-
-def _text(value: Any) -> str:
-    if isinstance(value, dict) and value.get("name"):
-        return str(value["name"])
-    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
 def _at_45(readings: Record) -> dict[str, float | None]:

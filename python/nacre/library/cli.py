@@ -65,12 +65,13 @@ def _plan(arguments: argparse.Namespace) -> int:
     return OK
 
 
-def _print_table(rows: Sequence[Sequence[str]]) -> None:
-    """The first column to the left, the others to the right."""
+def _print_table(rows: Sequence[Sequence[str]], left: int = 1) -> None:
+    """So many columns to the left, the others to the right."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for first, *others in rows:
-        cells = [cell.rjust(width) for cell, width in zip(others, widths[1:], strict=True)]
-        print("  ".join([first.ljust(widths[0]), *cells]))
+    for row in rows:
+        cells = zip(row, widths, strict=True)
+        text = [c.ljust(w) if n < left else c.rjust(w) for n, (c, w) in enumerate(cells)]
+        print("  ".join(text))
 
 
 def _submit(arguments: argparse.Namespace) -> int:
@@ -163,7 +164,7 @@ def _find(arguments: argparse.Namespace) -> int:
         for match in matches:
             numbers = (f"{match.mean_dE2000:.2f}", f"{match.max_dE2000:.2f}")
             table.append([match.name, match.construction, *numbers, match.id[:12]])
-        _print_table(table)
+        _print_table(table, left=2)
     return OK
 
 

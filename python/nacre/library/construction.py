@@ -5,12 +5,25 @@ from __future__ import annotations
 from typing import Any
 
 from .keys import Recipe
+from .table import is_number
 
 
 def _material(value: Any) -> str:
     if isinstance(value, dict):
         return str(value.get("name") or "own material")
     return value if isinstance(value, str) else f"n = {value:g}"
+
+
+def label(value: Any) -> str:
+    """A value of a recipe that is no number in a few words: tables by what they are made of."""
+    if isinstance(value, list):
+        return " + ".join(label(item) for item in value)
+    if isinstance(value, dict):
+        for key in ("name", "from", "material"):
+            if value.get(key):
+                return label(value[key])
+        return "{...}"
+    return f"{value:.4g}" if is_number(value) else str(value)
 
 
 def flake_stack(flakes: Recipe) -> str:

@@ -230,7 +230,8 @@ def _described(
 ) -> Record:
     """What is known once the readings are; infinite and undefined numbers are None."""
     first = readings[0]
-    record: Record = {
+    recipe = paint.to_dict()
+    return {
         "schema": SCHEMA,
         "id": planned.id,
         "name": planned.name,
@@ -239,8 +240,8 @@ def _described(
         "swept": planned.swept,
         "version": nacre.__version__,
         "recipe_sha256": paint.sha256,
-        "construction": construction(planned.recipe),
-        "pigments": ingredients(planned.recipe),
+        "construction": construction(recipe),
+        "pigments": ingredients(recipe),
         "parameters": {key: number.value for key, number in paint.parameters.items()},
         "settings": settings.to_dict(),
         "commands": {
@@ -254,7 +255,6 @@ def _described(
         "graininess": None,
         "flakes_resolved": None,
     }
-    return record
 
 
 def _number(value: float | None) -> float | None:

@@ -19,6 +19,7 @@ from typing import Any
 from nacre import Error, InputError, Paint, Parameter, __version__, shipped_paints
 
 from . import keys, sampling
+from .construction import label
 from .keys import Recipe
 from .sampling import Axis, Choice, Point, Range
 from .settings import Settings, read_settings
@@ -184,19 +185,13 @@ def _floats(value: Any) -> Any:
     return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
-def _shown(value: Any) -> str:
-    if is_number(value):
-        return f"{value:.4g}"
-    return str(value.get("name", "")) if isinstance(value, dict) else str(value)
-
-
 def _name(form: str, base: str, swept: dict[str, Any]) -> str:
     """What a record is called: it says what varies and not where in the plan it stands, so that a
     plan can grow and its records stay what they are."""
     if form:
-        name = re.sub(r"\{([^{}]+)\}", lambda m: _shown(_by_end(swept, m[1], base)), form)
+        name = re.sub(r"\{([^{}]+)\}", lambda m: label(_by_end(swept, m[1], base)), form)
     else:
-        parts = [f"{key.rsplit('.', 1)[-1]} {_shown(value)}" for key, value in swept.items()]
+        parts = [f"{key.rsplit('.', 1)[-1]} {label(value)}" for key, value in swept.items()]
         name = ", ".join([base, *parts])
     return name if len(name) <= 200 else name[:197] + "..."
 

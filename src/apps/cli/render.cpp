@@ -191,11 +191,6 @@ Share parse_share(const std::string& text, int samples_per_pixel) {
                     text, samples_per_pixel));
 }
 
-render::Turning parse_turning(const std::string& text) {
-    if (text == "camera") return render::Turning::camera;
-    return text == "light" ? render::Turning::light : render::Turning::shape;
-}
-
 /// Options that only go with others, before any work.
 void check_choices(const RenderCommandOptions& options) {
     if (options.paint.empty() && !options.set.empty()) {
@@ -337,7 +332,7 @@ ExitStatus render_frames(RenderCommandOptions options, const Painted& start,
                          const Stopwatch& watch) {
     const Frames frames = parse_frames(options.frames);
     const double step_deg = options.step_deg.value_or(360.0 / static_cast<double>(frames.count()));
-    const render::Turning turning = parse_turning(*options.turntable);
+    const render::Turning turning = render::turning_called(*options.turntable);
     nlohmann::json all = nlohmann::json::array();
     bool complete = true;
     std::optional<Scene> scene;  // the last one keeps the paints solved for the next
