@@ -18,7 +18,7 @@ from ._model import ModelLike, settings_of
 from ._progress import Progress, reporter
 from ._sparkle import Sparkle, sparkle_of
 from ._uncertainty import UncertainNumber, Uncertainty
-from ._values import Export, FittedMaterial, Parameter, Sample, Solution
+from ._values import Export, FittedMaterial, Parameter, Reference, Sample, Solution
 
 Path = str | os.PathLike[str]
 
@@ -287,6 +287,64 @@ class Paint:
             look = _nacre.look(self._paint, settings_of(model), report)
         nm = self.wavelengths_nm if wavelengths_nm is None else wavelengths_nm
         return look.albedo(doubles(wi), _some(nm))
+
+    def reference(
+        self,
+        theta_i_deg: ArrayLike,
+        theta_o_deg: ArrayLike,
+        phi_deg: ArrayLike,
+        wavelengths_nm: ArrayLike | None = None,
+        *,
+        samples: int = 1 << 20,
+        seed: int = 0,
+        part: str = "total",
+        progress: Progress = False,
+    ) -> Reference:
+        """The BRDF by random walks through the recipe, to check the solver (docs/reference.md):
+        slow, and with standard errors. Equals ``nacre reference`` to the last bit.
+
+        Parameters
+        ----------
+        theta_i_deg
+            Polar angles of the lamp (I...), [0, 90).
+        theta_o_deg, phi_deg
+            Of the view, broadcast to (O...); phi = phi_o - phi_i, 180 being the mirror side. The
+            same walks serve all views and, where the binder's index is the same, eight wavelengths:
+            their errors are correlated.
+        wavelengths_nm
+            Vacuum wavelengths (W,); None: 400 to 700 by 10.
+        samples, seed
+            Walks per lamp, [2, 1e15], and their seed.
+        part
+            As in :meth:`brdf`.
+
+        Returns
+        -------
+        Reference
+            Arrays (I..., O..., W).
+
+        Raises
+        ------
+        InputError
+            If there is no recipe with layers, or its materials do not reach these wavelengths.
+        DomainError
+            If an angle, a wavelength or a setting is out of range.
+        Stopped
+            If ``progress`` returned False: part of an estimate is none.
+        """
+        with reporter(progress, "reference") as report:
+            brdf, error = _nacre.reference(
+                self._paint,
+                doubles(theta_i_deg),
+                doubles(theta_o_deg),
+                doubles(phi_deg),
+                wavelengths(wavelengths_nm),
+                samples,
+                seed,
+                part,
+                report,
+            )
+        return Reference(brdf, error, samples)
 
     def solve(
         self,

@@ -38,6 +38,18 @@ class Solution:
 
 
 @dataclass(frozen=True)
+class Reference:
+    """A BRDF by random walks, estimates that owe nothing to the solver."""
+
+    brdf: Floats
+    """(..., W) in 1/sr"""
+    standard_error: Floats
+    """(..., W) of the BRDF, from the walks themselves; of little worth above 5 % of it"""
+    samples: int
+    """walks per direction of the lamp"""
+
+
+@dataclass(frozen=True)
 class Sample:
     """Directions drawn by a paint's BRDF."""
 
