@@ -34,7 +34,7 @@ from ._pigment import DrawdownFit, Pigment, pigment
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
 from ._threads import set_threads, threads
 from ._uncertainty import UncertainNumber, Uncertainty
-from ._values import Export, FittedMaterial, Parameter, Reference, Sample, Solution
+from ._values import Export, FittedMaterial, Parameter, Reference, Sample, ShaderMaterial, Solution
 
 del _cpu
 __version__: str = version()
@@ -66,6 +66,7 @@ __all__ = [
     "Reference",
     "Sample",
     "SettingError",
+    "ShaderMaterial",
     "Solution",
     "Sparkle",
     "Stopped",

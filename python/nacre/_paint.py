@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _html, _nacre, _toml
+from . import _html, _nacre, _threejs, _toml
 from ._arrays import Floats, Floats32, doubles, wavelengths
 from ._errors import SettingError
 from ._measurement import Geometries, Measurement, geometry_text
@@ -18,7 +18,7 @@ from ._model import ModelLike, settings_of
 from ._progress import Progress, reporter
 from ._sparkle import Sparkle, sparkle_of
 from ._uncertainty import UncertainNumber, Uncertainty
-from ._values import Export, FittedMaterial, Parameter, Reference, Sample, Solution
+from ._values import Export, FittedMaterial, Parameter, Reference, Sample, ShaderMaterial, Solution
 
 Path = str | os.PathLike[str]
 
@@ -556,13 +556,15 @@ class Paint:
         rgb: bool = False,
         cells: tuple[int, int, int] = (90, 90, 180),
         progress: Progress = False,
-    ) -> Export | FittedMaterial | None:
+    ) -> Export | FittedMaterial | ShaderMaterial | None:
         """Writes a file by its extension, whole or not at all.
 
         ``.toml``: the recipe. ``.h5``: the solved paint, or the table that ``model`` renders from,
         as ``Model("microflake", table="svd")``. ``.bsdf``: the BRDF as in the RGL database, and
         ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf`` and
-        ``.mtlx``: glTF's material and OpenPBR, fitted; these return what they miss.
+        ``.mtlx``: glTF's material and OpenPBR, fitted; these return what they miss. ``.three.js``:
+        an ES module for three.js with ``nacre``, its mean, or ``microflake`` as a shader, of a
+        recipe or a solved paint; returns how far it is from ``nacre``.
 
         Parameters
         ----------
@@ -579,6 +581,15 @@ class Paint:
             If the paint has no such values, or the file cannot be written.
         """
         extension = os.path.splitext(os.fspath(path))[1]
+        if os.fspath(path).endswith(".three.js"):
+            if wavelengths_nm is not None:
+                raise SettingError("wavelengths_nm: a .three.js file has its own sixteen")
+            standard = self.measure(
+                _threejs.geometries(), model="nacre", illuminant="D65", observer=2
+            )
+            with reporter(progress, "write") as report:
+                shown = settings_of("nacre" if model is None else model)
+                return _threejs.write(self._paint, path, shown, standard, report)
         nm, chosen = wavelengths(wavelengths_nm), settings_of(model)
         with reporter(progress, "write") as report:
             if extension == ".toml":
@@ -600,7 +611,8 @@ class Paint:
                     dict(values), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
                 )
         raise SettingError(
-            f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf or .mtlx"
+            f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf, "
+            ".mtlx or .three.js"
         )
 
     def __repr__(self) -> str:

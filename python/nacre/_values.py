@@ -82,6 +82,16 @@ class Export:
 
 
 @dataclass(frozen=True)
+class ShaderMaterial:
+    """How far a shader made of a paint is from the paint, under D65 for 2 degrees."""
+
+    delta_e_2000: dict[str, float]
+    """By geometry: byk-mac's, and lamps at 15, 30, 60 and 75 degrees."""
+    mean_delta_e_2000: float
+    max_delta_e_2000: float
+
+
+@dataclass(frozen=True)
 class FittedMaterial:
     """A material of another renderer, and its CIEDE2000 from the paint (docs/export.md)."""
 
