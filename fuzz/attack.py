@@ -191,6 +191,7 @@ READERS: dict[str, list[list[str]]] = {
     "scene": [["render", "{}", *A_PICTURE], ["info", "{}", "--untrusted"]],
     "solved_paint": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
     "brdf_table": [["info", "{}"], ["eval", "{}", "--table", "svd", *IN_A_DIRECTION]],
+    "picture_share": [["info", "{}"], ["merge", "{}", "-o", "out.exr"]],
     "rgl": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
     "merl": [["info", "{}"], ["eval", "{}", *IN_A_DIRECTION]],
     "measurement": [["info", "{}"], ["measure", "{}"], ["measure", "gold.h5", "--versus", "{}"]],
@@ -683,7 +684,7 @@ def same_bytes(lab: Lab, tries: int) -> Iterator[str]:
 
 # What each is called in the report, and how many of N tries it makes.
 ATTACKS: list[tuple[str, Attack, float]] = [
-    ("damaged files of eleven kinds", damaged_files, 1.0),
+    ("damaged files of twelve kinds", damaged_files, 1.0),
     ("small files that are large to read", hostile_texts, 0),
     ("recipes at the ends of the allowed ranges", extreme_recipes, 0.1),
     ("SIGKILL at a random moment", sigkill, 0.1),

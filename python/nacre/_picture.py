@@ -154,6 +154,17 @@ class Picture:
         whole or not at all."""
         self._picture.write(path, exposure_stops)
 
+    def write_exr_and_png(self, exr: Path, *, exposure_stops: float = 0.0) -> None:
+        """As .exr and as .png beside it, as the program does: neither is replaced before both are
+        on the disk.
+
+        Raises
+        ------
+        InputError
+            If there is such a .png that Nacre did not write.
+        """
+        self._picture.write_exr_and_png(exr, exposure_stops)
+
     def _repr_png_(self) -> bytes:
         return _png(self.rgb)
 
@@ -178,7 +189,9 @@ def render(
     sparkle: bool = False,
     noise: bool = True,
     spectral_bins: int = 0,
+    turntable: tuple[str, float] | None = None,
     shard: tuple[int, int] | None = None,
+    resume: Path | None = None,
     progress: Progress = False,
 ) -> Picture:
     """A picture of a painted scene by spectral path tracing; the same bits for any number of
@@ -207,9 +220,15 @@ def render(
         Measures :attr:`Picture.noise` by rendering one pixel of 64 twice.
     spectral_bins
         Spectral channels over 400 to 700 nm.
+    turntable
+        What turns about the vertical, "shape", "camera" or "light", and by how many degrees; as
+        ``nacre render --turntable``.
     shard
         ``(i, n)``: share i of n of the samples only, i from 1 to n. :func:`merge` makes the picture
         of all n, bit for bit the one without shares.
+    resume
+        With ``shard``: a file that may hold this very share already, which is then read and not
+        rendered again.
 
     Raises
     ------
@@ -236,7 +255,9 @@ def render(
                 sparkle,
                 noise,
                 spectral_bins,
+                turntable,
                 shard,
+                None if resume is None else os.fspath(resume),
                 report,
             )
         )

@@ -13,6 +13,7 @@
 #include "image_arrays.h"
 #include "nacre/models/traced/traced_models.h"
 #include "nacre/render/builtin_scenes.h"
+#include "nacre/render/turntable.h"
 #include "paint_handle.h"
 #include "work.h"
 
@@ -76,6 +77,13 @@ nb::object spectral(nb::handle self) {
 
 nb::tuple image(const Picture& picture) { return to_arrays(picture.image()); }
 
+/// Of a picture: another place of what turns, and a share of the samples.
+struct PictureParts {
+    std::optional<std::pair<std::string, double>> turntable;
+    std::optional<std::pair<int, int>> shard;
+    std::optional<std::filesystem::path> resume;  ///< that may hold it
+};
+
 /// The picture of a share's samples, and what nacre.merge() takes of it.
 struct SharePicture : Picture {
     PictureShare share;
@@ -98,21 +106,32 @@ Share share_of(std::pair<int, int> number_and_count) {
 
 nb::object render(const std::string& scene_name, const std::optional<PaintHandle>& paint,
                   const std::optional<std::pair<std::string, ModelChoices>>& model,
-                  const RenderSettings& settings, const std::optional<std::pair<int, int>>& shard,
+                  const RenderSettings& settings, const PictureParts& parts,
                   const nb::object& progress) {
     const auto scene = [&](const Progress& ask) {
-        render::check(settings, shard ? share_of(*shard) : Share{});  // before the paint is solved
+        render::check(settings, parts.shard ? share_of(*parts.shard)
+                                            : Share{});  // before the paint is solved
         ScenePaints paints;
         if (paint) paints.slot = paint->paint;
         if (model) paints.model = render_model(model->first, model->second);
-        return Scene(find_scene(scene_name), paints, [&](double) { return ask(0); });
+        render::SceneDescription description = find_scene(scene_name);
+        if (parts.turntable) {
+            description = render::turned(std::move(description),
+                                         render::turning_called(parts.turntable->first),
+                                         parts.turntable->second);
+        }
+        return Scene(std::move(description), paints, [&](double) { return ask(0); });
     };
-    if (!shard) {
+    if (!parts.shard) {
         return nb::cast(
             run(progress, [&](const Progress& ask) { return scene(ask).render(settings, ask); }));
     }
     return nb::cast(run(progress, [&](const Progress& ask) {
-        return SharePicture(scene(ask).render_share(settings, share_of(*shard), ask));
+        const Scene shown = scene(ask);
+        const Share share = share_of(*parts.shard);
+        std::optional<PictureShare> found;
+        if (parts.resume) found = shown.find_share(*parts.resume, settings, share);
+        return SharePicture(found ? std::move(*found) : shown.render_share(settings, share, ask));
     }));
 }
 
@@ -149,7 +168,13 @@ NB_MODULE(_render, module) {
             [](const Picture& p, const std::filesystem::path& path, double exposure_stops) {
                 p.write(path, {exposure_stops});
             },
-            "path"_a, "exposure_stops"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
+            "path"_a, "exposure_stops"_a, nanobind::call_guard<nanobind::gil_scoped_release>())
+        .def(
+            "write_exr_and_png",
+            [](const Picture& p, const std::filesystem::path& exr, double exposure_stops) {
+                nacre::io::write_exr_and_png(exr, p.image(), {exposure_stops});
+            },
+            "exr"_a, "exposure_stops"_a, nanobind::call_guard<nanobind::gil_scoped_release>());
     nanobind::class_<SharePicture, Picture>(module, "SharePicture")
         .def_prop_ro("shard",
                      [](const SharePicture& p) {
@@ -168,8 +193,10 @@ NB_MODULE(_render, module) {
         [](const std::string& scene, const std::optional<PaintHandle>& paint,
            const std::optional<std::pair<std::string, ModelChoices>>& model, int width, int height,
            int spp, std::uint64_t seed, int depth, double footprint_pixels, bool sparkle,
-           bool noise, int spectral_bins, const std::optional<std::pair<int, int>>& shard,
-           const nanobind::object& progress) {
+           bool noise, int spectral_bins,
+           const std::optional<std::pair<std::string, double>>& turntable,
+           const std::optional<std::pair<int, int>>& shard,
+           const std::optional<std::filesystem::path>& resume, const nanobind::object& progress) {
             return render(scene, paint, model,
                           {.width = width,
                            .height = height,
@@ -180,10 +207,10 @@ NB_MODULE(_render, module) {
                            .sparkle = sparkle,
                            .noise = noise,
                            .spectral_bins = spectral_bins},
-                          shard, progress);
+                          {turntable, shard, resume}, progress);
         },
         "scene"_a, "paint"_a.none(), "model"_a.none(), "width"_a, "height"_a, "spp"_a, "seed"_a,
         "depth"_a, "footprint_pixels"_a, "sparkle"_a, "noise"_a, "spectral_bins"_a,
-        "shard"_a.none(), "progress"_a.none());
+        "turntable"_a.none(), "shard"_a.none(), "resume"_a.none(), "progress"_a.none());
     module.def("scene_names", &nacre::render::builtin_scene_names);
 }

@@ -23,15 +23,21 @@ def paints() -> Path:
 
 
 @pytest.fixture(scope="session")
-def nacre_program() -> Run:
-    """Runs the command line, to compare with."""
+def program_path() -> Path:
+    """Of the command line."""
     program = Path(os.environ.get("NACRE_PROGRAM", ROOT / "build" / "nacre"))
     if not program.is_file():
         pytest.skip(f"there is no program {program.name} to compare with (NACRE_PROGRAM)")
+    return program.absolute()
+
+
+@pytest.fixture(scope="session")
+def nacre_program(program_path: Path) -> Run:
+    """Runs the command line, to compare with."""
 
     def run(*arguments: object, status: int = 0) -> subprocess.CompletedProcess[str]:
         process = subprocess.run(
-            [program, *map(str, arguments)], capture_output=True, text=True, check=False
+            [program_path, *map(str, arguments)], capture_output=True, text=True, check=False
         )
         assert process.returncode == status, process.stderr
         return process

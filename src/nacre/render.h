@@ -97,6 +97,11 @@ class Scene {
     /// @throws DomainError naming a setting out of range; Stopped if `progress` asks to stop
     PictureShare render_share(const RenderSettings& settings, const Share& share,
                               const Progress& progress = {}) const;
+    /// That share where a file holds it already, of an earlier run; none if there is no such file, or
+    /// it is damaged or holds something else.
+    std::optional<PictureShare> find_share(const std::filesystem::path& file,
+                                           const RenderSettings& settings,
+                                           const Share& share) const;
     /// The samples a pixel that a noise needs: render::samples_for_noise().
     /// @throws DomainError naming a setting out of range; Stopped if `progress` asks to stop
     int samples_for_noise(const RenderSettings& settings, double noise, int most,

@@ -299,7 +299,7 @@ def run(
                 bar.set_postfix(failed=len(failed), refresh=False)
 
         try:
-            with _bar(len(missing), progress) as bar:
+            with progress_bar(len(missing), progress, "paint") as bar:
                 if workers == 0 and not scheduler and listen is None:
                     for record in missing:
                         report(compute(record, plan.settings, library))
@@ -323,8 +323,9 @@ def _prune(library: Path, ids: set[str]) -> None:
         shutil.rmtree(record_folder(library, identity))
 
 
-def _bar(total: int, progress: bool) -> Any:
+def progress_bar(total: int, progress: bool, unit: str) -> Any:
+    """Of tqdm; drawn if it is asked for and stderr is a terminal."""
     from tqdm import tqdm
 
     # None: only where stderr is a terminal
-    return tqdm(total=total, unit="paint", disable=None if progress else True, smoothing=0.05)
+    return tqdm(total=total, unit=unit, disable=None if progress else True, smoothing=0.05)

@@ -52,8 +52,9 @@ class Job:
         return "\n".join(lines) + "\n"
 
 
-def submit(script: Path) -> str:
-    """Hands a script to sbatch and returns the number of the job.
+def submit(script: Path, *options: str) -> str:
+    """Hands a script to sbatch, with options that only its submission knows, and returns the number
+    of the job.
 
     Raises
     ------
@@ -63,7 +64,7 @@ def submit(script: Path) -> str:
     if shutil.which("sbatch") is None:
         raise nacre.Error(f"there is no sbatch here to submit {script} with")
     done = subprocess.run(
-        ["sbatch", "--parsable", str(script)], capture_output=True, text=True, check=False
+        ["sbatch", "--parsable", *options, str(script)], capture_output=True, text=True, check=False
     )
     if done.returncode != 0:
         raise nacre.Error(f"sbatch {script}: {done.stderr.strip()}")

@@ -77,6 +77,8 @@ struct ToneMap {
     /// The primaries of the display; other than sRGB's are named in the file by its chunks cICP and
     /// cHRM, without which it would look pale.                            [png-3-2025]
     spectra::Gamut gamut = spectra::Gamut::rec709;
+
+    friend bool operator==(const ToneMap&, const ToneMap&) = default;
 };
 
 /// The fraction of pixels with a colour that the display does not have: a component below 0 by more

@@ -23,6 +23,7 @@ using io::Hdf5Shape;
 
 constexpr io::SealedFormat kShareFormat = {io::kPictureShareName, kShareFormatVersion,
                                            "share of a picture"};
+constexpr std::size_t kMaxSharePixels = std::size_t{1} << 27;  // as check(RenderOptions)
 constexpr std::size_t kMaxMetadataBytes = std::size_t{1} << 20;
 
 /// Calls visit(key, member) for every option.
@@ -177,6 +178,12 @@ PictureShare read_contents(hid_t file) {
     check(share.options, share.share);
     share.scene_sha256 = io::read_text_attribute(file, "scene_sha256");
     share.metadata = read_metadata(file);
+    // A file of a few bytes must not ask for gigabytes.
+    const Hdf5Shape light = {static_cast<hsize_t>(share.options.height),
+                             static_cast<hsize_t>(share.options.width), 3, 2};
+    io::require_content(
+        io::array_shape(file, "picture/light", light.size(), 6 * kMaxSharePixels) == light,
+        "the sizes of the arrays are not those of the picture");
     share.sums = RenderSums(share.options);
     share.sums.seconds = io::read_double_attribute(file, "seconds");
     io::require_content(std::isfinite(share.sums.seconds) && share.sums.seconds >= 0,

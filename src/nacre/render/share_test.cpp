@@ -132,6 +132,9 @@ TEST(ShareFile, RefusesWhatIsNone) {
     other.options.width = 21;
     EXPECT_THAT(refused(share_bytes(other)), HasSubstr("the sizes of the arrays are not those"));
     other = share;
+    other.options.width = other.options.height = 1000;  // of 0.4 GB
+    EXPECT_THAT(refused(share_bytes(other)), HasSubstr("the sizes of the arrays are not those"));
+    other = share;
     other.share.number = 3;
     EXPECT_THAT(refused(share_bytes(other)), HasSubstr("shard = 3/2"));
     const io::SealedFormat format = {io::kPictureShareName, kShareFormatVersion,

@@ -68,6 +68,13 @@ class Turn {
 
 }  // namespace
 
+Turning turning_called(const std::string& name) {
+    if (name == "shape") return Turning::shape;
+    if (name == "camera") return Turning::camera;
+    if (name == "light") return Turning::light;
+    throw DomainError("turntable = " + name + ": must be one of shape, camera, light");
+}
+
 SceneDescription turned(SceneDescription scene, Turning what, double angle_deg) {
     const Turn turn(scene.camera.target_mm, angle_deg);
     bool any = false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "nacre/render/scene.h"
 
 // A colour is judged in motion: the same scene with its paint, camera or light turned a little
@@ -12,6 +14,10 @@ enum class Turning {
     camera,  ///< about its target
     light    ///< lights and environment
 };
+
+/// By its name: "shape", "camera" or "light".
+/// @throws DomainError "turntable = ..."
+Turning turning_called(const std::string& name);
 
 /// The scene after a turn about the vertical through the camera's target, counterclockwise as seen
 /// from above.

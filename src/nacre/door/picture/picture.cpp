@@ -215,6 +215,20 @@ PictureShare Scene::render_share(const RenderSettings& settings, const Share& sh
             metadata(settings), sha256_};
 }
 
+std::optional<PictureShare> Scene::find_share(const fs::path& file, const RenderSettings& settings,
+                                              const Share& share) const {
+    if (!fs::is_regular_file(file)) return std::nullopt;
+    try {
+        PictureShare found = read_share(file);
+        const PictureShare wanted{settings, share, {}, metadata(settings), sha256_};
+        const bool same =
+            found.share == share && render::identity_of(found) == render::identity_of(wanted);
+        return same ? std::optional(std::move(found)) : std::nullopt;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
 int Scene::samples_for_noise(const RenderSettings& settings, double noise, int most,
                              const Progress& progress) const {
     return render::samples_for_noise(*compiled_, settings, noise, most, progress);

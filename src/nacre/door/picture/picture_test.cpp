@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "nacre/core/file.h"
 #include "nacre/render.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/files.h"
@@ -81,6 +82,14 @@ TEST(Picture, IsMergedFromItsSharesAndNoOthers) {
     EXPECT_EQ(merged.image(), scene.render(four).image());
     EXPECT_EQ(merged.result.seconds,
               read_share(first).sums.seconds + read_share(second).sums.seconds);
+
+    // A share of an earlier run is found, and no other.
+    EXPECT_EQ(scene.find_share(first, four, {1, 2}), read_share(first));
+    EXPECT_FALSE(scene.find_share(first, four, {2, 2}));
+    EXPECT_FALSE(scene.find_share(first, kTiny, {1, 1}));
+    EXPECT_FALSE(scene.find_share(folder / "none.h5", four, {1, 2}));
+    folder.write("broken.h5", read_file(first).substr(0, 600));
+    EXPECT_FALSE(scene.find_share(folder / "broken.h5", four, {1, 2}));
 
     const auto refused = [&](const std::filesystem::path& other) {
         return message_of<InputError>([&] { merge_shares(std::vector{first, other}); });
