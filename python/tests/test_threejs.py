@@ -103,9 +103,7 @@ def test_a_browser_shows_the_same(name: str, paints: Path, tmp_path: Path) -> No
     paint.write(tmp_path / "paint.three.js")
     wi, wo = directions(200)
     module = json.dumps((tmp_path / "paint.three.js").read_text(encoding="utf-8"))
-    page = (
-        PAGE.read_text(encoding="utf-8").replace("__PAIRS__,", "", 1).replace("__MODULE__,", "", 1)
-    )
+    page = PAGE.read_text(encoding="utf-8")
     page = page.replace("__PAIRS__", json.dumps(np.stack([wi, wo], axis=1).tolist()))
     page = page.replace("__MODULE__", module.replace("</", "<\\/"))
     (tmp_path / "page.html").write_text(page, encoding="utf-8")
