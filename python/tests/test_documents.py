@@ -1,4 +1,4 @@
-"""Does what docs/python.md and the notebooks say, without Jupyter."""
+"""Does what docs/python.md, library.md and the notebooks say, without Jupyter."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 from conftest import ROOT
+
+import nacre
 
 NOTEBOOKS = sorted((ROOT / "python" / "notebooks").glob("*.ipynb"))
 
@@ -52,6 +54,34 @@ def test_how_to(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for i, block in enumerate(blocks):
         run_cell(block, f"docs/python.md, block {i + 1}", variables)
     assert (tmp_path / "pearl.exr").stat().st_size > 0
+
+
+def test_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from nacre.library import Plan, catalogue
+
+    document = (ROOT / "docs" / "library.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    variables: dict[str, Any] = {}
+    for i, block in enumerate(how_to("library.md")):
+        run_cell(block, f"docs/library.md, block {i + 1}", variables)
+    assert len(variables["frame"]) == 3
+    (plan,) = re.findall(r"^```toml\n(.*?)^```$", document, flags=re.DOTALL | re.MULTILINE)
+    Path("plan.toml").write_text(plan, encoding="utf-8")
+    assert len(Plan("plan.toml")) == 64 + 16
+    table = document.split("<!-- columns -->")[1].split("\n\n")[0]
+    first_cells = [line.split("|")[1] for line in table.strip().splitlines()[2:]]
+    columns = [name for cell in first_cells for name in re.findall(r"`(\w+)`", cell)]
+    assert sorted(columns) == sorted(name for name, _ in catalogue.COLUMNS)
+
+
+def test_project_plans() -> None:
+    from nacre.library import Plan
+
+    assert len(list(Plan(ROOT / "library" / "sweep.toml").records())) == 500
+    named = {
+        base for sweep in Plan(ROOT / "library" / "paints.toml").sweeps for base, _ in sweep.bases
+    }
+    assert named == {nacre.Paint(name).name for name in nacre.shipped_paints()}
 
 
 def test_mitsuba(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import hashlib
 import json
 import random
@@ -17,9 +18,7 @@ import pytest
 from conftest import Run
 from nacre.library import Catalogue, Plan, cli, engine, find, keys, sampling
 from nacre.library.construction import construction, ingredients
-from nacre.library.find import Standard, colour_bound, lightness_bound
-from nacre.library.index import Index, IndexWriter
-from nacre.library.record import failures, read_record, record_folder, record_ids
+from nacre.library.record import compute, failures, read_record, record_folder, record_ids
 
 import nacre
 
@@ -311,6 +310,16 @@ def test_what_fails_says_why_and_is_not_tried_again(
     assert "reflectance + transmittance" in out
 
 
+def test_a_worker_with_another_version_is_noticed(tmp_path: Path) -> None:
+    plan = plan_of(tmp_path, '[[sweep]]\nbase = "metallic-gray"\n')
+    (record,) = plan.records()
+    record = dataclasses.replace(record, version="0.0.1")
+    outcome = compute(record, plan.settings, tmp_path)
+    assert "Nacre 0.0.1 was asked for" in outcome.error
+    (why,) = failures(tmp_path).values()
+    assert why["again"] is True  # by a worker with the right one
+
+
 def test_a_plan_that_shrinks_keeps_its_records_until_they_are_pruned(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -357,10 +366,12 @@ def test_other_programs_read_the_catalogue(library: Path) -> None:
     found = duckdb.sql(
         f"select name, swept['layer[0].flakes[0].coats[0].thickness_nm'] from '{file}' "
         "where sweep = 'pearls' order by L45"
-    ).fetchall()
+    )
+    assert found is not None
     pearls = frame[frame.sweep == "pearls"].sort_values("L45")
-    assert [name for name, _ in found] == list(pearls.name)
-    assert all(50 <= thickness <= 150 for _, thickness in found)
+    rows = found.fetchall()
+    assert [name for name, _ in rows] == list(pearls.name)
+    assert all(50 <= thickness <= 150 for _, thickness in rows)
 
 
 def test_the_plan_licence_and_citation_are_there(library: Path) -> None:
@@ -385,71 +396,6 @@ def test_another_schema_is_refused(tmp_path: Path) -> None:
 
 
 # Finding
-
-
-def pairs(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """(count, 3) L*a*b* of two colours, some near each other, some far apart, blues among them."""
-    rng = np.random.default_rng(7)
-    one = np.stack([rng.uniform(0, 160, count), *rng.normal(0, 60, (2, count))], axis=1)
-    return one, one + rng.normal(0, 1, (count, 3)) * rng.choice([0.01, 1, 10, 60], (count, 1))
-
-
-def test_no_delta_e_is_below_its_bounds() -> None:
-    one, other = pairs(200_000)
-    exact = nacre.delta_e_2000(one, other) * (1 + 1e-12)
-    of_lightness = lightness_bound(one[:, :1], other[:, 0][:, None])
-    # The bound of one angle each: N standards are as many angles of one record.
-    tight = np.array(
-        [
-            colour_bound(one[i : i + 1].T[:, :, None], other[i : i + 1])[0]
-            for i in range(0, len(one), 40)
-        ]
-    )
-    assert np.all(of_lightness <= exact)
-    assert np.all(tight <= exact[::40])
-    assert np.median(tight / exact[::40]) > 0.5  # and they say something
-
-
-@pytest.fixture(scope="module")
-def index(tmp_path_factory: pytest.TempPathFactory) -> Index:
-    """20 000 made-up paints at three angles, with sparkle."""
-    rng = np.random.default_rng(11)
-    writer = IndexWriter()
-    head = {"geometries": ["45as15", "45as45", "45as110"], "theta_i_deg": [45, 45, 45]}
-    head |= {"theta_o_deg": [30, 0, 65], "phi_deg": [180, 0, 0]}
-    for i in range(20_000):
-        Lab = rng.uniform((5, -60, -60), (130, 60, 60), (1, 3)) + rng.normal(0, 10, (3, 3))
-        record = {"id": f"{i:032x}", "construction": f"kind {i % 7}", "settings": {}}
-        record |= {"readings": {**head, "Lab": Lab.tolist()}, "graininess": rng.uniform(0, 40)}
-        record["sparkle"] = [{"sparkle": rng.uniform(0, 800)}]
-        writer.add(record)
-    folder = tmp_path_factory.mktemp("index")
-    writer.write(folder)
-    return Index.open(folder)
-
-
-@pytest.mark.parametrize("places", [[0, 1, 2], [2, 0]])
-@pytest.mark.parametrize("weight", [0.0, 3.0])
-def test_a_search_finds_what_comparing_with_all_finds(
-    index: Index, places: list[int], weight: float
-) -> None:
-    from nacre.library.find import _Search
-
-    rng = np.random.default_rng(2)
-    Lab = np.moveaxis(np.asarray(index.Lab), 0, -1)[:, places]
-    for place in rng.integers(index.count, size=20):
-        standard = Standard(
-            "", Lab[place] + rng.normal(0, 3, (len(places), 3)), places, np.array([50.0, 9.0])
-        )
-        all_of_them = nacre.delta_e_2000(Lab, standard.Lab).mean(axis=1)
-        ratio = np.log2((1 + index.sparkle) / (1 + np.array([50.0, 9.0])))
-        all_of_them += weight * np.abs(ratio).mean(axis=1)
-        order = np.argsort(all_of_them, kind="stable")
-        search = _Search(index, standard, weight)
-        assert search.nearest(25) == order[:25].tolist()
-        best = [next(place for place in order if place % 7 == kind) for kind in range(7)]
-        best.sort(key=lambda place: all_of_them[place])
-        assert search.best_of_each(index.construction) == best
 
 
 def test_a_paint_of_the_library_is_found(library: Path, tmp_path: Path) -> None:

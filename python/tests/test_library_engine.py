@@ -87,9 +87,19 @@ def plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def by_one(plan: Path) -> pa.Table:
-    """The library of one worker."""
-    library = plan.parent / "one"
-    errors = finish(start(plan, library, "--workers", "1"))
+    """The library of one worker, made as on a cluster: a run that holds the scheduler, and a worker
+    that is told of its file."""
+    library, file = plan.parent / "one", plan.parent / "scheduler.json"
+    process = start(plan, library, "--listen", str(file), "--interface", "lo")
+    while not file.exists():
+        assert process.poll() is None
+        time.sleep(0.02)
+    command = [sys.executable, "-m", "distributed.cli.dask_worker", "--scheduler-file", str(file)]
+    command += ["--nthreads", "1", "--no-dashboard", "--local-directory", str(plan.parent)]
+    worker = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    errors = finish(process)
+    worker.communicate()  # it ends with the run
+    assert not file.exists()
     # Silent in a pipe but for the summary: no bar.
     assert len(errors.splitlines()) == 2, errors
     assert "10 records: 0 were there, 9 computed in" in errors
@@ -121,23 +131,8 @@ def test_a_run_that_is_killed_goes_on(plan: Path, by_one: pa.Table) -> None:
     assert rows(library).equals(by_one)
 
 
-def test_a_scheduler_elsewhere_gives_the_same(plan: Path, by_one: pa.Table) -> None:
-    """Two runs, as on a cluster: one with the scheduler, one worker that is told of its file."""
-    library, file = plan.parent / "elsewhere", plan.parent / "scheduler.json"
-    process = start(plan, library, "--listen", str(file), "--interface", "lo")
-    while not file.exists():
-        assert process.poll() is None
-        time.sleep(0.02)
-    command = [sys.executable, "-m", "distributed.cli.dask_worker", "--scheduler-file", str(file)]
-    command += ["--nthreads", "1", "--no-dashboard", "--local-directory", str(plan.parent)]
-    worker = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    finish(process)
-    worker.communicate()  # it ends with the run
-    assert rows(library).equals(by_one)
-    assert not file.exists()
-
-
-def test_nobody_answers(plan: Path, tmp_path: Path) -> None:
+def test_nobody_answers(plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT", "100ms")
     process = start(plan, tmp_path, "--scheduler", "tcp://127.0.0.1:9")
     _, errors = process.communicate()
     assert process.returncode == 1

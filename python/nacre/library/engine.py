@@ -8,8 +8,11 @@ from __future__ import annotations
 
 import fcntl
 import logging
+import math
 import os
 import shutil
+import signal
+import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
@@ -77,21 +80,34 @@ Report = Callable[[Outcome], object]
 
 
 @contextmanager
+def _deaf_to_ctrl_c() -> Iterator[None]:
+    """Processes that are started meanwhile ignore Ctrl-C, which a terminal sends to all: they end
+    when the run does, and without a traceback each."""
+    if threading.current_thread() is not threading.main_thread():
+        yield  # handlers are the main thread's
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+@contextmanager
 def local_cluster(workers: int) -> Iterator[Client]:
     """A client of worker processes on this machine, each with one thread."""
     from distributed import Client, LocalCluster
 
-    with (
-        LocalCluster(
+    with _deaf_to_ctrl_c():
+        local = LocalCluster(
             n_workers=workers,
             threads_per_worker=1,
             processes=True,
             dashboard_address="127.0.0.1:0",
             memory_limit=0,
             silence_logs=logging.ERROR,
-        ) as cluster,
-        Client(cluster) as client,
-    ):
+        )
+    with local as cluster, Client(cluster) as client:
         yield client
 
 
@@ -181,9 +197,13 @@ def compute_with(
     running: dict[Any, list[PlannedRecord]] = {}
     completed = as_completed([])
     spent, count = 0.0, 0
+    workers, asked = 1, -math.inf
 
     def send() -> None:
-        workers = max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+        nonlocal workers, asked
+        if time.monotonic() > asked + 1:  # the answer is long where workers are many
+            workers = max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+            asked = time.monotonic()
         while len(running) < 3 * workers and (waiting or alone):
             if alone:
                 task = [alone.pop()]

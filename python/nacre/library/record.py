@@ -171,7 +171,12 @@ def write_record(
     ------
     nacre.Error
         If the recipe is refused, or a step of the computation fails.
+    RuntimeError
+        If another version of Nacre planned the record.
     """
+    if planned.version != nacre.__version__:
+        here = nacre.__version__
+        raise RuntimeError(f"{here} is here, and Nacre {planned.version} was asked for")
     clock = clock or _Clock()
     with clock.step("recipe"):
         Paint.from_dict(planned.recipe).write(room / "recipe.toml")

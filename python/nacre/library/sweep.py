@@ -43,6 +43,8 @@ class PlannedRecord:
     recipe: Recipe
     swept: dict[str, Any]
     """the values that vary, by whole key"""
+    version: str = __version__
+    """of the Nacre that planned it, and is to compute it"""
 
     @property
     def name(self) -> str:
