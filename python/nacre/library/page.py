@@ -121,7 +121,7 @@ def _batches(catalogue: Catalogue) -> Iterator[list[Row]]:
     for start in range(0, len(table), _RECORDS_PER_GALLERY_FILE):
         some = table.slice(start, _RECORDS_PER_GALLERY_FILE)
         rows: list[Row] = some.drop_columns(["R"]).to_pylist()
-        spectra = some.column("R").combine_chunks().flatten().flatten().to_numpy(zero_copy_only=False)
+        spectra = some.column("R").combine_chunks().flatten().flatten().to_numpy()
         shape = (len(rows), len(rows[0]["geometries"]), len(rows[0]["wavelengths_nm"]))
         for row, reflectance in zip(rows, spectra.reshape(shape), strict=True):
             row["R"] = reflectance
@@ -200,11 +200,10 @@ def _details(library: Path, row: Row) -> Row:
         ]
     except OSError as error:
         raise nacre.InputError(f"{library}: {row['id']} is in the catalogue, but {error}") from None
-    reflectance = row["R"].astype(float).round(6)
     kept = ["id", "Lab", "flop_index", "colour_travel", "sparkle", "graininess"]
     kept += ["warnings", "seconds", "version"]
     return {name: row[name] for name in kept} | {
-        "R": [[None if np.isnan(x) else x for x in curve] for curve in reflectance.tolist()],
+        "R": row["R"].astype(float).round(6).tolist(),
         "parameters": dict(row["parameters"]),
         "swept": dict(row["swept"]) | dict(row["swept_names"]),
         "recipe": tomllib.loads(recipe),

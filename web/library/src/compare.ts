@@ -71,7 +71,7 @@ function curves(library: Library, A: Details, B: Details): HTMLElement {
             spectrum(library, A, i, { label: "A" }),
             spectrum(library, B, i, { label: "B", dashed: true }),
         ];
-        const most = Math.max(...both.flatMap((curve) => curve.y.map((y) => y ?? 0)));
+        const most = Math.max(...both.flatMap((curve) => [...curve.y]));
         return h(
             "figure",
             {},

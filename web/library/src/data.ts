@@ -80,7 +80,7 @@ export interface Details {
     readonly id: string;
     readonly Lab: readonly Lab[];
     /** (geometry, wavelength), rounded to 1e-6 for curves */
-    readonly R: readonly (readonly (number | null)[])[];
+    readonly R: readonly (readonly number[])[];
     readonly flop_index: number | null;
     readonly colour_travel: number | null;
     /** A lamp each; _se are standard errors. */

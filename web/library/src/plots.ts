@@ -4,13 +4,12 @@ import { svg } from "./dom";
 
 export interface Curve {
     readonly x: readonly number[];
-    readonly y: readonly (number | null)[];
+    readonly y: readonly number[];
     /** Of the reading. A casing of ink keeps it visible on any ground. */
     readonly colour: string;
     readonly label: string;
     readonly dashed?: boolean;
-    readonly points?: boolean;
-    /** Colours of the points; else that of the curve. */
+    /** A dot at each point, of this colour. */
     readonly pointColours?: readonly string[];
 }
 
@@ -78,9 +77,8 @@ export function plot(curves: readonly Curve[], axes: Axes): SVGSVGElement {
     const margin = { left: 46, right: named ? 14 + 6.6 * longest : 12, top: 10, bottom: 38 };
     const inner = { w: width - margin.left - margin.right, h: height - margin.top - margin.bottom };
 
-    const ys = curves.flatMap((curve) => curve.y.filter((y): y is number => y !== null));
     let [x0, x1] = axes.x ?? extent(curves.flatMap((curve) => [...curve.x]));
-    let [y0, y1] = axes.y ?? extent(ys);
+    let [y0, y1] = axes.y ?? extent(curves.flatMap((curve) => [...curve.y]));
     if (x1 <= x0) [x0, x1] = [x0 - 1, x0 + 1];
     if (y1 <= y0) y1 = y0 + 1;
     if (axes.square ?? false) {
@@ -139,26 +137,14 @@ export function plot(curves: readonly Curve[], axes: Axes): SVGSVGElement {
 
     const ends: { y: number; label: string; x: number }[] = [];
     for (const curve of curves) {
-        let path = "";
-        let pen = "M";
-        const dots: SVGElement[] = [];
-        let end: { x: number; y: number; label: string } | undefined;
-        for (const [i, x] of curve.x.entries()) {
-            const y = curve.y[i];
-            if (y === null || y === undefined) {
-                pen = "M"; // a gap
-                continue;
-            }
-            path += `${pen}${at(px(x))} ${at(py(y))}`;
-            pen = "L";
-            end = { x: px(x), y: py(y), label: curve.label };
-            if (curve.points ?? false) {
-                const fill = curve.pointColours?.[i] ?? curve.colour;
-                dots.push(
-                    svg("circle", { cx: at(px(x)), cy: at(py(y)), r: 4.5, style: `fill:${fill}` }),
-                );
-            }
-        }
+        const points = curve.x.map((x, i) => ({ x: px(x), y: py(curve.y[i] as number) }));
+        const path = points
+            .map(({ x, y }, i) => `${i === 0 ? "M" : "L"}${at(x)} ${at(y)}`)
+            .join("");
+        const dots = (curve.pointColours ?? []).map((fill, i) => {
+            const { x, y } = points[i] as { x: number; y: number };
+            return svg("circle", { cx: at(x), cy: at(y), r: 4.5, style: `fill:${fill}` });
+        });
         const group = svg("g", { class: (curve.dashed ?? false) ? "curve dashed" : "curve" });
         group.dataset.label = curve.label;
         group.append(
@@ -168,7 +154,8 @@ export function plot(curves: readonly Curve[], axes: Axes): SVGSVGElement {
             ...dots,
         );
         picture.append(group);
-        if (end !== undefined) ends.push(end);
+        const end = points[points.length - 1];
+        if (end !== undefined) ends.push({ ...end, label: curve.label });
     }
     if (named) {
         const places = apart(

@@ -58,7 +58,7 @@ export function spectrum(
 function spectra(library: Library, details: Details): HTMLElement | null {
     if (library.wavelengths_nm.length === 0) return null;
     const curves = ordered(library.geometries).map((i) => spectrum(library, details, i));
-    const most = Math.max(...curves.flatMap((curve) => curve.y.map((y) => y ?? 0)));
+    const most = Math.max(...curves.flatMap((curve) => [...curve.y]));
     const figure = h(
         "figure",
         {},
@@ -87,7 +87,6 @@ function flop(names: readonly string[], details: Details): HTMLElement[] {
                 colour: "var(--line)",
                 label: lampName(lamp),
                 dashed: i > 0,
-                points: true,
                 pointColours: labs.map((lab) => chip(lab).css),
             };
         });
@@ -97,7 +96,7 @@ function flop(names: readonly string[], details: Details): HTMLElement[] {
     );
     const degrees = lightness.flatMap((curve) => curve.x);
     const [first, last] = [Math.min(...degrees), Math.max(...degrees)];
-    const top = Math.max(100, ...lightness.flatMap((curve) => curve.y.map((y) => y ?? 0)));
+    const top = Math.max(100, ...lightness.flatMap((curve) => [...curve.y]));
     return [
         h(
             "figure",

@@ -349,8 +349,13 @@ test("the back button returns to the same place of the same query", async () => 
     await page.$eval(".gallery", (gallery) => (gallery.scrollTop = 5000));
     await page.waitForFunction(() => document.querySelector(".gallery")?.scrollTop === 5000);
     const address = await page.evaluate(() => location.hash);
-    const middle = () =>
-        page.evaluate(() => document.elementFromPoint(700, 450)?.closest("a")?.hash ?? "nothing");
+    const middle = async () => {
+        // Cards are drawn when the browser tells that it has scrolled.
+        const found = await page.waitForFunction(
+            () => document.elementFromPoint(700, 450)?.closest("a")?.hash,
+        );
+        return String(await found.jsonValue());
+    };
     const card = await middle();
     await page.mouse.click(700, 450);
     await page.waitForSelector(".record");
