@@ -34,7 +34,7 @@ from ._pigment import DrawdownFit, Pigment, pigment
 from ._sparkle import DiffuseReading, Estimate, LampReading, Sparkle
 from ._threads import set_threads, threads
 from ._uncertainty import UncertainNumber, Uncertainty
-from ._values import Export, FittedMaterial, Parameter, Sample, Solution
+from ._values import Export, FittedMaterial, Parameter, Reference, Sample, ShaderMaterial, Solution
 
 del _cpu
 __version__: str = version()
@@ -63,8 +63,10 @@ __all__ = [
     "Parameter",
     "Picture",
     "Pigment",
+    "Reference",
     "Sample",
     "SettingError",
+    "ShaderMaterial",
     "Solution",
     "Sparkle",
     "Stopped",

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -11,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _html, _nacre
 from ._arrays import Floats, doubles
+from ._errors import DomainError
 
 WAVELENGTHS_NM: Floats = np.arange(400.0, 701.0, 10.0)
 """The default wavelengths, nm."""
@@ -73,6 +76,17 @@ class Material:
     def __repr__(self) -> str:
         return f"Material({self.name!r})"
 
+    def _repr_html_(self) -> str:
+        known = []
+        for nm in WAVELENGTHS_NM:
+            with suppress(DomainError):  # the data do not reach there
+                known.append((nm, complex(self.index(nm))))
+        nm, index = np.array([w for w, _ in known]), np.array([m for _, m in known], complex)
+        rows, colours = np.stack([index.real, index.imag]), ("#1f77b4", "#d62728")
+        return f"<div>{escape(repr(self))}</div>" + _html.spectra(
+            nm, rows, ("n", "k"), colours, "n (blue) and k (red)"
+        )
+
 
 MaterialLike = Material | str | complex | float
 
@@ -114,8 +128,8 @@ class Film:
         labels = [f"{angle:g}°" for angle in self.angles_deg.reshape(-1)[:16]]
         rows = self.R.reshape(-1, self.wavelengths_nm.size)[:16]
         colours = [_html.css(chip) for chip in chips]
-        return _html.chips(chips, labels) + _html.curves(
-            self.wavelengths_nm, rows, colours, "reflectance"
+        return _html.chips(chips, labels) + _html.spectra(
+            self.wavelengths_nm, rows, labels, colours, "reflectance"
         )
 
 

@@ -84,6 +84,15 @@ class Match:
     solves: int
     seconds: float
 
+    def _spectra(self) -> str:
+        """What was measured, dashed, and what was found."""
+        lines = []
+        for reading, dashed in ((self.standard, True), (self.colours, False)):
+            for name, row, colour in zip(reading.geometries, reading.R, reading.srgb, strict=True):
+                line = _html.Line(name, reading.wavelengths_nm, row, _html.css(colour), dashed)
+                lines.append(line)
+        return _html.plot(lines, "wavelength, nm", "reflectance factor (standard dashed)")
+
     def _repr_html_(self) -> str:
         rows = [
             [p.key, p.start, p.value, "—" if p.standard_error is None else p.standard_error]
@@ -92,6 +101,7 @@ class Match:
         return (
             _html.chips(self.standard.srgb, self.standard.geometries)
             + _html.chips(self.colours.srgb, [f"ΔE {de:.2f}" for de in self.difference.dE2000])
+            + self._spectra()
             + _html.table(["number", "start", "found", "±"], rows)
         )
 

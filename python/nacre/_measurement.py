@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _html, _nacre
@@ -332,10 +333,27 @@ class Measurement:
             f"{self.illuminant}, {self.observer} deg>"
         )
 
+    def _flop(self) -> str:
+        """Lightness by the aspecular angle, a line a lamp, of what was read in its plane."""
+        in_plane = np.abs(np.sin(np.radians(self.phi_deg))) < 1e-6
+        lines = []
+        for lamp in np.unique(self.theta_i_deg):
+            read = in_plane & (self.theta_i_deg == lamp)
+            lines.append(
+                _html.Line(
+                    f"lamp at {lamp:g}°", self.aspecular_deg[read], self.Lab[read, 0], "#888"
+                )
+            )
+        return _html.plot(lines, "aspecular angle, deg", "L*")
+
     def _repr_html_(self) -> str:
         html = _html.chips(self.srgb, self.geometries)
         colours = [_html.css(colour) for colour in self.srgb]
-        html += _html.curves(self.wavelengths_nm, self.R, colours, "reflectance factor")
+        if self.wavelengths_nm.size:
+            html += _html.spectra(
+                self.wavelengths_nm, self.R, self.geometries, colours, "reflectance factor"
+            )
+        html += self._flop()
         rows = [
             [name, *map(float, lab), float(c), float(h)]
             for name, lab, c, h in zip(self.geometries, self.Lab, self.C, self.h, strict=True)

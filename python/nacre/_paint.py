@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _html, _nacre, _toml
+from . import _html, _nacre, _threejs, _toml
 from ._arrays import Floats, Floats32, doubles, wavelengths
 from ._errors import SettingError
 from ._measurement import Geometries, Measurement, geometry_text
@@ -18,7 +18,7 @@ from ._model import ModelLike, settings_of
 from ._progress import Progress, reporter
 from ._sparkle import Sparkle, sparkle_of
 from ._uncertainty import UncertainNumber, Uncertainty
-from ._values import Export, FittedMaterial, Parameter, Sample, Solution
+from ._values import Export, FittedMaterial, Parameter, Reference, Sample, ShaderMaterial, Solution
 
 Path = str | os.PathLike[str]
 
@@ -281,11 +281,70 @@ class Paint:
         model: ModelLike = None,
         progress: Progress = False,
     ) -> Floats32:
-        """Directional-hemispherical reflectance (..., W), specular reflection included."""
+        """Directional-hemispherical reflectance (..., W), specular reflection included: a table
+        for renderers, within 5e-3. The integral of :meth:`brdf` is exact."""
         with reporter(progress, "prepare") as report:
             look = _nacre.look(self._paint, settings_of(model), report)
         nm = self.wavelengths_nm if wavelengths_nm is None else wavelengths_nm
         return look.albedo(doubles(wi), _some(nm))
+
+    def reference(
+        self,
+        theta_i_deg: ArrayLike,
+        theta_o_deg: ArrayLike,
+        phi_deg: ArrayLike,
+        wavelengths_nm: ArrayLike | None = None,
+        *,
+        samples: int = 1 << 20,
+        seed: int = 0,
+        part: str = "total",
+        progress: Progress = False,
+    ) -> Reference:
+        """The BRDF by random walks through the recipe, to check the solver (docs/reference.md):
+        slow, and with standard errors. Equals ``nacre reference`` to the last bit.
+
+        Parameters
+        ----------
+        theta_i_deg
+            Polar angles of the lamp (I...), [0, 90).
+        theta_o_deg, phi_deg
+            Of the view, broadcast to (O...); phi = phi_o - phi_i, 180 being the mirror side. The
+            same walks serve all views and, where the binder's index is the same, eight wavelengths:
+            their errors are correlated.
+        wavelengths_nm
+            Vacuum wavelengths (W,); None: 400 to 700 by 10.
+        samples, seed
+            Walks per lamp, [2, 1e15], and their seed.
+        part
+            As in :meth:`brdf`.
+
+        Returns
+        -------
+        Reference
+            Arrays (I..., O..., W).
+
+        Raises
+        ------
+        InputError
+            If there is no recipe with layers, or its materials do not reach these wavelengths.
+        DomainError
+            If an angle, a wavelength or a setting is out of range.
+        Stopped
+            If ``progress`` returned False: part of an estimate is none.
+        """
+        with reporter(progress, "reference") as report:
+            brdf, error = _nacre.reference(
+                self._paint,
+                doubles(theta_i_deg),
+                doubles(theta_o_deg),
+                doubles(phi_deg),
+                wavelengths(wavelengths_nm),
+                samples,
+                seed,
+                part,
+                report,
+            )
+        return Reference(brdf, error, samples)
 
     def solve(
         self,
@@ -497,13 +556,15 @@ class Paint:
         rgb: bool = False,
         cells: tuple[int, int, int] = (90, 90, 180),
         progress: Progress = False,
-    ) -> Export | FittedMaterial | None:
+    ) -> Export | FittedMaterial | ShaderMaterial | None:
         """Writes a file by its extension, whole or not at all.
 
         ``.toml``: the recipe. ``.h5``: the solved paint, or the table that ``model`` renders from,
         as ``Model("microflake", table="svd")``. ``.bsdf``: the BRDF as in the RGL database, and
         ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf`` and
-        ``.mtlx``: glTF's material and OpenPBR, fitted; these return what they miss.
+        ``.mtlx``: glTF's material and OpenPBR, fitted; these return what they miss. ``.three.js``:
+        an ES module for three.js with ``nacre``, its mean, or ``microflake`` as a shader, of a
+        recipe or a solved paint; returns how far it is from ``nacre``.
 
         Parameters
         ----------
@@ -520,6 +581,15 @@ class Paint:
             If the paint has no such values, or the file cannot be written.
         """
         extension = os.path.splitext(os.fspath(path))[1]
+        if os.fspath(path).endswith(".three.js"):
+            if wavelengths_nm is not None:
+                raise SettingError("wavelengths_nm: a .three.js file has its own sixteen")
+            standard = self.measure(
+                _threejs.geometries(), model="nacre", illuminant="D65", observer=2
+            )
+            with reporter(progress, "write") as report:
+                shown = settings_of("nacre" if model is None else model)
+                return _threejs.write(self._paint, path, shown, standard, report)
         nm, chosen = wavelengths(wavelengths_nm), settings_of(model)
         with reporter(progress, "write") as report:
             if extension == ".toml":
@@ -541,7 +611,8 @@ class Paint:
                     dict(values), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
                 )
         raise SettingError(
-            f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf or .mtlx"
+            f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf, "
+            ".mtlx or .three.js"
         )
 
     def __repr__(self) -> str:

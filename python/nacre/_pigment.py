@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _nacre
+from . import _html, _nacre
 from ._film import MaterialLike, _native
 from ._progress import Progress, reporter
 
@@ -46,6 +46,12 @@ class Pigment:
     drawdowns: list[DrawdownFit]
     toml: str
     """what a recipe names by `from`, once it is written to a file"""
+
+    def _repr_html_(self) -> str:
+        rows = np.stack([self.scattering_per_mm, self.absorption_per_mm])
+        names, colours = ("scattering", "absorption"), ("#1f77b4", "#d62728")
+        what = "scattering (blue) and absorption (red), 1/mm,"
+        return _html.spectra(self.wavelengths_nm, rows, names, colours, what)
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Write the file that a recipe names by ``from`` in ``[[layer.pigment]]``."""

@@ -38,6 +38,18 @@ class Solution:
 
 
 @dataclass(frozen=True)
+class Reference:
+    """A BRDF by random walks, estimates that owe nothing to the solver."""
+
+    brdf: Floats
+    """(..., W) in 1/sr"""
+    standard_error: Floats
+    """(..., W) of the BRDF, from the walks themselves; of little worth above 5 % of it"""
+    samples: int
+    """walks per direction of the lamp"""
+
+
+@dataclass(frozen=True)
 class Sample:
     """Directions drawn by a paint's BRDF."""
 
@@ -67,6 +79,16 @@ class Export:
 
     error_of_flux: float
     error_over_peak: float
+
+
+@dataclass(frozen=True)
+class ShaderMaterial:
+    """How far a shader made of a paint is from the paint, under D65 for 2 degrees."""
+
+    delta_e_2000: dict[str, float]
+    """By geometry: byk-mac's, and lamps at 15, 30, 60 and 75 degrees."""
+    mean_delta_e_2000: float
+    max_delta_e_2000: float
 
 
 @dataclass(frozen=True)

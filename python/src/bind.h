@@ -6,6 +6,7 @@
 #include <string>
 
 #include "nacre/bsdf/model.h"
+#include "nacre/core/part.h"
 #include "nacre/measure/measurement.h"
 
 // The parts of the extensions: each adds its classes and functions to a module. The package's
@@ -21,6 +22,7 @@ void bind_look(nb::module_& module);
 void bind_appearance_arrays(nb::module_& module);
 void bind_optics(nb::module_& module);
 void bind_measurement(nb::module_& module);
+void bind_reference(nb::module_& module);
 void bind_sparkle(nb::module_& module);
 void bind_fit(nb::module_& module);
 void bind_drawdown(nb::module_& module);
@@ -36,6 +38,9 @@ using ModelChoices = std::map<std::string, std::string>;
 /// The model of that name with these options.
 /// @throws SettingError naming the model and those that there are, or the option and its values
 bsdf::Model configured_model(const std::string& name, const ModelChoices& options);
+
+/// "total", "single" or "multiple". @throws SettingError
+Part part_of(const std::string& name);
 
 /// The illuminant or observer of that name. @throws SettingError
 spectra::Illuminant illuminant(const std::string& name);

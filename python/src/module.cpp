@@ -18,6 +18,7 @@ NB_MODULE(_nacre, module) {
     bind_appearance_arrays(module);
     bind_optics(module);
     bind_measurement(module);
+    bind_reference(module);
     bind_sparkle(module);
     bind_fit(module);
     bind_drawdown(module);

@@ -29,13 +29,6 @@ using namespace nb::literals;
 using OptionalDoubles = std::optional<Doubles>;
 using Patch = std::optional<std::tuple<double, double, double>>;
 
-Part part_of(const std::string& text) {
-    if (text == "total") return Part::total;
-    if (text == "single") return Part::single;
-    if (text == "multiple") return Part::multiple;
-    throw SettingError("part", "must be total, single or multiple", text);
-}
-
 const char* name_of(Kind kind) {
     switch (kind) {
         case Kind::recipe:
@@ -275,6 +268,13 @@ std::vector<std::string> model_names() {
 }
 
 }  // namespace
+
+Part part_of(const std::string& name) {
+    if (name == "total") return Part::total;
+    if (name == "single") return Part::single;
+    if (name == "multiple") return Part::multiple;
+    throw SettingError("part", "must be total, single or multiple", name);
+}
 
 void bind_paint(nb::module_& module) {
     nb::class_<bsdf::Model>(module, "Model")

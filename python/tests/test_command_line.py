@@ -57,6 +57,48 @@ def test_values_on_a_patch_and_parts(nacre_program: Run, paints: Path) -> None:
         assert [f"{v:.9g}" for v in values] == [row["brdf"] for row in rows(process.stdout)]
 
 
+def test_reference(nacre_program: Run, paints: Path) -> None:
+    file = paints / "tio2-mica-80.toml"
+    process = nacre_program(
+        *("reference", file, "--incident", "15,0", "--incident", "45", "--outgoing", "20,180"),
+        *("--outgoing", "60,90", "--wavelength", "450,650", "--samples", "2000", "--seed", "3"),
+    )
+    table = rows(process.stdout)
+    paint = nacre.Paint(file)
+    values = paint.reference([15, 45], [20, 60], [180, 90], [450, 650], samples=2000, seed=3)
+    assert values.brdf.shape == values.standard_error.shape == (2, 2, 2)
+    assert [f"{v:.9g}" for v in values.brdf.ravel()] == [row["brdf"] for row in table]
+    assert [f"{v:.3g}" for v in values.standard_error.ravel()] == [row["stderr"] for row in table]
+    solved = paint.brdf_at(15, [20, 60], [180, 90], [450, 650])
+    z = (values.brdf[0] - solved) / values.standard_error[0]
+    assert np.abs(z).max() < 5
+
+
+def test_errors_of_the_reference(nacre_program: Run, paints: Path, tmp_path: Path) -> None:
+    file = tmp_path / "narrow.toml"
+    text = (paints / "tio2-mica-80.toml").read_text(encoding="utf-8")
+    file.write_text(text.replace('"TiO2_anatase"', '"ZnO"'), encoding="utf-8")
+    look = ("--incident", "45", "--outgoing", "20", "--wavelength", "420")
+    process = nacre_program("reference", file, *look, "--samples", "10", status=2)
+    with pytest.raises(nacre.InputError) as raised:
+        nacre.Paint(file).reference(45, 20, 0, [420], samples=10)
+    assert f"nacre: {raised.value}\n" == process.stderr
+    paint = nacre.Paint(paints / "tio2-mica-80.toml")
+    for wrong, named in (
+        ({"theta_i_deg": 90}, "theta_i_deg = 90"),
+        ({"theta_o_deg": [10, -1]}, "theta_o_deg = -1"),
+        ({"phi_deg": np.inf}, "phi_deg"),
+        ({"wavelengths_nm": [-5]}, "wavelength"),
+        ({"samples": 1}, "samples = 1"),
+        ({"part": "half"}, "part = half"),
+    ):
+        arguments = {"theta_i_deg": 45, "theta_o_deg": 20, "phi_deg": 0, "samples": 10}
+        with pytest.raises(nacre.DomainError, match=named):
+            paint.reference(**(arguments | wrong))
+    with pytest.raises(nacre.Stopped):
+        paint.reference(45, 20, 0, samples=10**7, progress=lambda _: False)
+
+
 def test_directions_are_the_angles(paints: Path) -> None:
     paint = nacre.Paint(paints / "tio2-mica-80.toml")
     theta_o, phi = np.array([0.0, 20, 20, 70]), np.array([0.0, 180, 90, 45])

@@ -1,11 +1,15 @@
-"""Against packages that share no code with Nacre: tmm for films, colour-science for colours."""
+"""Against packages that share no code with Nacre: tmm for films, colour-science for colours,
+miepython for pigments' particles."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 import pytest
 
 import nacre
+from nacre import _nacre
 
 NM = np.arange(400.0, 701, 20)
 
@@ -76,3 +80,59 @@ def test_lab_and_differences() -> None:
     expected_grey = colour.XYZ_to_sRGB(colour.Lab_to_XYZ([50, 0, 0]))
     np.testing.assert_allclose(grey[0], expected_grey, atol=2e-3)
     np.testing.assert_allclose(grey[1:], 1, atol=2e-3)
+
+
+def particles(recipe: str) -> dict[str, Any]:
+    """Coefficients, 1/um, and phase function of the pigment in a layer that has nothing else, as
+    renderers get them."""
+    paint = nacre.Paint.from_toml(f"ior = 1.5\n[[layer]]\nthickness_um = 20\n{recipe}")
+    model = nacre.Model("microflake")
+    arrays = _nacre.appearance_arrays(paint._paint, model._model, None)
+    layer = arrays["layers"][0]
+    return {
+        "nm": arrays["wavelengths_nm"],
+        "scattering": layer["pigments"][0]["scattering_per_um"],
+        "extinction": layer["extinction_per_um"][0],  # single precision, the same in any direction
+        "phase": layer["pigments"][0]["phase"],
+    }
+
+
+@pytest.mark.parametrize("diameter_nm", [30, 180, 900])
+def test_spheres(diameter_nm: float) -> None:
+    miepython = pytest.importorskip("miepython", reason="the oracle miepython is not installed")
+    found = particles(
+        f'[[layer.pigment]]\nmaterial = "Fe2O3"\nvolume_fraction = 0.1\n'
+        f'diameter_nm = {diameter_nm}\ncrowding = "independent"\n'
+    )
+    nm, relative = found["nm"], np.conj(nacre.Material("Fe2O3").index(found["nm"])) / 1.5
+    extinction, scattering, _, _ = miepython.efficiencies(
+        1.5 * relative, diameter_nm, nm, n_env=1.5
+    )
+    per_um = 0.1 * 1.5 / (1e-3 * diameter_nm)  # cross section of the spheres over the volume
+    np.testing.assert_allclose(found["scattering"], per_um * scattering, rtol=1e-9)
+    np.testing.assert_allclose(found["extinction"], per_um * extinction, rtol=1e-6)
+    mu = np.cos(np.linspace(0, np.pi, len(found["phase"])))
+    for i in range(0, nm.size, 10):
+        x = np.pi * diameter_nm * 1.5 / nm[i]
+        expected = miepython.i_unpolarized(relative[i], x, mu, norm="one")
+        np.testing.assert_allclose(found["phase"][:, i], expected, rtol=1e-4)
+
+
+def test_spheres_of_many_sizes() -> None:
+    """Half of the volume in smaller ones than the median, the logarithm normal."""
+    miepython = pytest.importorskip("miepython", reason="the oracle miepython is not installed")
+    found = particles(
+        '[[layer.pigment]]\nmaterial = "Fe2O3"\nvolume_fraction = 0.1\ndiameter_nm = 200\n'
+        'spread = 0.3\nweighting = "volume"\ncrowding = "independent"\n'
+    )
+    t = np.linspace(-5, 5, 401)
+    share = np.exp(-0.5 * t**2) / np.sum(np.exp(-0.5 * t**2))
+    diameter_nm = 200 * np.exp(0.3 * t)
+    for i in (0, 15, 30):
+        nm = found["nm"][i]
+        index = np.conj(nacre.Material("Fe2O3").index(nm)[()])
+        extinction, scattering, _, _ = miepython.efficiencies(index, diameter_nm, nm, n_env=1.5)
+        per_um = 0.1 * 1.5 * share / (1e-3 * diameter_nm)
+        # particle_optics() promises 3e-4 (src/nacre/optics/particles.h).
+        assert found["scattering"][i] == pytest.approx(np.sum(per_um * scattering), rel=3e-4)
+        assert found["extinction"][i] == pytest.approx(np.sum(per_um * extinction), rel=3e-4)

@@ -9,8 +9,10 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import nacre
+from nacre import _html
 
 
 @pytest.fixture(scope="module")
@@ -88,10 +90,31 @@ def test_html(reading: nacre.Measurement, paints: Path) -> None:
         if thing is reading:
             chips = [e for e in root.iter("div") if "background:#" in e.get("style", "")]
             assert len(chips) == len(reading.geometries)
-            assert len(list(root.iter("polyline"))) == len(reading.geometries)
+            titles = [e.text for e in root.iter("title")]
+            assert titles == [*reading.geometries, "lamp at 45°"]
+            assert len(list(root.iter("polyline"))) == len(titles)
     assert "coats[0].thickness_nm" in paint._repr_html_()
     assert reading.srgb.min() >= 0
     assert reading.srgb.max() <= 1
+
+
+def test_html_of_materials_and_pigments() -> None:
+    for name, first_nm in (("Al", "400"), ("TiO2_rutile", "500")):  # which begins at 430 nm
+        shown = ElementTree.fromstring(f"<p>{nacre.Material(name)._repr_html_()}</p>")
+        assert [e.text for e in shown.iter("title")] == ["n", "k"]
+        assert next(shown.iter("text")).text == first_nm
+    found = nacre.pigment(ROOT / "data/drawdowns/organic-blue-synthetic.csv", geometry="45-0")
+    shown = ElementTree.fromstring(f"<p>{found._repr_html_()}</p>")
+    assert [e.text for e in shown.iter("title")] == ["scattering", "absorption"]
+
+
+def test_ticks_are_round_and_within() -> None:
+    for low, high in ((400.0, 700.0), (0.0, 0.0031), (-15.0, 110.0), (0.0, 12345.0), (0.0, 1e-12)):
+        found = _html.ticks(low, high)
+        assert 2 <= len(found) <= 6
+        assert all(low <= t * (1 + 1e-12) and t * (1 - 1e-12) <= high for t in found)
+    assert _html.ticks(400, 700) == [400, 500, 600, 700]
+    assert _html.ticks(-15, 110) == [0, 50, 100]
 
 
 def test_html_escapes_what_files_say() -> None:
@@ -117,4 +140,5 @@ def test_spectra_of_ones_own() -> None:
     assert alone.R.shape == (2, 0)
     with pytest.raises(nacre.SettingError, match="no spectra"):
         alone.to_colour()
-    assert "svg" not in alone._repr_html_()
+    shown = ElementTree.fromstring(f"<p>{alone._repr_html_()}</p>")
+    assert [e.text for e in shown.iter("title")] == ["lamp at 45°"]

@@ -17,22 +17,13 @@ import mitsuba as mi
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import _film
+from .. import _rgb
 from .._errors import SettingError
 
 Float = Any  # mi.Float of the variant at hand
 Wide = Any
 """A value at each wavelength: mi.UnpolarizedSpectrum, or in RGB variants an array over the
 bands."""
-
-XYZ_TO_SRGB = np.array(
-    [
-        [3.2404541621, -1.5371385128, -0.4985314096],
-        [-0.9692660305, 1.8760108454, 0.0415560175],
-        [0.0556434310, -0.2040259135, 1.0572251882],
-    ]
-)
-"""From XYZ under D65 to linear Rec. 709 (IEC 61966-2-1)."""
 
 
 def array_type() -> Any:
@@ -52,20 +43,6 @@ def even_wavelengths(nm: NDArray[np.float64]) -> NDArray[np.float64]:
             "wavelengths of the solved paint: must be in equal steps, or whole nanometres"
         )
     return np.arange(nm[0], nm[-1] + 1)
-
-
-def resample(
-    values: NDArray[Any], nm: NDArray[np.float64], at: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Linear along the last axis."""
-    if np.array_equal(nm, at):
-        return np.asarray(values, dtype=np.float64)
-    position = np.clip(np.interp(at, nm, np.arange(len(nm))), 0, len(nm) - 1)
-    low = np.minimum(position.astype(int), max(len(nm) - 2, 0))
-    part = position - low
-    high = np.minimum(low + 1, len(nm) - 1)
-    values = np.asarray(values, dtype=np.float64)
-    return np.asarray(values[..., low] * (1 - part) + values[..., high] * part)
 
 
 Arrays = dict[str, Any]
@@ -125,16 +102,7 @@ class Bands:
             self.nm = even_wavelengths(self.paint_nm)
         else:
             self.nm = np.linspace(self.paint_nm[0], self.paint_nm[-1], min(count, len(paint_nm)))
-            self.rgb = self._rgb_weights()
-
-    def _rgb_weights(self) -> NDArray[np.float64]:
-        """(3, bands): linear Rec. 709 under D65 of what is linear between the bands."""
-        if len(self.nm) == 1:
-            return np.ones((3, 1))
-        fine = np.arange(self.nm[0], self.nm[-1] + 0.5)
-        hats = np.array([np.interp(fine, self.nm, row) for row in np.eye(len(self.nm))])
-        xyz = _film.xyz(fine, hats, observer="2") / 100
-        return np.asarray(XYZ_TO_SRGB @ xyz.T)
+            self.rgb = _rgb.weights(self.nm)
 
     def at(self, si: Any) -> Where:
         if not self.spectral:
@@ -166,7 +134,7 @@ class Bands:
 
     def even(self, values: NDArray[Any]) -> NDArray[np.float64]:
         """(..., paint's wavelengths) -> (..., those of the tables)."""
-        return resample(values, self.paint_nm, self.nm)
+        return _rgb.resample(values, self.paint_nm, self.nm)
 
 
 def texture(dimension: int, data: Any) -> Any:

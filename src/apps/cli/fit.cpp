@@ -17,6 +17,7 @@
 #include "nacre/core/progress.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/recipe_text.h"
+#include "nacre/library.h"
 #include "nacre/nacre.h"
 
 namespace nacre::cli {
@@ -28,7 +29,8 @@ constexpr Range kNoise{1e-6, 100, "Delta E"}, kEqual{1e-3, 100, "Delta E"};
 constexpr std::size_t kMostSkippedShown = 12;
 
 struct FitOptions : CommonOptions {
-    std::string standard, start, free, weights, also, noise, format = "text";
+    std::string standard, start, library, free, weights, also, noise, format = "text";
+    std::size_t constructions = 4;
     double equal_delta_e = 0.3, matched_delta_e = fit::FitOptions().matched_delta_e;
     int starts = 8;
     bool overwrite = false;
@@ -93,6 +95,44 @@ void add_lights(const FitOptions& options, const measure::Measurement& standard,
     }
 }
 
+/// The standard as it is measured or, of a paint, seen by the instrument.
+Measurement wanted_of(const FitOptions& options, const Paint& standard,
+                      InstrumentRequest& instrument) {
+    ModelOptions of_standard = options.model;
+    of_standard.model_given = false;  // also for the paint that is sought
+    instrument.settings.model = model_for({&standard}, of_standard, true);
+    ProgressBar bar("measure", options.quiet);
+    return standard.measure(instrument.geometries, instrument.settings, bar.callback()).measurement;
+}
+
+/// Which constructions of the library can match, and which cannot.
+std::string constructions_text(const std::vector<ConstructionMatch>& matches) {
+    std::string text =
+        fmt::format("{:>9} {:>9}  {:<8} {}\n", "nearest", "fitted", "", "construction");
+    for (const ConstructionMatch& m : matches) {
+        text += fmt::format("{:>9.3f} {:>9.3f}  {:<8} {} (from {})\n", m.start.mean_delta_e_2000,
+                            m.match.difference.mean_delta_e_2000,
+                            m.match.matched() ? "matches" : "does not", m.start.construction,
+                            m.start.folder.filename().string().substr(0, 8));
+    }
+    return text +
+           "Mean Delta E 2000 of the library's nearest record and of the paint fitted from it.\n\n";
+}
+
+nlohmann::json constructions_json(const std::vector<ConstructionMatch>& matches) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const ConstructionMatch& m : matches) {
+        all.push_back({{"construction", m.start.construction},
+                       {"record", m.start.folder.string()},
+                       {"name", m.start.name},
+                       {"nearest_mean_delta_e_2000", m.start.mean_delta_e_2000},
+                       {"mean_delta_e_2000", m.match.difference.mean_delta_e_2000},
+                       {"matched", m.match.matched()},
+                       {"recipe_sha256", io::recipe_hash(m.match.recipe)}});
+    }
+    return all;
+}
+
 /// The fitted recipe, as the text of the start with other numbers.
 /// @return why it is none of the start's text; else empty
 std::string write_found(const FitOptions& options, const Paint& paint) {
@@ -106,7 +146,53 @@ std::string write_found(const FitOptions& options, const Paint& paint) {
     return written.rewritten;
 }
 
+/// Without a start: from the nearest records of a library.
+ExitStatus run_from_library(const FitOptions& options) {
+    fit::FitOptions how = parse(options);
+    InstrumentRequest instrument = parse_instrument(options.instrument);
+    instrument.settings.seed = options.seed;
+    how.target.hot_spot = shows_hot_spot(parse_model_settings(options.model));
+    const ThreadLimit threads(options.threads);
+    const InterruptHandler interrupt;
+    const Paint standard = open_input(options, options.standard);
+    const Measurement wanted = wanted_of(options, standard, instrument);
+    say_warnings(options, standard);
+    add_lights(options, wanted, how.target);
+    std::optional<ProgressBar> bar(std::in_place, "fit", options.quiet);
+    const std::vector<ConstructionMatch> matches =
+        fit_from_library(options.library, wanted, options.constructions, how, bar->callback());
+    bar.reset();
+    const Match& best = matches.front().match;
+    nlohmann::json document = fit_json(best);
+    document["standard"] = standard.file();
+    document["library"] = options.library;
+    document["constructions"] = constructions_json(matches);
+    document["model"] = options.model.model;
+    document["hot_spot"] = how.target.hot_spot;
+    document["recipe_sha256"] = io::recipe_hash(best.recipe);
+    require_going();
+    document["rewritten"] = write_found(options, best.paint);
+    CommonOptions to_stdout = options;
+    to_stdout.output.clear();
+    emit(to_stdout,
+         options.format == "text"
+             ? constructions_text(matches) + fit_text(best)
+             : document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    write_report(options, "fit", document);
+    return best.matched() ? ExitStatus::ok : ExitStatus::comparison_failed;
+}
+
 ExitStatus run(const FitOptions& options) {
+    if (options.start.empty() == options.library.empty()) {
+        throw UsageError(
+            "give --start, the recipe to start from, or --library, a folder of nacre-library");
+    }
+    if (!options.library.empty()) {
+        if (!options.free.empty()) {
+            throw UsageError("--free belongs to --start: a library's sweeps say what varies");
+        }
+        return run_from_library(options);
+    }
     fit::FitOptions how = parse(options);
     InstrumentRequest instrument = parse_instrument(options.instrument);
     instrument.settings.seed = options.seed;
@@ -122,14 +208,7 @@ ExitStatus run(const FitOptions& options) {
     fit::FreeNumbers(start.recipe(), free.keys, start.bounds());  // before any work
     say_skipped(options, free.skipped);
     const Paint standard = open_input(options, options.standard);
-    ModelOptions of_standard = options.model;
-    of_standard.model_given = false;  // also for the paint that is sought
-    instrument.settings.model = model_for({&standard}, of_standard, true);
-    const Measurement wanted = [&] {
-        ProgressBar bar("measure", options.quiet);
-        return standard.measure(instrument.geometries, instrument.settings, bar.callback())
-            .measurement;
-    }();
+    const Measurement wanted = wanted_of(options, standard, instrument);
     say_warnings(options, standard);
     add_lights(options, wanted, how.target);
 
@@ -183,7 +262,17 @@ Command add_fit(CLI::App& program) {
         ->add_option("STANDARD", options->standard,
                      "What to match: a measured file (CSV, JSON), a recipe or a solved paint")
         ->required();
-    command->add_option("--start", options->start, "Recipe (TOML) to start from")->required();
+    command->add_option("--start", options->start, "Recipe (TOML) to start from");
+    command
+        ->add_option("--library", options->library,
+                     "In place of --start: a folder made by nacre-library; the fit starts from the "
+                     "nearest record of each of its nearest constructions")
+        ->type_name("FOLDER");
+    command
+        ->add_option("--constructions", options->constructions,
+                     "With --library: how many constructions are tried")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
     command->add_option("--free", options->free,
                         "Numbers to turn, by key or the end of a key; * stands for any text "
                         "[those of the recipe's table [fit]]");

@@ -27,9 +27,9 @@ ExitStatus run_merge(const MergeOptions& options) {
     const Picture picture =
         merge_shares(std::vector<fs::path>(options.shares.begin(), options.shares.end()));
     warn_of_picture(options, picture.result, picture.metadata.at("nacre:scene"));
-    io::write_exr_and_png(options.output, picture.image(), options.tone_map);
-    say(options, fmt::format("{}; of {} shares", summary(picture.result, options.output),
-                             options.shares.size()));
+    const std::string clipped = write_picture(options.output, picture.image(), options.tone_map);
+    say(options, fmt::format("{}; of {} shares{}", summary(picture.result, options.output),
+                             options.shares.size(), clipped));
     nlohmann::json report = report_of(picture.result, options.output);
     report["shares"] = options.shares;
     report["total_s"] = watch.seconds();
@@ -54,7 +54,7 @@ Command add_merge(CLI::App& program) {
                      "Files of nacre render --shard, all of one picture, in any order")
         ->required()
         ->type_name("FILE");
-    add_exposure(*command, options->tone_map);
+    add_tone_map(*command, options->tone_map);
     add_picture_output(*command, *options);
     add_quiet(*command, *options);
     add_report(*command, *options);

@@ -50,6 +50,9 @@ TEST_F(Program, MergeWritesTheFilesOfOneProcess) {
     EXPECT_EQ(nacre("merge part.1.h5 part.2.h5 part.3.h5 --exposure 1 -o bright.exr").status, 0);
     EXPECT_EQ(contents(folder_ / "bright.exr"), contents(folder_ / "whole.exr"));
     EXPECT_NE(contents(folder_ / "bright.png"), contents(folder_ / "whole.png"));
+    EXPECT_EQ(nacre("merge part.1.h5 part.2.h5 part.3.h5 --gamut display-p3 -o p3.exr").status, 0);
+    EXPECT_EQ(contents(folder_ / "p3.exr"), contents(folder_ / "whole.exr"));
+    EXPECT_THAT(contents(folder_ / "p3.png"), HasSubstr("cICP"));
 }
 
 TEST_F(Program, MergeRefusesWhatIsNotOnePicture) {

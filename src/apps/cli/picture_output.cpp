@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace nacre::cli {
 
 namespace {
+
+const std::map<std::string, spectra::Gamut> kGamuts{{"rec709", spectra::Gamut::rec709},
+                                                    {"display-p3", spectra::Gamut::display_p3},
+                                                    {"rec2020", spectra::Gamut::rec2020}};
 
 double msamples_per_s(const render::RenderResult& result) {
     return static_cast<double>(result.samples) * result.width * result.height / result.seconds /
@@ -16,12 +21,33 @@ double msamples_per_s(const render::RenderResult& result) {
 
 }  // namespace
 
-void add_exposure(CLI::App& command, ToneMap& tone_map) {
+void add_tone_map(CLI::App& command, ToneMap& tone_map) {
     command
         .add_option("--exposure", tone_map.exposure_stops,
                     "Exposure of the PNG in stops; the EXR is not touched")
         ->check(CLI::Range(-50.0, 50.0))
         ->capture_default_str();
+    command
+        .add_option("--gamut", tone_map.gamut,
+                    "Display of the PNG: rec709 (sRGB), display-p3 or rec2020, which have purer "
+                    "colours [rec709]")
+        ->transform(CLI::CheckedTransformer(kGamuts))
+        ->type_name("DISPLAY");
+}
+
+std::string write_picture(const std::filesystem::path& exr, io::Image image,
+                          const ToneMap& tone_map) {
+    const double outside = io::outside_gamut(image, tone_map.gamut);
+    io::write_exr_and_png(exr, std::move(image), tone_map);
+    constexpr double kWorthSaying = 0.01;
+    if (outside < kWorthSaying) return {};
+    for (const auto& [name, gamut] : kGamuts) {
+        if (gamut != tone_map.gamut) continue;
+        return fmt::format("; {} of the pixels have colours that the PNG's display ({}) does not{}",
+                           percent_text(outside), name,
+                           gamut == spectra::Gamut::rec2020 ? "" : ": --gamut has wider ones");
+    }
+    return {};
 }
 
 void add_picture_output(CLI::App& command, CommonOptions& options) {

@@ -11,7 +11,8 @@
 
 namespace nacre::cli {
 
-void add_exposure(CLI::App& command, ToneMap& tone_map);
+/// --exposure and --gamut.
+void add_tone_map(CLI::App& command, ToneMap& tone_map);
 void add_picture_output(CLI::App& command, CommonOptions& options);
 
 /// @throws UsageError if --output does not end in `extension`
@@ -23,6 +24,11 @@ void warn_of_picture(const CommonOptions& options, const render::RenderResult& r
 
 /// "out.exr and out.png: 512 x 512 pixels, 64 samples each, noise 2 %, 3.4 s (4.9 Msamples/s)".
 std::string summary(const render::RenderResult& result, const std::filesystem::path& exr);
+
+/// Writes the EXR and the PNG beside it.
+/// @return for the end of summary(): how many pixels the PNG's display cannot show, if it matters
+std::string write_picture(const std::filesystem::path& exr, io::Image image,
+                          const ToneMap& tone_map);
 
 /// What both report of a picture.
 nlohmann::json report_of(const render::RenderResult& result, const std::filesystem::path& exr);

@@ -14,6 +14,7 @@
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
 #include "apps/cli/picture_output.h"
+#include "apps/cli/video.h"
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
@@ -39,6 +40,7 @@ struct RenderCommandOptions : CommonOptions {
     std::string frames;
     std::optional<std::string> turntable;
     std::optional<double> step_deg;
+    VideoOptions video;
     std::optional<std::string> shard;
     std::optional<Share> share;  // that it says
 };
@@ -197,6 +199,10 @@ void check_choices(const RenderCommandOptions& options) {
     if (options.frames.empty() && (options.turntable || options.step_deg)) {
         throw UsageError("--turntable and --step belong to --frames");
     }
+    if (options.frames.empty() && !options.video.path.empty()) {
+        throw UsageError("--video belongs to --frames");
+    }
+    if (!options.video.path.empty()) check_video(options.video);
     if (!options.frames.empty() && !options.turntable) {
         throw UsageError("--frames needs --turntable, which says what turns");
     }
@@ -205,8 +211,8 @@ void check_choices(const RenderCommandOptions& options) {
             "--shard and --noise exclude each other: say with --spp how many samples all shares "
             "have together");
     }
-    if (options.shard && options.tone_map.exposure_stops != 0) {
-        throw UsageError("--exposure belongs to nacre merge where there is --shard");
+    if (options.shard && options.tone_map != io::ToneMap{}) {
+        throw UsageError("--exposure and --gamut belong to nacre merge where there is --shard");
     }
     if (options.render.sparkle && !parse_model(options.model).can.sparkle) {
         throw UsageError(fmt::format("--sparkle: the model {} shows no single flakes; must be {}",
@@ -276,10 +282,10 @@ nlohmann::json render_picture_to(const RenderCommandOptions& options, const Scen
     }
     warn_of_picture(options, result, options.scene);
     picture.metadata["nacre:scene"] = options.scene;
-    io::write_exr_and_png(exr, picture.image(), options.tone_map);
+    const std::string clipped = write_picture(exr, picture.image(), options.tone_map);
 
-    say(options,
-        (result.complete ? "" : "stopped early; partial picture in ") + summary(result, exr));
+    say(options, (result.complete ? "" : "stopped early; partial picture in ") +
+                     summary(result, exr) + clipped);
     const bool capped = how.samples_per_pixel == options.spp.value_or(kMostSamplesForNoise);
     if (options.noise && capped && result.complete && result.noise > options.noise) {
         say(options,
@@ -306,7 +312,8 @@ void add_png_beside(CommandFiles& files, const fs::path& exr) {
 CommandFiles frame_files(const RenderCommandOptions& options, long frame) {
     CommandFiles files = files_of(options, {options.scene, options.paint, options.brdf});
     const fs::path file = frame_file(options.output, frame);
-    files.files = {{"--report", options.report}, {"--output", file.string()}};
+    files.files = {
+        {"--report", options.report}, {"--output", file.string()}, {"--video", options.video.path}};
     if (!options.shard) add_png_beside(files, file);
     return files;
 }
@@ -342,6 +349,15 @@ ExitStatus render_frames(RenderCommandOptions options, const Painted& start,
         options.render.seed = options.seed + static_cast<std::uint64_t>(frame);
         all.push_back(render_to(options, *scene, frame_file(options.output, frame)));
         complete = all.back()["complete"];
+    }
+    if (complete && !options.video.path.empty()) {
+        const fs::path output = replaced(options.output, "%", "%%");
+        const fs::path frames_exr =
+            fs::path(output).replace_extension(".%04d" + output.extension().string());
+        write_video(options.video, io::png_beside(frames_exr).string(), frames.first,
+                    frames.count());
+        say(options, fmt::format("{}: {} frames, {} a second", options.video.path, frames.count(),
+                                 options.video.frames_per_s));
     }
     write_report(options, "render",
                  {{"frames", std::move(all)},
@@ -447,6 +463,13 @@ Command add_render(CLI::App& program) {
                      "With --frames: deg from frame to frame; frame 0 is the scene as it is [a "
                      "whole turn in all frames]")
         ->check(CLI::Range(-360.0, 360.0));
+    command
+        ->add_option("--video", options->video.path,
+                     "With --frames: a video of them besides, by ffmpeg: .mp4, .mkv, .webm, .gif")
+        ->type_name("FILE");
+    command->add_option("--fps", options->video.frames_per_s, "Frames a second of the video")
+        ->check(CLI::Range(0.1, 240.0))
+        ->capture_default_str();
     command->add_option("--size", options->size, "Pixels as WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--depth", options->render.max_depth, "Surface reflections along a path")
         ->check(CLI::Range(1, 1000))
@@ -461,7 +484,7 @@ Command add_render(CLI::App& program) {
                      "Render share I of N of the samples only, as 2/8, for nacre merge; -o then "
                      "names an .h5")
         ->type_name("I/N");
-    add_exposure(*command, options->tone_map);
+    add_tone_map(*command, options->tone_map);
     add_picture_output(*command, *options);
     add_seed(*command, *options);
     add_input_options(*command, *options);

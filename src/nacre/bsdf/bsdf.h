@@ -13,8 +13,8 @@
 #include "nacre/sparkle/footprint.h"
 
 // What the renderer sees of a surface. Local frame: z is the outward normal; both directions point
-// away from the surface; a BRDF is in 1/sr, without the cosine (docs/conventions.md). All of
-// Nacre's surfaces are opaque: a direction below the horizon gives zero.
+// away from the surface; a BRDF is in 1/sr, without the cosine (docs/conventions.md). Paints are
+// opaque: a direction below the horizon gives zero; glass alone transmits() there.
 
 namespace nacre::sparkle {
 class CoatWaves;
@@ -27,20 +27,22 @@ using Wavelengths = std::array<double, kLanes>;  // nm
 /// What is known of how a sampled direction was drawn. It decides whether a renderer may weigh the
 /// sample against others, and whether ray differentials can be followed further.
 enum class SampleKind {
-    density,         ///< from a density per solid angle, which pdf() gives as well
-    specular,        ///< the specular reflection of a smooth interface: a delta distribution
-    unknown_density  ///< by a random walk, whose density has no closed form
+    density,          ///< from a density per solid angle, which pdf() gives as well
+    specular,         ///< the reflection or refraction of a smooth interface: a delta distribution
+    unknown_density,  ///< by a random walk, whose density has no closed form
+    straight  ///< light goes on as if nothing stood there, weakened (BoundBsdf::straight_through)
 };
 
 /// One direction drawn by BoundBsdf::sample().
 struct BsdfSample {
     Vec3f wo;
     /// What the mean of L(wo) weight over all samples needs to be the reflected radiance of
-    /// incident light L: f |cos| / pdf for `density`, reflectance / pdf for `specular`, and for
+    /// incident light L: f |cos| / pdf for `density`, reflectance (or transmittance) / pdf for
+    /// `specular` and `straight`, and for
     /// `unknown_density` the part of the walk's light that leaves.
     FloatLanes weight;
-    /// For `density` per solid angle in 1/sr, for `specular` the probability of choosing the
-    /// specular lobe, for `unknown_density` without meaning and 1.
+    /// For `density` per solid angle in 1/sr, for `specular` and `straight` the probability of
+    /// choosing that, for `unknown_density` without meaning and 1.
     float pdf = 0;
     SampleKind kind = SampleKind::density;
     /// Where the light leaves, from where it came in, in the local frame, in mm: other than zero
@@ -129,9 +131,10 @@ struct Patch {
 
 /// The coordinates by which a surface varies.
 enum class SurfaceCoordinates {
-    none,         ///< it does not vary
-    unit_square,  ///< by fractions of the unit square over which the shape is laid out
-    object_space  ///< by millimetres of the shape before it is turned and moved
+    none,                 ///< it does not vary
+    unit_square,          ///< by fractions of the unit square over which the shape is laid out
+    object_space,         ///< by millimetres of the shape before it is turned and moved
+    place_in_unit_square  ///< as unit_square, by the place alone: a patch without edges will do
 };
 
 /// A surface at eight wavelengths: all that depends on wavelength alone has been worked out, so
@@ -190,6 +193,17 @@ class BoundBsdf {
 
     /// Of surfaces whose interface may be tilted (TiltedCoat).
     virtual BinderIndex binder_index() const { return {}; }
+
+    // Of glass. wi.z > 0 always: a ray that arrives from behind asks from_behind().
+
+    /// Whether a direction wo.z < 0 has a value, a density and samples.
+    virtual bool transmits() const { return false; }
+    /// The same face seen from its other side.
+    virtual const BoundBsdf& from_behind() const { return *this; }
+    /// What is left of light that has gone so far on this side before it arrives.
+    virtual FloatLanes passed(float /*distance_mm*/) const { return splat(1.0f); }
+    /// Transmittance of light that keeps its direction: what `straight` samples carry on average.
+    virtual FloatLanes straight_through(Vec3f /*wi*/) const { return FloatLanes{}; }
 };
 
 class Bsdf {
@@ -198,6 +212,8 @@ class Bsdf {
     virtual std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const = 0;
     /// Which part of a Patch evaluate_on() and sample_on() read.
     virtual SurfaceCoordinates surface_coordinates() const { return SurfaceCoordinates::none; }
+    /// Whether shadows of the surface are lit through it (BoundBsdf::straight_through).
+    virtual bool lets_light_straight_through() const { return false; }
     /// Whether they differ from patch to patch.
     bool varies_over_surface() const { return surface_coordinates() != SurfaceCoordinates::none; }
     /// The waves of its coat, by which a renderer tilts it (TiltedCoat): the calls of BoundBsdf are of

@@ -60,6 +60,8 @@ class AtomicFile {
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
+    /// Where the temporary is, for another program that writes it; empty if it has no name.
+    const std::filesystem::path& temporary() const { return temporary_name_; }
     /// Appends to the temporary.
     /// @throws Error naming the file and the reason, such as a full disk
     void write(std::string_view bytes);

@@ -11,6 +11,7 @@
 #include "nacre/core/error.h"
 #include "nacre/core/text.h"
 #include "nacre/io/brdf_table_file.h"
+#include "nacre/io/cxf.h"
 #include "nacre/io/image.h"
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/measurement_columns.h"
@@ -50,8 +51,7 @@ constexpr std::pair<FileKind, const char*> kKindWords[] = {
     {FileKind::empty, "empty"},
     {FileKind::other_table, "a table (CSV) whose header is not known"},
     {FileKind::other_json, "JSON that Nacre does not know"},
-    {FileKind::other_xml,
-     "XML, such as CxF, which is not read; export measured colours as CSV or CGATS"},
+    {FileKind::other_xml, "XML that is not read; export measured colours as CxF3, CSV or CGATS"},
     {FileKind::other_hdf5, "HDF5 that Nacre did not write"},
     {FileKind::other_picture, "a picture in a format that is not read; save it as EXR, HDR or PNG"},
     {FileKind::spreadsheet, "a spreadsheet or another archive; save the table in it as CSV"},
@@ -142,7 +142,8 @@ FileKind kind_of_xml(std::string_view head) {
     const auto has = [&](std::string_view text) { return small.find(text) != std::string::npos; };
     if (has("<materialx")) return FileKind::materialx;
     if (has("<html") || has("<!doctype html")) return FileKind::page;
-    return has("<svg") ? FileKind::plot : FileKind::other_xml;
+    if (has("<svg")) return FileKind::plot;
+    return looks_like_cxf(head) ? FileKind::measured_colours : FileKind::other_xml;
 }
 
 /// Whether the first two rows of a text have cells, so that it is no TOML gone wrong.

@@ -21,7 +21,7 @@ enum class FileKind {
     // Measurements.
     rgl,               ///< .bsdf
     merl,              ///< .binary
-    measured_colours,  ///< CSV, JSON or CGATS
+    measured_colours,  ///< CSV, JSON, CGATS or CxF3
     drawdown,          ///< CSV
     // What recipes and scenes name.
     material,  ///< optical constants, CSV or YAML
@@ -38,7 +38,7 @@ enum class FileKind {
     empty,
     other_table,  ///< CSV whose header is not known
     other_json,
-    other_xml,  ///< CxF is one
+    other_xml,
     other_hdf5,
     other_picture,   ///< JPEG, TIFF
     spreadsheet,     ///< .xlsx, .ods, .xls; or another archive

@@ -168,15 +168,30 @@ void on_write(png_structp png, png_bytep data, std::size_t count) {
 }
 void on_flush(png_structp) {}
 
+// Code points of cICP.                                           [itu-h-273-2021; png-3-2025]
+constexpr png_byte kCicpRec709 = 1, kCicpRec2020 = 9, kCicpP3 = 12, kCicpSrgbTransfer = 13;
+
 /// Encodes; between setjmp and the end only C functions run and no object is made, as a long jump
 /// past a destructor is undefined.
 bool encode(PngWriter& writer, std::uint32_t width, std::uint32_t height, png_textp texts,
-            int text_count, const std::uint8_t* pixels) {
+            int text_count, spectra::Gamut gamut, const std::uint8_t* pixels) {
     if (setjmp(png_jmpbuf(writer.png))) return false;
     png_set_write_fn(writer.png, &writer, on_write, on_flush);
     png_set_IHDR(writer.png, writer.info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (gamut == spectra::Gamut::rec709) {
+        png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    } else {
+        const auto& xy = spectra::primaries(gamut);
+        const double* white = spectra::kRec709White;
+        png_set_cHRM(writer.png, writer.info, white[0], white[1], xy[0][0], xy[0][1], xy[1][0],
+                     xy[1][1], xy[2][0], xy[2][1]);
+        png_set_gAMA(writer.png, writer.info, 1 / 2.2);
+        png_write_info_before_PLTE(writer.png, writer.info);
+        const png_byte code[] = {gamut == spectra::Gamut::display_p3 ? kCicpP3 : kCicpRec2020,
+                                 kCicpSrgbTransfer, 0, 1};
+        png_write_chunk(writer.png, reinterpret_cast<png_const_bytep>("cICP"), code, sizeof code);
+    }
     if (text_count > 0) png_set_text(writer.png, writer.info, texts, text_count);
     png_write_info(writer.png, writer.info);
     for (std::uint32_t y = 0; y < height; ++y) {
@@ -196,7 +211,7 @@ std::string keyword(const std::string& text) {
 }
 
 std::string png_bytes(const std::vector<std::uint8_t>& pixels, int width, int height,
-                      const std::map<std::string, std::string>& metadata) {
+                      spectra::Gamut gamut, const std::map<std::string, std::string>& metadata) {
     PngWriter writer;
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);
     if (writer.png) writer.info = png_create_info_struct(writer.png);
@@ -212,10 +227,40 @@ std::string png_bytes(const std::vector<std::uint8_t>& pixels, int width, int he
         texts[i].text_length = owned[i].second.size();
     }
     if (!encode(writer, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
-                texts.data(), static_cast<int>(texts.size()), pixels.data())) {
+                texts.data(), static_cast<int>(texts.size()), gamut, pixels.data())) {
         throw Error(fmt::format("cannot encode a PNG: {}", writer.complaint));
     }
     return std::move(writer.bytes);
+}
+
+/// What cICP says; sRGB without it.
+spectra::Gamut gamut_of(const std::vector<Chunk>& chunks, const std::string& name) {
+    for (const Chunk& chunk : chunks) {
+        if (chunk.type != "cICP") continue;
+        const auto code = [&](std::size_t i) {
+            return i < chunk.data.size() ? static_cast<unsigned char>(chunk.data[i]) : 0u;
+        };
+        if (code(1) == kCicpSrgbTransfer && code(2) == 0) {
+            if (code(0) == kCicpRec709) return spectra::Gamut::rec709;
+            if (code(0) == kCicpP3) return spectra::Gamut::display_p3;
+            if (code(0) == kCicpRec2020) return spectra::Gamut::rec2020;
+        }
+        throw InputError(fmt::format(
+            "{}: its colours are of primaries {} and transfer function {} (chunk cICP); "
+            "read are primaries 1 (Rec. 709), 9 (Rec. 2020) and 12 (P3) with transfer "
+            "function 13 (sRGB)",
+            name, code(0), code(1)));
+    }
+    return spectra::Gamut::rec709;
+}
+
+void turn_to_rec709(spectra::Gamut gamut, Image& image) {
+    for (std::size_t p = 0; p < image.pixel_count(); ++p) {
+        Vec3d rgb{};
+        for (int c = 0; c < 3; ++c) rgb[c] = image.channels[c].pixels[p];
+        rgb = spectra::to_rec709(gamut, rgb);
+        for (int c = 0; c < 3; ++c) image.channels[c].pixels[p] = static_cast<float>(rgb[c]);
+    }
 }
 
 const std::array<float, 256>& decoded_bytes() {
@@ -242,6 +287,7 @@ Image parse_png(std::string_view bytes, const std::string& name, std::size_t max
     if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) fail();
     Image image = blank_image(name, png.width, png.height, {"R", "G", "B"}, max_values);
     image.metadata = texts(all_chunks);
+    const spectra::Gamut gamut = gamut_of(all_chunks, name);
     const std::size_t values = 3 * image.pixel_count();
     const auto store = [&](const auto& pixels, auto&& decode) {
         for (std::size_t i = 0; i < values; ++i) {
@@ -260,6 +306,7 @@ Image parse_png(std::string_view bytes, const std::string& name, std::size_t max
         if (!png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr)) fail();
         store(pixels, [](std::uint8_t v) { return decoded_bytes()[v]; });
     }
+    if (gamut != spectra::Gamut::rec709) turn_to_rec709(gamut, image);
     return image;
 }
 
@@ -267,8 +314,23 @@ std::string encode_png(const Image& image, const std::string& name, const ToneMa
     const std::vector<float> rgb = interleaved_rgb(image, name);
     const double scale = std::exp2(tone_map.exposure_stops);
     std::vector<std::uint8_t> pixels(rgb.size());
-    for (std::size_t i = 0; i < rgb.size(); ++i) pixels[i] = display_byte(rgb[i], scale);
-    return png_bytes(pixels, image.width, image.height, image.metadata);
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+        const Vec3d shown = spectra::rec709_to(tone_map.gamut, {rgb[i], rgb[i + 1], rgb[i + 2]});
+        for (int c = 0; c < 3; ++c) pixels[i + c] = display_byte(shown[c], scale);
+    }
+    return png_bytes(pixels, image.width, image.height, tone_map.gamut, image.metadata);
+}
+
+double outside_gamut(const Image& image, spectra::Gamut gamut) {
+    const std::vector<float> rgb = interleaved_rgb(image, "picture");
+    constexpr double kRounding = 1e-3;
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+        const Vec3d shown = spectra::rec709_to(gamut, {rgb[i], rgb[i + 1], rgb[i + 2]});
+        const auto [least, largest] = std::minmax({shown[0], shown[1], shown[2]});
+        outside += least < -kRounding * std::max(largest, 0.0);
+    }
+    return rgb.empty() ? 0 : 3 * static_cast<double>(outside) / static_cast<double>(rgb.size());
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const ToneMap& tone_map) {

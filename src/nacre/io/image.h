@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "nacre/spectra/rgb.h"
+
 // Pictures of linear light. Pixels are row-major from the top left; R, G, B are linear Rec. 709,
 // where 1 is the perfect diffuser in full light.
 
@@ -42,7 +44,8 @@ inline constexpr std::size_t kMaxImageValues = std::size_t{1} << 29;
 inline constexpr std::size_t kMaxImageFileBytes = std::size_t{1} << 30;
 
 /// Reads OpenEXR (the first part, scan lines or tiles, every channel), Radiance HDR (RGBE) or PNG
-/// (8 and 16 bit, decoded from sRGB; transparency is laid over black), whichever the contents are.
+/// (8 and 16 bit, decoded from sRGB, from Display P3 and Rec. 2020 where its chunk cICP names them;
+/// transparency is laid over black), whichever the contents are.
 ///
 /// @throws InputError if the file is none of these, is cut short or damaged, or unfolds to more
 ///         than `max_values` values
@@ -71,9 +74,19 @@ std::string encode_exr(const Image& image, const std::string& name);
 /// How linear light becomes eight bits.
 struct ToneMap {
     double exposure_stops = 0;  ///< light is first multiplied by 2 to this power
+    /// The primaries of the display; other than sRGB's are named in the file by its chunks cICP and
+    /// cHRM, without which it would look pale.                            [png-3-2025]
+    spectra::Gamut gamut = spectra::Gamut::rec709;
+
+    friend bool operator==(const ToneMap&, const ToneMap&) = default;
 };
 
-/// Writes R, G and B, tone-mapped to sRGB, and the metadata as text chunks; whole or not at all.
+/// The fraction of pixels with a colour that the display does not have: a component below 0 by more
+/// than a thousandth of the largest, which the PNG shows as 0.
+/// @throws InputError as interleaved_rgb()
+double outside_gamut(const Image& image, spectra::Gamut gamut);
+
+/// Writes R, G and B, tone-mapped to the display's transfer function of sRGB, and the metadata as text chunks; whole or not at all.
 /// Errors as for write_exr() and interleaved_rgb().
 void write_png(const std::filesystem::path& path, const Image& image, const ToneMap& tone_map = {});
 

@@ -232,5 +232,33 @@ TEST_F(ImageFiles, NothingIsWrittenWhereItCannotBe) {
     EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+// Colours of a display come back as the light that they were, in files that name its primaries.
+TEST(Png, KeepsColoursOfWiderDisplays) {
+    Image image = blank_image("t", 2, 1, {"R", "G", "B"}, 100);
+    // Half of Rec. 2020's green, and a grey.
+    const Vec3d green = spectra::to_rec709(spectra::Gamut::rec2020, {0, 0.5, 0});
+    for (int c = 0; c < 3; ++c) image.channels[c].pixels = {static_cast<float>(green[c]), 0.25f};
+    EXPECT_LT(green[0], 0);
+    EXPECT_EQ(outside_gamut(image, spectra::Gamut::rec709), 0.5);
+    EXPECT_EQ(outside_gamut(image, spectra::Gamut::display_p3), 0.5);
+    EXPECT_EQ(outside_gamut(image, spectra::Gamut::rec2020), 0);
+    const std::string wide = encode_png(image, "t", {.gamut = spectra::Gamut::rec2020});
+    EXPECT_NE(wide.find("cICP"), std::string::npos);
+    EXPECT_EQ(wide.find("sRGB"), std::string::npos);
+    const Image back = parse_png(wide, "t", 100);
+    const std::string narrow = encode_png(image, "t");
+    EXPECT_EQ(narrow.find("cICP"), std::string::npos);
+    const Image clipped = parse_png(narrow, "t", 100);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(back.channels[c].pixels[0], green[c], 5e-3);
+        EXPECT_NEAR(back.channels[c].pixels[1], 0.25, 2e-3);
+        EXPECT_NEAR(clipped.channels[c].pixels[0], std::max(0.0, green[c]), 5e-3);
+    }
+    std::string strange = wide;
+    strange[wide.find("cICP") + 5] = 16;  // the transfer function: PQ
+    EXPECT_THAT(message_of<InputError>([&] { parse_png(strange, "t.png", 100); }),
+                ::testing::HasSubstr("t.png"));
+}
+
 }  // namespace
 }  // namespace nacre::io

@@ -13,6 +13,7 @@
 #include "nacre/core/text.h"
 #include "nacre/core/version.h"
 #include "nacre/io/cgats.h"
+#include "nacre/io/cxf.h"
 #include "nacre/io/measurement_columns.h"
 #include "nacre/io/measurement_csv.h"
 #include "nacre/measure/measurement.h"
@@ -385,6 +386,7 @@ MeasurementFile parse_measurement_file(std::string_view text, const std::string&
         require_utf8(text, filename);
         return {{parse_measurement_json(text, filename, defaults)}};
     }
+    if (looks_like_cxf(text)) return parse_measurement_cxf(text, filename, defaults);
     return looks_like_cgats(text) ? parse_measurement_cgats(text, filename, defaults)
                                   : parse_measurement_csv(text, filename, defaults);
 }
@@ -451,7 +453,8 @@ measure::Measurement read_measurement(const std::filesystem::path& path,
 }
 
 bool looks_like_measurement(std::string_view text) {
-    return starts_like_json(text) || looks_like_cgats(text) || find_measurement_header(text);
+    return starts_like_json(text) || looks_like_cxf(text) || looks_like_cgats(text) ||
+           find_measurement_header(text);
 }
 
 }  // namespace nacre::io

@@ -107,4 +107,23 @@ inline T fresnel_dielectric(T relative_index, T cos_i) {
     return dielectric_reflectance(T{} + 1, relative_index, cos_i);
 }
 
+/// Unpolarised reflectance of a metal n + i k in a medium of index 1, the square moduli of the
+/// amplitudes above written in real numbers.                       [born-wolf-1999, 14.2 eq. 15-17]
+/// @param n, k   lanes; n > 0, k >= 0
+/// @param cos_i  in [0, 1]
+template <class V, class T>
+inline V conductor_reflectance(const V& n, const V& k, T cos_i) {
+    const T cos2 = cos_i * cos_i, sin2 = 1 - cos2;
+    // a + i b = sqrt(index^2 - sin^2), the scaled cosine beyond the face.
+    const V real = n * n - k * k - sin2;
+    const V size = sqrt_lanes(real * real + T(4) * n * n * k * k);  // a^2 + b^2
+    const V half = (size + real) * T(0.5);
+    const V a = sqrt_lanes(max_lanes(half, V{}));
+    const V mixed = T(2) * cos_i * a;
+    const V r_s = (size + cos2 - mixed) / (size + cos2 + mixed);
+    const V along = cos2 * size + sin2 * sin2;
+    const V r_p = r_s * (along - sin2 * mixed) / (along + sin2 * mixed);
+    return (r_s + r_p) * T(0.5);
+}
+
 }  // namespace nacre::optics

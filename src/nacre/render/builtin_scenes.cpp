@@ -61,7 +61,7 @@ SceneDescription speed_shape_scene() {
     add_backdrop(scene);
     scene.shapes.push_back({SpeedShape{}, "paint", {.rotation_deg = {0, 0, -38}}});
     scene.camera = {
-        .position_mm = {0, -1250, 420}, .target_mm = {0, 0, 40}, .vertical_fov_deg = 17};
+        .position_mm = {0, -1250, 420}, .target_mm = {0, 0, 32}, .vertical_fov_deg = 13.5};
     return scene;
 }
 

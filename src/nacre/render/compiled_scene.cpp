@@ -6,6 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "nacre/bsdf/materials/conductor.h"
+#include "nacre/bsdf/materials/diffuse_picture.h"
+#include "nacre/bsdf/materials/glass.h"
+#include "nacre/bsdf/materials/plastic.h"
 #include "nacre/bsdf/models/lambertian.h"
 #include "nacre/core/embree.h"
 #include "nacre/core/error.h"
@@ -15,12 +19,39 @@
 namespace nacre::render {
 namespace {
 
+using Compiled = std::shared_ptr<const bsdf::Bsdf>;
+
+Compiled compile(const DiffuseMaterial& m) {
+    return std::make_shared<bsdf::Lambertian>(m.reflectance);
+}
+Compiled compile(const DiffusePictureMaterial& m) {
+    return std::make_shared<bsdf::DiffusePicture>(
+        bsdf::DiffusePicture::Pixels{m.width, m.height, m.rgb});
+}
+Compiled compile(const ConductorMaterial& m) {
+    return std::make_shared<bsdf::Conductor>(m.metal, m.roughness);
+}
+Compiled compile(const GlassMaterial& m) {
+    if (m.pane_mm > 0) {
+        return std::make_shared<bsdf::Pane>(m.index, m.absorption_per_mm, m.pane_mm);
+    }
+    return std::make_shared<bsdf::Glass>(m.index, m.absorption_per_mm, m.roughness);
+}
+Compiled compile(const PlasticMaterial& m) {
+    return std::make_shared<bsdf::Plastic>(m.reflectance, m.index, m.roughness);
+}
+Compiled compile(const PaintMaterial&) { return nullptr; }  // a paint is given
+
 std::vector<std::shared_ptr<const bsdf::Bsdf>> compile_materials(
     const SceneDescription& description, const PaintTable& paints) {
     std::vector<std::shared_ptr<const bsdf::Bsdf>> compiled;
     for (const auto& [name, material] : description.materials) {
-        if (const auto* diffuse = std::get_if<DiffuseMaterial>(&material)) {
-            compiled.push_back(std::make_shared<bsdf::Lambertian>(diffuse->reflectance));
+        if (!std::holds_alternative<PaintMaterial>(material)) {
+            try {
+                compiled.push_back(std::visit([](const auto& m) { return compile(m); }, material));
+            } catch (const DomainError& error) {
+                throw DomainError(fmt::format("materials.{}.{}", name, error.what()));
+            }
             continue;
         }
         const auto paint = paints.find(name);
@@ -66,6 +97,7 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
       device_(rtcNewDevice(nullptr), [](RTCDeviceTy* d) { rtcReleaseDevice(d); }),
       scene_(nullptr, [](RTCSceneTy* s) { rtcReleaseScene(s); }) {
     embree::check(device_.get(), "starting");
+    for (const auto& material : materials) has_panes_ |= material->lets_light_straight_through();
     scene_.reset(rtcNewScene(device_.get()));
     rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
     for (const Shape& shape : description.shapes) {
@@ -86,12 +118,16 @@ CompiledScene::CompiledScene(const SceneDescription& description, const PaintTab
                 return Mesh{};  // a sphere: handled above
             },
             shape.geometry);
-        if (materials[material]->surface_coordinates() == bsdf::SurfaceCoordinates::unit_square &&
-            surface.mesh.uv.empty()) {
+        using bsdf::SurfaceCoordinates;
+        const SurfaceCoordinates by = materials[material]->surface_coordinates();
+        if (surface.mesh.uv.empty() && (by == SurfaceCoordinates::unit_square ||
+                                        by == SurfaceCoordinates::place_in_unit_square)) {
             throw InputError(
-                fmt::format("mesh '{}': has no texture coordinates; the paint of the material '{}' "
-                            "shows single facets, whose places they give",
-                            std::get<MeshFile>(shape.geometry).path.string(), shape.material));
+                fmt::format("mesh '{}': has no texture coordinates; the material '{}' {}",
+                            std::get<MeshFile>(shape.geometry).path.string(), shape.material,
+                            by == SurfaceCoordinates::unit_square
+                                ? "is a paint that shows single facets, whose places they give"
+                                : "is a picture, which they lay over the mesh"));
         }
         apply(surface.map, surface.mesh);
         add_mesh(std::move(surface));
@@ -247,12 +283,30 @@ bool CompiledScene::occluded(const Ray& ray, float distance_mm) const {
     return query.tfar < 0;
 }
 
+FloatLanes CompiledScene::transmittance(Ray ray, float distance_mm,
+                                        const BoundMaterials& bound) const {
+    if (!has_panes_) return splat(occluded(ray, distance_mm) ? 0.0f : 1.0f);
+    FloatLanes left = splat(1.0f);
+    for (;;) {
+        const auto hit = intersect(ray, false);
+        if (!hit || hit->distance_mm >= distance_mm) return left;
+        if (hit->rectangle >= 0) return FloatLanes{};
+        const Vec3f wi = Frame::around(hit->shading_normal).to_local(-ray.direction);
+        left *= bound[hit->material]->straight_through(wi);
+        if (!(lane_max(left) > 0)) return left;
+        distance_mm -= hit->distance_mm;
+        ray.origin_mm = hit->origin_behind();
+    }
+}
+
 Vec3f Hit::origin() const {
     // 64 units in the last place of the largest coordinate that took part.
     const float size = std::max(
         {std::abs(position_mm.x), std::abs(position_mm.y), std::abs(position_mm.z), distance_mm});
     return position_mm + (0x1p-17f * size) * geometric_normal;
 }
+
+Vec3f Hit::origin_behind() const { return position_mm - (origin() - position_mm); }
 
 Scene::Scene(const SceneDescription& description, const PaintTable& paints) {
     validate(description);

@@ -35,7 +35,12 @@ struct Hit {
     /// Where a ray that leaves the surface starts: off the surface by more than the rounding of
     /// the hit point, so that it does not meet it again.
     Vec3f origin() const;
+    /// The same for a ray that goes on behind the surface.
+    Vec3f origin_behind() const;
 };
+
+/// The materials of a scene at eight wavelengths, by their numbers.
+using BoundMaterials = std::vector<std::unique_ptr<const bsdf::BoundBsdf>>;
 
 /// What Scene holds: everything that stays the same over a render.
 struct CompiledScene {
@@ -48,6 +53,8 @@ struct CompiledScene {
     std::optional<Hit> intersect(const Ray& ray, bool coherent) const;
     /// Whether anything stands within `distance_mm` along the ray.
     bool occluded(const Ray& ray, float distance_mm) const;
+    /// What is left of light along a stretch, which panes weaken and all else stops.
+    FloatLanes transmittance(Ray ray, float distance_mm, const BoundMaterials& bound) const;
     /// Where a ray starts that leaves the surface `exit_mm` away from the hit, as light does that
     /// has gone through a volume (BsdfSample::exit_mm): off the surface, as Hit::origin().
     Vec3f origin(const Hit& hit, Vec3f exit_mm) const;
@@ -86,6 +93,7 @@ struct CompiledScene {
     std::unique_ptr<RTCDeviceTy, void (*)(RTCDeviceTy*)> device_;
     std::unique_ptr<RTCSceneTy, void (*)(RTCSceneTy*)> scene_;
     std::vector<Surface> surfaces_;
+    bool has_panes_ = false;
 };
 
 }  // namespace nacre::render

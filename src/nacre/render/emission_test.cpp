@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nacre/render/environment.h"
+#include "nacre/render/lights.h"
 #include "nacre/render/render.h"
 
 namespace nacre::render {
@@ -193,6 +194,41 @@ TEST(Sky, RadianceHasTheLuminanceThatGuidesSampling) {
             const double expected = sky.compiled.radiance->luminance(d);
             EXPECT_NEAR(luminance, expected, 2e-3 * expected) << azimuth << " " << elevation;
         }
+    }
+}
+
+// Light that is spread out is as much: the mean over the sphere of sky and sun, and of a picture with
+// one bright pixel.
+TEST(Sky, SpreadOutForCausticsItGivesAsMuchLight) {
+    ImageEnvironment image{256, 128, std::vector<float>(std::size_t{3} * 256 * 128, 0.5f)};
+    for (int c = 0; c < 3; ++c) image.rgb[3 * (40 * 256 + 30) + c] = 20'000;
+    for (const Environment& environment :
+         {Environment(SkyEnvironment{.sun_elevation_deg = 35}), Environment(image)}) {
+        EmissionBasis basis;
+        const LightSet lights({}, environment, {}, 1, basis);
+        const bsdf::Wavelengths nm = film_wavelengths(0);
+        const XyzWeights xyz = film_xyz_weights(nm);
+        const auto spectra = basis.at(nm);
+        const auto luminance = [&](const FloatLanes& l) { return lane_sum(xyz[1] * l); };
+        double sharp = 0, blurred = 0, largest = 0, largest_blurred = 0;
+        constexpr int kAround = 8192, kUp = 4096;  // the sun is met by 100 of them
+        for (int i = 0; i < kUp; ++i) {
+            const double z = 2 * (i + 0.5) / kUp - 1, sine = std::sqrt(1 - z * z);
+            for (int j = i % 4; j < kAround; j += 4) {
+                const double azimuth = 2 * M_PI * (j + 0.5) / kAround;
+                const Vec3f d{static_cast<float>(sine * std::cos(azimuth)),
+                              static_cast<float>(sine * std::sin(azimuth)), static_cast<float>(z)};
+                const double a = luminance(
+                    lights.escaped(d, spectra.data(), [](const LightPdf&) { return 1.0f; }));
+                const double b = luminance(lights.escaped_blurred(d, spectra.data()));
+                sharp += a;
+                blurred += b;
+                largest = std::max(largest, a);
+                largest_blurred = std::max(largest_blurred, b);
+            }
+        }
+        EXPECT_NEAR(blurred / sharp, 1, 0.03);
+        EXPECT_LT(largest_blurred, 0.02 * largest);
     }
 }
 

@@ -57,9 +57,12 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& h
     const auto light =
         scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data(),
                              strategy == DirectLight::light_sampling);
-    if (!light || dot(light->direction, hit.geometric_normal) <= 0) return {};
+    if (!light) return {};
     const Vec3f wo = frame.to_local(light->direction);
-    if (wo.z <= 0) return {};
+    const bool behind = wo.z < 0;
+    // An interpolated normal can take the light for one on the other side.
+    if (wo.z == 0 || (dot(light->direction, hit.geometric_normal) <= 0) != behind) return {};
+    if (behind && !surface.bsdf.transmits()) return {};
     const bool narrow = light->density > surface.narrow_light;
     const bool weighted = !light->delta && strategy == DirectLight::combined && !narrow;
     if (surface.patch) surface.patch->narrow_light = narrow ? light->density : 0.0f;
@@ -76,8 +79,11 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& h
     if (surface.patch) surface.patch->narrow_light = 0;
     if (!(lane_max(reflected.shown) > 0 || lane_max(reflected.smooth) > 0)) return {};
     // Stop just short of the light, whose own rectangle is part of the scene.
-    if (scene.occluded({hit.origin(), light->direction}, light->distance * 0.9999f)) return {};
-    const FloatLanes scale = (wo.z / light->pdf) * light->radiance;
+    const FloatLanes arrives =
+        scene.transmittance({behind ? hit.origin_behind() : hit.origin(), light->direction},
+                            light->distance * 0.9999f, pass.surfaces);
+    if (!(lane_max(arrives) > 0)) return {};
+    const FloatLanes scale = (std::abs(wo.z) / light->pdf) * arrives * light->radiance;
     return {scale * reflected.shown, scale * reflected.smooth};
 }
 
@@ -122,6 +128,8 @@ namespace {
 
 /// The first surface, counted from 1, at which Russian roulette may end the path.
 constexpr int kRouletteFrom = 4;
+/// Density of directions, per solid angle, below which a lobe is wider than the blur of caustics.
+constexpr float kWideLobe = 4;
 /// Fraction of the samples that choose a flake whatever light it sees.
 constexpr float kBlind = 0.1f;
 /// The sampler's vertex for the choice among flakes, beyond those of any path.
@@ -142,6 +150,9 @@ struct Branch {
     /// Light of a larger density has been left to the light samples of the last surface.
     float narrow_light = std::numeric_limits<float>::infinity();
     std::uint32_t first_vertex = 1;  ///< of the sampler: vertex of depth 0
+    /// A wide lobe has sent it on its way, and a mirror since: no sample of lights finds its light.
+    bool scattered_widely = false, caustic = false;
+    float straight_mm = 0;  ///< gone through panes since the last surface
 };
 
 class PathTracer {
@@ -171,6 +182,11 @@ class PathTracer {
                             const std::optional<bsdf::TiltedCoat>& tilted);
     void ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
 
+    /// The surface as it is from the side on which the ray arrives.
+    const bsdf::BoundBsdf& bound(const Hit& hit) const {
+        const bsdf::BoundBsdf& front = *pass_.surfaces[hit.material];
+        return hit.lit_side ? front : front.from_behind();
+    }
     RayDifferential::Edges footprint(const Hit& hit, const Branch& branch) const {
         return branch.differential->at(branch.ray.direction, hit.distance_mm, hit.geometric_normal);
     }
@@ -207,11 +223,14 @@ class PathTracer {
 
 LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
                                     const std::optional<bsdf::TiltedCoat>& tilted) {
-    const bsdf::BoundBsdf& flat = *pass_.surfaces[hit.material];
+    const bsdf::BoundBsdf& flat = bound(hit);
     LocalSurface surface{tilted ? *tilted : flat, {}};
-    if (!branch.differential || !scene_.materials[hit.material]->varies_over_surface()) {
+    const bsdf::SurfaceCoordinates by = scene_.materials[hit.material]->surface_coordinates();
+    if (by == bsdf::SurfaceCoordinates::place_in_unit_square) {
+        surface.patch = scene_.patch(hit, {}, {}, {});
         return surface;
     }
+    if (!branch.differential || by == bsdf::SurfaceCoordinates::none) return surface;
     const RayDifferential::Edges edges = footprint(hit, branch);
     // Edge on the footprint is not bounded; the mean takes its place.
     if (!all_finite(edges)) return surface;
@@ -314,11 +333,16 @@ void PathTracer::follow(Branch branch) {
     const FloatLanes* emission = pass_.emission.data();
     const auto light_weight = [&](const LightPdf& pdf) { return weight(branch, pdf); };
     for (;; ++branch.depth) {
-        const auto hit = scene_.intersect(branch.ray, branch.depth == 0);
+        auto hit = scene_.intersect(branch.ray, branch.depth == 0);
+        if (!hit && branch.caustic && options_.blur_caustics) {
+            gather(branch, scene_.lights->escaped_blurred(branch.ray.direction, emission));
+            return;
+        }
         if (!hit) {
             gather(branch, scene_.lights->escaped(branch.ray.direction, emission, light_weight));
             return;
         }
+        hit->distance_mm += branch.straight_mm;
         if (hit->rectangle >= 0) {
             if (!hit->lit_side) return;
             const LightPdf pdf = scene_.lights->rectangle_pdf(hit->rectangle, branch.ray.direction,
@@ -329,10 +353,15 @@ void PathTracer::follow(Branch branch) {
         }
         const Frame frame = Frame::around(hit->shading_normal);
         const Vec3f wi = frame.to_local(-branch.ray.direction);
+        if (bound(*hit).transmits()) {
+            const FloatLanes left = bound(*hit).passed(hit->distance_mm);
+            branch.throughput.shown *= left;
+            branch.throughput.smooth *= left;
+        }
         if (branch.depth == 0) {
             path_.met_surface = true;
             path_.normal = hit->shading_normal;
-            if (options_.albedo) path_.albedo = pass_.surfaces[hit->material]->albedo(wi);
+            if (options_.albedo) path_.albedo = bound(*hit).albedo(wi);
         }
         if (branch.depth >= options_.max_depth) return;
         std::optional<bsdf::TiltedCoat> tilted;
@@ -354,7 +383,10 @@ void PathTracer::follow(Branch branch) {
         // An interpolated normal can send light through the surface. Where light leaves a volume
         // elsewhere the surface has another normal.
         const Vec3f exit_mm = frame.to_world(sample->exit_mm);
-        if (dot(exit_mm, exit_mm) == 0 && dot(direction, hit->geometric_normal) <= 0) return;
+        const bool behind = sample->wo.z < 0;
+        if (dot(exit_mm, exit_mm) == 0 && (dot(direction, hit->geometric_normal) <= 0) != behind) {
+            return;
+        }
         const bool roulette = branch.depth + 1 >= kRouletteFrom;
         WithMean& throughput = branch.throughput;
         throughput.shown *= sample->weight;
@@ -367,17 +399,31 @@ void PathTracer::follow(Branch branch) {
             goes_on |= survives(throughput.smooth, roulette, u.roulette);
         }
         if (!goes_on) return;
-        const bool specular = sample->kind == bsdf::SampleKind::specular;
-        if (specular && branch.differential && pass_.has_varying_surfaces) {
+        if (sample->kind == bsdf::SampleKind::straight) {
+            // The last surface still knows with which density the ray was sampled.
+            branch.straight_mm = hit->distance_mm;
+            branch.ray.origin_mm = hit->origin_behind();
+            continue;
+        }
+        const bool mirrored = sample->kind == bsdf::SampleKind::specular && !behind;
+        if (mirrored && branch.differential && pass_.has_varying_surfaces) {
             branch.differential =
                 branch.differential->reflected(footprint(*hit, branch), hit->geometric_normal);
         } else {
             branch.differential.reset();
         }
+        branch.straight_mm = 0;
+        if (sample->kind == bsdf::SampleKind::specular) {
+            branch.caustic = branch.scattered_widely;
+        } else {
+            branch.caustic = false;
+            branch.scattered_widely =
+                sample->kind != bsdf::SampleKind::density || sample->pdf < kWideLobe;
+        }
         branch.surface_pdf = sample->pdf;
         branch.weighable = sample->kind == bsdf::SampleKind::density;
         branch.narrow_light = surface.narrow_light;
-        branch.ray = {scene_.origin(*hit, exit_mm), direction};
+        branch.ray = {behind ? hit->origin_behind() : scene_.origin(*hit, exit_mm), direction};
     }
 }
 

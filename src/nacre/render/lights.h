@@ -63,6 +63,14 @@ class LightSet {
     template <class Weight>
     FloatLanes escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const;
 
+    /// escaped() with the sun spread evenly over a disk of kBlur_deg, and the environment's luminance
+    /// over cells about as large, for light that a wide lobe has found by way of a mirror. No sample
+    /// of lights finds that light, so that a sun of its own size would be met once in many thousand
+    /// samples, as a speck: spread out it gives as much light, with caustics that are less sharp.
+    ///                                              [kaplanyan-dachsbacher-2013, who spread the mirror]
+    FloatLanes escaped_blurred(Vec3f direction, const FloatLanes* basis) const;
+    static constexpr double kBlur_deg = 16;  ///< radius
+
     /// Roughly the luminance that lights, were nothing in between, send along the direction, each
     /// weighted as in escaped(): a guide for sampling.
     template <class Weight>
@@ -116,6 +124,7 @@ class LightSet {
     std::vector<Directional> directionals_;
     std::unique_ptr<const EnvironmentRadiance> environment_;
     std::optional<DistantDisk> sun_;
+    std::vector<float> blurred_;        // luminance by cells of kBlurColumns x kBlurRows
     float environment_brightness_ = 0;  // luminance per density of alone_.environment
 };
 

@@ -111,18 +111,17 @@ Mesh make_mesh(const Backdrop& backdrop) {
 namespace {
 
 // Proportions in units of half of the length.
-constexpr double kHalfWidth = 0.44;
-constexpr double kBodyHeight = 0.29;
-constexpr double kBodyFall = 0.10;  // of the body's height, from the middle to the nose
-constexpr double kCabinHeight = 0.50;
-constexpr double kCabinHalfWidth = 0.33;
-constexpr double kCabinMiddle = -0.12;  // behind the middle
-constexpr double kCabinHalfLength = 0.80;
-constexpr double kFlankDepth = 0.075;     // of the flank's hollow, relative to the radius
-constexpr double kFlankElevation = 0.32;  // of the hollow above the ground, in rad about the axis
-constexpr double kFlankSpread = 0.16;
-constexpr double kSillDepth = 0.10;
-constexpr double kSillSpread = 0.10;
+constexpr double kHalfWidth = 0.40;     // of the plan at its mean
+constexpr double kSwell = 0.06;         // how much wider it is where it is widest,
+constexpr double kWidest = -0.35;       // behind the middle
+constexpr double kCabinHeight = 0.165;  // of the roof above the deck
+constexpr double kCabinWidth = 0.50;    // at its base, of the width of the body,
+constexpr double kCabinSwell = 0.20;    // and how much more under the roof
+constexpr double kScreenFoot = 0.52, kRoofFront = -0.02;  // the windscreen rises between them
+constexpr double kRoofBack = -0.10, kTail = -0.98;        // and the back falls between these
+constexpr double kFlankDepth = 0.085, kFlankElevation = 0.24, kFlankRise = 0.03;
+constexpr double kFlankSpread = 0.12;  // of the hollow, radians of elevation
+constexpr double kSillDepth = 0.10, kSillSpread = 0.07;
 
 double square(double x) { return x * x; }
 
@@ -133,6 +132,17 @@ double superellipse(double a, double b, double cosine, double sine, double expon
                     -1 / exponent);
 }
 
+/// From 1 in the middle to 0 at the end, the more suddenly the larger the exponent.
+double rounded_end(double from_middle, double exponent) {
+    return std::sqrt(std::max(0.0, 1 - std::pow(from_middle, exponent)));
+}
+
+/// From 0 at `from` to 1 at `to`, level at both ends, with even curvature: highlights do not break.
+double rise(double from, double to, double s) {
+    const double t = std::clamp((s - from) / (to - from), 0.0, 1.0);
+    return t * t * t * (t * (6 * t - 15) + 10);
+}
+
 /// Point at station u along the body and v around it, both in [0, 1], for a half length of 1.
 Vec3d point(double u, double v) {
     const double s =
@@ -141,24 +151,27 @@ Vec3d point(double u, double v) {
     const double cosine = std::cos(angle);
     const double sine = std::max(0.0, std::sin(angle));
 
-    const double end = std::sqrt(std::max(0.0, 1 - std::pow(std::abs(s), 3.0)));
-    const double width = kHalfWidth * (1 - 0.05 * s) * end;
-    const double height = kBodyHeight * (1 - kBodyFall * s) * end;
-    const double body = superellipse(width, height, cosine, sine, 3.0);
+    // The nose is drawn out, the tail cut off: in plan, and in side view.
+    const double ahead = std::abs(s);
+    const double plan = rounded_end(ahead, s > 0 ? 3.2 : 5);
+    const double side = rounded_end(ahead, s > 0 ? 4.5 : 7);
+    const double width =
+        kHalfWidth * (1 + kSwell * std::cos(std::numbers::pi * (s - kWidest))) * plan;
+    const double deck = (0.225 - 0.03 * s - 0.045 * s * s) * side;
+    const double body = superellipse(width, deck, cosine, sine, 4.5);
 
-    const double t = (s - kCabinMiddle) / kCabinHalfLength;
-    const double bump = std::abs(t) < 1 ? square(1 - t * t) : 0.0;
-    const double cabin =
-        superellipse(kCabinHalfWidth * std::sqrt(bump), kCabinHeight * bump, cosine, sine, 2.2);
+    const double raised = rise(kScreenFoot, kRoofFront, s) * rise(kTail, kRoofBack, s);
+    const double cabin = superellipse(width * (kCabinWidth + kCabinSwell * raised),
+                                      deck + kCabinHeight * raised, cosine, sine, 2.3);
 
-    constexpr double kUnion = 9;  // the larger, the sharper the line between cabin and shoulder
+    constexpr double kUnion = 24;  // the larger, the sharper the line between cabin and shoulder
     double radius =
         body > 0 ? body * std::pow(1 + std::pow(cabin / body, kUnion), 1 / kUnion) : 0.0;
 
     const double elevation = std::asin(std::clamp(sine, 0.0, 1.0));
-    const double along = square(1 - s * s);  // the hollow runs out before nose and tail
-    radius *=
-        1 - kFlankDepth * along * std::exp(-square((elevation - kFlankElevation) / kFlankSpread));
+    const double along = 1 - s * s;  // the hollow of the flank runs out before nose and tail
+    const double middle = kFlankElevation + kFlankRise * s;
+    radius *= 1 - kFlankDepth * along * std::exp(-square((elevation - middle) / kFlankSpread));
     radius *= 1 - kSillDepth * std::exp(-square(elevation / kSillSpread));
     return {s, -radius * cosine, radius * sine};
 }

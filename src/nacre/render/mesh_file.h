@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "nacre/render/mesh.h"
@@ -21,6 +23,8 @@ inline constexpr double kMaxMeshElements = 1 << 26;
 /// @param file  its path is for messages, its extension names the format; buffers of a glTF are read
 ///              from its folder and below, and from nowhere else
 /// @throws InputError as make_mesh(const MeshFile&)
-Mesh parse_mesh(std::string_view bytes, const MeshFile& file);
+/// @param parts  not null: for the names of all parts that the file has (MeshFile::part)
+Mesh parse_mesh(std::string_view bytes, const MeshFile& file,
+                std::set<std::string>* parts = nullptr);
 
 }  // namespace nacre::render

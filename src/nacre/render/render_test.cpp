@@ -131,6 +131,67 @@ TEST(Render, RectangleLightsADiffuseFloorAsInClosedForm) {
     }
 }
 
+// Even light from everywhere does not show clear glass, whose faces lose nothing: solid or pane,
+// smooth to rounding, as each path has the value 1 but where it ends at its last surface.
+TEST(Render, ClearGlassIsNotSeenInEvenLight) {
+    SceneDescription description = diffuse_sphere(0);
+    description.environment = ConstantEnvironment{};
+    RenderOptions options{.width = 16, .height = 16, .samples_per_pixel = 16, .max_depth = 200};
+    for (const double pane_mm : {0.0, 3.0}) {
+        description.materials["wall"] = GlassMaterial{.pane_mm = pane_mm};
+        const RenderResult r = render(Scene(description, {}), options);
+        for (float value : r.rgb) EXPECT_NEAR(value, 1, 3e-3) << pane_mm;
+    }
+}
+
+// Light through the middle of a ball of glass meets both faces head on.
+TEST(Render, SolidGlassAbsorbsAlongThePathInside) {
+    constexpr double kAbsorption = 0.01, kRadius = 50;
+    SceneDescription description = diffuse_sphere(0);
+    description.materials["wall"] = GlassMaterial{.absorption_per_mm = kAbsorption};
+    description.environment = ConstantEnvironment{};
+    description.camera.vertical_fov_deg = 0.01;
+    const double f = std::pow(0.5 / 2.5, 2), t = std::exp(-2 * kRadius * kAbsorption);
+    const RenderOptions options{.width = 4, .height = 4, .samples_per_pixel = 64, .max_depth = 60};
+    const auto e =
+        testing::estimate_luminance(Scene(description, {}), options, DirectLight::combined, 16);
+    // The series of reflections between the two faces, as of a pane.
+    const double through = (1 - f) * (1 - f) * t / (1 - f * f * t * t);
+    EXPECT_NEAR(e.value, f + f * t * through + through, 4 * e.standard_error);
+    EXPECT_LT(e.standard_error, 2e-3);
+}
+
+// A light sample goes through panes, and a path that goes through them is still weighed against it:
+// each strategy sees the floor under two panes by their transmittance squared.
+TEST(Render, PanesWeakenLightAndDoNotHideIt) {
+    SceneDescription description;
+    description.materials["floor"] = DiffuseMaterial{0.5};
+    description.materials["pane"] = GlassMaterial{.pane_mm = 4, .absorption_per_mm = 0.05};
+    description.shapes.push_back({GroundPlane{.size_mm = 1000}, "floor", {}});
+    for (const float height : {10.0f, 20.0f}) {
+        description.shapes.push_back({FlatPanel{.width_mm = 5000, .height_mm = 5000},
+                                      "pane",
+                                      {.translation_mm = {0, 0, height}}});
+    }
+    description.camera = {.position_mm = {0, 0, 5}, .up = {0, 1, 0}, .vertical_fov_deg = 1};
+    const double f = 0.04, t = std::exp(-0.2);
+    const double through = (1 - f) * (1 - f) * t / (1 - f * f * t * t);
+    description.lights = {DirectionalLight{.to_light = {0, 0, 1}, .irradiance = {.scale = 2}}};
+    const RenderOptions options{.width = 2, .height = 2, .samples_per_pixel = 4, .max_depth = 1};
+    for (float value : render(Scene(description, {}), options).rgb) {
+        EXPECT_NEAR(value, 0.5 / M_PI * 2 * through * through, 1e-5);
+    }
+    description.lights = {RectangleLight{.center_mm = {0, 0, 60}, .target_mm = {0, 0, 0}}};
+    const Scene scene(description, {});
+    const RenderOptions deep{.width = 1, .height = 1, .samples_per_pixel = 256, .max_depth = 12};
+    const auto by_surface =
+        testing::estimate_luminance(scene, deep, DirectLight::surface_sampling, 32);
+    const auto by_both = testing::estimate_luminance(scene, deep, DirectLight::combined, 32);
+    EXPECT_NEAR(by_surface.value, by_both.value,
+                4 * std::hypot(by_surface.standard_error, by_both.standard_error));
+    EXPECT_LT(by_both.standard_error, 0.01 * by_both.value);
+}
+
 TEST(Render, DirectionalLightFollowsTheCosineLaw) {
     SceneDescription description;
     description.materials["floor"] = DiffuseMaterial{0.6};

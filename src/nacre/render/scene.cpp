@@ -21,6 +21,13 @@ class SceneCheck final : public paint::RangeCheck {
         throw DomainError(
             fmt::format("{} = {} is outside {}", path_of(field), value, field.range.text()));
     }
+    void material(const paint::Field& field, optics::Material& value) override {
+        for (const optics::ComplexIndex& index : value.samples()) {
+            if (field.range.contains(index.real())) continue;
+            throw DomainError(fmt::format("{} = {} is outside {}", path_of(field), index.real(),
+                                          field.range.text()));
+        }
+    }
     /// Only files are limited in size.
     void list(const paint::Field& field, paint::List& list) override {
         PathVisitor::list(field, list);
@@ -78,18 +85,33 @@ void check(const Table& at, const RectangleLight& l) {
     at.looks_from_to("center_mm", l.center_mm, l.target_mm, l.up);
 }
 void check(const Table& at, const DirectionalLight& l) { at.direction("to_light", l.to_light); }
-void check(const Table& at, const ImageEnvironment& e) {
-    at.number("width", e.width, {1, 65536, "pixels"});
-    at.number("height", e.height, {1, 65536, "pixels"});
-    if (e.rgb.size() != std::size_t{3} * e.width * e.height) {
-        at.refuse("rgb",
-                  fmt::format("has {} values, not 3 x {} x {}", e.rgb.size(), e.width, e.height));
+/// A picture's values, which readers of files fill.
+void check_pixels(const Table& at, int width, int height, const std::vector<float>& rgb,
+                  float largest, const char* allowed) {
+    at.number("width", width, {1, 65536, "pixels"});
+    at.number("height", height, {1, 65536, "pixels"});
+    if (rgb.size() != std::size_t{3} * width * height) {
+        at.refuse("rgb", fmt::format("has {} values, not 3 x {} x {}", rgb.size(), width, height));
     }
-    for (std::size_t i = 0; i < e.rgb.size(); ++i) {
-        if (!(e.rgb[i] >= 0 && e.rgb[i] <= std::numeric_limits<float>::max())) {
-            at.refuse("rgb", fmt::format("is {} at column {}, row {}: not a finite number >= 0",
-                                         e.rgb[i], i / 3 % e.width, i / 3 / e.width));
+    for (std::size_t i = 0; i < rgb.size(); ++i) {
+        if (!(rgb[i] >= 0 && rgb[i] <= largest)) {
+            at.refuse("rgb", fmt::format("is {} at column {}, row {}: not {}", rgb[i],
+                                         i / 3 % width, i / 3 / width, allowed));
         }
+    }
+}
+
+void check(const Table& at, const ImageEnvironment& e) {
+    check_pixels(at, e.width, e.height, e.rgb, std::numeric_limits<float>::max(),
+                 "a finite number >= 0");
+}
+void check(const Table& at, const DiffusePictureMaterial& m) {
+    check_pixels(at, m.width, m.height, m.rgb, 1, "a reflectance in [0, 1]");
+}
+void check(const Table& at, const GlassMaterial& m) {
+    if (m.pane_mm > 0 && m.roughness > 0) {
+        at.refuse("roughness",
+                  fmt::format("= {}: a pane (pane_mm = {}) is smooth", m.roughness, m.pane_mm));
     }
 }
 
@@ -134,6 +156,9 @@ void validate(const SceneDescription& scene) {
         throw DomainError(fmt::format("specimen = {} is no whole number", scene.specimen));
     }
     check(Table("camera"), scene.camera);
+    for (const auto& [name, material] : scene.materials) {
+        std::visit([&](const auto& m) { check(Table("materials." + name), m); }, material);
+    }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         check(Table(fmt::format("shapes[{}]", i)), scene.shapes[i], scene);
     }

@@ -11,6 +11,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/core/references.h"
 #include "nacre/core/vec.h"
+#include "nacre/optics/material.h"
 #include "nacre/spectra/colour.h"
 #include "nacre/spectra/spectrum.h"
 
@@ -148,6 +149,42 @@ struct DiffuseMaterial {
     friend bool operator==(const DiffuseMaterial&, const DiffuseMaterial&) = default;
 };
 
+/// A Lambertian surface whose reflectance is read from a picture, laid over the shape by its texture
+/// coordinates.
+struct DiffusePictureMaterial {
+    int width = 0, height = 0;
+    std::vector<float> rgb;  ///< 3 x width x height in linear Rec. 709, each in [0, 1]
+
+    friend bool operator==(const DiffusePictureMaterial&, const DiffusePictureMaterial&) = default;
+};
+
+/// A bare metal (bsdf/materials/conductor.h).
+struct ConductorMaterial {
+    optics::Material metal;
+    double roughness = 0;  ///< alpha of GGX, or 0
+
+    friend bool operator==(const ConductorMaterial&, const ConductorMaterial&) = default;
+};
+
+/// Glass: the face of a solid, or a pane (bsdf/materials/glass.h).
+struct GlassMaterial {
+    optics::Material index = optics::Material(1.5);
+    double roughness = 0;                 ///< alpha of GGX, or 0; of a solid only
+    double pane_mm = 0;                   ///< 0: the shape encloses a solid
+    spectra::Spectrum absorption_per_mm;  ///< >= 0
+
+    friend bool operator==(const GlassMaterial&, const GlassMaterial&) = default;
+};
+
+/// Solid colour under the face of its binder (bsdf/materials/plastic.h).
+struct PlasticMaterial {
+    spectra::Spectrum reflectance = 0.5;  ///< of the body, [0, 1]
+    optics::Material index = optics::Material(1.5);
+    double roughness = 0;  ///< alpha of GGX, or 0
+
+    friend bool operator==(const PlasticMaterial&, const PlasticMaterial&) = default;
+};
+
 /// A paint: whoever compiles the scene supplies its Bsdf. An empty recipe is the slot for the
 /// paint that the user names (`nacre render --paint`).
 struct PaintMaterial {
@@ -156,7 +193,8 @@ struct PaintMaterial {
     friend bool operator==(const PaintMaterial&, const PaintMaterial&) = default;
 };
 
-using MaterialDescription = std::variant<DiffuseMaterial, PaintMaterial>;
+using MaterialDescription = std::variant<DiffuseMaterial, PaintMaterial, DiffusePictureMaterial,
+                                         ConductorMaterial, GlassMaterial, PlasticMaterial>;
 
 // ---------------------------------------------------------------------------------- lights
 
@@ -280,7 +318,7 @@ struct CompiledScene;
 /// Immutable after construction and cheap to copy (copies share the structure).
 class Scene {
  public:
-    /// @param paints  one entry for each PaintMaterial; diffuse materials need none
+    /// @param paints  one entry for each PaintMaterial; other materials need none
     /// @throws DomainError from validate(), or naming a paint material without a Bsdf
     /// @throws InputError  naming the mesh file that cannot be read, and why
     Scene(const SceneDescription& description, const PaintTable& paints);

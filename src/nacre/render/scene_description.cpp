@@ -1,5 +1,7 @@
 #include "nacre/render/scene_description.h"
 
+#include "nacre/paint/recipe.h"
+
 namespace nacre::render {
 
 namespace {
@@ -61,7 +63,8 @@ void describe(Visitor& visit, Camera& camera) {
 // ------------------------------------------------------------------------------- materials
 
 void describe(Visitor& visit, MaterialDescription& material) {
-    visit(kType, {"diffuse", "paint"}, material);
+    visit(kType, {"diffuse", "paint", "diffuse-picture", "conductor", "glass", "plastic"},
+          material);
     visit.held(material);
 }
 
@@ -80,6 +83,72 @@ void describe(Visitor& visit, PaintMaterial& material) {
                       "the paint that `--paint` names",
            .max_size = kMaxPathLength},
           material.recipe);
+}
+
+void describe(Visitor& visit, DiffusePictureMaterial&) {
+    std::filesystem::path path;  // the material has the picture, not its path
+    visit({.key = "path",
+           .meaning = "a picture of reflectances: PNG, EXR or HDR, values up to 1",
+           .required = true,
+           .max_size = kMaxPathLength},
+          path);
+}
+
+namespace {
+
+constexpr Range kAbsorption{0, 1e6, "1/mm"};
+constexpr Range kRealIndex{1, 3};
+
+void describe_roughness(Visitor& visit, double& roughness) {
+    visit({.key = "roughness",
+           .range = paint::limits::kMicrofacetAlpha,
+           .meaning = "alpha of GGX; 0: a smooth face",
+           .zero = "a smooth face"},
+          roughness);
+}
+
+void describe_index(Visitor& visit, optics::Material& index) {
+    visit({.key = "index",
+           .range = kRealIndex,
+           .meaning = "a number, a material that ships or a file of one; that at 550 nm counts",
+           .real = true},
+          index);
+}
+
+}  // namespace
+
+void describe(Visitor& visit, ConductorMaterial& material) {
+    visit({.key = "metal",
+           .range = optics::kRefractiveIndexRange,
+           .meaning = "a metal that ships (`nacre materials`): `Cr`, `Al`, `Au`, `Ag`, `Cu`, "
+                      "`brass_Cu70Zn30`; an index such as `\"1.2+7i\"`; a file of one",
+           .required = true},
+          material.metal);
+    describe_roughness(visit, material.roughness);
+}
+
+void describe(Visitor& visit, GlassMaterial& material) {
+    describe_index(visit, material.index);
+    describe_roughness(visit, material.roughness);
+    visit({.key = "pane_mm",
+           .range = {0, 1e6, "mm", true},
+           .meaning = "0: the shape encloses a solid of glass; above: the shape is a pane of this "
+                      "thickness, as of a window, which is smooth",
+           .zero = "the shape encloses a solid"},
+          material.pane_mm);
+    visit({.key = "absorption_per_mm", .range = kAbsorption}, material.absorption_per_mm);
+}
+
+void describe(Visitor& visit, PlasticMaterial& material) {
+    visit({.key = "reflectance",
+           .range = {0, 1},
+           .meaning = "of the body in its binder, without the face: a number, a colour or a "
+                      "spectrum",
+           .required = true,
+           .colour = true},
+          material.reflectance);
+    describe_index(visit, material.index);
+    describe_roughness(visit, material.roughness);
 }
 
 // ---------------------------------------------------------------------------------- shapes

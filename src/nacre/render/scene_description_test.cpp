@@ -24,7 +24,11 @@ using ::testing::HasSubstr;
 SceneDescription full_scene() {
     SceneDescription scene;
     scene.name = "all";
-    scene.materials = {{"gray", DiffuseMaterial{0.4}}, {"pearl", PaintMaterial{"pearl.toml"}}};
+    scene.materials = {{"gray", DiffuseMaterial{0.4}},
+                       {"pearl", PaintMaterial{"pearl.toml"}},
+                       {"chrome", ConductorMaterial{optics::find_material("Cr")}},
+                       {"window", GlassMaterial{}},
+                       {"rubber", PlasticMaterial{0.03}}};
     for (const Geometry& geometry :
          {Geometry(Sphere()), Geometry(MeshFile{.path = "car.obj"}), Geometry(FlatPanel()),
           Geometry(CurvedPanel()), Geometry(SpeedShape()), Geometry(Backdrop()),
@@ -41,6 +45,7 @@ std::vector<SceneDescription> full_scenes() {
     scenes[1].environment = StudioEnvironment{.boxes = {SoftBox()}};
     scenes[2].environment = SkyEnvironment();
     scenes[3].environment = ImageEnvironment{1, 1, {1, 1, 1}};
+    scenes[3].materials["tiles"] = DiffusePictureMaterial{1, 1, {1, 1, 1}};
     return scenes;
 }
 
@@ -114,6 +119,10 @@ TEST(SceneDescriptionKeys, TheDocumentationHasItsTables) {
     SceneDescription scene = full_scene();
     DiffuseMaterial diffuse;
     PaintMaterial paint;
+    DiffusePictureMaterial diffuse_picture;
+    ConductorMaterial conductor;
+    GlassMaterial glass;
+    PlasticMaterial plastic;
     RectangleLight rectangle;
     DirectionalLight directional;
     Environment environment;
@@ -127,6 +136,10 @@ TEST(SceneDescriptionKeys, TheDocumentationHasItsTables) {
         {"camera", Described(scene.camera)},
         {"diffuse", Described(diffuse)},
         {"paint", Described(paint)},
+        {"diffuse-picture", Described(diffuse_picture)},
+        {"conductor", Described(conductor)},
+        {"glass", Described(glass)},
+        {"plastic", Described(plastic)},
         {"shape", Described(scene.shapes[0])},
         {"rectangle", Described(rectangle)},
         {"directional", Described(directional)},

@@ -14,8 +14,8 @@ namespace nacre::render {
 
 namespace {
 
-/// 16384 x 8192 pixels: what an environment may have.
-constexpr std::size_t kMaxEnvironmentValues = std::size_t{3} << 27;
+/// 16384 x 8192 pixels: what an environment, or a material's picture, may have.
+constexpr std::size_t kMaxPictureValues = std::size_t{3} << 27;
 
 /// Colours that a display does not have are negative in its primaries: so little light that it may
 /// be left out, unlike that of a difference of pictures.
@@ -37,19 +37,36 @@ std::string without_negative_light(std::vector<float>& rgb, const std::string& n
         name, count, rgb.size(), 100 * negative / light);
 }
 
-/// The picture of an environment is read along with its table.
-/// @return what was changed in it
-std::string read_picture(const io::TableReader& table, ImageEnvironment& environment) {
+/// The picture that a table names by `path` is read along with it.
+/// @return the picture's file
+std::string read_picture(const io::TableReader& table, int& width, int& height,
+                         std::vector<float>& rgb) {
     try {
         const std::filesystem::path path =
             table.document().references().resolve(table.text("path", kMaxPathLength));
-        const io::Image image = io::read_image(path, kMaxEnvironmentValues);
-        environment.width = image.width;
-        environment.height = image.height;
-        environment.rgb = interleaved_rgb(image, path.string());
-        return without_negative_light(environment.rgb, path.string());
+        const io::Image image = io::read_image(path, kMaxPictureValues);
+        width = image.width;
+        height = image.height;
+        rgb = interleaved_rgb(image, path.string());
+        return path.string();
     } catch (const Error& error) {
         table.fail("path", error.what());
+    }
+}
+
+void read_pictures(const io::TableReader& table, SceneDescription& scene) {
+    for (auto& [name, material] : scene.materials) {
+        if (auto* picture = std::get_if<DiffusePictureMaterial>(&material)) {
+            read_picture(table.table("materials", {}).table(name, {}), picture->width,
+                         picture->height, picture->rgb);
+        }
+    }
+    if (!scene.environment) return;
+    if (auto* picture = std::get_if<ImageEnvironment>(&*scene.environment)) {
+        const std::string file = read_picture(table.table("environment", {}), picture->width,
+                                              picture->height, picture->rgb);
+        const std::string note = without_negative_light(picture->rgb, file);
+        if (!note.empty()) scene.notes.push_back(note);
     }
 }
 
@@ -63,12 +80,7 @@ SceneDescription parse_scene(std::string_view text, const std::string& filename,
     const paint::Described described(scene);
     const io::TableReader table(document, keys_of(described));
     io::read_described(table, described);
-    if (scene.environment) {
-        if (auto* picture = std::get_if<ImageEnvironment>(&*scene.environment)) {
-            const std::string note = read_picture(table.table("environment", {}), *picture);
-            if (!note.empty()) scene.notes.push_back(note);
-        }
-    }
+    read_pictures(table, scene);
     if (scene.shapes.empty()) {
         table.fail("shapes",
                    fmt::format("is missing; a scene needs 1 to {} tables [[shapes]]", kMaxShapes));

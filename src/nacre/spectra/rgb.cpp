@@ -37,10 +37,10 @@ constexpr Vec3d xyz_of(const double (&xy)[2]) {
 }
 
 // Columns are the primaries, scaled so that equal amounts make white.
-constexpr Matrix derive_rgb_to_xyz() {
+constexpr Matrix derive_rgb_to_xyz(const double (&primaries)[3][2]) {
     Matrix m{};
     for (int j = 0; j < 3; ++j) {
-        const Vec3d primary = xyz_of(kRec709Primaries[j]);
+        const Vec3d primary = xyz_of(primaries[j]);
         for (int i = 0; i < 3; ++i) m[i][j] = primary[i];
     }
     const Vec3d amounts = multiply(inverse(m), xyz_of(kRec709White));
@@ -48,13 +48,43 @@ constexpr Matrix derive_rgb_to_xyz() {
     return m;
 }
 
-constexpr Matrix kRgbToXyz = derive_rgb_to_xyz();
+constexpr double kDisplayP3Primaries[3][2] = {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}};
+constexpr double kRec2020Primaries[3][2] = {{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}};
+
+constexpr Matrix kRgbToXyz = derive_rgb_to_xyz(kRec709Primaries);
 constexpr Matrix kXyzToRgb = inverse(kRgbToXyz);
+
+// By Gamut; the first is not asked.
+constexpr Matrix kGamutToXyz[] = {kRgbToXyz, derive_rgb_to_xyz(kDisplayP3Primaries),
+                                  derive_rgb_to_xyz(kRec2020Primaries)};
+constexpr Matrix kXyzToGamut[] = {kXyzToRgb, inverse(kGamutToXyz[1]), inverse(kGamutToXyz[2])};
 
 }  // namespace
 
 Vec3d xyz_to_linear_rec709(const Vec3d& xyz) { return multiply(kXyzToRgb, xyz); }
 Vec3d linear_rec709_to_xyz(const Vec3d& rgb) { return multiply(kRgbToXyz, rgb); }
+
+Vec3d rec709_to(Gamut gamut, const Vec3d& linear_rec709) {
+    if (gamut == Gamut::rec709) return linear_rec709;
+    return multiply(kXyzToGamut[static_cast<int>(gamut)], linear_rec709_to_xyz(linear_rec709));
+}
+
+Vec3d to_rec709(Gamut gamut, const Vec3d& linear) {
+    if (gamut == Gamut::rec709) return linear;
+    return xyz_to_linear_rec709(multiply(kGamutToXyz[static_cast<int>(gamut)], linear));
+}
+
+const double (&primaries(Gamut gamut))[3][2] {
+    switch (gamut) {
+        case Gamut::display_p3:
+            return kDisplayP3Primaries;
+        case Gamut::rec2020:
+            return kRec2020Primaries;
+        case Gamut::rec709:
+            break;
+    }
+    return kRec709Primaries;
+}
 
 double srgb_encode(double linear) {
     const double x = std::abs(linear);

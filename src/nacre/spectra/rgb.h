@@ -21,6 +21,20 @@ inline constexpr double kRec709White[2] = {0.3127, 0.3290};
 Vec3d xyz_to_linear_rec709(const Vec3d& xyz);
 Vec3d linear_rec709_to_xyz(const Vec3d& rgb);
 
+/// Primaries of displays, all with the white D65 and, in pictures, sRGB's transfer function.
+enum class Gamut {
+    rec709,      ///< sRGB
+    display_p3,  ///< those of DCI-P3                                  [smpte-eg-432-1-2010]
+    rec2020      ///< those of ultra-high-definition television        [itu-bt-2020-2015]
+};
+
+/// The same light by other primaries; rec709 leaves it as it is.
+Vec3d rec709_to(Gamut gamut, const Vec3d& linear_rec709);
+Vec3d to_rec709(Gamut gamut, const Vec3d& linear);
+
+/// Chromaticities x, y of red, green and blue.
+const double (&primaries(Gamut gamut))[3][2];
+
 /// Transfer function of sRGB, [0, 1] -> [0, 1], odd for negative values.
 /// [iec-61966-2-1-1999]
 /// The standard's rounded constants leave a step of 3e-8 where its two branches meet.

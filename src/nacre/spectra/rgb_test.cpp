@@ -236,5 +236,23 @@ TEST(Rgb, CssColoursAreClippedToTheGamut) {
               "#ff0001");
 }
 
+// White stays white, each primary has its own chromaticity, and one way undoes the other.
+TEST(Gamut, IsByItsChromaticities) {
+    for (const Gamut gamut : {Gamut::rec709, Gamut::display_p3, Gamut::rec2020}) {
+        const Vec3d white = rec709_to(gamut, {1, 1, 1});
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(white[c], 1, 1e-14);
+            Vec3d one{};
+            one[c] = 1;
+            const Vec3d xyz = linear_rec709_to_xyz(to_rec709(gamut, one));
+            const double sum = xyz[0] + xyz[1] + xyz[2];
+            EXPECT_NEAR(xyz[0] / sum, primaries(gamut)[c][0], 1e-14);
+            EXPECT_NEAR(xyz[1] / sum, primaries(gamut)[c][1], 1e-14);
+            const Vec3d back = rec709_to(gamut, to_rec709(gamut, one));
+            for (int d = 0; d < 3; ++d) EXPECT_NEAR(back[d], one[d], 1e-14);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace nacre::spectra

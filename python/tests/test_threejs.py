@@ -1,0 +1,105 @@
+"""Paints as materials of three.js: the numbers in the file, and its shader as a browser runs it."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nacre._threejs import Shader
+from numpy.typing import NDArray
+
+import nacre
+from nacre import _nacre, _rgb
+
+Array = NDArray[np.float64]
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
+PAGE = Path(__file__).with_name("threejs_shader.html")
+
+
+def directions(count: int) -> tuple[Array, Array]:
+    """Pairs of them, half near the mirror direction."""
+    rng = np.random.default_rng(7)
+
+    def upwards() -> Array:
+        return nacre.direction(
+            np.degrees(np.arccos(rng.uniform(0.1, 1, count))), rng.uniform(0, 360, count)
+        )
+
+    wi, wo = upwards(), upwards()
+    near = wi[::2] * [-1, -1, 1] + rng.normal(0, 0.1, (len(wi[::2]), 3))
+    near[:, 2] = np.abs(near[:, 2]) + 0.01
+    wo[::2] = near / np.linalg.norm(near, axis=-1, keepdims=True)
+    return wi, wo
+
+
+def shader_of(paint: nacre.Paint, model: str = "nacre") -> Shader:
+    arrays = _nacre.appearance_arrays(paint._paint, nacre.Model(model)._model, None)
+    return Shader(arrays)
+
+
+@pytest.mark.parametrize(
+    # With a hot spot and a ground, two species and dyes, many layers, a rough coat, Mie pigments.
+    "name",
+    ["red-gold", "ruby", "white-pearl", "satin-silver", "tinted-grey"],
+)
+@pytest.mark.parametrize("model", ["nacre", "microflake"])
+def test_values_are_those_of_nacre(name: str, model: str, paints: Path) -> None:
+    paint = nacre.Paint(paints / f"{name}.toml")
+    wi, wo = directions(300)
+    spectra = paint.brdf(wi, wo, nacre.WAVELENGTHS_NM, model=model, as_rendered=True)
+    want = np.maximum(spectra @ _rgb.weights(nacre.WAVELENGTHS_NM).T, 0)
+    got = shader_of(paint, model).brdf(wi, wo)
+    # Sixteen wavelengths in place of 31.
+    assert np.max(np.abs(got - want)) < 1e-2 * np.max(want)
+    assert np.median(np.abs(got - want) / (want + 1e-3 * np.max(want))) < 5e-3
+
+
+@pytest.mark.parametrize("name", ["red-gold", "white-pearl", "satin-silver", "tinted-grey"])
+def test_a_browser_shows_the_same(name: str, paints: Path, tmp_path: Path) -> None:
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if browser is None:
+        pytest.skip(f"there is none of {', '.join(BROWSERS)} to run a shader in")
+    paint = nacre.Paint(paints / f"{name}.toml")
+    paint.write(tmp_path / "paint.three.js")
+    wi, wo = directions(200)
+    module = json.dumps((tmp_path / "paint.three.js").read_text(encoding="utf-8"))
+    page = (
+        PAGE.read_text(encoding="utf-8").replace("__PAIRS__,", "", 1).replace("__MODULE__,", "", 1)
+    )
+    page = page.replace("__PAIRS__", json.dumps(np.stack([wi, wo], axis=1).tolist()))
+    page = page.replace("__MODULE__", module.replace("</", "<\\/"))
+    (tmp_path / "page.html").write_text(page, encoding="utf-8")
+    seen = subprocess.run(
+        [
+            *(browser, "--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader"),
+            *("--enable-unsafe-swiftshader", f"--user-data-dir={tmp_path / 'profile'}"),
+            *("--virtual-time-budget=20000", "--dump-dom", f"file://{tmp_path / 'page.html'}"),
+        ],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    text = re.search(r'<pre id="result">(.*?)</pre>', seen.stdout, re.DOTALL)
+    assert text, seen.stderr
+    found = json.loads(html.unescape(text[1]))
+    if "missing" in found:
+        pytest.skip(f"the browser {browser} lacks {found['missing']}")
+    assert found.get("error") == 0, found
+    values = np.array(found["values"]).reshape(2, len(wi), 4)
+    shader = shader_of(paint)
+    want = shader.brdf(wi, wo)
+    error = np.abs(values[0, :, :3] - want)
+    # The browser may interpolate in half floats, and in steps of 1/256 of a texel.
+    assert np.max(error) < 5e-3 * np.max(want)
+    assert np.median(error / (want + 1e-3 * np.max(want))) < 4e-3
+    albedo = (
+        paint.albedo(wi, nacre.WAVELENGTHS_NM, model="nacre") @ _rgb.weights(nacre.WAVELENGTHS_NM).T
+    )
+    np.testing.assert_allclose(values[1, :, :3], albedo, atol=2e-3)
+    np.testing.assert_allclose(values[1, :, 3], shader.fresnel(wi[:, 2]), rtol=1e-4)
