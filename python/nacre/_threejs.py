@@ -119,7 +119,7 @@ class Shader:
             return len(channels) - 1
 
         self.clearcoat_depth = at_bands(a["clearcoat_depth"])
-        self.layers = []
+        self.layers: list[Layer] = []
         for layer in a["layers"]:
             one = Layer(float(layer["thickness_um"]), channel(at_bands(layer["extinction_per_um"])))
             for f in layer["flakes"]:
@@ -148,10 +148,11 @@ class Shader:
             self.masked = channel(at_bands(a["masked"] * np.sqrt(a["diffuse_scale"])))
             self.masking = channel(np.tile(a["masking_over_cosine"][:, None], BANDS))
 
-        # (ROWS, channels x BANDS)
-        self.table = np.concatenate(channels, axis=-1).astype(np.float16)
+        table = np.concatenate(channels, axis=-1)
         smooth = a["smooth"].astype(np.float64) @ (a["smooth_basis"] @ _rgb.weights(nm).T)
-        self.smooth = np.pad(smooth, [(0, 0)] * 3 + [(0, 1)]).astype(np.float16)  # (a, b, q, RGBA)
+        with np.errstate(over="ignore"):
+            self.table = table.astype(np.float16)  # (ROWS, channels x BANDS)
+            self.smooth = np.pad(smooth, [(0, 0)] * 3 + [(0, 1)]).astype(np.float16)  # (a, b, q, 4)
         if not (np.isfinite(self.table).all() and np.isfinite(self.smooth).all()):
             raise SettingError("paint: its values are beyond the half floats of textures, 65504")
 
@@ -164,12 +165,11 @@ class Shader:
         part = (y - low)[:, None]
         return np.asarray(table[low] * (1 - part) + table[low + 1] * part)
 
-    def multiple(self, wi: Floats, wo: Floats) -> Floats:
+    def multiple(self, wi: Floats, wo: Floats, pair: Pair) -> Floats:
         """(N, 3), times the cosines inside."""
         si, so = np.hypot(wi[:, 0], wi[:, 1]), np.hypot(wo[:, 0], wo[:, 1])
-        xi, xo = si / (1 + wi[:, 2]), so / (1 + wo[:, 2])
-        a = np.minimum(np.maximum(xi, xo), 1)
-        b = np.abs(xi - xo) / np.maximum(a, 1e-12)
+        a = np.minimum(np.maximum(pair.xi, pair.xo), 1)
+        b = np.abs(pair.xi - pair.xo) / np.maximum(a, 1e-12)
         u = si[:, None] * wo[:, :2] + so[:, None] * wi[:, :2]
         scale = 4 * si**2 * so**2
         q2 = np.where(scale > 1e-14, np.sum(u * u, axis=1) / np.maximum(scale, 1e-14), 0)
@@ -215,13 +215,15 @@ class Shader:
     def escape(self, pair: Pair, layer: int, depth: Floats) -> Floats:
         """Mean of the attenuation over a layer of this optical depth, both ways."""
         if not self.gaps:
-            return np.where(depth < 1e-2, 1 - depth * (0.5 - depth / 6), -np.expm1(-depth) / depth)
+            large = np.maximum(depth, 1e-2)
+            small = 1 - depth * (0.5 - depth / 6)
+            return np.asarray(np.where(depth < 1e-2, small, -np.expm1(-large) / large))
         reach = np.minimum(1, FARTHEST / np.maximum(depth.min(axis=1), 1e-20))
         total = np.zeros_like(depth)
         for node, weight in zip(DEPTHS, DEPTH_WEIGHTS, strict=True):
             u = reach * node
             total += weight * np.exp(self.gain(pair, layer, u) - depth * u[:, None])
-        return total * reach[:, None]
+        return np.asarray(total * reach[:, None])
 
     def once(self, pair: Pair) -> Floats:
         ri, ro = 1 / pair.i[:, 2:], 1 / pair.o[:, 2:]
@@ -251,11 +253,11 @@ class Shader:
 
     def other(self, wi: Floats, wo: Floats, pair: Pair) -> Floats:
         """Multiple scattering, (N, 3)."""
-        value = self.multiple(wi, wo) / (pair.i[:, 2:] + pair.o[:, 2:])
+        value: Floats = self.multiple(wi, wo, pair) / (pair.i[:, 2:] + pair.o[:, 2:])
         if self.closing is None:
             return value
         closing = self.both(self.closing, pair)
-        value *= closing @ self.rgb.T
+        value = value * (closing @ self.rgb.T)
         if self.ground is not None:
             gain = self.gain(pair, len(self.layers) - 1, np.ones(len(wi)))
             value += ((np.exp(gain) - closing) * self.both(self.ground, pair)) @ self.rgb.T
@@ -412,9 +414,8 @@ LAMPS_DEG, ASPECULAR_DEG = (15, 30, 60, 75), (15, 25, 45, 75)
 
 def geometries() -> list[str]:
     """At which a file says how far it is from the paint."""
-    others = [f"{lamp}as{angle}" for lamp in LAMPS_DEG for angle in ASPECULAR_DEG]
-    byk_mac = ["45as-15", "45as15", "45as25", "45as45", "45as75", "45as110"]
-    return byk_mac + [name for name in others if name not in ("15as-75",)]
+    byk_mac = [f"45as{angle}" for angle in (-15, 15, 25, 45, 75, 110)]
+    return byk_mac + [f"{lamp}as{angle}" for lamp in LAMPS_DEG for angle in ASPECULAR_DEG]
 
 
 def lab(xyz: Floats) -> Floats:

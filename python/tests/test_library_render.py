@@ -127,6 +127,7 @@ def test_what_is_there_is_kept(tmp_path: Path) -> None:
         (("-o", "x.png"), "x.png: must end in .exr"),
         (("--model-option", "specimen=1"), "belongs to --model"),
         (("--model", "nacre", "--model-option", "specimen"), "must be KEY=VALUE"),
+        (("--workers", "0"), "workers = 0: must be at least 1"),
         (("--task", "6"), "task = 6: must be in [0, 0]"),
         (("--paint", "no-such.toml", "--workers", "1"), "no-such.toml"),
     ],

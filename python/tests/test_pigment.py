@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -30,6 +31,8 @@ def test_coefficients_are_those_of_the_command_line(tmp_path: Path, nacre_progra
     np.testing.assert_allclose(found.absorption_per_mm, table[:, 3], rtol=1e-5)
     assert (found.scattering_error > 0).all()
     assert [d.ground for d in found.drawdowns] == ["black", "white"]
+    shown = ElementTree.fromstring(found._repr_html_())
+    assert [e.text for e in shown.iter("title")] == ["scattering", "absorption"]
 
     found.write(tmp_path / "mine.toml")
     (tmp_path / "paint.toml").write_text(

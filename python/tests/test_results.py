@@ -9,7 +9,6 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from conftest import ROOT
 
 import nacre
 from nacre import _html
@@ -98,14 +97,11 @@ def test_html(reading: nacre.Measurement, paints: Path) -> None:
     assert reading.srgb.max() <= 1
 
 
-def test_html_of_materials_and_pigments() -> None:
+def test_html_of_materials() -> None:
     for name, first_nm in (("Al", "400"), ("TiO2_rutile", "500")):  # which begins at 430 nm
         shown = ElementTree.fromstring(f"<p>{nacre.Material(name)._repr_html_()}</p>")
         assert [e.text for e in shown.iter("title")] == ["n", "k"]
         assert next(shown.iter("text")).text == first_nm
-    found = nacre.pigment(ROOT / "data/drawdowns/organic-blue-synthetic.csv", geometry="45-0")
-    shown = ElementTree.fromstring(f"<p>{found._repr_html_()}</p>")
-    assert [e.text for e in shown.iter("title")] == ["scattering", "absorption"]
 
 
 def test_ticks_are_round_and_within() -> None:

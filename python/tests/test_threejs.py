@@ -60,6 +60,40 @@ def test_values_are_those_of_nacre(name: str, model: str, paints: Path) -> None:
     assert np.median(np.abs(got - want) / (want + 1e-3 * np.max(want))) < 5e-3
 
 
+def test_the_file_says_how_far_it_is(paints: Path, tmp_path: Path) -> None:
+    paint = nacre.Paint(paints / "red-gold.toml")
+    file = tmp_path / "paint.three.js"
+    error = paint.write(file)
+    assert isinstance(error, nacre.ShaderMaterial)
+    assert 0.05 < error.mean_delta_e_2000 < 1
+    assert error.max_delta_e_2000 == max(error.delta_e_2000.values()) < 2
+    about = re.search(r"^export const about = (.*?);$", file.read_text("utf-8"), re.S | re.M)
+    assert about
+    said = json.loads(about[1])["colour_differences"]
+    assert said["by_angle"] == {k: round(v, 2) for k, v in error.delta_e_2000.items()}
+    # The hot spot is most of what it would miss.
+    without = paint.write(file, model="microflake")
+    assert isinstance(without, nacre.ShaderMaterial)
+    assert without.mean_delta_e_2000 > 4 * error.mean_delta_e_2000
+
+
+def test_what_a_shader_cannot_show_is_refused(paints: Path, tmp_path: Path) -> None:
+    file = tmp_path / "paint.three.js"
+    wavy = nacre.Paint("aluminium-corn-flake")
+    with pytest.raises(nacre.DomainError, match="waviness"):
+        wavy.write(file)
+    with pytest.raises(nacre.SettingError, match="wavelengths_nm"):
+        nacre.Paint(paints / "ruby.toml").write(file, wavelengths_nm=[450, 550])
+    assert not file.exists()
+    # A clear layer, whose depth is 0.
+    clear = nacre.Paint.from_toml(
+        "ior = 1.5\n[[layer]]\nthickness_um = 10\n[substrate]\nreflectance = 0.5\n"
+    )
+    error = clear.write(file)
+    assert isinstance(error, nacre.ShaderMaterial)
+    assert error.max_delta_e_2000 < 1
+
+
 @pytest.mark.parametrize("name", ["red-gold", "white-pearl", "satin-silver", "tinted-grey"])
 def test_a_browser_shows_the_same(name: str, paints: Path, tmp_path: Path) -> None:
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
@@ -69,9 +103,7 @@ def test_a_browser_shows_the_same(name: str, paints: Path, tmp_path: Path) -> No
     paint.write(tmp_path / "paint.three.js")
     wi, wo = directions(200)
     module = json.dumps((tmp_path / "paint.three.js").read_text(encoding="utf-8"))
-    page = (
-        PAGE.read_text(encoding="utf-8").replace("__PAIRS__,", "", 1).replace("__MODULE__,", "", 1)
-    )
+    page = PAGE.read_text(encoding="utf-8")
     page = page.replace("__PAIRS__", json.dumps(np.stack([wi, wo], axis=1).tolist()))
     page = page.replace("__MODULE__", module.replace("</", "<\\/"))
     (tmp_path / "page.html").write_text(page, encoding="utf-8")

@@ -312,6 +312,8 @@ def main(arguments: argparse.Namespace) -> int:
             )
         render.render(pieces[arguments.task], int(os.environ.get("SLURM_CPUS_PER_TASK", "1")))
         return 0
+    if arguments.workers is not None and arguments.workers < 1:
+        raise nacre.SettingError(f"workers = {arguments.workers}: must be at least 1")
     if arguments.merge:
         written = list(_merge_all(render))
     else:

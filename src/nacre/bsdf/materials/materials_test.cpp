@@ -78,7 +78,7 @@ TEST(Plastic, AWhiteBodyLosesNothingUnderAnyFace) {
 
 TEST(Plastic, UnderASmoothFaceItIsSaundersonsFormula) {
     // Diffuse light on n = 1.5 is reflected by .0918 from outside and, so, by 1 - (1 - .0918) / n^2
-    // = .5963 from inside (an integral of Fresnel's equations).          [duntley-1942]
+    // = .5963 from inside (an integral of Fresnel's equations).
     const auto bound = Plastic(0.4, optics::Material(1.5), 0).bind(kMaterialsAt);
     const double face = optics::fresnel_dielectric(1.5, 1.0), inside = 1 - (1 - 0.09178) / 2.25;
     const double expected =
