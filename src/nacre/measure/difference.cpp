@@ -114,9 +114,10 @@ double AngleDifference::delta_hue() const {
     const double a1 = lab_standard[1], b1 = lab_standard[2], a2 = lab_sample[1], b2 = lab_sample[2];
     const double product = std::hypot(a1, b1) * std::hypot(a2, b2), cosine = a1 * a2 + b1 * b2,
                  sine = a1 * b2 - a2 * b1;
-    // C1 C2 - a1 a2 - b1 b2 = sine^2 / (C1 C2 + a1 a2 + b1 b2) loses no digits to a small angle.
-    if (product + cosine > 0) return std::sqrt(2 / (product + cosine)) * sine;
-    return 2 * std::sqrt(product);
+    // C1 C2 - a1 a2 - b1 b2 = sine^2 / (C1 C2 + a1 a2 + b1 b2) loses no digits to a small angle, as
+    // the difference itself loses none to a large one.
+    if (cosine > 0) return std::sqrt(2 / (product + cosine)) * sine;
+    return std::copysign(std::sqrt(2 * (product - cosine)), sine);
 }
 
 Difference difference(const Measurement& standard, const Measurement& sample,

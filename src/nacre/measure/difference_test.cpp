@@ -61,6 +61,9 @@ TEST(Difference, SplitsIntoLightnessChromaAndHue) {
     EXPECT_LT((AngleDifference{{}, {}, 0, 1, {50, 20, 1}, {50, 20, -3}}).delta_hue(), 0);
     // Opposite hues and grey: no division by zero.
     EXPECT_NEAR((AngleDifference{{}, {}, 0, 1, {50, 20, 0}, {50, -5, 0}}).delta_hue(), 20, 1e-12);
+    // Opposite hues whose products round.
+    EXPECT_NEAR((AngleDifference{{}, {}, 0, 1, {50, 5, 5}, {50, -5, -5}}).delta_hue(),
+                2 * std::sqrt(50.0), 1e-12);
     EXPECT_EQ((AngleDifference{{}, {}, 0, 1, {50, 20, 0}, {50, 0, 0}}).delta_hue(), 0);
 }
 

@@ -97,7 +97,9 @@ MaterialDescription material_of(const json& material) {
     const json transmission = table(table(material, "extensions"), "KHR_materials_transmission");
     const bool blends = material.value("alphaMode", std::string()) == "BLEND" && base[3] < 0.9;
     if (blends || number(transmission, "transmissionFactor", 0) > 0.5) {
-        return GlassMaterial{.pane_mm = 4};
+        GlassMaterial pane;
+        pane.pane_mm = 4;
+        return pane;
     }
     if (number(metallic_roughness, "metallicFactor", 1) > 0.5) {
         return ConductorMaterial{optics::find_material(nearest_metal(colour)),
