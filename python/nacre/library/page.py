@@ -121,7 +121,9 @@ def _batches(catalogue: Catalogue) -> Iterator[list[Row]]:
     for start in range(0, len(table), _RECORDS_PER_GALLERY_FILE):
         some = table.slice(start, _RECORDS_PER_GALLERY_FILE)
         rows: list[Row] = some.drop_columns(["R"]).to_pylist()
-        spectra = some.column("R").combine_chunks().flatten().flatten().to_numpy(zero_copy_only=False)
+        spectra = (
+            some.column("R").combine_chunks().flatten().flatten().to_numpy(zero_copy_only=False)
+        )
         shape = (len(rows), len(rows[0]["geometries"]), len(rows[0]["wavelengths_nm"]))
         for row, reflectance in zip(rows, spectra.reshape(shape), strict=True):
             row["R"] = reflectance
