@@ -88,6 +88,8 @@ TEST_F(Program, RenderRefusesSharesThatMakeNoSense) {
     EXPECT_THAT(refused("-o s.exr --shard 1/2"), HasSubstr("must end in .h5"));
     EXPECT_THAT(refused("-o s.h5"), HasSubstr("must end in .exr"));
     EXPECT_THAT(refused("-o s.h5 --shard 1/2 --noise 0.1"), HasSubstr("exclude each other"));
+    EXPECT_THAT(refused("-o s.h5 --shard 1/2 --frames 0:1 --turntable light --video v.gif"),
+                HasSubstr("makes no pictures for --video"));
     EXPECT_THAT(refused("-o s.h5 --shard 1/2 --exposure 1"), HasSubstr("belong to nacre merge"));
 }
 

@@ -211,6 +211,9 @@ void check_choices(const RenderCommandOptions& options) {
             "--shard and --noise exclude each other: say with --spp how many samples all shares "
             "have together");
     }
+    if (options.shard && !options.video.path.empty()) {
+        throw UsageError("--shard makes no pictures for --video to show: merge the frames first");
+    }
     if (options.shard && options.tone_map != io::ToneMap{}) {
         throw UsageError("--exposure and --gamut belong to nacre merge where there is --shard");
     }

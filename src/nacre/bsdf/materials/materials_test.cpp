@@ -230,8 +230,14 @@ TEST(DiffusePicture, ReadsItsPixelsFromTheTopAndBlendsBetweenTheirMiddles) {
         {2, 2, {0, 0, 0, 0.25f, 0.25f, 0.25f, 1, 1, 1, 0.75f, 0.75f, 0.75f}});
     const auto bound = picture.bind(kMaterialsAt);
     const Vec3f up{0, 0, 1};
+    const auto patch_at = [](double u, double v) {
+        Patch patch;
+        patch.u = u;
+        patch.v = v;
+        return patch;
+    };
     const auto reflectance = [&](double u, double v) {
-        return bound->evaluate_on({.u = u, .v = v}, up, up).f[4] * std::numbers::pi_v<float>;
+        return bound->evaluate_on(patch_at(u, v), up, up).f[4] * std::numbers::pi_v<float>;
     };
     EXPECT_NEAR(reflectance(0.25, 0.75), 0, 1e-3);
     EXPECT_NEAR(reflectance(0.75, 0.75), 0.25, 1e-3);
