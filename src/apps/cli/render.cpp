@@ -202,7 +202,6 @@ void check_choices(const RenderCommandOptions& options) {
     if (options.frames.empty() && !options.video.path.empty()) {
         throw UsageError("--video belongs to --frames");
     }
-    if (!options.video.path.empty()) check_video(options.video);
     if (!options.frames.empty() && !options.turntable) {
         throw UsageError("--frames needs --turntable, which says what turns");
     }
@@ -214,6 +213,7 @@ void check_choices(const RenderCommandOptions& options) {
     if (options.shard && !options.video.path.empty()) {
         throw UsageError("--shard makes no pictures for --video to show: merge the frames first");
     }
+    if (!options.video.path.empty()) check_video(options.video);
     if (options.shard && options.tone_map != io::ToneMap{}) {
         throw UsageError("--exposure and --gamut belong to nacre merge where there is --shard");
     }
