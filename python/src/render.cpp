@@ -161,7 +161,8 @@ NB_MODULE(_render, module) {
         .def_prop_ro("samples", [](const Picture& p) { return p.result.samples; })
         .def_prop_ro("complete", [](const Picture& p) { return p.result.complete; })
         .def_prop_ro("seconds", [](const Picture& p) { return p.result.seconds; })
-        .def_prop_ro("shard", [](const Picture&) { return nanobind::none(); })
+        .def_prop_ro("shard",
+                     [](const Picture&) -> std::optional<std::pair<int, int>> { return {}; })
         .def("image", &image)
         .def(
             "write",
