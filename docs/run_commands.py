@@ -34,7 +34,7 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 HANG_SECONDS = 600  # only to end a command that would never end
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-SHOWN_ONLY = {"console", "text", "cpp", "cmake", "python", "bibtex", "mermaid", "json", ""}
+SHOWN_ONLY = {"console", "text", "cpp", "cmake", "python", "bibtex", "mermaid", "js", "json", ""}
 
 
 @dataclasses.dataclass

@@ -126,19 +126,20 @@ ExitStatus compare(const MeasureOptions& options, const Sample& sample, const Sa
         verdict = measure::judge(difference, *tolerance);
     }
     nlohmann::json document = difference_json(difference, verdict);
+    std::vector<FileContents> beside;
+    if (!options.plots.empty()) {
+        beside = plot_files(options.plots, datasheet::measurement_plots(sample.measurement(),
+                                                                        &standard.measurement()));
+    }
     if (options.format == "json") {
         nlohmann::json whole = document;
         whole["sample"] = sample_json(sample);
         whole["standard"] = sample_json(standard);
-        emit(options, dumped(whole));
+        emit_together(options, dumped(whole), std::move(beside));
+    } else if (wants_text(options)) {
+        emit_together(options, difference_text(difference, verdict), std::move(beside));
     } else {
-        const bool text = wants_text(options);
-        if (text) emit(options, difference_text(difference, verdict));
-        if (!text) emit_table(options, difference_csv(difference, verdict));
-    }
-    if (!options.plots.empty()) {
-        write_plots(options.plots,
-                    datasheet::measurement_plots(sample.measurement(), &standard.measurement()));
+        emit_table(options, difference_csv(difference, verdict), std::move(beside));
     }
     say_summary(options, sample);
     say_summary(options, standard);
@@ -209,21 +210,22 @@ ExitStatus run(const MeasureOptions& options) {
             paint, paint.measure(instrument.geometries, instrument.settings, bar.callback()));
         nlohmann::json report = sample_json(sample);
         if (uncertainty) report["uncertainty"] = uncertainty_json(*uncertainty);
-        if (options.format == "json") {
-            emit(options, dumped(report));
-        } else if (wants_text(options)) {
-            emit(options, text_of(sample, uncertainty));
-        } else {
-            emit_table(options, csv_of(sample, uncertainty));
+        std::vector<FileContents> beside;
+        if (!options.plots.empty()) {
+            beside = plot_files(
+                options.plots, datasheet::measurement_plots(sample.measurement(), nullptr,
+                                                            uncertainty ? &*uncertainty : nullptr));
         }
         if (!options.contributions.empty()) {
-            write_file_atomically(options.contributions,
-                                  table_text(options, contributions_csv(*uncertainty)));
+            beside.push_back(
+                {options.contributions, table_text(options, contributions_csv(*uncertainty))});
         }
-        if (!options.plots.empty()) {
-            write_plots(options.plots,
-                        datasheet::measurement_plots(sample.measurement(), nullptr,
-                                                     uncertainty ? &*uncertainty : nullptr));
+        if (options.format == "json") {
+            emit_together(options, dumped(report), std::move(beside));
+        } else if (wants_text(options)) {
+            emit_together(options, text_of(sample, uncertainty), std::move(beside));
+        } else {
+            emit_table(options, csv_of(sample, uncertainty), std::move(beside));
         }
         say_summary(options, sample);
         if (uncertainty) say_uncertainty(options, *uncertainty);

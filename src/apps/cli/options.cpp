@@ -116,8 +116,20 @@ std::string table_text(const CommonOptions& options, const std::string& csv) {
            (options.decimal_comma ? with_decimal_commas(csv) : csv);
 }
 
-void emit_table(const CommonOptions& options, const std::string& csv) {
-    emit(options, table_text(options, csv));
+void emit_together(const CommonOptions& options, const std::string& data,
+                   std::vector<FileContents> others) {
+    require_going();
+    if (!options.output.empty() && options.output != "-") {
+        others.insert(others.begin(), {options.output, data});
+    } else {
+        print_data(data);
+    }
+    write_together(others);
+}
+
+void emit_table(const CommonOptions& options, const std::string& csv,
+                std::vector<FileContents> others) {
+    emit_together(options, table_text(options, csv), std::move(others));
 }
 
 void refuse_table_options(const CommonOptions& options) {

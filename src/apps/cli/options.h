@@ -12,6 +12,7 @@
 
 #include "apps/cli/files.h"
 #include "nacre/core/error.h"
+#include "nacre/core/file.h"
 #include "nacre/core/references.h"
 #include "nacre/core/text.h"
 #include "nacre/montecarlo/reference.h"
@@ -120,11 +121,15 @@ void require_going();
 /// Data to the output file, whole or not at all, or to stdout.
 /// @throws Error if they cannot be written; Stopped as require_going()
 void emit(const CommonOptions& options, const std::string& data);
+/// The same beside other files of the same result, which are replaced together with it.
+void emit_together(const CommonOptions& options, const std::string& data,
+                   std::vector<FileContents> others);
 
 /// A table as --decimal and --bom ask for it.
 std::string table_text(const CommonOptions& options, const std::string& csv);
-/// emit() of that.
-void emit_table(const CommonOptions& options, const std::string& csv);
+/// emit_together() of that.
+void emit_table(const CommonOptions& options, const std::string& csv,
+                std::vector<FileContents> others = {});
 /// Refuses --decimal and --bom where no table is written.
 /// @throws UsageError
 void refuse_table_options(const CommonOptions& options);

@@ -108,12 +108,16 @@ ExitStatus run(const PigmentOptions& options) {
     std::string source =
         fmt::format("nacre pigment of {}, {}, binder {}, rms residual {:.2g}", options.drawdown,
                     options.geometry, options.ior, estimate.rms_residual);
-    if (!options.table.empty()) {
-        require_going();
-        write_file_atomically(options.table, table_csv(estimate, options.anisotropy));
+    std::vector<FileContents> beside;
+    if (!options.plots.empty()) {
+        beside = plot_files(options.plots, datasheet::drawdown_plots(estimate));
     }
-    if (!options.plots.empty()) write_plots(options.plots, datasheet::drawdown_plots(estimate));
-    emit(options, io::write_pigment_file({estimate.pigment(name, options.anisotropy), source}));
+    if (!options.table.empty()) {
+        beside.push_back({options.table, table_csv(estimate, options.anisotropy)});
+    }
+    emit_together(options,
+                  io::write_pigment_file({estimate.pigment(name, options.anisotropy), source}),
+                  std::move(beside));
     say_outcome(options, estimate);
     return ExitStatus::ok;
 }

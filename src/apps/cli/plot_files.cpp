@@ -3,19 +3,21 @@
 #include "apps/report/plot_svg.h"
 #include "apps/report/svg_raster.h"
 #include "apps/study/folder.h"
-#include "nacre/core/file.h"
 
 namespace nacre::cli {
 
-void write_plots(const std::filesystem::path& folder,
-                 const std::vector<datasheet::NamedPlot>& plots) {
+std::vector<FileContents> plot_files(const std::filesystem::path& folder,
+                                     const std::vector<datasheet::NamedPlot>& plots) {
     constexpr double kPngScale = 2;
     study::make_folder(folder);
+    std::vector<FileContents> files;
     for (const datasheet::NamedPlot& named : plots) {
-        const std::string svg = report::plot_svg(named.plot);
-        write_file_atomically(folder / (named.name + ".svg"), svg);
-        write_file_atomically(folder / (named.name + ".png"), report::png_of_svg(svg, kPngScale));
+        std::string svg = report::plot_svg(named.plot);
+        std::string png = report::png_of_svg(svg, kPngScale);
+        files.push_back({folder / (named.name + ".svg"), std::move(svg)});
+        files.push_back({folder / (named.name + ".png"), std::move(png)});
     }
+    return files;
 }
 
 std::vector<std::string> plot_file_names(std::span<const char* const> plots) {

@@ -386,6 +386,18 @@ void AtomicFile::commit() {
     if (entry.is_open()) (void)::fsync(entry.get());
 }
 
+void write_together(const std::vector<FileContents>& files) {
+    const InterruptHandler uninterrupted;
+    std::vector<std::unique_ptr<AtomicFile>> together;
+    for (const FileContents& file : files) {
+        together.push_back(std::make_unique<AtomicFile>(file.path));
+        together.back()->write(file.bytes);
+    }
+    // What takes long before the first is replaced.
+    for (const auto& file : together) file->flush();
+    for (const auto& file : together) file->commit();
+}
+
 void write_file_atomically(const fs::path& path, std::string_view bytes, const Progress& progress) {
     // A signal waits for the few milliseconds, or it would leave the temporary behind. Commands that
     // heed signals already have a handler, which this one leaves alone.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nacre/core/progress.h"
 
@@ -90,6 +91,16 @@ class AtomicFile {
 ///         as it was
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes,
                            const Progress& progress = {});
+
+struct FileContents {
+    std::filesystem::path path;
+    std::string bytes;
+};
+
+/// Writes files that belong together: none is replaced before all are on the disk, and then all are at
+/// once, so that a kill hardly leaves files of two runs.
+/// @throws InputError, Error as AtomicFile
+void write_together(const std::vector<FileContents>& files);
 
 /// The folder with optical constants and other data: the environment variable NACRE_DATA_DIR if it
 /// is set; else data/ in the source tree that this was built from; else share/nacre/data beside the

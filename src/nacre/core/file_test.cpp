@@ -351,5 +351,16 @@ TEST(ReadFile, AnInterruptEndsTheWaitForAPipe) {
     ::close(ends[1]);
 }
 
+TEST(WriteTogether, ReplacesAllOrNone) {
+    const test::TempFolder folder;
+    folder.write("a.txt", "old");
+    write_together({{folder / "a.txt", "new"}, {folder / "b.txt", "beside"}});
+    EXPECT_EQ(read_file(folder / "a.txt"), "new");
+    EXPECT_EQ(read_file(folder / "b.txt"), "beside");
+    EXPECT_THROW(write_together({{folder / "a.txt", "newer"}, {folder / "none" / "c.txt", ""}}),
+                 InputError);
+    EXPECT_EQ(read_file(folder / "a.txt"), "new");
+}
+
 }  // namespace
 }  // namespace nacre

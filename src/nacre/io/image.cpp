@@ -385,15 +385,9 @@ void write_exr_and_png(const std::filesystem::path& exr, Image image, const Tone
     image.metadata.emplace("nacre:version", version());
     const std::filesystem::path png = png_beside(exr);
     check_png_beside(png);
-    AtomicFile exr_file(exr), png_file(png);
     image.metadata["nacre:rgb_sha256"] = rgb_sha256(image);
-    exr_file.write(encode_exr(image, exr.string()));
-    png_file.write(encode_png(image, png.string(), tone_map));
-    // What takes long before both, so that a kill between them is unlikely.
-    exr_file.flush();
-    png_file.flush();
-    exr_file.commit();
-    png_file.commit();
+    write_together(
+        {{exr, encode_exr(image, exr.string())}, {png, encode_png(image, png.string(), tone_map)}});
 }
 
 // Radiance's picture format: a header of text lines, then scan lines of shared-exponent pixels
