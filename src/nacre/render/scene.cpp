@@ -157,7 +157,8 @@ void validate(const SceneDescription& scene) {
     }
     check(Table("camera"), scene.camera);
     for (const auto& [name, material] : scene.materials) {
-        std::visit([&](const auto& m) { check(Table("materials." + name), m); }, material);
+        const Table at("materials." + name);
+        std::visit([&at](const auto& m) { check(at, m); }, material);
     }
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
         check(Table(fmt::format("shapes[{}]", i)), scene.shapes[i], scene);
