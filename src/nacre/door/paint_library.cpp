@@ -121,10 +121,13 @@ std::vector<NearestRecord> nearest_constructions(const fs::path& library,
 
 std::vector<std::string> keys_to_fit(const NearestRecord& record, const Paint& paint,
                                      const FitSettings& settings, const Progress& progress) {
-    const std::vector<std::string> asked =
-        record.swept.empty() ? std::vector<std::string>{"*"} : record.swept;
-    std::vector<std::string> keys = paint.free_keys(asked, settings, progress).keys;
-    if (record.swept.empty()) std::erase_if(keys, [](const auto& key) { return !is_turned(key); });
+    // A sweep may vary what no fit can: a diameter, which does not change the mean colour.
+    std::vector<std::string> keys = paint.free_keys({"*"}, settings, progress).keys;
+    const auto varies = [&](const std::string& key) {
+        return std::find(record.swept.begin(), record.swept.end(), key) != record.swept.end();
+    };
+    const bool by_sweep = std::any_of(keys.begin(), keys.end(), varies);
+    std::erase_if(keys, [&](const auto& key) { return by_sweep ? !varies(key) : !is_turned(key); });
     return keys;
 }
 

@@ -44,7 +44,10 @@ class PaintLibrary : public ::testing::Test {
 TEST_F(PaintLibrary, FitsEachOfTheNearestConstructionsFromItsNearestRecord) {
     using fit::testing::pearl;
     add("aa1", pearl(80), "pearl", {{kLibraryFilm, 80}});
-    add("aa2", pearl(120), "pearl", {{kLibraryFilm, 120}, {"layer[0].flakes[0].core", "mica"}});
+    add("aa2", pearl(120), "pearl",
+        {{kLibraryFilm, 120},
+         {"layer[0].flakes[0].diameter_um", 20},  // which no fit can tell
+         {"layer[0].flakes[0].core", "mica"}});
     add("bb1", fit::testing::solid(), "solid", nlohmann::json::object());
     const Measurement standard = fit::testing::read(pearl(127));
 
@@ -52,7 +55,7 @@ TEST_F(PaintLibrary, FitsEachOfTheNearestConstructionsFromItsNearestRecord) {
     ASSERT_EQ(nearest.size(), 2u);
     EXPECT_EQ(nearest[0].construction, "pearl");
     EXPECT_EQ(nearest[0].folder.filename(), "aa2");
-    EXPECT_THAT(nearest[0].swept, ElementsAre(kLibraryFilm));
+    EXPECT_THAT(nearest[0].swept, ElementsAre(kLibraryFilm, "layer[0].flakes[0].diameter_um"));
     EXPECT_EQ(nearest[0].shared_geometries, standard.readings.size());
     EXPECT_GT(nearest[1].mean_delta_e_2000, nearest[0].mean_delta_e_2000);
     EXPECT_EQ(nearest_constructions(path(), standard, 1).size(), 1u);
