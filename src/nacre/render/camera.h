@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "nacre/core/vec.h"
@@ -11,8 +12,8 @@ namespace nacre::render {
 /// from one pixel to the next across and down the picture. It gives the piece of a surface over
 /// which one sample of the picture averages.                                      [igehy-1999]
 ///
-/// It is followed through specular reflections as if the surface were flat. After any other
-/// reflection neighbouring paths have nothing in common, and it is gone.
+/// It is followed through specular reflections. After any other reflection neighbouring paths have
+/// nothing in common, and it is gone.
 struct RayDifferential {
     Vec3f origin_mm[2], direction[2];
 
@@ -34,15 +35,23 @@ struct RayDifferential {
         return edges;
     }
 
-    /// After specular reflection at a hit with these edges.
-    RayDifferential reflected(const Edges& edges, Vec3f normal) const {
+    /// After specular reflection at a hit with these edges.             [igehy-1999, eq. 15]
+    /// @param ray_direction  before it
+    /// @param normal_change  of the unit normal, from end to end of each edge
+    RayDifferential reflected(Vec3f ray_direction, const Edges& edges, Vec3f normal,
+                              const std::array<Vec3f, 2>& normal_change) const {
         RayDifferential out;
+        const float cosine = dot(ray_direction, normal);
         for (int i = 0; i < 2; ++i) {
+            const float change = dot(direction[i], normal) + dot(ray_direction, normal_change[i]);
             out.origin_mm[i] = edges.edge_mm[i];
-            out.direction[i] = direction[i] - 2 * dot(direction[i], normal) * normal;
+            out.direction[i] = direction[i] - 2 * (cosine * normal_change[i] + change * normal);
         }
         return out;
     }
+
+    /// Of the directions that a pixel's rays take.
+    float solid_angle() const { return length(cross(direction[0], direction[1])); }
 };
 
 struct CameraRay {

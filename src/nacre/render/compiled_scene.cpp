@@ -72,6 +72,13 @@ Mesh rectangle_mesh(const CompiledRectangle& r) {
     });
 }
 
+/// Not of unit length.
+Vec3f interpolated_normal(const Mesh& mesh, std::uint32_t triangle, Vec2f barycentric) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return (1 - barycentric.x - barycentric.y) * mesh.normals[a] + barycentric.x * mesh.normals[b] +
+           barycentric.y * mesh.normals[c];
+}
+
 RTCRay make_ray(const Ray& ray, float far) {
     RTCRay r;
     r.org_x = ray.origin_mm.x;
@@ -216,10 +223,7 @@ std::optional<Hit> CompiledScene::intersect(const Ray& ray, bool coherent) const
         hit.shading_normal = hit.geometric_normal;
     } else {
         hit.geometric_normal = normalize(Vec3f{query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z});
-        const auto& [a, b, c] = surface.mesh.triangles[query.hit.primID];
-        const auto& normals = surface.mesh.normals;
-        const Vec3f blend = (1 - query.hit.u - query.hit.v) * normals[a] +
-                            query.hit.u * normals[b] + query.hit.v * normals[c];
+        const Vec3f blend = interpolated_normal(surface.mesh, hit.triangle, hit.barycentric);
         // Opposite normals of a folded mesh can cancel.
         hit.shading_normal = dot(blend, blend) > 0 ? normalize(blend) : hit.geometric_normal;
     }
@@ -265,6 +269,27 @@ bsdf::Patch CompiledScene::patch(const Hit& hit, Vec3f offset_mm, Vec3f edge_1_m
                             (1 / surface.sphere_radius_mm) * edge_2_mm);
     }
     return triangle_patch(surface.mesh, hit.triangle, hit.barycentric, edge_1_mm, edge_2_mm);
+}
+
+Vec3f CompiledScene::normal_change(const Hit& hit, Vec3f edge_mm) const {
+    const Surface& surface = surfaces_[hit.surface];
+    if (surface.sphere_radius_mm > 0) {
+        const float outward =
+            dot(hit.geometric_normal, hit.position_mm - surface.sphere_center_mm) > 0 ? 1 : -1;
+        return (outward / surface.sphere_radius_mm) * edge_mm;
+    }
+    const Mesh& mesh = surface.mesh;
+    const BarycentricChange weights(mesh, hit.triangle);
+    if (!weights.exists()) return {};
+    const Vec3f blend = interpolated_normal(mesh, hit.triangle, hit.barycentric);
+    const float size = length(blend);
+    if (!(size > 0)) return {};
+    const auto& [a, b, c] = mesh.triangles[hit.triangle];
+    const auto [w1, w2] = weights.along(edge_mm);
+    const Vec3f change = static_cast<float>(w1) * (mesh.normals[b] - mesh.normals[a]) +
+                         static_cast<float>(w2) * (mesh.normals[c] - mesh.normals[a]);
+    const float turned = dot(blend, hit.shading_normal) > 0 ? 1 / size : -1 / size;
+    return turned * (change - dot(change, hit.shading_normal) * hit.shading_normal);
 }
 
 std::optional<Vec2f> CompiledScene::coat_slope(const Hit& hit) const {

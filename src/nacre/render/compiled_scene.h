@@ -68,6 +68,9 @@ struct CompiledScene {
     /// In object space: surface_patch.h.
     bsdf::Patch patch(const Hit& hit, Vec3f offset_mm, Vec3f edge_1_mm, Vec3f edge_2_mm) const;
 
+    /// How the shading normal changes from end to end of an edge, tangent to the surface at the hit.
+    Vec3f normal_change(const Hit& hit, Vec3f edge_mm) const;
+
     /// The slope of the coat's waves there (Bsdf::coat_waves), along x and y of the frame around the
     /// shading normal; none where it is flat.
     std::optional<Vec2f> coat_slope(const Hit& hit) const;

@@ -197,20 +197,28 @@ TEST(Sky, RadianceHasTheLuminanceThatGuidesSampling) {
     }
 }
 
-// Light that is spread out is as much: the mean over the sphere of sky and sun, and of a picture with
-// one bright pixel.
-TEST(Sky, SpreadOutForCausticsItGivesAsMuchLight) {
+// Light that is spread out is as much: the mean over the sphere of sky and sun, of a picture with one
+// bright pixel, and of a studio with a small lamp, over disks of many sizes.
+TEST(Sky, SpreadOutForMirrorsItGivesAsMuchLight) {
     ImageEnvironment image{256, 128, std::vector<float>(std::size_t{3} * 256 * 128, 0.5f)};
     for (int c = 0; c < 3; ++c) image.rgb[3 * (40 * 256 + 30) + c] = 20'000;
-    for (const Environment& environment :
-         {Environment(SkyEnvironment{.sun_elevation_deg = 35}), Environment(image)}) {
+    const StudioEnvironment studio{.boxes = {{.azimuth_deg = 50,
+                                              .elevation_deg = 30,
+                                              .width_deg = 2,
+                                              .height_deg = 2,
+                                              .softness = 0,
+                                              .scale = 5'000}}};
+    for (const Environment& environment : {Environment(SkyEnvironment{.sun_elevation_deg = 35}),
+                                           Environment(image), Environment(studio)}) {
         EmissionBasis basis;
         const LightSet lights({}, environment, {}, 1, basis);
         const bsdf::Wavelengths nm = film_wavelengths(0);
         const XyzWeights xyz = film_xyz_weights(nm);
         const auto spectra = basis.at(nm);
         const auto luminance = [&](const FloatLanes& l) { return lane_sum(xyz[1] * l); };
-        double sharp = 0, blurred = 0, largest = 0, largest_blurred = 0;
+        constexpr std::array kSolidAngles{0.25f, 0.03f, 0.004f};
+        double sharp = 0, largest = 0;
+        std::array<double, 3> spread{}, largest_spread{};
         constexpr int kAround = 8192, kUp = 4096;  // the sun is met by 100 of them
         for (int i = 0; i < kUp; ++i) {
             const double z = 2 * (i + 0.5) / kUp - 1, sine = std::sqrt(1 - z * z);
@@ -220,15 +228,26 @@ TEST(Sky, SpreadOutForCausticsItGivesAsMuchLight) {
                               static_cast<float>(sine * std::sin(azimuth)), static_cast<float>(z)};
                 const double a = luminance(
                     lights.escaped(d, spectra.data(), [](const LightPdf&) { return 1.0f; }));
-                const double b = luminance(lights.escaped_blurred(d, spectra.data()));
                 sharp += a;
-                blurred += b;
                 largest = std::max(largest, a);
-                largest_blurred = std::max(largest_blurred, b);
+                for (std::size_t k = 0; k < kSolidAngles.size(); ++k) {
+                    const double b =
+                        luminance(lights.escaped_spread(d, kSolidAngles[k], spectra.data()));
+                    spread[k] += b;
+                    largest_spread[k] = std::max(largest_spread[k], b);
+                }
             }
         }
-        EXPECT_NEAR(blurred / sharp, 1, 0.03);
-        EXPECT_LT(largest_blurred, 0.02 * largest);
+        for (std::size_t k = 0; k < kSolidAngles.size(); ++k) {
+            EXPECT_NEAR(spread[k] / sharp, 1, 0.03) << kSolidAngles[k];
+            EXPECT_LT(largest_spread[k], 0.5 * largest) << kSolidAngles[k];
+        }
+        EXPECT_LT(largest_spread[0], 0.02 * largest);
+        // What is smaller than the least cell and the sun leaves all as it is.
+        const Vec3f at = direction_from_angles(50, 30);
+        EXPECT_EQ(
+            luminance(lights.escaped_spread(at, 1e-7f, spectra.data())),
+            luminance(lights.escaped(at, spectra.data(), [](const LightPdf&) { return 1.0f; })));
     }
 }
 

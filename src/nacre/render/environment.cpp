@@ -16,10 +16,11 @@ class ConstantRadiance final : public EnvironmentRadiance {
     ConstantRadiance(int spectrum, double scale)
         : spectrum_(spectrum), scale_(static_cast<float>(scale)) {}
 
-    FloatLanes radiance(Vec3f, const FloatLanes* basis) const override {
-        return scale_ * basis[spectrum_];
-    }
+    Coefficients coefficients(Vec3f) const override { return {scale_}; }
     float luminance(Vec3f) const override { return scale_; }
+    FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
+        return c[0] * basis[spectrum_];
+    }
 
  private:
     int spectrum_;
@@ -47,8 +48,9 @@ class StudioRadiance final : public EnvironmentRadiance {
         }
     }
 
-    FloatLanes radiance(Vec3f direction, const FloatLanes* basis) const override {
-        return luminance(direction) * basis[spectrum_];
+    Coefficients coefficients(Vec3f direction) const override { return {luminance(direction)}; }
+    FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
+        return c[0] * basis[spectrum_];
     }
     float luminance(Vec3f direction) const override {
         float sum = horizon_ + (zenith_ - horizon_) * smooth_step(direction.z);
@@ -90,9 +92,12 @@ class ImageRadiance final : public EnvironmentRadiance {
         for (float& value : image_.rgb) value *= static_cast<float>(image.scale);
     }
 
-    FloatLanes radiance(Vec3f direction, const FloatLanes* basis) const override {
+    Coefficients coefficients(Vec3f direction) const override {
         const Vec3f c = look_up(direction);
-        return c.x * basis[first_] + c.y * basis[first_ + 1] + c.z * basis[first_ + 2];
+        return {c.x, c.y, c.z};
+    }
+    FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
+        return c[0] * basis[first_] + c[1] * basis[first_ + 1] + c[2] * basis[first_ + 2];
     }
     float luminance(Vec3f direction) const override {
         const Vec3f c = look_up(direction);
@@ -129,6 +134,15 @@ class ImageRadiance final : public EnvironmentRadiance {
     int first_;
 };
 
+/// Some sixteen points across the smallest box.
+int detail_of(const StudioEnvironment& studio) {
+    double smallest_deg = 90;
+    for (const SoftBox& box : studio.boxes.empty() ? studio_soft_boxes() : studio.boxes) {
+        smallest_deg = std::min({smallest_deg, box.width_deg, box.height_deg});
+    }
+    return static_cast<int>(std::clamp(16 * 360 / smallest_deg, 64.0, 4096.0));
+}
+
 struct Compiler {
     EmissionBasis& basis;
 
@@ -138,7 +152,7 @@ struct Compiler {
     }
     CompiledEnvironment operator()(const StudioEnvironment& e) const {
         const int spectrum = basis.add(unit_illuminant(e.radiance.illuminant));
-        return {std::make_unique<StudioRadiance>(e, spectrum), {}, 256, 128};
+        return {std::make_unique<StudioRadiance>(e, spectrum), {}, 256, 128, detail_of(e)};
     }
     CompiledEnvironment operator()(const SkyEnvironment& e) const { return compile_sky(e, basis); }
     CompiledEnvironment operator()(const ImageEnvironment& e) const {
@@ -150,7 +164,9 @@ struct Compiler {
         return {std::make_unique<ImageRadiance>(e, first),
                 {},
                 std::clamp(e.width, 16, 2048),
-                std::clamp(e.height, 16, 1024)};
+                std::clamp(e.height, 16, 1024),
+                // Twice as dense, so that it counts as much as it should.
+                2 * std::clamp(std::max(e.width, 2 * e.height), 16, 2048)};
     }
 };
 
@@ -263,16 +279,16 @@ class PreethamSky {
     double norm_luminance_, norm_x_, norm_y_;
 };
 
-/// Coefficients of the daylight basis.
-using DaylightCoefficients = std::array<float, 3>;
-
+/// Its coefficients are those of the daylight basis.
 class SkyRadiance final : public EnvironmentRadiance {
  public:
     SkyRadiance(PreethamSky sky, double scale, int first_spectrum, std::array<double, 3> luminances)
         : sky_(sky), scale_(scale), first_(first_spectrum), luminances_(luminances) {}
 
-    FloatLanes radiance(Vec3f direction, const FloatLanes* basis) const override {
-        const DaylightCoefficients c = direction.z > 0 ? coefficients(direction) : ground_;
+    Coefficients coefficients(Vec3f direction) const override {
+        return direction.z > 0 ? above(direction) : ground_;
+    }
+    FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
         const FloatLanes sum =
             c[0] * basis[first_] + c[1] * basis[first_ + 1] + c[2] * basis[first_ + 2];
         // Far outside the daylight locus the combination can dip below zero at the film's ends.
@@ -283,11 +299,11 @@ class SkyRadiance final : public EnvironmentRadiance {
         return static_cast<float>(scale_ * sky_(direction).luminance_kcd / kUnitKcd);
     }
 
-    void set_ground(DaylightCoefficients ground) { ground_ = ground; }
+    void set_ground(EnvironmentRadiance::Coefficients ground) { ground_ = ground; }
 
     /// Spectrum of the sky's chromaticity, scaled to its luminance.
     ///                                  [cie-15-2018, eq. 4.10-4.11; preetham-1999, appendix A.5]
-    DaylightCoefficients coefficients(Vec3f direction) const {
+    Coefficients above(Vec3f direction) const {
         const PreethamSky::Colour sky = sky_(direction);
         const double m = 0.0241 + 0.2562 * sky.x - 0.7341 * sky.y;
         const double m1 = (-1.3515 - 1.7703 * sky.x + 5.9114 * sky.y) / m;
@@ -297,7 +313,7 @@ class SkyRadiance final : public EnvironmentRadiance {
         return {static_cast<float>(k), static_cast<float>(k * m1), static_cast<float>(k * m2)};
     }
 
-    float luminance_of(const DaylightCoefficients& c) const {
+    float luminance_of(const EnvironmentRadiance::Coefficients& c) const {
         return static_cast<float>(c[0] * luminances_[0] + c[1] * luminances_[1] +
                                   c[2] * luminances_[2]);
     }
@@ -307,7 +323,7 @@ class SkyRadiance final : public EnvironmentRadiance {
     double scale_;
     int first_;
     std::array<double, 3> luminances_;
-    DaylightCoefficients ground_{};
+    EnvironmentRadiance::Coefficients ground_{};
 };
 
 /// Fraction of sunlight that reaches the ground.
@@ -348,18 +364,18 @@ DistantDisk compile_sun(const SkyEnvironment& sky, Vec3f direction, EmissionBasi
 
 /// Radiance of the ground: what it reflects of the sky, with the sun's fraction in the sky's
 /// colour.
-DaylightCoefficients ground_radiance(const SkyRadiance& sky, const DistantDisk& sun) {
+EnvironmentRadiance::Coefficients ground_radiance(const SkyRadiance& sky, const DistantDisk& sun) {
     constexpr int kSteps = 32;  // in azimuth and in cos^2: each cell has the same projected angle
     std::array<double, 3> sum{};
     for (int i = 0; i < kSteps * kSteps; ++i) {
         const double sine = std::sqrt((i / kSteps + 0.5) / kSteps);
         const double azimuth = 2 * std::numbers::pi * (i % kSteps + 0.5) / kSteps;
-        const auto c = sky.coefficients({static_cast<float>(sine * std::cos(azimuth)),
-                                         static_cast<float>(sine * std::sin(azimuth)),
-                                         static_cast<float>(std::sqrt(1 - sine * sine))});
+        const auto c = sky.above({static_cast<float>(sine * std::cos(azimuth)),
+                                  static_cast<float>(sine * std::sin(azimuth)),
+                                  static_cast<float>(std::sqrt(1 - sine * sine))});
         for (int j = 0; j < 3; ++j) sum[j] += c[j] / (kSteps * kSteps);
     }
-    DaylightCoefficients mean;
+    EnvironmentRadiance::Coefficients mean;
     for (int j = 0; j < 3; ++j) mean[j] = static_cast<float>(kGroundReflectance * sum[j]);
     // The sky's mean is irradiance / pi already; the sun's irradiance / pi, likewise.
     const double solid_angle = std::numbers::pi * sun.chord_squared;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -13,12 +14,21 @@ namespace nacre::render {
 /// Light from infinity as a function of direction, ready for look-ups.
 class EnvironmentRadiance {
  public:
+    /// Of the spectra that it is a linear combination of; those that it has not are 0.
+    using Coefficients = std::array<float, 3>;
+
     virtual ~EnvironmentRadiance() = default;
-    /// Spectral radiance arriving from the unit vector `direction`. `basis` is
-    /// EmissionBasis::at() of the basis that compile_environment() filled.
-    virtual FloatLanes radiance(Vec3f direction, const FloatLanes* basis) const = 0;
+    /// Of the radiance arriving from the unit vector `direction`.
+    virtual Coefficients coefficients(Vec3f direction) const = 0;
     /// Its luminance, the brightness that guides sampling.
     virtual float luminance(Vec3f direction) const = 0;
+    /// The spectral radiance that coefficients, or a mean of some, stand for. `basis` is
+    /// EmissionBasis::at() of the basis that compile_environment() filled.
+    virtual FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const = 0;
+
+    FloatLanes radiance(Vec3f direction, const FloatLanes* basis) const {
+        return combined(coefficients(direction), basis);
+    }
 };
 
 /// A disk of constant radiance at infinity: the sun.
@@ -38,6 +48,8 @@ struct CompiledEnvironment {
     std::unique_ptr<const EnvironmentRadiance> radiance;
     std::optional<DistantDisk> sun;
     int table_columns = 1, table_rows = 1;  ///< size of the DirectionTable that samples it
+    /// Points around the horizon among which no detail is lost; 0: there is none, as in a sky.
+    int detail = 0;
 };
 
 CompiledEnvironment compile_environment(const Environment& description, EmissionBasis& basis);

@@ -120,7 +120,6 @@ Pass::Pass(const CompiledScene& scene, std::uint32_t index)
     for (const auto& material : scene.materials) {
         surfaces.push_back(material->bind(wavelengths_nm));
         patch_memory_bytes = std::max(patch_memory_bytes, surfaces.back()->patch_memory_bytes());
-        has_varying_surfaces |= material->varies_over_surface();
     }
 }
 
@@ -128,7 +127,9 @@ namespace {
 
 /// The first surface, counted from 1, at which Russian roulette may end the path.
 constexpr int kRouletteFrom = 4;
-/// Density of directions, per solid angle, below which a lobe is wider than the blur of caustics.
+/// Of the disk over which a sun is spread in caustics, 16 degrees in radius, and the density of
+/// directions, per solid angle, below which a lobe is wider.
+constexpr float kCausticSolidAngle = 0.2434f;
 constexpr float kWideLobe = 4;
 /// Fraction of the samples that choose a flake whatever light it sees.
 constexpr float kBlind = 0.1f;
@@ -152,6 +153,7 @@ struct Branch {
     std::uint32_t first_vertex = 1;  ///< of the sampler: vertex of depth 0
     /// A wide lobe has sent it on its way, and a mirror since: no sample of lights finds its light.
     bool scattered_widely = false, caustic = false;
+    bool mirrored = false;  ///< by the last surface
     float straight_mm = 0;  ///< gone through panes since the last surface
 };
 
@@ -189,6 +191,14 @@ class PathTracer {
     }
     RayDifferential::Edges footprint(const Hit& hit, const Branch& branch) const {
         return branch.differential->at(branch.ray.direction, hit.distance_mm, hit.geometric_normal);
+    }
+    /// That a ray out of a mirror stands for, where light samples could not have found it.
+    std::optional<float> solid_angle_of_sample(const Branch& branch) const {
+        if (branch.caustic) return kCausticSolidAngle;
+        if (!branch.mirrored || !branch.differential) return std::nullopt;
+        // At a silhouette it is as large as one likes, or not a number.
+        const float by_pixel = branch.differential->solid_angle();
+        return by_pixel < kCausticSolidAngle ? by_pixel : kCausticSolidAngle;
     }
     /// Of light that the ray meets, of what light samples find with density `pdf`.
     float weight(const Branch& branch, const LightPdf& pdf) const {
@@ -334,12 +344,11 @@ void PathTracer::follow(Branch branch) {
     const auto light_weight = [&](const LightPdf& pdf) { return weight(branch, pdf); };
     for (;; ++branch.depth) {
         auto hit = scene_.intersect(branch.ray, branch.depth == 0);
-        if (!hit && branch.caustic && options_.blur_caustics) {
-            gather(branch, scene_.lights->escaped_blurred(branch.ray.direction, emission));
-            return;
-        }
         if (!hit) {
-            gather(branch, scene_.lights->escaped(branch.ray.direction, emission, light_weight));
+            const Vec3f direction = branch.ray.direction;
+            const std::optional<float> spread = solid_angle_of_sample(branch);
+            gather(branch, spread ? scene_.lights->escaped_spread(direction, *spread, emission)
+                                  : scene_.lights->escaped(direction, emission, light_weight));
             return;
         }
         hit->distance_mm += branch.straight_mm;
@@ -406,13 +415,17 @@ void PathTracer::follow(Branch branch) {
             continue;
         }
         const bool mirrored = sample->kind == bsdf::SampleKind::specular && !behind;
-        if (mirrored && branch.differential && pass_.has_varying_surfaces) {
+        if (mirrored && branch.differential) {
+            const RayDifferential::Edges edges = footprint(*hit, branch);
             branch.differential =
-                branch.differential->reflected(footprint(*hit, branch), hit->geometric_normal);
+                branch.differential->reflected(branch.ray.direction, edges, hit->shading_normal,
+                                               {scene_.normal_change(*hit, edges.edge_mm[0]),
+                                                scene_.normal_change(*hit, edges.edge_mm[1])});
         } else {
             branch.differential.reset();
         }
         branch.straight_mm = 0;
+        branch.mirrored = mirrored;
         if (sample->kind == bsdf::SampleKind::specular) {
             branch.caustic = branch.scattered_widely;
         } else {

@@ -27,7 +27,6 @@ struct Pass {
     FloatLanes d65;  ///< of luminance 1
     std::vector<FloatLanes> emission;
     BoundMaterials surfaces;
-    bool has_varying_surfaces = false;
     std::size_t patch_memory_bytes = 0;  ///< the most that one of them needs
 };
 
@@ -51,9 +50,6 @@ struct PathOptions {
     /// Whether surfaces that tell their flakes apart are asked for them at the first hit; else
     /// they are shown by each sample's own patch.
     bool ask_flakes = true;
-    /// Whether the sun is spread out for light that a wide lobe finds by way of a mirror
-    /// (LightSet::escaped_blurred).
-    bool blur_caustics = true;
 };
 
 /// The part of its pixel's footprint whose flakes one sample asks.

@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "nacre/core/angles.h"
-
 namespace nacre::render {
 namespace {
 
@@ -25,41 +23,6 @@ CompiledRectangle compile(const RectangleLight& light, EmissionBasis& basis) {
     r.spectrum = basis.add(unit_illuminant(light.radiance.illuminant));
     r.visible = light.visible;
     return r;
-}
-
-// Cells of DirectionTable's map, of the size of that disk.
-constexpr int kBlurColumns = 16, kBlurRows = 8;
-
-std::size_t blur_cell(Vec3f direction) {
-    const Vec2f at = DirectionTable::to_square(direction);
-    const int column = std::min(static_cast<int>(at.x * kBlurColumns), kBlurColumns - 1);
-    const int row = std::min(static_cast<int>(at.y * kBlurRows), kBlurRows - 1);
-    return static_cast<std::size_t>(row) * kBlurColumns + column;
-}
-
-/// Mean luminance of each cell, over points twice as dense as the table that samples the
-/// environment, so that a sun of one pixel counts as much as it should.
-std::vector<float> blurred_luminance(const EnvironmentRadiance& environment, int columns,
-                                     int rows) {
-    const int across = std::max(1, 2 * columns / kBlurColumns);
-    const int down = std::max(1, 2 * rows / kBlurRows);
-    std::vector<float> cells;
-    for (int cell = 0; cell < kBlurColumns * kBlurRows; ++cell) {
-        const int column = cell % kBlurColumns, row = cell / kBlurColumns;
-        double sum = 0, weights = 0;
-        for (int i = 0; i < across * down; ++i) {
-            const float u = (column + (i % across + 0.5f) / across) / kBlurColumns;
-            const float v = (row + (i / across + 0.5f) / down) / kBlurRows;
-            const Vec3f d = DirectionTable::from_square({u, v});
-            // Solid angle of the point: the map keeps areas in height alone.
-            const float round = std::sqrt(d.x * d.x + d.y * d.y);
-            const float bend = round > 0 ? (std::abs(d.x) + std::abs(d.y)) / round : 1.0f;
-            sum += double{bend} * bend * environment.luminance(d);
-            weights += double{bend} * bend;
-        }
-        cells.push_back(static_cast<float>(sum / weights));
-    }
-    return cells;
 }
 
 double disk_solid_angle(const DistantDisk& disk) { return std::numbers::pi * disk.chord_squared; }
@@ -88,7 +51,7 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         } else {
             beside_.environment.reset();
         }
-        blurred_ = blurred_luminance(*environment_, compiled.table_columns, compiled.table_rows);
+        if (compiled.detail > 0) cells_.emplace(*environment_, compiled.detail);
         sun_ = compiled.sun;
         if (sun_) add(Kind::sun, 0, sun_->luminance * disk_solid_angle(*sun_));
     }
@@ -146,22 +109,20 @@ void LightSet::normalise(Choice& choice) const {
     if (!choice.entries.empty()) choice.entries.back().cumulative = 1;
 }
 
-FloatLanes LightSet::escaped_blurred(Vec3f direction, const FloatLanes* basis) const {
+FloatLanes LightSet::escaped_spread(Vec3f direction, float solid_angle,
+                                    const FloatLanes* basis) const {
     FloatLanes sum{};
     if (environment_) {
-        const float luminance = environment_->luminance(direction);
-        // Of black there is no colour to spread.
-        if (luminance > 0) {
-            sum += (blurred_[blur_cell(direction)] / luminance) *
-                   environment_->radiance(direction, basis);
-        }
+        const auto* mean = cells_ ? cells_->spread(direction, solid_angle) : nullptr;
+        sum +=
+            mean ? environment_->combined(*mean, basis) : environment_->radiance(direction, basis);
     }
     if (sun_) {
-        static const float kChordSquared =
-            static_cast<float>(4 * std::pow(std::sin(0.5 * kBlur_deg * kDegree), 2));
+        const float chord_squared =
+            std::max(sun_->chord_squared, solid_angle / std::numbers::pi_v<float>);
         const Vec3f off = direction - sun_->direction;
-        if (dot(off, off) <= kChordSquared) {
-            sum += (sun_->chord_squared / kChordSquared) * sun_radiance(basis);
+        if (dot(off, off) <= chord_squared) {
+            sum += (sun_->chord_squared / chord_squared) * sun_radiance(basis);
         }
     }
     return sum;

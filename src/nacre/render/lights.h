@@ -6,6 +6,7 @@
 
 #include "nacre/render/direction_table.h"
 #include "nacre/render/environment.h"
+#include "nacre/render/environment_cells.h"
 
 // The lights of a scene, ready to be sampled. Lights are chosen with fixed probabilities after a
 // rough estimate of what each gives at the middle of the scene; every pdf below includes that
@@ -63,13 +64,12 @@ class LightSet {
     template <class Weight>
     FloatLanes escaped(Vec3f direction, const FloatLanes* basis, const Weight& weight) const;
 
-    /// escaped() with the sun spread evenly over a disk of kBlur_deg, and the environment's luminance
-    /// over cells about as large, for light that a wide lobe has found by way of a mirror. No sample
-    /// of lights finds that light, so that a sun of its own size would be met once in many thousand
-    /// samples, as a speck: spread out it gives as much light, with caustics that are less sharp.
-    ///                                              [kaplanyan-dachsbacher-2013, who spread the mirror]
-    FloatLanes escaped_blurred(Vec3f direction, const FloatLanes* basis) const;
-    static constexpr double kBlur_deg = 16;  ///< radius
+    /// escaped() with a smaller sun spread evenly over a disk of this solid angle, and what is small
+    /// and bright in the environment over a cell about as large, for light that has come by way of a
+    /// mirror. No sample of lights finds that light, so that a sun that is much smaller than what one
+    /// sample stands for would be met by few of them or none, as a speck: spread out it gives as much
+    /// light.                                       [kaplanyan-dachsbacher-2013, who spread the mirror]
+    FloatLanes escaped_spread(Vec3f direction, float solid_angle, const FloatLanes* basis) const;
 
     /// Roughly the luminance that lights, were nothing in between, send along the direction, each
     /// weighted as in escaped(): a guide for sampling.
@@ -124,7 +124,7 @@ class LightSet {
     std::vector<Directional> directionals_;
     std::unique_ptr<const EnvironmentRadiance> environment_;
     std::optional<DistantDisk> sun_;
-    std::vector<float> blurred_;        // luminance by cells of kBlurColumns x kBlurRows
+    std::optional<EnvironmentCells> cells_;
     float environment_brightness_ = 0;  // luminance per density of alone_.environment
 };
 

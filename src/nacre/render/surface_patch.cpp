@@ -56,6 +56,21 @@ bsdf::Patch sphere_patch(Vec3f n, Vec3f edge_1, Vec3f edge_2) {
     return {here[0], here[1], change(n, here, edge_1), change(n, here, edge_2)};
 }
 
+BarycentricChange::BarycentricChange(const Mesh& mesh, std::size_t triangle) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    side_1_ = mesh.positions_mm[b] - mesh.positions_mm[a];
+    side_2_ = mesh.positions_mm[c] - mesh.positions_mm[a];
+    d11_ = dot(side_1_, side_1_);
+    d12_ = dot(side_1_, side_2_);
+    d22_ = dot(side_2_, side_2_);
+    determinant_ = d11_ * d22_ - d12_ * d12_;
+}
+
+std::array<double, 2> BarycentricChange::along(Vec3f edge_mm) const {
+    const double e1 = dot(edge_mm, side_1_), e2 = dot(edge_mm, side_2_);
+    return {(d22_ * e1 - d12_ * e2) / determinant_, (d11_ * e2 - d12_ * e1) / determinant_};
+}
+
 bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycentric,
                            Vec3f edge_1_mm, Vec3f edge_2_mm) {
     const auto& [a, b, c] = mesh.triangles[triangle];
@@ -66,16 +81,10 @@ bsdf::Patch triangle_patch(const Mesh& mesh, std::size_t triangle, Vec2f barycen
     patch.u = fraction(uv_a.x + barycentric.x * u1 + barycentric.y * u2);
     patch.v = fraction(uv_a.y + barycentric.x * v1 + barycentric.y * v2);
 
-    // Weights of the corners along an edge: least squares on the two sides of the triangle.
-    const Vec3f side_1 = mesh.positions_mm[b] - mesh.positions_mm[a];
-    const Vec3f side_2 = mesh.positions_mm[c] - mesh.positions_mm[a];
-    const double d11 = dot(side_1, side_1), d12 = dot(side_1, side_2), d22 = dot(side_2, side_2);
-    const double determinant = d11 * d22 - d12 * d12;
-    if (!(determinant > 0)) return patch;
+    const BarycentricChange weights(mesh, triangle);
+    if (!weights.exists()) return patch;
     const auto change = [&](Vec3f edge) {
-        const double e1 = dot(edge, side_1), e2 = dot(edge, side_2);
-        const double w1 = (d22 * e1 - d12 * e2) / determinant;
-        const double w2 = (d11 * e2 - d12 * e1) / determinant;
+        const auto [w1, w2] = weights.along(edge);
         return Vec2f{static_cast<float>(w1 * u1 + w2 * u2), static_cast<float>(w1 * v1 + w2 * v2)};
     };
     patch.edge_1 = change(edge_1_mm);

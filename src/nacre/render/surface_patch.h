@@ -16,6 +16,20 @@ namespace nacre::render {
 /// @return   (u, v) in [0, 1]
 std::array<double, 2> octahedral_square(Vec3f n);
 
+/// How the weights of the second and third corner of a triangle in space change along an edge: by
+/// least squares on the two sides of the triangle. None where it is degenerate.
+class BarycentricChange {
+ public:
+    BarycentricChange(const Mesh& mesh, std::size_t triangle);
+    bool exists() const { return determinant_ > 0; }
+    /// @param edge_mm  in the plane of the triangle
+    std::array<double, 2> along(Vec3f edge_mm) const;
+
+ private:
+    Vec3f side_1_, side_2_;
+    double d11_, d12_, d22_, determinant_;
+};
+
 // Where a point of a shape, and a small parallelogram about it, lie in the unit square over which
 // the shape is laid out or in the shape's object space.
 

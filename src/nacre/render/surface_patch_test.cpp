@@ -142,11 +142,47 @@ TEST(RayDifferential, IsThatOfTheImageBehindAFlatMirror) {
     const float to_mirror = -30 / direction.z, onward = -50 / direction.z;
     const auto on_mirror = d.at(direction, to_mirror, {0, 0, 1});
     const Vec3f reflected{direction.x, direction.y, -direction.z};
-    const auto through = d.reflected(on_mirror, {0, 0, 1}).at(reflected, onward, {0, 0, -1});
+    const auto through =
+        d.reflected(direction, on_mirror, {0, 0, 1}, {}).at(reflected, onward, {0, 0, -1});
     const auto straight = d.at(direction, to_mirror + onward, {0, 0, 1});
     for (int i = 0; i < 2; ++i) {
         EXPECT_NEAR(length(through.edge_mm[i] - straight.edge_mm[i]), 0, 1e-5);
     }
+}
+
+// A convex mirror spreads neighbouring rays: against rays that are reflected one by one.
+TEST(RayDifferential, IsThatOfRaysReflectedByASphere) {
+    constexpr double kRadius_mm = 40, kStep = 1e-4;
+    const auto reflect = [&](double x, double y) {
+        const Vec3d direction = normalize(Vec3d{x, y, -1});  // from (0, 0, 200) to the sphere at 0
+        const Vec3d origin{0, 0, 200};
+        const double along = -dot(origin, direction);
+        const double distance =
+            along - std::sqrt(along * along - dot(origin, origin) + kRadius_mm * kRadius_mm);
+        const Vec3d at = origin + distance * direction, n = normalize(at);
+        return std::array{direction, at, direction - 2 * dot(direction, n) * n};
+    };
+    const double x = 0.12, y = -0.05;
+    const auto [direction, at, out] = reflect(x, y);
+    RayDifferential d{};
+    std::array<Vec3f, 2> turned;
+    for (int i = 0; i < 2; ++i) {
+        const double dx = i == 0 ? kStep : 0, dy = i == 1 ? kStep : 0;
+        const auto ahead = reflect(x + dx, y + dy), behind = reflect(x - dx, y - dy);
+        d.direction[i] = to_float((0.5 / kStep) * (ahead[0] - behind[0]));
+        turned[i] = to_float((0.5 / kStep) * (ahead[2] - behind[2]));
+    }
+    const Vec3f n = to_float(normalize(at)), ray = to_float(direction);
+    const auto edges = d.at(ray, static_cast<float>(length(at - Vec3d{0, 0, 200})), n);
+    constexpr float kPerRadius = 1 / static_cast<float>(kRadius_mm);
+    const RayDifferential after =
+        d.reflected(ray, edges, n, {kPerRadius * edges.edge_mm[0], kPerRadius * edges.edge_mm[1]});
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_LT(length(after.direction[i] - turned[i]), 1e-4f * length(turned[i]));
+    }
+    EXPECT_NEAR(after.solid_angle(), length(cross(turned[0], turned[1])),
+                1e-4 * after.solid_angle());
+    EXPECT_GT(after.solid_angle(), 20 * d.solid_angle());
 }
 
 }  // namespace

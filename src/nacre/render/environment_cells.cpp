@@ -1,0 +1,109 @@
+#include "nacre/render/environment_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "nacre/render/direction_table.h"
+
+namespace nacre::render {
+namespace {
+
+using Coefficients = EnvironmentRadiance::Coefficients;
+
+// The coarsest cells, some 18 degrees wide, and how much finer they may get.
+constexpr int kCoarseColumns = 16, kCoarseRows = 8, kMaxScale = 64;
+
+float nominal_solid_angle(int scale) {
+    return 4 * std::numbers::pi_v<float> / (kCoarseColumns * kCoarseRows * float(scale * scale));
+}
+
+/// What a cell's points add up to.
+struct CellSums {
+    std::array<double, 3> coefficients{};
+    double luminance = 0, weight = 0;
+    float brightest = 0;
+
+    void add(const Coefficients& c, float y, double w) {
+        for (int i = 0; i < 3; ++i) coefficients[i] += w * c[i];
+        luminance += w * y;
+        weight += w;
+        brightest = std::max(brightest, y);
+    }
+    void add(const CellSums& other) {
+        for (int i = 0; i < 3; ++i) coefficients[i] += other.coefficients[i];
+        luminance += other.luminance;
+        weight += other.weight;
+        brightest = std::max(brightest, other.brightest);
+    }
+};
+
+/// Over points as dense as the environment asks for.
+std::vector<CellSums> sums_of(const EnvironmentRadiance& environment, int detail, int scale) {
+    const int wide = kCoarseColumns * scale, high = kCoarseRows * scale;
+    const int across = (detail + wide - 1) / wide, down = across;
+    std::vector<CellSums> cells(std::size_t(wide) * high);
+    for (int cell = 0; cell < wide * high; ++cell) {
+        for (int i = 0; i < across * down; ++i) {
+            const float u = (cell % wide + (i % across + 0.5f) / across) / wide;
+            const float v = (cell / wide + (i / across + 0.5f) / down) / high;
+            const Vec3f d = DirectionTable::from_square({u, v});
+            // Solid angle of the point: the map keeps areas in height alone.
+            const float round = std::sqrt(d.x * d.x + d.y * d.y);
+            const double bend = round > 0 ? (std::abs(d.x) + std::abs(d.y)) / round : 1.0f;
+            cells[cell].add(environment.coefficients(d), environment.luminance(d), bend * bend);
+        }
+    }
+    return cells;
+}
+
+/// Of cells half as many across and down.
+std::vector<CellSums> coarser(const std::vector<CellSums>& fine, int scale) {
+    const int wide = kCoarseColumns * scale;
+    std::vector<CellSums> cells(fine.size() / 4);
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        const int column = static_cast<int>(i) % wide, row = static_cast<int>(i) / wide;
+        cells[std::size_t(row / 2) * (wide / 2) + column / 2].add(fine[i]);
+    }
+    return cells;
+}
+
+}  // namespace
+
+EnvironmentCells::EnvironmentCells(const EnvironmentRadiance& environment, int detail) {
+    int scale = 1;
+    while (scale < kMaxScale && 4 * scale * kCoarseColumns <= detail) scale *= 2;
+    for (std::vector<CellSums> sums = sums_of(environment, detail, scale);;
+         sums = coarser(sums, scale), scale /= 2) {
+        Level level{scale, {}};
+        level.cells.reserve(sums.size());
+        for (const CellSums& s : sums) {
+            Cell cell;
+            for (int i = 0; i < 3; ++i) {
+                cell.mean[i] = static_cast<float>(s.coefficients[i] / s.weight);
+            }
+            cell.has_speck = s.brightest * s.weight > kSpeck * s.luminance;
+            level.cells.push_back(cell);
+        }
+        levels_.push_back(std::move(level));
+        if (scale == 1) break;
+    }
+    std::reverse(levels_.begin(), levels_.end());
+}
+
+const Coefficients* EnvironmentCells::spread(Vec3f direction, float solid_angle) const {
+    const Level* level = levels_.data();
+    while (nominal_solid_angle(2 * level->scale) >= solid_angle) {
+        if (level == &levels_.back()) return nullptr;
+        ++level;
+    }
+    const int wide = kCoarseColumns * level->scale, high = kCoarseRows * level->scale;
+    const Vec2f at = DirectionTable::to_square(direction);
+    const int column = std::min(static_cast<int>(at.x * wide), wide - 1);
+    const int row = std::min(static_cast<int>(at.y * high), high - 1);
+    const Cell& cell = level->cells[std::size_t(row) * wide + column];
+    return cell.has_speck ? &cell.mean : nullptr;
+}
+
+}  // namespace nacre::render

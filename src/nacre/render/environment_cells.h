@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "nacre/core/vec.h"
+#include "nacre/render/environment.h"
+
+namespace nacre::render {
+
+/// Means of an environment over cells of the sphere, coarse to fine, for light of which a sample stands
+/// for more than its own direction: what is small and bright in there would be met by few samples or
+/// none, as a speck.
+class EnvironmentCells {
+ public:
+    /// @param detail  CompiledEnvironment::detail, > 0
+    EnvironmentCells(const EnvironmentRadiance& environment, int detail);
+
+    /// The mean over the cell about the direction that is the smallest of at least this solid angle,
+    /// if somewhere in it is more than kSpeck times its mean; null if it is even enough, or smaller
+    /// than cells get: there the environment stays as it is. Over the sphere, at one solid angle, the
+    /// light is as much as without cells.
+    const EnvironmentRadiance::Coefficients* spread(Vec3f direction, float solid_angle) const;
+    static constexpr float kSpeck = 8;
+
+ private:
+    struct Cell {
+        EnvironmentRadiance::Coefficients mean{};
+        bool has_speck = false;
+    };
+    /// Of DirectionTable's map, `scale` times as many as the coarsest across and down.
+    struct Level {
+        int scale;
+        std::vector<Cell> cells;
+    };
+
+    std::vector<Level> levels_;  // the coarsest first, each twice the scale of the one before
+};
+
+}  // namespace nacre::render
