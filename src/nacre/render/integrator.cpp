@@ -127,10 +127,8 @@ namespace {
 
 /// The first surface, counted from 1, at which Russian roulette may end the path.
 constexpr int kRouletteFrom = 4;
-/// Of the disk over which a sun is spread in caustics, 16 degrees in radius, and the density of
-/// directions, per solid angle, below which a lobe is wider.
-constexpr float kCausticSolidAngle = 0.2434f;
-constexpr float kWideLobe = 4;
+/// The most over which a sun is spread in mirrors: a disk of 16 degrees in radius.
+constexpr float kMaxSpread = 0.2434f;
 /// Fraction of the samples that choose a flake whatever light it sees.
 constexpr float kBlind = 0.1f;
 /// The sampler's vertex for the choice among flakes, beyond those of any path.
@@ -151,9 +149,9 @@ struct Branch {
     /// Light of a larger density has been left to the light samples of the last surface.
     float narrow_light = std::numeric_limits<float>::infinity();
     std::uint32_t first_vertex = 1;  ///< of the sampler: vertex of depth 0
-    /// A wide lobe has sent it on its way, and a mirror since: no sample of lights finds its light.
-    bool scattered_widely = false, caustic = false;
-    bool mirrored = false;  ///< by the last surface
+    /// Solid angle that samples of lobes, the widest since the camera, stood for.
+    float lobe = 0;
+    bool specular = false;  ///< the last reflection or refraction
     float straight_mm = 0;  ///< gone through panes since the last surface
 };
 
@@ -194,11 +192,12 @@ class PathTracer {
     }
     /// That a ray out of a mirror stands for, where light samples could not have found it.
     std::optional<float> solid_angle_of_sample(const Branch& branch) const {
-        if (branch.caustic) return kCausticSolidAngle;
-        if (!branch.mirrored || !branch.differential) return std::nullopt;
+        if (!branch.specular) return std::nullopt;
+        if (branch.lobe > 0) return branch.lobe;
+        if (!branch.differential) return std::nullopt;
         // At a silhouette it is as large as one likes, or not a number.
         const float by_pixel = branch.differential->solid_angle();
-        return by_pixel < kCausticSolidAngle ? by_pixel : kCausticSolidAngle;
+        return by_pixel < kMaxSpread ? by_pixel : kMaxSpread;
     }
     /// Of light that the ray meets, of what light samples find with density `pdf`.
     float weight(const Branch& branch, const LightPdf& pdf) const {
@@ -425,13 +424,11 @@ void PathTracer::follow(Branch branch) {
             branch.differential.reset();
         }
         branch.straight_mm = 0;
-        branch.mirrored = mirrored;
-        if (sample->kind == bsdf::SampleKind::specular) {
-            branch.caustic = branch.scattered_widely;
-        } else {
-            branch.caustic = false;
-            branch.scattered_widely =
-                sample->kind != bsdf::SampleKind::density || sample->pdf < kWideLobe;
+        branch.specular = sample->kind == bsdf::SampleKind::specular;
+        if (sample->kind == bsdf::SampleKind::density) {
+            branch.lobe = std::max(branch.lobe, std::min(1 / sample->pdf, kMaxSpread));
+        } else if (!branch.specular) {
+            branch.lobe = kMaxSpread;
         }
         branch.surface_pdf = sample->pdf;
         branch.weighable = sample->kind == bsdf::SampleKind::density;
