@@ -1,0 +1,1 @@
+"""Attacks on the program from outside (fuzz/attack.py)."""
