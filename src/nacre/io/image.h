@@ -128,6 +128,8 @@ bool looks_like_png(std::string_view bytes);
 bool looks_like_radiance_hdr(std::string_view bytes);
 
 Image parse_exr(std::string_view bytes, const std::string& name, std::size_t max_values);
+/// What a PNG says of itself, by keyword. @throws InputError if its chunks are damaged
+std::map<std::string, std::string> png_texts(std::string_view bytes, const std::string& name);
 Image parse_png(std::string_view bytes, const std::string& name, std::size_t max_values);
 Image parse_radiance_hdr(std::string_view bytes, const std::string& name, std::size_t max_values);
 
