@@ -8,11 +8,13 @@ const PREFIX = "#paint=";
 /** Of the JSON; a recipe has some kilobytes, and a bomb many. */
 const MOST_BYTES = 1 << 20;
 
-async function through(bytes: Uint8Array, transform: GenericTransformStream): Promise<Uint8Array> {
+type Coder = CompressionStream | DecompressionStream;
+
+async function through(bytes: Uint8Array, coder: Coder): Promise<Uint8Array> {
     const source = new Blob([bytes as BlobPart]).stream();
-    const reader = (
-        source.pipeThrough(transform as ReadableWritablePair) as ReadableStream<Uint8Array>
-    ).getReader();
+    const reader = source
+        .pipeThrough(coder)
+        .getReader();
     const parts: Uint8Array[] = [];
     let size = 0;
     for (;;) {

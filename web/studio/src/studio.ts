@@ -112,7 +112,7 @@ export class Studio {
     private openFirst(): void {
         const { schema } = this.store.get();
         const paint = schema?.recipe_given ?? schema?.paints[0];
-        if (paint !== undefined && paint !== null) this.openText(paint.toml);
+        if (paint !== undefined) this.openText(paint.toml);
     }
 
     // ---- documents ----
@@ -206,7 +206,6 @@ export class Studio {
             illuminant,
             observer,
             tolerance: { limit: tolerance },
-            shader: this.viewer.wantsShader,
         };
         const id = this.session.send("paint", fields, (message) => {
             switch (message.type) {

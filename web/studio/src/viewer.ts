@@ -121,11 +121,6 @@ export class Viewer {
         this.refresh();
     }
 
-    /** Whether answers should bring numbers for the live picture. */
-    get wantsShader(): boolean {
-        return false;
-    }
-
     /** The connection broke. */
     abandon(): void {
         this.underWay = null;

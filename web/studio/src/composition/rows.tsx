@@ -66,6 +66,10 @@ function useRow({ path, info }: RowProps) {
     };
 }
 
+function textOf(value: Value | undefined): string {
+    return typeof value === "string" || typeof value === "number" ? String(value) : "";
+}
+
 /** Of a material that is an index. */
 const AN_INDEX = "a number: its index";
 
@@ -125,7 +129,7 @@ function PigmentRow(props: RowProps): VNode {
             <Picker
                 label={row.full}
                 choices={pigments}
-                chosen={String(props.value)}
+                chosen={textOf(props.value)}
                 onChoose={row.set}
             />
             {row.faultText}
@@ -146,7 +150,7 @@ function ChoiceRow(props: RowProps): VNode {
                 id={row.id}
                 aria-label={row.full}
                 aria-describedby={row.describedBy}
-                value={String(value)}
+                value={textOf(value)}
                 onChange={(event) => {
                     row.set(event.currentTarget.value);
                 }}
@@ -174,7 +178,7 @@ function TextRow(props: RowProps): VNode {
                 type="text"
                 aria-label={row.full}
                 aria-describedby={row.describedBy}
-                value={String(props.value)}
+                value={textOf(props.value)}
                 onChange={(event) => {
                     row.set(event.currentTarget.value);
                 }}
@@ -231,7 +235,7 @@ function SamplesRow(props: RowProps): VNode {
     const { value, info } = props;
     const wavelengths = isTable(value) ? get(value, ["wavelengths_nm"]) : undefined;
     const text = isList(wavelengths)
-        ? `${String(wavelengths.length)} samples, ${String(wavelengths[0])} to ${String(wavelengths.at(-1))} nm`
+        ? `${String(wavelengths.length)} samples, ${textOf(wavelengths[0])} to ${textOf(wavelengths.at(-1))} nm`
         : typeof value === "string"
           ? value
           : "as in the recipe";

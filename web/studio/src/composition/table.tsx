@@ -362,8 +362,8 @@ function EntryForm(props: {
             label={label}
             tools={
                 <>
-                    {count > 1 && move(up as -1 | 1, "up")}
-                    {count > 1 && move(-up as -1 | 1, "down")}
+                    {count > 1 && move(up, "up")}
+                    {count > 1 && move(up === 1 ? -1 : 1, "down")}
                     <IconButton
                         icon="copy"
                         label={`Duplicate ${label}`}
