@@ -99,7 +99,9 @@ struct SamplingProbabilities {
 };
 
 struct Microflake::Tables {
-    explicit Tables(std::shared_ptr<const solver::SolvedPaint> solved);
+    /// @param grid  of the smooth table; none: as fine as kMicroflakeError needs
+    explicit Tables(std::shared_ptr<const solver::SolvedPaint> solved,
+                    const std::optional<SmoothGrid>& grid = {});
 
     std::shared_ptr<const solver::SolvedPaint> paint;
     float mean_ior;  ///< of the binder over the paint's wavelengths
