@@ -36,11 +36,7 @@ void pair_weights(const std::vector<double>& w1, const std::vector<double>& w2, 
 
 SmoothTable::SmoothTable(std::span<const solver::MultipleScattering* const> tensors, double alpha,
                          double ior)
-    : SmoothTable(tensors, choose_grid(alpha), ior) {}
-
-SmoothTable::SmoothTable(std::span<const solver::MultipleScattering* const> tensors,
-                         const SmoothGrid& grid, double ior)
-    : grid_(grid) {
+    : grid_(choose_grid(alpha)) {
     for (const solver::MultipleScattering* tensor : tensors) rank_ += tensor->rank();
     coefficient_.resize(grid_.cells() * rank_);
     int first_rank = 0;

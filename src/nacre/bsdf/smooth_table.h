@@ -82,9 +82,6 @@ class SmoothTable {
     /// narrowest lobe, `ior` the binder's mean index. The spectral bases stand one after the other.
     SmoothTable(std::span<const solver::MultipleScattering* const> tensors, double alpha,
                 double ior);
-    /// The same on a grid of the caller's; two lines at least in each coordinate.
-    SmoothTable(std::span<const solver::MultipleScattering* const> tensors, const SmoothGrid& grid,
-                double ior);
 
     const SmoothGrid& grid() const { return grid_; }
 

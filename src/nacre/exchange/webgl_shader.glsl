@@ -142,8 +142,9 @@ vec3 nacreInterface(vec3 wi, vec3 wo, NacrePair p) {
 }
 #endif
 
-/// In 1/sr, linear Rec. 709, without the mirror image in a smooth coat: that is nacreFresnel().
-vec3 nacreBrdf(vec3 wi, vec3 wo) {
+/// In 1/sr, linear Rec. 709, without the mirror image in a smooth coat: that is nacreFresnel(). Colours
+/// outside the gamut have negative components.
+vec3 nacreColour(vec3 wi, vec3 wo) {
     NacrePair p = nacrePair(wi, wo);
     vec3 value = nacreMultiple(wi, wo, p) / (p.i.z + p.o.z);
 #if NACRE_SMOOTH_COAT
@@ -153,7 +154,12 @@ vec3 nacreBrdf(vec3 wi, vec3 wo) {
 #else
     value += nacreInterface(wi, wo, p);
 #endif
-    return max(value, 0.);
+    return value;
+}
+
+/// The same, clipped to the gamut.
+vec3 nacreBrdf(vec3 wi, vec3 wo) {
+    return max(nacreColour(wi, wo), 0.);
 }
 
 #if NACRE_ALBEDO >= 0

@@ -63,8 +63,8 @@ inline constexpr int kWebglRows = 257;
 ///         paint has so many species that no texture holds them
 WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays);
 
-/// The same for a picture that follows a slider: of a solved paint, without nacreAlbedo(), and with
-/// multiple scattering on kLiveGrid. Waves of the coat (orange_peel) are left out.
+/// The same for a picture that follows a slider: of a solved paint, by bsdf::nacre_mean_arrays(), and
+/// hence without nacreAlbedo().
 /// @throws DomainError as above; Error as bsdf::HotSpotTables
 WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint);
 

@@ -156,13 +156,11 @@ double direction_angle(int row) {
     return std::min(2 * std::atan(x), std::numbers::pi / 2 - 1e-4);
 }
 
-Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved,
-                           const std::optional<SmoothGrid>& grid)
+Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
     : paint(std::move(solved)),
       mean_ior(bsdf::mean_ior(paint->medium)),
       rough(has_rough_interface(*paint)),
-      smooth(grid ? SmoothTable(tensors(), *grid, mean_ior)
-                  : SmoothTable(tensors(), narrowest_alpha(paint->medium), mean_ior)),
+      smooth(tensors(), narrowest_alpha(paint->medium), mean_ior),
       extinction(extinction_by_direction(paint->medium)) {}
 
 std::vector<const solver::MultipleScattering*> Microflake::Tables::tensors() const {

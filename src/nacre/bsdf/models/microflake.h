@@ -99,9 +99,7 @@ struct SamplingProbabilities {
 };
 
 struct Microflake::Tables {
-    /// @param grid  of the smooth table; none: as fine as kMicroflakeError needs
-    explicit Tables(std::shared_ptr<const solver::SolvedPaint> solved,
-                    const std::optional<SmoothGrid>& grid = {});
+    explicit Tables(std::shared_ptr<const solver::SolvedPaint> solved);
 
     std::shared_ptr<const solver::SolvedPaint> paint;
     float mean_ior;  ///< of the binder over the paint's wavelengths

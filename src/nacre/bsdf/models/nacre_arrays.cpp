@@ -144,9 +144,8 @@ NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
     return arrays_of(Microflake(paint).tables());
 }
 
-NacreArrays nacre_mean_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                              const std::optional<SmoothGrid>& grid) {
-    const Microflake::Tables tables(paint, grid);
+NacreArrays nacre_mean_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint) {
+    const Microflake::Tables tables(paint);
     NacreArrays out = arrays_of(tables);
     if (!tables.rough) out.hot_spot = hot_spot_arrays(HotSpotTables(*paint));
     return out;
