@@ -12,9 +12,7 @@ type Coder = CompressionStream | DecompressionStream;
 
 async function through(bytes: Uint8Array, coder: Coder): Promise<Uint8Array> {
     const source = new Blob([bytes as BlobPart]).stream();
-    const reader = source
-        .pipeThrough(coder)
-        .getReader();
+    const reader = source.pipeThrough(coder).getReader();
     const parts: Uint8Array[] = [];
     let size = 0;
     for (;;) {

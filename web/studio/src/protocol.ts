@@ -59,28 +59,31 @@ export interface Standard extends Colours {
     readonly notes: readonly string[];
 }
 
+export interface Estimate {
+    readonly value: number;
+    /** null where it is not known. */
+    readonly standard_error: number | null;
+}
+
 export interface Sparkle {
     readonly readings: readonly {
-        readonly theta_i_deg: number;
-        readonly sparkle: number | null;
-        readonly sparkle_se: number | null;
-        readonly spots_per_cm2: number | null;
-        readonly intensity: number | null;
+        readonly theta_i: number;
+        readonly sparkle: Estimate | null;
+        readonly spots_per_cm2: Estimate | null;
+        readonly intensity: Estimate | null;
     }[];
-    readonly graininess: number | null;
-    readonly graininess_se: number | null;
+    readonly graininess: Estimate | null;
 }
 
 export interface Match {
     readonly recipe: Table;
-    readonly toml: string;
     readonly mean_delta_e: number;
     readonly max_delta_e: number;
-    readonly lab: readonly Lab[];
     readonly parameters: readonly {
         readonly key: string;
         readonly value: number;
         readonly sd: number | null;
+        readonly at_bound: boolean;
     }[];
 }
 

@@ -83,7 +83,7 @@ export interface Schema {
     readonly shapes: readonly ShapeInfo[];
     readonly lights: readonly { readonly name: string; readonly title: string }[];
     /** The paint that the command line named. */
-    readonly recipe_given?: { readonly name: string; readonly toml: string };
+    readonly start: string | null;
 }
 
 export function tableInfo(schema: Schema, path: Path): TableInfo | undefined {

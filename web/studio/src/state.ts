@@ -16,6 +16,8 @@ export interface FitState {
     readonly running: boolean;
     readonly fraction: number;
     readonly matches: readonly Match[] | null;
+    /** Of the matches, as far as they have been measured. */
+    readonly colours: readonly Readings[];
     readonly fault: string | null;
     /** The paint from which it began. */
     readonly began: Document | null;
@@ -48,6 +50,7 @@ export const NO_FIT: FitState = {
     running: false,
     fraction: 0,
     matches: null,
+    colours: [],
     fault: null,
     began: null,
 };

@@ -5,7 +5,15 @@ import { fileName, save } from "./files";
 import { History } from "./history";
 import { Latest } from "./latest";
 import { fromFragment, toFragment } from "./link";
-import type { ErrorMessage, Match, Readings, RecipeMessage, Sparkle, Standard } from "./protocol";
+import type {
+    ErrorMessage,
+    Match,
+    Message,
+    Readings,
+    RecipeMessage,
+    Sparkle,
+    Standard,
+} from "./protocol";
 import type { Schema } from "./schema";
 import type { Answer, Socket } from "./session";
 import { Session } from "./session";
@@ -19,7 +27,9 @@ const EMPTY: Document = { recipe: {}, locks: new Set() };
 const LINK_AFTER_MS = 400;
 
 interface PaintRequest {
-    readonly document: Document;
+    readonly recipe: Table;
+    /** null: of a match, which is looked at beside the paint. */
+    readonly document: Document | null;
     readonly settings: Settings;
     /** When the change was made, for the time from slider to chips. */
     readonly since: number;
@@ -111,8 +121,8 @@ export class Studio {
     /** The paint that the command line named, else the first that ships. */
     private openFirst(): void {
         const { schema } = this.store.get();
-        const paint = schema?.recipe_given ?? schema?.paints[0];
-        if (paint !== undefined) this.openText(paint.toml);
+        const toml = schema?.start ?? schema?.paints[0]?.toml;
+        if (toml !== undefined) this.openText(toml);
     }
 
     // ---- documents ----
@@ -190,7 +200,8 @@ export class Studio {
     private measure(): void {
         const { document, settings } = this.store.get();
         if (!this.session.isOpen || Object.keys(document.recipe).length === 0) return;
-        this.painting.want({ document, settings, since: this.around.now() });
+        const { recipe } = document;
+        this.painting.want({ recipe, document, settings, since: this.around.now() });
     }
 
     /** No answer is awaited. */
@@ -198,16 +209,20 @@ export class Studio {
         return !this.painting.busy;
     }
 
-    private sendPaint({ document, settings, since }: PaintRequest): void {
+    private sendPaint({ recipe, document, settings, since }: PaintRequest): void {
         const { geometries, illuminant, observer, tolerance } = settings;
         const fields = {
-            recipe: document.recipe,
+            recipe,
             geometries,
             illuminant,
             observer,
             tolerance: { limit: tolerance },
         };
         const id = this.session.send("paint", fields, (message) => {
+            if (document === null) {
+                this.receiveMatch(id, message);
+                return;
+            }
             switch (message.type) {
                 case "recipe":
                     this.store.set({ paint: message as unknown as RecipeMessage });
@@ -235,6 +250,28 @@ export class Studio {
         this.session.forget(id);
         this.painting.finished();
         if (recipe !== null) this.viewer.paint(recipe);
+        this.measureMatch();
+    }
+
+    /** The next match that has no colours, when nobody waits for those of the paint. */
+    private measureMatch(): void {
+        const { fit, settings } = this.store.get();
+        const match = fit.matches?.[fit.colours.length];
+        if (match === undefined || this.painting.busy || !this.session.isOpen) return;
+        const { recipe } = match;
+        this.painting.want({ recipe, document: null, settings, since: this.around.now() });
+    }
+
+    private receiveMatch(id: number, message: Message): void {
+        if (message.type === "readings") {
+            const { fit } = this.store.get();
+            const colours = [...fit.colours, message as unknown as Readings];
+            this.store.set({ fit: { ...fit, colours } });
+        } else if (message.type === "done") this.answered(id, null);
+        else if (message.type === "error") {
+            this.session.forget(id);
+            this.painting.finished();
+        }
     }
 
     // ---- the standard ----
@@ -287,7 +324,8 @@ export class Studio {
             const ended = { ...fit, running: false, fraction: 1 };
             if (message.type === "matches") {
                 const matches = message.matches as readonly Match[];
-                this.store.set({ fit: { ...ended, matches, fault: null } });
+                this.store.set({ fit: { ...ended, matches, colours: [], fault: null } });
+                this.measureMatch();
             } else if (message.type === "error") {
                 this.store.set({ fit: { ...ended, fault: String(message.message) } });
             }
@@ -355,10 +393,11 @@ export class Studio {
 
     // ---- other questions ----
 
-    /** One question, one answer. */
+    /** One question, one answer; how far it is meanwhile is not shown. */
     ask(type: string, fields: Readonly<Record<string, unknown>>, answer: Answer): void {
         if (!this.session.isOpen) return;
         const id = this.session.send(type, fields, (message, attachments) => {
+            if (message.type === "progress") return;
             this.session.forget(id);
             answer(message, attachments);
         });

@@ -163,4 +163,5 @@ export const SCHEMA: Schema = {
     observers: ["10"],
     shapes: [],
     lights: [],
+    start: null,
 };

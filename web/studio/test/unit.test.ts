@@ -20,7 +20,6 @@ import {
     rangeText,
     tableInfo,
 } from "../src/schema";
-import type { Socket } from "../src/session";
 import { Session, unpack } from "../src/session";
 import { niceAbove, scaleOf, settled } from "../src/slider";
 import { newEntry, switched } from "../src/starters";
@@ -128,7 +127,7 @@ test("a paint goes into an address and comes back", async () => {
     assert.match(fragment, /^#paint=[\w-]+$/);
     const read = await fromFragment(fragment);
     assert.deepEqual(read?.recipe, PAINT);
-    assert.deepEqual(read?.locks, DOCUMENT.locks);
+    assert.deepEqual(read.locks, DOCUMENT.locks);
     assert.equal(await fromFragment("#elsewhere"), null);
     await assert.rejects(fromFragment(fragment.slice(0, -9)), /was it cut/);
     await assert.rejects(fromFragment("#paint=%%%"), /was it cut/);

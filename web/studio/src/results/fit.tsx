@@ -2,15 +2,15 @@
 
 import type { VNode } from "preact";
 import { useState } from "preact/hooks";
-import type { Lab } from "../../../common/colour";
 import { chip } from "../../../common/colour";
 import { number } from "../../../common/dom";
-import type { Match } from "../protocol";
-import type { Parameter, Schema } from "../schema";
+import type { Match, Readings } from "../protocol";
+import type { Parameter } from "../schema";
 import { labelOf, parameters, placeText, plain } from "../schema";
 import type { Table } from "../tree";
 import { parsePath, pathText } from "../tree";
 import { useStudio, useStudioState } from "../ui/context";
+import { standardAt } from "./chips";
 
 /** What a colourist turns first: free until it is said otherwise. */
 const USUAL = new Set(["volume_fraction", "alpha"]);
@@ -101,9 +101,7 @@ export function Fit(): VNode {
                     {fit.fault}
                 </p>
             )}
-            {fit.matches !== null && (
-                <Matches matches={fit.matches} schema={schema} standard={standard.lab} />
-            )}
+            {fit.matches !== null && <Matches matches={fit.matches} colours={fit.colours} />}
             <fieldset disabled={fit.running}>
                 <legend>Free numbers</legend>
                 {all.map((parameter) => {
@@ -137,8 +135,7 @@ export function Fit(): VNode {
 
 function Matches(props: {
     readonly matches: readonly Match[];
-    readonly schema: Schema;
-    readonly standard: readonly Lab[];
+    readonly colours: readonly Readings[];
 }): VNode {
     const studio = useStudio();
     const recipe = useStudioState((state) => state.document.recipe);
@@ -161,17 +158,20 @@ function Matches(props: {
                         </button>
                     </div>
                     <div class="stage match-chips">
-                        {match.lab.map((lab, k) => (
-                            <div class="faces" key={k}>
-                                {props.standard[k] !== undefined && (
-                                    <i style={{ background: chip(props.standard[k]).css }} />
-                                )}
-                                <i style={{ background: chip(lab).css }} />
-                            </div>
-                        ))}
+                        {props.colours[i]?.lab.map((lab, k) => {
+                            const standard = standardAt(props.colours[i] as Readings, k);
+                            return (
+                                <div class="faces" key={k}>
+                                    {standard !== null && (
+                                        <i style={{ background: chip(standard).css }} />
+                                    )}
+                                    <i style={{ background: chip(lab).css }} />
+                                </div>
+                            );
+                        })}
                     </div>
                     <dl>
-                        {match.parameters.map(({ key, value, sd }) => {
+                        {match.parameters.map(({ key, value, sd, at_bound }) => {
                             const path = parsePath(key);
                             const { label, unit } = labelOf(String(path.at(-1)));
                             const error =
@@ -183,6 +183,7 @@ function Matches(props: {
                                 <dd key={key}>
                                     {plain(value)}
                                     {error} {unit}
+                                    {at_bound && " (at its bound)"}
                                 </dd>,
                             ];
                         })}

@@ -2,6 +2,7 @@
 
 import type { VNode } from "preact";
 import { number } from "../../../common/dom";
+import type { Estimate } from "../protocol";
 import { useStudio, useStudioState } from "../ui/context";
 
 export function SparklePanel(): VNode {
@@ -37,18 +38,17 @@ export function SparklePanel(): VNode {
                         </thead>
                         <tbody>
                             {sparkle.value.readings.map((lamp) => (
-                                <tr key={lamp.theta_i_deg}>
-                                    <th scope="row">{number(lamp.theta_i_deg, 0)}°</th>
-                                    <td>{withError(lamp.sparkle, lamp.sparkle_se)}</td>
-                                    <td>{number(lamp.spots_per_cm2, 0)}</td>
-                                    <td>{number(lamp.intensity, 1)}</td>
+                                <tr key={lamp.theta_i}>
+                                    <th scope="row">{number(lamp.theta_i, 0)}°</th>
+                                    <td>{withError(lamp.sparkle)}</td>
+                                    <td>{number(lamp.spots_per_cm2?.value, 0)}</td>
+                                    <td>{number(lamp.intensity?.value, 1)}</td>
                                 </tr>
                             ))}
                         </tbody>
                     </table>
                     <p>
-                        Graininess, diffuse light:{" "}
-                        <b>{withError(sparkle.value.graininess, sparkle.value.graininess_se)}</b>
+                        Graininess, diffuse light: <b>{withError(sparkle.value.graininess)}</b>
                     </p>
                     {old && <p class="note">Of the paint before the last change.</p>}
                 </div>
@@ -57,7 +57,8 @@ export function SparklePanel(): VNode {
     );
 }
 
-function withError(value: number | null, error: number | null): string {
-    if (value === null) return "–";
+function withError(estimate: Estimate | null): string {
+    if (estimate === null) return "–";
+    const { value, standard_error: error } = estimate;
     return error === null ? number(value, 1) : `${number(value, 1)} ± ${number(error, 1)}`;
 }
