@@ -6,6 +6,7 @@
 #include "apps/datasheet/datasheet.h"
 #include "apps/studio/answers.h"
 #include "nacre/fit/fit.h"
+#include "nacre/io/recipe_text.h"
 #include "nacre/measure/difference.h"
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/models/models.h"
