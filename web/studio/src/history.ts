@@ -35,6 +35,14 @@ export class History<T> {
         this.future = [];
     }
 
+    /** The first value that there is, before which nothing is to be had back. */
+    begin(value: T): void {
+        this.past = [];
+        this.future = [];
+        this.gesture = null;
+        this.present = value;
+    }
+
     /** The next change is a step of its own, even with the same gesture. */
     endGesture(): void {
         this.gesture = null;

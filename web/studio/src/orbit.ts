@@ -26,6 +26,13 @@ export function orbitOf(shape: ShapeInfo): Orbit {
     };
 }
 
+/** With a field of view that shows upright pictures as much from side to side as others. */
+export function fitted(orbit: Orbit, width: number, height: number): Orbit {
+    if (width >= height) return orbit;
+    const half = Math.tan(orbit.fov_deg / 2 / DEGREES);
+    return { ...orbit, fov_deg: 2 * DEGREES * Math.atan((half * height) / width) };
+}
+
 const clamp = (value: number, low: number, high: number) => Math.min(Math.max(value, low), high);
 
 /** Turned by so many degrees and brought nearer by a factor. */

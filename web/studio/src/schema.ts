@@ -107,11 +107,25 @@ const UNITS: readonly (readonly [string, string])[] = [
     ["_deg", "°"],
 ];
 
+/** Where a key does not say it in words. */
+const WORDS: Readonly<Record<string, string>> = {
+    ior: "Binder",
+    alpha: "Tilt, alpha",
+    alpha_bottom: "Tilt at bottom",
+    diameter_spread_um: "± diameter",
+    spread_nm: "± thickness",
+    wa: "Waves a",
+    wb: "Waves b",
+    wc: "Waves c",
+    wd: "Waves d",
+    we: "Waves e",
+};
+
 /** "thickness_um" for people: "Thickness", in µm. */
 export function labelOf(key: string): { label: string; unit: string } {
     const unit = UNITS.find(([ending]) => key.endsWith(ending));
     const stem = unit === undefined ? key : key.slice(0, -unit[0].length);
-    const words = stem.replace(/_/g, " ");
+    const words = WORDS[key] ?? stem.replace(/_/g, " ");
     return { label: words.charAt(0).toUpperCase() + words.slice(1), unit: unit?.[1] ?? "" };
 }
 

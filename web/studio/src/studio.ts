@@ -129,7 +129,9 @@ export class Studio {
 
     /** @param gesture  one drag of one slider is one step back */
     edit(change: (document: Document) => Document, gesture: string | null = null): void {
-        this.history.push(change(this.history.now), gesture);
+        const before = this.history.now;
+        if (before === EMPTY) this.history.begin(change(before));
+        else this.history.push(change(before), gesture);
         this.changed();
     }
 

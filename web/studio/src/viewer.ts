@@ -1,7 +1,7 @@
 /** The pictures: of the paint as it is now (B) and of the one that was kept (A). */
 
 import type { Orbit } from "./orbit";
-import { orbitOf } from "./orbit";
+import { fitted, orbitOf } from "./orbit";
 import type { Attachment, Message } from "./protocol";
 import type { Schema } from "./schema";
 import type { Session } from "./session";
@@ -154,7 +154,7 @@ export class Viewer {
         const job: Job = { recipe, view, kept, quick };
         const fields = {
             recipe,
-            scene: view,
+            scene: { ...view, camera: fitted(view.camera, width, height) },
             width: Math.max(16, Math.round(width * shrink)),
             height: Math.max(16, Math.round(height * shrink)),
             samples: quick ? 1 : kept ? KEPT_SAMPLES : SAMPLES,

@@ -3,7 +3,7 @@
 import type { VNode } from "preact";
 import { setValue } from "../edit";
 import { useStudio, useStudioState } from "../ui/context";
-import { TableForm } from "./table";
+import { More, TableForm } from "./table";
 
 export function Composition(): VNode {
     const studio = useStudio();
@@ -30,6 +30,7 @@ export function Composition(): VNode {
                         );
                     }}
                 />
+                <More path={[]} />
             </div>
             <div class="form">
                 <TableForm path={[]} />

@@ -29,6 +29,8 @@ export function NumberRow(props: {
     readonly path: Path;
     readonly info: KeyInfo;
     readonly value: number;
+    /** In place of the key's. */
+    readonly label?: string;
 }): VNode {
     const { path, info, value } = props;
     const studio = useStudio();
@@ -49,7 +51,8 @@ export function NumberRow(props: {
     if (far || (tiny && !dragging.current)) scale.current = scaleOf(info, value, bounds);
     const { low, high, step } = scale.current as Scale;
 
-    const { label, unit } = labelOf(info.key);
+    const { unit } = labelOf(info.key);
+    const label = props.label ?? labelOf(info.key).label;
     const range = rangeText(info);
     const full = `${label}, ${placeText(recipe, path)}`;
     const change = (to: number, gesture: string | null) => {

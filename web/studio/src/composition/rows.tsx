@@ -105,7 +105,12 @@ function MaterialRow(props: RowProps): VNode {
                     </span>
                     {picker}
                 </div>
-                <NumberRow path={path} info={{ ...info, kind: "number" }} value={value} />
+                <NumberRow
+                    path={path}
+                    info={{ ...info, kind: "number" }}
+                    value={value}
+                    label="Index"
+                />
             </>
         );
     }

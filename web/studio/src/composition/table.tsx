@@ -72,7 +72,6 @@ export function TableForm({ path }: { readonly path: Path }): VNode | null {
         <>
             <FaultText id={`fault-${pathText(path)}`} text={fault} />
             {rows}
-            <More path={path} table={table} info={info} schema={schema} />
             {inner}
         </>
     );
@@ -84,7 +83,17 @@ function isListOfLayer(path: Path, key: string): boolean {
 }
 
 /** What a table could have besides, could say in another way, or could do without. */
-function More(props: {
+export function More({ path }: { readonly path: Path }): VNode | null {
+    const studio = useStudio();
+    const schema = useStudioState((state) => state.schema);
+    const recipe = useStudioState((state) => state.document.recipe);
+    const table = get(recipe, path);
+    const info = schema === null ? undefined : tableInfo(schema, path);
+    if (schema === null || info === undefined || !isTable(table)) return null;
+    return <MoreOf path={path} table={table} info={info} schema={schema} />;
+}
+
+function MoreOf(props: {
     readonly path: Path;
     readonly table: Table;
     readonly info: TableInfo;
@@ -188,6 +197,7 @@ function lower(key: string): string {
 
 /** A heading that folds its section away, with buttons beside it. */
 function Folding(props: {
+    readonly path: Path;
     readonly kind: string;
     readonly title: VNode | string;
     readonly label: string;
@@ -210,7 +220,10 @@ function Folding(props: {
                     <Icon name={open ? "open" : "closed"} />
                 </button>
                 <h3>{props.title}</h3>
-                <span class="tools">{props.tools}</span>
+                <span class="tools">
+                    <More path={props.path} />
+                    {props.tools}
+                </span>
             </header>
             {open && props.children}
         </section>
@@ -223,6 +236,7 @@ function SectionForm({ path, info }: { readonly path: Path; readonly info: KeyIn
     const { label } = labelOf(info.key);
     return (
         <Folding
+            path={path}
             kind={info.key}
             title={label}
             label={label}
@@ -357,6 +371,7 @@ function EntryForm(props: {
     );
     return (
         <Folding
+            path={at}
             kind={list}
             title={title}
             label={label}

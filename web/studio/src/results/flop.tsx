@@ -82,7 +82,7 @@ export function Flop(): VNode | null {
         return [
             plot(lightness, {
                 width: WIDTH,
-                height: 176,
+                height: 158,
                 xLabel: "Aspecular angle, °",
                 yLabel: "L*",
                 named: lightness.length > 1,
@@ -92,7 +92,7 @@ export function Flop(): VNode | null {
             }),
             plot(travel, {
                 width: WIDTH,
-                height: 236,
+                height: 226,
                 xLabel: "a*",
                 yLabel: "b*",
                 x: a,
