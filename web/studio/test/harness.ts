@@ -1,50 +1,12 @@
 /** The program `nacre studio` and a browser on its page. */
 
 import assert from "node:assert/strict";
-import type { ChildProcess } from "node:child_process";
-import { execFile, spawn } from "node:child_process";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { env } from "node:process";
-import { createInterface } from "node:readline";
 import { after, before } from "node:test";
-import { promisify } from "node:util";
 import type { Browser, Download, Page } from "playwright-core";
-import { chromium } from "playwright-core";
-
-const given = env.NACRE_PROGRAM;
-if (given === undefined) throw new Error("NACRE_PROGRAM: the program nacre");
-const program: string = given;
-
-const run = promisify(execFile);
-
-/** What the program writes to its standard output. */
-export async function nacre(...args: string[]): Promise<string> {
-    return (await run(program, [...args, "--quiet"], { maxBuffer: 1 << 24 })).stdout;
-}
-
-export class Program {
-    private constructor(
-        readonly url: string,
-        private readonly process: ChildProcess,
-    ) {}
-
-    static async start(recipe: string): Promise<Program> {
-        const process = spawn(program, ["studio", recipe, "--no-open"], {
-            stdio: ["ignore", "pipe", "inherit"],
-        });
-        const lines = createInterface({ input: process.stdout });
-        for await (const line of lines) return new Program(line, process);
-        throw new Error("nacre studio ended before it printed its address");
-    }
-
-    async end(): Promise<void> {
-        const ended = new Promise((resolve) => this.process.once("exit", resolve));
-        this.process.kill("SIGINT");
-        await ended;
-    }
-}
+import { launch, Program } from "./program";
 
 export let folder: string;
 export let page: Page;
@@ -69,15 +31,7 @@ export async function newPage(): Promise<Page> {
 before(async () => {
     folder = await mkdtemp(join(tmpdir(), "nacre-studio-"));
     studio = await Program.start("red-gold");
-    browser = await chromium.launch({
-        executablePath: "/usr/bin/chromium",
-        args: [
-            "--no-sandbox",
-            "--use-gl=angle",
-            "--use-angle=swiftshader",
-            "--enable-unsafe-swiftshader",
-        ],
-    });
+    browser = await launch();
     page = await newPage();
 });
 

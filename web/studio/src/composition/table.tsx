@@ -158,7 +158,7 @@ function MoreOf(props: {
                 event.currentTarget.value = "";
             }}
         >
-            <option value="">More …</option>
+            <option value="">More</option>
             {add.length > 0 && (
                 <optgroup label="Add">
                     {add.map(({ key }) => (
