@@ -165,7 +165,7 @@ TEST(StudioMessages, AreRefusedNamingKeyAndWhatIsAllowed) {
     EXPECT_THAT(refusal("{"), HasSubstr("is not JSON"));
     EXPECT_THAT(refusal(""), HasSubstr("is not JSON"));
     EXPECT_THAT(refusal("[]"), HasSubstr("must be an object"));
-    EXPECT_THAT(refusal(R"({"type": "pant"})"), HasSubstr("Did you mean"));
+    EXPECT_THAT(refusal(R"({"type": "pant"})"), HasSubstr("did you mean 'paint'"));
     EXPECT_THAT(refusal(R"({"type": "paint", "id": 1})"), HasSubstr("recipe: must be an object"));
     EXPECT_THAT(refusal(R"({"type": "paint", "recipe": {}, "illuminant": "D64"})"),
                 HasSubstr("illuminant = \"D64\""));

@@ -54,8 +54,8 @@ class RunningServer {
         socket.connect(place());
         http::request<http::string_body> request(verb, target, 11, body);
         request.set(http::field::host, host());
-        for (const auto& [name, value] : fields) request.set(name, value);
         request.prepare_payload();
+        for (const auto& [name, value] : fields) request.set(name, value);
         boost::system::error_code error;
         http::write(socket, request, error);  // a refusal may come before all of it
         beast::flat_buffer buffer;
@@ -135,8 +135,7 @@ TEST(StudioServer, ServesThePageAndNothingElse) {
     EXPECT_THAT(std::string(page[http::field::content_type]), StartsWith("text/html"));
     EXPECT_THAT(std::string(page["Content-Security-Policy"]), HasSubstr("default-src 'self'"));
     EXPECT_EQ(std::string(page["Referrer-Policy"]), "no-referrer");
-    EXPECT_EQ(page.body(),
-              read_file(std::filesystem::path(__FILE__).parent_path() / "page/index.html"));
+    EXPECT_EQ(page.body(), std::ranges::find(page_files(), "/index.html", &PageFile::path)->bytes);
     for (const char* path : {"/etc/passwd", "/../server.cpp", "/%2e%2e/%2e%2e/etc/passwd",
                              "/page/index.html", "//etc/passwd", "/index.html%00"}) {
         EXPECT_EQ(server.get(path).result_int(), 404u) << path;
