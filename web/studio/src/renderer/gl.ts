@@ -145,12 +145,7 @@ export class Target {
     }
 }
 
-function plain(
-    gl: WebGL2RenderingContext,
-    target: GLenum,
-    filter: GLenum,
-    wrap: GLenum,
-): void {
+function plain(gl: WebGL2RenderingContext, target: GLenum, filter: GLenum, wrap: GLenum): void {
     gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, filter);
     gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, filter);
     gl.texParameteri(target, gl.TEXTURE_WRAP_S, wrap);
@@ -174,8 +169,7 @@ export function fill(
 ): void {
     const [width = 1, height = 1, depth] = size;
     const target = depth === undefined ? gl.TEXTURE_2D : gl.TEXTURE_3D;
-    const [inside, order] =
-        format === "r32f" ? [gl.R32F, gl.RED] : [gl.RGBA16F, gl.RGBA];
+    const [inside, order] = format === "r32f" ? [gl.R32F, gl.RED] : [gl.RGBA16F, gl.RGBA];
     const type = data instanceof Uint16Array ? gl.HALF_FLOAT : gl.FLOAT;
     gl.bindTexture(target, texture);
     if (depth === undefined) {

@@ -8,7 +8,14 @@
 
 import { fill, Program, Target } from "./gl";
 import type { Light, Mesh, PaintShader, Transform } from "./paint";
-import { DISPLAY, EVERYWHERE, MOST_RECTANGLES, SHAPE_FRAGMENT, SHAPE_VERTEX, shading } from "./passes";
+import {
+    DISPLAY,
+    EVERYWHERE,
+    MOST_RECTANGLES,
+    SHAPE_FRAGMENT,
+    SHAPE_VERTEX,
+    shading,
+} from "./passes";
 import type { Camera, Eye, Vec3 } from "./space";
 import { eyeOf, screenMatrix, shapeMatrix, turnedDirection, turnedPlace } from "./space";
 import { surroundings } from "./surroundings";
@@ -273,7 +280,10 @@ export class LiveView {
             gl.deleteSync(sync);
             this.underWay = null;
             this.frame_ms = performance.now() - begun;
-            this.speed = Math.max(0.5 * this.speed + (0.5 * work) / Math.max(this.frame_ms, 0.5), 1);
+            this.speed = Math.max(
+                0.5 * this.speed + (0.5 * work) / Math.max(this.frame_ms, 0.5),
+                1,
+            );
         }
         this.takePaint();
         const begun = performance.now();
@@ -330,7 +340,12 @@ export class LiveView {
             if (coarse.samples === 0) return this.add(coarse, pixels / wanted ** 2);
         }
         const { coarse } = this;
-        if (coarse && coarse.samples > 0 && coarse.samples < COARSE_SAMPLES && whole.samples === 0) {
+        if (
+            coarse &&
+            coarse.samples > 0 &&
+            coarse.samples < COARSE_SAMPLES &&
+            whole.samples === 0
+        ) {
             return this.add(coarse, budget);
         }
         return this.add(whole, budget);
@@ -372,7 +387,10 @@ export class LiveView {
         if (sums.samples === 0 && sums.rows === 0) sums.target.clear();
         let work = 0;
         while (work < 0.75 * budget && sums.samples < this.mostSamples) {
-            const rows = Math.max(1, Math.min(height - sums.rows, Math.round((budget - work) / width)));
+            const rows = Math.max(
+                1,
+                Math.min(height - sums.rows, Math.round((budget - work) / width)),
+            );
             const shift = shiftOf(sums.samples);
             const eye = eyeOf(this.camera as Camera, this.canvas.width / this.canvas.height);
             if (sums.rows === 0) this.drawShape(sums.shape, eye, shift);
@@ -419,7 +437,9 @@ export class LiveView {
             texture(name, made, kind);
         }
         const names = ["surroundings", "byColumn", "byRow"];
-        names.forEach((name, k) => { texture(name, this.lightTextures[k] as WebGLTexture); });
+        names.forEach((name, k) => {
+            texture(name, this.lightTextures[k] as WebGLTexture);
+        });
         texture("placeAt", shape.textures[0] as WebGLTexture);
         texture("facingAt", shape.textures[1] as WebGLTexture);
         this.setLightOf(program);
@@ -486,5 +506,5 @@ export class LiveView {
 
 /** Where in its pixel a sample lies, in (-1/2, 1/2): points that fill the square evenly. */
 function shiftOf(sample: number): readonly [number, number] {
-    return [((sample * 0.7548776662 + 0.5) % 1) - 0.5, ((sample * 0.5698402910 + 0.5) % 1) - 0.5];
+    return [((sample * 0.7548776662 + 0.5) % 1) - 0.5, ((sample * 0.569840291 + 0.5) % 1) - 0.5];
 }

@@ -119,9 +119,15 @@ export function eyeOf(camera: Camera, aspect: number): Eye {
 }
 
 /** To the screen. @param shift in the picture, whose edges are at -1 and 1 */
-export function screenMatrix(eye: Eye, distance_mm: number, shift: readonly [number, number]): Matrix {
+export function screenMatrix(
+    eye: Eye,
+    distance_mm: number,
+    shift: readonly [number, number],
+): Matrix {
     const [near, far] = [0.1 * distance_mm, 10 * distance_mm];
-    const rows = [eye.across, eye.upwards].map((v) => times(1 / (v[0] ** 2 + v[1] ** 2 + v[2] ** 2), v));
+    const rows = [eye.across, eye.upwards].map((v) =>
+        times(1 / (v[0] ** 2 + v[1] ** 2 + v[2] ** 2), v),
+    );
     const [x, y] = rows as [Vec3, Vec3];
     const { ahead, place } = eye;
     const depth = (far + near) / (far - near);
