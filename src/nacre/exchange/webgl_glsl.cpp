@@ -22,73 +22,102 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     }
 }
 
-/// ln of what gaps let through, at the fraction `u` of a layer's thickness.
-std::string gain_text(const WebglShader::Layout& layout, std::size_t layer, const char* u) {
-    std::string text = "vec4(0.)";
+/// Adds lines to a text, indented as where it will stand.
+class Lines {
+ public:
+    template <class... Args>
+    void add(fmt::format_string<Args...> format, Args&&... args) {
+        if (!text_.empty()) text_ += "\n    ";
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    }
+    std::string text() && { return std::move(text_); }
+
+ private:
+    std::string text_;
+};
+
+/// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
+/// `u` of a layer's thickness, and returns ln of what they let through of the group g.
+std::string add_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
+                     const char* indent, Lines& lines) {
+    std::string gain;
     for (std::size_t k = 0; k < layout.gaps.size(); ++k) {
         const std::size_t own = layout.gaps[k].layer;
         if (own > layer) break;
-        const std::string above =
-            own < layer ? fmt::format("nacreLayer[{}].x", own) : std::string("1e30");
-        text += fmt::format(
-            " + gap{0} * nacreShared({1} * nacreLayer[{2}].x + nacreLayer[{2}].y - "
-            "nacreLayer[{3}].y, {4}, "
-            "p.spread / nacreGap[{0}])",
-            k, u, layer, own, above);
+        const std::string far = fmt::format(
+            "{0} * nacreLayer[{1}].x + nacreLayer[{1}].y - "
+            "nacreLayer[{2}].y",
+            u, layer, own);
+        const std::string near =
+            own < layer ? fmt::format("{} - nacreLayer[{}].x", far, own) : std::string("0.");
+        lines.add("{}float share{} = nacreShared({}, {}, p.spread / nacreGap[{}]);", indent, k, far,
+                  near, k);
+        gain += fmt::format("{}gap{}[g] * share{}", gain.empty() ? "" : " + ", k, k);
     }
-    return text;
+    return gain.empty() ? "vec4(0.)" : gain;
 }
 
-/// What NACRE light of each layer adds, line by line.
+void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& flakes,
+               std::size_t& pigments, Lines& lines) {
+    const WebglShader::Layout::Layer& layer = layout.layers[n];
+    lines.add("for (int g = 0; g < 4; ++g) {{");
+    lines.add("    here[g] = nacreLayer[{}].x * nacreRate({}, g, p); kernel[g] = vec4(0.);", n,
+              layer.extinction);
+    for (const auto& flake : layer.flakes) {
+        lines.add("    kernel[g] += nacreLobe(nacreFlake[{}], p) * nacreRow({}, g, p.cosine);",
+                  flakes++, flake.reflectance);
+    }
+    for (const auto& pigment : layer.pigments) {
+        const std::string phase =
+            pigment.phase
+                ? fmt::format("nacreRow({}, g, acos(clamp(-p.turned, -1., 1.)) / PI)",
+                              *pigment.phase)
+                : fmt::format("nacreHenyeyGreenstein(nacreAnisotropy[{}], p.turned)", pigments);
+        lines.add("    kernel[g] += {} * nacreScattering[{} + g];", phase, 4 * pigments++);
+    }
+    lines.add("    escape[g] = {};", layout.gaps.empty() ? "nacreEscape(here[g])" : "vec4(0.)");
+    lines.add("}}");
+    if (!layout.gaps.empty()) {
+        lines.add(
+            "reach = min(1., NACRE_FARTHEST / max(nacreLeast(min(min(here[0], here[1]), "
+            "min(here[2], here[3]))), 1e-20));");
+        lines.add("for (int k = 0; k < NACRE_NODES; ++k) {{");
+        lines.add("    float u = reach * NACRE_NODE[k].x, weight = reach * NACRE_NODE[k].y;");
+        const std::string gain = add_gain(layout, n, "u", "    ", lines);
+        lines.add("    for (int g = 0; g < 4; ++g) escape[g] += weight * exp({} - here[g] * u);",
+                  gain);
+        lines.add("}}");
+    }
+    lines.add("for (int g = 0; g < 4; ++g) {{");
+    lines.add("    once += nacreRgb(kernel[g] * exp(-depth[g]) * nacreLayer[{}].x * escape[g], g);",
+              n);
+    lines.add("    depth[g] += here[g];");
+    lines.add("}}");
+}
+
+/// The body of nacreLight().
 std::string layers_text(const WebglShader::Layout& layout) {
-    std::string text;
-    const auto line = [&]<class... Args>(fmt::format_string<Args...> format, Args&&... args) {
-        if (!text.empty()) text += "\n        ";
-        fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
-    };
+    Lines lines;
     for (std::size_t k = 0; k < layout.gaps.size(); ++k) {
-        line("vec4 gap{} = nacreBoth({}, g, p);", k, layout.gaps[k].coupling);
+        lines.add("vec4 gap{0}[4]; for (int g = 0; g < 4; ++g) gap{0}[g] = nacreBoth({1}, g, p);",
+                  k, layout.gaps[k].coupling);
     }
     std::size_t flakes = 0, pigments = 0;
     for (std::size_t n = 0; n < layout.layers.size(); ++n) {
-        const WebglShader::Layout::Layer& layer = layout.layers[n];
-        line("here = nacreLayer[{}].x * nacreRate({}, g, p); kernel = vec4(0.);", n,
-             layer.extinction);
-        for (const auto& flake : layer.flakes) {
-            line("kernel += nacreLobe(nacreFlake[{}], p) * nacreRow({}, g, p.cosine);", flakes++,
-                 flake.reflectance);
-        }
-        for (const auto& pigment : layer.pigments) {
-            const std::string phase =
-                pigment.phase
-                    ? fmt::format("nacreRow({}, g, acos(clamp(-p.turned, -1., 1.)) / PI)",
-                                  *pigment.phase)
-                    : fmt::format("nacreHenyeyGreenstein(nacreAnisotropy[{}], p.turned)", pigments);
-            line("kernel += {} * nacreScattering[{} + g];", phase, 4 * pigments++);
-        }
-        if (layout.gaps.empty()) {
-            line("escape = nacreEscape(here);");
-        } else {
-            line(
-                "reach = min(1., NACRE_FARTHEST / max(min(min(here.x, here.y), min(here.z, "
-                "here.w)), 1e-20)); escape = vec4(0.);");
-            line("for (int k = 0; k < NACRE_NODES; ++k) {{");
-            line("    float u = reach * NACRE_NODE[k].x;");
-            line("    escape += NACRE_NODE[k].y * exp({} - here * u);", gain_text(layout, n, "u"));
-            line("}}");
-            line("escape *= reach;");
-        }
-        line("total += kernel * exp(-depth) * nacreLayer[{}].x * escape;", n);
-        line("depth += here;");
+        add_layer(layout, n, flakes, pigments, lines);
     }
-    if (layout.closing) {
-        line("closing = nacreBoth({}, g, p);", *layout.closing);
-        if (layout.ground) {
-            line("ground += nacreRgb((exp({}) - closing) * nacreBoth({}, g, p), g);",
-                 gain_text(layout, layout.layers.size() - 1, "1."), *layout.ground);
-        }
+    if (!layout.closing) {
+        lines.add("rest = vec3(1.);");
+        return std::move(lines).text();
     }
-    return text;
+    const std::string gain = add_gain(layout, layout.layers.size() - 1, "1.", "", lines);
+    lines.add("for (int g = 0; g < 4; ++g) {{");
+    lines.add("    closing = nacreBoth({}, g, p);", *layout.closing);
+    lines.add("    rest += nacreRgb(closing, g);");
+    lines.add("    ground += nacreRgb((exp({}) - closing) * nacreBoth({}, g, p), g);", gain,
+              *layout.ground);
+    lines.add("}}");
+    return std::move(lines).text();
 }
 
 }  // namespace

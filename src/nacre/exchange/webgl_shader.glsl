@@ -85,12 +85,15 @@ float nacreOverlap(float x) {
     return 2. / PI * (x * acos(x) - chord + chord * chord * chord / 3. + 2. / 3.);
 }
 
-/// far: height over the flake or ground up to the top of a layer of gaps of this thickness.
-float nacreShared(float far, float thickness, float perHeight) {
-    float near = max(far - thickness, 0.);
-    return (nacreOverlap(far * perHeight) - nacreOverlap(near * perHeight)) / perHeight;
+/// Length over which both rays are shared, up to `far` above the flake or ground and from `near` on.
+float nacreShared(float far, float near, float perHeight) {
+    float overlap = nacreOverlap(far * perHeight);
+    if (near > 0.) overlap -= nacreOverlap(near * perHeight);
+    return overlap / perHeight;
 }
 #endif
+
+float nacreLeast(vec4 x) { return min(min(x.x, x.y), min(x.z, x.w)); }
 
 struct NacreLight {
     vec3 once;     // met one flake or particle
@@ -101,14 +104,10 @@ struct NacreLight {
 /// Without what the interface turns away.
 NacreLight nacreLight(NacrePair p) {
     vec3 once = vec3(0.), ground = vec3(0.), rest = vec3(0.);
-    for (int g = 0; g < 4; ++g) {
-        vec4 depth = nacreDepth[g] * (1. / p.i.z + 1. / p.o.z), total = vec4(0.);
-        vec4 here, kernel, escape, closing = vec4(1.);
-        float reach;
-        @LAYERS@
-        once += nacreRgb(total, g);
-        rest += nacreRgb(closing, g);
-    }
+    vec4 depth[4], here[4], kernel[4], escape[4], closing;
+    for (int g = 0; g < 4; ++g) depth[g] = nacreDepth[g] * (1. / p.i.z + 1. / p.o.z);
+    float reach;
+    @LAYERS@
     return NacreLight(once / (p.i.z * p.o.z), ground, rest);
 }
 

@@ -36,7 +36,7 @@ struct WebglTexture {
     std::vector<std::uint16_t> rgba;  ///< bits of half floats
 };
 
-/// What nacreBrdf(wi, wo) and nacreAlbedo() of webgl_shader.glsl need.
+/// What nacreColour(wi, wo) and the other functions of webgl_shader.glsl need.
 struct WebglShader {
     std::string program;  ///< SHA-256 of `glsl`
     /// GLSL ES 3.00 that declares the uniforms; whoever includes it defines PI and the precision of
@@ -48,6 +48,11 @@ struct WebglShader {
 
     /// The same text with the numbers in it, for a file that holds one paint.
     std::string glsl_with_constants() const;
+
+    /// What nacreColour() gives, by the same arithmetic from the same textures: in 1/sr, linear
+    /// Rec. 709, without the mirror image in a smooth coat. Directions are unit vectors away from
+    /// the surface, above it.
+    Vec3d brdf(Vec3d wi, Vec3d wo) const;
 
     /// How the channels of the table are laid out.
     struct Layout;
