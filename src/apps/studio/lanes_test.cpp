@@ -135,5 +135,17 @@ TEST(StudioOutbox, KeepsTheNewestAnswerOfEachKind) {
     EXPECT_FALSE(outbox.take());
 }
 
+TEST(StudioOutbox, SendsAProgramOnceThoughAnswersWithItAreReplaced) {
+    Outbox outbox;
+    const auto answer = [](const std::string& text) {
+        return Answer{"paint", {{text, {}, "hash", text + " with program"}}};
+    };
+    outbox.add(answer("first"));
+    outbox.add(answer("second"));
+    EXPECT_EQ(outbox.take()->frames[0].text, "second with program");
+    outbox.add(answer("third"));
+    EXPECT_EQ(outbox.take()->frames[0].text, "third");
+}
+
 }  // namespace
 }  // namespace nacre::studio

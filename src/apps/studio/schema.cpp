@@ -44,8 +44,8 @@ class TableVisitor final : public paint::Visitor {
         const std::vector<std::string> order = paint::keys_of(object);
         Tree sorted = Tree::array();
         for (const std::string& name : order) {
-            for (Tree& key : keys_) {
-                if (key["key"] == name) sorted.push_back(std::move(key));
+            for (const Tree& key : keys_) {
+                if (key["key"] == name) sorted.push_back(key);
             }
         }
         Tree table = {{"path", path_},

@@ -14,6 +14,7 @@
 #include "apps/studio/page_files.h"
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
+#include "nacre/exchange/webgl_shader.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/nacre.h"
 #include "nacre/render.h"
@@ -259,6 +260,41 @@ TEST(StudioServer, OfManyMessagesTheLastIsAnswered) {
     EXPECT_LT(answers, kMessages / 2);
     const Paint same = open_text(toml_of_tree(tree), "recipe.toml");
     EXPECT_EQ(readings["csv"].get<std::string>(), same.measure().csv());
+}
+
+TEST(StudioServer, TheShaderIsThatOfTheSolvedPaint) {
+    const RunningServer server;
+    PageClient page(server);
+    Tree tree = red_gold_tree();
+    for (const int thickness : {15, 20}) {
+        tree["layer"][0]["thickness_um"] = thickness;
+        page.send({{"type", "paint"}, {"id", thickness}, {"recipe", tree}, {"shader", true}});
+        page.read_until("readings");
+        const Tree told = page.read();
+        ASSERT_EQ(told["type"], "shader");
+        const std::string bytes = page.read_bytes();
+        EXPECT_EQ(page.read()["type"], "done");
+        const auto shader =
+            exchange::make_live_webgl_shader(open_text(toml_of_tree(tree), "recipe.toml").solved());
+        EXPECT_EQ(told["program"], shader.program);
+        // Its text is sent once: the second paint has the same structure.
+        EXPECT_EQ(told.contains("glsl"), thickness == 15);
+        if (thickness == 15) EXPECT_EQ(told["glsl"], shader.glsl);
+        ASSERT_EQ(told["uniforms"].size(), shader.uniforms.size());
+        EXPECT_EQ(told["uniforms"][0]["values"].get<std::vector<float>>(),
+                  shader.uniforms[0].values);
+        std::size_t at = 0;
+        ASSERT_EQ(told["binary"].size(), shader.textures.size());
+        for (std::size_t i = 0; i < shader.textures.size(); ++i) {
+            const auto& texture = shader.textures[i];
+            std::size_t count = 1;
+            for (const Tree& side : told["binary"][i]["shape"]) count *= side.get<std::size_t>();
+            ASSERT_EQ(count, texture.rgba.size());
+            EXPECT_EQ(std::memcmp(bytes.data() + at, texture.rgba.data(), 2 * count), 0);
+            at += 2 * count;
+        }
+        EXPECT_EQ(at, bytes.size());
+    }
 }
 
 TEST(StudioServer, ErrorsSayWhere) {
