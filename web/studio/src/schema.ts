@@ -60,6 +60,12 @@ export interface ShapeInfo {
     readonly title: string;
     /** The light that suits it. */
     readonly light: string;
+    /** From the mesh to the world. */
+    readonly transform: {
+        readonly scale: number;
+        readonly rotation_deg: Vector;
+        readonly translation_mm: Vector;
+    };
     readonly camera: {
         readonly position_mm: Vector;
         readonly target_mm: Vector;

@@ -38,6 +38,8 @@ interface PaintRequest {
 export interface Surroundings {
     readonly connect: () => Socket;
     readonly schema: () => Promise<Schema>;
+    /** What the server has at an address of its own. */
+    readonly bytes: (path: string) => Promise<ArrayBuffer>;
     readonly now: () => number;
     /** Calls back when what was set has been drawn. */
     readonly drawn: (then: () => void) => void;
@@ -123,6 +125,13 @@ export class Studio {
         const { schema } = this.store.get();
         const toml = schema?.start ?? schema?.paints[0]?.toml;
         if (toml !== undefined) this.openText(toml);
+    }
+
+    /** A place for the live picture. */
+    attach(canvas: HTMLCanvasElement): void {
+        const { schema } = this.store.get();
+        if (schema !== null) this.viewer.attach(canvas, schema, this.around.bytes);
+        this.measure();
     }
 
     // ---- documents ----
@@ -219,8 +228,9 @@ export class Studio {
             illuminant,
             observer,
             tolerance: { limit: tolerance },
+            shader: document !== null && this.viewer.wantsShader,
         };
-        const id = this.session.send("paint", fields, (message) => {
+        const id = this.session.send("paint", fields, (message, attachments) => {
             if (document === null) {
                 this.receiveMatch(id, message);
                 return;
@@ -237,6 +247,9 @@ export class Studio {
                     });
                     break;
                 }
+                case "shader":
+                    this.viewer.shader(message, attachments);
+                    break;
                 case "error":
                     this.store.set({ fault: message as unknown as ErrorMessage });
                     this.answered(id, null);

@@ -1,5 +1,6 @@
 /** The pictures: of the paint as it is now (B) and of the one that was kept (A). */
 
+import { Live } from "./live";
 import type { Orbit } from "./orbit";
 import { fitted, orbitOf } from "./orbit";
 import type { Attachment, Message } from "./protocol";
@@ -35,6 +36,18 @@ export interface ViewerState {
     readonly keptRecipe: Table | null;
     readonly kept: Picture | null;
     readonly fault: string | null;
+    /** The recipe that is drawn. */
+    readonly recipe: Table | null;
+    /** Of the live picture; null: there is none. */
+    readonly liveSamples: number | null;
+    readonly gamutWarning: boolean;
+}
+
+/** Whether the path tracer's picture shows what is asked for, and so covers the live one. */
+export function covers({ picture, recipe, view, liveSamples }: ViewerState): boolean {
+    if (picture === null) return false;
+    if (liveSamples === null) return true;
+    return picture.recipe === recipe && picture.view === view && picture.samples >= ENOUGH;
 }
 
 interface Job {
@@ -51,6 +64,8 @@ const SAMPLES = 64;
 const KEPT_SAMPLES = 16;
 const QUICK_PART = 3;
 const MOST_PIXELS = 700_000;
+/** Samples from which on the path tracer's picture is less noisy than it is worth. */
+const ENOUGH = 16;
 
 export class Viewer {
     readonly store = new Store<ViewerState>({
@@ -59,8 +74,11 @@ export class Viewer {
         keptRecipe: null,
         kept: null,
         fault: null,
+        recipe: null,
+        liveSamples: null,
+        gamutWarning: false,
     });
-    private recipe: Table | null = null;
+    private live: Live | null = null;
     private size = { width: 0, height: 0 };
     private underWay: { id: number; job: Job } | null = null;
     private quickWanted = false;
@@ -107,18 +125,57 @@ export class Viewer {
 
     /** Colours of this recipe are known: it can be drawn. */
     paint(recipe: Table): void {
-        if (recipe === this.recipe) return;
-        this.recipe = recipe;
+        if (recipe === this.store.get().recipe) return;
+        this.store.set({ recipe });
         this.refresh();
+    }
+
+    /** Draws the live picture too, where the browser can. */
+    attach(
+        canvas: HTMLCanvasElement,
+        schema: Schema,
+        bytes: (path: string) => Promise<ArrayBuffer>,
+    ): void {
+        const fail = (message: string) => {
+            this.live = null;
+            this.store.set({ liveSamples: null, fault: `No live picture: ${message}` });
+        };
+        try {
+            const changed = (liveSamples: number) => {
+                if (this.store.get().liveSamples !== null) this.store.set({ liveSamples });
+            };
+            this.live = new Live(canvas, schema, bytes, changed, fail);
+        } catch (error) {
+            fail(error instanceof Error ? error.message : String(error));
+        }
+    }
+
+    get wantsShader(): boolean {
+        return this.live !== null;
+    }
+
+    /** Numbers for the live picture of a recipe. */
+    shader(message: Message, attachments: readonly Attachment[]): void {
+        const can = this.live?.setPaint(message, attachments) === true;
+        this.store.set({ liveSamples: can ? 0 : null });
+    }
+
+    setGamutWarning(gamutWarning: boolean): void {
+        this.store.set({ gamutWarning });
+        this.live?.setGamutWarning(gamutWarning);
     }
 
     /** What is seen now is what is seen beside it from now on; again: nothing is. */
     keep(recipe: Table | null): void {
-        this.store.set({
-            keptRecipe: recipe,
-            kept: recipe === null ? null : this.store.get().picture,
-        });
+        this.store.set({ keptRecipe: recipe, kept: recipe === null ? null : this.shown(recipe) });
         this.refresh();
+    }
+
+    private shown(recipe: Table): Picture | null {
+        const state = this.store.get();
+        const live = covers(state) || state.view === null ? null : this.live?.snapshot();
+        if (live === null || live === undefined || state.view === null) return state.picture;
+        return { ...live, recipe, view: state.view };
     }
 
     /** The connection broke. */
@@ -140,12 +197,21 @@ export class Viewer {
             this.underWay = null;
         }
         this.quickWanted = false;
-        this.start(true, false);
+        const { view, liveSamples } = this.store.get();
+        if (view !== null) this.live?.show(view, this.size.width, this.size.height);
+        if (liveSamples === null) this.start(true, false);
+        else this.startLater();
+    }
+
+    private startLater(): void {
+        this.timer = setTimeout(() => {
+            this.start(false, false);
+        }, REST_MS);
     }
 
     private start(quick: boolean, kept: boolean): void {
-        const { view, keptRecipe } = this.store.get();
-        const recipe = kept ? keptRecipe : this.recipe;
+        const { view, keptRecipe, recipe: now } = this.store.get();
+        const recipe = kept ? keptRecipe : now;
         const { width, height } = this.size;
         if (recipe === null || view === null || width * height === 0 || !this.session.isOpen)
             return;
@@ -182,11 +248,8 @@ export class Viewer {
         this.session.forget(id);
         this.underWay = null;
         if (this.quickWanted) this.refresh();
-        else if (job.quick) {
-            this.timer = setTimeout(() => {
-                this.start(false, false);
-            }, REST_MS);
-        } else if (!job.kept) {
+        else if (job.quick) this.startLater();
+        else if (!job.kept) {
             const { kept, keptRecipe, view } = this.store.get();
             if (keptRecipe !== null && kept?.view !== view) this.start(false, true);
         }

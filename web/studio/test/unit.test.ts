@@ -276,6 +276,7 @@ async function studioWith(server: FakeServer): Promise<{ studio: Studio; clock: 
     const studio = new Studio({
         connect: server.connect,
         schema: () => Promise.resolve(SCHEMA),
+        bytes: () => Promise.reject(new Error("no bytes here")),
         now: () => clock.ms,
         drawn: (then) => {
             then();
@@ -361,6 +362,7 @@ test("a camera is angles about the shape, and turning stops before the poles", (
         name: "ball",
         title: "Ball",
         light: "studio",
+        transform: { scale: 1, rotation_deg: [0, 0, 0], translation_mm: [0, 0, 0] },
         camera: { position_mm: [0, -600, 0], target_mm: [0, 0, 0], fov_deg: 11 },
     });
     assert.ok(Math.abs(orbit.azimuth_deg + 90) < 1e-9 && orbit.distance_mm === 600);

@@ -5,6 +5,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { orbitOf, turned, wrapped } from "../orbit";
 import { useStudio, useStudioState, useViewerState } from "../ui/context";
 import type { Picture, View } from "../viewer";
+import { covers } from "../viewer";
 
 export function PicturePanel(): VNode {
     return (
@@ -121,6 +122,9 @@ function Canvas(): VNode {
     const place = useRef<HTMLDivElement>(null);
     const canvas = useRef<HTMLCanvasElement>(null);
     const keptCanvas = useRef<HTMLCanvasElement>(null);
+    const liveCanvas = useRef<HTMLCanvasElement>(null);
+    const ready = useStudioState((state) => state.schema !== null);
+    const covered = useViewerState(covers);
     const picture = useViewerState((state) => state.picture);
     const kept = useViewerState((state) => state.kept);
     const keptRecipe = useViewerState((state) => state.keptRecipe);
@@ -140,6 +144,9 @@ function Canvas(): VNode {
             observer.disconnect();
         };
     }, [studio]);
+    useEffect(() => {
+        if (ready && liveCanvas.current !== null) studio.attach(liveCanvas.current);
+    }, [studio, ready]);
     useLayoutEffect(() => {
         draw(canvas.current, picture);
     }, [picture]);
@@ -204,7 +211,13 @@ function Canvas(): VNode {
                     turn(0, 0, false, Math.exp(-event.deltaY / 600));
                 }}
             >
-                <canvas ref={canvas} class="now" width="16" height="16" />
+                <canvas ref={liveCanvas} class={covered ? "live" : "live now"} />
+                <canvas
+                    ref={canvas}
+                    class={covered ? "traced now" : "traced"}
+                    width="16"
+                    height="16"
+                />
                 {keptRecipe !== null && (
                     <div
                         class="wiped"
@@ -242,20 +255,39 @@ function PictureFoot(): VNode {
     const fault = useViewerState((state) => state.fault);
     const readings = useStudioState((state) => state.readings);
     const outside = readings?.out_of_gamut.filter(Boolean).length ?? 0;
-    const samples =
-        picture === null
+    const live = useViewerState((state) => state.liveSamples);
+    const covered = useViewerState(covers);
+    const warn = useViewerState((state) => state.gamutWarning);
+    const studio = useStudio();
+    const of = picture === null || picture.of <= 1 ? 1 : picture.of;
+    const traced = picture !== null && picture.of > 1 && (covered || live === null);
+    const samples = traced
+        ? `Path traced, ${String(picture.samples)} of ${String(picture.of)} samples`
+        : live !== null
+          ? "Live"
+          : picture === null
             ? "No picture yet"
-            : picture.of <= 1
-              ? "Draft"
-              : `Path traced, ${String(picture.samples)} of ${String(picture.of)} samples`;
+            : "Draft";
     return (
         <div class="picture-foot">
             <span class="how-far">{fault ?? samples}</span>
             <progress
-                max={picture?.of ?? 1}
-                value={picture !== null && picture.of > 1 ? picture.samples : 0}
+                max={of}
+                value={traced ? picture.samples : 0}
                 aria-label="Samples of the picture"
             />
+            {live !== null && (
+                <label>
+                    <input
+                        type="checkbox"
+                        checked={warn}
+                        onChange={(event) => {
+                            studio.viewer.setGamutWarning(event.currentTarget.checked);
+                        }}
+                    />{" "}
+                    Mark
+                </label>
+            )}
             <span class="gamut" role="status">
                 {outside > 0
                     ? `${String(outside)} of ${String(readings?.lab.length ?? 0)} angles outside sRGB, clipped`
