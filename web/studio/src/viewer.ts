@@ -43,11 +43,16 @@ export interface ViewerState {
     readonly gamutWarning: boolean;
 }
 
-/** Whether the path tracer's picture shows what is asked for, and so covers the live one. */
-export function covers({ picture, recipe, view, liveSamples }: ViewerState): boolean {
-    if (picture === null) return false;
-    if (liveSamples === null) return true;
-    return picture.recipe === recipe && picture.view === view && picture.samples >= ENOUGH;
+/** Whether the path tracer's picture is of the paint and the view that are asked for. */
+export function isCurrent({ picture, recipe, view }: ViewerState): boolean {
+    return picture !== null && picture.recipe === recipe && picture.view === view;
+}
+
+/** Whether it hides the live picture. */
+export function covers(state: ViewerState): boolean {
+    const { picture, liveSamples } = state;
+    if (picture === null || liveSamples === null) return picture !== null;
+    return isCurrent(state) && picture.samples >= ENOUGH;
 }
 
 interface Job {
@@ -198,6 +203,7 @@ export class Viewer {
         }
         this.quickWanted = false;
         const { view, liveSamples } = this.store.get();
+        this.live?.pause(false);
         if (view !== null) this.live?.show(view, this.size.width, this.size.height);
         if (liveSamples === null) this.start(true, false);
         else this.startLater();
@@ -240,6 +246,7 @@ export class Viewer {
         if (message.type === "picture") {
             const picture = pictureOf(job, message, attachments);
             this.store.set(job.kept ? { kept: picture } : { picture, fault: null });
+            this.live?.pause(covers(this.store.get()));
             if (picture.samples < picture.of) return;
         } else if (message.type === "error") {
             this.store.set({ fault: String(message.message) });

@@ -5,7 +5,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { orbitOf, turned, wrapped } from "../orbit";
 import { useStudio, useStudioState, useViewerState } from "../ui/context";
 import type { Picture, View } from "../viewer";
-import { covers } from "../viewer";
+import { covers, isCurrent } from "../viewer";
 
 export function PicturePanel(): VNode {
     return (
@@ -257,23 +257,27 @@ function PictureFoot(): VNode {
     const outside = readings?.out_of_gamut.filter(Boolean).length ?? 0;
     const live = useViewerState((state) => state.liveSamples);
     const covered = useViewerState(covers);
+    const current = useViewerState(isCurrent);
     const warn = useViewerState((state) => state.gamutWarning);
     const studio = useStudio();
-    const of = picture === null || picture.of <= 1 ? 1 : picture.of;
-    const traced = picture !== null && picture.of > 1 && (covered || live === null);
-    const samples = traced
-        ? `Path traced, ${String(picture.samples)} of ${String(picture.of)} samples`
-        : live !== null
-          ? "Live"
-          : picture === null
-            ? "No picture yet"
-            : "Draft";
+    // Drafts have one sample.
+    const traced =
+        picture !== null && picture.of > 1 && (current || live === null) ? picture : null;
+    const of = traced === null ? "" : `${String(traced.samples)} of ${String(traced.of)} samples`;
+    const samples =
+        live !== null && !covered
+            ? `Live${traced === null ? "" : `; path traced, ${of}`}`
+            : traced !== null
+              ? `Path traced, ${of}`
+              : picture === null
+                ? "No picture yet"
+                : "Draft";
     return (
         <div class="picture-foot">
             <span class="how-far">{fault ?? samples}</span>
             <progress
-                max={of}
-                value={traced ? picture.samples : 0}
+                max={traced?.of ?? 1}
+                value={traced?.samples ?? 0}
                 aria-label="Samples of the picture"
             />
             {live !== null && (
@@ -285,12 +289,12 @@ function PictureFoot(): VNode {
                             studio.viewer.setGamutWarning(event.currentTarget.checked);
                         }}
                     />{" "}
-                    Mark
+                    Mark what is outside
                 </label>
             )}
             <span class="gamut" role="status">
                 {outside > 0
-                    ? `${String(outside)} of ${String(readings?.lab.length ?? 0)} angles outside sRGB, clipped`
+                    ? `${String(outside)} of ${String(readings?.lab.length ?? 0)} angles outside sRGB`
                     : ""}
             </span>
         </div>

@@ -8,7 +8,6 @@ import { useStudio, useStudioState } from "../ui/context";
 import type { Tab } from "../ui/tabs";
 import { Tabs } from "../ui/tabs";
 import { Chips } from "./chips";
-import { Films } from "./films";
 import { Fit } from "./fit";
 import { Flop } from "./flop";
 import { Numbers } from "./numbers";
@@ -20,7 +19,6 @@ const TABS: readonly Tab[] = [
     { name: "numbers", title: "L*a*b*", panel: () => <Numbers /> },
     { name: "spectra", title: "Spectra", panel: () => <Spectra /> },
     { name: "sparkle", title: "Sparkle", panel: () => <SparklePanel /> },
-    { name: "films", title: "Films", panel: () => <Films /> },
     { name: "fit", title: "Fit", panel: () => <Fit /> },
 ];
 
