@@ -8,6 +8,7 @@
 #include "apps/studio/http_rules.h"
 #include "nacre/core/error.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/io/table_reader.h"
 
 // What a page sends is taken or refused with a MessageError; the recipe in it becomes a TOML text with
 // the same tree, which is read or refused. The target of a request is taken or refused.

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "apps/cli/options.h"
+#include "apps/cli/paint_options.h"
 #include "apps/studio/recipe_tree.h"
 #include "apps/studio/server.h"
 #include "nacre/core/parallel.h"
@@ -36,12 +37,11 @@ void open_browser(const std::string& url) {
 
 /// The text of the recipe, with what it names in files written out.
 std::string text_of(const StudioOptions& options) {
-    const std::string path = find_paint(options.recipe).string();
-    const Paint paint = open(path, references_of(options, path));
+    const Paint paint = open_input(options, options.recipe);
     if (paint.kind() != Kind::recipe) {
         throw InputError(options.recipe + ": holds no recipe (TOML), which the studio needs");
     }
-    return studio::self_contained_toml(path, references_of(options, path));
+    return studio::self_contained_toml(paint.file(), references_of(options, paint.file()));
 }
 
 ExitStatus run(const StudioOptions& options) {
@@ -51,7 +51,8 @@ ExitStatus run(const StudioOptions& options) {
             "the way knows the token in it; if that is meant, give --open-to-the-network too",
             options.listen));
     }
-    studio::ServerSettings settings{.address = options.listen, .port = options.port};
+    studio::ServerSettings settings{
+        .address = options.listen, .port = options.port, .prepare = true};
     if (!options.recipe.empty()) settings.toml = text_of(options);
     const ThreadLimit threads(options.threads);
     studio::Server server(settings);
@@ -68,8 +69,7 @@ Command add_studio(CLI::App& program) {
     auto options = std::make_shared<StudioOptions>();
     CLI::App* command = program.add_subcommand(
         "studio", "Design a paint in the browser: sliders, angles, pictures, fits");
-    command->add_option("RECIPE", options->recipe,
-                        "Recipe (TOML) or shipped paint to start with [red-gold]");
+    command->add_option("RECIPE", options->recipe, "Recipe (TOML) or shipped paint to start with");
     command->add_option("--port", options->port, "Port to listen at; 0 is any that is free")
         ->capture_default_str();
     command->add_flag("--no-open", options->no_open, "Only print the address, open no browser");

@@ -74,6 +74,7 @@ Frames answer(const StandardRequest& request, const Context& context);
 Frames answer(const SparkleRequest& request, const Context& context);
 Frames answer(const FitRequest& request, const Context& context);
 Frames answer(const ReportRequest& request, const Context& context);
+Frames answer(const AtlasRequest& request, const Context& context);
 /// Sends pictures of few samples before the last.
 Frames answer(const RenderRequest& request, const Context& context);
 /// Any of these.

@@ -29,6 +29,13 @@ HttpAnswer error_answer(unsigned status, const std::string& why) {
             Tree{{"error", why}}.dump(-1, ' ', false, Tree::error_handler_t::replace) + "\n"};
 }
 
+void HttpAnswers::prepare(const std::function<bool()>& ending) {
+    if (!schema_.empty()) return;
+    Tree tree = schema([&](double) { return !ending(); });
+    tree["start"] = toml_ ? Tree(*toml_) : Tree(nullptr);
+    schema_ = tree.dump();
+}
+
 HttpAnswer HttpAnswers::answer(const Target& target, const std::function<bool()>& ending) {
     if (target.path.starts_with("/api/")) {
         try {
@@ -49,11 +56,7 @@ HttpAnswer HttpAnswers::answer(const Target& target, const std::function<bool()>
 
 HttpAnswer HttpAnswers::api_answer(const Target& target, const std::function<bool()>& ending) {
     if (target.path == "/api/schema") {
-        if (schema_.empty()) {
-            Tree tree = schema([&](double) { return !ending(); });
-            tree["start"] = toml_ ? Tree(*toml_) : Tree(nullptr);
-            schema_ = tree.dump();
-        }
+        prepare(ending);
         return {200, kJson, schema_};
     }
     if (const auto shape = name_in(target.path, "/api/shape/")) {

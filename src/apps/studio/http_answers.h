@@ -42,6 +42,8 @@ class HttpAnswers {
     /// From one thread at a time.
     /// @param ending  whether the server ends, so that no answer is wanted any more
     HttpAnswer answer(const Target& target, const std::function<bool()>& ending);
+    /// Makes the schema before it is asked for.
+    void prepare(const std::function<bool()>& ending);
 
  private:
     HttpAnswer api_answer(const Target& target, const std::function<bool()>& ending);

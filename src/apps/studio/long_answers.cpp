@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/datasheet/atlas.h"
 #include "apps/datasheet/datasheet.h"
 #include "apps/studio/answers.h"
 #include "nacre/fit/fit.h"
@@ -11,6 +12,7 @@
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/models/models.h"
 #include "nacre/render/builtin_scenes.h"
+#include "nacre/spectra/spectrum.h"
 
 // Answers that take seconds, and tell how far they are.
 
@@ -174,6 +176,36 @@ Frames answer(const FitRequest& request, const Context& context) {
                      {"remedies", std::move(remedies)},
                      {"solves", found.effort.solves},
                      {"seconds", found.effort.seconds}}),
+             {}}};
+}
+
+Frames answer(const AtlasRequest& request, const Context& context) {
+    const NamedPaint named = paint_of(request.recipe, context);
+    Teller teller(context, "atlas");
+    const datasheet::Atlas atlas = datasheet::recipe_atlas(
+        named.paint.recipe(), request.key, request.values, request.viewed.geometries,
+        spectra::default_wavelengths_nm(),
+        {.illuminant = request.viewed.illuminant, .observer = request.viewed.observer},
+        teller.part(0, 1));
+    Tree names = Tree::array(), lab = Tree::array(), rgb = Tree::array();
+    for (std::size_t g = 0; g < atlas.geometries.size(); ++g) {
+        names.push_back(atlas.geometries[g].name);
+        Tree lab_row = Tree::array(), rgb_row = Tree::array();
+        for (std::size_t v = 0; v < atlas.values.size(); ++v) {
+            lab_row.push_back(atlas.at(g, v));
+            rgb_row.push_back(measure::srgb_chip_at_full_light(atlas.at(g, v)));
+        }
+        lab.push_back(std::move(lab_row));
+        rgb.push_back(std::move(rgb_row));
+    }
+    return {{dumped({{"type", "atlas"},
+                     {"id", context.id},
+                     {"key", request.key},
+                     {"quantity", atlas.quantity},
+                     {"values", atlas.values},
+                     {"geometries", std::move(names)},
+                     {"lab", std::move(lab)},
+                     {"rgb", std::move(rgb)}}),
              {}}};
 }
 

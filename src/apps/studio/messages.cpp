@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -26,6 +27,7 @@ constexpr std::size_t kMaxNameBytes = 300;
 /// Pixels of a picture: a screen's.
 constexpr double kMaxPicturePixels = 4096.0 * 2160;
 constexpr std::size_t kMaxGeometries = 100;
+constexpr std::size_t kMaxAtlasValues = 200;
 
 /// Refuses what would take long, or deep recursion, before it is parsed.
 void check_structure(std::string_view text) {
@@ -273,8 +275,24 @@ Request request_of(const std::string& type, Fields& fields) {
         request.draft = fields.flag("draft");
         return request;
     }
-    static const std::vector<std::string> kTypes = {"open", "paint", "standard", "sparkle",
-                                                    "fit",  "stop",  "render",   "report"};
+    if (type == "atlas") {
+        AtlasRequest request;
+        request.recipe = fields.object("recipe");
+        request.key = fields.text("key", "", kMaxNameBytes);
+        const Tree* values = fields.find("values");
+        const bool numbers = values && values->is_array() && !values->empty() &&
+                             values->size() <= kMaxAtlasValues &&
+                             std::ranges::all_of(*values, &Tree::is_number);
+        if (!numbers) {
+            fields.fail("values",
+                        fmt::format("must be a list of 1 to {} numbers", kMaxAtlasValues));
+        }
+        request.values = values->get<std::vector<double>>();
+        request.viewed = viewed_of(fields);
+        return request;
+    }
+    static const std::vector<std::string> kTypes = {"open", "paint",  "standard", "sparkle", "fit",
+                                                    "stop", "render", "report",   "atlas"};
     fields.fail("type", fmt::format("there is no such message{}; there are: {}",
                                     did_you_mean(type, kTypes), fmt::join(kTypes, ", ")));
 }

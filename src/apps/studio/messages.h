@@ -69,8 +69,16 @@ struct ReportRequest {
     bool draft = false;  ///< small and noisy pictures
 };
 
+/// Colours by the values of one number.
+struct AtlasRequest {
+    Tree recipe;
+    std::string key;  ///< "layer[0].flakes[0].coats[0].thickness_nm"
+    std::vector<double> values;
+    Viewed viewed;
+};
+
 using Request = std::variant<OpenRequest, PaintRequest, StandardRequest, SparkleRequest, FitRequest,
-                             StopRequest, RenderRequest, ReportRequest>;
+                             StopRequest, RenderRequest, ReportRequest, AtlasRequest>;
 
 struct Message {
     Tree id;           ///< a number or a text, by which its answers are known

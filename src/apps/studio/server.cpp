@@ -304,6 +304,14 @@ struct Server::State {
         }
         shared.token = new_token();
         shared.answers.start_with(settings.toml);
+        if (settings.prepare) {
+            net::post(shared.requests, [this] {
+                try {
+                    shared.answers.prepare([this] { return shared.ending.load(); });
+                } catch (const std::exception&) {  // whoever asks for it is told
+                }
+            });
+        }
     }
 
     ~State() {

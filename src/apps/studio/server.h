@@ -14,6 +14,7 @@ struct ServerSettings {
     unsigned short port = 0;            ///< 0: any that is free
     /// The recipe to start with, which names no files (self_contained_toml()).
     std::optional<std::string> toml = {};
+    bool prepare = false;  ///< makes the schema at once, which a page asks for first
 };
 
 /// Whether an address is one of this machine alone. @throws InputError if it is no address

@@ -401,6 +401,29 @@ TEST(StudioServer, FitsFromThePage) {
               tree_of_toml(best["toml"].get<std::string>(), "recipe.toml").dump());
 }
 
+TEST(StudioServer, AnAtlasIsThePaintAtEachValue) {
+    const RunningServer server;
+    PageClient page(server);
+    const std::string key = "layer[0].flakes[0].coats[0].thickness_nm";
+    page.send({{"type", "atlas"},
+               {"id", 1},
+               {"recipe", red_gold_tree()},
+               {"key", key},
+               {"values", {200, 220}},
+               {"geometries", "45as15,45as45"}});
+    const Tree atlas = page.read_until("atlas");
+    ASSERT_EQ(atlas["lab"].size(), 2u);
+    const Measurement other = open(find_paint("red-gold"))
+                                  .with(key, 220)
+                                  .measure(geometries("45as15,45as45"))
+                                  .measurement;
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(atlas["lab"][1][1][c].get<double>(), other.readings[1].lab[c], 1e-9);
+    }
+    page.send({{"type", "atlas"}, {"id", 2}, {"recipe", red_gold_tree()}, {"values", {1}}});
+    EXPECT_EQ(page.read()["type"], "error");
+}
+
 TEST(StudioServer, AFitStopsWhenItIsTold) {
     const RunningServer server;
     PageClient page(server);

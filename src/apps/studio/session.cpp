@@ -9,21 +9,22 @@ Lane& Workshop::lane_of(const std::string& type) {
     if (type == "sparkle" || type == "report") return look_;
     if (type == "fit") return fit_;
     if (type == "render") return picture_;
+    if (type == "atlas") return atlas_;
     return paint_;
 }
 
 void Workshop::forget(ClientId client) {
-    for (Lane* lane : {&paint_, &look_, &fit_, &picture_}) lane->stop(client);
+    for (Lane* lane : {&paint_, &look_, &fit_, &picture_, &atlas_}) lane->stop(client);
 }
 
 std::size_t Workshop::stop(ClientId client, const std::optional<std::string>& type) {
     std::size_t stopped = 0;
-    for (Lane* lane : {&look_, &fit_, &picture_}) stopped += lane->stop(client, type);
+    for (Lane* lane : {&look_, &fit_, &picture_, &atlas_}) stopped += lane->stop(client, type);
     return stopped;
 }
 
 void Workshop::end() {
-    for (Lane* lane : {&paint_, &look_, &fit_, &picture_}) lane->end();
+    for (Lane* lane : {&paint_, &look_, &fit_, &picture_, &atlas_}) lane->end();
 }
 
 void Session::receive(std::string_view text) {

@@ -33,10 +33,10 @@ constexpr ShapeEntry kShapes[] = {
 
 void light_studio(SceneDescription& scene) { scene.environment = render::StudioEnvironment{}; }
 
-/// As bright as the built-in panel in the sun.
+/// A white panel that faces the sun is about white.
 void light_sun(SceneDescription& scene) {
     scene.environment =
-        render::SkyEnvironment{.sun_azimuth_deg = -120, .sun_elevation_deg = 45, .scale = 0.15};
+        render::SkyEnvironment{.sun_azimuth_deg = -120, .sun_elevation_deg = 45, .scale = 0.3};
 }
 
 /// Three times as bright in the zenith as at the horizon, as overcast skies are, by the power of D65.
