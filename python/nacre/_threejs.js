@@ -69,15 +69,16 @@ float nacreRadicalInverse(uint bits) {
 vec3 nacreSurrounded(vec3 wi, mat3 toWorld) {
   const int each = NACRE_SAMPLES;
   vec3 sum = vec3(0.);
-  for (int lobe = 0; lobe <= NACRE_LOBES; ++lobe) {
+  int lobes = int(nacreLobeCount);
+  for (int lobe = 0; lobe <= lobes; ++lobe) {
     for (int k = 0; k < each; ++k) {
       vec2 u = vec2((float(k) + .5) / float(each), nacreRadicalInverse(uint(k)));
       float r = sqrt(u.x), phi = 2. * PI * u.y;
-      vec3 wo = lobe < NACRE_LOBES ? nacreDraw(lobe, wi, u)
-                                   : vec3(r * cos(phi), r * sin(phi), sqrt(1. - u.x));
+      vec3 wo = lobe < lobes ? nacreDraw(lobe, wi, u)
+                              : vec3(r * cos(phi), r * sin(phi), sqrt(1. - u.x));
       if (wo.z <= 0.) continue;
       float density = wo.z / PI;
-      for (int other = 0; other < NACRE_LOBES; ++other) density += nacreDensity(other, wi, wo);
+      for (int other = 0; other < lobes; ++other) density += nacreDensity(other, wi, wo);
       density *= float(each);
       sum += nacreBrdf(wi, wo) * wo.z / density * nacreSurroundings(toWorld * wo, 1. / density);
     }

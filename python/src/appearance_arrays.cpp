@@ -1,15 +1,18 @@
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <utility>
 
 #include "arrays.h"
 #include "bind.h"
 #include "nacre/bsdf/models/nacre_arrays.h"
+#include "nacre/exchange/webgl_shader.h"
 #include "nacre/nacre.h"
 #include "paint_handle.h"
 #include "work.h"
 
-// The models microflake and nacre as arrays, for nacre.mitsuba.
+// The models microflake and nacre as arrays, for nacre.mitsuba, and as a shader of WebGL 2.
 
 namespace nacre::python {
 
@@ -137,9 +140,8 @@ nb::dict to_dict(NacreArrays&& a) {
     return d;
 }
 
-nb::dict appearance_arrays(const PaintHandle& handle, const Model& model,
-                           const nb::object& progress) {
-    NacreArrays arrays = run(progress, [&](const Progress& ask) {
+NacreArrays arrays_of(const PaintHandle& handle, const Model& model, const nb::object& progress) {
+    return run(progress, [&](const Progress& ask) {
         const auto solved = handle.paint.solved({}, ask);
         if (const auto* nacre = model.get<NacreModel>()) {
             return bsdf::nacre_arrays(solved, *nacre, ask);
@@ -151,12 +153,51 @@ nb::dict appearance_arrays(const PaintHandle& handle, const Model& model,
         }
         return bsdf::microflake_arrays(solved);
     });
-    return to_dict(std::move(arrays));
+}
+
+nb::dict appearance_arrays(const PaintHandle& handle, const Model& model,
+                           const nb::object& progress) {
+    return to_dict(arrays_of(handle, model, progress));
+}
+
+exchange::WebglShader webgl_shader(const PaintHandle& handle, const Model& model,
+                                   const nb::object& progress) {
+    return exchange::make_webgl_shader(arrays_of(handle, model, progress));
+}
+
+/// By name: the size, and the bytes of half floats.
+nb::dict textures_of(const exchange::WebglShader& shader) {
+    nb::dict d;
+    for (const exchange::WebglTexture& texture : shader.textures) {
+        const auto* bytes = reinterpret_cast<const char*>(texture.rgba.data());
+        d[texture.name.c_str()] = nb::make_tuple(
+            texture.size, nb::bytes(bytes, texture.rgba.size() * sizeof texture.rgba[0]));
+    }
+    return d;
+}
+
+/// (N, 3) of two directions each, unit vectors above the surface.
+NumpyArray<double> webgl_brdf(const exchange::WebglShader& shader, const Doubles& wi,
+                              const Doubles& wo) {
+    const Broadcast<2> places({&wi, &wo}, {"wi", "wo"}, 3);
+    std::vector<double> values(3 * places.size());
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        const double *i = places.at(0, n), *o = places.at(1, n);
+        const Vec3d value = shader.brdf({i[0], i[1], i[2]}, {o[0], o[1], o[2]});
+        for (int c = 0; c < 3; ++c) values[3 * n + c] = value[c];
+    }
+    return to_numpy(std::move(values), {places.size(), 3});
 }
 
 }  // namespace
 
 void bind_appearance_arrays(nb::module_& module) {
+    nb::class_<exchange::WebglShader>(module, "WebglShader")
+        .def_prop_ro("glsl", &exchange::WebglShader::glsl_with_constants)
+        .def_ro("smooth_coat", &exchange::WebglShader::smooth_coat)
+        .def_prop_ro("textures", &textures_of)
+        .def("brdf", &webgl_brdf, "wi"_a, "wo"_a);
+    module.def("webgl_shader", &webgl_shader, "paint"_a, "model"_a, "progress"_a.none());
     module.def("appearance_arrays", &appearance_arrays, "paint"_a, "model"_a, "progress"_a.none());
 }
 

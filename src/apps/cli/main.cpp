@@ -102,16 +102,17 @@ int main(int argc, char** argv) {
         "Exit status: 0 done, 1 wrong usage, 2 bad input, 3 failure while running, 4 a comparison "
         "failed or a standard was not matched.\n\"nacre COMMAND --help\" documents each command.");
     const std::vector<nacre::cli::Command> commands = {
-        nacre::cli::add_film(program),     nacre::cli::add_solve(program),
-        nacre::cli::add_eval(program),     nacre::cli::add_reference(program),
-        nacre::cli::add_render(program),   nacre::cli::add_merge(program),
-        nacre::cli::add_diff(program),     nacre::cli::add_sparkle(program),
-        nacre::cli::add_study(program),    nacre::cli::add_info(program),
-        nacre::cli::add_measure(program),  nacre::cli::add_atlas(program),
-        nacre::cli::add_export(program),   nacre::cli::add_panel(program),
-        nacre::cli::add_fit(program),      nacre::cli::add_materials(program),
-        nacre::cli::add_pigments(program), nacre::cli::add_pigment(program),
-        nacre::cli::add_scene(program),    nacre::cli::add_completion(program)};
+        nacre::cli::add_studio(program),    nacre::cli::add_film(program),
+        nacre::cli::add_solve(program),     nacre::cli::add_eval(program),
+        nacre::cli::add_reference(program), nacre::cli::add_render(program),
+        nacre::cli::add_merge(program),     nacre::cli::add_diff(program),
+        nacre::cli::add_sparkle(program),   nacre::cli::add_study(program),
+        nacre::cli::add_info(program),      nacre::cli::add_measure(program),
+        nacre::cli::add_atlas(program),     nacre::cli::add_export(program),
+        nacre::cli::add_panel(program),     nacre::cli::add_fit(program),
+        nacre::cli::add_materials(program), nacre::cli::add_pigments(program),
+        nacre::cli::add_pigment(program),   nacre::cli::add_scene(program),
+        nacre::cli::add_completion(program)};
     ExitStatus status = run([&] {
         const auto ended =
             nacre::cli::parse_command_line(program, {argv + std::min(argc, 1), argv + argc});

@@ -51,6 +51,7 @@ Command add_render(CLI::App& program);
 Command add_merge(CLI::App& program);  ///< shares of a picture
 Command add_diff(CLI::App& program);
 Command add_info(CLI::App& program);
+Command add_studio(CLI::App& program);  ///< the page in the browser
 Command add_study(CLI::App& program);
 Command add_measure(CLI::App& program);     ///< multi-angle colour
 Command add_sparkle(CLI::App& program);     ///< sparkle and graininess

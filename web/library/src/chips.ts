@@ -1,12 +1,12 @@
 /** Pictures and chips of records, on a grey that is the same in both themes. */
 
-import type { Lab } from "./colour";
-import { chip } from "./colour";
+import type { Lab } from "../../common/colour";
+import { chip } from "../../common/colour";
 import type { Paint } from "./data";
 import { folder } from "./data";
-import { angleName, h, number } from "./dom";
+import { angleName, h, number } from "../../common/dom";
 import { labAt } from "./query";
-import { byLamp, mainAngles, ramp } from "./geometry";
+import { byLamp, mainAngles, ramp } from "../../common/geometry";
 
 export function lampName(lamp: number): string {
     return `Lamp at ${String(lamp)}°`;

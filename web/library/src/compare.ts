@@ -1,11 +1,11 @@
 /** Two records side by side: B as a sample against A as the standard. */
 
-import type { Lab } from "./colour";
-import { chroma, deltaE2000, deltaHue } from "./colour";
+import type { Lab } from "../../common/colour";
+import { chroma, deltaE2000, deltaHue } from "../../common/colour";
 import { chips, pictures } from "./chips";
 import type { Details, Library, Paint } from "./data";
-import { angleName, h, number } from "./dom";
-import { plot } from "./plots";
+import { angleName, h, number } from "../../common/dom";
+import { plot } from "../../common/plots";
 import { lightName, ordered, spectrum } from "./record";
 
 export interface Side {

@@ -1,7 +1,7 @@
 /** A recipe for reading: the coats from the top down, each with what is in it. */
 
 import type { Table, Value } from "./data";
-import { h, number } from "./dom";
+import { h, number } from "../../common/dom";
 
 /** Units by which names of keys end, as recipes write them; longer ones first. */
 const UNITS: readonly (readonly [string, string])[] = [

@@ -3,7 +3,7 @@
  * disk may not fetch files but may run scripts: each file is a script that hands over its part.
  */
 
-import type { Lab } from "./colour";
+import type { Lab } from "../../common/colour";
 
 /** page/data/library.js */
 export interface Library {

@@ -1,7 +1,7 @@
 /** The panel beside the gallery: what limits the records that it shows. */
 
 import type { Library, Paint } from "./data";
-import { h } from "./dom";
+import { h } from "../../common/dom";
 import type { Domain } from "./limits";
 import { domainOf, LimitsControl } from "./limits";
 import type { Choice, Found, Measure, Query } from "./query";

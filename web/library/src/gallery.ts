@@ -3,13 +3,13 @@
  * scroll as ten do. Cards keep their elements when they are reused for other records.
  */
 
-import type { Lab } from "./colour";
-import { chip } from "./colour";
+import type { Lab } from "../../common/colour";
+import { chip } from "../../common/colour";
 import type { Library, Paint } from "./data";
 import { folder } from "./data";
-import { angleName, h, number } from "./dom";
-import type { Angle } from "./geometry";
-import { mainAngles, ramp } from "./geometry";
+import { angleName, h, number } from "../../common/dom";
+import type { Angle } from "../../common/geometry";
+import { mainAngles, ramp } from "../../common/geometry";
 import type { Query } from "./query";
 import { labAt, MEASURES, measureOf } from "./query";
 

@@ -1,6 +1,6 @@
 /** A control for two limits of a figure: its histogram, two sliders and two fields. */
 
-import { h, svg } from "./dom";
+import { h, svg } from "../../common/dom";
 import type { Limits } from "./query";
 
 const BINS = 48;

@@ -3,20 +3,20 @@
  * #/?QUERY is the gallery, #/record/ID a record, #/compare/ID/ID two of them.
  */
 
-import { chip } from "./colour";
+import { chip } from "../../common/colour";
 import { comparePage } from "./compare";
 import type { Library, Paint } from "./data";
 import { loadDetails, loadLibrary, loadPaints } from "./data";
-import { h } from "./dom";
+import { h } from "../../common/dom";
 import { Filters } from "./filters";
 import type { Size } from "./gallery";
 import { Gallery, SIZES } from "./gallery";
-import { mainAngles } from "./geometry";
+import { mainAngles } from "../../common/geometry";
 import type { Query } from "./query";
 import { emptyQuery, find, labAt, read, write } from "./query";
 import { recordPage } from "./record";
-import { remembered, remember } from "./memory";
-import { themeButton } from "./theme";
+import { remembered, remember } from "../../common/memory";
+import { themeButton } from "../../common/theme";
 import { Toolbar } from "./toolbar";
 
 /** The usual angle of a library: 45 degrees from the mirror direction, else the middle one. */

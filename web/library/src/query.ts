@@ -1,7 +1,7 @@
 /** Which records the gallery shows and in which order; also as text, for the address of the page. */
 
-import type { Lab } from "./colour";
-import { chroma, deltaE2000, hue } from "./colour";
+import type { Lab } from "../../common/colour";
+import { chroma, deltaE2000, hue } from "../../common/colour";
 import type { Library, Paint } from "./data";
 
 /** Figures of a record that can be limited and sorted by. */

@@ -1,15 +1,15 @@
 /** The page of one record. */
 
-import type { Lab } from "./colour";
-import { chip, chroma, hue } from "./colour";
+import type { Lab } from "../../common/colour";
+import { chip, chroma, hue } from "../../common/colour";
 import { chips, groups, labLine, lampName, pictures } from "./chips";
 import { composition } from "./composition";
 import type { Details, Library, Paint } from "./data";
 import { folder } from "./data";
-import { angleName, h, number } from "./dom";
-import { byLamp } from "./geometry";
-import type { Curve } from "./plots";
-import { plot } from "./plots";
+import { angleName, h, number } from "../../common/dom";
+import { byLamp } from "../../common/geometry";
+import type { Curve } from "../../common/plots";
+import { plot } from "../../common/plots";
 
 /** Angles by lamp, as rows and curves go. */
 export function ordered(names: readonly string[]): number[] {

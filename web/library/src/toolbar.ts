@@ -1,9 +1,9 @@
 /** The line above the gallery: how many paints, nearest to which colour, in which order. */
 
-import type { Lab } from "./colour";
-import { chip } from "./colour";
+import type { Lab } from "../../common/colour";
+import { chip } from "../../common/colour";
 import type { Library } from "./data";
-import { angleName, h } from "./dom";
+import { angleName, h } from "../../common/dom";
 import type { Size } from "./gallery";
 import { SIZES, sortName } from "./gallery";
 import type { Found, Query, SortKey } from "./query";

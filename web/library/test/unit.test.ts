@@ -2,12 +2,12 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { Lab } from "../src/colour";
-import { chip, deltaE2000, deltaHue, hue } from "../src/colour";
+import type { Lab } from "../../common/colour";
+import { chip, deltaE2000, deltaHue, hue } from "../../common/colour";
 import type { Library, Paint } from "../src/data";
-import { byLamp, geometry, mainAngles, ramp } from "../src/geometry";
+import { byLamp, geometry, mainAngles, ramp } from "../../common/geometry";
 import { domainOf } from "../src/limits";
-import { apart, ticks } from "../src/plots";
+import { apart, ticks } from "../../common/plots";
 import { emptyQuery, find, read, within, write } from "../src/query";
 
 function close(value: number, wanted: number, tolerance: number): void {

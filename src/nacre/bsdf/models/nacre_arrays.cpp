@@ -77,12 +77,6 @@ void add_rough_interface(const Microflake::Tables& tables, NacreArrays& out) {
 
 NacreArrays arrays_of(const Microflake::Tables& tables) {
     const solver::SolvedPaint& paint = *tables.paint;
-    if (paint.recipe.orange_peel()) {
-        throw DomainError(
-            "clearcoat.orange_peel: these arrays describe a flat coat; only Nacre's own renderer "
-            "shows "
-            "its waves");
-    }
     NacreArrays out;
     out.wavelengths_nm = paint.wavelengths_nm();
     out.mean_ior = tables.mean_ior;
@@ -100,6 +94,23 @@ NacreArrays arrays_of(const Microflake::Tables& tables) {
     }
     out.albedo = tables.albedo;
     if (tables.rough) add_rough_interface(tables, out);
+    return out;
+}
+
+void require_flat_coat(const solver::SolvedPaint& paint) {
+    if (!paint.recipe.orange_peel()) return;
+    throw DomainError(
+        "clearcoat.orange_peel: these arrays describe a flat coat; only Nacre's own renderer shows "
+        "its waves");
+}
+
+NacreArrays::HotSpotArrays hot_spot_arrays(const HotSpotTables& tables) {
+    NacreArrays::HotSpotArrays out;
+    for (const HotSpotTables::Species& s : tables.species()) {
+        out.species.push_back({s.layer, s.diameter_um, s.coupling});
+    }
+    out.ground = tables.ground();
+    out.closing = tables.closing();
     return out;
 }
 
@@ -129,7 +140,15 @@ NacreArrays::Species species_arrays(const NacreSpecies& species, std::size_t wav
 }  // namespace
 
 NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint) {
+    require_flat_coat(*paint);
     return arrays_of(Microflake(paint).tables());
+}
+
+NacreArrays nacre_mean_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint) {
+    const Microflake::Tables tables(paint);
+    NacreArrays out = arrays_of(tables);
+    if (!tables.rough) out.hot_spot = hot_spot_arrays(HotSpotTables(*paint));
+    return out;
 }
 
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
@@ -143,17 +162,11 @@ NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint
                 species.waviness));
         }
     }
+    require_flat_coat(*paint);
     const Nacre surface(paint, settings, progress);
     const Nacre::Tables& tables = surface.tables();
     NacreArrays out = arrays_of(*tables.smooth);
-    if (tables.hot_spot) {
-        NacreArrays::HotSpotArrays& hot_spot = out.hot_spot.emplace();
-        for (const HotSpotTables::Species& s : tables.hot_spot->species()) {
-            hot_spot.species.push_back({s.layer, s.diameter_um, s.coupling});
-        }
-        hot_spot.ground = tables.hot_spot->ground();
-        hot_spot.closing = tables.hot_spot->closing();
-    }
+    if (tables.hot_spot) out.hot_spot = hot_spot_arrays(*tables.hot_spot);
     for (const NacreSpecies& species : tables.species) {
         out.species.push_back(species_arrays(species, out.wavelengths_nm.size()));
     }

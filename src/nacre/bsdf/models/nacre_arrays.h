@@ -86,6 +86,10 @@ struct NacreArrays {
 ///         recipe has an orange_peel, which the arrays do not hold
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
+/// The mean of `nacre` alone, for pictures that follow a slider, in a fraction of the time: without
+/// `probability`, `albedo` and `species`. Waves of the coat (orange_peel) are left out.
+/// @throws Error as HotSpotTables
+NacreArrays nacre_mean_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
 /// Without hot spot and species. @throws Error as Microflake's constructor; DomainError as above
 NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
 

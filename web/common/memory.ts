@@ -2,7 +2,7 @@
 
 export function remembered(key: string): string | null {
     try {
-        return localStorage.getItem(`nacre-library-${key}`);
+        return localStorage.getItem(`nacre-${key}`);
     } catch {
         return null;
     }
@@ -10,7 +10,7 @@ export function remembered(key: string): string | null {
 
 export function remember(key: string, value: string): void {
     try {
-        localStorage.setItem(`nacre-library-${key}`, value);
+        localStorage.setItem(`nacre-${key}`, value);
     } catch {
         // chosen for this visit only
     }

@@ -6,9 +6,12 @@ precision highp sampler3D;
 uniform sampler2D nacreTable;   // functions of a place in [0, 1] down the rows, 4 wavelengths a texel
 uniform sampler3D nacreSmooth;  // multiple scattering
 
+@STRUCTURE@
+@NUMBERS@
+
 vec4 nacreRow(int channel, int group, float place) {
-    float y = clamp(place, 0., 1.) * float(@ROWS@ - 1);
-    int low = min(int(y), @ROWS@ - 2), x = 4 * channel + group;
+    float y = clamp(place, 0., 1.) * float(NACRE_ROWS - 1);
+    int low = min(int(y), NACRE_ROWS - 2), x = 4 * channel + group;
     return mix(texelFetch(nacreTable, ivec2(x, low), 0), texelFetch(nacreTable, ivec2(x, low + 1), 0),
                y - float(low));
 }
@@ -29,8 +32,8 @@ vec3 nacreRefract(vec3 w, float ior) {
 
 NacrePair nacrePair(vec3 wi, vec3 wo) {
     NacrePair p;
-    p.i = nacreRefract(wi, @IOR@);
-    p.o = nacreRefract(wo, @IOR@);
+    p.i = nacreRefract(wi, nacreIor);
+    p.o = nacreRefract(wo, nacreIor);
     p.xi = length(wi.xy) / (1. + wi.z);
     p.xo = length(wo.xy) / (1. + wo.z);
     vec3 h = p.i + p.o;
@@ -50,8 +53,9 @@ vec4 nacreRate(int channel, int g, NacrePair p) {
     return nacreRow(channel, g, p.xi) / p.i.z + nacreRow(channel, g, p.xo) / p.o.z;
 }
 
-float nacreLobe(float alpha, NacrePair p) {
-    return exp(-min(p.slope2 / (alpha * alpha), 80.)) * p.sec2 * sqrt(p.sec2);
+/// flake: half its area per volume over 2 pi alpha^2, and alpha.
+float nacreLobe(vec2 flake, NacrePair p) {
+    return flake.x * exp(-min(p.slope2 / (flake.y * flake.y), 80.)) * p.sec2 * sqrt(p.sec2);
 }
 
 float nacreHenyeyGreenstein(float g, float turned) {
@@ -64,16 +68,13 @@ vec4 nacreEscape(vec4 x) {
     return mix(1. - x * (.5 - x / 6.), (1. - exp(-large)) / large, vec4(greaterThanEqual(x, vec4(1e-2))));
 }
 
-const vec4 NACRE_RED[4] = @RED@;
-const vec4 NACRE_GREEN[4] = @GREEN@;
-const vec4 NACRE_BLUE[4] = @BLUE@;
-const vec4 NACRE_DEPTH[4] = @DEPTH@;
-
 vec3 nacreRgb(vec4 x, int g) {
-    return vec3(dot(NACRE_RED[g], x), dot(NACRE_GREEN[g], x), dot(NACRE_BLUE[g], x));
+    return vec3(dot(nacreRed[g], x), dot(nacreGreen[g], x), dot(nacreBlue[g], x));
 }
 
+#if NACRE_GAPS
 // Of the hot spot of large flakes: light that came in through a gap finds it again on its way out.
+const float NACRE_FARTHEST = @FARTHEST@;  // optical depths, beyond which 6e-6 of the light comes from
 const int NACRE_NODES = @NODE_COUNT@;
 const vec2 NACRE_NODE[NACRE_NODES] = @NODES@;  // places in a layer, and weights
 
@@ -84,10 +85,15 @@ float nacreOverlap(float x) {
     return 2. / PI * (x * acos(x) - chord + chord * chord * chord / 3. + 2. / 3.);
 }
 
-float nacreShared(float far, float thickness, float perHeight) {
-    float near = max(far - thickness, 0.);
-    return (nacreOverlap(far * perHeight) - nacreOverlap(near * perHeight)) / perHeight;
+/// Length over which both rays are shared, up to `far` above the flake or ground and from `near` on.
+float nacreShared(float far, float near, float perHeight) {
+    float overlap = nacreOverlap(far * perHeight);
+    if (near > 0.) overlap -= nacreOverlap(near * perHeight);
+    return overlap / perHeight;
 }
+#endif
+
+float nacreLeast(vec4 x) { return min(min(x.x, x.y), min(x.z, x.w)); }
 
 struct NacreLight {
     vec3 once;     // met one flake or particle
@@ -98,14 +104,10 @@ struct NacreLight {
 /// Without what the interface turns away.
 NacreLight nacreLight(NacrePair p) {
     vec3 once = vec3(0.), ground = vec3(0.), rest = vec3(0.);
-    for (int g = 0; g < 4; ++g) {
-        vec4 depth = NACRE_DEPTH[g] * (1. / p.i.z + 1. / p.o.z), total = vec4(0.);
-        vec4 here, kernel, escape, closing;
-        float reach;
-        @LAYERS@
-        once += nacreRgb(total, g);
-        rest += nacreRgb(closing, g);
-    }
+    vec4 depth[4], here[4], kernel[4], escape[4], closing;
+    for (int g = 0; g < 4; ++g) depth[g] = nacreDepth[g] * (1. / p.i.z + 1. / p.o.z);
+    float reach;
+    @LAYERS@
     return NacreLight(once / (p.i.z * p.o.z), ground, rest);
 }
 
@@ -121,50 +123,57 @@ vec3 nacreMultiple(vec3 wi, vec3 wo, NacrePair p) {
 }
 
 float nacreFresnel(float cosine) {
-    float inside = sqrt(max(1. - (1. - cosine * cosine) / (@IOR@ * @IOR@), 0.));
-    float s = (cosine - @IOR@ * inside) / (cosine + @IOR@ * inside);
-    float p = (inside - @IOR@ * cosine) / (inside + @IOR@ * cosine);
+    float inside = sqrt(max(1. - (1. - cosine * cosine) / (nacreIor * nacreIor), 0.));
+    float s = (cosine - nacreIor * inside) / (cosine + nacreIor * inside);
+    float p = (inside - nacreIor * cosine) / (inside + nacreIor * cosine);
     return .5 * (s * s + p * p);
 }
 
-#if !@SMOOTH_COAT@
+#if !NACRE_SMOOTH_COAT
 vec3 nacreInterface(vec3 wi, vec3 wo, NacrePair p) {
     vec3 h = wi + wo;
-    float tan2 = dot(h.xy, h.xy) / (h.z * h.z), sec2 = 1. + tan2, a2 = @ROUGHNESS@ * @ROUGHNESS@;
+    float tan2 = dot(h.xy, h.xy) / (h.z * h.z), sec2 = 1. + tan2, a2 = nacreRoughness * nacreRoughness;
     float facets = exp(-min(tan2 / a2, 60.)) / (PI * a2) * sec2 * sec2;
-    float masking = nacreBoth(@MASKING@, 0, p).x;
+    float masking = nacreBoth(NACRE_MASKING, 0, p).x;
     vec3 masked = vec3(0.);
-    for (int g = 0; g < 4; ++g) masked += nacreRgb(nacreBoth(@MASKED@, g, p), g);
+    for (int g = 0; g < 4; ++g) masked += nacreRgb(nacreBoth(NACRE_MASKED, g, p), g);
     return masked + .25 * facets * masking * nacreFresnel(min(.5 * length(h), 1.));
 }
 #endif
 
-/// In 1/sr, linear Rec. 709, without the mirror image in a smooth coat: that is nacreFresnel().
-vec3 nacreBrdf(vec3 wi, vec3 wo) {
+/// In 1/sr, linear Rec. 709, without the mirror image in a smooth coat: that is nacreFresnel(). Colours
+/// outside the gamut have negative components.
+vec3 nacreColour(vec3 wi, vec3 wo) {
     NacrePair p = nacrePair(wi, wo);
     vec3 value = nacreMultiple(wi, wo, p) / (p.i.z + p.o.z);
-#if @SMOOTH_COAT@
+#if NACRE_SMOOTH_COAT
     NacreLight light = nacreLight(p);
     value = light.closing * value + light.ground + light.once;
-    value *= (1. - nacreFresnel(wi.z)) * (1. - nacreFresnel(wo.z)) / (@IOR@ * @IOR@);
+    value *= (1. - nacreFresnel(wi.z)) * (1. - nacreFresnel(wo.z)) / (nacreIor * nacreIor);
 #else
     value += nacreInterface(wi, wo, p);
 #endif
-    return max(value, 0.);
+    return value;
 }
 
+/// The same, clipped to the gamut.
+vec3 nacreBrdf(vec3 wi, vec3 wo) {
+    return max(nacreColour(wi, wo), 0.);
+}
+
+#if NACRE_ALBEDO >= 0
 /// Of the light from everywhere, the mirror image included.
 vec3 nacreAlbedo(float cosine) {
-    return nacreRow(@ALBEDO@, 0, sqrt(max(1. - cosine * cosine, 0.)) / (1. + cosine)).rgb;
+    return nacreRow(NACRE_ALBEDO, 0, sqrt(max(1. - cosine * cosine, 0.)) / (1. + cosine)).rgb;
 }
+#endif
 
-// Directions in which the surroundings are looked at: those of flakes, and evenly.
-const int NACRE_LOBES = @LOBE_COUNT@;
-const vec2 NACRE_LOBE[NACRE_LOBES] = @LOBES@;  // Beckmann's alpha, and the index of the medium
+// Directions in which the surroundings are looked at: those of flakes, and evenly. A lobe is Beckmann's
+// alpha, and the index of the medium; the first nacreLobeCount are there.
 
 /// Below the horizon where none leaves.
 vec3 nacreDraw(int lobe, vec3 wi, vec2 u) {
-    float alpha = NACRE_LOBE[lobe].x, ior = NACRE_LOBE[lobe].y;
+    float alpha = nacreLobes[lobe].x, ior = nacreLobes[lobe].y;
     float r = alpha * sqrt(-log(1. - u.x)), phi = 2. * PI * u.y;
     vec3 m = normalize(vec3(r * cos(phi), r * sin(phi), 1.)), i = nacreRefract(wi, ior);
     vec3 o = 2. * dot(i, m) * m - i;
@@ -175,7 +184,7 @@ vec3 nacreDraw(int lobe, vec3 wi, vec2 u) {
 
 /// Its density per solid angle.
 float nacreDensity(int lobe, vec3 wi, vec3 wo) {
-    float alpha = NACRE_LOBE[lobe].x, ior = NACRE_LOBE[lobe].y;
+    float alpha = nacreLobes[lobe].x, ior = nacreLobes[lobe].y;
     vec3 i = nacreRefract(wi, ior), o = nacreRefract(wo, ior), h = i + o;
     float slope2 = dot(h.xy, h.xy) / (h.z * h.z);
     float slopes = exp(-min(slope2 / (alpha * alpha), 80.)) / (PI * alpha * alpha);

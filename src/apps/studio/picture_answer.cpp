@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+
+#include "apps/studio/answers.h"
+#include "nacre/models/models.h"
+#include "nacre/render.h"
+
+// The path tracer's picture, which gets better while it is looked at.
+
+namespace nacre::studio {
+
+namespace {
+
+/// Samples a pixel after each picture that is sent: 1, 4, 16, ... and the last.
+constexpr int kGrowth = 4;
+
+std::string bytes_of(const std::vector<float>& rgb, bool linear) {
+    std::string bytes(rgb.size(), '\0');
+    std::ranges::transform(rgb, bytes.begin(), [](float light) {
+        return static_cast<char>(io::display_byte(light, 1));
+    });
+    if (linear) {
+        bytes.resize((bytes.size() + 3) / 4 * 4);
+        bytes.append(reinterpret_cast<const char*>(rgb.data()), rgb.size() * sizeof(float));
+    }
+    return bytes;
+}
+
+Frame picture_frame(const RenderRequest& request, const Context& context,
+                    const render::RenderResult& picture) {
+    const std::vector<int> shape = {request.height, request.width, 3};
+    Tree binary = Tree::array();
+    binary.push_back({{"name", "rgb"}, {"dtype", "u8"}, {"shape", shape}});
+    if (request.linear) {
+        binary.push_back({{"name", "linear"}, {"dtype", "f32"}, {"shape", shape}});
+    }
+    Tree json = {{"type", "picture"},          {"id", context.id},
+                 {"samples", picture.samples}, {"of", request.samples},
+                 {"width", request.width},     {"height", request.height},
+                 {"seconds", picture.seconds}, {"binary", std::move(binary)}};
+    json["noise"] = picture.noise ? Tree(*picture.noise) : Tree(nullptr);
+    return {dumped(json), bytes_of(picture.rgb, request.linear)};
+}
+
+}  // namespace
+
+Frames answer(const RenderRequest& request, const Context& context) {
+    const NamedPaint named = paint_of(request.recipe, context);
+    const Model model = request.model.empty() ? models::default_picture_model()
+                                              : models::named_model(request.model);
+    const Scene scene(scene_of(request.stage), {.slot = named.paint, .model = model},
+                      context.progress);
+    const RenderSettings settings{.width = request.width,
+                                  .height = request.height,
+                                  .samples_per_pixel = request.samples,
+                                  .noise = true};
+    // Each share has one sample a pixel; the sum of all is the picture of `nacre render`, bit for
+    // bit.
+    render::RenderSums sums(settings);
+    int next = 1;
+    for (int sample = 1; sample <= request.samples; ++sample) {
+        sums.add(scene.render_share(settings, {sample, request.samples}, context.progress).sums);
+        if (sample != next && sample != request.samples) continue;
+        next = sample * kGrowth;
+        Frame frame = picture_frame(request, context, render::develop(sums, settings));
+        if (sample == request.samples) return {std::move(frame)};
+        context.send("picture", {std::move(frame)});
+    }
+    throw Error("a picture without samples");
+}
+
+}  // namespace nacre::studio

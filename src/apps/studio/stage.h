@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/studio/recipe_tree.h"
+#include "nacre/core/error.h"
+#include "nacre/render/scene.h"
+
+// What a painted body stands in: a shape and a light, each by its name, as the page offers them. The
+// live picture and the path tracer's are made of the same meshes, cameras and lights.
+
+namespace nacre::studio {
+
+/// About the middle of the shape.
+struct OrbitCamera {
+    double azimuth_deg = -90;   ///< from +x to +y; -90 is in front
+    double elevation_deg = 10;  ///< kElevation
+    double distance_mm = 600;   ///< kDistance
+    double fov_deg = 11;        ///< vertical, kFieldOfView
+};
+inline constexpr Range kElevation{-89, 89, "deg"}, kDistance{1, 1e5, "mm"},
+    kFieldOfView{0.05, 120, "deg"}, kTurn{-3600, 3600, "deg"};
+
+struct Stage {
+    std::string shape = "ball";
+    std::string light = "studio";
+    std::optional<OrbitCamera> camera = {};  ///< none: that of the shape
+    double turn_deg = 0;                     ///< of the shape about the vertical, counterclockwise
+    double light_turn_deg = 0;               ///< of all lights
+    double specimen = 0;                     ///< which panel of the batch
+};
+
+std::vector<std::string> shape_names();
+std::vector<std::string> light_names();
+
+/// @throws InputError naming shape or light, and those that there are; DomainError naming a number
+///         out of range
+render::SceneDescription scene_of(const Stage& stage);
+
+/// For the schema: name, title, transform from the mesh to the world, camera and the light that
+/// suits it.
+Tree shapes_json();
+Tree lights_json();
+
+/// GET /api/shape/NAME: the triangles of a shape in its own coordinates (docs/studio-api.md).
+/// @throws InputError as scene_of()
+std::string shape_bytes(const std::string& name);
+
+/// GET /api/light/NAME: what shines from all directions as a picture, and the lights beside it.
+/// @param width  of the picture, kLightWidth; its height is half of that
+/// @throws InputError as scene_of(); DomainError if the width is out of range
+std::string light_bytes(const std::string& name, int width);
+inline constexpr Range kLightWidth{16, 4096, "pixels"};
+
+}  // namespace nacre::studio

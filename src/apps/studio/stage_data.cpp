@@ -1,0 +1,145 @@
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "apps/studio/stage.h"
+#include "nacre/core/angles.h"
+#include "nacre/render/emission.h"
+#include "nacre/render/environment.h"
+#include "nacre/render/lights.h"
+#include "nacre/render/mesh.h"
+#include "nacre/spectra/colour.h"
+
+// Shapes and lights as bytes for the live picture.
+
+namespace nacre::studio {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "what is sent is little-endian");
+
+template <class T>
+void append(std::string& bytes, const T* values, std::size_t count) {
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+void append(std::string& bytes, std::uint32_t value) { append(bytes, &value, 1); }
+
+/// A ball as fine as a picture of it can show; the path tracer's is exact. u runs along azimuth from
+/// +x, v from the lower pole up.
+render::Mesh ball_mesh(double radius_mm) {
+    constexpr int kColumns = 256, kRows = 128;
+    return render::mesh_of_surface(kColumns, kRows, [&](double u, double v) {
+        const Vec3f normal = render::direction_from_angles(360 * u, 180 * v - 90);
+        return render::SurfacePoint{static_cast<float>(radius_mm) * normal, normal};
+    });
+}
+
+struct MeshOf {
+    render::Mesh operator()(const render::Sphere& ball) const { return ball_mesh(ball.radius_mm); }
+    template <class Shape>
+    render::Mesh operator()(const Shape& shape) const {
+        return render::make_mesh(shape);
+    }
+};
+
+/// The colour of a light by its spectrum, as the path tracer's film has it: linear Rec. 709 by the
+/// eye of 2 deg between 400 and 700 nm, relative to D65 of luminance 1.
+Vec3d rgb_of_light(const spectra::Spectrum& radiance) {
+    const spectra::Spectrum d65 = render::unit_illuminant(spectra::Illuminant::D65);
+    const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    Vec3d light{}, of_white{};
+    for (double nm = render::kFilmFirst_nm; nm <= render::kFilmLast_nm; nm += 1) {
+        const Vec3d eye = spectra::colour_matching(spectra::Observer::cie1931_2deg, nm);
+        for (int c = 0; c < 3; ++c) {
+            light[c] += eye[c] * radiance(nm);
+            of_white[c] += eye[c] * d65(nm);
+        }
+    }
+    for (int c = 0; c < 3; ++c) light[c] *= white[c] / of_white[c];
+    return spectra::xyz_to_linear_rec709(light);
+}
+
+Tree json_of(Vec3f v) { return {v.x, v.y, v.z}; }
+Tree json_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+std::string shape_bytes(const std::string& name) {
+    const render::SceneDescription scene = scene_of({.shape = name});
+    const render::Mesh mesh = std::visit(MeshOf(), scene.shapes.at(0).geometry);
+    const auto vertices = static_cast<std::uint32_t>(mesh.positions_mm.size());
+    std::string bytes;
+    append(bytes, vertices);
+    append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (const auto* vectors : {&mesh.positions_mm, &mesh.normals}) {
+        for (const Vec3f& v : *vectors) {
+            const float xyz[] = {v.x, v.y, v.z};
+            append(bytes, xyz, 3);
+        }
+    }
+    for (std::uint32_t i = 0; i < vertices; ++i) {
+        const Vec2f at = mesh.uv.empty() ? Vec2f{} : mesh.uv[i];
+        const float uv[] = {at.x, at.y};
+        append(bytes, uv, 2);
+    }
+    for (const auto& triangle : mesh.triangles) append(bytes, triangle.data(), 3);
+    return bytes;
+}
+
+std::string light_bytes(const std::string& name, int width) {
+    require_in_range(width, kLightWidth.lo, kLightWidth.hi, "width in pixels");
+    const render::SceneDescription scene = scene_of({.light = name});
+    const int height = width / 2;
+    render::EmissionBasis basis;
+    const render::CompiledEnvironment environment =
+        render::compile_environment(*scene.environment, basis);
+    render::LightSet lights(scene.lights, std::nullopt, {0, 0, 0}, 100, basis);
+
+    // Light is linear in the spectra of the basis: with a colour in the place of each spectrum's
+    // samples, a look-up gives a colour.
+    std::vector<FloatLanes> colours;
+    std::vector<Vec3d> rgb;
+    for (int i = 0; i < basis.size(); ++i) {
+        rgb.push_back(rgb_of_light(basis[i]));
+        const Vec3d& colour = rgb.back();
+        colours.push_back(make_lanes(
+            [&](int lane) { return lane < 3 ? static_cast<float>(colour[lane]) : 0.0f; }));
+    }
+    Tree header = {{"name", name}, {"azimuth_deg", render::ImageEnvironment{}.azimuth_deg}};
+    header["sun"] = nullptr;
+    if (const auto& sun = environment.sun) {
+        header["sun"] = {{"direction", json_of(sun->direction)},
+                         {"rgb", json_of(static_cast<double>(sun->radiance) * rgb[sun->spectrum])},
+                         {"angular_radius_deg", render::kSunRadius_deg}};
+    }
+    header["rectangles"] = Tree::array();
+    for (const render::CompiledRectangle& light : lights.rectangles()) {
+        header["rectangles"].push_back(
+            {{"corner", json_of(light.corner_mm)},
+             {"edge_u", json_of(light.edge_u_mm)},
+             {"edge_v", json_of(light.edge_v_mm)},
+             {"normal", json_of(light.normal)},
+             {"rgb", json_of(static_cast<double>(light.radiance) * rgb[light.spectrum])}});
+    }
+    std::string text = header.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+
+    std::string bytes;
+    append(bytes, static_cast<std::uint32_t>(text.size()));
+    bytes += text;
+    append(bytes, static_cast<std::uint32_t>(width));
+    append(bytes, static_cast<std::uint32_t>(height));
+    const double first_deg = render::ImageEnvironment{}.azimuth_deg + 180;
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const Vec3f direction = render::direction_from_angles(
+                first_deg - 360 * (column + 0.5) / width, 90 - 180 * (row + 0.5) / height);
+            const FloatLanes light = environment.radiance->radiance(direction, colours.data());
+            const float values[] = {light[0], light[1], light[2]};
+            append(bytes, values, 3);
+        }
+    }
+    return bytes;
+}
+
+}  // namespace nacre::studio

@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "nacre/core/quadrature.h"
+#include "nacre/exchange/webgl_layout.h"
+
+namespace nacre::exchange {
+
+extern const char* const kWebglGlsl;  // webgl_shader.glsl
+
+namespace {
+
+/// A float of GLSL, which must not be an integer.
+std::string glsl_number(double x) { return fmt::format("{:.8e}", x); }
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+        text.replace(at, from.size(), to);
+    }
+}
+
+/// Adds lines to a text, indented as where it will stand.
+class Lines {
+ public:
+    template <class... Args>
+    void add(fmt::format_string<Args...> format, Args&&... args) {
+        if (!text_.empty()) text_ += "\n    ";
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    }
+    std::string text() && { return std::move(text_); }
+
+ private:
+    std::string text_;
+};
+
+/// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
+/// `u` of a layer's thickness, and returns ln of what they let through of the group g.
+std::string add_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
+                     const char* indent, Lines& lines) {
+    std::string gain;
+    for (std::size_t k = 0; k < layout.gaps.size(); ++k) {
+        const std::size_t own = layout.gaps[k].layer;
+        if (own > layer) break;
+        const std::string far = fmt::format(
+            "{0} * nacreLayer[{1}].x + nacreLayer[{1}].y - "
+            "nacreLayer[{2}].y",
+            u, layer, own);
+        const std::string near =
+            own < layer ? fmt::format("{} - nacreLayer[{}].x", far, own) : std::string("0.");
+        lines.add("{}float share{} = nacreShared({}, {}, p.spread / nacreGap[{}]);", indent, k, far,
+                  near, k);
+        gain += fmt::format("{}gap{}[g] * share{}", gain.empty() ? "" : " + ", k, k);
+    }
+    return gain.empty() ? "vec4(0.)" : gain;
+}
+
+void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& flakes,
+               std::size_t& pigments, Lines& lines) {
+    const WebglShader::Layout::Layer& layer = layout.layers[n];
+    lines.add("for (int g = 0; g < 4; ++g) {{");
+    lines.add("    here[g] = nacreLayer[{}].x * nacreRate({}, g, p); kernel[g] = vec4(0.);", n,
+              layer.extinction);
+    for (const auto& flake : layer.flakes) {
+        lines.add("    kernel[g] += nacreLobe(nacreFlake[{}], p) * nacreRow({}, g, p.cosine);",
+                  flakes++, flake.reflectance);
+    }
+    for (const auto& pigment : layer.pigments) {
+        const std::string phase =
+            pigment.phase
+                ? fmt::format("nacreRow({}, g, acos(clamp(-p.turned, -1., 1.)) / PI)",
+                              *pigment.phase)
+                : fmt::format("nacreHenyeyGreenstein(nacreAnisotropy[{}], p.turned)", pigments);
+        lines.add("    kernel[g] += {} * nacreScattering[{} + g];", phase, 4 * pigments++);
+    }
+    lines.add("    escape[g] = {};", layout.gaps.empty() ? "nacreEscape(here[g])" : "vec4(0.)");
+    lines.add("}}");
+    if (!layout.gaps.empty()) {
+        lines.add(
+            "reach = min(1., NACRE_FARTHEST / max(nacreLeast(min(min(here[0], here[1]), "
+            "min(here[2], here[3]))), 1e-20));");
+        lines.add("for (int k = 0; k < NACRE_NODES; ++k) {{");
+        lines.add("    float u = reach * NACRE_NODE[k].x, weight = reach * NACRE_NODE[k].y;");
+        const std::string gain = add_gain(layout, n, "u", "    ", lines);
+        lines.add("    for (int g = 0; g < 4; ++g) escape[g] += weight * exp({} - here[g] * u);",
+                  gain);
+        lines.add("}}");
+    }
+    lines.add("for (int g = 0; g < 4; ++g) {{");
+    lines.add("    once += nacreRgb(kernel[g] * exp(-depth[g]) * nacreLayer[{}].x * escape[g], g);",
+              n);
+    lines.add("    depth[g] += here[g];");
+    lines.add("}}");
+}
+
+/// The body of nacreLight().
+std::string layers_text(const WebglShader::Layout& layout) {
+    Lines lines;
+    for (std::size_t k = 0; k < layout.gaps.size(); ++k) {
+        lines.add("vec4 gap{0}[4]; for (int g = 0; g < 4; ++g) gap{0}[g] = nacreBoth({1}, g, p);",
+                  k, layout.gaps[k].coupling);
+    }
+    std::size_t flakes = 0, pigments = 0;
+    for (std::size_t n = 0; n < layout.layers.size(); ++n) {
+        add_layer(layout, n, flakes, pigments, lines);
+    }
+    if (!layout.closing) {
+        lines.add("rest = vec3(1.);");
+        return std::move(lines).text();
+    }
+    const std::string gain = add_gain(layout, layout.layers.size() - 1, "1.", "", lines);
+    lines.add("for (int g = 0; g < 4; ++g) {{");
+    lines.add("    closing = nacreBoth({}, g, p);", *layout.closing);
+    lines.add("    rest += nacreRgb(closing, g);");
+    lines.add("    ground += nacreRgb((exp({}) - closing) * nacreBoth({}, g, p), g);", gain,
+              *layout.ground);
+    lines.add("}}");
+    return std::move(lines).text();
+}
+
+}  // namespace
+
+std::vector<WebglNode> webgl_nodes() {
+    std::vector<WebglNode> nodes;
+    const Quadrature& rule = unit_gauss_legendre(10);
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+        const double s = rule.nodes[k];
+        nodes.push_back({s * s, 2 * s * rule.weights[k]});
+    }
+    return nodes;
+}
+
+std::string webgl_glsl(const WebglShader::Layout& layout, const std::string& numbers) {
+    std::string structure = fmt::format("#define NACRE_ROWS {}\n", kWebglRows);
+    const auto define = [&](const char* name, int value) {
+        structure += fmt::format("#define {} {}\n", name, value);
+    };
+    define("NACRE_SMOOTH_COAT", layout.roughness == 0);
+    define("NACRE_GAPS", !layout.gaps.empty());
+    define("NACRE_ALBEDO", layout.albedo.value_or(-1));
+    if (layout.masked) {
+        define("NACRE_MASKED", *layout.masked);
+        define("NACRE_MASKING", *layout.masking);
+    }
+    std::string nodes;
+    const std::vector<WebglNode> rule = webgl_nodes();
+    for (const WebglNode& node : rule) {
+        nodes += fmt::format("{}vec2({}, {})", nodes.empty() ? "" : ", ", glsl_number(node.place),
+                             glsl_number(node.weight));
+    }
+    std::string text = kWebglGlsl;
+    replace_all(text, "@STRUCTURE@\n", structure);
+    replace_all(text, "@NUMBERS@\n", numbers);
+    replace_all(text, "@FARTHEST@", glsl_number(kFarthestDepth));
+    replace_all(text, "@NODE_COUNT@", fmt::format("{}", rule.size()));
+    replace_all(text, "@NODES@", "vec2[](" + nodes + ")");
+    replace_all(text, "@LAYERS@", layers_text(layout));
+    return text;
+}
+
+std::string WebglShader::glsl_with_constants() const {
+    std::string numbers;
+    for (const WebglUniform& uniform : uniforms) {
+        const auto size = static_cast<std::size_t>(uniform.components);
+        const std::string type = size == 1 ? "float" : fmt::format("vec{}", size);
+        std::string elements;
+        for (std::size_t at = 0; at < uniform.values.size(); at += size) {
+            std::string one;
+            for (std::size_t c = at; c < at + size; ++c) {
+                one += (one.empty() ? "" : ", ") + glsl_number(uniform.values[c]);
+            }
+            elements += (elements.empty() ? "" : ", ") + (size == 1 ? one : type + "(" + one + ")");
+        }
+        numbers += uniform.array ? fmt::format("const {0} {1}[{2}] = {0}[]({3});\n", type,
+                                               uniform.name, uniform.values.size() / size, elements)
+                                 : fmt::format("const {} {} = {};\n", type, uniform.name, elements);
+    }
+    return webgl_glsl(*layout, numbers);
+}
+
+}  // namespace nacre::exchange

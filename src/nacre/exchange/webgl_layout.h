@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "nacre/exchange/webgl_shader.h"
+
+// What the files of the shader share: internal to this folder.
+
+namespace nacre::exchange {
+
+using Bands = std::array<float, kWebglBands>;
+
+/// A channel is a function of a place in [0, 1] at all bands: four texels beside each other in every row
+/// of the table.
+struct WebglShader::Layout {
+    struct Flake {
+        int reflectance;  ///< channel by the cosine on the flake
+        double scale;     ///< half the area per volume over 2 pi alpha^2, 1/um
+        double alpha;
+    };
+    struct Pigment {
+        double anisotropy;
+        Bands scattering_per_um;
+        std::optional<int> phase;  ///< channel by the angle; none: Henyey and Greenstein's
+    };
+    struct Layer {
+        double thickness_um, top_um;
+        int extinction;  ///< channel by tan(theta / 2), 1/um
+        std::vector<Flake> flakes;
+        std::vector<Pigment> pigments;
+    };
+    /// Of a species of flakes, through which light that came in finds its way out.
+    struct Gaps {
+        std::size_t layer;
+        double diameter_um;
+        int coupling;  ///< channel by tan(theta / 2)
+    };
+    double ior, roughness;
+    Bands clearcoat_depth;
+    std::array<Bands, 3> rgb;  ///< weights of the bands in red, green and blue
+    std::vector<Layer> layers;
+    std::vector<Gaps> gaps;
+    std::optional<int> ground;   ///< light from below that met no flake
+    std::optional<int> closing;  ///< of the other multiple scattering, so that none is lost
+    std::optional<int> albedo, masked, masking;
+    struct Lobe {
+        double alpha, ior;
+        friend auto operator<=>(const Lobe&, const Lobe&) = default;
+    };
+    std::vector<Lobe> lobes;  ///< from which directions are drawn, at most kMaxLobes
+    static constexpr int kMaxLobes = 5;
+};
+
+/// Over a layer's depth, densest at the top: u = s^2, du = 2 s ds of Gauss and Legendre's rule.
+struct WebglNode {
+    double place, weight;
+};
+std::vector<WebglNode> webgl_nodes();
+/// Optical depths, beyond which 6e-6 of the light comes from.
+inline constexpr double kFarthestDepth = 24;
+
+/// The text, with `numbers` where the uniforms are declared.
+std::string webgl_glsl(const WebglShader::Layout& layout, const std::string& numbers);
+
+}  // namespace nacre::exchange

@@ -1,0 +1,332 @@
+#include "nacre/exchange/webgl_shader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/core/error.h"
+#include "nacre/core/half.h"
+#include "nacre/core/sha256.h"
+#include "nacre/exchange/webgl_layout.h"
+#include "nacre/spectra/rgb.h"
+
+namespace nacre::exchange {
+
+namespace {
+
+/// The widest texture of every WebGL 2 (MAX_TEXTURE_SIZE).
+constexpr std::size_t kMaxTextureSize = 2048;
+
+/// Where n even places from 0 to 1 fall among m even ones: linear interpolation.
+struct EvenPlaces {
+    std::size_t low, high;
+    double part;
+
+    EvenPlaces(std::size_t k, std::size_t n, std::size_t m) {
+        const double at =
+            static_cast<double>(k) * static_cast<double>(m - 1) / static_cast<double>(n - 1);
+        low = std::min(static_cast<std::size_t>(at), m > 1 ? m - 2 : 0);
+        high = std::min(low + 1, m - 1);
+        part = at - static_cast<double>(low);
+    }
+};
+
+std::uint16_t checked_half(double value) {
+    const std::uint16_t bits = half_bits(static_cast<float>(value));
+    if (!is_finite_half(bits)) {
+        throw DomainError(fmt::format(
+            "paint: its value {:.4g} is beyond the half floats of textures, 65504", value));
+    }
+    return bits;
+}
+
+/// Fills the layout, and with it the table.
+class Tabulator {
+ public:
+    explicit Tabulator(const bsdf::NacreArrays& arrays) : arrays_(arrays) {
+        const std::vector<double>& nm = arrays.wavelengths_nm;
+        if (nm.size() < 2) {
+            throw DomainError(
+                fmt::format("wavelengths_nm: {}; a material in RGB needs two or more", nm.size()));
+        }
+        std::vector<double> bands_nm(kWebglBands);
+        for (int b = 0; b < kWebglBands; ++b) {
+            bands_nm[b] = nm.front() + (nm.back() - nm.front()) * b / (kWebglBands - 1);
+            const auto above = std::upper_bound(nm.begin() + 1, nm.end() - 1, bands_nm[b]);
+            Band& band = bands_[b];
+            band.low = static_cast<std::size_t>(above - nm.begin()) - 1;
+            band.part = (bands_nm[b] - nm[band.low]) / (nm[band.low + 1] - nm[band.low]);
+        }
+        const std::vector<Vec3d> weights = spectra::rec709_weights(bands_nm);
+        for (int b = 0; b < kWebglBands; ++b) {
+            for (int c = 0; c < 3; ++c) layout_.rgb[c][b] = static_cast<float>(weights[b][c]);
+        }
+        fill();
+    }
+
+    WebglShader::Layout layout() && { return std::move(layout_); }
+
+    WebglTexture table() const {
+        WebglTexture out{"nacreTable", {static_cast<int>(4 * channels_.size()), kWebglRows}, {}};
+        if (4 * channels_.size() > kMaxTextureSize) {
+            throw DomainError(
+                fmt::format("paint: its species need a texture {} wide; must be at most {}",
+                            4 * channels_.size(), kMaxTextureSize));
+        }
+        out.rgba.reserve(channels_.size() * kWebglRows * kWebglBands);
+        for (int row = 0; row < kWebglRows; ++row) {
+            for (const std::vector<double>& channel : channels_) {
+                for (int b = 0; b < kWebglBands; ++b) {
+                    out.rgba.push_back(checked_half(channel[row * kWebglBands + b]));
+                }
+            }
+        }
+        return out;
+    }
+
+ private:
+    struct Band {
+        std::size_t low;
+        double part;
+    };
+
+    template <class T>
+    double at_band(const T* values, int b) const {
+        const Band& band = bands_[b];
+        return values[band.low] * (1 - band.part) + values[band.low + 1] * band.part;
+    }
+    template <class T>
+    Bands at_bands(const std::vector<T>& values) const {
+        Bands out;
+        for (int b = 0; b < kWebglBands; ++b) {
+            out[b] = static_cast<float>(at_band(values.data(), b));
+        }
+        return out;
+    }
+
+    /// Of functions of an even place, (rows, kWebglBands).
+    int add(const std::vector<double>& values) {
+        const std::size_t rows = values.size() / kWebglBands;
+        std::vector<double>& channel = channels_.emplace_back();
+        channel.reserve(std::size_t{kWebglRows} * kWebglBands);
+        for (int row = 0; row < kWebglRows; ++row) {
+            const EvenPlaces at(row, kWebglRows, rows);
+            for (int b = 0; b < kWebglBands; ++b) {
+                channel.push_back(values[at.low * kWebglBands + b] * (1 - at.part) +
+                                  values[at.high * kWebglBands + b] * at.part);
+            }
+        }
+        return static_cast<int>(channels_.size()) - 1;
+    }
+    /// Of values (rows, W), each multiplied by factor(w).
+    template <class T, class Factor>
+    int add_spectra(const std::vector<T>& values, const Factor& factor) {
+        const std::size_t count = arrays_.wavelengths_nm.size();
+        std::vector<double> bands, row(count);
+        for (std::size_t first = 0; first < values.size(); first += count) {
+            for (std::size_t w = 0; w < count; ++w) row[w] = values[first + w] * factor(w);
+            for (int b = 0; b < kWebglBands; ++b) bands.push_back(at_band(row.data(), b));
+        }
+        return add(bands);
+    }
+    template <class T>
+    int add_spectra(const std::vector<T>& values) {
+        return add_spectra(values, [](std::size_t) { return 1.0; });
+    }
+
+    void fill() {
+        layout_.ior = arrays_.mean_ior;
+        layout_.roughness = arrays_.coat_roughness;
+        layout_.clearcoat_depth = at_bands(arrays_.clearcoat_depth);
+        double top_um = 0;
+        for (const bsdf::NacreArrays::Layer& from : arrays_.layers) {
+            layout_.layers.push_back(layer(from, top_um));
+            top_um += from.thickness_um;
+        }
+        if (arrays_.hot_spot) {
+            for (const auto& species : arrays_.hot_spot->species) {
+                layout_.gaps.push_back(
+                    {species.layer, species.diameter_um, add_spectra(species.coupling)});
+            }
+            const auto& [species, ground, closing] = *arrays_.hot_spot;
+            if (!closing.empty()) {
+                layout_.closing = add_spectra(closing);
+                // Black as well, so that a substrate's reflectance changes no text.
+                layout_.ground = ground.empty() ? add(std::vector<double>(kWebglBands, 0.0))
+                                                : add_spectra(ground);
+            }
+        }
+        if (!arrays_.albedo.empty()) layout_.albedo = add_albedo();
+        if (layout_.roughness > 0) {
+            layout_.masked = add_spectra(
+                arrays_.masked, [&](std::size_t w) { return std::sqrt(arrays_.diffuse_scale[w]); });
+            std::vector<double> masking;
+            for (const double value : arrays_.masking_over_cosine) {
+                masking.insert(masking.end(), kWebglBands, value);
+            }
+            layout_.masking = add(masking);
+        }
+        add_lobes();
+    }
+
+    WebglShader::Layout::Layer layer(const bsdf::NacreArrays::Layer& from, double top_um) {
+        WebglShader::Layout::Layer to{
+            from.thickness_um, top_um, add_spectra(from.extinction_per_um), {}, {}};
+        for (const bsdf::NacreArrays::Flake& flake : from.flakes) {
+            const double scale = 0.5 * flake.area_density_per_um /
+                                 (2 * std::numbers::pi * flake.alpha * flake.alpha);
+            to.flakes.push_back({add_spectra(flake.reflectance), scale, flake.alpha});
+        }
+        for (const bsdf::NacreArrays::Pigment& pigment : from.pigments) {
+            std::optional<int> phase;
+            if (!pigment.phase.empty()) phase = add_spectra(pigment.phase);
+            to.pigments.push_back({pigment.anisotropy, at_bands(pigment.scattering_per_um), phase});
+        }
+        return to;
+    }
+
+    int add_albedo() {
+        const std::vector<double>& nm = arrays_.wavelengths_nm;
+        const std::vector<Vec3d> weights = spectra::rec709_weights(nm);
+        std::vector<double> bands;
+        for (std::size_t first = 0; first < arrays_.albedo.size(); first += nm.size()) {
+            Vec3d rgb;
+            for (std::size_t w = 0; w < nm.size(); ++w) {
+                rgb += static_cast<double>(arrays_.albedo[first + w]) * weights[w];
+            }
+            for (int b = 0; b < kWebglBands; ++b) bands.push_back(b < 3 ? rgb[b] : 0);
+        }
+        return add(bands);
+    }
+
+    /// Those of flakes, evenly among their widths where there are many, and a rough coat's.
+    void add_lobes() {
+        std::vector<WebglShader::Layout::Lobe> all;
+        for (const auto& layer : layout_.layers) {
+            for (const auto& flake : layer.flakes) {
+                all.push_back({std::hypot(flake.alpha, 0.5 * layout_.roughness), layout_.ior});
+            }
+        }
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        const std::size_t count =
+            std::min<std::size_t>(all.size(), WebglShader::Layout::kMaxLobes - 1);
+        for (std::size_t k = 0; k < count; ++k) {
+            layout_.lobes.push_back(all[count > 1 ? k * (all.size() - 1) / (count - 1) : 0]);
+        }
+        if (layout_.roughness > 0) layout_.lobes.push_back({layout_.roughness, 1});
+        if (layout_.lobes.empty()) layout_.lobes.push_back({0.8, 1});
+    }
+
+    const bsdf::NacreArrays& arrays_;
+    std::array<Band, kWebglBands> bands_;
+    WebglShader::Layout layout_;
+    std::vector<std::vector<double>> channels_;  // [row][band]
+};
+
+WebglTexture smooth_texture(const bsdf::NacreArrays& arrays) {
+    const std::vector<Vec3d> weights = spectra::rec709_weights(arrays.wavelengths_nm);
+    const std::size_t rank = static_cast<std::size_t>(arrays.rank), count = weights.size();
+    std::vector<Vec3f> basis(rank);
+    for (std::size_t k = 0; k < rank; ++k) {
+        Vec3d rgb;
+        for (std::size_t w = 0; w < count; ++w) {
+            rgb += arrays.smooth_basis[k * count + w] * weights[w];
+        }
+        basis[k] = {static_cast<float>(rgb.x), static_cast<float>(rgb.y),
+                    static_cast<float>(rgb.z)};
+    }
+    WebglTexture out{"nacreSmooth", {arrays.grid.q, arrays.grid.b, arrays.grid.a}, {}};
+    out.rgba.reserve(4 * arrays.grid.cells());
+    const float* coefficient = arrays.smooth.data();
+    for (std::size_t cell = 0; cell < arrays.grid.cells(); ++cell, coefficient += rank) {
+        Vec3f rgb;
+        for (std::size_t k = 0; k < rank; ++k) rgb += coefficient[k] * basis[k];
+        for (int c = 0; c < 3; ++c) out.rgba.push_back(checked_half(rgb[c]));
+        out.rgba.push_back(0);
+    }
+    return out;
+}
+
+/// In the order in which they are declared, without empty arrays, which GLSL does not know.
+std::vector<WebglUniform> uniforms_of(const WebglShader::Layout& layout) {
+    const auto number = [](const char* name, double value) {
+        return WebglUniform{name, 1, false, {static_cast<float>(value)}};
+    };
+    const auto bands = [](const char* name, const Bands& values) {
+        return WebglUniform{name, 4, true, {values.begin(), values.end()}};
+    };
+    const auto add = [](WebglUniform& list, std::initializer_list<double> values) {
+        for (const double x : values) list.values.push_back(static_cast<float>(x));
+    };
+    WebglUniform layers{"nacreLayer", 2, true, {}};  // thickness and top, um
+    WebglUniform flakes{"nacreFlake", 2, true, {}};  // Flake::scale and alpha
+    WebglUniform anisotropy{"nacreAnisotropy", 1, true, {}};
+    WebglUniform scattering{"nacreScattering", 4, true, {}};
+    WebglUniform gaps{"nacreGap", 1, true, {}};  // diameter, um
+    WebglUniform lobes{"nacreLobes", 2, true, {}};
+    for (const auto& layer : layout.layers) {
+        add(layers, {layer.thickness_um, layer.top_um});
+        for (const auto& flake : layer.flakes) add(flakes, {flake.scale, flake.alpha});
+        for (const auto& pigment : layer.pigments) {
+            add(anisotropy, {pigment.anisotropy});
+            for (const float x : pigment.scattering_per_um) add(scattering, {x});
+        }
+    }
+    for (const auto& species : layout.gaps) add(gaps, {species.diameter_um});
+    for (std::size_t k = 0; k < WebglShader::Layout::kMaxLobes; ++k) {
+        const auto& lobe = layout.lobes[std::min(k, layout.lobes.size() - 1)];
+        add(lobes, {lobe.alpha, lobe.ior});
+    }
+    std::vector<WebglUniform> all = {
+        number("nacreIor", layout.ior),
+        number("nacreRoughness", layout.roughness),
+        bands("nacreRed", layout.rgb[0]),
+        bands("nacreGreen", layout.rgb[1]),
+        bands("nacreBlue", layout.rgb[2]),
+        bands("nacreDepth", layout.clearcoat_depth),
+        layers,
+        flakes,
+        anisotropy,
+        scattering,
+        gaps,
+        lobes,
+        number("nacreLobeCount", static_cast<double>(layout.lobes.size()))};
+    std::erase_if(all, [](const WebglUniform& u) { return u.values.empty(); });
+    return all;
+}
+
+std::string declarations(const std::vector<WebglUniform>& uniforms) {
+    std::string text;
+    for (const WebglUniform& u : uniforms) {
+        const auto size = static_cast<std::size_t>(u.components);
+        text +=
+            fmt::format("uniform {} {}", size == 1 ? "float" : fmt::format("vec{}", size), u.name);
+        if (u.array) text += fmt::format("[{}]", u.values.size() / size);
+        text += ";\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays) {
+    Tabulator tabulator(arrays);
+    WebglShader shader;
+    shader.textures = {tabulator.table(), smooth_texture(arrays)};
+    const auto layout = std::make_shared<const WebglShader::Layout>(std::move(tabulator).layout());
+    shader.layout = layout;
+    shader.uniforms = uniforms_of(*layout);
+    shader.glsl = webgl_glsl(*layout, declarations(shader.uniforms));
+    shader.program = sha256_hex(shader.glsl);
+    shader.smooth_coat = layout->roughness == 0;
+    return shader;
+}
+
+WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint) {
+    return make_webgl_shader(bsdf::nacre_mean_arrays(paint));
+}
+
+}  // namespace nacre::exchange

@@ -1,0 +1,401 @@
+/** A table of the recipe as a form: its numbers and choices, and the tables in it. */
+
+import type { ComponentChildren, VNode } from "preact";
+import { useState } from "preact/hooks";
+import { insertEntry, moveEntry, removeEntry, setValue } from "../edit";
+import type { KeyInfo, Schema, TableInfo } from "../schema";
+import { chosen, foreignKeys, labelOf, singular, tableInfo } from "../schema";
+import { newEntry, starter, switched } from "../starters";
+import type { Path, Table } from "../tree";
+import { get, isList, isTable, pathText } from "../tree";
+import { useStudio, useStudioState } from "../ui/context";
+import { Icon, IconButton } from "../ui/icons";
+import { Picker } from "../ui/picker";
+import { FaultText, useFaultIn } from "./fault";
+import { ValueRow } from "./rows";
+
+/** Beside a pigment that ships only its amount and a name may stand. */
+const BESIDE_PRESET = new Set([
+    "name",
+    "volume_fraction",
+    "mass_fraction",
+    "density_g_per_cm3",
+    "binder_density_g_per_cm3",
+]);
+
+/** Films are stated from the core outwards, and met from the outside inwards. */
+const REVERSED = new Set(["coats"]);
+
+/** Not shown as rows: a name is its section's title. */
+const IN_TITLE = "name";
+
+function offered(table: Table, info: TableInfo): KeyInfo[] {
+    const foreign = foreignKeys(table, info);
+    const preset = info.keys.some((key) => key.choices === "pigments" && key.key in table);
+    return info.keys.filter(
+        (key) =>
+            !(key.key in table) &&
+            !foreign.has(key.key) &&
+            key.key !== IN_TITLE &&
+            key.choices !== "pigments" &&
+            (!preset || BESIDE_PRESET.has(key.key)),
+    );
+}
+
+export function TableForm({ path }: { readonly path: Path }): VNode | null {
+    const schema = useStudioState((state) => state.schema);
+    const recipe = useStudioState((state) => state.document.recipe);
+    const table = get(recipe, path);
+    const info = schema === null ? undefined : tableInfo(schema, path);
+    const fault = useFaultIn(path);
+    if (schema === null || info === undefined || !isTable(table)) return null;
+    const rows: ComponentChildren[] = [];
+    const inner: ComponentChildren[] = [];
+    for (const key of info.keys) {
+        const value = table[key.key];
+        const at = [...path, key.key];
+        if (key.kind === "list") {
+            const shown = isList(value) || path.length === 0 || isListOfLayer(path, key.key);
+            if (shown && tableInfo(schema, [...at, 0]) !== undefined) {
+                if (!foreignKeys(table, info).has(key.key)) {
+                    inner.push(<ListForm key={key.key} path={at} />);
+                }
+            }
+        } else if (value === undefined || key.key === IN_TITLE) continue;
+        else if (key.kind === "table") {
+            if (isTable(value) && tableInfo(schema, at) !== undefined) {
+                inner.push(<SectionForm key={key.key} path={at} info={key} />);
+            }
+        } else rows.push(<ValueRow key={key.key} path={at} info={key} value={value} />);
+    }
+    return (
+        <>
+            <FaultText id={`fault-${pathText(path)}`} text={fault} />
+            {rows}
+            {inner}
+        </>
+    );
+}
+
+/** Layers offer flakes and pigments, and flakes with a core coats, even when they have none. */
+function isListOfLayer(path: Path, key: string): boolean {
+    return (path.length === 2 && path[0] === "layer") || key === "coats";
+}
+
+/** What a table could have besides, could say in another way, or could do without. */
+export function More({ path }: { readonly path: Path }): VNode | null {
+    const schema = useStudioState((state) => state.schema);
+    const recipe = useStudioState((state) => state.document.recipe);
+    const table = get(recipe, path);
+    const info = schema === null ? undefined : tableInfo(schema, path);
+    if (schema === null || info === undefined || !isTable(table)) return null;
+    return <MoreOf path={path} table={table} info={info} schema={schema} />;
+}
+
+function MoreOf(props: {
+    readonly path: Path;
+    readonly table: Table;
+    readonly info: TableInfo;
+    readonly schema: Schema;
+}): VNode | null {
+    const { path, table, info, schema } = props;
+    const studio = useStudio();
+    const known = (key: KeyInfo) =>
+        key.kind !== "table" || tableInfo(schema, [...path, key.key]) !== undefined;
+    const lists = (key: KeyInfo) =>
+        key.kind === "list" && (path.length === 0 || isListOfLayer(path, key.key));
+    const add = offered(table, info).filter((key) => known(key) && !lists(key));
+    const marks = new Set(
+        (info.alternatives ?? [])
+            .filter((g) => g.required)
+            .flatMap((g) => g.each.map((a) => a.mark)),
+    );
+    const remove = info.keys.filter(
+        (key) =>
+            key.key in table &&
+            !key.required &&
+            !marks.has(key.key) &&
+            key.key !== IN_TITLE &&
+            key.kind !== "list" &&
+            key.kind !== "table" &&
+            key.choices !== "pigments",
+    );
+    const foreign = foreignKeys(table, info);
+    const preset = info.keys.some((key) => key.choices === "pigments" && key.key in table);
+    const instead = preset
+        ? []
+        : (info.alternatives ?? []).flatMap((group, g) =>
+              group.each.flatMap(({ mark }, i) => {
+                  const now = chosen(table, group);
+                  const mine = group.each[now]?.mark ?? "";
+                  if (i === now || mark === "" || mine === "" || foreign.has(mine)) return [];
+                  return [{ g, i, text: `${labelOf(mark).label} in place of ${lower(mine)}` }];
+              }),
+          );
+    if (add.length + remove.length + instead.length === 0) return null;
+    const act = (value: string) => {
+        const [what, one, two] = value.split(":");
+        studio.edit((document) => {
+            if (what === "add") {
+                const key = info.keys.find((k) => k.key === one);
+                if (key === undefined) return document;
+                return setValue(document, [...path, key.key], starter(schema, path, key));
+            }
+            if (what === "remove") return setValue(document, [...path, one ?? ""], undefined);
+            const group = info.alternatives?.[Number(one)];
+            if (group === undefined) return document;
+            const changed = switched(schema, path, table, group, Number(two));
+            return setValue(document, path, changed);
+        });
+    };
+    return (
+        <select
+            class="more"
+            aria-label={`More of ${pathText(path) || "the paint"}`}
+            value=""
+            onChange={(event) => {
+                act(event.currentTarget.value);
+                event.currentTarget.value = "";
+            }}
+        >
+            <option value="">More</option>
+            {add.length > 0 && (
+                <optgroup label="Add">
+                    {add.map(({ key }) => (
+                        <option key={key} value={`add:${key}`}>
+                            {labelOf(key).label}
+                        </option>
+                    ))}
+                </optgroup>
+            )}
+            {instead.length > 0 && (
+                <optgroup label="Say otherwise">
+                    {instead.map(({ g, i, text }) => (
+                        <option key={text} value={`instead:${String(g)}:${String(i)}`}>
+                            {text}
+                        </option>
+                    ))}
+                </optgroup>
+            )}
+            {remove.length > 0 && (
+                <optgroup label="Leave out">
+                    {remove.map(({ key }) => (
+                        <option key={key} value={`remove:${key}`}>
+                            {labelOf(key).label}
+                        </option>
+                    ))}
+                </optgroup>
+            )}
+        </select>
+    );
+}
+
+function lower(key: string): string {
+    return labelOf(key).label.toLowerCase();
+}
+
+/** A heading that folds its section away, with buttons beside it. */
+function Folding(props: {
+    readonly path: Path;
+    readonly kind: string;
+    readonly title: VNode | string;
+    readonly label: string;
+    readonly tools: ComponentChildren;
+    readonly children: ComponentChildren;
+}): VNode {
+    const [open, setOpen] = useState(true);
+    return (
+        <section class={`part ${props.kind}`} aria-label={props.label}>
+            <header>
+                <button
+                    type="button"
+                    class="fold"
+                    aria-expanded={open}
+                    aria-label={`${open ? "Fold" : "Unfold"} ${props.label}`}
+                    onClick={() => {
+                        setOpen(!open);
+                    }}
+                >
+                    <Icon name={open ? "open" : "closed"} />
+                </button>
+                <h3>{props.title}</h3>
+                <span class="tools">
+                    <More path={props.path} />
+                    {props.tools}
+                </span>
+            </header>
+            {open && props.children}
+        </section>
+    );
+}
+
+/** A table that a paint has once, as the clearcoat. */
+function SectionForm({ path, info }: { readonly path: Path; readonly info: KeyInfo }): VNode {
+    const studio = useStudio();
+    const { label } = labelOf(info.key);
+    return (
+        <Folding
+            path={path}
+            kind={info.key}
+            title={label}
+            label={label}
+            tools={
+                !info.required && (
+                    <IconButton
+                        icon="remove"
+                        label={`Remove ${label}`}
+                        onClick={() => {
+                            studio.edit((document) => setValue(document, path, undefined));
+                        }}
+                    />
+                )
+            }
+        >
+            <TableForm path={path} />
+        </Folding>
+    );
+}
+
+function ListForm({ path }: { readonly path: Path }): VNode {
+    const recipe = useStudioState((state) => state.document.recipe);
+    const value = get(recipe, path);
+    const entries = isList(value) ? value : [];
+    const list = String(path.at(-1));
+    const order = [...entries.keys()];
+    if (REVERSED.has(list)) order.reverse();
+    const add = <AddEntry path={path} at={entries.length} />;
+    return (
+        <div class={`list ${list}`}>
+            {REVERSED.has(list) && add}
+            {order.map((i) => (
+                <EntryForm key={i} path={path} i={i} count={entries.length} />
+            ))}
+            {!REVERSED.has(list) && add}
+        </div>
+    );
+}
+
+const OWN_PIGMENT = "own coefficients";
+
+function AddEntry({ path, at }: { readonly path: Path; readonly at: number }): VNode | null {
+    const studio = useStudio();
+    const schema = useStudioState((state) => state.schema);
+    if (schema === null) return null;
+    const list = String(path.at(-1));
+    const kind = singular(list);
+    const insert = (entry = newEntry(schema, path)) => {
+        studio.edit((document) => insertEntry(document, path, at, entry));
+    };
+    if (list === "pigment") {
+        return (
+            <Picker
+                class="add"
+                label="Add a pigment"
+                text="+ Pigment"
+                chosen={null}
+                choices={[
+                    ...schema.pigments,
+                    { name: OWN_PIGMENT, summary: "scattering and absorption", rgb: null },
+                ]}
+                onChoose={(name) => {
+                    insert(
+                        name === OWN_PIGMENT
+                            ? { scattering_per_mm: 10, absorption_per_mm: 10 }
+                            : { from: name, volume_fraction: 0.05 },
+                    );
+                }}
+            />
+        );
+    }
+    return (
+        <button
+            type="button"
+            class="add"
+            onClick={() => {
+                insert();
+            }}
+        >
+            + {kind.charAt(0).toUpperCase() + kind.slice(1)}
+        </button>
+    );
+}
+
+function EntryForm(props: {
+    readonly path: Path;
+    readonly i: number;
+    readonly count: number;
+}): VNode | null {
+    const { path, i, count } = props;
+    const studio = useStudio();
+    const recipe = useStudioState((state) => state.document.recipe);
+    const schema = useStudioState((state) => state.schema);
+    const at = [...path, i];
+    const table = get(recipe, at);
+    const list = String(path.at(-1));
+    const kind = singular(list);
+    const number = list === "layer" && count === 1 ? "" : ` ${String(i + 1)}`;
+    const heading = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${number}`;
+    if (!isTable(table) || schema === null) return null;
+    const named = tableInfo(schema, at)?.keys.some(({ key }) => key === IN_TITLE) === true;
+    const name = typeof table.name === "string" ? table.name : "";
+    const label = name === "" ? heading : `${heading}, ${name}`;
+    const title = named ? (
+        <input
+            type="text"
+            class="name"
+            value={name}
+            placeholder={typeof table.from === "string" ? table.from : heading}
+            aria-label={`Name of ${heading.toLowerCase()}`}
+            onChange={(event) => {
+                const text = event.currentTarget.value;
+                studio.edit((document) =>
+                    setValue(document, [...at, IN_TITLE], text === "" ? undefined : text),
+                );
+            }}
+        />
+    ) : (
+        heading
+    );
+    // On the screen a list that is shown from its end goes the other way.
+    const up = REVERSED.has(list) ? 1 : -1;
+    const move = (by: -1 | 1, word: "up" | "down") => (
+        <IconButton
+            icon={word}
+            label={`Move ${label} ${word}`}
+            disabled={i + by < 0 || i + by >= count}
+            onClick={() => {
+                studio.edit((document) => moveEntry(document, path, i, by));
+            }}
+        />
+    );
+    return (
+        <Folding
+            path={at}
+            kind={list}
+            title={title}
+            label={label}
+            tools={
+                <>
+                    {count > 1 && move(up, "up")}
+                    {count > 1 && move(up === 1 ? -1 : 1, "down")}
+                    <IconButton
+                        icon="copy"
+                        label={`Duplicate ${label}`}
+                        onClick={() => {
+                            studio.edit((document) => insertEntry(document, path, i + 1, table));
+                        }}
+                    />
+                    <IconButton
+                        icon="remove"
+                        label={`Remove ${label}`}
+                        onClick={() => {
+                            studio.edit((document) => removeEntry(document, path, i));
+                        }}
+                    />
+                </>
+            }
+        >
+            <TableForm path={at} />
+        </Folding>
+    );
+}

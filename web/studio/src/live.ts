@@ -1,0 +1,126 @@
+/** The live picture: what the server sends, handed to the renderer. */
+
+import { fitted } from "./orbit";
+import type { Attachment, Message } from "./protocol";
+import { LiveView } from "./renderer/live_view";
+import type { Light, Mesh, PaintUniform } from "./renderer/paint";
+import { readLight, readMesh } from "./renderer/paint";
+import type { Schema } from "./schema";
+import type { Picture, View } from "./viewer";
+
+/** Texels around the horizon of what shines from all sides. */
+const LIGHT_WIDTH = 512;
+
+export class Live {
+    private readonly view: LiveView;
+    private readonly texts = new Map<string, string>();
+    private readonly meshes = new Map<string, Promise<Mesh>>();
+    private readonly lights = new Map<string, Promise<Light>>();
+    private shape = "";
+    private light = "";
+
+    /**
+     * @param bytes  what the server has at an address
+     * @throws Error where the browser cannot draw it
+     */
+    constructor(
+        private readonly canvas: HTMLCanvasElement,
+        private readonly schema: Schema,
+        private readonly bytes: (path: string) => Promise<ArrayBuffer>,
+        onChange: (samples: number) => void,
+        private readonly onFault: (message: string) => void,
+    ) {
+        this.view = new LiveView(canvas, {
+            onChange: ({ samples }) => {
+                onChange(samples);
+            },
+            onFault,
+        });
+    }
+
+    show(view: View, width: number, height: number): void {
+        const shape = this.schema.shapes.find(({ name }) => name === view.shape);
+        if (shape === undefined || width * height === 0) return;
+        if (this.shape !== view.shape) {
+            this.shape = view.shape;
+            const mesh = known(this.meshes, view.shape, () =>
+                this.bytes(`/api/shape/${encodeURIComponent(view.shape)}`).then(readMesh),
+            );
+            this.when(mesh, (ready) => {
+                if (this.shape === view.shape) this.view.setShape(ready, shape.transform);
+            });
+        }
+        if (this.light !== view.light) {
+            this.light = view.light;
+            const light = known(this.lights, view.light, () =>
+                this.bytes(
+                    `/api/light/${encodeURIComponent(view.light)}?width=${String(LIGHT_WIDTH)}`,
+                ).then(readLight),
+            );
+            this.when(light, (ready) => {
+                if (this.light === view.light) this.view.setLight(ready);
+            });
+        }
+        this.view.resize(width, height);
+        const camera = fitted(view.camera, width, height);
+        this.view.setCamera({ ...camera, target_mm: shape.camera.target_mm });
+        this.view.turn("shape", view.turn_deg);
+        this.view.turn("light", view.light_turn_deg);
+    }
+
+    /** A message `shader`. @return whether the paint can be drawn */
+    setPaint(message: Message, attachments: readonly Attachment[]): boolean {
+        if (message.problem !== undefined) return false;
+        const program = String(message.program);
+        if (typeof message.glsl === "string") this.texts.set(program, message.glsl);
+        const glsl = this.texts.get(program);
+        if (glsl === undefined) return false;
+        this.view.setPaint({
+            program,
+            glsl,
+            smoothCoat: message.smooth_coat === true,
+            uniforms: message.uniforms as readonly PaintUniform[],
+            textures: attachments.map(({ name, shape, data }) => ({
+                name,
+                size: shape.slice(0, -1).reverse(),
+                data: data as Uint16Array,
+            })),
+        });
+        return true;
+    }
+
+    pause(paused: boolean): void {
+        if (paused) this.view.pause();
+        else this.view.resume();
+    }
+
+    setGamutWarning(warn: boolean): void {
+        this.view.setGamutWarning(warn);
+    }
+
+    /** What is drawn now. */
+    snapshot(): Omit<Picture, "recipe" | "view"> | null {
+        const { width, height } = this.canvas;
+        const copy = document.createElement("canvas");
+        copy.width = width;
+        copy.height = height;
+        const context = copy.getContext("2d");
+        if (context === null) return null;
+        context.drawImage(this.canvas, 0, 0);
+        const pixels = context.getImageData(0, 0, width, height).data;
+        return { width, height, pixels, samples: 0, of: 0 };
+    }
+
+    private when<T>(promise: Promise<T>, then: (value: T) => void): void {
+        promise.then(then).catch((error: unknown) => {
+            this.onFault(error instanceof Error ? error.message : String(error));
+        });
+    }
+}
+
+function known<T>(all: Map<string, Promise<T>>, name: string, make: () => Promise<T>): Promise<T> {
+    const promise = all.get(name) ?? make();
+    all.set(name, promise);
+    promise.catch(() => all.delete(name)); // to be asked for again
+    return promise;
+}

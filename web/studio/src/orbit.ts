@@ -1,0 +1,51 @@
+/** Where a picture is taken from: angles about the middle of the shape, as the server takes them. */
+
+import type { ShapeInfo } from "./schema";
+
+export interface Orbit {
+    /** From +x to +y; -90 is in front. */
+    readonly azimuth_deg: number;
+    readonly elevation_deg: number;
+    readonly distance_mm: number;
+    readonly fov_deg: number;
+}
+
+const DEGREES = 180 / Math.PI;
+
+export function orbitOf(shape: ShapeInfo): Orbit {
+    const { position_mm, target_mm, fov_deg } = shape.camera;
+    const [x, y, z] = [0, 1, 2].map(
+        (i) => (position_mm[i] as number) - (target_mm[i] as number),
+    ) as [number, number, number];
+    const distance_mm = Math.hypot(x, y, z);
+    return {
+        azimuth_deg: Math.atan2(y, x) * DEGREES,
+        elevation_deg: Math.asin(z / distance_mm) * DEGREES,
+        distance_mm,
+        fov_deg,
+    };
+}
+
+/** With a field of view that shows upright pictures as much from side to side as others. */
+export function fitted(orbit: Orbit, width: number, height: number): Orbit {
+    if (width >= height) return orbit;
+    const half = Math.tan(orbit.fov_deg / 2 / DEGREES);
+    return { ...orbit, fov_deg: 2 * DEGREES * Math.atan((half * height) / width) };
+}
+
+const clamp = (value: number, low: number, high: number) => Math.min(Math.max(value, low), high);
+
+/** Turned by so many degrees and brought nearer by a factor. */
+export function turned(orbit: Orbit, up_deg: number, nearer = 1): Orbit {
+    return {
+        ...orbit,
+        elevation_deg: clamp(orbit.elevation_deg + up_deg, -85, 85),
+        distance_mm: clamp(orbit.distance_mm / nearer, 1, 1e5),
+    };
+}
+
+/** In (-180, 180]. */
+export function wrapped(degrees: number): number {
+    const turn = ((degrees % 360) + 360) % 360;
+    return turn > 180 ? turn - 360 : turn;
+}

@@ -1,0 +1,510 @@
+/**
+ * The live picture: a paint on a shape in a light, drawn by WebGL 2 from the paint's own numbers, better
+ * from frame to frame.
+ *
+ * It is the mean of the model: no single flakes, waves of the coat, shadows or light from one part of the
+ * shape to another.
+ */
+
+import { fill, Program, Target } from "./gl";
+import type { Light, Mesh, PaintShader, Transform } from "./paint";
+import {
+    DISPLAY,
+    EVERYWHERE,
+    MOST_RECTANGLES,
+    SHAPE_FRAGMENT,
+    SHAPE_VERTEX,
+    shading,
+} from "./passes";
+import type { Camera, Eye, Vec3 } from "./space";
+import { eyeOf, screenMatrix, shapeMatrix, turnedDirection, turnedPlace } from "./space";
+import { surroundings } from "./surroundings";
+
+export interface LiveState {
+    /** Of every pixel of the whole picture. */
+    readonly samples: number;
+    /** Whether a paint's program is still being compiled. */
+    readonly compiling: boolean;
+    /** The last frame's, from when it was begun until the graphics processor had drawn it. */
+    readonly frame_ms: number;
+    /** Linear size of the picture that follows a slider, over that of the whole one. */
+    readonly coarseness: number;
+}
+
+export interface LiveOptions {
+    readonly onChange?: (state: LiveState) => void;
+    /** The graphics processor was lost, or a paint's shader is refused. */
+    readonly onFault?: (message: string) => void;
+    /** Samples after which the picture is finished. */
+    readonly samples?: number;
+}
+
+interface Sums {
+    readonly target: Target;
+    shape: Target;
+    samples: number;
+    /** Rows that have the sample that is under way. */
+    rows: number;
+}
+
+/** As long as a frame may take without the page becoming slow. */
+const FRAME_MS = 30;
+const COARSE_SAMPLES = 24;
+/** From here on the whole picture is better than the coarse one. */
+const ENOUGH = 4;
+const MOST_COARSE = 8;
+const MOST_SAMPLES = 1024;
+
+/** Draws where WebGL 2 can draw into floats; else its constructor throws an Error that says what lacks. */
+export class LiveView {
+    private readonly gl: WebGL2RenderingContext;
+    private readonly sumFormat: GLenum;
+    private readonly mostSamples: number;
+    private readonly shapeProgram: Program;
+    private readonly displayProgram: Program;
+    private readonly programs = new Map<string, Program>();
+    private readonly arrays: WebGLVertexArrayObject;
+    private readonly nothing: WebGLVertexArrayObject;
+    private readonly buffers: readonly [WebGLBuffer, WebGLBuffer, WebGLBuffer];
+    private readonly lightTextures: readonly [WebGLTexture, WebGLTexture, WebGLTexture];
+    private readonly paintTextures = new Map<string, { texture: WebGLTexture; target: GLenum }>();
+
+    private indices = 0;
+    private transform: Transform | null = null;
+    private light: Light | null = null;
+    private camera: Camera | null = null;
+    private turn_deg = 0;
+    private lightTurn_deg = 0;
+    private paint: PaintShader | null = null;
+    /** Whose program is not compiled yet. */
+    private nextPaint: PaintShader | null = null;
+    private warn = false;
+
+    private whole: Sums | null = null;
+    private coarse: Sums | null = null;
+    private coarseness = 3;
+    /** Samples of pixels per millisecond. */
+    private speed = 2000;
+    private frame_ms = 0;
+    private underWay: { sync: WebGLSync; begun: number; work: number } | null = null;
+    private request = 0;
+    private dirty = false;
+    private stopped = false;
+    private lost = false;
+
+    constructor(
+        private readonly canvas: HTMLCanvasElement,
+        private readonly options: LiveOptions = {},
+    ) {
+        const gl = canvas.getContext("webgl2", {
+            alpha: false,
+            antialias: false,
+            depth: false,
+            preserveDrawingBuffer: true,
+        });
+        if (gl === null) throw new Error("this browser has no WebGL 2");
+        if (gl.getExtension("EXT_color_buffer_float") === null) {
+            throw new Error("this browser's WebGL 2 does not draw into floats");
+        }
+        this.gl = gl;
+        // Half floats count to 2048; their sums lose light before that.
+        const precise = gl.getExtension("EXT_float_blend") !== null;
+        this.sumFormat = precise ? gl.RGBA32F : gl.RGBA16F;
+        this.mostSamples = Math.min(options.samples ?? MOST_SAMPLES, precise ? 1e6 : 128);
+        this.shapeProgram = Program.begin(gl, SHAPE_VERTEX, SHAPE_FRAGMENT);
+        this.displayProgram = Program.begin(gl, EVERYWHERE, DISPLAY);
+        this.nothing = gl.createVertexArray();
+        this.arrays = gl.createVertexArray();
+        this.buffers = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
+        this.lightTextures = [gl.createTexture(), gl.createTexture(), gl.createTexture()];
+        canvas.addEventListener("webglcontextlost", this.onLost);
+    }
+
+    setShape(mesh: Mesh, transform: Transform): void {
+        const { gl } = this;
+        const [positions, normals, indices] = this.buffers;
+        gl.bindVertexArray(this.arrays);
+        for (const [at, buffer, data] of [
+            [0, positions, mesh.positions],
+            [1, normals, mesh.normals],
+        ] as const) {
+            gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+            gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+            gl.enableVertexAttribArray(at);
+            gl.vertexAttribPointer(at, 3, gl.FLOAT, false, 0, 0);
+        }
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, mesh.indices, gl.STATIC_DRAW);
+        gl.bindVertexArray(null);
+        this.indices = mesh.indices.length;
+        this.transform = transform;
+        this.restart();
+    }
+
+    setLight(light: Light): void {
+        if (light.rectangles.length > MOST_RECTANGLES) {
+            throw new Error(
+                `a light of ${String(light.rectangles.length)} rectangles: must be at most ${String(MOST_RECTANGLES)}`,
+            );
+        }
+        const { gl } = this;
+        const { width, height, picture, byColumn, byRow } = surroundings(light);
+        const [all, columns, rows] = this.lightTextures;
+        gl.activeTexture(gl.TEXTURE0);
+        fill(gl, all, "rgba16f", [width, height], picture, { linear: true, repeat: true });
+        fill(gl, columns, "r32f", [width, height], byColumn);
+        fill(gl, rows, "r32f", [height, 1], byRow);
+        this.light = light;
+        this.restart();
+    }
+
+    /** Its numbers are shown from the next frame on; a program that is new, when it is compiled. */
+    setPaint(paint: PaintShader): void {
+        if (!this.programs.has(paint.program)) {
+            this.programs.set(
+                paint.program,
+                Program.begin(this.gl, EVERYWHERE, shading(paint.glsl, paint.smoothCoat)),
+            );
+        }
+        this.nextPaint = paint;
+        this.schedule();
+    }
+
+    setCamera(camera: Camera): void {
+        this.camera = camera;
+        this.restart();
+    }
+
+    /** About the vertical through what the camera looks at, counterclockwise seen from above. */
+    turn(what: "shape" | "light", angle_deg: number): void {
+        if (what === "shape") this.turn_deg = angle_deg;
+        else this.lightTurn_deg = angle_deg;
+        this.restart();
+    }
+
+    /** Whether stripes mark the colours that the display cannot show. */
+    setGamutWarning(warn: boolean): void {
+        this.warn = warn;
+        this.dirty = true;
+        this.schedule();
+    }
+
+    /** Of the picture, in pixels of the screen. */
+    resize(width: number, height: number): void {
+        if (this.canvas.width === width && this.canvas.height === height && this.whole) return;
+        this.canvas.width = Math.max(1, width);
+        this.canvas.height = Math.max(1, height);
+        this.delete(this.whole);
+        this.whole = this.make(1);
+        this.delete(this.coarse);
+        this.coarse = null;
+        this.restart();
+    }
+
+    get state(): LiveState {
+        return {
+            samples: this.whole?.samples ?? 0,
+            compiling: this.nextPaint !== null,
+            frame_ms: this.frame_ms,
+            coarseness: this.coarseness,
+        };
+    }
+
+    /** The whole picture so far in linear Rec. 709, not clipped: RGBA, the bottom row first. */
+    pixels(): { width: number; height: number; data: Float32Array } {
+        const { gl, whole } = this;
+        if (!whole) throw new Error("the picture has no size yet");
+        const { width, height } = whole.target;
+        const data = new Float32Array(4 * width * height);
+        whole.target.bind();
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, data);
+        for (let i = 0; i < data.length; i += 4) {
+            const scale = 1 / Math.max(data[i + 3] as number, 1);
+            for (let c = 0; c < 4; ++c) data[i + c] = (data[i + c] as number) * scale;
+        }
+        return { width, height, data };
+    }
+
+    /** Draws nothing until resume(), as while another picture covers this one. */
+    pause(): void {
+        this.stopped = true;
+        cancelAnimationFrame(this.request);
+        this.request = 0;
+    }
+
+    resume(): void {
+        this.stopped = false;
+        this.dirty = true;
+        this.schedule();
+    }
+
+    dispose(): void {
+        this.pause();
+        this.canvas.removeEventListener("webglcontextlost", this.onLost);
+        this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+    }
+
+    private readonly onLost = (): void => {
+        this.lost = true;
+        this.options.onFault?.("the graphics processor was lost");
+    };
+
+    private restart(): void {
+        if (this.whole) this.whole.samples = this.whole.rows = 0;
+        if (this.coarse) this.coarse.samples = this.coarse.rows = 0;
+        this.dirty = true;
+        this.schedule();
+    }
+
+    private schedule(): void {
+        if (this.request !== 0 || this.stopped || this.lost) return;
+        this.request = requestAnimationFrame(() => {
+            this.request = 0;
+            try {
+                this.frame();
+            } catch (error) {
+                this.nextPaint = null;
+                this.options.onFault?.(error instanceof Error ? error.message : String(error));
+            }
+        });
+    }
+
+    private frame(): void {
+        const { gl } = this;
+        if (this.underWay !== null) {
+            const { sync, begun, work } = this.underWay;
+            if (gl.clientWaitSync(sync, 0, 0) === gl.TIMEOUT_EXPIRED) {
+                this.schedule();
+                return;
+            }
+            gl.deleteSync(sync);
+            this.underWay = null;
+            this.frame_ms = performance.now() - begun;
+            this.speed = Math.max(
+                0.5 * this.speed + (0.5 * work) / Math.max(this.frame_ms, 0.5),
+                1,
+            );
+        }
+        this.takePaint();
+        const begun = performance.now();
+        const work = this.draw();
+        if (work > 0 || this.dirty) {
+            this.display();
+            this.dirty = false;
+            this.options.onChange?.(this.state);
+        }
+        if (work > 0) {
+            const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+            if (sync !== null) this.underWay = { sync, begun, work };
+            gl.flush();
+            this.schedule();
+        } else if (this.nextPaint !== null) this.schedule();
+    }
+
+    /** Hands over the numbers of a paint whose program is there. */
+    private takePaint(): void {
+        const paint = this.nextPaint;
+        if (paint === null || this.programs.get(paint.program)?.ready() !== true) return;
+        const { gl } = this;
+        this.nextPaint = null;
+        this.paint = paint;
+        const program = (this.programs.get(paint.program) as Program).use();
+        for (const { name, components, array, values } of paint.uniforms) {
+            program.floats(array ? `${name}[0]` : name, components, values);
+        }
+        gl.activeTexture(gl.TEXTURE0);
+        for (const { name, size, data } of paint.textures) {
+            const target = size.length === 3 ? gl.TEXTURE_3D : gl.TEXTURE_2D;
+            const known = this.paintTextures.get(name) ?? { texture: gl.createTexture(), target };
+            this.paintTextures.set(name, known);
+            fill(gl, known.texture, "rgba16f", size, data, { linear: size.length === 3 });
+        }
+        if (this.whole) this.whole.samples = this.whole.rows = 0;
+        if (this.coarse) this.coarse.samples = this.coarse.rows = 0;
+        this.dirty = true;
+    }
+
+    /** As many samples as there is time for in a frame. @returns how many of one pixel */
+    private draw(): number {
+        const { whole } = this;
+        if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return 0;
+        if (!this.shapeProgram.ready() || !this.displayProgram.ready()) return 0;
+        const pixels = whole.target.width * whole.target.height;
+        const budget = FRAME_MS * this.speed;
+        // A picture that a frame can hold is never coarse.
+        if (pixels <= budget) return this.add(whole, Math.min(budget, 8 * pixels));
+        if (whole.samples === 0 && whole.rows === 0) {
+            whole.target.clear();
+            const wanted = Math.min(Math.ceil(Math.sqrt(pixels / budget)), MOST_COARSE);
+            const coarse = this.coarseOf(wanted);
+            if (coarse.samples === 0) return this.add(coarse, pixels / wanted ** 2);
+        }
+        const { coarse } = this;
+        if (
+            coarse &&
+            coarse.samples > 0 &&
+            coarse.samples < COARSE_SAMPLES &&
+            whole.samples === 0
+        ) {
+            return this.add(coarse, budget);
+        }
+        return this.add(whole, budget);
+    }
+
+    private coarseOf(coarseness: number): Sums {
+        // Coarser at once, finer only when it is worth it.
+        if (
+            this.coarse === null ||
+            coarseness > this.coarseness ||
+            coarseness < 0.7 * this.coarseness
+        ) {
+            this.coarseness = coarseness;
+            this.delete(this.coarse);
+            this.coarse = this.make(coarseness);
+        }
+        return this.coarse;
+    }
+
+    private make(coarseness: number): Sums {
+        const { gl } = this;
+        const width = Math.max(1, Math.ceil(this.canvas.width / coarseness));
+        const height = Math.max(1, Math.ceil(this.canvas.height / coarseness));
+        return {
+            target: new Target(gl, width, height, [this.sumFormat], false),
+            shape: new Target(gl, width, height, [gl.RGBA32F, gl.RGBA32F], true),
+            samples: 0,
+            rows: 0,
+        };
+    }
+
+    private delete(sums: Sums | null): void {
+        sums?.target.delete();
+        sums?.shape.delete();
+    }
+
+    private add(sums: Sums, budget: number): number {
+        const { width, height } = sums.target;
+        if (sums.samples === 0 && sums.rows === 0) sums.target.clear();
+        let work = 0;
+        while (work < 0.75 * budget && sums.samples < this.mostSamples) {
+            const rows = Math.max(
+                1,
+                Math.min(height - sums.rows, Math.round((budget - work) / width)),
+            );
+            const shift = shiftOf(sums.samples);
+            const eye = eyeOf(this.camera as Camera, this.canvas.width / this.canvas.height);
+            if (sums.rows === 0) this.drawShape(sums.shape, eye, shift);
+            this.shade(sums, eye, shift, rows);
+            work += rows * width;
+            sums.rows += rows;
+            if (sums.rows >= height) {
+                sums.rows = 0;
+                ++sums.samples;
+            }
+        }
+        return work;
+    }
+
+    private drawShape(target: Target, eye: Eye, shift: readonly [number, number]): void {
+        const { gl } = this;
+        const camera = this.camera as Camera;
+        target.clear();
+        const program = this.shapeProgram.use();
+        const transform = this.transform as Transform;
+        program.matrix("toWorld", shapeMatrix(transform, this.turn_deg, camera.target_mm));
+        const moved = [(-2 * shift[0]) / target.width, (-2 * shift[1]) / target.height] as const;
+        program.matrix("toScreen", screenMatrix(eye, camera.distance_mm, moved));
+        gl.disable(gl.BLEND);
+        gl.enable(gl.DEPTH_TEST);
+        gl.bindVertexArray(this.arrays);
+        gl.drawElements(gl.TRIANGLES, this.indices, gl.UNSIGNED_INT, 0);
+        gl.bindVertexArray(this.nothing);
+        gl.disable(gl.DEPTH_TEST);
+    }
+
+    private shade(sums: Sums, eye: Eye, shift: readonly [number, number], rows: number): void {
+        const { gl } = this;
+        const { target, shape } = sums;
+        const paint = this.paint as PaintShader;
+        const program = (this.programs.get(paint.program) as Program).use();
+        let unit = 0;
+        const texture = (name: string, made: WebGLTexture, kind: GLenum = gl.TEXTURE_2D) => {
+            gl.activeTexture(gl.TEXTURE0 + unit);
+            gl.bindTexture(kind, made);
+            program.int(name, unit++);
+        };
+        for (const [name, { texture: made, target: kind }] of this.paintTextures) {
+            texture(name, made, kind);
+        }
+        const names = ["surroundings", "byColumn", "byRow"];
+        names.forEach((name, k) => {
+            texture(name, this.lightTextures[k] as WebGLTexture);
+        });
+        texture("placeAt", shape.textures[0] as WebGLTexture);
+        texture("facingAt", shape.textures[1] as WebGLTexture);
+        this.setLightOf(program);
+        program.floats("eye", 3, eye.place);
+        program.floats("ahead", 3, eye.ahead);
+        program.floats("across", 3, eye.across);
+        program.floats("upwards", 3, eye.upwards);
+        program.floats("size", 2, [target.width, target.height]);
+        program.floats("shift", 2, shift);
+        gl.uniform1ui(program.at("sampleIndex"), sums.samples);
+        target.bind();
+        gl.enable(gl.SCISSOR_TEST);
+        gl.scissor(0, sums.rows, target.width, rows);
+        gl.enable(gl.BLEND);
+        gl.blendFunc(gl.ONE, gl.ONE);
+        gl.bindVertexArray(this.nothing);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.disable(gl.BLEND);
+        gl.disable(gl.SCISSOR_TEST);
+    }
+
+    private setLightOf(program: Program): void {
+        const { sun, rectangles, azimuth_deg } = this.light as Light;
+        const pivot = (this.camera as Camera).target_mm;
+        const turn = this.lightTurn_deg;
+        const radians = Math.PI / 180;
+        program.floats("azimuth", 1, [(azimuth_deg + turn) * radians]);
+        const towards = sun ? turnedDirection(sun.direction, turn) : ([0, 0, 1] as const);
+        const radius = sun ? Math.cos(sun.angular_radius_deg * radians) : 2;
+        program.floats("sun", 4, [...towards, radius]);
+        program.floats("sunRadiance", 3, sun?.rgb ?? [0, 0, 0]);
+        program.int("rectangleCount", rectangles.length);
+        if (rectangles.length === 0) return;
+        const list = (name: string, of: (k: Light["rectangles"][number]) => Vec3) => {
+            program.floats(`${name}[0]`, 3, rectangles.flatMap(of));
+        };
+        list("corner", (r) => turnedPlace(r.corner, turn, pivot));
+        list("edgeU", (r) => turnedDirection(r.edge_u, turn));
+        list("edgeV", (r) => turnedDirection(r.edge_v, turn));
+        list("rectangleNormal", (r) => turnedDirection(r.normal, turn));
+        list("rectangleRadiance", (r) => r.rgb);
+    }
+
+    private display(): void {
+        const { gl, whole } = this;
+        if (!whole || !this.displayProgram.ready()) return;
+        const program = this.displayProgram.use();
+        const sums = [whole, this.coarse ?? whole];
+        ["whole", "coarse"].forEach((name, unit) => {
+            gl.activeTexture(gl.TEXTURE0 + unit);
+            gl.bindTexture(gl.TEXTURE_2D, (sums[unit] as Sums).target.textures[0] as WebGLTexture);
+            program.int(name, unit);
+        });
+        const hasCoarse = (this.coarse?.samples ?? 0) > 0;
+        program.floats("size", 2, [this.canvas.width, this.canvas.height]);
+        program.floats("enough", 1, [hasCoarse ? ENOUGH : 0]);
+        program.int("warn", this.warn ? 1 : 0);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+        gl.bindVertexArray(this.nothing);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+    }
+}
+
+/** Where in its pixel a sample lies, in (-1/2, 1/2): points that fill the square evenly. */
+function shiftOf(sample: number): readonly [number, number] {
+    return [((sample * 0.7548776662 + 0.5) % 1) - 0.5, ((sample * 0.569840291 + 0.5) % 1) - 0.5];
+}

@@ -1,0 +1,265 @@
+/** The shaders of the live picture; that of the paint comes from the server. */
+
+export const MOST_RECTANGLES = 4;
+
+const HEAD = `
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+#define PI 3.141592653589793
+`;
+
+/** A triangle that covers everything. */
+export const EVERYWHERE = `
+void main() {
+    gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.);
+}`;
+
+/** Where the shape is seen: places and normals in the world. */
+export const SHAPE_VERTEX = `
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+uniform mat4 toWorld;
+uniform mat4 toScreen;
+out vec3 place;
+out vec3 facing;
+void main() {
+    vec4 world = toWorld * vec4(position, 1.);
+    place = world.xyz;
+    facing = mat3(toWorld) * normal;
+    gl_Position = toScreen * world;
+}`;
+
+export const SHAPE_FRAGMENT = `${HEAD}
+in vec3 place;
+in vec3 facing;
+layout(location = 0) out vec4 placeAt;
+layout(location = 1) out vec4 facingAt;
+void main() {
+    placeAt = vec4(place, 1.);
+    facingAt = vec4(normalize(facing), 0.);
+}`;
+
+/**
+ * One more sample of each pixel, added to those before. Light is looked for in directions that are drawn
+ * from the surroundings, from rectangles and from the lobes of the paint, weighted by the balance of
+ * their densities [veach-guibas-1995]; the sun, narrower than any lobe, by itself.
+ */
+export function shading(paint: string, smoothCoat: boolean): string {
+    return `${HEAD}
+${paint}
+uniform sampler2D placeAt;
+uniform sampler2D facingAt;
+uniform sampler2D surroundings;
+uniform sampler2D byColumn;
+uniform sampler2D byRow;
+uniform float azimuth;           // of the middle of the surroundings
+uniform vec4 sun;                // towards it, and the cosine of its radius; 2: there is none
+uniform vec3 sunRadiance;
+uniform int rectangleCount;
+uniform vec3 corner[${String(MOST_RECTANGLES)}];
+uniform vec3 edgeU[${String(MOST_RECTANGLES)}];
+uniform vec3 edgeV[${String(MOST_RECTANGLES)}];
+uniform vec3 rectangleNormal[${String(MOST_RECTANGLES)}];
+uniform vec3 rectangleRadiance[${String(MOST_RECTANGLES)}];
+uniform vec3 eye;
+uniform vec3 ahead;              // to the middle of the picture, and half its width and height
+uniform vec3 across;
+uniform vec3 upwards;
+uniform vec2 size;
+uniform vec2 shift;              // of this sample within its pixel
+uniform uint sampleIndex;
+out vec4 light;
+
+uint mixBits(uint x) {
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+uint pixelBits;
+/// Numbers in [0, 1) that fill the square evenly from sample to sample, shifted by pixel.
+vec2 evenly(uint which) {
+    uint a = mixBits(pixelBits + which * 0x9e3779b9u), b = mixBits(a);
+    return vec2((uvec2(a, b) + sampleIndex * uvec2(3242174889u, 2447445413u)) >> 8) * 0x1p-24_;
+}
+float evenlyOne(uint which) {
+    return float((mixBits(pixelBits ^ (which * 0x85ebca6bu)) + sampleIndex * 2654435769u) >> 8) * 0x1p-24_;
+}
+
+vec2 placeOf(vec3 w) {
+    float u = (azimuth - atan(w.y, w.x)) / (2. * PI) + .5;
+    return vec2(u - floor(u), acos(clamp(w.z, -1., 1.)) / PI);
+}
+vec3 fromAfar(vec3 w) { return textureLod(surroundings, placeOf(w), 0.).rgb; }
+
+float columnAt(int x, int y) { return x < 0 ? 0. : texelFetch(byColumn, ivec2(x, y), 0).r; }
+float rowAt(int y) { return y < 0 ? 0. : texelFetch(byRow, ivec2(y, 0), 0).r; }
+/// Density per solid angle of drawFromAfar() in a texel.
+float densityOf(ivec2 texel, ivec2 texels) {
+    float top = PI * float(texel.y) / float(texels.y), bottom = PI * float(texel.y + 1) / float(texels.y);
+    float solidAngle = 2. * PI / float(texels.x) * (cos(top) - cos(bottom));
+    return (columnAt(texel.x, texel.y) - columnAt(texel.x - 1, texel.y)) *
+           (rowAt(texel.y) - rowAt(texel.y - 1)) / solidAngle;
+}
+float densityFromAfar(vec3 w) {
+    ivec2 texels = textureSize(byColumn, 0);
+    return densityOf(min(ivec2(placeOf(w) * vec2(texels)), texels - 1), texels);
+}
+vec3 drawFromAfar(vec2 u) {
+    ivec2 texels = textureSize(byColumn, 0);
+    int y = 0;
+    for (int low = 0, high = texels.y - 1; low < high; y = low) {
+        int middle = (low + high) / 2;
+        if (rowAt(middle) > u.y) high = middle; else low = middle + 1;
+    }
+    int x = 0;
+    for (int low = 0, high = texels.x - 1; low < high; x = low) {
+        int middle = (low + high) / 2;
+        if (columnAt(middle, y) > u.x) high = middle; else low = middle + 1;
+    }
+    float left = columnAt(x - 1, y), above = rowAt(y - 1);
+    vec2 part = clamp(vec2((u.x - left) / max(columnAt(x, y) - left, 1e-20),
+                           (u.y - above) / max(rowAt(y) - above, 1e-20)), 0., 1.);
+    float top = cos(PI * float(y) / float(texels.y)), bottom = cos(PI * float(y + 1) / float(texels.y));
+    float z = mix(top, bottom, part.y), r = sqrt(max(1. - z * z, 0.));
+    float turn = azimuth - 2. * PI * ((float(x) + part.x) / float(texels.x) - .5);
+    return vec3(r * cos(turn), r * sin(turn), z);
+}
+
+/// How far a rectangle is, in units of w; negative: w misses it.
+float distanceTo(int k, vec3 place, vec3 w) {
+    float facing = dot(rectangleNormal[k], w);
+    if (abs(facing) < 1e-6) return -1.;
+    float far = dot(rectangleNormal[k], corner[k] - place) / facing;
+    vec3 at = place + far * w - corner[k];
+    float u = dot(at, edgeU[k]) / dot(edgeU[k], edgeU[k]), v = dot(at, edgeV[k]) / dot(edgeV[k], edgeV[k]);
+    return far > 0. && u >= 0. && u <= 1. && v >= 0. && v <= 1. ? far : -1.;
+}
+/// Radiance from w; density: per solid angle of drawing it from a rectangle that it meets.
+vec3 radianceFrom(vec3 place, vec3 w, out float density) {
+    float nearest = 1e30;
+    int met = -1;
+    for (int k = 0; k < rectangleCount; ++k) {
+        float far = distanceTo(k, place, w);
+        if (far > 0. && far < nearest) { nearest = far; met = k; }
+    }
+    density = 0.;
+    if (met < 0) return fromAfar(w);
+    float facing = -dot(rectangleNormal[met], w);
+    if (facing <= 0.) return vec3(0.);
+    density = nearest * nearest / (facing * length(cross(edgeU[met], edgeV[met])));
+    return rectangleRadiance[met];
+}
+
+const float EVEN = .3;  // the part of the paint's directions that are drawn evenly
+float densityOfPaint(vec3 wi, vec3 wo) {
+    float sum = 0.;
+    int count = int(nacreLobeCount);
+    for (int k = 0; k < count; ++k) sum += nacreDensity(k, wi, wo);
+    return EVEN * wo.z / PI + (1. - EVEN) / float(count) * sum;
+}
+
+vec3 shaded(vec3 place, vec3 n, vec3 view) {
+    vec3 t = normalize(abs(n.x) < .9 ? cross(n, vec3(1., 0., 0.)) : cross(n, vec3(0., 1., 0.)));
+    mat3 toWorld = mat3(t, cross(n, t), n);
+    vec3 wi = view * toWorld;
+    wi = normalize(vec3(wi.xy, max(wi.z, 1e-3)));
+    vec3 sum = vec3(0.);
+    // Directions from the paint, from afar and from each rectangle.
+    for (int way = 0; way < 2 + rectangleCount; ++way) {
+        vec2 u = evenly(uint(way));
+        vec3 w, wo;
+        if (way == 0) {
+            float which = evenlyOne(7u);
+            float r = sqrt(u.x), phi = 2. * PI * u.y;
+            if (which < EVEN) wo = vec3(r * cos(phi), r * sin(phi), sqrt(1. - u.x));
+            else wo = nacreDraw(min(int((which - EVEN) / (1. - EVEN) * nacreLobeCount), int(nacreLobeCount) - 1), wi, u);
+            w = toWorld * wo;
+        } else if (way == 1) {
+            w = drawFromAfar(u);
+            wo = w * toWorld;
+        } else {
+            vec3 at = corner[way - 2] + u.x * edgeU[way - 2] + u.y * edgeV[way - 2];
+            w = normalize(at - place);
+            wo = w * toWorld;
+        }
+        if (wo.z <= 1e-4) continue;
+        float density;
+        vec3 radiance = radianceFrom(place, w, density);
+        if (max(radiance.r, max(radiance.g, radiance.b)) <= 0.) continue;
+        density += densityFromAfar(w) + densityOfPaint(wi, wo);
+        sum += nacreColour(wi, wo) * radiance * (wo.z / density);
+    }
+    if (sun.w < 1.5) {
+        vec2 u = evenly(6u);
+        float z = 1. - u.x * (1. - sun.w), r = sqrt(max(1. - z * z, 0.)), phi = 2. * PI * u.y;
+        vec3 s = normalize(abs(sun.x) < .9 ? cross(sun.xyz, vec3(1., 0., 0.)) : cross(sun.xyz, vec3(0., 1., 0.)));
+        vec3 w = r * cos(phi) * s + r * sin(phi) * cross(sun.xyz, s) + z * sun.xyz;
+        vec3 wo = w * toWorld;
+        if (wo.z > 1e-4) sum += nacreColour(wi, wo) * sunRadiance * (2. * PI * (1. - sun.w) * wo.z);
+    }
+#if ${smoothCoat ? "1" : "0"}
+    vec3 mirrored = toWorld * vec3(-wi.xy, wi.z);
+    float ignored;
+    vec3 image = radianceFrom(place, mirrored, ignored);
+    if (dot(mirrored, sun.xyz) > sun.w) image += sunRadiance;
+    sum += nacreFresnel(wi.z) * image;
+#endif
+    return sum;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    pixelBits = mixBits(uint(pixel.x) + mixBits(uint(pixel.y)));
+    vec4 place = texelFetch(placeAt, pixel, 0);
+    vec3 value;
+    if (place.w == 0.) {
+        vec2 at = (gl_FragCoord.xy + shift) / size * 2. - 1.;
+        float ignored;
+        value = radianceFrom(eye, normalize(ahead + at.x * across + at.y * upwards), ignored);
+    } else {
+        vec3 view = normalize(eye - place.xyz), n = texelFetch(facingAt, pixel, 0).xyz;
+        value = shaded(place.xyz, dot(n, view) < -.1 ? -n : n, view);
+    }
+    // What is not finite would stay for good.
+    light = vec4(dot(value, value) < 1e12 ? value : vec3(0.), 1.);
+}`.replaceAll("0x1p-24_", "5.9604644775390625e-8");
+}
+
+/**
+ * To the screen, as the program writes PNGs: clipped, sRGB. Where the whole picture has few samples yet,
+ * the coarse one is seen.
+ */
+export const DISPLAY = `${HEAD}
+uniform sampler2D whole;
+uniform sampler2D coarse;
+uniform vec2 size;
+uniform float enough;   // samples
+uniform bool warn;      // of colours outside the gamut
+out vec4 seen;
+
+vec4 mean(vec4 sum) { return sum.a > 0. ? vec4(sum.rgb / sum.a, 1.) : vec4(0.); }
+
+void main() {
+    vec4 value = texelFetch(whole, ivec2(gl_FragCoord.xy), 0);
+    if (value.a < enough) {
+        ivec2 last = textureSize(coarse, 0) - 1;
+        vec2 at = gl_FragCoord.xy / size * vec2(last + 1) - .5, low = floor(at), part = at - low;
+        vec4 sum = vec4(0.);
+        for (int k = 0; k < 4; ++k) {
+            ivec2 step = ivec2(k & 1, k >> 1);
+            vec2 weight = mix(1. - part, part, vec2(step));
+            sum += weight.x * weight.y * mean(texelFetch(coarse, clamp(ivec2(low) + step, ivec2(0), last), 0));
+        }
+        if (sum.a > 0.) value = sum;
+    }
+    vec3 linear = mean(value).rgb;
+    vec3 clipped = clamp(linear, 0., 1.);
+    vec3 encoded = mix(12.92 * clipped, 1.055 * pow(max(clipped, 1e-6), vec3(1. / 2.4)) - .055,
+                       vec3(greaterThan(clipped, vec3(.0031308))));
+    // Stripes where a component is negative by more than rounding.
+    float lowest = min(linear.r, min(linear.g, linear.b)), scale = max(linear.r, max(linear.g, linear.b));
+    bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.) < 4.;
+    if (warn && stripe && lowest < -.002 - .01 * scale) encoded = vec3(.5);
+    seen = vec4(encoded, 1.);
+}`;

@@ -1,0 +1,108 @@
+/** A chip an angle, its upper half the standard where there is one, on the grey of a light booth. */
+
+import type { VNode } from "preact";
+import type { Lab } from "../../../common/colour";
+import { chip } from "../../../common/colour";
+import { angleName, number } from "../../../common/dom";
+import { byLamp } from "../../../common/geometry";
+import type { Readings } from "../protocol";
+import { useStudioState } from "../ui/context";
+
+interface Group {
+    readonly title: string;
+    readonly places: readonly { readonly i: number; readonly label: string }[];
+}
+
+/** Angles by lamp, from the smallest to the largest, and those off the plane together at the end. */
+export function groups(names: readonly string[]): Group[] {
+    const result: Group[] = [...byLamp(names)].map(([lamp, angles]) => ({
+        title: `Lamp at ${String(lamp)}°`,
+        places: angles.map(({ index, aspecular }) => ({
+            i: index,
+            label: `${number(aspecular, 1).replace(/\.0$/, "")}°`,
+        })),
+    }));
+    const seen = new Set(result.flatMap(({ places }) => places.map(({ i }) => i)));
+    const others = names
+        .map((name, i) => ({ i, label: angleName(name) }))
+        .filter(({ i }) => !seen.has(i));
+    if (others.length > 0) result.push({ title: "Off the plane", places: others });
+    return result;
+}
+
+/** Where the standard was read at an angle of this name. */
+export function standardAt(readings: Readings, i: number): Lab | null {
+    const { standard, geometries } = readings;
+    const place = standard?.geometries.indexOf(geometries[i] as string) ?? -1;
+    return standard?.lab[place] ?? null;
+}
+
+export function Chips(): VNode {
+    const readings = useStudioState((state) => state.readings);
+    const sound = useStudioState((state) => state.fault === null);
+    const current = useStudioState((state) => state.readingsOf === state.document);
+    if (readings === null) return <div class="stage chips" aria-busy="true" />;
+    const parts = groups(readings.geometries);
+    return (
+        <div
+            class={sound ? "stage chips" : "stage chips old"}
+            role="group"
+            aria-label="Chips"
+            data-current={current}
+        >
+            {readings.standard?.problem !== undefined && (
+                <p class="problem">{readings.standard.problem}</p>
+            )}
+            {parts.map((group) => (
+                <section key={group.title} aria-label={group.title}>
+                    {parts.length > 1 && <h3>{group.title}</h3>}
+                    <ol class="chip-row">
+                        {group.places.map(({ i, label }) => (
+                            <Chip key={i} readings={readings} i={i} label={label} />
+                        ))}
+                    </ol>
+                </section>
+            ))}
+        </div>
+    );
+}
+
+function Chip({ readings, i, label }: { readings: Readings; i: number; label: string }): VNode {
+    const lab = readings.lab[i] as Lab;
+    const standard = standardAt(readings, i);
+    const versus = readings.standard;
+    const difference = versus?.delta_e_2000?.[i];
+    const passes = versus?.passes?.[i];
+    const caveats = [
+        readings.out_of_gamut[i] === true ? "outside sRGB, clipped" : "",
+        readings.too_bright[i] === true ? "brighter than white, dimmed" : "",
+    ].filter(Boolean);
+    const numbers = `L* ${number(lab[0], 2)}, a* ${number(lab[1], 2)}, b* ${number(lab[2], 2)}`;
+    return (
+        <li
+            class="chip"
+            data-geometry={readings.geometries[i]}
+            data-lab={lab.join(" ")}
+            title={[angleName(readings.geometries[i] as string), numbers, ...caveats].join("\n")}
+        >
+            <div class="faces">
+                {standard !== null && <i style={{ background: chip(standard).css }} />}
+                <i style={{ background: chip(lab).css }} />
+                {caveats.length > 0 && <abbr aria-label={caveats.join(", ")}>!</abbr>}
+            </div>
+            <b>{label}</b>
+            <span class="lightness">
+                <span class="hidden">L* </span>
+                {number(lab[0], 1)}
+            </span>
+            {versus !== null && (
+                <span class={passes === false ? "delta fails" : "delta"}>
+                    <span class="hidden">Delta E </span>
+                    {number(difference, 2)}
+                    {passes === false && <abbr title="beyond the tolerance"> ✗</abbr>}
+                    {passes === true && <abbr title="within the tolerance"> ✓</abbr>}
+                </span>
+            )}
+        </li>
+    );
+}

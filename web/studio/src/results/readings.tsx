@@ -1,0 +1,189 @@
+/** The right of the studio: chips against the standard, key figures, and what is behind them. */
+
+import type { VNode } from "preact";
+import { useRef, useState } from "preact/hooks";
+import { number } from "../../../common/dom";
+import type { Comparison } from "../protocol";
+import { useStudio, useStudioState } from "../ui/context";
+import type { Tab } from "../ui/tabs";
+import { Tabs } from "../ui/tabs";
+import { Chips } from "./chips";
+import { Fit } from "./fit";
+import { Flop } from "./flop";
+import { Numbers } from "./numbers";
+import { SparklePanel } from "./sparkle";
+import { Spectra } from "./spectra";
+
+const TABS: readonly Tab[] = [
+    { name: "flop", title: "Flop", panel: () => <Flop /> },
+    { name: "numbers", title: "L*a*b*", panel: () => <Numbers /> },
+    { name: "spectra", title: "Spectra", panel: () => <Spectra /> },
+    { name: "sparkle", title: "Sparkle", panel: () => <SparklePanel /> },
+    { name: "fit", title: "Fit", panel: () => <Fit /> },
+];
+
+export function Results(): VNode {
+    const [tab, setTab] = useState("flop");
+    return (
+        <section class="results" aria-label="Readings">
+            <Conditions />
+            <StandardBar />
+            <Chips />
+            <KeyFigures />
+            <Tabs label="Details" tabs={TABS} chosen={tab} onChoose={setTab} />
+        </section>
+    );
+}
+
+function Conditions(): VNode {
+    const studio = useStudio();
+    const schema = useStudioState((state) => state.schema);
+    const settings = useStudioState((state) => state.settings);
+    const select = (
+        label: string,
+        value: string,
+        names: readonly string[],
+        change: (name: string) => void,
+        text = (name: string) => name,
+    ) => (
+        <select
+            aria-label={label}
+            title={label}
+            value={value}
+            onChange={(event) => {
+                change(event.currentTarget.value);
+            }}
+        >
+            {names.map((name) => (
+                <option key={name} value={name}>
+                    {text(name)}
+                </option>
+            ))}
+        </select>
+    );
+    return (
+        <div class="conditions">
+            {select(
+                "Angles",
+                settings.geometries,
+                (schema?.geometry_sets ?? []).map(({ name }) => name),
+                (geometries) => {
+                    studio.setSettings({ geometries });
+                },
+                (name) => {
+                    const set = schema?.geometry_sets.find((s) => s.name === name);
+                    return `${name}, ${String(set?.geometries.length ?? 0)} angles`;
+                },
+            )}
+            {select("Illuminant", settings.illuminant, schema?.illuminants ?? [], (illuminant) => {
+                studio.setSettings({ illuminant });
+            })}
+            {select(
+                "Observer",
+                settings.observer,
+                schema?.observers ?? [],
+                (observer) => {
+                    studio.setSettings({ observer });
+                },
+                (name) => (/^\d+$/.test(name) ? `${name}°` : name),
+            )}
+        </div>
+    );
+}
+
+function StandardBar(): VNode {
+    const studio = useStudio();
+    const standard = useStudioState((state) => state.standard);
+    const tolerance = useStudioState((state) => state.settings.tolerance);
+    const readings = useStudioState((state) => state.readings);
+    const file = useRef<HTMLInputElement>(null);
+    return (
+        <div class="standard">
+            <input
+                ref={file}
+                type="file"
+                accept=".csv,.json,text/csv"
+                class="hidden"
+                tabIndex={-1}
+                aria-label="File of a standard"
+                onChange={(event) => {
+                    const [chosen] = event.currentTarget.files ?? [];
+                    event.currentTarget.value = "";
+                    if (chosen === undefined) return;
+                    void chosen.text().then((text) => {
+                        studio.setStandard(text, chosen.name);
+                    });
+                }}
+            />
+            {standard === null ? (
+                <>
+                    <button type="button" class="small" onClick={() => file.current?.click()}>
+                        Load a standard …
+                    </button>
+                    <button
+                        type="button"
+                        class="small"
+                        disabled={readings === null}
+                        title="The paint as it is now becomes the standard"
+                        onClick={() => {
+                            if (readings !== null)
+                                studio.setStandard(readings.csv, "this paint.csv");
+                        }}
+                    >
+                        Take this paint
+                    </button>
+                </>
+            ) : (
+                <>
+                    <span class="standard-name" title={standard.name}>
+                        Standard: <b>{standard.name}</b>
+                    </span>
+                    <label>
+                        ΔE ≤{" "}
+                        <input
+                            type="number"
+                            min="0.01"
+                            max="100"
+                            step="0.1"
+                            value={tolerance}
+                            aria-label="Tolerance, Delta E 2000 at each angle"
+                            onChange={(event) => {
+                                const limit = Number(event.currentTarget.value);
+                                if (limit > 0) studio.setSettings({ tolerance: limit });
+                            }}
+                        />
+                    </label>
+                    <button
+                        type="button"
+                        class="small"
+                        aria-label="Remove the standard"
+                        onClick={() => {
+                            studio.setStandard(null, "");
+                        }}
+                    >
+                        Remove
+                    </button>
+                </>
+            )}
+        </div>
+    );
+}
+
+function KeyFigures(): VNode {
+    const readings = useStudioState((state) => state.readings);
+    const versus: Comparison | null = readings?.standard ?? null;
+    const figure = (name: string, value: string, wide = false) => (
+        <div class={wide ? "wide" : ""}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+        </div>
+    );
+    return (
+        <dl class="key-figures">
+            {figure("Flop index", number(readings?.flop_index, 2))}
+            {figure("Colour travel", number(readings?.colour_travel.length, 1))}
+            {figure("Mean ΔE", number(versus?.mean, 2))}
+            {figure("Greatest ΔE", number(versus?.max, 2))}
+        </dl>
+    );
+}

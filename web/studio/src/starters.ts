@@ -1,0 +1,153 @@
+/** What a new layer, flake, pigment or film begins with: numbers of paints that are made. */
+
+import type { Alternatives, KeyInfo, Schema, TableInfo } from "./schema";
+import { chosen, tableInfo } from "./schema";
+import type { Path, Table, Value } from "./tree";
+
+/** Entries of lists and tables, by generic path. */
+const WHOLE: Readonly<Record<string, Value>> = {
+    clearcoat: { thickness_um: 45 },
+    substrate: { reflectance: 0.05 },
+    "layer[]": { thickness_um: 15 },
+    "layer[].flakes[]": {
+        name: "TiO2 on mica",
+        volume_fraction: 0.03,
+        diameter_um: 18,
+        orientation: { distribution: "beckmann", alpha: 0.1 },
+        core: { material: "mica", thickness_nm: 500, spread_nm: 60 },
+        coats: [{ material: "TiO2_anatase", thickness_nm: 110, spread_nm: 5 }],
+    },
+    "layer[].flakes[].coats[]": { material: "SiO2", thickness_nm: 100, spread_nm: 5 },
+    "layer[].flakes[].core": { material: "mica", thickness_nm: 500, spread_nm: 60 },
+    "layer[].flakes[].orientation.tilts[]": { tilt_deg: 4, density: 1 },
+    "clearcoat.orange_peel": { wc: 0.005, wd: 0.005 },
+    microfacet: {
+        alpha: 0.1,
+        film_ior: 1.8,
+        film_thickness_nm: 150,
+        base_ior: 1.08,
+        base_extinction: 0.5,
+    },
+    "microfacet.facets": { count: 10_000_000, cone_deg: 3 },
+};
+
+/** Numbers and names that a key begins with, where the schema has no default. */
+const SINGLE: Readonly<Record<string, Value>> = {
+    volume_fraction: 0.03,
+    area_density_per_um: 0.1,
+    mass_fraction: 0.05,
+    density_g_per_cm3: 3,
+    diameter_nm: 250,
+    d10_um: 8,
+    d50_um: 18,
+    d90_um: 32,
+    thickness_um: 15,
+    thickness_nm: 100,
+    alpha: 0.1,
+    reflectance: 0.5,
+    K: 10,
+    S: 10,
+    scattering_per_mm: 10,
+    absorption_per_mm: 10,
+    waviness: 0.02,
+    edge_um: 0.5,
+    roughness: 0.1,
+    spread_nm: 5,
+    diameter_spread_um: 5,
+    transmittance: 0.1,
+    alpha_bottom: 0.1,
+};
+
+/** A value for a key that a table lacks. */
+export function starter(schema: Schema, table: Path, info: KeyInfo): Value {
+    const generic = [...table, info.key]
+        .map((step) => (typeof step === "number" ? "[]" : `.${step}`))
+        .join("")
+        .slice(1);
+    const whole = WHOLE[info.kind === "list" ? `${generic}[]` : generic];
+    if (whole !== undefined) return info.kind === "list" ? [whole] : whole;
+    if (generic === "layer[].pigment") return [newPigment(schema)];
+    const single = SINGLE[info.key];
+    switch (info.kind) {
+        case "number":
+        case "spectrum":
+            return single ?? info.default ?? info.min ?? 0;
+        case "material":
+            return schema.materials[0]?.name ?? 1.5;
+        case "text":
+            return info.choices === "pigments" ? (schema.pigments[0]?.name ?? "") : "";
+        case "choice":
+            return (
+                (Array.isArray(info.choices) ? (info.choices[0] as string | undefined) : "") ?? ""
+            );
+        case "flag":
+            return true;
+        case "list":
+            return [required(schema, [...table, info.key, 0])];
+        case "table":
+            return required(schema, [...table, info.key]);
+    }
+}
+
+export function newEntry(schema: Schema, list: Path): Value {
+    const info = tableInfo(schema, list.slice(0, -1))?.keys.find((k) => k.key === list.at(-1));
+    if (info === undefined) return {};
+    const made = starter(schema, list.slice(0, -1), info);
+    return (Array.isArray(made) ? (made[0] as Value | undefined) : made) ?? {};
+}
+
+function newPigment(schema: Schema): Value {
+    const first = schema.pigments[0];
+    if (first === undefined) return { scattering_per_mm: 10, absorption_per_mm: 10 };
+    return { from: first.name, volume_fraction: 0.05 };
+}
+
+/** A table with the keys that it must have. */
+function required(schema: Schema, path: Path): Table {
+    const info = tableInfo(schema, path);
+    if (info === undefined) return {};
+    const keys = new Set(
+        (info.alternatives ?? []).flatMap(({ each }) => each.flatMap((a) => a.keys)),
+    );
+    const table: Record<string, Value> = {};
+    for (const key of info.keys) {
+        if (key.required && !keys.has(key.key)) table[key.key] = starter(schema, path, key);
+    }
+    for (const group of info.alternatives ?? [])
+        addMarked(schema, path, info, group.each[0], table);
+    return table;
+}
+
+function addMarked(
+    schema: Schema,
+    path: Path,
+    info: TableInfo,
+    one: Alternatives["each"][number] | undefined,
+    table: Record<string, Value>,
+): void {
+    for (const key of info.keys) {
+        const wanted = key.key === one?.mark || (key.required && one?.keys.includes(key.key));
+        if (wanted === true && table[key.key] === undefined) {
+            table[key.key] = starter(schema, path, key);
+        }
+    }
+}
+
+/** The table stating another of the alternatives, with what that one needs. */
+export function switched(
+    schema: Schema,
+    path: Path,
+    table: Table,
+    group: Alternatives,
+    to: number,
+): Table {
+    const info = tableInfo(schema, path);
+    const one = group.each[to];
+    if (info === undefined || one === undefined || chosen(table, group) === to) return table;
+    const leaving = new Set(group.each.flatMap(({ keys }) => keys));
+    for (const key of one.keys) leaving.delete(key);
+    const kept = Object.entries(table).filter(([key]) => !leaving.has(key));
+    const result: Record<string, Value> = Object.fromEntries(kept);
+    addMarked(schema, path, info, one, result);
+    return result;
+}

@@ -1,0 +1,56 @@
+/** All that the page shows. */
+
+import type { Document } from "./edit";
+import type { ErrorMessage, Match, Readings, RecipeMessage, Sparkle, Standard } from "./protocol";
+import type { Schema } from "./schema";
+
+export interface Settings {
+    readonly geometries: string;
+    readonly illuminant: string;
+    readonly observer: string;
+    /** Of Delta E 2000 at each angle. */
+    readonly tolerance: number;
+}
+
+export interface FitState {
+    readonly running: boolean;
+    readonly fraction: number;
+    readonly matches: readonly Match[] | null;
+    /** Of the matches, as far as they have been measured. */
+    readonly colours: readonly Readings[];
+    readonly fault: string | null;
+    /** The paint from which it began. */
+    readonly began: Document | null;
+}
+
+export interface State {
+    readonly connection: "connecting" | "open" | "gone";
+    readonly schema: Schema | null;
+    readonly document: Document;
+    readonly canUndo: boolean;
+    readonly canRedo: boolean;
+    /** The last recipe that could be read, and what is to be said of it. */
+    readonly paint: RecipeMessage | null;
+    readonly readings: Readings | null;
+    /** Of which the readings are. */
+    readonly readingsOf: Document | null;
+    readonly fault: ErrorMessage | null;
+    /** From the change to chips on the screen. */
+    readonly latency_ms: number | null;
+    readonly settings: Settings;
+    readonly standard: Standard | null;
+    readonly sparkle: { readonly of: Document; readonly value: Sparkle } | null;
+    readonly sparkleBusy: boolean;
+    readonly fit: FitState;
+    /** For the status line and screen readers. */
+    readonly notice: string;
+}
+
+export const NO_FIT: FitState = {
+    running: false,
+    fraction: 0,
+    matches: null,
+    colours: [],
+    fault: null,
+    began: null,
+};

@@ -1,0 +1,424 @@
+/** What the page does: edits, undo, asking the server, and keeping what it answers. */
+
+import type { Document } from "./edit";
+import { fileName, save } from "./files";
+import { History } from "./history";
+import { Latest } from "./latest";
+import { fromFragment, toFragment } from "./link";
+import type {
+    ErrorMessage,
+    Match,
+    Message,
+    Readings,
+    RecipeMessage,
+    Sparkle,
+    Standard,
+} from "./protocol";
+import type { Schema } from "./schema";
+import type { Answer, Socket } from "./session";
+import { Session } from "./session";
+import type { Settings, State } from "./state";
+import { NO_FIT } from "./state";
+import { Store } from "./store";
+import type { Table } from "./tree";
+import { Viewer } from "./viewer";
+
+const EMPTY: Document = { recipe: {}, locks: new Set() };
+const LINK_AFTER_MS = 400;
+
+interface PaintRequest {
+    readonly recipe: Table;
+    /** null: of a match, which is looked at beside the paint. */
+    readonly document: Document | null;
+    readonly settings: Settings;
+    /** When the change was made, for the time from slider to chips. */
+    readonly since: number;
+}
+
+export interface Surroundings {
+    readonly connect: () => Socket;
+    readonly schema: () => Promise<Schema>;
+    /** What the server has at an address of its own. */
+    readonly bytes: (path: string) => Promise<ArrayBuffer>;
+    readonly now: () => number;
+    /** Calls back when what was set has been drawn. */
+    readonly drawn: (then: () => void) => void;
+    readonly fragment: () => string;
+    readonly setFragment: (fragment: string) => void;
+    readonly address: () => string;
+}
+
+export class Studio {
+    readonly store: Store<State>;
+    readonly viewer: Viewer;
+    private readonly history = new History<Document>(EMPTY);
+    private readonly session: Session;
+    private readonly painting: Latest<PaintRequest>;
+    private standardText: { csv: string; name: string } | null = null;
+    private linkTimer: ReturnType<typeof setTimeout> | undefined;
+    private fitId: number | null = null;
+    private begun = false;
+
+    constructor(private readonly around: Surroundings) {
+        this.store = new Store<State>({
+            connection: "connecting",
+            schema: null,
+            document: EMPTY,
+            canUndo: false,
+            canRedo: false,
+            paint: null,
+            readings: null,
+            readingsOf: null,
+            fault: null,
+            latency_ms: null,
+            settings: { geometries: "byk-mac", illuminant: "D65", observer: "10", tolerance: 1 },
+            standard: null,
+            sparkle: null,
+            sparkleBusy: false,
+            fit: NO_FIT,
+            notice: "",
+        });
+        this.painting = new Latest((request) => {
+            this.sendPaint(request);
+        });
+        this.session = new Session(around.connect, (open) => {
+            if (open) void this.connected();
+            else this.disconnected();
+        });
+        this.viewer = new Viewer(this.session);
+    }
+
+    // ---- the connection ----
+
+    private async connected(): Promise<void> {
+        try {
+            const schema = this.store.get().schema ?? (await this.around.schema());
+            this.store.set({ connection: "open", schema });
+            this.viewer.begin(schema);
+        } catch (error) {
+            this.say(`The server does not say what a paint has: ${messageOf(error)}`);
+            return;
+        }
+        if (this.standardText !== null) this.sendStandard();
+        if (this.begun) {
+            this.measure();
+            return;
+        }
+        this.begun = true;
+        if (!(await this.openLink(this.around.fragment()))) this.openFirst();
+    }
+
+    private disconnected(): void {
+        this.painting.abandon();
+        this.viewer.abandon();
+        this.fitId = null;
+        this.store.set({ connection: "gone", sparkleBusy: false });
+        const { fit } = this.store.get();
+        if (fit.running) {
+            const fault = "The server went away before the fit had ended.";
+            this.store.set({ fit: { ...fit, running: false, fault } });
+        }
+    }
+
+    /** The paint that the command line named, else the first that ships. */
+    private openFirst(): void {
+        const { schema } = this.store.get();
+        const toml = schema?.start ?? schema?.paints[0]?.toml;
+        if (toml !== undefined) this.openText(toml);
+    }
+
+    /** A place for the live picture. */
+    attach(canvas: HTMLCanvasElement): void {
+        const { schema } = this.store.get();
+        if (schema !== null) this.viewer.attach(canvas, schema, this.around.bytes);
+        this.measure();
+    }
+
+    // ---- documents ----
+
+    /** @param gesture  one drag of one slider is one step back */
+    edit(change: (document: Document) => Document, gesture: string | null = null): void {
+        const before = this.history.now;
+        if (before === EMPTY) this.history.begin(change(before));
+        else this.history.push(change(before), gesture);
+        this.changed();
+    }
+
+    endGesture(): void {
+        this.history.endGesture();
+    }
+
+    undo(): void {
+        this.history.undo();
+        this.changed();
+    }
+
+    redo(): void {
+        this.history.redo();
+        this.changed();
+    }
+
+    private changed(): void {
+        this.store.set({
+            document: this.history.now,
+            canUndo: this.history.canUndo,
+            canRedo: this.history.canRedo,
+        });
+        this.measure();
+        clearTimeout(this.linkTimer);
+        this.linkTimer = setTimeout(() => {
+            void toFragment(this.history.now).then(this.around.setFragment);
+        }, LINK_AFTER_MS);
+    }
+
+    /** A text that was typed, dropped or chosen; a faulty one changes nothing and is said. */
+    openText(toml: string): void {
+        const id = this.session.send("open", { toml }, (message) => {
+            this.session.forget(id);
+            if (message.type === "error") {
+                this.store.set({ fault: message as unknown as ErrorMessage });
+                return;
+            }
+            const recipe = (message as unknown as RecipeMessage).tree;
+            this.edit(() => ({ recipe, locks: new Set() }));
+        });
+    }
+
+    /** @return whether the fragment held a paint */
+    async openLink(fragment: string): Promise<boolean> {
+        try {
+            const document = await fromFragment(fragment);
+            if (document === null) return false;
+            this.edit(() => document);
+            return true;
+        } catch (error) {
+            this.say(messageOf(error));
+            return false;
+        }
+    }
+
+    say(notice: string): void {
+        this.store.set({ notice });
+    }
+
+    setSettings(change: Partial<Settings>): void {
+        this.store.set({ settings: { ...this.store.get().settings, ...change } });
+        this.measure();
+    }
+
+    // ---- colours ----
+
+    private measure(): void {
+        const { document, settings } = this.store.get();
+        if (!this.session.isOpen || Object.keys(document.recipe).length === 0) return;
+        const { recipe } = document;
+        this.painting.want({ recipe, document, settings, since: this.around.now() });
+    }
+
+    /** No answer is awaited. */
+    get settled(): boolean {
+        return !this.painting.busy;
+    }
+
+    private sendPaint({ recipe, document, settings, since }: PaintRequest): void {
+        const { geometries, illuminant, observer, tolerance } = settings;
+        const fields = {
+            recipe,
+            geometries,
+            illuminant,
+            observer,
+            tolerance: { limit: tolerance },
+            shader: document !== null && this.viewer.wantsShader,
+        };
+        const id = this.session.send("paint", fields, (message, attachments) => {
+            if (document === null) {
+                this.receiveMatch(id, message);
+                return;
+            }
+            switch (message.type) {
+                case "recipe":
+                    this.store.set({ paint: message as unknown as RecipeMessage });
+                    break;
+                case "readings": {
+                    const readings = message as unknown as Readings;
+                    this.store.set({ readings, readingsOf: document, fault: null });
+                    this.around.drawn(() => {
+                        this.store.set({ latency_ms: this.around.now() - since });
+                    });
+                    break;
+                }
+                case "shader":
+                    this.viewer.shader(message, attachments);
+                    break;
+                case "error":
+                    this.store.set({ fault: message as unknown as ErrorMessage });
+                    this.answered(id, null);
+                    break;
+                case "done":
+                    this.answered(id, document.recipe);
+                    break;
+            }
+        });
+    }
+
+    private answered(id: number, recipe: Table | null): void {
+        this.session.forget(id);
+        this.painting.finished();
+        if (recipe !== null) this.viewer.paint(recipe);
+        this.measureMatch();
+    }
+
+    /** The next match that has no colours, when nobody waits for those of the paint. */
+    private measureMatch(): void {
+        const { fit, settings } = this.store.get();
+        const match = fit.matches?.[fit.colours.length];
+        if (match === undefined || this.painting.busy || !this.session.isOpen) return;
+        const { recipe } = match;
+        this.painting.want({ recipe, document: null, settings, since: this.around.now() });
+    }
+
+    private receiveMatch(id: number, message: Message): void {
+        if (message.type === "readings") {
+            const { fit } = this.store.get();
+            const colours = [...fit.colours, message as unknown as Readings];
+            this.store.set({ fit: { ...fit, colours } });
+        } else if (message.type === "done") this.answered(id, null);
+        else if (message.type === "error") {
+            this.session.forget(id);
+            this.painting.finished();
+        }
+    }
+
+    // ---- the standard ----
+
+    setStandard(csv: string | null, name: string): void {
+        this.standardText = csv === null ? null : { csv, name };
+        this.sendStandard();
+    }
+
+    private sendStandard(): void {
+        const { csv, name } = this.standardText ?? { csv: null, name: "" };
+        const id = this.session.send("standard", { csv, name }, (message) => {
+            this.session.forget(id);
+            if (message.type === "error") {
+                this.standardText = null;
+                this.say(`The standard cannot be used: ${String(message.message)}`);
+                return;
+            }
+            const standard = csv === null ? null : (message as unknown as Standard);
+            this.store.set({ standard, notice: standard?.notes.join(" ") ?? "" });
+            this.measure();
+        });
+    }
+
+    // ---- sparkle ----
+
+    measureSparkle(): void {
+        const { document } = this.store.get();
+        this.store.set({ sparkleBusy: true });
+        this.ask("sparkle", { recipe: document.recipe }, (message) => {
+            const value = message as unknown as Sparkle;
+            const sparkle = message.type === "error" ? null : { of: document, value };
+            if (message.type === "error") this.say(String(message.message));
+            this.store.set({ sparkleBusy: false, sparkle });
+        });
+    }
+
+    // ---- the fit ----
+
+    fit(free: readonly string[], starts: number): void {
+        const { document } = this.store.get();
+        this.store.set({ fit: { ...NO_FIT, running: true, began: document } });
+        const fields = { recipe: document.recipe, free, starts };
+        this.fitId = this.session.send("fit", fields, (message) => {
+            const { fit } = this.store.get();
+            if (message.type === "progress") {
+                this.store.set({ fit: { ...fit, fraction: Number(message.fraction) } });
+                return;
+            }
+            const ended = { ...fit, running: false, fraction: 1 };
+            if (message.type === "matches") {
+                const matches = message.matches as readonly Match[];
+                this.store.set({ fit: { ...ended, matches, colours: [], fault: null } });
+                this.measureMatch();
+            } else if (message.type === "error") {
+                this.store.set({ fit: { ...ended, fault: String(message.message) } });
+            }
+            if (this.fitId !== null) this.session.forget(this.fitId);
+            this.fitId = null;
+        });
+    }
+
+    stopFit(): void {
+        if (this.fitId === null) return;
+        this.session.tell("stop", { what: "fit" });
+        this.session.forget(this.fitId); // what was stopped says nothing
+        this.fitId = null;
+        this.store.set({ fit: { ...this.store.get().fit, running: false } });
+    }
+
+    useMatch(recipe: Table): void {
+        this.edit((document) => ({ ...document, recipe }));
+    }
+
+    // ---- the report, the link ----
+
+    /** The panel page in a tab of its own, where the browser prints it or saves it as PDF. */
+    report(): void {
+        const { document, settings } = this.store.get();
+        const { geometries, illuminant, observer, tolerance } = settings;
+        this.say("Making the report …");
+        this.ask(
+            "report",
+            {
+                recipe: document.recipe,
+                geometries,
+                illuminant,
+                observer,
+                tolerance: { limit: tolerance },
+            },
+            (message) => {
+                if (message.type === "error") {
+                    this.say(String(message.message));
+                    return;
+                }
+                save(fileName(document.recipe.name, "html"), String(message.html), "text/html");
+                this.say("The report was saved; open it to print it or to save it as PDF.");
+            },
+        );
+    }
+
+    copyLink(): void {
+        void toFragment(this.history.now)
+            .then((fragment) => {
+                this.around.setFragment(fragment);
+                return navigator.clipboard.writeText(this.around.address());
+            })
+            .then(
+                () => {
+                    this.say("The address of this page holds the paint; it was copied.");
+                },
+                () => {
+                    this.say(
+                        "The address of this page holds the paint; the browser did not let it be copied.",
+                    );
+                },
+            );
+    }
+
+    // ---- other questions ----
+
+    /** One question, one answer; how far it is meanwhile is not shown. */
+    ask(type: string, fields: Readonly<Record<string, unknown>>, answer: Answer): void {
+        if (!this.session.isOpen) return;
+        const id = this.session.send(type, fields, (message, attachments) => {
+            if (message.type === "progress") return;
+            this.session.forget(id);
+            answer(message, attachments);
+        });
+    }
+}
+
+export function messageOf(error: unknown): string {
+    return error instanceof Error ? error.message : String(error);
+}

@@ -1,0 +1,147 @@
+/** The bar at the top: opening, undoing, saving. */
+
+import type { VNode } from "preact";
+import { useMemo, useRef } from "preact/hooks";
+import { themeButton } from "../../common/theme";
+import { fileName, pngOf, save } from "./files";
+import { messageOf } from "./studio";
+import { useStudio, useStudioState } from "./ui/context";
+import { Made } from "./ui/element";
+import { IconButton } from "./ui/icons";
+import { Picker } from "./ui/picker";
+
+export function Top(): VNode {
+    const studio = useStudio();
+    const schema = useStudioState((state) => state.schema);
+    const canUndo = useStudioState((state) => state.canUndo);
+    const canRedo = useStudioState((state) => state.canRedo);
+    const theme = useMemo(() => themeButton(), []);
+    const file = useRef<HTMLInputElement>(null);
+    return (
+        <header class="top">
+            <h1>
+                Nacre <span>Studio</span>
+            </h1>
+            <Picker
+                label="Start from a paint that ships"
+                text="Start from …"
+                class="start"
+                chosen={null}
+                choices={schema?.paints ?? []}
+                onChoose={(name) => {
+                    const paint = schema?.paints.find((p) => p.name === name);
+                    if (paint !== undefined) studio.openText(paint.toml);
+                }}
+            />
+            <button type="button" onClick={() => file.current?.click()}>
+                Open …
+            </button>
+            <input
+                ref={file}
+                type="file"
+                accept=".toml,application/toml,text/plain"
+                class="hidden"
+                tabIndex={-1}
+                aria-label="File of a recipe"
+                onChange={(event) => {
+                    const [chosen] = event.currentTarget.files ?? [];
+                    event.currentTarget.value = "";
+                    if (chosen !== undefined)
+                        void chosen.text().then((t) => {
+                            studio.openText(t);
+                        });
+                }}
+            />
+            <span class="pair">
+                <IconButton
+                    icon="undo"
+                    label="Undo (Ctrl+Z)"
+                    disabled={!canUndo}
+                    onClick={() => {
+                        studio.undo();
+                    }}
+                />
+                <IconButton
+                    icon="redo"
+                    label="Redo (Ctrl+Y)"
+                    disabled={!canRedo}
+                    onClick={() => {
+                        studio.redo();
+                    }}
+                />
+            </span>
+            <span class="gap" />
+            <Saving />
+            <Made element={theme} />
+        </header>
+    );
+}
+
+function Saving(): VNode {
+    const studio = useStudio();
+    const document = useStudioState((state) => state.document);
+    const readings = useStudioState((state) => state.readings);
+    const paint = useStudioState((state) => state.paint);
+    // What is saved is what the server last read; while it has yet to answer there is nothing new.
+    const current = useStudioState((state) => state.readingsOf === state.document);
+    const { name } = document.recipe;
+    const savePicture = () => {
+        const canvas = globalThis.document.querySelector<HTMLCanvasElement>("canvas.now");
+        if (canvas === null) return;
+        pngOf(canvas).then(
+            (blob) => {
+                save(fileName(name, "png"), blob, "image/png");
+            },
+            (error: unknown) => {
+                studio.say(messageOf(error));
+            },
+        );
+    };
+    return (
+        <span class="saving">
+            <button
+                type="button"
+                disabled={!current || paint === null}
+                title="Save the recipe, .toml"
+                onClick={() => {
+                    if (paint !== null)
+                        save(fileName(name, "toml"), paint.toml, "application/toml");
+                }}
+            >
+                Save recipe
+            </button>
+            <button type="button" title="Save the picture, .png" onClick={savePicture}>
+                Picture
+            </button>
+            <button
+                type="button"
+                disabled={!current || readings === null}
+                title="Save the readings, .csv"
+                onClick={() => {
+                    if (readings !== null) save(fileName(name, "csv"), readings.csv, "text/csv");
+                }}
+            >
+                Readings
+            </button>
+            <button
+                type="button"
+                disabled={!current}
+                title="The panel page, to print or to save as PDF"
+                onClick={() => {
+                    studio.report();
+                }}
+            >
+                Report
+            </button>
+            <button
+                type="button"
+                title="Copy an address that holds this paint"
+                onClick={() => {
+                    studio.copyLink();
+                }}
+            >
+                Copy link
+            </button>
+        </span>
+    );
+}

@@ -1,0 +1,23 @@
+import { createContext } from "preact";
+import { useContext } from "preact/hooks";
+import type { State } from "../state";
+import { useStore } from "../store";
+import type { Studio } from "../studio";
+import type { ViewerState } from "../viewer";
+
+const StudioContext = createContext<Studio | null>(null);
+export const StudioProvider = StudioContext.Provider;
+
+export function useStudio(): Studio {
+    const studio = useContext(StudioContext);
+    if (studio === null) throw new Error("drawn outside of the studio");
+    return studio;
+}
+
+export function useStudioState<T>(part: (state: State) => T): T {
+    return useStore(useStudio().store, part);
+}
+
+export function useViewerState<T>(part: (state: ViewerState) => T): T {
+    return useStore(useStudio().viewer.store, part);
+}

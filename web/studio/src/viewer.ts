@@ -1,0 +1,289 @@
+/** The pictures: of the paint as it is now (B) and of the one that was kept (A). */
+
+import { Live } from "./live";
+import type { Orbit } from "./orbit";
+import { fitted, orbitOf } from "./orbit";
+import type { Attachment, Message } from "./protocol";
+import type { Schema } from "./schema";
+import type { Session } from "./session";
+import { Store } from "./store";
+import type { Table } from "./tree";
+
+export interface View {
+    readonly shape: string;
+    readonly light: string;
+    readonly camera: Orbit;
+    /** Of the shape about the vertical. */
+    readonly turn_deg: number;
+    readonly light_turn_deg: number;
+}
+
+export interface Picture {
+    readonly width: number;
+    readonly height: number;
+    /** sRGB and an opaque alpha, row by row from the top. */
+    readonly pixels: Uint8ClampedArray;
+    readonly samples: number;
+    readonly of: number;
+    readonly recipe: Table;
+    readonly view: View;
+}
+
+export interface ViewerState {
+    readonly view: View | null;
+    readonly picture: Picture | null;
+    /** The paint that B is held against, and its picture. */
+    readonly keptRecipe: Table | null;
+    readonly kept: Picture | null;
+    readonly fault: string | null;
+    /** The recipe that is drawn. */
+    readonly recipe: Table | null;
+    /** Of the live picture; null: there is none. */
+    readonly liveSamples: number | null;
+    readonly gamutWarning: boolean;
+}
+
+/** Whether the path tracer's picture is of the paint and the view that are asked for. */
+export function isCurrent({ picture, recipe, view }: ViewerState): boolean {
+    return picture !== null && picture.recipe === recipe && picture.view === view;
+}
+
+/** Whether it hides the live picture. */
+export function covers(state: ViewerState): boolean {
+    const { picture, liveSamples } = state;
+    if (picture === null || liveSamples === null) return picture !== null;
+    return isCurrent(state) && picture.samples >= ENOUGH;
+}
+
+interface Job {
+    readonly recipe: Table;
+    readonly view: View;
+    readonly kept: boolean;
+    readonly quick: boolean;
+}
+
+/** How long a slider rests before the whole picture is begun. */
+const REST_MS = 250;
+/** Samples of a pixel of the whole picture; a quick one has 1, and a third of the width. */
+const SAMPLES = 64;
+const KEPT_SAMPLES = 16;
+const QUICK_PART = 3;
+const MOST_PIXELS = 700_000;
+/** Samples from which on the path tracer's picture is less noisy than it is worth. */
+const ENOUGH = 16;
+
+export class Viewer {
+    readonly store = new Store<ViewerState>({
+        view: null,
+        picture: null,
+        keptRecipe: null,
+        kept: null,
+        fault: null,
+        recipe: null,
+        liveSamples: null,
+        gamutWarning: false,
+    });
+    private live: Live | null = null;
+    private size = { width: 0, height: 0 };
+    private underWay: { id: number; job: Job } | null = null;
+    private quickWanted = false;
+    private timer: ReturnType<typeof setTimeout> | undefined;
+
+    constructor(private readonly session: Session) {}
+
+    /** Of the place for the picture, in pixels of the screen. */
+    resize(width: number, height: number): void {
+        if (width === this.size.width && height === this.size.height) return;
+        this.size = { width, height };
+        this.refresh();
+    }
+
+    begin(schema: Schema): void {
+        if (this.store.get().view !== null) return;
+        const shape = schema.shapes.find(({ name }) => name === "ball") ?? schema.shapes[0];
+        if (shape !== undefined) this.setShape(schema, shape.name, true);
+    }
+
+    /** @param withLight  take the light that suits it */
+    setShape(schema: Schema, name: string, withLight: boolean): void {
+        const shape = schema.shapes.find((info) => info.name === name);
+        if (shape === undefined) return;
+        const { view } = this.store.get();
+        this.store.set({
+            view: {
+                shape: name,
+                light: view === null || withLight ? shape.light : view.light,
+                camera: orbitOf(shape),
+                turn_deg: 0,
+                light_turn_deg: view?.light_turn_deg ?? 0,
+            },
+        });
+        this.refresh();
+    }
+
+    setView(change: Partial<View>): void {
+        const { view } = this.store.get();
+        if (view === null) return;
+        this.store.set({ view: { ...view, ...change } });
+        this.refresh();
+    }
+
+    /** Colours of this recipe are known: it can be drawn. */
+    paint(recipe: Table): void {
+        if (recipe === this.store.get().recipe) return;
+        this.store.set({ recipe });
+        this.refresh();
+    }
+
+    /** Draws the live picture too, where the browser can. */
+    attach(
+        canvas: HTMLCanvasElement,
+        schema: Schema,
+        bytes: (path: string) => Promise<ArrayBuffer>,
+    ): void {
+        const fail = (message: string) => {
+            this.live = null;
+            this.store.set({ liveSamples: null, fault: `No live picture: ${message}` });
+        };
+        try {
+            const changed = (liveSamples: number) => {
+                if (this.store.get().liveSamples !== null) this.store.set({ liveSamples });
+            };
+            this.live = new Live(canvas, schema, bytes, changed, fail);
+        } catch (error) {
+            fail(error instanceof Error ? error.message : String(error));
+        }
+    }
+
+    get wantsShader(): boolean {
+        return this.live !== null;
+    }
+
+    /** Numbers for the live picture of a recipe. */
+    shader(message: Message, attachments: readonly Attachment[]): void {
+        const can = this.live?.setPaint(message, attachments) === true;
+        this.store.set({ liveSamples: can ? 0 : null });
+    }
+
+    setGamutWarning(gamutWarning: boolean): void {
+        this.store.set({ gamutWarning });
+        this.live?.setGamutWarning(gamutWarning);
+    }
+
+    /** What is seen now is what is seen beside it from now on; again: nothing is. */
+    keep(recipe: Table | null): void {
+        this.store.set({ keptRecipe: recipe, kept: recipe === null ? null : this.shown(recipe) });
+        this.refresh();
+    }
+
+    private shown(recipe: Table): Picture | null {
+        const state = this.store.get();
+        const live = covers(state) || state.view === null ? null : this.live?.snapshot();
+        if (live === null || live === undefined || state.view === null) return state.picture;
+        return { ...live, recipe, view: state.view };
+    }
+
+    /** The connection broke. */
+    abandon(): void {
+        this.underWay = null;
+        this.quickWanted = false;
+        clearTimeout(this.timer);
+    }
+
+    private refresh(): void {
+        clearTimeout(this.timer);
+        if (this.underWay?.job.quick === true) {
+            this.quickWanted = true;
+            return;
+        }
+        if (this.underWay !== null) {
+            this.session.tell("stop", { what: "render" });
+            this.session.forget(this.underWay.id);
+            this.underWay = null;
+        }
+        this.quickWanted = false;
+        const { view, liveSamples } = this.store.get();
+        this.live?.pause(false);
+        if (view !== null) this.live?.show(view, this.size.width, this.size.height);
+        if (liveSamples === null) this.start(true, false);
+        else this.startLater();
+    }
+
+    private startLater(): void {
+        this.timer = setTimeout(() => {
+            this.start(false, false);
+        }, REST_MS);
+    }
+
+    private start(quick: boolean, kept: boolean): void {
+        const { view, keptRecipe, recipe: now } = this.store.get();
+        const recipe = kept ? keptRecipe : now;
+        const { width, height } = this.size;
+        if (recipe === null || view === null || width * height === 0 || !this.session.isOpen)
+            return;
+        const shrink =
+            Math.min(1, Math.sqrt(MOST_PIXELS / (width * height))) / (quick ? QUICK_PART : 1);
+        const job: Job = { recipe, view, kept, quick };
+        const fields = {
+            recipe,
+            scene: { ...view, camera: fitted(view.camera, width, height) },
+            width: Math.max(16, Math.round(width * shrink)),
+            height: Math.max(16, Math.round(height * shrink)),
+            samples: quick ? 1 : kept ? KEPT_SAMPLES : SAMPLES,
+        };
+        const id = this.session.send("render", fields, (message, attachments) => {
+            this.received(id, job, message, attachments);
+        });
+        this.underWay = { id, job };
+    }
+
+    private received(
+        id: number,
+        job: Job,
+        message: Message,
+        attachments: readonly Attachment[],
+    ): void {
+        if (message.type === "picture") {
+            const picture = pictureOf(job, message, attachments);
+            this.store.set(job.kept ? { kept: picture } : { picture, fault: null });
+            this.live?.pause(covers(this.store.get()));
+            if (picture.samples < picture.of) return;
+        } else if (message.type === "error") {
+            this.store.set({ fault: String(message.message) });
+        } else if (message.type !== "done") return;
+        if (this.underWay?.id !== id) return;
+        this.session.forget(id);
+        this.underWay = null;
+        if (this.quickWanted) this.refresh();
+        else if (job.quick) this.startLater();
+        else if (!job.kept) {
+            const { kept, keptRecipe, view } = this.store.get();
+            if (keptRecipe !== null && kept?.view !== view) this.start(false, true);
+        }
+    }
+}
+
+function pictureOf(job: Job, message: Message, attachments: readonly Attachment[]): Picture {
+    const rgb = attachments.find(({ name }) => name === "rgb");
+    const [height, width] = rgb?.shape ?? [];
+    if (rgb === undefined || height === undefined || width === undefined) {
+        throw new Error("a picture came without its pixels");
+    }
+    const bytes = rgb.data as Uint8Array;
+    const pixels = new Uint8ClampedArray(width * height * 4);
+    for (let i = 0, from = 0; i < pixels.length; i += 4, from += 3) {
+        pixels[i] = bytes[from] as number;
+        pixels[i + 1] = bytes[from + 1] as number;
+        pixels[i + 2] = bytes[from + 2] as number;
+        pixels[i + 3] = 255;
+    }
+    return {
+        width,
+        height,
+        pixels,
+        samples: Number(message.samples),
+        of: Number(message.of),
+        recipe: job.recipe,
+        view: job.view,
+    };
+}

@@ -1,0 +1,167 @@
+/** A server of the studio for tests without one: it hears what is sent, and answers when told. */
+
+import type { Schema } from "../src/schema";
+import type { Socket } from "../src/session";
+import type { Table } from "../src/tree";
+
+type Sent = Readonly<Record<string, unknown>>;
+
+export class FakeServer {
+    private socket: Socket | null = null;
+    private readonly sent: Sent[] = [];
+    private back: () => void = () => undefined;
+    /** Settled when a client connects after drop(). */
+    reconnected: Promise<void> = Promise.resolve();
+
+    readonly connect = (): Socket => {
+        this.socket = {
+            onopen: null,
+            onclose: null,
+            onmessage: null,
+            binaryType: "",
+            send: (data) => this.sent.push(JSON.parse(data) as Sent),
+            close: () => undefined,
+        };
+        this.back();
+        return this.socket;
+    };
+
+    open(): void {
+        this.socket?.onopen?.();
+    }
+
+    drop(): void {
+        this.reconnected = new Promise((resolve) => {
+            this.back = resolve;
+        });
+        this.socket?.onclose?.();
+    }
+
+    received(type: string): Sent[] {
+        return this.sent.filter((message) => message.type === type);
+    }
+
+    answer(message: Sent): void {
+        this.socket?.onmessage?.({ data: JSON.stringify(message) });
+    }
+
+    answerBytes(data: ArrayBuffer): void {
+        this.socket?.onmessage?.({ data });
+    }
+
+    answerOpen(tree: Table): void {
+        const id = this.received("open").at(-1)?.id;
+        this.answer({ type: "recipe", id, name: "", toml: "", tree, warnings: [] });
+    }
+
+    /** Of the newest paint; what its colours are nobody looks at. */
+    answerPaint(): void {
+        const asked = this.received("paint").at(-1);
+        const id = asked?.id;
+        this.answer({ type: "recipe", id, name: "", toml: "", tree: asked?.recipe, warnings: [] });
+        this.answer({
+            type: "readings",
+            id,
+            geometries: ["45as15"],
+            lab: [[50, 0, 0]],
+            rgb: [[0.5, 0.5, 0.5]],
+            standard: null,
+        });
+        this.answer({ type: "done", id });
+    }
+}
+
+const text = { unit: "", doc: "", required: false } as const;
+const number = { kind: "number", unit: "um", doc: "", required: true, min: 0, max: 1e6 } as const;
+const fraction = { ...number, unit: "", max: 1, min_excluded: true } as const;
+
+/** As the server describes recipes, but with few of their keys. */
+export const SCHEMA: Schema = {
+    version: "0",
+    recipe: {
+        tables: [
+            {
+                path: "",
+                title: "recipe",
+                keys: [
+                    { key: "name", kind: "text", ...text },
+                    { key: "ior", kind: "material", ...text, required: true, choices: "materials" },
+                    { key: "layer", kind: "list", ...text },
+                    { key: "fit", kind: "table", ...text },
+                ],
+            },
+            {
+                path: "layer[]",
+                title: "layer",
+                keys: [
+                    { key: "thickness_um", ...number },
+                    { key: "flakes", kind: "list", ...text },
+                    { key: "pigment", kind: "list", ...text },
+                ],
+            },
+            {
+                path: "layer[].flakes[]",
+                title: "flakes",
+                keys: [
+                    { key: "name", kind: "text", ...text },
+                    { key: "volume_fraction", ...fraction },
+                    { key: "area_density_per_um", ...number },
+                    { key: "core", kind: "table", ...text, required: true },
+                    { key: "coats", kind: "list", ...text },
+                    { key: "reflectance", ...fraction, kind: "spectrum" },
+                    { key: "transmittance", ...fraction, kind: "spectrum", required: false },
+                ],
+                alternatives: [
+                    {
+                        required: true,
+                        each: [
+                            { mark: "volume_fraction", keys: ["volume_fraction"] },
+                            { mark: "area_density_per_um", keys: ["area_density_per_um"] },
+                        ],
+                    },
+                    {
+                        required: false,
+                        each: [
+                            { mark: "core", keys: ["core", "coats"] },
+                            { mark: "reflectance", keys: ["reflectance", "transmittance"] },
+                        ],
+                    },
+                ],
+            },
+            {
+                path: "layer[].flakes[].core",
+                title: "core",
+                keys: [
+                    { key: "material", kind: "material", ...text, required: true },
+                    { key: "thickness_nm", ...number, unit: "nm" },
+                ],
+            },
+            {
+                path: "layer[].flakes[].coats[]",
+                title: "coats",
+                keys: [
+                    { key: "material", kind: "material", ...text, required: true },
+                    { key: "thickness_nm", ...number, unit: "nm" },
+                ],
+            },
+            {
+                path: "layer[].pigment[]",
+                title: "pigment",
+                keys: [
+                    { key: "from", kind: "text", ...text, choices: "pigments" },
+                    { key: "volume_fraction", ...fraction },
+                ],
+                alternatives: [],
+            },
+        ],
+    },
+    materials: [{ name: "mica", summary: "", rgb: [0.5, 0.5, 0.5] }],
+    pigments: [{ name: "chalk", summary: "", rgb: [1, 1, 1] }],
+    paints: [{ name: "pearl", title: "Pearl", toml: 'name = "Pearl"' }],
+    geometry_sets: [{ name: "byk-mac", geometries: ["45as15"] }],
+    illuminants: ["D65"],
+    observers: ["10"],
+    shapes: [],
+    lights: [],
+    start: null,
+};

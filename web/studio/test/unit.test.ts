@@ -1,0 +1,379 @@
+/** What needs no browser: trees, edits, undo, links, the newest request, forms from the schema, the connection. */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Document } from "../src/edit";
+import { insertEntry, moveEntry, removeEntry, setLock, setValue } from "../src/edit";
+import { fileName } from "../src/files";
+import { History } from "../src/history";
+import { Latest } from "../src/latest";
+import { fromFragment, toFragment } from "../src/link";
+import { orbitOf, turned, wrapped } from "../src/orbit";
+import type { KeyInfo } from "../src/schema";
+import {
+    allows,
+    chosen,
+    foreignKeys,
+    labelOf,
+    parameters,
+    placeText,
+    rangeText,
+    tableInfo,
+} from "../src/schema";
+import { Session, unpack } from "../src/session";
+import { niceAbove, scaleOf, settled } from "../src/slider";
+import { newEntry, switched } from "../src/starters";
+import { Studio } from "../src/studio";
+import type { Table } from "../src/tree";
+import { genericPath, get, numbers, parsePath, pathText, set } from "../src/tree";
+import { FakeServer, SCHEMA } from "./fake_server";
+
+const PAINT: Table = {
+    name: "Pearl",
+    ior: 1.5,
+    layer: [
+        {
+            thickness_um: 15,
+            flakes: [
+                {
+                    name: "TiO2 on mica",
+                    volume_fraction: 0.03,
+                    core: { material: "mica", thickness_nm: 500 },
+                    coats: [
+                        { material: "TiO2_anatase", thickness_nm: 80 },
+                        { material: "SiO2", thickness_nm: 20 },
+                    ],
+                },
+            ],
+        },
+        { thickness_um: 30 },
+    ],
+    fit: { "layer[1].thickness_um": [20, 40] },
+};
+const DOCUMENT: Document = { recipe: PAINT, locks: new Set(["layer[1].thickness_um"]) };
+const COAT = "layer[0].flakes[0].coats[1].thickness_nm";
+
+test("a path is written and read as messages name keys", () => {
+    assert.equal(pathText(parsePath(COAT)), COAT);
+    assert.deepEqual(parsePath("layer[10].thickness_um"), ["layer", 10, "thickness_um"]);
+    assert.equal(genericPath(parsePath(COAT)), "layer[].flakes[].coats[].thickness_nm");
+    assert.equal(get(PAINT, parsePath(COAT)), 20);
+    assert.equal(get(PAINT, parsePath("layer[7].thickness_um")), undefined);
+});
+
+test("an edit makes a new tree, leaves the old one, and shares what is the same", () => {
+    const changed = set(PAINT, parsePath(COAT), 25);
+    assert.equal(get(PAINT, parsePath(COAT)), 20);
+    assert.equal(get(changed, parsePath(COAT)), 25);
+    assert.equal(get(changed, ["layer", 1]), get(PAINT, ["layer", 1]));
+    assert.equal("name" in set(PAINT, ["name"], undefined), false);
+    assert.equal(numbers(PAINT.layer as never).length, 6);
+});
+
+test("locks and bounds follow their numbers when entries move or go", () => {
+    const moved = moveEntry(DOCUMENT, ["layer"], 1, -1);
+    assert.deepEqual([...moved.locks], ["layer[0].thickness_um"]);
+    assert.deepEqual(moved.recipe.fit, { "layer[0].thickness_um": [20, 40] });
+    assert.equal(get(moved.recipe, ["layer", 0, "thickness_um"]), 30);
+
+    const inserted = insertEntry(DOCUMENT, ["layer"], 0, { thickness_um: 5 });
+    assert.deepEqual([...inserted.locks], ["layer[2].thickness_um"]);
+
+    const removed = removeEntry(DOCUMENT, ["layer"], 1);
+    assert.deepEqual([...removed.locks], []);
+    assert.equal("fit" in removed.recipe, false);
+
+    assert.equal(moveEntry(DOCUMENT, ["layer"], 0, -1), DOCUMENT);
+    assert.equal("layer" in removeEntry(removed, ["layer"], 0).recipe, false);
+    assert.deepEqual([...setLock(DOCUMENT, ["ior"], true).locks].sort(), [
+        "ior",
+        "layer[1].thickness_um",
+    ]);
+});
+
+test("undo and redo go back and forth, and a drag is one step", () => {
+    const history = new History(0);
+    history.push(1);
+    for (const x of [2, 3, 4]) history.push(x, "slide a");
+    history.push(5, "slide b");
+    history.endGesture();
+    history.push(6, "slide b");
+    assert.deepEqual([history.undo(), history.undo(), history.undo()], [5, 4, 1]);
+    assert.equal(history.redo(), 4);
+    history.push(9);
+    assert.equal(history.canRedo, false);
+    assert.deepEqual([history.undo(), history.undo(), history.undo()], [4, 1, 0]);
+    assert.equal(history.canUndo, false);
+    assert.equal(history.undo(), 0);
+});
+
+test("of requests one is under way, and of those that wait the newest is sent", () => {
+    const sent: number[] = [];
+    const latest = new Latest<number>((n) => sent.push(n));
+    for (let n = 0; n < 100; ++n) latest.want(n);
+    assert.deepEqual(sent, [0]);
+    latest.finished();
+    assert.deepEqual(sent, [0, 99]);
+    latest.finished();
+    assert.equal(latest.busy, false);
+    latest.want(100);
+    latest.want(101);
+    assert.equal(latest.abandon(), 101);
+    assert.equal(latest.busy, false);
+});
+
+test("a paint goes into an address and comes back", async () => {
+    const fragment = await toFragment(DOCUMENT);
+    assert.match(fragment, /^#paint=[\w-]+$/);
+    const read = await fromFragment(fragment);
+    assert.deepEqual(read?.recipe, PAINT);
+    assert.deepEqual(read.locks, DOCUMENT.locks);
+    assert.equal(await fromFragment("#elsewhere"), null);
+    await assert.rejects(fromFragment(fragment.slice(0, -9)), /was it cut/);
+    await assert.rejects(fromFragment("#paint=%%%"), /was it cut/);
+    const list = await toFragment({ recipe: [1] as unknown as Table, locks: new Set() });
+    await assert.rejects(fromFragment(list), /no paint/);
+});
+
+test("an address that would unfold to more than a paint is refused", async () => {
+    const bomb = await toFragment({ recipe: { name: "a".repeat(2 << 20) }, locks: new Set() });
+    assert.ok(bomb.length < 10_000);
+    await assert.rejects(fromFragment(bomb), /more than/);
+});
+
+const info = (change: Partial<KeyInfo>): KeyInfo => ({
+    key: "thickness_um",
+    kind: "number",
+    unit: "um",
+    doc: "",
+    required: true,
+    min: 0,
+    max: 1e6,
+    ...change,
+});
+
+test("a slider reaches a round number above twice the value, and never beyond what is allowed", () => {
+    assert.equal(niceAbove(90), 100);
+    assert.equal(niceAbove(0.16), 0.2);
+    assert.equal(niceAbove(1), 1);
+    assert.deepEqual(scaleOf(info({}), 45), { low: 0, high: 100, step: 0.2 });
+    assert.equal(scaleOf(info({ max: 60 }), 45).high, 60);
+    assert.deepEqual(scaleOf(info({ min: -1, max: 1 }), 0.2), { low: -1, high: 1, step: 0.005 });
+    const bounded = scaleOf(info({}), 30, [20, 40]);
+    assert.deepEqual([bounded.low, bounded.high], [20, 40]);
+    assert.ok(scaleOf(info({ unit: "nm" }), 0).high >= 50);
+});
+
+test("a slider stands for allowed numbers only", () => {
+    const open = info({ min: 0, min_excluded: true });
+    const scale = scaleOf(open, 15);
+    assert.ok(settled(open, scale, 0) > 0);
+    const roughness = info({ key: "roughness", min: 0.01, max: 1, zero: "smooth", unit: "" });
+    const rough = scaleOf(roughness, 0);
+    assert.equal(settled(roughness, rough, 0.001), 0);
+    assert.equal(settled(roughness, rough, 0.008), 0.01);
+    for (let raw = rough.low; raw <= rough.high; raw += rough.step / 3) {
+        assert.ok(allows(roughness, settled(roughness, rough, raw)));
+    }
+    assert.equal(settled(info({}), scaleOf(info({}), 45), 33.3333), 33.4);
+});
+
+test("keys become labels with units, and ranges are written as in the documents", () => {
+    assert.deepEqual(labelOf("thickness_um"), { label: "Thickness", unit: "µm" });
+    assert.deepEqual(labelOf("area_density_per_um"), { label: "Area density", unit: "µm⁻¹" });
+    assert.equal(rangeText(info({ min_excluded: true })), "(0, 1000000] µm");
+    assert.equal(
+        rangeText(info({ key: "roughness", min: 0.01, max: 1, zero: "" })),
+        "0 or [0.01, 1]",
+    );
+    assert.equal(allows(info({ min_excluded: true }), 0), false);
+    assert.equal(allows(info({}), 1e7), false);
+});
+
+test("every number of a paint is a parameter of the form", () => {
+    const found = parameters(SCHEMA, PAINT).map(({ path }) => pathText(path));
+    assert.ok(found.includes(COAT));
+    assert.equal(found.length, 6, found.join());
+    assert.equal(placeText(PAINT, parsePath(COAT)), "Layer 1, TiO2 on mica, SiO2");
+});
+
+test("of alternatives a table shows the keys of the one that it states", () => {
+    const flakes = tableInfo(SCHEMA, ["layer", 0, "flakes", 0]);
+    assert.ok(flakes);
+    const filmed = get(PAINT, ["layer", 0, "flakes", 0]) as Table;
+    const hidden = foreignKeys(filmed, flakes);
+    assert.ok(hidden.has("reflectance") && hidden.has("area_density_per_um"));
+    assert.ok(!hidden.has("coats") && !hidden.has("volume_fraction"));
+
+    const body = flakes.alternatives?.find(({ each }) => each[0]?.mark === "core");
+    assert.ok(body);
+    assert.equal(chosen(filmed, body), 0);
+    const grey = switched(SCHEMA, ["layer", 0, "flakes", 0], filmed, body, 1);
+    assert.equal("core" in grey || "coats" in grey, false);
+    assert.equal(grey.reflectance, 0.5);
+    assert.equal(grey.volume_fraction, 0.03);
+    assert.equal(chosen(grey, body), 1);
+});
+
+test("a new entry has what the schema requires", () => {
+    for (const list of [["layer"], ["layer", 0, "flakes"], ["layer", 0, "pigment"]]) {
+        const entry = newEntry(SCHEMA, list);
+        const needed =
+            tableInfo(SCHEMA, [...list, 0])?.keys.filter(({ required }) => required) ?? [];
+        const alternatives = tableInfo(SCHEMA, [...list, 0])?.alternatives ?? [];
+        const either = new Set(alternatives.flatMap(({ each }) => each.flatMap((one) => one.keys)));
+        for (const { key } of needed) {
+            if (!either.has(key)) assert.ok(key in (entry as Table), `${key} in ${list.join(".")}`);
+        }
+    }
+});
+
+test("bytes are laid out as the message before them says", () => {
+    const bytes = new ArrayBuffer(12);
+    new Uint8Array(bytes).set([1, 2, 3]);
+    new Float32Array(bytes, 4).set([0.5, 7]);
+    const [rgb, values] = unpack(
+        [
+            { name: "rgb", dtype: "u8", shape: [1, 1, 3] },
+            { name: "values", dtype: "f32", shape: [2] },
+        ],
+        bytes,
+    );
+    assert.deepEqual([...(rgb?.data as Uint8Array)], [1, 2, 3]);
+    assert.deepEqual([...(values?.data as Float32Array)], [0.5, 7]);
+});
+
+test("answers reach those who asked, with the bytes behind them", () => {
+    const server = new FakeServer();
+    const session = new Session(server.connect, () => undefined);
+    server.open();
+    const got: unknown[] = [];
+    session.send("render", {}, (message, attachments) => {
+        got.push(
+            message.type,
+            attachments.map(({ name }) => name),
+        );
+    });
+    const [asked] = server.received("render");
+    server.answer({
+        type: "picture",
+        id: asked?.id,
+        binary: [{ name: "rgb", dtype: "u8", shape: [4] }],
+    });
+    assert.deepEqual(got, []);
+    server.answerBytes(new ArrayBuffer(4));
+    assert.deepEqual(got, ["picture", ["rgb"]]);
+    server.answer({ type: "picture", id: 12345 });
+    assert.equal(got.length, 2);
+    session.close();
+});
+
+/** Lets promises that are settled be heard. */
+const settle = () => new Promise((resolve) => setTimeout(resolve, 5));
+
+async function studioWith(server: FakeServer): Promise<{ studio: Studio; clock: { ms: number } }> {
+    const clock = { ms: 0 };
+    const studio = new Studio({
+        connect: server.connect,
+        schema: () => Promise.resolve(SCHEMA),
+        bytes: () => Promise.reject(new Error("no bytes here")),
+        now: () => clock.ms,
+        drawn: (then) => {
+            then();
+        },
+        fragment: () => "",
+        setFragment: () => undefined,
+        address: () => "",
+    });
+    server.open();
+    await settle();
+    return { studio, clock };
+}
+
+test("the studio opens a paint, measures it, and never has two measurements under way", async () => {
+    const server = new FakeServer();
+    const { studio, clock } = await studioWith(server);
+    server.answerOpen(PAINT);
+    assert.equal(server.received("paint").length, 1);
+    for (let i = 1; i <= 50; ++i) {
+        studio.edit((d) => setValue(d, parsePath(COAT), 20 + i), "slide");
+    }
+    assert.equal(server.received("paint").length, 1);
+    clock.ms = 80;
+    server.answerPaint();
+    const [, second] = server.received("paint");
+    assert.equal(get(second?.recipe as Table, parsePath(COAT)), 70);
+    assert.equal(server.received("paint").length, 2);
+    clock.ms = 100;
+    server.answerPaint();
+    assert.equal(studio.store.get().latency_ms, 100);
+    assert.equal(studio.store.get().readingsOf, studio.store.get().document);
+    studio.undo();
+    assert.equal(get(studio.store.get().document.recipe, parsePath(COAT)), 20);
+    studio.redo();
+    assert.equal(get(studio.store.get().document.recipe, parsePath(COAT)), 70);
+});
+
+test("a fault is kept until a recipe can be read again, and the last colours stay", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    studio.edit((d) => setValue(d, ["layer", 0, "thickness_um"], -3));
+    server.answer({
+        type: "error",
+        id: server.received("paint").at(-1)?.id,
+        message:
+            "recipe.toml:7:16: layer[0].thickness_um = -3: must be a number in (0, 1000000] um",
+        key: "layer[0].thickness_um",
+    });
+    assert.equal(studio.store.get().fault?.key, "layer[0].thickness_um");
+    assert.ok(studio.store.get().readings);
+    studio.undo();
+    server.answerPaint();
+    assert.equal(studio.store.get().fault, null);
+});
+
+test("the studio says when the server has gone, and goes on when it is back", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    studio.setStandard("geometry,L,a,b\n45as15,50,0,0\n", "panel.csv");
+    server.drop();
+    assert.equal(studio.store.get().connection, "gone");
+    studio.edit((d) => setValue(d, parsePath(COAT), 33));
+    const before = server.received("paint").length;
+    await server.reconnected;
+    server.open();
+    await settle();
+    assert.equal(studio.store.get().connection, "open");
+    assert.equal(server.received("paint").length, before + 1);
+    const last = server.received("paint").at(-1);
+    assert.equal(get(last?.recipe as Table, parsePath(COAT)), 33);
+    assert.equal(
+        server.received("standard").length,
+        2,
+        "a session of the server knows no standard",
+    );
+});
+
+test("a camera is angles about the shape, and turning stops before the poles", () => {
+    const orbit = orbitOf({
+        name: "ball",
+        title: "Ball",
+        light: "studio",
+        transform: { scale: 1, rotation_deg: [0, 0, 0], translation_mm: [0, 0, 0] },
+        camera: { position_mm: [0, -600, 0], target_mm: [0, 0, 0], fov_deg: 11 },
+    });
+    assert.ok(Math.abs(orbit.azimuth_deg + 90) < 1e-9 && orbit.distance_mm === 600);
+    assert.equal(turned(orbit, 500).elevation_deg, 85);
+    assert.equal(wrapped(190), -170);
+    assert.equal(wrapped(-540), 180);
+});
+
+test("files are named after the paint, and by no path", () => {
+    assert.equal(fileName("Red-gold interference", "toml"), "red-gold-interference.toml");
+    assert.equal(fileName("../../etc/passwd", "csv"), "etc-passwd.csv");
+    assert.equal(fileName(undefined, "png"), "paint.png");
+    assert.equal(fileName("Grün 7", "toml"), "grün-7.toml");
+});
