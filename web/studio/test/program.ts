@@ -1,0 +1,55 @@
+/** The program nacre: its commands, and the studio that it serves. */
+
+import type { ChildProcess } from "node:child_process";
+import { execFile, spawn } from "node:child_process";
+import { env } from "node:process";
+import { createInterface } from "node:readline";
+import { promisify } from "node:util";
+import type { Browser } from "playwright-core";
+import { chromium } from "playwright-core";
+
+const given = env.NACRE_PROGRAM;
+if (given === undefined) throw new Error("NACRE_PROGRAM: the program nacre");
+const program: string = given;
+
+const run = promisify(execFile);
+
+/** What a command writes to its standard output. */
+export async function nacre(...args: string[]): Promise<string> {
+    return (await run(program, [...args, "--quiet"], { maxBuffer: 1 << 24 })).stdout;
+}
+
+export class Program {
+    private constructor(
+        readonly url: string,
+        private readonly process: ChildProcess,
+    ) {}
+
+    static async start(recipe: string): Promise<Program> {
+        const process = spawn(program, ["studio", recipe, "--no-open", "--quiet"], {
+            stdio: ["ignore", "pipe", "inherit"],
+        });
+        const lines = createInterface({ input: process.stdout });
+        for await (const line of lines) return new Program(line, process);
+        throw new Error("nacre studio ended before it printed its address");
+    }
+
+    async end(): Promise<void> {
+        const ended = new Promise((resolve) => this.process.once("exit", resolve));
+        this.process.kill("SIGINT");
+        await ended;
+    }
+}
+
+/** Debian's Chromium, with WebGL 2 drawn by the processor. */
+export function launch(): Promise<Browser> {
+    return chromium.launch({
+        executablePath: "/usr/bin/chromium",
+        args: [
+            "--no-sandbox",
+            "--use-gl=angle",
+            "--use-angle=swiftshader",
+            "--enable-unsafe-swiftshader",
+        ],
+    });
+}
