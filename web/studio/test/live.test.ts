@@ -31,7 +31,8 @@ before(async () => {
     const context = await browser.newContext({ bypassCSP: true });
     page = await context.newPage();
     page.setDefaultTimeout(0); // tests have no time limits
-    await page.goto(studio.url);
+    // Any file of the studio's: the page itself would draw as well.
+    await page.goto(studio.url.replace("/?", "/studio.css?"));
     const script = join(dirname(fileURLToPath(import.meta.url)), "live_page.mjs");
     await page.addScriptTag({ type: "module", content: await readFile(script, "utf8") });
     await page.waitForFunction(() => typeof window.live === "function");
