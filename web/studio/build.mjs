@@ -27,7 +27,11 @@ async function buildTests() {
             target: "node18",
             sourcemap: "inline",
             rollupOptions: {
-                input: { unit: "test/unit.test.ts", browser: "test/browser.test.ts" },
+                input: {
+                    unit: "test/unit.test.ts",
+                    browser: "test/browser.test.ts",
+                    pictures: "test/pictures.ts",
+                },
                 output: { entryFileNames: "[name].mjs", chunkFileNames: "[name].mjs" },
             },
         },

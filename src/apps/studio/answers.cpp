@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "nacre/core/text.h"
+#include "nacre/exchange/webgl_shader.h"
 #include "nacre/fit/free_numbers.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/measure/difference.h"
@@ -166,6 +167,40 @@ Tree recipe_json(const NamedPaint& named, const Tree& tree, const Tree& id) {
             {"warnings", std::move(warnings)}};
 }
 
+/// Texts and arrays of the shader that shows the paint.
+Frame shader_frame(const Paint& paint, const Context& context) {
+    Tree json = {{"type", "shader"}, {"id", context.id}};
+    exchange::WebglShader shader;
+    try {
+        shader = exchange::make_live_webgl_shader(paint.solved({}, context.progress));
+    } catch (const DomainError& error) {  // it has readings all the same
+        json["problem"] = error.what();
+        return {dumped(json), {}};
+    }
+    json["program"] = shader.program;
+    json["smooth_coat"] = shader.smooth_coat;
+    json["uniforms"] = Tree::array();
+    for (const exchange::WebglUniform& uniform : shader.uniforms) {
+        json["uniforms"].push_back({{"name", uniform.name},
+                                    {"components", uniform.components},
+                                    {"array", uniform.array},
+                                    {"values", uniform.values}});
+    }
+    std::string bytes;
+    json["binary"] = Tree::array();
+    for (const exchange::WebglTexture& texture : shader.textures) {
+        std::vector<int> shape(texture.size.rbegin(), texture.size.rend());
+        shape.push_back(4);
+        json["binary"].push_back({{"name", texture.name}, {"dtype", "f16"}, {"shape", shape}});
+        // Texels of four halves need no padding.
+        bytes.append(reinterpret_cast<const char*>(texture.rgba.data()),
+                     texture.rgba.size() * sizeof(texture.rgba[0]));
+    }
+    Tree when_new = json;
+    when_new["glsl"] = shader.glsl;
+    return {dumped(json), std::move(bytes), shader.program, dumped(when_new)};
+}
+
 Frame done(const Tree& id) { return {dumped({{"type", "done"}, {"id", id}}), {}}; }
 
 }  // namespace
@@ -262,9 +297,11 @@ Frames answer(const PaintRequest& request, const Context& context) {
                                            measurement, request.tolerance);
     }
     json["csv"] = readings.csv();
-    return {{dumped(recipe_json(named, request.recipe, context.id)), {}},
-            {dumped(json), {}},
-            done(context.id)};
+    Frames frames = {{dumped(recipe_json(named, request.recipe, context.id)), {}},
+                     {dumped(json), {}}};
+    if (request.shader) frames.push_back(shader_frame(named.paint, context));
+    frames.push_back(done(context.id));
+    return frames;
 }
 
 Frames answer(const StandardRequest& request, const Context& context) {

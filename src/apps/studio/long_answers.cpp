@@ -28,8 +28,9 @@ class Teller {
         return [this, from, to](double fraction) {
             if (!context_.progress(fraction)) return false;
             const auto now = Clock::now();
-            if (now - last_ >= std::chrono::milliseconds(100)) {
+            if (fraction != told_ && now - last_ >= std::chrono::milliseconds(100)) {
                 last_ = now;
+                told_ = fraction;
                 context_.send("progress of " + about_,
                               {{dumped({{"type", "progress"},
                                         {"id", context_.id},
@@ -46,6 +47,7 @@ class Teller {
     const Context& context_;
     const std::string about_;
     Clock::time_point last_{};
+    double told_ = -1;
 };
 
 Tree estimate_json(const std::optional<Estimate>& estimate, double scale = 1) {
@@ -85,8 +87,7 @@ Model sparkling_model(double specimen) {
 }
 
 /// One composition that a fit found.
-Tree match_json(const NamedPaint& start, const Context& context,
-                const std::vector<fit::FittedParameter>& parameters,
+Tree match_json(const NamedPaint& start, const std::vector<fit::FittedParameter>& parameters,
                 const std::vector<double>& values, double mean, double max, bool best) {
     Paint paint = start.paint;
     Tree numbers = Tree::array();
@@ -104,7 +105,6 @@ Tree match_json(const NamedPaint& start, const Context& context,
                            {"at_bound", best && (fitted.at_lower_bound || fitted.at_upper_bound)}});
     }
     const std::string toml = paint.recipe_text(References()).text;
-    (void)context;
     return {{"recipe", tree_of_toml(toml, "recipe.toml")},
             {"toml", toml},
             {"mean_delta_e", mean},
@@ -142,12 +142,11 @@ Frames answer(const FitRequest& request, const Context& context) {
     std::vector<double> best;
     for (const fit::FittedParameter& parameter : found.parameters) best.push_back(parameter.value);
     Tree matches = Tree::array();
-    matches.push_back(match_json(named, context, found.parameters, best,
-                                 found.difference.mean_delta_e_2000,
+    matches.push_back(match_json(named, found.parameters, best, found.difference.mean_delta_e_2000,
                                  found.difference.max_delta_e_2000, true));
     for (const fit::Minimum& other : found.alternatives) {
-        matches.push_back(match_json(named, context, found.parameters, other.values,
-                                     other.mean_delta_e_2000, other.max_delta_e_2000, false));
+        matches.push_back(match_json(named, found.parameters, other.values, other.mean_delta_e_2000,
+                                     other.max_delta_e_2000, false));
     }
     Tree skipped = Tree::array();
     for (const fit::SkippedNumber& number : free.skipped) {

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,8 @@ namespace nacre::studio {
 /// A frame of text, and the binary one that follows it; empty: none does.
 struct Frame {
     std::string text, binary;
+    /// The name of a program in it, which a page is sent once: the text then is `text_when_new`.
+    std::string program = {}, text_when_new = {};
 };
 using Frames = std::vector<Frame>;
 
@@ -33,12 +36,20 @@ class Outbox {
         if (waiting_.empty()) return std::nullopt;
         Answer answer = std::move(waiting_.front());
         waiting_.pop_front();
+        for (Frame& frame : answer.frames) {
+            if (known_.size() >= kMostKnown) known_.clear();
+            const bool is_new = !frame.program.empty() && known_.insert(frame.program).second;
+            if (is_new) frame.text = std::move(frame.text_when_new);
+        }
         return answer;
     }
     std::size_t size() const { return waiting_.size(); }
 
  private:
+    static constexpr std::size_t kMostKnown = 1000;
+
     std::deque<Answer> waiting_;
+    std::set<std::string> known_;  // programs that were taken
 };
 
 }  // namespace nacre::studio

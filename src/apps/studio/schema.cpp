@@ -25,7 +25,7 @@ constexpr double kLogarithmicRatio = 1e3;
 Tree number_or_null(double x) { return std::isfinite(x) ? Tree(x) : Tree(nullptr); }
 
 /// Collects the keys of one table, and the tables in it behind it. A table with alternatives is
-/// visited once for each of them, put in place of each other.
+/// visited again and again, until each has stood in it.
 class TableVisitor final : public paint::Visitor {
  public:
     /// @param path  of the table, as "layer[].flakes[]"; "" is the outermost
@@ -35,14 +35,24 @@ class TableVisitor final : public paint::Visitor {
     /// @param object  a new one
     void collect(const paint::Described& object) {
         do {
+            choices_ = 1;
             object.accept(*this);
+            rounds_ = std::max(rounds_, choices_);
             ++round_;
-        } while (round_ < most_alternatives_);
+        } while (round_ < rounds_);
+        // As they are described.
+        const std::vector<std::string> order = paint::keys_of(object);
+        Tree sorted = Tree::array();
+        for (const std::string& name : order) {
+            for (const Tree& key : keys_) {
+                if (key["key"] == name) sorted.push_back(key);
+            }
+        }
         Tree table = {{"path", path_},
                       {"title", title()},
                       {"doc", ""},
                       {"ordered", ordered_},
-                      {"keys", std::move(keys_)},
+                      {"keys", std::move(sorted)},
                       {"alternatives", std::move(alternatives_)}};
         tables_.push_back(std::move(table));
         for (Tree& inner : inner_) tables_.push_back(std::move(inner));
@@ -92,7 +102,6 @@ class TableVisitor final : public paint::Visitor {
     std::size_t alternative(const paint::Alternatives& alternatives,
                             const std::vector<std::vector<std::string> (*)()>& keys,
                             std::size_t) override {
-        most_alternatives_ = std::max(most_alternatives_, keys.size());
         Tree each = Tree::array();
         for (std::size_t i = 0; i < keys.size(); ++i) {
             each.push_back({{"mark", alternatives.each[i].mark}, {"keys", keys[i]()}});
@@ -101,7 +110,10 @@ class TableVisitor final : public paint::Visitor {
         if (std::ranges::find(alternatives_, group) == alternatives_.end()) {
             alternatives_.push_back(group);
         }
-        return std::min(round_, keys.size() - 1);
+        // The digits of the round's number: every choice meets every other.
+        const std::size_t index = round_ / choices_ % keys.size();
+        choices_ *= keys.size();
+        return index;
     }
 
  private:
@@ -161,7 +173,7 @@ class TableVisitor final : public paint::Visitor {
     std::string path_;
     bool ordered_;
     Tree keys_ = Tree::array(), alternatives_ = Tree::array(), inner_ = Tree::array();
-    std::size_t round_ = 0, most_alternatives_ = 1;
+    std::size_t round_ = 0, rounds_ = 1, choices_ = 1;
 };
 
 /// "#rrggbb" as three numbers in [0, 1]; null for an empty text.

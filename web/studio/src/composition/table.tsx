@@ -84,7 +84,6 @@ function isListOfLayer(path: Path, key: string): boolean {
 
 /** What a table could have besides, could say in another way, or could do without. */
 export function More({ path }: { readonly path: Path }): VNode | null {
-    const studio = useStudio();
     const schema = useStudioState((state) => state.schema);
     const recipe = useStudioState((state) => state.document.recipe);
     const table = get(recipe, path);
@@ -159,7 +158,7 @@ function MoreOf(props: {
                 event.currentTarget.value = "";
             }}
         >
-            <option value="">More …</option>
+            <option value="">More</option>
             {add.length > 0 && (
                 <optgroup label="Add">
                     {add.map(({ key }) => (

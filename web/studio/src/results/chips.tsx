@@ -39,11 +39,17 @@ export function standardAt(readings: Readings, i: number): Lab | null {
 
 export function Chips(): VNode {
     const readings = useStudioState((state) => state.readings);
-    const current = useStudioState((state) => state.fault === null);
+    const sound = useStudioState((state) => state.fault === null);
+    const current = useStudioState((state) => state.readingsOf === state.document);
     if (readings === null) return <div class="stage chips" aria-busy="true" />;
     const parts = groups(readings.geometries);
     return (
-        <div class={current ? "stage chips" : "stage chips old"} role="group" aria-label="Chips">
+        <div
+            class={sound ? "stage chips" : "stage chips old"}
+            role="group"
+            aria-label="Chips"
+            data-current={current}
+        >
             {readings.standard?.problem !== undefined && (
                 <p class="problem">{readings.standard.problem}</p>
             )}

@@ -1,0 +1,39 @@
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "apps/studio/answers.h"
+#include "apps/studio/http_rules.h"
+#include "nacre/core/error.h"
+#include "nacre/io/recipe_file.h"
+
+// What a page sends is taken or refused with a MessageError; the recipe in it becomes a TOML text with
+// the same tree, which is read or refused. The target of a request is taken or refused.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    using namespace nacre::studio;
+    const auto target = parse_target(text);
+    if (target && target->path.size() > size) __builtin_trap();
+    is_host(text, {"127.0.0.1", 80, true});
+
+    Message message;
+    try {
+        message = parse_message(text);
+    } catch (const MessageError& error) {
+        error_frames(error.id(), "message", error);
+        return 0;
+    }
+    const auto* paint = std::get_if<PaintRequest>(&message.request);
+    if (!paint) return 0;
+    try {
+        const std::string toml = toml_of_tree(paint->recipe);
+        if (toml.size() > nacre::io::kMaxTextBytes) return 0;
+        if (toml_of_tree(tree_of_toml(toml, "recipe.toml"), toml) != toml) __builtin_trap();
+        nacre::io::parse_recipe_file(toml, "recipe.toml", {});
+    } catch (const nacre::InputError& error) {
+        error_frames(message.id, message.type, error);
+    }
+    return 0;
+}
