@@ -175,12 +175,15 @@ export class LiveView {
     }
 
     setCamera(camera: Camera): void {
+        const same = JSON.stringify(camera) === JSON.stringify(this.camera);
         this.camera = camera;
-        this.restart();
+        if (!same) this.restart();
     }
 
     /** About the vertical through what the camera looks at, counterclockwise seen from above. */
     turn(what: "shape" | "light", angle_deg: number): void {
+        const before = what === "shape" ? this.turn_deg : this.lightTurn_deg;
+        if (angle_deg === before) return;
         if (what === "shape") this.turn_deg = angle_deg;
         else this.lightTurn_deg = angle_deg;
         this.restart();
