@@ -30,6 +30,8 @@ async function buildTests() {
                 input: {
                     unit: "test/unit.test.ts",
                     browser: "test/browser.test.ts",
+                    live: "test/live.test.ts",
+                    live_page: "test/live_page.ts", // read by live, for the browser
                     pictures: "test/pictures.ts",
                 },
                 output: { entryFileNames: "[name].mjs", chunkFileNames: "[name].mjs" },

@@ -1,0 +1,91 @@
+/**
+ * The live picture against the path tracer's: the colours of a ball.
+ *
+ * In pictures of 48 pixels each holds some thousands of flakes, of which the path tracer shows every one
+ * and the live picture the mean.
+ */
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import type { Browser, Page } from "playwright-core";
+import type { Lab } from "../../common/colour";
+import { deltaE2000 } from "../../common/colour";
+import type {} from "./live_page";
+import { launch, Program } from "./program";
+
+const PAINTS = ["red-gold", "metallic-silver", "white", "ruby", "green-violet"];
+const SIZE = 48;
+const SAMPLES = 64;
+const TRACED_SAMPLES = 256;
+
+let studio: Program;
+let browser: Browser;
+let page: Page;
+
+before(async () => {
+    studio = await Program.start("red-gold");
+    browser = await launch();
+    const context = await browser.newContext({ bypassCSP: true });
+    page = await context.newPage();
+    page.setDefaultTimeout(0); // tests have no time limits
+    // Any file of the studio's: the page itself would draw as well.
+    await page.goto(studio.url.replace("/?", "/studio.css?"));
+    const script = join(dirname(fileURLToPath(import.meta.url)), "live_page.mjs");
+    await page.addScriptTag({ type: "module", content: await readFile(script, "utf8") });
+    await page.waitForFunction(() => typeof window.live === "function");
+});
+
+after(async () => {
+    await browser.close();
+    await studio.end();
+});
+
+/** From linear Rec. 709, relative to its white [cie-15-2018]. */
+function labOf(rgb: readonly number[]): Lab {
+    const rows = [
+        [0.4124564, 0.3575761, 0.1804375],
+        [0.2126729, 0.7151522, 0.072175],
+        [0.0193339, 0.119192, 0.9503041],
+    ];
+    const [x, y, z] = rows.map((row) => {
+        const dot = (values: readonly number[]) =>
+            row.reduce((sum, weight, c) => sum + weight * (values[c] ?? 0), 0);
+        const t = dot(rgb) / dot([1, 1, 1]);
+        return t > (6 / 29) ** 3 ? Math.cbrt(t) : (t * (29 / 6) ** 2) / 3 + 4 / 29;
+    }) as [number, number, number];
+    return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+}
+
+/** Whether a pixel is wholly on the ball, which covers 65 % of the picture. */
+function onBall(at: number): boolean {
+    const [x, y] = [(at % SIZE) + 0.5 - SIZE / 2, Math.floor(at / SIZE) + 0.5 - SIZE / 2];
+    return Math.hypot(x, y) < 0.42 * SIZE;
+}
+
+for (const paint of PAINTS) {
+    test(`${paint} on a ball has the path tracer's colours`, async () => {
+        const live = await page.evaluate(
+            ([name, size, samples]) => window.live(name, size, samples),
+            [paint, SIZE, SAMPLES] as const,
+        );
+        const traced = await page.evaluate(
+            ([name, size, samples]) => window.traced(name, size, samples),
+            [paint, SIZE, TRACED_SAMPLES] as const,
+        );
+        let [sum, count] = [0, 0];
+        for (let at = 0; at < SIZE * SIZE; ++at) {
+            if (!onBall(at)) continue;
+            sum += deltaE2000(
+                labOf(traced.data.slice(3 * at, 3 * at + 3)),
+                labOf(live.data.slice(4 * at, 4 * at + 3)),
+            );
+            ++count;
+        }
+        assert.ok(count > 1000);
+        console.log(`${paint}: Delta E 2000 ${(sum / count).toFixed(2)}, mean over the ball`);
+        assert.ok(sum / count < 2);
+    });
+}
