@@ -24,7 +24,7 @@ from ._film import (
     srgb,
     xyz,
 )
-from ._fit import FittedParameter, Match, fit
+from ._fit import ConstructionMatch, FittedParameter, Match, fit
 from ._measurement import Difference, Measurement, geometry_sets
 from ._model import Model, model_names
 from ._nacre import version
@@ -42,6 +42,7 @@ __version__: str = version()
 __all__ = [
     "WAVELENGTHS_NM",
     "Chips",
+    "ConstructionMatch",
     "Difference",
     "DiffuseReading",
     "DomainError",

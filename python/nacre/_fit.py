@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 from . import _html, _nacre
 from ._arrays import texts
+from ._errors import SettingError
 from ._measurement import Difference, Measurement
 from ._model import ModelLike, settings_of
 from ._paint import Paint
@@ -83,6 +86,8 @@ class Match:
     alternatives: list[Alternative]
     solves: int
     seconds: float
+    constructions: list[ConstructionMatch] = field(default_factory=list)
+    """of a fit from a library: what each construction came to, the best, which is this, first"""
 
     def _spectra(self) -> str:
         """What was measured, dashed, and what was found."""
@@ -106,11 +111,28 @@ class Match:
         )
 
 
+@dataclass(frozen=True)
+class ConstructionMatch:
+    """What a fit from a library found for one construction."""
+
+    construction: str
+    """materials without numbers, from the top down: ``clear / TiO2_anatase|mica``"""
+    record: str
+    """folder of the record whose colours were nearest, from which the fit started"""
+    name: str
+    """of that record's paint"""
+    nearest_mean_dE2000: float
+    """of that record"""
+    match: Match
+
+
 def fit(
     standard: Measurement | Paint,
-    start: Paint,
+    start: Paint | None = None,
     free: str | Sequence[str] | None = None,
     *,
+    library: str | os.PathLike[str] | None = None,
+    constructions: int = 4,
     model: ModelLike = None,
     also: str | Sequence[str] | None = None,
     weights: Mapping[str, float] | None = None,
@@ -132,6 +154,11 @@ def fit(
     free
         Numbers to turn, by key or the end of a key, `*` for any text (what cannot be free is
         skipped); None: those of the recipe's table [fit].
+    library
+        In place of both, a folder made by nacre-library: the nearest record of each of the nearest
+        constructions is a start, and what its sweep varies is free.
+    constructions
+        With a library: how many are tried, at least 1.
     model
         By which paints are seen: ``nacre`` with its hot spot, else by the equation of transfer.
     also
@@ -151,28 +178,45 @@ def fit(
     ------
     DomainError
         If a key or a bound is wrong, or a free number does not change the colours.
+    SettingError
+        If not exactly one of ``start`` and ``library`` is given, or ``free`` with a library.
     InputError
-        If the start has no recipe or no layers.
+        If the start has no recipe or no layers, or the folder is no library.
     Stopped
         If ``progress`` returned False.
     """
+    if (start is None) == (library is None):
+        raise SettingError("start or library: one of them says where the fit starts")
+    if library is not None and free is not None:
+        raise SettingError("free: belongs to start; a library's sweeps say what varies")
+    if constructions < 1:
+        raise SettingError(f"constructions = {constructions}: must be at least 1")
     if isinstance(standard, Paint):
         standard = standard.measure(model=None if standard.kind.startswith("measured") else model)
+    settings = _nacre.FitSettings(
+        standard._readings,
+        settings_of(model),
+        texts(also),
+        dict(weights or {}),
+        starts,
+        seed,
+        noise_dE,
+        equal_dE,
+        matched_dE,
+    )
     with reporter(progress, "fit") as report:
-        found = _nacre.fit(
-            standard._readings,
-            start._paint,
-            texts(free),
-            settings_of(model),
-            texts(also),
-            dict(weights or {}),
-            starts,
-            seed,
-            noise_dE,
-            equal_dE,
-            matched_dE,
-            report,
+        if start is not None:
+            one = _nacre.fit(standard._readings, start._paint, texts(free), settings, report)
+            return _match(one)
+        assert library is not None
+        found = _nacre.fit_from_library(
+            standard._readings, os.fspath(library), constructions, settings, report
         )
+    matches = [ConstructionMatch(**{**one, "match": _match(one["match"])}) for one in found]
+    return replace(matches[0].match, constructions=matches)
+
+
+def _match(found: dict[str, Any]) -> Match:
     return Match(
         paint=Paint._of(found["paint"]),
         parameters={p["key"]: FittedParameter(**p) for p in found["parameters"]},

@@ -5,6 +5,7 @@
 
 #include "arrays.h"
 #include "bind.h"
+#include "nacre/library.h"
 #include "nacre/nacre.h"
 #include "paint_handle.h"
 #include "readings_handle.h"
@@ -112,34 +113,61 @@ nb::dict match_of(const Match& match) {
 }  // namespace
 
 void bind_fit(nb::module_& module) {
+    nb::class_<FitSettings>(module, "FitSettings")
+        .def(
+            "__init__",
+            [](FitSettings* place, const Readings& standard, const std::optional<Model>& model,
+               const std::vector<std::string>& also, const std::map<std::string, double>& weights,
+               int starts, std::uint64_t seed, const std::optional<double>& noise_dE,
+               double equal_dE, double matched_dE) {
+                FitSettings settings;
+                settings.starts = starts;
+                settings.seed = seed;
+                settings.noise_delta_e = noise_dE;
+                settings.equal_delta_e = equal_dE;
+                settings.matched_delta_e = matched_dE;
+                settings.target.weights = weights;
+                settings.target.hot_spot = model && shows_hot_spot(*model);
+                if (!also.empty()) {
+                    settings.target.illuminants = {standard.measurement.conditions.illuminant};
+                    for (const std::string& name : also) {
+                        settings.target.illuminants.push_back(illuminant(name));
+                    }
+                }
+                new (place) FitSettings(std::move(settings));
+            },
+            "standard"_a, "model"_a.none(), "also"_a, "weights"_a, "starts"_a, "seed"_a,
+            "noise_dE"_a.none(), "equal_dE"_a, "matched_dE"_a);
     module.def(
         "fit",
         [](const Readings& standard, const PaintHandle& start, const std::vector<std::string>& free,
-           const std::optional<Model>& model, const std::vector<std::string>& also,
-           const std::map<std::string, double>& weights, int starts, std::uint64_t seed,
-           const std::optional<double>& noise_dE, double equal_dE, double matched_dE,
-           const nb::object& progress) {
-            FitSettings settings;
-            settings.starts = starts;
-            settings.seed = seed;
-            settings.noise_delta_e = noise_dE;
-            settings.equal_delta_e = equal_dE;
-            settings.matched_delta_e = matched_dE;
-            settings.target.weights = weights;
-            settings.target.hot_spot = model && shows_hot_spot(*model);
-            if (!also.empty()) {
-                settings.target.illuminants = {standard.measurement.conditions.illuminant};
-                for (const std::string& name : also) {
-                    settings.target.illuminants.push_back(illuminant(name));
-                }
-            }
-            const Match match = run(progress, [&](const Progress& ask) {
+           const FitSettings& settings, const nb::object& progress) {
+            return match_of(run(progress, [&](const Progress& ask) {
                 return start.paint.fit(standard.measurement, free, settings, ask);
-            });
-            return match_of(match);
+            }));
         },
-        "standard"_a, "start"_a, "free"_a, "model"_a.none(), "also"_a, "weights"_a, "starts"_a,
-        "seed"_a, "noise_dE"_a.none(), "equal_dE"_a, "matched_dE"_a, "progress"_a.none());
+        "standard"_a, "start"_a, "free"_a, "settings"_a, "progress"_a.none());
+    module.def(
+        "fit_from_library",
+        [](const Readings& standard, const std::string& library, std::size_t constructions,
+           const FitSettings& settings, const nb::object& progress) {
+            const std::vector<ConstructionMatch> matches = run(progress, [&](const Progress& ask) {
+                return fit_from_library(library, standard.measurement, constructions, settings,
+                                        ask);
+            });
+            nb::list all;
+            for (const ConstructionMatch& m : matches) {
+                nb::dict one;
+                one["construction"] = m.start.construction;
+                one["record"] = m.start.folder.string();
+                one["name"] = m.start.name;
+                one["nearest_mean_dE2000"] = m.start.mean_delta_e_2000;
+                one["match"] = match_of(m.match);
+                all.append(one);
+            }
+            return all;
+        },
+        "standard"_a, "library"_a, "constructions"_a, "settings"_a, "progress"_a.none());
 }
 
 }  // namespace nacre::python

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import Run, rows
+from nacre.library import Plan, engine
 
 import nacre
 
@@ -309,6 +310,57 @@ def test_fit(nacre_program: Run, paints: Path, tmp_path: Path) -> None:
     assert start[key] == 100
     np.testing.assert_array_equal(match.standard.Lab, standard.Lab)
     assert match.colours.difference(match.standard).max_dE2000 < 0.1
+
+
+def test_fit_from_a_library(nacre_program: Run, tmp_path: Path) -> None:
+    (tmp_path / "plan.toml").write_text(
+        """
+        [[sweep]]
+        base = "tio2-mica-80"
+        vary = { "coats[0].thickness_nm" = [70, 105] }
+        [[sweep]]
+        name = "solid"
+        base = "solid-red"
+        """
+    )
+    library = tmp_path / "made"
+    engine.run(Plan(tmp_path / "plan.toml"), library, workers=0)
+    standard = nacre.Paint("tio2-mica-110").measure(wavelengths_nm=range(400, 701, 40))
+    standard.write(tmp_path / "standard.csv")
+    process = nacre_program(
+        *("fit", tmp_path / "standard.csv", "--library", library, "--starts", "1"),
+        *("--format", "json", "-o", tmp_path / "found.toml"),
+    )
+    expected = json.loads(process.stdout)
+    match = nacre.fit(standard, library=library, starts=1)
+    assert match.matched
+    assert [
+        {
+            "construction": one.construction,
+            "record": one.record,
+            "name": one.name,
+            "nearest_mean_delta_e_2000": one.nearest_mean_dE2000,
+            "mean_delta_e_2000": one.match.difference.mean_dE2000,
+            "matched": one.match.matched,
+            "recipe_sha256": one.match.paint.sha256,
+        }
+        for one in match.constructions
+    ] == expected["constructions"]
+    assert [one.match.matched for one in match.constructions] == [True, False]
+    assert match.paint is match.constructions[0].match.paint
+    assert nacre.Paint(tmp_path / "found.toml").sha256 == match.paint.sha256
+    (found,) = match.parameters.values()
+    assert found.value == expected["numbers"][0]["value"] == pytest.approx(110, abs=0.1)
+    for wrong, message in (
+        ({}, "start or library"),
+        ({"library": library, "start": match.paint}, "start or library"),
+        ({"library": library, "free": "ior"}, "free: belongs to start"),
+        ({"library": library, "constructions": 0}, "constructions = 0: must be at least 1"),
+    ):
+        with pytest.raises(nacre.SettingError, match=message):
+            nacre.fit(standard, **wrong)  # type: ignore[arg-type]
+    with pytest.raises(nacre.InputError, match="has no records"):
+        nacre.fit(standard, library=tmp_path / "none")
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,9 @@ def same_files(one: Path, other: Path) -> None:
         assert one.with_suffix(suffix).read_bytes() == other.with_suffix(suffix).read_bytes()
 
 
+CHANGED = ("--set", "layer[0].thickness_um=12", "--set", "clearcoat.thickness_um=30")
+
+
 @pytest.fixture
 def whole(nacre_program: Run, tmp_path: Path) -> Path:
     """The picture of one process."""
@@ -31,11 +34,14 @@ def whole(nacre_program: Run, tmp_path: Path) -> Path:
 
 
 def test_shares_on_two_workers(
-    whole: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    nacre_program: Run, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    whole = tmp_path / "whole.exr"
+    picture = ("render", "macro", "--paint", "ruby", *CHANGED, *PICTURE, "--sparkle")
+    nacre_program(*picture, "-o", whole)
     file = tmp_path / "shares.exr"
-    options = (*PICTURE, "--sparkle", "--shards", "3", "--workers", "2", "-o", str(file))
-    assert cli.main(["render", "macro", "--paint", "ruby", *options]) == 0
+    options = ("--shards", "3", "--workers", "2", "-o", str(file))
+    assert cli.main([*picture, *options]) == 0
     assert capsys.readouterr().out == f"{file}\n"
     same_files(file, whole)
     assert not (tmp_path / "shares.shares").exists()
@@ -127,6 +133,13 @@ def test_what_is_there_is_kept(tmp_path: Path) -> None:
         (("-o", "x.png"), "x.png: must end in .exr"),
         (("--model-option", "specimen=1"), "belongs to --model"),
         (("--model", "nacre", "--model-option", "specimen"), "must be KEY=VALUE"),
+        (("--set", "alpha"), "set = alpha: must be KEY=VALUE"),
+        (("--set", "alpha=x"), "set = alpha=x: must be a number"),
+        (("--set", "alpha=0.1", "--paint", ""), "set: belongs to --paint"),
+        (("--set", "alphabet=1", "--task", "0"), "alphabet"),
+        (("--noise", "0.01"), "--noise: pieces are shares of a number of samples"),
+        (("--video", "x.mp4"), "--video: make it of the frames"),
+        (("--gamut", "rec2020"), "--gamut: nacre merge has it"),
         (("--workers", "0"), "workers = 0: must be at least 1"),
         (("--task", "6"), "task = 6: must be in [0, 0]"),
         (("--paint", "no-such.toml", "--workers", "1"), "no-such.toml"),

@@ -43,7 +43,8 @@ struct ConstructionMatch {
     Match match;
 };
 
-/// Fits each of the nearest constructions to a standard, from its nearest record.
+/// Fits each of the nearest constructions to a standard, from its nearest record. What might help is
+/// sought for the best match alone, if that does not reach the standard.
 /// @param settings  FitSettings::starts holds for each
 /// @return  the best match first
 /// @throws as nearest_constructions() and Paint::fit()

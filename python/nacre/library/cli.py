@@ -291,9 +291,9 @@ def _interrupt(number: int, frame: FrameType | None) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs ``nacre-library`` and returns its exit status."""
-    chosen = parser().parse_args(arguments)
     signal.signal(signal.SIGTERM, _interrupt)  # a job that is cancelled leaves a catalogue too
     try:
+        chosen = parser().parse_args(arguments)
         return int(chosen.function(chosen))
     except nacre.Error as error:
         print(f"nacre-library: {error}", file=sys.stderr)

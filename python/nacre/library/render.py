@@ -22,6 +22,15 @@ import nacre
 from . import engine, slurm
 from .record import write_whole
 
+ELSEWHERE = {
+    "--noise": "pieces are shares of a number of samples: say it with --spp, as nacre render "
+    "--noise finds it on a small picture",
+    "--video": "make it of the frames: ffmpeg -framerate 24 -i x.%04d.png x.mp4",
+    "--gamut": "nacre merge has it: render the pieces with --task, then nacre merge x.shares/*.h5 "
+    "--gamut display-p3 -o x.exr",
+}
+"""Options of ``nacre render`` that pieces cannot have, and what to do."""
+
 ABOUT = "Renders a picture in shares, or the frames of an animation, on many processors."
 LAST_FRAME = 999_999
 
@@ -50,6 +59,8 @@ class Render:
     """.exr; of frame 7 of an animation: x.0007.exr"""
     paint: str = ""
     """a file or the name of a shipped paint; empty: the scene names its paints"""
+    values: tuple[tuple[str, float], ...] = ()
+    """numbers of that paint that are changed, by key or the end of a key"""
     model: str = ""
     """empty: the usual one"""
     model_options: tuple[tuple[str, str], ...] = ()
@@ -134,7 +145,7 @@ class Render:
         turn = None if piece.frame is None else (self.turntable, self.angle_deg(piece.frame))
         picture = nacre.render(
             self.scene,
-            nacre.Paint(self.paint) if self.paint else None,
+            nacre.Paint(self.paint).with_values(dict(self.values)) if self.paint else None,
             spp=self.spp,
             size=self.size,
             model=model,
@@ -182,6 +193,7 @@ class Render:
         if self.frames is not None:
             options["--frames"] = "{}:{}".format(*self.frames)
         given = [f"{key}={value}" for key, value in options.items() if value not in ("", None)]
+        given += [f"--set={key}={value!r}" for key, value in self.values]
         given += [f"--model-option={key}={value}" for key, value in self.model_options]
         return ["render", self.scene, *given, *(["--sparkle"] if self.sparkle else [])]
 
@@ -346,19 +358,49 @@ def _whole_numbers(option: str, text: str, separator: str) -> tuple[int, int]:
     return first, second
 
 
-def _render_of(arguments: argparse.Namespace) -> Render:
-    options = []
-    for text in arguments.model_option:
+def _pairs(option: str, texts: Sequence[str]) -> list[tuple[str, str]]:
+    """Of an option that is given any number of times as KEY=VALUE."""
+    pairs = []
+    for text in texts:
         key, equals, value = text.partition("=")
         if not equals:
-            raise nacre.SettingError(f"model-option = {text}: must be KEY=VALUE")
-        options.append((key.replace("-", "_"), value))
+            raise nacre.SettingError(f"{option} = {text}: must be KEY=VALUE")
+        pairs.append((key, value))
+    return pairs
+
+
+def _number(key: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise nacre.SettingError(f"set = {key}={text}: must be a number") from None
+
+
+class _Elsewhere(argparse.Action):
+    """Refuses one of :data:`ELSEWHERE`."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: str | Sequence[Any] | None,
+        option_string: str | None = None,
+    ) -> None:
+        raise nacre.SettingError(f"{option_string}: {ELSEWHERE[str(option_string)]}")
+
+
+def _render_of(arguments: argparse.Namespace) -> Render:
+    options = [(k.replace("-", "_"), v) for k, v in _pairs("model-option", arguments.model_option)]
+    values = [(key, _number(key, text)) for key, text in _pairs("set", arguments.set)]
+    if values and not arguments.paint:
+        raise nacre.SettingError("set: belongs to --paint: it changes that recipe")
     if options and not arguments.model:
         raise nacre.SettingError("model-option: belongs to --model")
     return Render(
         scene=_absolute(arguments.scene),
         output=arguments.output.absolute(),
         paint=_absolute(arguments.paint),
+        values=tuple(values),
         model=arguments.model,
         model_options=tuple(options),
         spp=arguments.spp,
@@ -380,6 +422,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scene", metavar="SCENE", help="a scene file, or a built-in scene")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="X.exr")
     parser.add_argument("--paint", default="", metavar="P", help="a file, or a shipped paint")
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", help="a number of that paint"
+    )
     parser.add_argument("--shards", type=int, default=1, metavar="N", help="of each picture")
     parser.add_argument("--frames", default="", metavar="FIRST:LAST")
     parser.add_argument("--turntable", default="", choices=("", "shape", "camera", "light"))
@@ -421,3 +466,5 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--dry-run", action="store_true", help="with --slurm: write the scripts only"
     )
     parser.add_argument("--quiet", action="store_true", help="errors only")
+    for option in ELSEWHERE:
+        parser.add_argument(option, action=_Elsewhere, help=argparse.SUPPRESS)

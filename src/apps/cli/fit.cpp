@@ -68,8 +68,8 @@ void say_skipped(const FitOptions& options, const std::vector<fit::SkippedNumber
     }
 }
 
-fit::FitOptions parse(const FitOptions& options) {
-    fit::FitOptions parsed;
+FitSettings parse(const FitOptions& options) {
+    FitSettings parsed;
     parsed.starts = options.starts;
     parsed.seed = options.seed;
     parsed.equal_delta_e = options.equal_delta_e;
@@ -140,102 +140,109 @@ std::string write_found(const FitOptions& options, const Paint& paint) {
     const io::RecipeText written = paint.recipe_text(references_of(options, options.output));
     if (!written.rewritten.empty()) {
         warn(options, fmt::format("{} is written anew, without the comments of {}: {}",
-                                  options.output, options.start, written.rewritten));
+                                  options.output, paint.file(), written.rewritten));
     }
     write_file_atomically(options.output, written.text);
     return written.rewritten;
 }
 
-/// Without a start: from the nearest records of a library.
-ExitStatus run_from_library(const FitOptions& options) {
-    fit::FitOptions how = parse(options);
-    InstrumentRequest instrument = parse_instrument(options.instrument);
-    instrument.settings.seed = options.seed;
-    how.target.hot_spot = shows_hot_spot(parse_model_settings(options.model));
-    const ThreadLimit threads(options.threads);
-    const InterruptHandler interrupt;
-    const Paint standard = open_input(options, options.standard);
-    const Measurement wanted = wanted_of(options, standard, instrument);
-    say_warnings(options, standard);
-    add_lights(options, wanted, how.target);
-    std::optional<ProgressBar> bar(std::in_place, "fit", options.quiet);
-    const std::vector<ConstructionMatch> matches =
-        fit_from_library(options.library, wanted, options.constructions, how, bar->callback());
-    bar.reset();
-    const Match& best = matches.front().match;
-    nlohmann::json document = fit_json(best);
-    document["standard"] = standard.file();
-    document["library"] = options.library;
-    document["constructions"] = constructions_json(matches);
-    document["model"] = options.model.model;
-    document["hot_spot"] = how.target.hot_spot;
-    document["recipe_sha256"] = io::recipe_hash(best.recipe);
-    require_going();
-    document["rewritten"] = write_found(options, best.paint);
-    CommonOptions to_stdout = options;
-    to_stdout.output.clear();
-    emit(to_stdout,
-         options.format == "text"
-             ? constructions_text(matches) + fit_text(best)
-             : document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    write_report(options, "fit", document);
-    return best.matched() ? ExitStatus::ok : ExitStatus::comparison_failed;
-}
+/// The paint that --start names, and which of its numbers are free.
+struct Start {
+    Paint paint;
+    fit::FreeKeys free;
+};
 
-ExitStatus run(const FitOptions& options) {
+/// @return none with --library
+std::optional<Start> open_start(const FitOptions& options, const FitSettings& how) {
     if (options.start.empty() == options.library.empty()) {
         throw UsageError(
             "give --start, the recipe to start from, or --library, a folder of nacre-library");
     }
     if (!options.library.empty()) {
-        if (!options.free.empty()) {
-            throw UsageError("--free belongs to --start: a library's sweeps say what varies");
-        }
-        return run_from_library(options);
+        if (options.free.empty()) return std::nullopt;
+        throw UsageError("--free belongs to --start: a library's sweeps say what varies");
     }
-    fit::FitOptions how = parse(options);
+    Paint paint = open_paint(options, options.start);
+    if (paint.recipe().layers.empty()) {
+        throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
+                                     options.start));
+    }
+    fit::FreeKeys free = free_keys(options, paint, how);
+    fit::FreeNumbers(paint.recipe(), free.keys, paint.bounds());  // before any work
+    say_skipped(options, free.skipped);
+    return Start{std::move(paint), std::move(free)};
+}
+
+/// The best match, and what the report and the text say besides.
+struct Found {
+    Match match;
+    nlohmann::json report;
+    std::string text;
+    int solves = 0;  ///< of all constructions that were tried
+    double seconds = 0;
+};
+
+Found fit_from(const FitOptions& options, const Start& start, const Measurement& wanted,
+               const FitSettings& how, const Progress& progress) {
+    Match match = start.paint.fit(wanted, start.free.keys, how, progress);
+    nlohmann::json report{{"start", options.start}};
+    for (const fit::SkippedNumber& skipped : start.free.skipped) {
+        report["skipped"].push_back({{"key", skipped.key}, {"why", skipped.why}});
+    }
+    const fit::Effort effort = match.effort;
+    return {std::move(match), std::move(report), "", effort.solves, effort.seconds};
+}
+
+Found fit_from_library(const FitOptions& options, const Measurement& wanted, const FitSettings& how,
+                       const Progress& progress) {
+    const std::vector<ConstructionMatch> matches =
+        nacre::fit_from_library(options.library, wanted, options.constructions, how, progress);
+    Found found{matches.front().match,
+                {{"library", options.library}, {"constructions", constructions_json(matches)}},
+                constructions_text(matches)};
+    for (const ConstructionMatch& tried : matches) {
+        found.solves += tried.match.effort.solves;
+        found.seconds += tried.match.effort.seconds;
+    }
+    return found;
+}
+
+ExitStatus run(const FitOptions& options) {
+    FitSettings how = parse(options);
     InstrumentRequest instrument = parse_instrument(options.instrument);
     instrument.settings.seed = options.seed;
     how.target.hot_spot = shows_hot_spot(parse_model_settings(options.model));
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
-    const Paint start = open_paint(options, options.start);
-    if (start.recipe().layers.empty()) {
-        throw InputError(fmt::format("{}: layer: is missing; a fit needs at least one [[layer]]",
-                                     options.start));
-    }
-    const fit::FreeKeys free = free_keys(options, start, how);
-    fit::FreeNumbers(start.recipe(), free.keys, start.bounds());  // before any work
-    say_skipped(options, free.skipped);
+    const std::optional<Start> start = open_start(options, how);
     const Paint standard = open_input(options, options.standard);
     const Measurement wanted = wanted_of(options, standard, instrument);
     say_warnings(options, standard);
     add_lights(options, wanted, how.target);
 
     std::optional<ProgressBar> bar(std::in_place, "fit", options.quiet);
-    const Match found = start.fit(wanted, free.keys, how, bar->callback());
+    const Found found = start ? fit_from(options, *start, wanted, how, bar->callback())
+                              : fit_from_library(options, wanted, how, bar->callback());
     bar.reset();
+    const Match& match = found.match;
 
-    nlohmann::json document = fit_json(found);
+    nlohmann::json document = fit_json(match);
+    document.update(found.report);
     document["standard"] = standard.file();
-    document["start"] = options.start;
     document["model"] = options.model.model;
     document["hot_spot"] = how.target.hot_spot;
-    document["recipe_sha256"] = io::recipe_hash(found.recipe);
-    for (const fit::SkippedNumber& skipped : free.skipped) {
-        document["skipped"].push_back({{"key", skipped.key}, {"why", skipped.why}});
-    }
+    document["recipe_sha256"] = io::recipe_hash(match.recipe);
     require_going();
-    document["rewritten"] = write_found(options, found.paint);
+    document["rewritten"] = write_found(options, match.paint);
     CommonOptions to_stdout = options;
     to_stdout.output.clear();
     emit(to_stdout,
          options.format == "text"
-             ? fit_text(found)
+             ? found.text + fit_text(match)
              : document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    say(options, fmt::format("{} solves, {:.1f} s", found.effort.solves, found.effort.seconds));
+    say(options, fmt::format("{} solves, {:.1f} s", found.solves, found.seconds));
     write_report(options, "fit", document);
-    return found.matched() ? ExitStatus::ok : ExitStatus::comparison_failed;
+    return match.matched() ? ExitStatus::ok : ExitStatus::comparison_failed;
 }
 
 CommandFiles files(const FitOptions& options) {

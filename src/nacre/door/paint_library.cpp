@@ -7,8 +7,10 @@
 
 #include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
+#include "nacre/core/progress.h"
 #include "nacre/door/state.h"
 #include "nacre/fit/free_keys.h"
+#include "nacre/fit/remedy.h"
 #include "nacre/io/measurement_file.h"
 #include "nacre/library.h"
 #include "nacre/measure/difference.h"
@@ -19,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReadings = "readings.csv";
+constexpr const char* kRecipe = "recipe.toml";
 constexpr std::size_t kMaxRecordBytes = std::size_t{1} << 26;
 
 /// All records, in the order of their names.
@@ -82,6 +85,17 @@ bool is_turned(std::string_view key) {
                        [&](std::string_view end) { return key.ends_with(end); });
 }
 
+void seek_remedies(ConstructionMatch& best, const Measurement& standard,
+                   const FitSettings& settings, const Progress& progress) {
+    Match& match = best.match;
+    const Paint start = open(best.start.folder / kRecipe);
+    SharedProgress work(progress, 1);
+    match.remedies = fit::find_remedies(
+        fit::Target(standard, settings.target), match.recipe, start.recipe(), match.parameters,
+        match.difference.mean_delta_e_2000, work, match.effort.solves);
+    work.require_going("the search for what might help");
+}
+
 }  // namespace
 
 std::vector<NearestRecord> nearest_constructions(const fs::path& library,
@@ -137,20 +151,26 @@ std::vector<ConstructionMatch> fit_from_library(const fs::path& library,
                                                 const Progress& progress) {
     const std::vector<NearestRecord> nearest =
         nearest_constructions(library, standard, most, only_asking(progress));
+    FitSettings alone = settings;
+    alone.remedies = false;
     std::vector<ConstructionMatch> matches;
     for (const NearestRecord& record : nearest) {
-        const Paint paint = open(record.folder / "recipe.toml");
+        const Paint paint = open(record.folder / kRecipe);
         const auto part = [&](double fraction) {
             const double done = static_cast<double>(matches.size()) + fraction;
             return !progress || progress(done / static_cast<double>(nearest.size()));
         };
-        matches.push_back({record, paint.fit(standard, keys_to_fit(record, paint, settings, part),
-                                             settings, part)});
+        matches.push_back(
+            {record, paint.fit(standard, keys_to_fit(record, paint, alone, part), alone, part)});
     }
     std::stable_sort(
         matches.begin(), matches.end(), [](const ConstructionMatch& a, const ConstructionMatch& b) {
             return a.match.difference.mean_delta_e_2000 < b.match.difference.mean_delta_e_2000;
         });
+    ConstructionMatch& best = matches.front();
+    if (settings.remedies && !best.match.matched()) {
+        seek_remedies(best, standard, settings, only_asking(progress));
+    }
     return matches;
 }
 

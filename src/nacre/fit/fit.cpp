@@ -131,7 +131,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     }
     out.matched_delta_e = options.matched_delta_e;
     int solves = model.solves();
-    if (!out.matched()) {
+    if (options.remedies && !out.matched()) {
         out.remedies = find_remedies(target, out.recipe, numbers.start(), out.parameters,
                                      out.difference.mean_delta_e_2000, work, solves);
     }

@@ -32,6 +32,7 @@ struct FitOptions {
     double equal_delta_e = 0.3;
     /// Mean Delta E 2000 up to which the standard counts as matched: 1 is about just noticeable.
     double matched_delta_e = 1;
+    bool remedies = true;  ///< whether to seek what might help where it does not
 
     static constexpr int kMaxStarts = 256;
 };
