@@ -30,6 +30,7 @@ async function buildTests() {
                 input: {
                     unit: "test/unit.test.ts",
                     browser: "test/browser.test.ts",
+                    live: "test/live.test.ts",
                     pictures: "test/pictures.ts",
                 },
                 output: { entryFileNames: "[name].mjs", chunkFileNames: "[name].mjs" },

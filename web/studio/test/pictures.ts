@@ -31,7 +31,7 @@ const folder = await mkdtemp(join(tmpdir(), "nacre-studio-"));
 const standard = join(folder, "panel-17.csv");
 await writeFile(standard, await nacre("measure", "red-gold", "--geometry", "byk-mac"));
 const program = await Program.start("red-gold");
-const browser = await launch();
+const browser = await launch(true);
 const page = await browser.newPage({
     viewport: { width: 1280, height: 800 },
     colorScheme: "dark",
