@@ -21,6 +21,13 @@ DEPTH_WEIGHTS = 2 * NODES * WEIGHTS
 FARTHEST = 24.0  # optical depths, beyond which 6e-6 of the light comes from
 
 
+def film_weights(nm: Floats) -> Floats:
+    """As _rgb.weights(), (3, bands), but the perfect diffuser is exactly white, as in pictures."""
+    white = np.linalg.inv(_rgb.XYZ_TO_SRGB).sum(axis=1)
+    xyz = np.linalg.inv(_rgb.XYZ_TO_SRGB) @ _rgb.weights(nm)
+    return np.asarray(_rgb.XYZ_TO_SRGB @ (xyz * (white / xyz.sum(axis=1))[:, None]))
+
+
 @dataclass
 class Flake:
     half_density_per_um: float
@@ -86,7 +93,7 @@ class Shader:
         """a: _nacre.appearance_arrays()."""
         nm = np.asarray(a["wavelengths_nm"])
         bands_nm = np.linspace(nm[0], nm[-1], BANDS)
-        self.rgb = _rgb.weights(bands_nm)
+        self.rgb = film_weights(bands_nm)
         self.ior = float(a["mean_ior"])
         self.roughness = float(a["coat_roughness"])
         channels: list[Floats] = []
@@ -126,13 +133,13 @@ class Shader:
                 self.ground = channel(at_bands(a["hot_spot"]["ground"]))
             if len(a["hot_spot"]["closing"]):
                 self.closing = channel(at_bands(a["hot_spot"]["closing"]))
-        self.albedo = channel(np.pad(a["albedo"] @ _rgb.weights(nm).T, ((0, 0), (0, BANDS - 3))))
+        self.albedo = channel(np.pad(a["albedo"] @ film_weights(nm).T, ((0, 0), (0, BANDS - 3))))
         if self.roughness > 0:
             self.masked = channel(at_bands(a["masked"] * np.sqrt(a["diffuse_scale"])))
             self.masking = channel(np.tile(a["masking_over_cosine"][:, None], BANDS))
 
         table = np.concatenate(channels, axis=-1)
-        smooth = a["smooth"].astype(np.float64) @ (a["smooth_basis"] @ _rgb.weights(nm).T)
+        smooth = a["smooth"].astype(np.float64) @ (a["smooth_basis"] @ film_weights(nm).T)
         self.table = table.astype(np.float16)  # (ROWS, channels x BANDS)
         self.smooth = np.pad(smooth, [(0, 0)] * 3 + [(0, 1)]).astype(np.float16)  # (a, b, q, 4)
 

@@ -10,7 +10,7 @@
 #include "nacre/core/half.h"
 #include "nacre/core/sha256.h"
 #include "nacre/exchange/webgl_layout.h"
-#include "nacre/spectra/rgb.h"
+#include "nacre/spectra/colour.h"
 
 namespace nacre::exchange {
 
@@ -32,6 +32,32 @@ struct EvenPlaces {
         part = at - static_cast<double>(low);
     }
 };
+
+/// Weights of the samples of a reflectance in its colour, linear Rec. 709 under D65 for the 2 degree
+/// observer, as the renderer's film has it: by the light between the first and the last wavelength
+/// alone, of which the perfect diffuser is white.
+std::vector<Vec3d> film_weights(const std::vector<double>& wavelengths_nm) {
+    using spectra::Illuminant, spectra::Observer;
+    std::vector<double> fine_nm;
+    for (double nm = wavelengths_nm.front(); nm < wavelengths_nm.back() + 0.5; nm += 1) {
+        fine_nm.push_back(nm);
+    }
+    const Vec3d white = spectra::white_point(fine_nm, Illuminant::D65, Observer::cie1931_2deg);
+    const Vec3d rec709_white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    std::vector<Vec3d> weights;
+    std::vector<double> hat(wavelengths_nm.size(), 0.0), fine(fine_nm.size());
+    for (double& sample : hat) {
+        sample = 1;
+        const spectra::Spectrum spectrum(wavelengths_nm, hat);
+        sample = 0;
+        std::transform(fine_nm.begin(), fine_nm.end(), fine.begin(), spectrum);
+        Vec3d xyz =
+            spectra::reflectance_to_xyz(fine_nm, fine, Illuminant::D65, Observer::cie1931_2deg);
+        for (int c = 0; c < 3; ++c) xyz[c] *= rec709_white[c] / white[c];
+        weights.push_back(spectra::xyz_to_linear_rec709(xyz));
+    }
+    return weights;
+}
 
 std::uint16_t checked_half(double value) {
     const std::uint16_t bits = half_bits(static_cast<float>(value));
@@ -59,7 +85,7 @@ class Tabulator {
             band.low = static_cast<std::size_t>(above - nm.begin()) - 1;
             band.part = (bands_nm[b] - nm[band.low]) / (nm[band.low + 1] - nm[band.low]);
         }
-        const std::vector<Vec3d> weights = spectra::rec709_weights(bands_nm);
+        const std::vector<Vec3d> weights = film_weights(bands_nm);
         for (int b = 0; b < kWebglBands; ++b) {
             for (int c = 0; c < 3; ++c) layout_.rgb[c][b] = static_cast<float>(weights[b][c]);
         }
@@ -189,7 +215,7 @@ class Tabulator {
 
     int add_albedo() {
         const std::vector<double>& nm = arrays_.wavelengths_nm;
-        const std::vector<Vec3d> weights = spectra::rec709_weights(nm);
+        const std::vector<Vec3d> weights = film_weights(nm);
         std::vector<double> bands;
         for (std::size_t first = 0; first < arrays_.albedo.size(); first += nm.size()) {
             Vec3d rgb;
@@ -227,7 +253,7 @@ class Tabulator {
 };
 
 WebglTexture smooth_texture(const bsdf::NacreArrays& arrays) {
-    const std::vector<Vec3d> weights = spectra::rec709_weights(arrays.wavelengths_nm);
+    const std::vector<Vec3d> weights = film_weights(arrays.wavelengths_nm);
     const std::size_t rank = static_cast<std::size_t>(arrays.rank), count = weights.size();
     std::vector<Vec3f> basis(rank);
     for (std::size_t k = 0; k < rank; ++k) {

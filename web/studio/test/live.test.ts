@@ -1,70 +1,91 @@
-/** The page with the live picture, drawn by the processor where there is no graphics card. */
+/**
+ * The live picture against the path tracer's: the colours of a ball.
+ *
+ * In pictures of 48 pixels each holds some thousands of flakes, of which the path tracer shows every one
+ * and the live picture the mean.
+ */
 
 import assert from "node:assert/strict";
-import { test } from "node:test";
-import { begin, field, FILM, open, page, settled, slider, type } from "./harness";
+import { readFile } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import type { Browser, Page } from "playwright-core";
+import type { Lab } from "../../common/colour";
+import { deltaE2000 } from "../../common/colour";
+import type {} from "./live_page";
+import { launch, Program } from "./program";
 
-begin(true);
+const PAINTS = ["red-gold", "metallic-silver", "white", "ruby", "green-violet"];
+const SIZE = 48;
+const SAMPLES = 64;
+const TRACED_SAMPLES = 256;
 
-test("from slider to chips", async () => {
-    await open();
-    await page.focus(slider(FILM));
-    const times: number[] = [];
-    for (let i = 0; i < 30; ++i) {
-        await page.keyboard.press("ArrowRight");
-        await settled();
-        times.push(Number(/\d+/.exec((await page.textContent(".latency")) ?? "")?.[0]));
-    }
-    times.sort((a, b) => a - b);
-    const at = (share: number) => String(times[Math.floor(share * (times.length - 1))]);
-    console.log(`slider to chips: median ${at(0.5)} ms, 9 of 10 within ${at(0.9)} ms`);
-    assert.ok(times.every((ms) => ms > 0));
+let studio: Program;
+let browser: Browser;
+let page: Page;
+
+before(async () => {
+    studio = await Program.start("red-gold");
+    browser = await launch();
+    const context = await browser.newContext({ bypassCSP: true });
+    page = await context.newPage();
+    page.setDefaultTimeout(0); // tests have no time limits
+    // Any file of the studio's: the page itself would draw as well.
+    await page.goto(studio.url.replace("/?", "/studio.css?"));
+    const script = join(dirname(fileURLToPath(import.meta.url)), "live_page.mjs");
+    await page.addScriptTag({ type: "module", content: await readFile(script, "utf8") });
+    await page.waitForFunction(() => typeof window.live === "function");
 });
 
-test("the picture gets better, follows turning, and A is held beside B", async () => {
-    await open();
-    const traced = (least: number) =>
-        page.waitForFunction((n) => {
-            const bar = document.querySelector<HTMLProgressElement>(".picture-foot progress");
-            return bar !== null && bar.value >= n;
-        }, least);
-    /** The mean of what is red, green and blue on the screen, a byte each. */
-    const mean = (canvas: string) =>
-        page.$eval(canvas, (element) => {
-            const copy = document.createElement("canvas");
-            const { width, height } = element as HTMLCanvasElement;
-            copy.width = width;
-            copy.height = height;
-            const context = copy.getContext("2d");
-            context?.drawImage(element as HTMLCanvasElement, 0, 0);
-            const pixels =
-                context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
-            const sums = [0, 0, 0];
-            pixels.forEach((x, i) => {
-                if (i % 4 < 3) sums[i % 4] = (sums[i % 4] ?? 0) + x;
-            });
-            return sums.map((sum) => (4 * sum) / pixels.length);
-        });
-    const near = (a: readonly number[], b: readonly number[], most: number) =>
-        a.every((x, i) => Math.abs(x - (b[i] ?? NaN)) <= most);
-    await page.waitForSelector("canvas.traced.now"); // covers the live picture
-    const first = await mean("canvas.traced");
-    assert.ok(
-        first.every((x) => x > 1 && x < 254),
-        String(first),
-    );
-    assert.ok(near(await mean("canvas.live"), first, 8), "live and path traced are of one paint");
-    await page.focus(".turnable");
-    for (let i = 0; i < 6; ++i) await page.keyboard.press("Shift+ArrowRight");
-    await page.waitForSelector("canvas.live.now");
-    await traced(1);
-    assert.ok(!near(await mean("canvas.traced"), first, 0.2), "the light was turned");
-    await page.click("text=Keep as A");
-    await type(FILM, "300");
-    await settled();
-    await page.locator(".wipe").fill("0.25");
-    assert.equal(await page.locator(".wiped canvas").count(), 1);
-    await page.click("text=Back to A");
-    await settled();
-    assert.equal(await page.inputValue(field(FILM)), "208");
+after(async () => {
+    await browser.close();
+    await studio.end();
 });
+
+/** From linear Rec. 709, relative to its white [cie-15-2018]. */
+function labOf(rgb: readonly number[]): Lab {
+    const rows = [
+        [0.4124564, 0.3575761, 0.1804375],
+        [0.2126729, 0.7151522, 0.072175],
+        [0.0193339, 0.119192, 0.9503041],
+    ];
+    const [x, y, z] = rows.map((row) => {
+        const dot = (values: readonly number[]) =>
+            row.reduce((sum, weight, c) => sum + weight * (values[c] ?? 0), 0);
+        const t = dot(rgb) / dot([1, 1, 1]);
+        return t > (6 / 29) ** 3 ? Math.cbrt(t) : (t * (29 / 6) ** 2) / 3 + 4 / 29;
+    }) as [number, number, number];
+    return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+}
+
+/** Whether a pixel is wholly on the ball, which covers 65 % of the picture. */
+function onBall(at: number): boolean {
+    const [x, y] = [(at % SIZE) + 0.5 - SIZE / 2, Math.floor(at / SIZE) + 0.5 - SIZE / 2];
+    return Math.hypot(x, y) < 0.42 * SIZE;
+}
+
+for (const paint of PAINTS) {
+    test(`${paint} on a ball has the path tracer's colours`, async () => {
+        const live = await page.evaluate(
+            ([name, size, samples]) => window.live(name, size, samples),
+            [paint, SIZE, SAMPLES] as const,
+        );
+        const traced = await page.evaluate(
+            ([name, size, samples]) => window.traced(name, size, samples),
+            [paint, SIZE, TRACED_SAMPLES] as const,
+        );
+        let [sum, count] = [0, 0];
+        for (let at = 0; at < SIZE * SIZE; ++at) {
+            if (!onBall(at)) continue;
+            sum += deltaE2000(
+                labOf(traced.data.slice(3 * at, 3 * at + 3)),
+                labOf(live.data.slice(4 * at, 4 * at + 3)),
+            );
+            ++count;
+        }
+        assert.ok(count > 1000);
+        console.log(`${paint}: Delta E 2000 ${(sum / count).toFixed(2)}, mean over the ball`);
+        assert.ok(sum / count < 2);
+    });
+}

@@ -47,8 +47,10 @@ interface Sums {
     rows: number;
 }
 
-/** As long as a frame may take without the page becoming slow. */
+/** As long as drawing may take in a frame without the page becoming slow. */
 const FRAME_MS = 30;
+/** Samples of pixels that are worth a frame on any machine. */
+const LEAST_WORK = 4096;
 const COARSE_SAMPLES = 24;
 /** From here on the whole picture is better than the coarse one. */
 const ENOUGH = 4;
@@ -83,8 +85,10 @@ export class LiveView {
     private whole: Sums | null = null;
     private coarse: Sums | null = null;
     private coarseness = 3;
-    /** Samples of pixels per millisecond. */
+    /** Samples of pixels per millisecond of drawing. */
     private speed = 2000;
+    /** What a frame takes whatever is drawn: the shortest yet. */
+    private overhead_ms = 16;
     private frame_ms = 0;
     private underWay: { sync: WebGLSync; begun: number; work: number } | null = null;
     private request = 0;
@@ -171,12 +175,15 @@ export class LiveView {
     }
 
     setCamera(camera: Camera): void {
+        const same = JSON.stringify(camera) === JSON.stringify(this.camera);
         this.camera = camera;
-        this.restart();
+        if (!same) this.restart();
     }
 
     /** About the vertical through what the camera looks at, counterclockwise seen from above. */
     turn(what: "shape" | "light", angle_deg: number): void {
+        const before = what === "shape" ? this.turn_deg : this.lightTurn_deg;
+        if (angle_deg === before) return;
         if (what === "shape") this.turn_deg = angle_deg;
         else this.lightTurn_deg = angle_deg;
         this.restart();
@@ -280,10 +287,9 @@ export class LiveView {
             gl.deleteSync(sync);
             this.underWay = null;
             this.frame_ms = performance.now() - begun;
-            this.speed = Math.max(
-                0.5 * this.speed + (0.5 * work) / Math.max(this.frame_ms, 0.5),
-                1,
-            );
+            this.overhead_ms = Math.min(this.overhead_ms, this.frame_ms);
+            const drawing_ms = Math.max(this.frame_ms - this.overhead_ms, 1);
+            this.speed = 0.5 * this.speed + (0.5 * work) / drawing_ms;
         }
         this.takePaint();
         const begun = performance.now();
@@ -330,7 +336,7 @@ export class LiveView {
         if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return 0;
         if (!this.shapeProgram.ready() || !this.displayProgram.ready()) return 0;
         const pixels = whole.target.width * whole.target.height;
-        const budget = FRAME_MS * this.speed;
+        const budget = Math.max(FRAME_MS * this.speed, LEAST_WORK);
         // A picture that a frame can hold is never coarse.
         if (pixels <= budget) return this.add(whole, Math.min(budget, 8 * pixels));
         if (whole.samples === 0 && whole.rows === 0) {

@@ -1,5 +1,7 @@
 /** What is drawn, as the server sends it: a paint's shader, a shape and a light. */
 
+import type { Attachment, Message } from "../protocol";
+
 /** A paint as `src/nacre/exchange/webgl_shader.h` makes it. */
 export interface PaintShader {
     /** Names the text: programs are compiled once for each. */
@@ -68,6 +70,32 @@ export interface Rectangle {
     readonly edge_v: Vec3;
     readonly normal: Vec3;
     readonly rgb: Vec3;
+}
+
+/**
+ * The message `shader`: a session is sent the text of a program once.
+ * @param texts  those that came before, by program; it is added to
+ */
+export function readPaint(
+    message: Message,
+    attachments: readonly Attachment[],
+    texts: Map<string, string>,
+): PaintShader {
+    const program = String(message.program);
+    if (typeof message.glsl === "string") texts.set(program, message.glsl);
+    const glsl = texts.get(program);
+    if (glsl === undefined) throw new Error(`shader ${program}: its text did not come`);
+    return {
+        program,
+        glsl,
+        smoothCoat: message.smooth_coat === true,
+        uniforms: message.uniforms as PaintUniform[],
+        textures: attachments.map(({ name, shape, data }) => ({
+            name,
+            size: shape.slice(0, -1).reverse(),
+            data: new Uint16Array(data.buffer, data.byteOffset, data.byteLength / 2),
+        })),
+    };
 }
 
 /** Bytes of GET /api/shape/NAME. */
