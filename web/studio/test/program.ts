@@ -42,7 +42,7 @@ export class Program {
 }
 
 /** Debian's Chromium; WebGL 2 is drawn by the processor, which then has less time for all else. */
-export function launch(webgl: boolean): Promise<Browser> {
+export function launch(webgl = true): Promise<Browser> {
     const drawn = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
     return chromium.launch({
         executablePath: "/usr/bin/chromium",
