@@ -30,6 +30,7 @@ async function buildTests() {
                 input: {
                     unit: "test/unit.test.ts",
                     browser: "test/browser.test.ts",
+                    picture: "test/picture.test.ts",
                     live: "test/live.test.ts",
                     live_page: "test/live_page.ts", // read by live, for the browser
                     pictures: "test/pictures.ts",

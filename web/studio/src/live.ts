@@ -3,8 +3,8 @@
 import { fitted } from "./orbit";
 import type { Attachment, Message } from "./protocol";
 import { LiveView } from "./renderer/live_view";
-import type { Light, Mesh, PaintUniform } from "./renderer/paint";
-import { readLight, readMesh } from "./renderer/paint";
+import type { Light, Mesh } from "./renderer/paint";
+import { readLight, readMesh, readPaint } from "./renderer/paint";
 import type { Schema } from "./schema";
 import type { Picture, View } from "./viewer";
 
@@ -71,21 +71,7 @@ export class Live {
     /** A message `shader`. @return whether the paint can be drawn */
     setPaint(message: Message, attachments: readonly Attachment[]): boolean {
         if (message.problem !== undefined) return false;
-        const program = String(message.program);
-        if (typeof message.glsl === "string") this.texts.set(program, message.glsl);
-        const glsl = this.texts.get(program);
-        if (glsl === undefined) return false;
-        this.view.setPaint({
-            program,
-            glsl,
-            smoothCoat: message.smooth_coat === true,
-            uniforms: message.uniforms as readonly PaintUniform[],
-            textures: attachments.map(({ name, shape, data }) => ({
-                name,
-                size: shape.slice(0, -1).reverse(),
-                data: data as Uint16Array,
-            })),
-        });
+        this.view.setPaint(readPaint(message, attachments, this.texts));
         return true;
     }
 

@@ -28,19 +28,22 @@ export async function newPage(): Promise<Page> {
     return made;
 }
 
-before(async () => {
-    folder = await mkdtemp(join(tmpdir(), "nacre-studio-"));
-    studio = await Program.start("red-gold");
-    browser = await launch();
-    page = await newPage();
-});
+/** For all tests of a file. */
+export function begin(webgl: boolean): void {
+    before(async () => {
+        folder = await mkdtemp(join(tmpdir(), "nacre-studio-"));
+        studio = await Program.start("red-gold");
+        browser = await launch(webgl);
+        page = await newPage();
+    });
 
-after(async () => {
-    await browser.close();
-    await studio.end();
-    await rm(folder, { recursive: true, force: true });
-    assert.deepEqual(faults, [], "no error in the console, nothing from elsewhere");
-});
+    after(async () => {
+        await browser.close();
+        await studio.end();
+        await rm(folder, { recursive: true, force: true });
+        assert.deepEqual(faults, [], "no error in the console, nothing from elsewhere");
+    });
+}
 
 /** What must be overlooked because a test brings it about, as a connection that is refused. */
 export function forgive(pattern: RegExp): void {
@@ -96,3 +99,15 @@ export function parsedCsv(text: string): Record<string, string>[] {
         Object.fromEntries(line.split(",").map((cell, i) => [names[i] ?? "", cell])),
     );
 }
+
+/** Types a number of the recipe. */
+export async function type(key: string, value: string): Promise<void> {
+    await page.fill(field(key), value);
+    await page.press(field(key), "Enter");
+}
+
+/** The film of silica, whose thickness turns the colour. */
+export const FILM = "layer[0].flakes[0].coats[0].thickness_nm";
+export const row = (key: string) => `[data-key='${key}']`;
+export const slider = (key: string) => `${row(key)} input[type=range]`;
+export const field = (key: string) => `${row(key)} input[type=text]`;

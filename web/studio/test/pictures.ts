@@ -31,7 +31,7 @@ const folder = await mkdtemp(join(tmpdir(), "nacre-studio-"));
 const standard = join(folder, "panel-17.csv");
 await writeFile(standard, await nacre("measure", "red-gold", "--geometry", "byk-mac"));
 const program = await Program.start("red-gold");
-const browser = await launch();
+const browser = await launch(true);
 const page = await browser.newPage({
     viewport: { width: 1280, height: 800 },
     colorScheme: "dark",
@@ -39,7 +39,7 @@ const page = await browser.newPage({
 page.setDefaultTimeout(0);
 await page.goto(program.url);
 await settled(page);
-await drawn(page, 64);
+await drawn(page, 16);
 await page.screenshot({ path: join(IMAGES, "studio.jpg"), quality: 88 });
 
 await page.emulateMedia({ colorScheme: "light" });
@@ -51,7 +51,7 @@ await page.waitForFunction(() => document.querySelectorAll(".chip .delta").lengt
 await page.getByRole("tab", { name: "Fit" }).click();
 await page.locator(".fit-start button").click();
 await page.getByRole("button", { name: "Use match 1" }).waitFor();
-await drawn(page, 64);
+await drawn(page, 16);
 await page.screenshot({ path: join(IMAGES, "studio-fit.jpg"), quality: 88 });
 
 await browser.close();

@@ -1,0 +1,70 @@
+/** The page with the live picture, drawn by the processor where there is no graphics card. */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { begin, field, FILM, open, page, settled, slider, type } from "./harness";
+
+begin(true);
+
+test("from slider to chips", async () => {
+    await open();
+    await page.focus(slider(FILM));
+    const times: number[] = [];
+    for (let i = 0; i < 30; ++i) {
+        await page.keyboard.press("ArrowRight");
+        await settled();
+        times.push(Number(/\d+/.exec((await page.textContent(".latency")) ?? "")?.[0]));
+    }
+    times.sort((a, b) => a - b);
+    const at = (share: number) => String(times[Math.floor(share * (times.length - 1))]);
+    console.log(`slider to chips: median ${at(0.5)} ms, 9 of 10 within ${at(0.9)} ms`);
+    assert.ok(times.every((ms) => ms > 0));
+});
+
+test("the picture gets better, follows turning, and A is held beside B", async () => {
+    await open();
+    const traced = (least: number) =>
+        page.waitForFunction((n) => {
+            const bar = document.querySelector<HTMLProgressElement>(".picture-foot progress");
+            return bar !== null && bar.value >= n;
+        }, least);
+    /** The mean of what is red, green and blue on the screen, a byte each. */
+    const mean = (canvas: string) =>
+        page.$eval(canvas, (element) => {
+            const copy = document.createElement("canvas");
+            const { width, height } = element as HTMLCanvasElement;
+            copy.width = width;
+            copy.height = height;
+            const context = copy.getContext("2d");
+            context?.drawImage(element as HTMLCanvasElement, 0, 0);
+            const pixels =
+                context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
+            const sums = [0, 0, 0];
+            pixels.forEach((x, i) => {
+                if (i % 4 < 3) sums[i % 4] = (sums[i % 4] ?? 0) + x;
+            });
+            return sums.map((sum) => (4 * sum) / pixels.length);
+        });
+    const near = (a: readonly number[], b: readonly number[], most: number) =>
+        a.every((x, i) => Math.abs(x - (b[i] ?? NaN)) <= most);
+    await page.waitForSelector("canvas.traced.now"); // covers the live picture
+    const first = await mean("canvas.traced");
+    assert.ok(
+        first.every((x) => x > 1 && x < 254),
+        String(first),
+    );
+    assert.ok(near(await mean("canvas.live"), first, 8), "live and path traced are of one paint");
+    await page.focus(".turnable");
+    for (let i = 0; i < 6; ++i) await page.keyboard.press("Shift+ArrowRight");
+    await page.waitForSelector("canvas.live.now");
+    await traced(1);
+    assert.ok(!near(await mean("canvas.traced"), first, 0.2), "the light was turned");
+    await page.click("text=Keep as A");
+    await type(FILM, "300");
+    await settled();
+    await page.locator(".wipe").fill("0.25");
+    assert.equal(await page.locator(".wiped canvas").count(), 1);
+    await page.click("text=Back to A");
+    await settled();
+    assert.equal(await page.inputValue(field(FILM)), "208");
+});
