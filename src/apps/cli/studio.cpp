@@ -7,9 +7,9 @@
 
 #include "apps/cli/options.h"
 #include "apps/cli/paint_options.h"
-#include "apps/studio/recipe_tree.h"
 #include "apps/studio/server.h"
 #include "nacre/core/parallel.h"
+#include "nacre/io/recipe_text.h"
 #include "nacre/nacre.h"
 
 extern char** environ;
@@ -41,7 +41,7 @@ std::string text_of(const StudioOptions& options) {
     if (paint.kind() != Kind::recipe) {
         throw InputError(options.recipe + ": holds no recipe (TOML), which the studio needs");
     }
-    return studio::self_contained_toml(paint.file(), references_of(options, paint.file()));
+    return paint.recipe_text(References()).text;
 }
 
 ExitStatus run(const StudioOptions& options) {

@@ -8,9 +8,8 @@
 namespace nacre::cli {
 namespace {
 
-using testing::HasSubstr;
-
-class StudioProgram : public ProgramTest {};
+using ::testing::HasSubstr;
+using StudioProgram = nacre::cli::testing::Program;
 
 TEST_F(StudioProgram, ListensToOthersOnlyIfToldSoInSoManyWords) {
     const auto others = nacre("studio --no-open --listen 0.0.0.0");

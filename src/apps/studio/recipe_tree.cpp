@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "nacre/core/error.h"
-#include "nacre/core/file.h"
 #include "nacre/io/described_toml.h"
-#include "nacre/io/recipe_file.h"
 #include "nacre/io/toml_edit.h"
 #include "nacre/paint/recipe_description.h"
 
@@ -248,16 +246,6 @@ std::string toml_of_tree(const Tree& tree, const std::string& before) {
     std::string anew = toml_of_tree(tree);
     if (before.empty()) return anew;
     return with_values(before, tree).value_or(std::move(anew));
-}
-
-std::string self_contained_toml(const std::filesystem::path& path, const References& references) {
-    const std::string text = read_file(path, io::kMaxTextBytes);
-    const io::RecipeFile file = io::parse_recipe_file(text, path.string(), references);
-    try {
-        if (io::parse_recipe_file(text, path.string(), {}).recipe == file.recipe) return text;
-    } catch (const InputError&) {  // it names files
-    }
-    return io::write_recipe(file.recipe, file.bounds, file.deviations);
 }
 
 }  // namespace nacre::studio

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-
-#include "nacre/core/references.h"
 
 // A recipe as its page holds it: the tree of its tables as JSON, keys as docs/recipe.md has them.
 // Ranges and meanings are not looked at here: a tree becomes a TOML text, which the one reader of
@@ -30,10 +27,5 @@ std::string toml_of_tree(const Tree& tree);
 /// @param before  a text of TOML; empty: there is none
 /// @throws InputError as toml_of_tree()
 std::string toml_of_tree(const Tree& tree, const std::string& before);
-
-/// The text of a recipe's file. Where it names other files, these are read now and what they say is
-/// written in their place, so that nobody need read a file who reads this text.
-/// @throws InputError as open()
-std::string self_contained_toml(const std::filesystem::path& path, const References& references);
 
 }  // namespace nacre::studio

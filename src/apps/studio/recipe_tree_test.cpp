@@ -9,6 +9,7 @@
 #include "apps/studio/schema.h"
 #include "nacre/core/file.h"
 #include "nacre/io/recipe_file.h"
+#include "nacre/io/recipe_text.h"
 #include "nacre/nacre.h"
 #include "nacre/paint/recipe_description.h"
 
@@ -77,12 +78,12 @@ TEST(RecipeTree, ATextThatNamesFilesIsMadeToStandAlone) {
            "orientation = { distribution = \"beckmann\", alpha = 0.1 }\n"
            "core = { material = \"glass.csv\", thickness_nm = 500 }\n";
     const auto path = folder / "own.toml";
-    const std::string toml = self_contained_toml(path, References::of_file(path));
+    const std::string toml = open(path).recipe_text(References()).text;
     EXPECT_THROW(io::parse_recipe_file(read_file(path), "own.toml", {}), InputError);
     EXPECT_EQ(io::parse_recipe_file(toml, "own.toml", {}).recipe, io::read_recipe(path));
     // One that names none is as it was, comments and all.
     const auto shipped = find_paint("red-gold");
-    EXPECT_EQ(self_contained_toml(shipped, References::of_file(shipped)), read_file(shipped));
+    EXPECT_EQ(open(shipped).recipe_text(References()).text, read_file(shipped));
 }
 
 /// The entry of a table in the schema.

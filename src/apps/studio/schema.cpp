@@ -11,6 +11,7 @@
 #include "nacre/core/csv.h"
 #include "nacre/core/error.h"
 #include "nacre/core/version.h"
+#include "nacre/io/recipe_text.h"
 #include "nacre/measure/geometry.h"
 #include "nacre/nacre.h"
 #include "nacre/paint/recipe_description.h"
@@ -233,10 +234,10 @@ Tree pigments_json(const Progress& progress) {
 Tree paints_json() {
     Tree all = Tree::array();
     for (const std::string& name : shipped_paints()) {
-        const std::filesystem::path path = find_paint(name);
+        const Paint paint = open(find_paint(name));
         all.push_back({{"name", name},
-                       {"title", open(path).name()},
-                       {"toml", self_contained_toml(path, References::of_file(path))}});
+                       {"title", paint.name()},
+                       {"toml", paint.recipe_text(References()).text}});
     }
     return all;
 }

@@ -12,7 +12,7 @@ namespace nacre::studio {
 struct ServerSettings {
     std::string address = "127.0.0.1";  ///< to listen at, as a number
     unsigned short port = 0;            ///< 0: any that is free
-    /// The recipe to start with, which names no files (self_contained_toml()).
+    /// The recipe to start with, which names no files.
     std::optional<std::string> toml = {};
     bool prepare = false;  ///< makes the schema at once, which a page asks for first
 };

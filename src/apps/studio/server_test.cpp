@@ -387,8 +387,8 @@ TEST(StudioServer, FitsFromThePage) {
     const std::string key = "layer[0].flakes[0].coats[0].thickness_nm";
     const Paint wanted = open(find_paint("tio2-mica-80")).with(key, 95);
     page.send({{"type", "standard"}, {"id", 1}, {"csv", wanted.measure().csv()}});
-    page.send({{"type", "fit"}, {"id", 2}, {"recipe", tree}, {"free", {key}}, {"starts", 1}});
     EXPECT_EQ(page.read()["type"], "standard");
+    page.send({{"type", "fit"}, {"id", 2}, {"recipe", tree}, {"free", {key}}, {"starts", 1}});
     const Tree found = page.read_until("matches");
     EXPECT_EQ(found["id"], 2);
     EXPECT_EQ(found["matched"], true);
