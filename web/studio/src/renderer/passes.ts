@@ -43,7 +43,7 @@ void main() {
 /**
  * One more sample of each pixel, added to those before. Light is looked for in directions that are drawn
  * from the surroundings, from rectangles and from the lobes of the paint, weighted by the balance of
- * their densities [veach-guibas-1995]; the sun, narrower than any lobe, by itself.
+ * their densities [veach-1997]; the sun, narrower than any lobe, by itself.
  */
 export function shading(paint: string, smoothCoat: boolean): string {
     return `${HEAD}
