@@ -14,7 +14,7 @@ Every fenced block of README.md, CONTRIBUTING.md and docs/**/*.md is one of
     ```console              shown only: what needs another machine, or changes this one
     any other language      shown only
 
-Blocks of one document share a scratch folder with copies of paints/, scenes/ and studies/ and find the
+Blocks of one document share a scratch folder with copies of paints/, scenes/, studies/ and library/paints and find the
 program as `nacre`. Links to files of the repository must lead somewhere, and docs/paints.md and
 docs/effect-pigments.md must show every recipe of paints/.
 """
@@ -123,7 +123,7 @@ def check_document(path, environment, ci_steps):
     blocks, tried, previous = fenced_blocks(path), 0, None
     with tempfile.TemporaryDirectory(prefix="nacre-docs-") as folder:
         scratch = pathlib.Path(folder)
-        for shared in ("paints", "scenes", "studies", "data/drawdowns"):
+        for shared in ("paints", "scenes", "studies", "data/drawdowns", "library/paints"):
             shutil.copytree(ROOT / shared, scratch / shared)
         for block in blocks:
             kind = (block.language, block.role.split("=")[0])

@@ -48,6 +48,7 @@ def test_how_to(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pandas", reason="pandas, which docs/python.md shows, is not installed")
     blocks = how_to()
     shutil.copytree(ROOT / "paints", tmp_path / "paints")
+    (tmp_path / "library").symlink_to(ROOT / "library")
     monkeypatch.chdir(tmp_path)
     assert len(blocks) > 5
     variables: dict[str, Any] = {}
