@@ -19,6 +19,7 @@
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/paint/plausibility.h"
 #include "nacre/solver/resolution.h"
+#include "nacre/solver/film_cache.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 
@@ -300,6 +301,15 @@ const paint::Recipe& recipe_to_solve(const Paint& paint, const std::string& labe
     return recipe;
 }
 
+/// For paints that are solved one after another with the same flakes, as when one number is changed
+/// again and again; the bits are those without it. None for so many wavelengths that the tables would
+/// take more than some megabytes.
+solver::FilmCache* films_of_late(const std::vector<double>& wavelengths_nm) {
+    constexpr std::size_t kMaxTables = 16, kMaxWavelengths = 64;
+    static solver::FilmCache films(kMaxTables);
+    return wavelengths_nm.size() <= kMaxWavelengths ? &films : nullptr;
+}
+
 }  // namespace
 
 std::shared_ptr<const solver::SolvedPaint> Paint::solved(const SolveSettings& settings,
@@ -319,9 +329,9 @@ std::shared_ptr<const solver::SolvedPaint> Paint::solved(const SolveSettings& se
         // caller's meanwhile, which might ask for it again and wait for itself.
         tbb::this_task_arena::isolate([&] {
             state_->naming_file([&] {
-                solution->paint = std::make_shared<const solver::SolvedPaint>(
-                    solver::solve(paint, solution->settings.wavelengths_nm,
-                                  solution->settings.resolution, nullptr, progress));
+                solution->paint = std::make_shared<const solver::SolvedPaint>(solver::solve(
+                    paint, solution->settings.wavelengths_nm, solution->settings.resolution,
+                    films_of_late(solution->settings.wavelengths_nm), progress));
             });
         });
     }
