@@ -289,7 +289,7 @@ function PictureFoot(): VNode {
                             studio.viewer.setGamutWarning(event.currentTarget.checked);
                         }}
                     />{" "}
-                    Mark what is outside
+                    Mark
                 </label>
             )}
             <span class="gamut" role="status">
