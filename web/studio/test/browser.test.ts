@@ -188,11 +188,11 @@ test("layers, films and pigments are added, moved, copied and removed by name", 
     const outer = "Material, Layer 1, Fe2O3 on SiO2 on aluminium, Fe2O3";
     await page.getByRole("button", { name: `${outer}: Fe2O3` }).click();
     await page
-        .getByRole("option", { name: /^TiO2_rutile\b/ })
+        .getByRole("option", { name: /^TiO2_anatase\b/ })
         .first()
         .click();
     await settled();
-    assert.match((await saved("Save recipe")).text, /TiO2_rutile/);
+    assert.match((await saved("Save recipe")).text, /TiO2_anatase/);
 });
 
 test("the address holds the paint and its locks", async () => {

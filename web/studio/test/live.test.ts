@@ -30,7 +30,7 @@ before(async () => {
     browser = await launch();
     const context = await browser.newContext({ bypassCSP: true });
     page = await context.newPage();
-    page.setDefaultTimeout(0); // tests have no time limits
+    page.setDefaultTimeout(120_000); // what never comes is a failure, not a hang
     // Any file of the studio's: the page itself would draw as well.
     await page.goto(studio.url.replace("/?", "/studio.css?"));
     const script = join(dirname(fileURLToPath(import.meta.url)), "live_page.mjs");

@@ -36,7 +36,7 @@ const page = await browser.newPage({
     viewport: { width: 1280, height: 800 },
     colorScheme: "dark",
 });
-page.setDefaultTimeout(0);
+page.setDefaultTimeout(120_000);
 await page.goto(program.url);
 await settled(page);
 await drawn(page, 16);

@@ -1,7 +1,7 @@
 /** A list to choose from by name, each with its colour: a button, and a listbox that it opens. */
 
 import type { VNode } from "preact";
-import { useEffect, useId, useRef, useState } from "preact/hooks";
+import { useEffect, useId, useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Rgb } from "../schema";
 
 export interface Choice {
@@ -47,7 +47,8 @@ export function Picker(props: {
     const word = useRef({ text: "", at: 0 });
     const now = choices.find(({ name }) => name === chosen);
 
-    useEffect(() => {
+    // At once, so that keys that follow are the list's.
+    useLayoutEffect(() => {
         if (!open) return;
         list.current?.focus({ preventScroll: true });
         const outside = (event: PointerEvent) => {
