@@ -15,30 +15,37 @@ const page = join(here, "..", "..", "src", "apps", "studio", "page");
 
 const jsx = { jsx: "automatic", jsxImportSource: "preact" };
 
-async function buildTests() {
+const tests = join(here, "node_modules", ".tests"); // where playwright-core is found
+
+/** @param options of build() beside those that all have; tests in Node, but for live_page */
+async function buildTest(input, options) {
     await build({
         root: here,
         configFile: false,
         logLevel: "warn",
         esbuild: jsx,
         build: {
-            ssr: true,
-            outDir: join(here, "node_modules", ".tests"), // where playwright-core is found
-            target: "node18",
+            outDir: tests,
+            emptyOutDir: false,
+            copyPublicDir: false,
             sourcemap: "inline",
+            ...options,
             rollupOptions: {
-                input: {
-                    unit: "test/unit.test.ts",
-                    browser: "test/browser.test.ts",
-                    picture: "test/picture.test.ts",
-                    live: "test/live.test.ts",
-                    live_page: "test/live_page.ts", // read by live, for the browser
-                    pictures: "test/pictures.ts",
-                },
+                input,
                 output: { entryFileNames: "[name].mjs", chunkFileNames: "[name].mjs" },
             },
         },
     });
+}
+
+async function buildTests() {
+    const files = ["unit.test", "browser.test", "picture.test", "live.test", "pictures"];
+    const input = Object.fromEntries(
+        files.map((file) => [file.replace(".test", ""), `test/${file}.ts`]),
+    );
+    await buildTest(input, { ssr: true, target: "node18" });
+    // Read by live, for the browser: one file.
+    await buildTest({ live_page: "test/live_page.ts" }, { modulePreload: false, minify: false });
 }
 
 async function buildPage(check) {

@@ -297,7 +297,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return int(chosen.function(chosen))
     except nacre.Error as error:
         print(f"nacre-library: {error}", file=sys.stderr)
-        return USAGE if isinstance(error, nacre.InputError | nacre.SettingError) else FAILED
+        return USAGE if isinstance(error, nacre.InputError | nacre.DomainError) else FAILED
     except OSError as error:
         print(f"nacre-library: {error}", file=sys.stderr)
         return FAILED
