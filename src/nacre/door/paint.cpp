@@ -18,8 +18,8 @@
 #include "nacre/io/recipe_text.h"
 #include "nacre/io/solved_paint_file.h"
 #include "nacre/paint/plausibility.h"
-#include "nacre/solver/resolution.h"
 #include "nacre/solver/film_cache.h"
+#include "nacre/solver/resolution.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
 

@@ -230,8 +230,8 @@ const BadRecipe kBadRecipes[] = {
      "must be a standard deviation"},
     {&kUncertain, "\"7 %\"", "[7]", "30:", "layer[0].thickness_um = ", "must be a number"},
     // keys that exclude each other
-    {&kViolet, "roughness = 0.0", "roughness = 0.1\norange_peel = { wb = 0.01 }", "7:",
-     "clearcoat.roughness = 0.1", "must be 0 with an orange_peel"},
+    {&kViolet, "roughness = 0.0", "roughness = 0.1\norange_peel = { wb = 0.01 }",
+     "7:", "clearcoat.roughness = 0.1", "must be 0 with an orange_peel"},
     // sizes
     {&kViolet, "name = \"Violet",
      "name = \"VioletVioletVioletVioletVioletVioletVioletVioletViolet"
