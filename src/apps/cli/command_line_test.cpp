@@ -22,7 +22,7 @@ TEST_F(Program, SuggestsTheCommandThatWasMeant) {
     const Outcome outcome = nacre("mesure gray.toml");
     EXPECT_EQ(outcome.status, 1);
     EXPECT_THAT(outcome.err, StartsWith("nacre: there is no command 'mesure' (did you mean "
-                                        "'measure'?); the commands are film, solve, "));
+                                        "'measure'?); the commands are studio, film, solve, "));
 }
 
 TEST_F(Program, SuggestsTheOptionThatWasMeant) {

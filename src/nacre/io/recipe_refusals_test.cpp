@@ -229,9 +229,6 @@ const BadRecipe kBadRecipes[] = {
     {&kUncertain, "\"7 %\"", "\"seven\"", "30:", "layer[0].thickness_um = seven",
      "must be a standard deviation"},
     {&kUncertain, "\"7 %\"", "[7]", "30:", "layer[0].thickness_um = ", "must be a number"},
-    // keys that exclude each other
-    {&kViolet, "roughness = 0.0", "roughness = 0.1\norange_peel = { wb = 0.01 }",
-     "7:", "clearcoat.roughness = 0.1", "must be 0 with an orange_peel"},
     // sizes
     {&kViolet, "name = \"Violet",
      "name = \"VioletVioletVioletVioletVioletVioletVioletVioletViolet"

@@ -307,12 +307,6 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
     }
     RecipeCheck check(wavelengths_nm);
     Described::to_inspect(recipe).accept(check);
-    if (recipe.orange_peel() && recipe.clearcoat->roughness > 0) {
-        throw DomainError(
-            fmt::format("clearcoat.roughness = {}: must be 0 with an orange_peel, whose waves are "
-                        "shown by the mirror image of a smooth interface",
-                        recipe.clearcoat->roughness));
-    }
     if (recipe.layers.empty() && !recipe.microfacet) {
         throw DomainError("layer: a paint needs at least one layer (or a microfacet table)");
     }

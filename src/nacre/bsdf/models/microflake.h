@@ -125,6 +125,7 @@ void tabulate_sampling(
 std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium);
 
 /// Of a specimen of the paint; none where its coat is flat.
+/// @throws DomainError if it is rough as well
 std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen);
 
