@@ -17,7 +17,7 @@ class ConstantRadiance final : public EnvironmentRadiance {
         : spectrum_(spectrum), scale_(static_cast<float>(scale)) {}
 
     Coefficients coefficients(Vec3f) const override { return {scale_}; }
-    float luminance(Vec3f) const override { return scale_; }
+    float luminance_of(const Coefficients& c) const override { return c[0]; }
     FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
         return c[0] * basis[spectrum_];
     }
@@ -48,11 +48,11 @@ class StudioRadiance final : public EnvironmentRadiance {
         }
     }
 
-    Coefficients coefficients(Vec3f direction) const override { return {luminance(direction)}; }
+    float luminance_of(const Coefficients& c) const override { return c[0]; }
     FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
         return c[0] * basis[spectrum_];
     }
-    float luminance(Vec3f direction) const override {
+    Coefficients coefficients(Vec3f direction) const override {
         float sum = horizon_ + (zenith_ - horizon_) * smooth_step(direction.z);
         for (const Box& box : boxes_) {
             const float depth = dot(direction, box.normal);
@@ -64,7 +64,7 @@ class StudioRadiance final : public EnvironmentRadiance {
             sum += box.luminance * smooth_step((depth - x) * inverse) *
                    smooth_step((depth - y) * inverse);
         }
-        return sum;
+        return {sum};
     }
 
  private:
@@ -99,9 +99,8 @@ class ImageRadiance final : public EnvironmentRadiance {
     FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const override {
         return c[0] * basis[first_] + c[1] * basis[first_ + 1] + c[2] * basis[first_ + 2];
     }
-    float luminance(Vec3f direction) const override {
-        const Vec3f c = look_up(direction);
-        return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;  // Y of linear Rec. 709
+    float luminance_of(const Coefficients& c) const override {
+        return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];  // Y of linear Rec. 709
     }
 
  private:
@@ -299,7 +298,7 @@ class SkyRadiance final : public EnvironmentRadiance {
         return static_cast<float>(scale_ * sky_(direction).luminance_kcd / kUnitKcd);
     }
 
-    void set_ground(EnvironmentRadiance::Coefficients ground) { ground_ = ground; }
+    void set_ground(Coefficients ground) { ground_ = ground; }
 
     /// Spectrum of the sky's chromaticity, scaled to its luminance.
     ///                                  [cie-15-2018, eq. 4.10-4.11; preetham-1999, appendix A.5]
@@ -313,7 +312,7 @@ class SkyRadiance final : public EnvironmentRadiance {
         return {static_cast<float>(k), static_cast<float>(k * m1), static_cast<float>(k * m2)};
     }
 
-    float luminance_of(const EnvironmentRadiance::Coefficients& c) const {
+    float luminance_of(const Coefficients& c) const override {
         return static_cast<float>(c[0] * luminances_[0] + c[1] * luminances_[1] +
                                   c[2] * luminances_[2]);
     }
@@ -323,7 +322,7 @@ class SkyRadiance final : public EnvironmentRadiance {
     double scale_;
     int first_;
     std::array<double, 3> luminances_;
-    EnvironmentRadiance::Coefficients ground_{};
+    Coefficients ground_{};
 };
 
 /// Fraction of sunlight that reaches the ground.

@@ -20,12 +20,13 @@ class EnvironmentRadiance {
     virtual ~EnvironmentRadiance() = default;
     /// Of the radiance arriving from the unit vector `direction`.
     virtual Coefficients coefficients(Vec3f direction) const = 0;
-    /// Its luminance, the brightness that guides sampling.
-    virtual float luminance(Vec3f direction) const = 0;
     /// The spectral radiance that coefficients, or a mean of some, stand for. `basis` is
     /// EmissionBasis::at() of the basis that compile_environment() filled.
     virtual FloatLanes combined(const Coefficients& c, const FloatLanes* basis) const = 0;
+    /// Its luminance, the brightness that guides sampling.
+    virtual float luminance_of(const Coefficients& c) const = 0;
 
+    virtual float luminance(Vec3f direction) const { return luminance_of(coefficients(direction)); }
     FloatLanes radiance(Vec3f direction, const FloatLanes* basis) const {
         return combined(coefficients(direction), basis);
     }

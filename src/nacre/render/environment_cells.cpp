@@ -52,7 +52,8 @@ std::vector<CellSums> sums_of(const EnvironmentRadiance& environment, int detail
             // Solid angle of the point: the map keeps areas in height alone.
             const float round = std::sqrt(d.x * d.x + d.y * d.y);
             const double bend = round > 0 ? (std::abs(d.x) + std::abs(d.y)) / round : 1.0f;
-            cells[cell].add(environment.coefficients(d), environment.luminance(d), bend * bend);
+            const Coefficients c = environment.coefficients(d);
+            cells[cell].add(c, environment.luminance_of(c), bend * bend);
         }
     }
     return cells;

@@ -129,6 +129,8 @@ namespace {
 constexpr int kRouletteFrom = 4;
 /// The most over which a sun is spread in mirrors: a disk of 16 degrees in radius.
 constexpr float kMaxSpread = 0.2434f;
+/// Of a sample of a lobe, by its density.
+float lobe_of(float pdf) { return std::min(1 / pdf, kMaxSpread); }
 /// Fraction of the samples that choose a flake whatever light it sees.
 constexpr float kBlind = 0.1f;
 /// The sampler's vertex for the choice among flakes, beyond those of any path.
@@ -335,7 +337,8 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                     .surface_pdf = flake.pdf,
                     .weighable = true,
                     .narrow_light = surface.narrow_light,
-                    .first_vertex = kFlakeVertex + 1};
+                    .first_vertex = kFlakeVertex + 1,
+                    .lobe = lobe_of(flake.pdf)};
 }
 
 void PathTracer::follow(Branch branch) {
@@ -426,7 +429,7 @@ void PathTracer::follow(Branch branch) {
         branch.straight_mm = 0;
         branch.specular = sample->kind == bsdf::SampleKind::specular;
         if (sample->kind == bsdf::SampleKind::density) {
-            branch.lobe = std::max(branch.lobe, std::min(1 / sample->pdf, kMaxSpread));
+            branch.lobe = std::max(branch.lobe, lobe_of(sample->pdf));
         } else if (!branch.specular) {
             branch.lobe = kMaxSpread;
         }
