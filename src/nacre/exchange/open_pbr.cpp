@@ -62,19 +62,23 @@ struct AlbedoTable {
         });
     }
     SplitAlbedo at(double cosine, double alpha) const {
+        struct Place {
+            int node;
+            double beyond;
+        };
         const auto place = [](double x) {
             const double at = std::clamp((x - kMin) / (1 - kMin), 0.0, 1.0) * (kNodes - 1);
             const int lower = std::min(static_cast<int>(at), kNodes - 2);
-            return std::pair{lower, at - lower};
+            return Place{lower, at - lower};
         };
-        const auto [row, down] = place(cosine);
-        const auto [column, right] = place(std::sqrt(alpha));
+        const Place row = place(cosine), column = place(std::sqrt(alpha));
         const auto mix = [&](double SplitAlbedo::*part) {
             const auto value = [&](int r, int c) { return values[r * kNodes + c].*part; };
-            return (1 - down) *
-                       ((1 - right) * value(row, column) + right * value(row, column + 1)) +
-                   down *
-                       ((1 - right) * value(row + 1, column) + right * value(row + 1, column + 1));
+            const auto along = [&](int r) {
+                return (1 - column.beyond) * value(r, column.node) +
+                       column.beyond * value(r, column.node + 1);
+            };
+            return (1 - row.beyond) * along(row.node) + row.beyond * along(row.node + 1);
         };
         return {mix(&SplitAlbedo::scale), mix(&SplitAlbedo::bias)};
     }

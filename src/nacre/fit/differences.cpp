@@ -64,10 +64,11 @@ std::optional<std::vector<double>> differences(const PointFunction& function,
     std::vector<double> jacobian(at_point.values.size() * point.size(), 0.0);
     std::atomic<bool> failed = false;
     parallel_for_ranges(0, point.size(), 1, [&](std::size_t i, std::size_t) {
-        const auto [step, room_behind, room_ahead] = steps[i];
+        const StepAlong& along = steps[i];
+        const double step = along.step;
         if (step == 0) return;
         const auto try_steps = [&](double back, double ahead) {
-            return ahead <= room_ahead && back <= room_behind &&
+            return ahead <= along.room_ahead && back <= along.room_behind &&
                    difference_along(function, point, at_point, i, back, ahead, jacobian);
         };
         if (central && try_steps(step, step)) return;

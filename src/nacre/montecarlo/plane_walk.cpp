@@ -112,7 +112,7 @@ std::optional<Escape> BoundWalk::meet_rough(const Vec3d& wi, const Packet& packe
 
 Lanes BoundWalk::mean_weight(double cosine, int walks, std::uint64_t number,
                              double* mean_square) const {
-    const Vec3d wi(std::sqrt(1 - cosine * cosine), 0, cosine);
+    const Vec3d wi{std::sqrt(1 - cosine * cosine), 0, cosine};
     RandomStream random(0, number, 0);
     Lanes sum{}, sum_of_squares{};
     for (int i = 0; i < walks; ++i) {

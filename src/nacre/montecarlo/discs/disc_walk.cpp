@@ -370,7 +370,7 @@ class TileFrame {
           behind_(patch.normal.z < 0) {}
 
     Vec3d to_tile(const Vec3d& v) const {
-        const Vec3d turned(v.x * x_.x + v.y * y_.x, v.x * x_.y + v.y * y_.y, v.z);
+        const Vec3d turned{v.x * x_.x + v.y * y_.x, v.x * x_.y + v.y * y_.y, v.z};
         return behind_ ? Vec3d{turned.x, -turned.y, turned.z} : turned;
     }
     Vec3d to_local(const Vec3d& v) const {
