@@ -70,6 +70,9 @@ namespace {
 // Relative errors aimed at in the mean over each film's thickness: the first one whose nodes number
 // at most kMaxNodes is used.
 constexpr double kTargetErrors[] = {1e-7, 1e-5, 1e-4};
+// Of light that goes through a film and back, the part of its amplitude below which its thickness does
+// not matter: R and T change by less than twice as much.
+constexpr double kOpaque = 1e-12;
 constexpr double kMinCosine = 1e-9;  // in place of 0, where the amplitudes are 0/0
 constexpr double kMaxNodes = 1e6;    // product over the films: some seconds of work
 
@@ -391,12 +394,15 @@ class PlateletAverage {
                 if (spread.standard_deviation_nm > 0 && !on_arc) {
                     const auto [lo, hi] = thickness_range(films_[f]->thickness_nm, spread);
                     const double back = f == 0 ? outward[0] : inward;
-                    const double p = outward[f] * back * std::exp(-decay[f] * lo);
+                    const double passing = std::exp(-decay[f] * lo);
                     const bool evanescent = index_[f][j].imag() == 0 && decay[f] > 0;
-                    nodes[f] = std::max(
-                        nodes[f], evanescent
-                                      ? nodes_for_decay(lo, hi, decay[f], target_error)
-                                      : nodes_for_wave(rate[f] * (hi - lo) / 2, p, target_error));
+                    if (passing > kOpaque) {
+                        nodes[f] = std::max(
+                            nodes[f],
+                            evanescent ? nodes_for_decay(lo, hi, decay[f], target_error)
+                                       : nodes_for_wave(rate[f] * (hi - lo) / 2,
+                                                        outward[f] * back * passing, target_error));
+                    }
                 }
                 inward = together(inward, face[f]);
             }

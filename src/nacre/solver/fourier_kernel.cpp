@@ -16,6 +16,8 @@ namespace {
 
 // A lobe is cut where it falls below exp(-kNegligible) of its peak.
 constexpr double kNegligible = 22.0;
+// Orders whose sums run side by side: each is a chain of dependent additions.
+constexpr int kOrdersAtOnce = 4;
 
 // Scratch memory of the azimuthal transform of one pair of nodes; reused from pair to pair.
 struct PairScratch {
@@ -58,15 +60,22 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
         scratch.before[k] = std::cos(phi);
         scratch.twice_cos[k] = 2 * scratch.before[k];
     }
-    for (int l = 0; l < orders; ++l) {
-        DoubleLanes sum{};
+    for (int l = 0; l < orders; l += kOrdersAtOnce) {
+        DoubleLanes sum[kOrdersAtOnce] = {};
         for (int k = 0; k < count; ++k) {
-            sum += scratch.now[k] * scratch.value[k];
-            const double next = scratch.twice_cos[k] * scratch.now[k] - scratch.before[k];
-            scratch.before[k] = scratch.now[k];
-            scratch.now[k] = next;
+            const DoubleLanes value = scratch.value[k];
+            double now = scratch.now[k], before = scratch.before[k];
+#pragma GCC unroll 4
+            for (DoubleLanes& of_order : sum) {
+                of_order += now * value;
+                const double next = scratch.twice_cos[k] * now - before;
+                before = now;
+                now = next;
+            }
+            scratch.now[k] = now;
+            scratch.before[k] = before;
         }
-        out(l, sum);
+        for (int i = 0; i < std::min(kOrdersAtOnce, orders - l); ++i) out(l + i, sum[i]);
     }
 }
 

@@ -8,50 +8,48 @@ namespace {
 
 using Tile = DoubleLanes[kTile][kTile];
 
-void clear(Tile& t) { std::memset(&t, 0, sizeof t); }
+// A register of the machine, and how many columns of a tile have their sums in registers at the same
+// time: AVX-512 has 32 of them, others 16.
+#if defined(__AVX512F__)
+constexpr int kRegisterLanes = 8, kColumns = 4;
+#elif defined(__AVX__)
+constexpr int kRegisterLanes = 4, kColumns = 2;
+#else
+constexpr int kRegisterLanes = 2, kColumns = 2;
+#endif
+using Register = double __attribute__((vector_size(kRegisterLanes * sizeof(double))));
 
-// t += sum over k of a[i][k] b[k][j], a by rows with stride lda, b by rows with stride ldb.
-inline void multiply_rows(Tile& t, const DoubleLanes* a, int lda, const DoubleLanes* b, int ldb,
-                          int count) {
-    for (int k = 0; k < count; ++k) {
-        const DoubleLanes *bk = b + k * ldb, *ak = a + k;
-        const DoubleLanes b0 = bk[0], b1 = bk[1], b2 = bk[2], b3 = bk[3];
-        for (int i = 0; i < kTile; ++i) {
-            const DoubleLanes ai = ak[i * lda];
-            t[i][0] += ai * b0;
-            t[i][1] += ai * b1;
-            t[i][2] += ai * b2;
-            t[i][3] += ai * b3;
-        }
-    }
+inline Register load(const DoubleLanes* from, int part) {
+    Register r;
+    std::memcpy(&r, reinterpret_cast<const char*>(from) + part * sizeof r, sizeof r);
+    return r;
 }
 
-// t += sum over k of a[i][k] b[j][k].
-inline void multiply_transposed(Tile& t, const DoubleLanes* a, const DoubleLanes* b, int ld,
-                                int count) {
-    for (int k = 0; k < count; ++k) {
-        const DoubleLanes b0 = b[k], b1 = b[k + ld], b2 = b[k + 2 * ld], b3 = b[k + 3 * ld];
-        for (int i = 0; i < kTile; ++i) {
-            const DoubleLanes ai = a[i * ld + k];
-            t[i][0] += ai * b0;
-            t[i][1] += ai * b1;
-            t[i][2] += ai * b2;
-            t[i][3] += ai * b3;
-        }
-    }
-}
-
-// t += sum over k of w[k][i] v[k][j].
-inline void multiply_columns(Tile& t, const DoubleLanes* w, const DoubleLanes* v, int ld,
-                             int count) {
-    for (int k = 0; k < count; ++k, w += ld, v += ld) {
-        const DoubleLanes v0 = v[0], v1 = v[1], v2 = v[2], v3 = v[3];
-        for (int i = 0; i < kTile; ++i) {
-            const DoubleLanes wi = w[i];
-            t[i][0] += wi * v0;
-            t[i][1] += wi * v1;
-            t[i][2] += wi * v2;
-            t[i][3] += wi * v3;
+// A tile of a matrix product, its factors read along k by steps of their own:
+// t[i][j] = sum over k of a[i * a_row + k * a_step] b[j * b_column + k * b_step].
+inline void multiply(Tile& t, const DoubleLanes* a, int a_row, int a_step, const DoubleLanes* b,
+                     int b_column, int b_step, int count) {
+    for (int part = 0; part < kLanes / kRegisterLanes; ++part) {
+        for (int j = 0; j < kTile; j += kColumns) {
+            Register sum[kTile][kColumns] = {};
+            const DoubleLanes *ak = a, *bk = b + j * b_column;
+            for (int k = 0; k < count; ++k, ak += a_step, bk += b_step) {
+                Register column[kColumns];
+#pragma GCC unroll 4
+                for (int c = 0; c < kColumns; ++c) column[c] = load(bk + c * b_column, part);
+#pragma GCC unroll 4
+                for (int i = 0; i < kTile; ++i) {
+                    const Register row = load(ak + i * a_row, part);
+#pragma GCC unroll 4
+                    for (int c = 0; c < kColumns; ++c) sum[i][c] += row * column[c];
+                }
+            }
+            for (int i = 0; i < kTile; ++i) {
+                for (int c = 0; c < kColumns; ++c) {
+                    std::memcpy(reinterpret_cast<char*>(&t[i][j + c]) + part * sizeof(Register),
+                                &sum[i][c], sizeof(Register));
+                }
+            }
         }
     }
 }
@@ -62,8 +60,7 @@ void cholesky(DoubleLanes* a, int n) {
     Tile t;
     for (int J = 0; J < n; J += kTile) {
         for (int I = J; I < n; I += kTile) {
-            clear(t);
-            multiply_transposed(t, a + I * n, a + J * n, n, J);
+            multiply(t, a + I * n, n, 1, a + J * n, n, 1, J);
             for (int i = 0; i < kTile; ++i) {
                 DoubleLanes* row = a + (I + i) * n + J;
                 for (int j = 0; j < kTile; ++j) t[i][j] = row[j] - t[i][j];
@@ -109,8 +106,7 @@ void forward_solve_from(const DoubleLanes* l, DoubleLanes* b, int n, int m, Firs
     for (int J = 0; J < m; J += kTile) {
         const int start = first_row(J);
         for (int I = start; I < n; I += kTile) {
-            clear(t);
-            multiply_rows(t, l + I * n + start, n, b + start * m + J, m, I - start);
+            multiply(t, l + I * n + start, n, 1, b + start * m + J, 1, m, I - start);
             const DoubleLanes* diagonal = l + I * n + I;
             for (int i = 0; i < kTile; ++i) {
                 DoubleLanes* row = b + (I + i) * m + J;
@@ -133,8 +129,7 @@ void add_gram_from(double a, DoubleLanes* c, double g, const DoubleLanes* w, int
     for (int I = 0; I < m; I += kTile) {
         const int start = first_row(I);  // I >= J, so block I starts no earlier than block J
         for (int J = 0; J <= I; J += kTile) {
-            clear(t);
-            multiply_columns(t, w + start * m + I, w + start * m + J, m, n - start);
+            multiply(t, w + start * m + I, 1, m, w + start * m + J, 1, m, n - start);
             for (int i = 0; i < kTile; ++i) {
                 for (int j = 0; j < kTile; ++j) {
                     if (I == J && j > i) continue;
