@@ -3,6 +3,8 @@
 
     PYTHONPATH=build/python build/python-tools/bin/python bench/hidden_standards.py out/library
 
+What follows -- are options of nacre fit, as -- --starts 3.
+
 Twenty standards come from the families of library/sweep.toml, at other points than its records, and
 three from none of them. nacre fit is given the readings alone: spectra, L*a*b* or, of every third,
 L*a*b* with an instrument's noise. docs/library.md has the table that is printed.
@@ -16,6 +18,7 @@ import json
 import os
 import resource
 import subprocess
+import sys
 import tempfile
 import time
 import tomllib
@@ -121,8 +124,9 @@ def main() -> None:
     parser.add_argument("--plan", type=Path, default=ROOT / "library" / "sweep.toml")
     parser.add_argument("--seed", type=int, default=2026)
     parser.add_argument("--only", type=int, nargs="*", help="numbers of standards, from 1")
-    parser.add_argument("fit", nargs="*", help="options of nacre fit, after --")
-    given = parser.parse_args()
+    words = sys.argv[1:]
+    ours = words.index("--") if "--" in words else len(words)
+    given = parser.parse_args(words[:ours])
     print("| | family | given as | nearest | fitted: mean | max | construction | status | CPU s |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as name:
@@ -137,7 +141,7 @@ def main() -> None:
             start = time.monotonic()
             command = [given.nacre, "fit", file, "--library", given.library, "--format", "json"]
             done = subprocess.run(
-                [*command, "--quiet", *given.fit], capture_output=True, text=True, check=False
+                [*command, "--quiet", *words[ours + 1 :]], capture_output=True, text=True, check=False
             )
             if done.returncode not in (0, 4):
                 raise SystemExit(f"standard {number}: {done.stderr}")

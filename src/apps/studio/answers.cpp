@@ -297,8 +297,10 @@ Frames answer(const PaintRequest& request, const Context& context) {
                                            measurement, request.tolerance);
     }
     json["csv"] = readings.csv();
-    Frames frames = {{dumped(recipe_json(named, request.recipe, context.id)), {}},
-                     {dumped(json), {}}};
+    // Colours do not wait for the picture.
+    context.send("readings", {{dumped(recipe_json(named, request.recipe, context.id)), {}},
+                              {dumped(json), {}}});
+    Frames frames;
     if (request.shader) frames.push_back(shader_frame(named.paint, context));
     frames.push_back(done(context.id));
     return frames;

@@ -75,6 +75,7 @@ class Page : public std::enable_shared_from_this<Page> {
         : shared_(shared), counted_(shared), socket_(std::move(socket)) {}
 
     void accept(const Request& request) {
+        socket_.auto_fragment(false);  // pictures and textures would go out 4 kB at a time
         auto timeout = websocket::stream_base::timeout::suggested(beast::role_type::server);
         timeout.keep_alive_pings = true;
         socket_.set_option(timeout);

@@ -80,6 +80,10 @@ export class Live {
         else this.view.resume();
     }
 
+    hold(held: boolean): void {
+        this.view.hold(held);
+    }
+
     setGamutWarning(warn: boolean): void {
         this.view.setGamutWarning(warn);
     }

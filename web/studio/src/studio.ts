@@ -110,6 +110,7 @@ export class Studio {
 
     private disconnected(): void {
         this.painting.abandon();
+        this.viewer.hold(false);
         this.viewer.abandon();
         this.fitId = null;
         this.store.set({ connection: "gone", sparkleBusy: false });
@@ -212,6 +213,7 @@ export class Studio {
         const { document, settings } = this.store.get();
         if (!this.session.isOpen || Object.keys(document.recipe).length === 0) return;
         const { recipe } = document;
+        this.viewer.hold(true);
         this.painting.want({ recipe, document, settings, since: this.around.now() });
     }
 
@@ -230,6 +232,7 @@ export class Studio {
             tolerance: { limit: tolerance },
             shader: document !== null && this.viewer.wantsShader,
         };
+        let chipsAreDrawn = Promise.resolve();
         const id = this.session.send("paint", fields, (message, attachments) => {
             if (document === null) {
                 this.receiveMatch(id, message);
@@ -242,29 +245,38 @@ export class Studio {
                 case "readings": {
                     const readings = message as unknown as Readings;
                     this.store.set({ readings, readingsOf: document, fault: null });
-                    this.around.drawn(() => {
-                        this.store.set({ latency_ms: this.around.now() - since });
+                    chipsAreDrawn = new Promise((then) => {
+                        this.around.drawn(() => {
+                            this.store.set({ latency_ms: this.around.now() - since });
+                            then();
+                        });
                     });
                     break;
                 }
                 case "shader":
-                    this.viewer.shader(message, attachments);
+                    // A picture drawn by the processor would hold them up.
+                    void chipsAreDrawn.then(() => {
+                        this.viewer.shader(message, attachments);
+                    });
                     break;
                 case "error":
                     this.store.set({ fault: message as unknown as ErrorMessage });
                     this.answered(id, null);
                     break;
                 case "done":
-                    this.answered(id, document.recipe);
+                    this.answered(id, document.recipe, chipsAreDrawn);
                     break;
             }
         });
     }
 
-    private answered(id: number, recipe: Table | null): void {
+    private answered(id: number, recipe: Table | null, drawn = Promise.resolve()): void {
         this.session.forget(id);
         this.painting.finished();
         if (recipe !== null) this.viewer.paint(recipe);
+        void drawn.then(() => {
+            if (!this.painting.busy) this.viewer.hold(false);
+        });
         this.measureMatch();
     }
 

@@ -48,6 +48,11 @@ export function isCurrent({ picture, recipe, view }: ViewerState): boolean {
     return picture !== null && picture.recipe === recipe && picture.view === view;
 }
 
+/** Whether all its samples are there besides. */
+function isComplete(state: ViewerState): boolean {
+    return isCurrent(state) && state.picture?.samples === state.picture?.of;
+}
+
 /** Whether it hides the live picture. */
 export function covers(state: ViewerState): boolean {
     const { picture, liveSamples } = state;
@@ -87,6 +92,7 @@ export class Viewer {
     private size = { width: 0, height: 0 };
     private underWay: { id: number; job: Job } | null = null;
     private quickWanted = false;
+    private held = false;
     private timer: ReturnType<typeof setTimeout> | undefined;
 
     constructor(private readonly session: Session) {}
@@ -126,6 +132,26 @@ export class Viewer {
         if (view === null) return;
         this.store.set({ view: { ...view, ...change } });
         this.refresh();
+    }
+
+    /** Pictures leave the processor to what the page waits for, and go on when it waits no more. */
+    hold(held: boolean): void {
+        if (held === this.held) return;
+        this.held = held;
+        this.live?.hold(held);
+        if (!held) {
+            if (!isComplete(this.store.get())) this.refresh();
+            return;
+        }
+        clearTimeout(this.timer);
+        if (this.underWay?.job.quick === false) this.stopRender();
+    }
+
+    private stopRender(): void {
+        if (this.underWay === null) return;
+        this.session.tell("stop", { what: "render" });
+        this.session.forget(this.underWay.id);
+        this.underWay = null;
     }
 
     /** Colours of this recipe are known: it can be drawn. */
@@ -196,11 +222,7 @@ export class Viewer {
             this.quickWanted = true;
             return;
         }
-        if (this.underWay !== null) {
-            this.session.tell("stop", { what: "render" });
-            this.session.forget(this.underWay.id);
-            this.underWay = null;
-        }
+        this.stopRender();
         this.quickWanted = false;
         const { view, liveSamples } = this.store.get();
         this.live?.pause(false);
@@ -210,6 +232,7 @@ export class Viewer {
     }
 
     private startLater(): void {
+        if (this.held) return;
         this.timer = setTimeout(() => {
             this.start(false, false);
         }, REST_MS);

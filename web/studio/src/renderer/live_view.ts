@@ -94,6 +94,7 @@ export class LiveView {
     private request = 0;
     private dirty = false;
     private stopped = false;
+    private held = false;
     private lost = false;
 
     constructor(
@@ -245,6 +246,13 @@ export class LiveView {
         this.schedule();
     }
 
+    /** Draws what is new once and does not refine it, as while colours are computed. */
+    hold(held: boolean): void {
+        if (held === this.held) return;
+        this.held = held;
+        if (!held) this.schedule();
+    }
+
     dispose(): void {
         this.pause();
         this.canvas.removeEventListener("webglcontextlost", this.onLost);
@@ -292,6 +300,10 @@ export class LiveView {
             this.speed = 0.5 * this.speed + (0.5 * work) / drawing_ms;
         }
         this.takePaint();
+        if (this.held && !this.dirty) {
+            if (this.nextPaint !== null) this.schedule();
+            return;
+        }
         const begun = performance.now();
         const work = this.draw();
         if (work > 0 || this.dirty) {
