@@ -227,6 +227,27 @@ def test_a_record_is_named_by_its_content(tmp_path: Path) -> None:
     assert not set(few) & set(ids_of(tmp_path, "[record]\nsolved = true\n" + sobol + "4"))
 
 
+def test_records_do_not_share_what_they_take_from_a_list(tmp_path: Path) -> None:
+    """A table that several points of a sweep choose is changed by each of them for itself."""
+    plan = plan_of(
+        tmp_path,
+        """
+        [[sweep]]
+        name = "metallic"
+        base = "blue-metallic"
+        method = "grid"
+        [sweep.vary]
+        "layer[0].pigment" = [[{ from = "carbon-black-fine", volume_fraction = 0.03 }]]
+        "layer[0].pigment[0].volume_fraction" = [0.01, 0.02, 0.04]
+        """,
+    )
+    records = list(plan.records())
+    amounts = [r.recipe["layer"][0]["pigment"][0]["volume_fraction"] for r in records]
+    assert amounts == [0.01, 0.02, 0.04]
+    for record in records:
+        assert record.swept["layer[0].pigment"][0]["volume_fraction"] == 0.03
+
+
 def test_a_base_may_be_a_file_beside_the_plan_with_files_of_its_own(tmp_path: Path) -> None:
     (tmp_path / "primer.csv").write_text("wavelength_nm,value\n400,0.2\n700,0.4\n", "utf-8")
     recipe = (

@@ -17,8 +17,10 @@ struct NearestRecord {
     std::string name;
     /// What the paint is made of, without numbers: "clear / TiO2_anatase|mica".
     std::string construction;
-    std::vector<std::string> swept;  ///< keys of the numbers by which its sweep's records differ
-    double mean_delta_e_2000 = 0;    ///< at the geometries that both have
+    /// Numbers by which its sweep's records differ, and between which values they lie in the records of
+    /// this construction.
+    std::vector<paint::ParameterBounds> swept;
+    double mean_delta_e_2000 = 0;  ///< at the geometries that both have
     std::size_t shared_geometries = 0;
 };
 
@@ -43,8 +45,11 @@ struct ConstructionMatch {
     Match match;
 };
 
-/// Fits each of the nearest constructions to a standard, from its nearest record. What might help is
-/// sought for the best match alone, if that does not reach the standard.
+/// Fits constructions to a standard, each from its nearest record, between what its records and
+/// fit::default_bounds() reach: of four times as many of the nearest,
+/// those whose rough fits promise most. What might help is sought for the best match alone, if that does
+/// not reach the standard.
+/// @param most  constructions, at least 1
 /// @param settings  FitSettings::starts holds for each
 /// @return  the best match first
 /// @throws as nearest_constructions() and Paint::fit()

@@ -173,7 +173,7 @@ def apply(recipe: Recipe, changes: Any) -> dict[str, Any]:
                 "write its whole path"
             )
         for key in found or [pattern]:
-            keys.put(recipe, key, value)
+            keys.put(recipe, key, copy.deepcopy(value))  # of each recipe its own
             done[key] = value
     return done
 

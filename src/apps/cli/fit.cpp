@@ -277,7 +277,8 @@ Command add_fit(CLI::App& program) {
         ->type_name("FOLDER");
     command
         ->add_option("--constructions", options->constructions,
-                     "With --library: how many constructions are tried")
+                     "With --library: how many constructions are fitted; four times as many are "
+                     "fitted roughly before")
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
     command->add_option("--free", options->free,

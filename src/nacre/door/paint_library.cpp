@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
 #include "nacre/door/state.h"
+#include "nacre/fit/fit.h"
 #include "nacre/fit/free_keys.h"
 #include "nacre/fit/remedy.h"
 #include "nacre/io/measurement_file.h"
@@ -66,12 +66,37 @@ void describe(NearestRecord& record) {
         record.name = json.at("name").get<std::string>();
         record.construction = json.at("construction").get<std::string>();
         for (const auto& [key, value] : json.at("swept").items()) {
-            if (value.is_number()) record.swept.push_back(key);
+            if (value.is_number()) record.swept.push_back({key, value, value});
         }
     } catch (const nlohmann::json::exception& error) {
         throw InputError(
             fmt::format("{}: is no record of a library: {}", file.string(), error.what()));
     }
+}
+
+/// Ranges that hold those of another record as well, of the numbers that both have.
+void widen(std::vector<paint::ParameterBounds>& ranges,
+           const std::vector<paint::ParameterBounds>& others) {
+    for (paint::ParameterBounds& range : ranges) {
+        for (const paint::ParameterBounds& other : others) {
+            if (other.key != range.key) continue;
+            range.lo = std::min(range.lo, other.lo);
+            range.hi = std::max(range.hi, other.hi);
+        }
+    }
+}
+
+/// The record's paint, whose swept numbers may lie anywhere in the library's ranges, and as far off as
+/// those of any paint.
+Paint with_bounds(const NearestRecord& record, const Paint& paint) {
+    std::vector<paint::ParameterBounds> bounds;
+    for (const paint::ParameterBounds& range : record.swept) {
+        const auto keys = paint::matching_parameters(paint.recipe(), range.key);
+        if (keys.size() != 1 || paint::find_parameter(paint.recipe(), keys[0]).value == 0) continue;
+        const auto usual = fit::default_bounds(paint.recipe(), keys[0]);
+        bounds.push_back({keys[0], std::min(usual.lo, range.lo), std::max(usual.hi, range.hi)});
+    }
+    return Paint(paint.recipe(), std::move(bounds), paint.deviations());
 }
 
 /// Whether a number is one that painters turn: not an index, nor a size that colours hardly show.
@@ -83,6 +108,62 @@ bool is_turned(std::string_view key) {
         return true;
     return std::any_of(std::begin(kEnds), std::end(kEnds),
                        [&](std::string_view end) { return key.ends_with(end); });
+}
+
+/// Constructions that are fitted roughly, for each that is fitted: the nearest record of a sparse sweep
+/// may be further from the standard than those of many others.
+constexpr std::size_t kTriedRoughlyPerFit = 4;
+/// Descents of a rough fit.
+constexpr int kRoughStarts = 2;
+/// More than a rough fit is above what a fit reaches.
+constexpr double kRoughError_delta_e = 3;
+/// Of all the work, for the progress.
+constexpr double kRoughFraction = 0.4;
+
+/// Progress from 0 to 1 as that from `begin` to `end` of all the work.
+Progress part_of(const Progress& progress, double begin, double end) {
+    return [&progress, begin, end](double fraction) {
+        return !progress || progress(begin + (end - begin) * fraction);
+    };
+}
+
+/// Where a fit may start.
+struct Start {
+    NearestRecord record;
+    Paint paint;
+    std::vector<std::string> keys;
+    bool out_of_reach = false;  ///< its rough fit does not come near to a match
+};
+
+/// Those whose rough fits come nearest to the standard, in that order.
+std::vector<Start> most_promising(const std::vector<NearestRecord>& records,
+                                  const Measurement& standard, std::size_t most,
+                                  const FitSettings& settings, const Progress& progress) {
+    FitSettings rough = settings;
+    rough.starts = kRoughStarts;
+    std::vector<std::pair<double, Start>> found;
+    for (const NearestRecord& record : records) {
+        const auto share = 1 / static_cast<double>(records.size());
+        const double begin = share * static_cast<double>(found.size());
+        const Progress part = part_of(progress, begin, begin + share);
+        Paint paint = with_bounds(record, open(record.folder / kRecipe));
+        std::vector<std::string> keys = keys_to_fit(record, paint, rough, only_asking(progress));
+        double difference = record.mean_delta_e_2000;
+        if (records.size() > most) {
+            const fit::FreeNumbers numbers(paint.recipe(), keys, paint.bounds());
+            difference = fit::rough_difference(standard, numbers, rough, part);
+        }
+        found.push_back({difference, {record, std::move(paint), std::move(keys)}});
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Start> starts;
+    for (auto& [difference, start] : found) {
+        if (starts.size() == most) break;
+        start.out_of_reach = difference > settings.matched_delta_e + kRoughError_delta_e;
+        starts.push_back(std::move(start));
+    }
+    return starts;
 }
 
 void seek_remedies(ConstructionMatch& best, const Measurement& standard,
@@ -123,12 +204,17 @@ std::vector<NearestRecord> nearest_constructions(const fs::path& library,
                      [](const NearestRecord& a, const NearestRecord& b) {
                          return a.mean_delta_e_2000 < b.mean_delta_e_2000;
                      });
+    parallel_for(0, records.size(), [&](std::size_t i) { describe(records[i]); });
     std::vector<NearestRecord> nearest;
-    std::set<std::string> seen;
     for (NearestRecord& record : records) {
-        if (nearest.size() == most) break;
-        describe(record);
-        if (seen.insert(record.construction).second) nearest.push_back(std::move(record));
+        const auto same = std::find_if(nearest.begin(), nearest.end(), [&](const auto& other) {
+            return other.construction == record.construction;
+        });
+        if (same != nearest.end()) {
+            widen(same->swept, record.swept);
+        } else if (nearest.size() < most) {
+            nearest.push_back(std::move(record));
+        }
     }
     return nearest;
 }
@@ -138,7 +224,8 @@ std::vector<std::string> keys_to_fit(const NearestRecord& record, const Paint& p
     // A sweep may vary what no fit can: a diameter, which does not change the mean colour.
     std::vector<std::string> keys = paint.free_keys({"*"}, settings, progress).keys;
     const auto varies = [&](const std::string& key) {
-        return std::find(record.swept.begin(), record.swept.end(), key) != record.swept.end();
+        return std::ranges::find(record.swept, key, &paint::ParameterBounds::key) !=
+               record.swept.end();
     };
     const bool by_sweep = std::any_of(keys.begin(), keys.end(), varies);
     std::erase_if(keys, [&](const auto& key) { return by_sweep ? !varies(key) : !is_turned(key); });
@@ -150,18 +237,20 @@ std::vector<ConstructionMatch> fit_from_library(const fs::path& library,
                                                 const FitSettings& settings,
                                                 const Progress& progress) {
     const std::vector<NearestRecord> nearest =
-        nearest_constructions(library, standard, most, only_asking(progress));
+        nearest_constructions(library, standard, kTriedRoughlyPerFit * most, only_asking(progress));
     FitSettings alone = settings;
     alone.remedies = false;
+    const double roughly = nearest.size() > most ? kRoughFraction : 0;
+    const std::vector<Start> starts =
+        most_promising(nearest, standard, most, alone, part_of(progress, 0, roughly));
     std::vector<ConstructionMatch> matches;
-    for (const NearestRecord& record : nearest) {
-        const Paint paint = open(record.folder / kRecipe);
-        const auto part = [&](double fraction) {
-            const double done = static_cast<double>(matches.size()) + fraction;
-            return !progress || progress(done / static_cast<double>(nearest.size()));
-        };
-        matches.push_back(
-            {record, paint.fit(standard, keys_to_fit(record, paint, alone, part), alone, part)});
+    const double each = (1 - roughly) / static_cast<double>(starts.size());
+    for (const Start& start : starts) {
+        const double begin = roughly + each * static_cast<double>(matches.size());
+        FitSettings how = alone;
+        if (start.out_of_reach) how.starts = 1;
+        matches.push_back({start.record, start.paint.fit(standard, start.keys, how,
+                                                         part_of(progress, begin, begin + each))});
     }
     std::stable_sort(
         matches.begin(), matches.end(), [](const ConstructionMatch& a, const ConstructionMatch& b) {

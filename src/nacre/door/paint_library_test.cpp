@@ -17,8 +17,8 @@ namespace {
 
 using nacre::test::message_of;
 using ::testing::AllOf;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
 
 const std::string kLibraryFilm = "layer[0].flakes[0].coats[0].thickness_nm";
 
@@ -55,7 +55,10 @@ TEST_F(PaintLibrary, FitsEachOfTheNearestConstructionsFromItsNearestRecord) {
     ASSERT_EQ(nearest.size(), 2u);
     EXPECT_EQ(nearest[0].construction, "pearl");
     EXPECT_EQ(nearest[0].folder.filename(), "aa2");
-    EXPECT_THAT(nearest[0].swept, ElementsAre(kLibraryFilm, "layer[0].flakes[0].diameter_um"));
+    using Bounds = paint::ParameterBounds;
+    EXPECT_THAT(nearest[0].swept,
+                UnorderedElementsAre(Bounds{kLibraryFilm, 80, 120},
+                                     Bounds{"layer[0].flakes[0].diameter_um", 20, 20}));
     EXPECT_EQ(nearest[0].shared_geometries, standard.readings.size());
     EXPECT_GT(nearest[1].mean_delta_e_2000, nearest[0].mean_delta_e_2000);
     EXPECT_EQ(nearest_constructions(path(), standard, 1).size(), 1u);

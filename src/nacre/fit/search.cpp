@@ -271,11 +271,9 @@ std::vector<Descent> distinct(const std::vector<Descent>& ends) {
     return kept;
 }
 
-}  // namespace
-
-std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,
-                            std::uint64_t seed, SharedProgress& work, SearchEffort& effort) {
-    Meter meter(work);
+std::vector<Descent> coarse_minima(const ColourModel& model, const std::vector<double>& start,
+                                   int starts, std::uint64_t seed, Meter& meter,
+                                   SearchEffort& effort) {
     std::vector<std::vector<double>> points = {start};
     for (auto& point :
          halton_points(static_cast<std::size_t>(starts - 1) * points_per_start(start.size()),
@@ -300,10 +298,25 @@ std::vector<Descent> search(const ColourModel& model, const std::vector<double>&
     }
 
     effort.descents = static_cast<int>(coarse_starts.size());
-    const std::vector<Descent> coarse = distinct(
+    std::vector<Descent> coarse = distinct(
         descend_from(model, coarse_starts, Detail::coarse, kCoarseLimits, kCoarseFraction, meter));
     if (coarse.empty()) throw Error(model.first_failure());
+    return coarse;
+}
 
+}  // namespace
+
+std::vector<Descent> coarse_search(const ColourModel& model, const std::vector<double>& start,
+                                   int starts, std::uint64_t seed, SharedProgress& work,
+                                   SearchEffort& effort) {
+    Meter meter(work);
+    return coarse_minima(model, start, starts, seed, meter, effort);
+}
+
+std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,
+                            std::uint64_t seed, SharedProgress& work, SearchEffort& effort) {
+    Meter meter(work);
+    const std::vector<Descent> coarse = coarse_minima(model, start, starts, seed, meter, effort);
     std::vector<std::vector<double>> fine_starts;
     const double limit =
         coarse[0].rms_delta_e +

@@ -50,4 +50,9 @@ struct SearchEffort {
 std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,
                             std::uint64_t seed, SharedProgress& work, SearchEffort& effort);
 
+/// As search(), without the fine descents: where the coarse ones ended.
+std::vector<Descent> coarse_search(const ColourModel& model, const std::vector<double>& start,
+                                   int starts, std::uint64_t seed, SharedProgress& work,
+                                   SearchEffort& effort);
+
 }  // namespace nacre::fit
