@@ -2,10 +2,12 @@
  * The live picture: a paint on a shape in a light, drawn by WebGL 2 from the paint's own numbers, better
  * from frame to frame.
  *
- * It is the mean of the model: no single flakes, waves of the coat, shadows or light from one part of the
- * shape to another.
+ * Single flakes are those of the path tracer. It has no waves of the coat, shadows or light from one part
+ * of the shape to another.
  */
 
+import type { Part } from "./flakes";
+import { partOf, restMatrix } from "./flakes";
 import { fill, Program, Target } from "./gl";
 import type { Light, Mesh, PaintShader, Transform } from "./paint";
 import {
@@ -81,6 +83,7 @@ export class LiveView {
     /** Whose program is not compiled yet. */
     private nextPaint: PaintShader | null = null;
     private warn = false;
+    private sparkle = true;
 
     private whole: Sums | null = null;
     private coarse: Sums | null = null;
@@ -194,6 +197,13 @@ export class LiveView {
         this.warn = warn;
         this.dirty = true;
         this.schedule();
+    }
+
+    /** Whether single flakes are seen, or their mean. */
+    setSparkle(sparkle: boolean): void {
+        if (sparkle === this.sparkle) return;
+        this.sparkle = sparkle;
+        this.restart();
     }
 
     /** Of the picture, in pixels of the screen. */
@@ -397,10 +407,10 @@ export class LiveView {
                 1,
                 Math.min(height - sums.rows, Math.round((budget - work) / width)),
             );
-            const shift = shiftOf(sums.samples);
+            const part = partOf(sums.samples);
             const eye = eyeOf(this.camera as Camera, this.canvas.width / this.canvas.height);
-            if (sums.rows === 0) this.drawShape(sums.shape, eye, shift);
-            this.shade(sums, eye, shift, rows);
+            if (sums.rows === 0) this.drawShape(sums.shape, eye, part.place);
+            this.shade(sums, eye, part, rows);
             work += rows * width;
             sums.rows += rows;
             if (sums.rows >= height) {
@@ -428,7 +438,7 @@ export class LiveView {
         gl.disable(gl.DEPTH_TEST);
     }
 
-    private shade(sums: Sums, eye: Eye, shift: readonly [number, number], rows: number): void {
+    private shade(sums: Sums, eye: Eye, part: Part, rows: number): void {
         const { gl } = this;
         const { target, shape } = sums;
         const paint = this.paint as PaintShader;
@@ -454,7 +464,8 @@ export class LiveView {
         program.floats("across", 3, eye.across);
         program.floats("upwards", 3, eye.upwards);
         program.floats("size", 2, [target.width, target.height]);
-        program.floats("shift", 2, shift);
+        program.floats("shift", 2, part.place);
+        this.setFlakesOf(program, part);
         gl.uniform1ui(program.at("sampleIndex"), sums.samples);
         target.bind();
         gl.enable(gl.SCISSOR_TEST);
@@ -465,6 +476,15 @@ export class LiveView {
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         gl.disable(gl.BLEND);
         gl.disable(gl.SCISSOR_TEST);
+    }
+
+    private setFlakesOf(program: Program, { middle, size, tilt }: Part): void {
+        const pivot = (this.camera as Camera).target_mm;
+        program.int("flakesShown", this.sparkle ? 1 : 0);
+        program.matrix("toRest", restMatrix(this.transform as Transform, this.turn_deg, pivot));
+        program.floats("partMiddle", 2, middle);
+        program.floats("partSize", 2, size);
+        program.floats("partTilt", 2, tilt);
     }
 
     private setLightOf(program: Program): void {
@@ -508,9 +528,4 @@ export class LiveView {
         gl.bindVertexArray(this.nothing);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
-}
-
-/** Where in its pixel a sample lies, in (-1/2, 1/2): points that fill the square evenly. */
-function shiftOf(sample: number): readonly [number, number] {
-    return [((sample * 0.7548776662 + 0.5) % 1) - 0.5, ((sample * 0.569840291 + 0.5) % 1) - 0.5];
 }

@@ -1,8 +1,10 @@
 /** The shaders of the live picture; that of the paint comes from the server. */
 
+import { FLAKES } from "./flakes";
+
 export const MOST_RECTANGLES = 4;
 
-const HEAD = `
+export const HEAD = `
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -158,13 +160,21 @@ float densityOfPaint(vec3 wi, vec3 wo) {
     for (int k = 0; k < count; ++k) sum += nacreDensity(k, wi, wo);
     return EVEN * wo.z / PI + (1. - EVEN) / float(count) * sum;
 }
-
+${FLAKES}
 vec3 shaded(vec3 place, vec3 n, vec3 view) {
     vec3 t = normalize(abs(n.x) < .9 ? cross(n, vec3(1., 0., 0.)) : cross(n, vec3(0., 1., 0.)));
     mat3 toWorld = mat3(t, cross(n, t), n);
     vec3 wi = view * toWorld;
     wi = normalize(vec3(wi.xy, max(wi.z, 1e-3)));
-    vec3 sum = vec3(0.);
+    // Towards a place on the sun; below the horizon: there is none.
+    vec3 towardsSun = vec3(0., 0., -1.);
+    if (sun.w < 1.5) {
+        vec2 u = evenly(6u);
+        float z = 1. - u.x * (1. - sun.w), r = sqrt(max(1. - z * z, 0.)), phi = 2. * PI * u.y;
+        vec3 s = normalize(abs(sun.x) < .9 ? cross(sun.xyz, vec3(1., 0., 0.)) : cross(sun.xyz, vec3(0., 1., 0.)));
+        towardsSun = (r * cos(phi) * s + r * sin(phi) * cross(sun.xyz, s) + z * sun.xyz) * toWorld;
+    }
+    vec3 sum = shadedFlakes(place, toWorld, wi, towardsSun);
     // Directions from the paint, from afar and from each rectangle.
     for (int way = 0; way < 2 + rectangleCount; ++way) {
         vec2 u = evenly(uint(way));
@@ -190,13 +200,9 @@ vec3 shaded(vec3 place, vec3 n, vec3 view) {
         density += densityFromAfar(w) + densityOfPaint(wi, wo);
         sum += nacreColour(wi, wo) * radiance * (wo.z / density);
     }
-    if (sun.w < 1.5) {
-        vec2 u = evenly(6u);
-        float z = 1. - u.x * (1. - sun.w), r = sqrt(max(1. - z * z, 0.)), phi = 2. * PI * u.y;
-        vec3 s = normalize(abs(sun.x) < .9 ? cross(sun.xyz, vec3(1., 0., 0.)) : cross(sun.xyz, vec3(0., 1., 0.)));
-        vec3 w = r * cos(phi) * s + r * sin(phi) * cross(sun.xyz, s) + z * sun.xyz;
-        vec3 wo = w * toWorld;
-        if (wo.z > 1e-4) sum += nacreColour(wi, wo) * sunRadiance * (2. * PI * (1. - sun.w) * wo.z);
+    if (towardsSun.z > 1e-4) {
+        nacreWithoutSunlit();
+        sum += nacreColour(wi, towardsSun) * sunRadiance * (2. * PI * (1. - sun.w) * towardsSun.z);
     }
 #if ${smoothCoat ? "1" : "0"}
     vec3 mirrored = toWorld * vec3(-wi.xy, wi.z);
