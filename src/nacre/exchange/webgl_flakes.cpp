@@ -24,6 +24,19 @@ std::string glsl_array(const char* type, const Numbers& numbers, const Text& tex
     return fmt::format("{}[]({})", type, elements);
 }
 
+/// The body of nacreCount(): four comparisons at a time.
+std::string counts_text(const Constants& field) {
+    static_assert(Constants::kMaxFlakesPerCell % 4 == 0);
+    WebglLines lines;
+    for (std::size_t n = 0; n < field.cumulative.size(); n += 4) {
+        const float* const p = &field.cumulative[n];
+        if (p[0] >= 1) break;  // never drawn
+        lines.add("count += vec4(lessThanEqual(vec4({}, {}, {}, {}), vec4(draw)));",
+                  glsl_number(p[0]), glsl_number(p[1]), glsl_number(p[2]), glsl_number(p[3]));
+    }
+    return std::move(lines).text();
+}
+
 /// The body of nacreFlakeColour(): the layers above a flake, and what it reflects.
 std::string flake_layers_text(const WebglShader::Layout& layout) {
     WebglLines lines;
@@ -62,9 +75,8 @@ std::string webgl_flakes_glsl(const WebglShader::Layout& layout) {
         replace_all(text, fmt::format("@{}@", name), value);
     };
     put("LEVEL_COUNT", fmt::format("{}", Constants::kLevels));
-    put("FRACTIONS", glsl_array("float", field.fraction, number));
-    put("MOST", fmt::format("{}", Constants::kMaxFlakesPerCell));
-    put("CUMULATIVE", glsl_array("float", field.cumulative, number));
+    put("DENSEST", number(field.fraction[0]));
+    put("COUNTS", counts_text(field));
     put("SIZES", of_species(&Species::sizes));
     put("OWN_LAYERS", of_species(&Species::layer));
     put("REFLECTANCES", of_species(&Species::reflectance));

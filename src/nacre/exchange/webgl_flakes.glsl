@@ -5,9 +5,7 @@
 vec3 nacreRadiance(vec3 wo);
 
 const int NACRE_LEVELS = @LEVEL_COUNT@;
-const float NACRE_FRACTION[NACRE_LEVELS] = @FRACTIONS@;  // of all flakes, by level
-const int NACRE_MOST = @MOST@;                           // flakes of a cell
-const float NACRE_AT_MOST[NACRE_MOST] = @CUMULATIVE@;    // probability of so many flakes in a cell
+const float NACRE_DENSEST = @DENSEST@;  // of all flakes, the fraction in the densest level
 const int NACRE_SIZES[NACRE_FLAKES] = @SIZES@;           // channels of the table: diameters, um
 const int NACRE_LAYERS[NACRE_FLAKES] = @OWN_LAYERS@;
 const int NACRE_REFLECTANCES[NACRE_FLAKES] = @REFLECTANCES@;  // channels by the cosine on the flake
@@ -62,6 +60,12 @@ uvec2 nacreFlakeBits(uvec2 cell, int n) {
     uint step = uint(n + 1) * NACRE_SHORT_GOLDEN;
     return uvec2(nacreShortMix(cell.x + step), nacreShortMix(cell.y + step));
 }
+/// Flakes of a cell: one more than n if `draw` is not below the probability of at most n.
+int nacreCount(float draw) {
+    vec4 count = vec4(0.);
+    @COUNTS@
+    return int(count.x + count.y + count.z + count.w);
+}
 float nacreUnit(uint bits) { return float(bits >> 8) * exp2(-24.); }
 float nacreFraction(uint bits) { return (float(bits >> 1) + .5) * exp2(-31.); }
 /// Of variance 1/2 each.
@@ -96,10 +100,9 @@ bool nacreReaches(int s, float slope2) { return nacreExponent(s, slope2) < @MAX_
 /// What waviness adds to the square of a lobe's radius.
 float nacreSpread2(int s) { return 3.6 * nacreFieldSize[s].z; }
 
-/// How a patch shows a species: FlakeView.
+/// How a patch shows a species: FlakeView. Levels fade out where it touches more cells than `full`.
 struct NacreShown {
-    float weight[NACRE_LEVELS];
-    float resolved, widening;
+    float resolved, widening, scale, full;
 };
 
 /// FlakeView::answer_factor()
@@ -128,33 +131,38 @@ float nacreRest(int s, NacrePair p) {
     return 1. - nacreResolved[s] * nacreAnswer(s, p, nacreResolved[s], nacreWidened[s]);
 }
 
+/// Cells of a level that a patch touches.
+float nacreCells(int s, vec2 side, float cell) {
+    vec2 cells = 1. + (side + 2. * nacreFieldSize[s].y) / cell;
+    return cells.x * cells.y;
+}
+float nacreFaded(float cells, float full) {
+    float t = clamp((2.3 - cells / full) / 1.3, 0., 1.);
+    return t * t;
+}
 /// FlakeField::level_weights(). lightArea: of a light in slopes over that of a lobe; above 1 it is wide.
 NacreShown nacreLevels(int s, vec2 side, float lightArea) {
-    NacreShown shown;
     bool wide = lightArea > 1.;
-    float full = wide ? nacreFieldLevels[s].y : nacreFieldLevels[s].x, cell = nacreField[s].x;
-    float first = 0., second = 0., finest = 0.;
-    for (int l = 0; l < NACRE_LEVELS; ++l, cell *= 4.) {
-        vec2 cells = 1. + (side + 2. * nacreFieldSize[s].y) / cell;
-        if (l == 0) finest = cells.x * cells.y;
-        float t = clamp((2.3 - cells.x * cells.y / full) / 1.3, 0., 1.);
-        shown.weight[l] = t * t;
-        first += t * t * NACRE_FRACTION[l];
-        second += t * t * t * t * NACRE_FRACTION[l];
+    float cell = nacreField[s].x;
+    NacreShown shown = NacreShown(1., 1., 1., wide ? nacreFieldLevels[s].y : nacreFieldLevels[s].x);
+    if (nacreCells(s, side, cell) <= shown.full) {
+        shown.full = 1e30;
+        return shown;
     }
-    shown.widening = 1.;
-    shown.resolved = finest <= full ? 1. : 0.;
-    float scale = 1.;
-    if (finest > full && second > 0.) {
+    float first = 0., second = 0., fraction = NACRE_DENSEST;
+    for (int l = 0; l < NACRE_LEVELS; ++l, cell *= 4., fraction *= 1. / 16.) {
+        float weight = nacreFaded(nacreCells(s, side, cell), shown.full);
+        first += weight * fraction;
+        second += weight * weight * fraction;
+    }
+    shown.resolved = 0.;
+    if (second > 0.) {
         float ratio = sqrt(second) / first;
         if (!wide) shown.widening = clamp(.95 * ratio, 1., max(nacreFieldLevels[s].w, 1.));
         float contrast =
             wide ? 1. : sqrt((shown.widening * shown.widening + lightArea) / (1. + lightArea));
         shown.resolved = min(contrast / ratio, 1.);
-        scale = shown.resolved / first;
-    }
-    for (int l = 0; l < NACRE_LEVELS; ++l) {
-        shown.weight[l] = finest <= full ? 1. : shown.weight[l] * scale;
+        shown.scale = shown.resolved / first;
     }
     return shown;
 }
@@ -164,25 +172,28 @@ NacreShown nacreLevels(int s, vec2 side, float lightArea) {
 /// ObjectSpaceFootprint
 struct NacrePatch {
     vec3 position, normal, tangent;  // in object space, mm
-    vec3 edge[2];
+    vec3 edgeA, edgeB;
     vec2 tilt;
 };
 
-/// PatchOutline: in the patch's own plane, x along its tangent.
+// No arrays here and below: WebGL keeps those that are indexed by variables in slow memory.
+
+/// PatchOutline: in the patch's own plane, x along its tangent. A side is an edge, its direction, that
+/// across it, its length and half the width of the strip along it.
 struct NacreOutline {
-    vec2 edge[2], along[2], side;
-    vec2 across[2], halfWidth, tilt;  // of the strips between opposite sides
+    vec2 edgeA, alongA, acrossA, edgeB, alongB, acrossB;
+    vec2 side, halfWidth, tilt;
     float area;
     bool isPoint;
 };
 
 float nacreCross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
-NacreOutline nacreOutline(NacrePatch seen, float smallest, float largest) {
+NacreOutline nacreOutline(NacrePatch seen, float smallest) {
     NacreOutline o;
     vec3 t = seen.tangent, b = cross(seen.normal, t);
-    vec2 first = vec2(dot(seen.edge[0], t), dot(seen.edge[0], b));
-    vec2 second = vec2(dot(seen.edge[1], t), dot(seen.edge[1], b));
+    vec2 first = vec2(dot(seen.edgeA, t), dot(seen.edgeA, b));
+    vec2 second = vec2(dot(seen.edgeB, t), dot(seen.edgeB, b));
     o.isPoint = length(first) + length(second) < .05 * smallest;
     float least = 1e-3 * smallest;
     if (!o.isPoint) {
@@ -196,23 +207,23 @@ NacreOutline nacreOutline(NacrePatch seen, float smallest, float largest) {
         }
     }
     bool swapped = nacreCross(first, second) < 0.;
-    o.edge[0] = swapped ? second : first;
-    o.edge[1] = swapped ? first : second;
+    o.edgeA = swapped ? second : first;
+    o.edgeB = swapped ? first : second;
     o.tilt = swapped ? seen.tilt.yx : seen.tilt;
-    for (int i = 0; i < 2; ++i) {
-        o.side[i] = length(o.edge[i]);
-        o.along[i] = o.side[i] > 0. ? o.edge[i] / o.side[i] : vec2(i, i - 1);
-        o.across[i] = vec2(-o.along[i].y, o.along[i].x);
-        o.halfWidth[i] =
-            .5 * (abs(dot(o.across[i], o.edge[0])) + abs(dot(o.across[i], o.edge[1])));
-    }
-    o.area = nacreCross(o.edge[0], o.edge[1]);
+    o.side = vec2(length(o.edgeA), length(o.edgeB));
+    o.alongA = o.side.x > 0. ? o.edgeA / o.side.x : vec2(0., -1.);
+    o.alongB = o.side.y > 0. ? o.edgeB / o.side.y : vec2(1., 0.);
+    o.acrossA = vec2(-o.alongA.y, o.alongA.x);
+    o.acrossB = vec2(-o.alongB.y, o.alongB.x);
+    o.halfWidth = .5 * vec2(abs(dot(o.acrossA, o.edgeA)) + abs(dot(o.acrossA, o.edgeB)),
+                            abs(dot(o.acrossB, o.edgeA)) + abs(dot(o.acrossB, o.edgeB)));
+    o.area = nacreCross(o.edgeA, o.edgeB);
     return o;
 }
 
 bool nacreTouches(NacreOutline o, vec2 at, float radius) {
-    return abs(dot(o.across[0], at)) < o.halfWidth.x + radius &&
-           abs(dot(o.across[1], at)) < o.halfWidth.y + radius;
+    vec2 apart = abs(vec2(dot(o.acrossA, at), dot(o.acrossB, at)));
+    return all(lessThan(apart, o.halfWidth + radius));
 }
 
 /// Of one side, seen from the middle of a disc: twice the area of triangles, and the angle of sectors.
@@ -229,19 +240,19 @@ void nacreSide(vec2 from, vec2 along, float side, float radius2, inout vec2 sums
 float nacreCoverage(NacreOutline o, vec2 at, float radius) {
     if (o.isPoint) {
         float far = length(at), safe = max(far, 1e-20);
-        float width = 1e-20 + (abs(dot(o.edge[0], at)) + abs(dot(o.edge[1], at))) / safe;
+        float width = 1e-20 + (abs(dot(o.edgeA, at)) + abs(dot(o.edgeB, at))) / safe;
         return clamp(.5 + (radius - far) / width, 0., 1.);
     }
-    vec2 a = .5 * (o.edge[0] + o.edge[1]), b = .5 * (o.edge[1] - o.edge[0]);
+    vec2 a = .5 * (o.edgeA + o.edgeB), b = .5 * (o.edgeB - o.edgeA);
     float radius2 = radius * radius;
     float far = max(max(distance(at, a), distance(at, -a)), max(distance(at, b), distance(at, -b)));
     if (far < radius) return 1.;
     vec2 sums = vec2(0.);
     bool inside = true;
-    nacreSide(-a - at, o.along[0], o.side.x, radius2, sums, inside);
-    nacreSide(-b - at, o.along[1], o.side.y, radius2, sums, inside);
-    nacreSide(a - at, -o.along[0], o.side.x, radius2, sums, inside);
-    nacreSide(b - at, -o.along[1], o.side.y, radius2, sums, inside);
+    nacreSide(-a - at, o.alongA, o.side.x, radius2, sums, inside);
+    nacreSide(-b - at, o.alongB, o.side.y, radius2, sums, inside);
+    nacreSide(a - at, -o.alongA, o.side.x, radius2, sums, inside);
+    nacreSide(b - at, -o.alongB, o.side.y, radius2, sums, inside);
     float full = inside ? 2. * PI : 0.;
     return max(.5 * (sums.x + radius2 * (full - sums.y)), 0.) / o.area;
 }
@@ -250,7 +261,7 @@ float nacreCoverage(NacreOutline o, vec2 at, float radius) {
 float nacreTilted(NacreOutline o, vec2 at, float radius) {
     if (o.isPoint) return 1.;
     float inverse = 2. / (o.area + PI * radius * radius);
-    vec2 along = vec2(nacreCross(at, o.edge[1]), nacreCross(o.edge[0], at));
+    vec2 along = vec2(nacreCross(at, o.edgeB), nacreCross(o.edgeA, at));
     vec2 weight = 1. + o.tilt * clamp(inverse * along, -1., 1.);
     return weight.x * weight.y;
 }
@@ -277,26 +288,30 @@ float nacreFlakeFactor(int s, NacrePair p, float width, float resolved, float wi
 
 /// A plane of cells as a patch sees it: FlakePlane.
 struct NacrePlane {
+    int side;
     float kept;
     vec2 at, reach;     // the middle of the patch, and half its extent with the discs that touch it
     vec2 stepU, stepV;  // what steps in the plane are in the plane of the patch
     vec2 turn;
 };
 
+/// The components along the plane's axes, and across it.
+vec3 nacreOnPlane(vec3 w, int axis) { return axis == 0 ? w.yzx : axis == 1 ? w.zxy : w; }
+
 NacrePlane nacrePlane(NacrePatch seen, int axis, float fraction, float largest) {
-    int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    vec3 n = seen.normal, t = seen.tangent, b = cross(n, t);
+    vec3 n = nacreOnPlane(seen.normal, axis), t = nacreOnPlane(seen.tangent, axis);
+    vec3 b = cross(n, t);
     NacrePlane plane;
-    plane.kept = fraction / abs(n[axis]) * (65536. / @MAX_STRETCH@);
-    plane.at = vec2(seen.position[u], seen.position[v]);
-    vec2 slant = vec2(n[u], n[v]), shear = slant / n[axis];
-    plane.reach = .5 * vec2(abs(seen.edge[0][u]) + abs(seen.edge[1][u]),
-                            abs(seen.edge[0][v]) + abs(seen.edge[1][v])) +
-                  largest * sqrt(max(1. - slant * slant, 0.));
-    vec2 over = vec2(t[axis], b[axis]);
-    plane.stepU = vec2(t[u], b[u]) - shear.x * over;
-    plane.stepV = vec2(t[v], b[v]) - shear.y * over;
-    plane.turn = normalize(vec2(t[u], b[u]));
+    plane.kept = fraction / abs(n.z) * (65536. / @MAX_STRETCH@);
+    plane.at = nacreOnPlane(seen.position, axis).xy;
+    plane.reach = .5 * (abs(nacreOnPlane(seen.edgeA, axis).xy) +
+                        abs(nacreOnPlane(seen.edgeB, axis).xy)) +
+                  largest * sqrt(max(1. - n.xy * n.xy, 0.));
+    vec2 over = vec2(t.z, b.z) / n.z;
+    plane.stepU = vec2(t.x, b.x) - n.x * over;
+    plane.stepV = vec2(t.y, b.y) - n.y * over;
+    plane.turn = normalize(vec2(t.x, b.x));
+    plane.side = 2 * axis + (n.z < 0. ? 1 : 0);
     return plane;
 }
 
@@ -304,6 +319,7 @@ NacrePlane nacrePlane(NacrePatch seen, int axis, float fraction, float largest) 
 /// is chosen by the answers [talbot-2005], and of a sun, which is narrower than their lobes. Afterwards
 /// nacreColour() is without them, for light that is not the sun's; nacreWithoutSunlit() is for that.
 ///
+/// @param asked     or only what is left without flakes is worked out
 /// @param sun       towards a place on it; z <= 0: there is none
 /// @param sunLight  its radiance times its solid angle
 /// @param random    bits of the sample
@@ -314,7 +330,7 @@ void nacreWithoutSunlit() {
     nacreWidened = nacreSunWidened;
 }
 
-vec3 nacreFlakes(NacrePatch seen, vec3 wi, vec3 sun, vec3 sunLight, float sunAngle, uint random) {
+vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, float sunAngle, uint random) {
     vec3 sum = vec3(0.), i = nacreRefract(wi, nacreIor);
     bool sunny = sun.z > 1e-4;
     NacrePair sunPair;
@@ -334,14 +350,14 @@ vec3 nacreFlakes(NacrePatch seen, vec3 wi, vec3 sun, vec3 sunLight, float sunAng
     vec3 chosenWo, chosenLight;
 
     for (int s = 0; s < NACRE_FLAKES; ++s) {
-        float cellSide = nacreField[s].x, alpha = nacreField[s].y, radiusUm = nacreField[s].z;
-        float largest = nacreFieldSize[s].y;
-        NacreOutline outline = nacreOutline(seen, nacreFieldSize[s].x, largest);
+        vec4 field = nacreField[s], sizes = nacreFieldSize[s];
+        float cellSide = field.x, alpha = field.y, largest = sizes.y, spread2 = nacreSpread2(s);
+        NacreOutline outline = nacreOutline(seen, sizes.x);
         NacreShown wide = nacreLevels(s, outline.side, 2.), narrow = wide;
         if (sunny && wide.resolved < 1.) {
             // FlakeField::lobe_area() as what it is outside the coat.
             float radius = nacreFieldLevels[s].z * alpha / max(i.z, .1);
-            float area = 5. * PI / 9. * (radius * radius + nacreSpread2(s));
+            float area = 5. * PI / 9. * (radius * radius + spread2);
             float angle = area * 4. * i.z * i.z * i.z * nacreIor * nacreIor * i.z / wi.z;
             narrow = nacreLevels(s, outline.side, min(sunAngle / angle, 1.));
         }
@@ -349,50 +365,56 @@ vec3 nacreFlakes(NacrePatch seen, vec3 wi, vec3 sun, vec3 sunLight, float sunAng
         nacreWidened[s] = 1.;
         nacreSunResolved[s] = narrow.resolved;
         nacreSunWidened[s] = narrow.widening;
-        if (wide.resolved + narrow.resolved == 0.) continue;
+        if (!asked || wide.resolved + narrow.resolved == 0.) continue;
         float typicalDepth = 2. * nacreLayer[NACRE_LAYERS[s]].x / i.z *
                              nacreRow(NACRE_EXTINCTIONS[s], 1, length(wi.xy) / (1. + wi.z)).w;
-        float sunScale = 0., sunSpread = narrow.widening * narrow.widening * nacreSpread2(s);
+        float sunScale = 0., sunSpread = narrow.widening * narrow.widening * spread2;
         if (sunny && nacreReaches(s, sunPair.slope2)) {
             sunScale = narrow.widening * nacreWidening(sunPair.sec2, sunPair.cosine);
         }
 
         for (int axis = 0; axis < 3; ++axis) {
-            if (parts[axis] <= 0.) continue;
-            NacrePlane plane = nacrePlane(seen, axis, parts[axis], largest);
-            int side = 2 * axis + (seen.normal[axis] < 0. ? 1 : 0);
+            float part = nacreOnPlane(parts, axis).z;
+            if (part <= 0.) continue;
+            NacrePlane plane = nacrePlane(seen, axis, part, largest);
             ivec2 begin = ivec2(floor((plane.at - plane.reach) / cellSide));
             ivec2 end = ivec2(floor((plane.at + plane.reach) / cellSide));
             float cell = cellSide;
             for (int level = 0; level < NACRE_LEVELS; ++level, cell *= 4., begin >>= 2, end >>= 2) {
-                if (wide.weight[level] + narrow.weight[level] == 0.) continue;
+                float cells = nacreCells(s, outline.side, cell);
+                float wideWeight = wide.scale * nacreFaded(cells, wide.full);
+                float sunWeight = narrow.scale * nacreFaded(cells, narrow.full);
+                if (wideWeight + sunWeight == 0.) continue;
                 uvec4 k = uvec4(nacreFieldKey[NACRE_LEVELS * s + level]);
                 uvec2 levelKey = uvec2(k.x | k.y << 16, k.z | k.w << 16);
                 float grain = cell * exp2(-16.);
                 for (int v = begin.y; v <= end.y; ++v) for (int u = begin.x; u <= end.x; ++u) {
-                    uvec2 key = nacreCellKey(levelKey, side, u, v);
-                    float draw = nacreUnit(key.y);
+                    uvec2 key = nacreCellKey(levelKey, plane.side, u, v);
+                    int count = nacreCount(nacreUnit(key.y));
                     vec2 corner = vec2(u, v) * cell - plane.at;
-                    for (int n = 0; n < NACRE_MOST && NACRE_AT_MOST[n] <= draw; ++n) {
+                    for (int n = 0; n < count; ++n) {
                         uvec2 flake = nacreFlakeBits(key, n);
                         if (float(flake.y & 0xffffu) >= plane.kept) continue;
                         vec2 at = corner + grain * vec2(flake.x & 0xffffu, flake.x >> 16);
                         at = plane.stepU * at.x + plane.stepV * at.y;
                         if (!nacreTouches(outline, at, largest)) continue;
-                        float diameter = texelFetch(nacreTable, ivec2(4 * NACRE_SIZES[s], flake.y >> 24), 0).x;
-                        float radius = .5e-3 * diameter;
-                        if (!nacreTouches(outline, at, radius)) continue;
+                        float radius = largest;
+                        if (sizes.x < largest) {
+                            ivec2 size = ivec2(4 * NACRE_SIZES[s], flake.y >> 24);
+                            radius = .5e-3 * texelFetch(nacreTable, size, 0).x;
+                            if (!nacreTouches(outline, at, radius)) continue;
+                        }
 
                         vec2 gauss = nacreSlopes(flake), turn = plane.turn;
                         vec2 slope = alpha * vec2(turn.x * gauss.x - turn.y * gauss.y,
                                                   turn.y * gauss.x + turn.x * gauss.y);
-                        float own = radiusUm / diameter;
+                        float own = .5e-3 * field.z / radius;
                         // The sun, if it lies in the lobe.
                         float sunWidth2 = min(own * own * sunScale * sunScale + sunSpread, 16. * alpha * alpha);
                         vec2 apart = slope - sunSlope;
-                        bool sunlit = sunScale > 0. && narrow.weight[level] > 0. && dot(apart, apart) < sunWidth2;
-                        if (!sunlit && wide.weight[level] == 0.) continue;
-                        float weight = nacreField[s].w * nacreCoverage(outline, at, radius) *
+                        bool sunlit = sunScale > 0. && sunWeight > 0. && dot(apart, apart) < sunWidth2;
+                        if (!sunlit && wideWeight == 0.) continue;
+                        float weight = field.w * nacreCoverage(outline, at, radius) *
                                        nacreTilted(outline, at, radius);
                         if (weight <= 0.) continue;
                         float depth = nacreUnit(nacreHash(flake.x, flake.y).x);
@@ -400,15 +422,15 @@ vec3 nacreFlakes(NacrePatch seen, vec3 wi, vec3 sun, vec3 sunLight, float sunAng
                             float t = 1. - dot(apart, apart) / sunWidth2;
                             float lobe = 3. / (PI * sunWidth2) * t * t;
                             sum += nacreFlakeColour(s, depth, wi, sun, sunPair) * sunLight *
-                                   (narrow.weight[level] * weight * lobe * sun.z *
+                                   (sunWeight * weight * lobe * sun.z *
                                     nacreFlakeFactor(s, sunPair, sqrt(sunWidth2), narrow.resolved, narrow.widening));
                         }
-                        if (wide.weight[level] == 0.) continue;
+                        if (wideWeight == 0.) continue;
                         // A direction from the lobe; the least of three even numbers has its law.
                         float sec2 = 1. + dot(slope, slope);
                         float facing = dot(i.xy, slope) + i.z;
                         float scaled = own * nacreWidening(sec2, abs(facing) * inversesqrt(sec2));
-                        float width = min(sqrt(scaled * scaled + nacreSpread2(s)), 4. * alpha);
+                        float width = min(sqrt(scaled * scaled + spread2), 4. * alpha);
                         uint a = nacreShortMix(random ^ flake.x ^ (flake.y * NACRE_SHORT_GOLDEN));
                         uint b = nacreShortMix(a ^ NACRE_SHORT_GOLDEN);
                         float least = float(min(min(a & 0xffffu, a >> 16), b & 0xffffu)) * exp2(-16.) + exp2(-17.);
@@ -418,17 +440,17 @@ vec3 nacreFlakes(NacrePatch seen, vec3 wi, vec3 sun, vec3 sunLight, float sunAng
                         vec3 o = m * (2. * dot(i, m) / dot(m, m)) - i;
                         vec2 xy = nacreIor * o.xy;
                         float z2 = 1. - dot(xy, xy);
-                        if (o.z <= 0. || z2 < 1e-6 || !nacreReaches(s, dot(halfSlope, halfSlope))) continue;
+                        if (o.z <= 0. || z2 < 1e-6 || dot(halfSlope, halfSlope) >= @MAX_EXPONENT@ * alpha * alpha) continue;
                         vec3 wo = vec3(xy, sqrt(z2));
                         vec3 light = nacreRadiance(wo);
-                        float answer = max(light.r, max(light.g, light.b)) * nacreFieldSize[s].w *
-                                       wide.weight[level] * weight * exp(-depth * typicalDepth);
+                        float answer = max(light.r, max(light.g, light.b)) * sizes.w *
+                                       wideWeight * weight * exp(-depth * typicalDepth);
                         if (answer <= 0.) continue;
                         brightness += answer;
                         if (nacreFraction(nacreShortMix(b ^ random)) * brightness < answer) {
                             chosen = s;
                             chosenBrightness = answer;
-                            chosenWeight = wide.weight[level] * weight;
+                            chosenWeight = wideWeight * weight;
                             chosenDepth = depth;
                             chosenWidth = width;
                             chosenWo = wo;

@@ -10,8 +10,10 @@ import type { Transform } from "./paint";
 import type { Matrix, Vec3 } from "./space";
 import { inverseRigid, shapeMatrix } from "./space";
 
-/** Samples of a pixel between which its flakes are divided: after them each was asked once. */
-export const PARTS = 16;
+/** Samples of a pixel between which its flakes are divided: the first ones, so that each is asked once. */
+const PARTS = 16;
+/** Of the samples after them, one of so many asks again. */
+const FEWER = 4;
 const SIDE = Math.sqrt(PARTS);
 
 /** Of a pixel about its middle, in pixels; x to the right and y up. */
@@ -36,9 +38,18 @@ function sideOf(index: number, within: number): readonly [number, number, number
     return [tent((index + within) / SIDE), middle, length, middle < 0 ? fall : -fall];
 }
 
-/** The part of a sample: those that follow each other are far apart. */
-export function partOf(sample: number): Part {
-    const [round, number] = [Math.floor(sample / PARTS), sample % PARTS];
+/** Whether a sample asks flakes, and where it looks. @param shown  flakes are */
+export function sampleOf(sample: number, shown: boolean): { asks: boolean; part: Part } {
+    if (!shown) return { asks: false, part: partOf(sample) };
+    const asks = sample < PARTS || sample % FEWER === 0;
+    const asked = Math.min(sample, PARTS) + Math.ceil(Math.max(sample - PARTS, 0) / FEWER);
+    // Those that ask look at all parts in turn, and so do the others.
+    return { asks, part: partOf(asks ? asked : sample - asked) };
+}
+
+/** The parts that follow each other are far apart. */
+function partOf(index: number): Part {
+    const [round, number] = [Math.floor(index / PARTS), index % PARTS];
     // Bits of the number, turned round and dealt out to columns and rows.
     const bit = (k: number): number => (number >> k) & 1;
     const column = 2 * bit(0) + bit(2);
@@ -63,6 +74,7 @@ export function restMatrix(transform: Transform, turn_deg: number, pivot: Vec3):
 export const FLAKES = `
 #ifdef NACRE_FLAKES
 uniform bool flakesShown;
+uniform bool flakesAsked;
 uniform mat4 toRest;
 uniform vec2 partMiddle;  // in pixels, from the middle of this one
 uniform vec2 partSize;
@@ -89,7 +101,7 @@ NacrePatch partOn(vec3 place, mat3 toWorld) {
     vec3 middle = place + from.x * edgeX + from.y * edgeY;
     mat3 turn = mat3(toRest);
     return NacrePatch((toRest * vec4(middle, 1.)).xyz, normalize(turn * n), normalize(turn * toWorld[0]),
-                      vec3[](partSize.x * (turn * edgeX), partSize.y * (turn * edgeY)), partTilt);
+                      partSize.x * (turn * edgeX), partSize.y * (turn * edgeY), partTilt);
 }
 
 vec3 shadedFlakes(vec3 place, mat3 toWorld, vec3 wi, vec3 towardsSun) {
@@ -101,10 +113,11 @@ vec3 shadedFlakes(vec3 place, mat3 toWorld, vec3 wi, vec3 towardsSun) {
     lookedAtFrom = place;
     lookedAtFrame = toWorld;
     float angle = 2. * PI * (1. - sun.w);
-    return nacreFlakes(partOn(place, toWorld), wi, towardsSun, sunRadiance * angle, angle,
+    return nacreFlakes(partOn(place, toWorld), flakesAsked, wi, towardsSun, sunRadiance * angle, angle,
                        mixBits(pixelBits ^ (sampleIndex * 0x9e3779b9u)));
 }
 #else
+const bool flakesAsked = false;
 vec3 shadedFlakes(vec3 place, mat3 toWorld, vec3 wi, vec3 towardsSun) { return vec3(0.); }
 void nacreWithoutSunlit() {}
 #endif

@@ -7,7 +7,7 @@
  */
 
 import type { Part } from "./flakes";
-import { partOf, restMatrix } from "./flakes";
+import { restMatrix, sampleOf } from "./flakes";
 import { fill, Program, Target } from "./gl";
 import type { Light, Mesh, PaintShader, Transform } from "./paint";
 import {
@@ -57,6 +57,8 @@ const COARSE_SAMPLES = 24;
 /** From here on the whole picture is better than the coarse one. */
 const ENOUGH = 4;
 const MOST_COARSE = 8;
+/** Of a sample that asks flakes, over one that does not, where processors draw. */
+const ASKING_COST = 6;
 const MOST_SAMPLES = 1024;
 
 /** Draws where WebGL 2 can draw into floats; else its constructor throws an Error that says what lacks. */
@@ -227,18 +229,25 @@ export class LiveView {
         };
     }
 
-    /** The whole picture so far in linear Rec. 709, not clipped: RGBA, the bottom row first. */
+    /** The whole picture so far in linear Rec. 709, not clipped: RGB and 1, the bottom row first. */
     pixels(): { width: number; height: number; data: Float32Array } {
         const { gl, whole } = this;
         if (!whole) throw new Error("the picture has no size yet");
         const { width, height } = whole.target;
-        const data = new Float32Array(4 * width * height);
+        const data = new Float32Array(4 * width * height).fill(1);
         whole.target.bind();
-        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, data);
-        for (let i = 0; i < data.length; i += 4) {
-            const scale = 1 / Math.max(data[i + 3] as number, 1);
-            for (let c = 0; c < 4; ++c) data[i + c] = (data[i + c] as number) * scale;
-        }
+        whole.target.textures.forEach((_, index) => {
+            const sums = new Float32Array(data.length);
+            gl.readBuffer(gl.COLOR_ATTACHMENT0 + index);
+            gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, sums);
+            for (let i = 0; i < data.length; i += 4) {
+                const scale = 1 / Math.max(sums[i + 3] as number, 1);
+                for (let c = i; c < i + 3; ++c) {
+                    const before = index === 0 ? 0 : (data[c] as number);
+                    data[c] = before + scale * (sums[c] as number);
+                }
+            }
+        });
         return { width, height, data };
     }
 
@@ -386,7 +395,7 @@ export class LiveView {
         const width = Math.max(1, Math.ceil(this.canvas.width / coarseness));
         const height = Math.max(1, Math.ceil(this.canvas.height / coarseness));
         return {
-            target: new Target(gl, width, height, [this.sumFormat], false),
+            target: new Target(gl, width, height, [this.sumFormat, this.sumFormat], false),
             shape: new Target(gl, width, height, [gl.RGBA32F, gl.RGBA32F], true),
             samples: 0,
             rows: 0,
@@ -403,15 +412,18 @@ export class LiveView {
         if (sums.samples === 0 && sums.rows === 0) sums.target.clear();
         let work = 0;
         while (work < 0.75 * budget && sums.samples < this.mostSamples) {
+            // A coarse picture's pixels are others: it shows the mean.
+            const shown = this.sparkle && sums === this.whole && this.paint?.flakes === true;
+            const { asks, part } = sampleOf(sums.samples, shown);
+            const cost = asks ? ASKING_COST * width : width;
             const rows = Math.max(
                 1,
-                Math.min(height - sums.rows, Math.round((budget - work) / width)),
+                Math.min(height - sums.rows, Math.round((budget - work) / cost)),
             );
-            const part = partOf(sums.samples);
             const eye = eyeOf(this.camera as Camera, this.canvas.width / this.canvas.height);
             if (sums.rows === 0) this.drawShape(sums.shape, eye, part.place);
-            this.shade(sums, eye, part, rows);
-            work += rows * width;
+            this.shade(sums, eye, part, rows, shown, asks);
+            work += rows * cost;
             sums.rows += rows;
             if (sums.rows >= height) {
                 sums.rows = 0;
@@ -438,7 +450,14 @@ export class LiveView {
         gl.disable(gl.DEPTH_TEST);
     }
 
-    private shade(sums: Sums, eye: Eye, part: Part, rows: number): void {
+    private shade(
+        sums: Sums,
+        eye: Eye,
+        part: Part,
+        rows: number,
+        shown: boolean,
+        asks: boolean,
+    ): void {
         const { gl } = this;
         const { target, shape } = sums;
         const paint = this.paint as PaintShader;
@@ -465,7 +484,9 @@ export class LiveView {
         program.floats("upwards", 3, eye.upwards);
         program.floats("size", 2, [target.width, target.height]);
         program.floats("shift", 2, part.place);
-        this.setFlakesOf(program, part);
+        this.setPart(program, part);
+        program.int("flakesShown", shown ? 1 : 0);
+        program.int("flakesAsked", asks ? 1 : 0);
         gl.uniform1ui(program.at("sampleIndex"), sums.samples);
         target.bind();
         gl.enable(gl.SCISSOR_TEST);
@@ -478,9 +499,8 @@ export class LiveView {
         gl.disable(gl.SCISSOR_TEST);
     }
 
-    private setFlakesOf(program: Program, { middle, size, tilt }: Part): void {
+    private setPart(program: Program, { middle, size, tilt }: Part): void {
         const pivot = (this.camera as Camera).target_mm;
-        program.int("flakesShown", this.sparkle ? 1 : 0);
         program.matrix("toRest", restMatrix(this.transform as Transform, this.turn_deg, pivot));
         program.floats("partMiddle", 2, middle);
         program.floats("partSize", 2, size);
@@ -513,12 +533,15 @@ export class LiveView {
         const { gl, whole } = this;
         if (!whole || !this.displayProgram.ready()) return;
         const program = this.displayProgram.use();
-        const sums = [whole, this.coarse ?? whole];
-        ["whole", "coarse"].forEach((name, unit) => {
-            gl.activeTexture(gl.TEXTURE0 + unit);
-            gl.bindTexture(gl.TEXTURE_2D, (sums[unit] as Sums).target.textures[0] as WebGLTexture);
-            program.int(name, unit);
-        });
+        const [sum, flakes] = whole.target.textures;
+        const coarse = (this.coarse ?? whole).target.textures[0];
+        Object.entries({ whole: sum, wholeFlakes: flakes, coarse }).forEach(
+            ([name, texture], unit) => {
+                gl.activeTexture(gl.TEXTURE0 + unit);
+                gl.bindTexture(gl.TEXTURE_2D, texture as WebGLTexture);
+                program.int(name, unit);
+            },
+        );
         const hasCoarse = (this.coarse?.samples ?? 0) > 0;
         program.floats("size", 2, [this.canvas.width, this.canvas.height]);
         program.floats("enough", 1, [hasCoarse ? ENOUGH : 0]);
