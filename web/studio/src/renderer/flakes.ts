@@ -6,6 +6,7 @@
  * does it (AskedParts in src/nacre/render/render.cpp).
  */
 
+import type { Program } from "./gl";
 import type { Transform } from "./paint";
 import type { Matrix, Vec3 } from "./space";
 import { inverseRigid, shapeMatrix } from "./space";
@@ -68,6 +69,22 @@ function partOf(index: number): Part {
 /** From the world to the millimetres of the shape before it was turned and moved. */
 export function restMatrix(transform: Transform, turn_deg: number, pivot: Vec3): Matrix {
     return inverseRigid(shapeMatrix({ ...transform, scale: 1 }, turn_deg, pivot));
+}
+
+/** For the text below. @param toRest  restMatrix() */
+export function setFlakes(
+    program: Program,
+    toRest: Matrix,
+    { middle, size, tilt }: Part,
+    shown: boolean,
+    asks: boolean,
+): void {
+    program.int("flakesShown", shown ? 1 : 0);
+    program.int("flakesAsked", asks ? 1 : 0);
+    program.matrix("toRest", toRest);
+    program.floats("partMiddle", 2, middle);
+    program.floats("partSize", 2, size);
+    program.floats("partTilt", 2, tilt);
 }
 
 /** After the paint's text, and after radianceFrom(). */

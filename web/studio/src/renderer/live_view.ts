@@ -7,8 +7,9 @@
  */
 
 import type { Part } from "./flakes";
-import { restMatrix, sampleOf } from "./flakes";
-import { fill, Program, Target } from "./gl";
+import { restMatrix, sampleOf, setFlakes } from "./flakes";
+import { fill, fillMesh, Program, sumOfMeans, Target } from "./gl";
+import { setLight } from "./lights";
 import type { Light, Mesh, PaintShader, Transform } from "./paint";
 import {
     DISPLAY,
@@ -18,8 +19,8 @@ import {
     SHAPE_VERTEX,
     shading,
 } from "./passes";
-import type { Camera, Eye, Vec3 } from "./space";
-import { eyeOf, screenMatrix, shapeMatrix, turnedDirection, turnedPlace } from "./space";
+import type { Camera, Eye } from "./space";
+import { eyeOf, screenMatrix, shapeMatrix } from "./space";
 import { surroundings } from "./surroundings";
 
 export interface LiveState {
@@ -130,21 +131,7 @@ export class LiveView {
     }
 
     setShape(mesh: Mesh, transform: Transform): void {
-        const { gl } = this;
-        const [positions, normals, indices] = this.buffers;
-        gl.bindVertexArray(this.arrays);
-        for (const [at, buffer, data] of [
-            [0, positions, mesh.positions],
-            [1, normals, mesh.normals],
-        ] as const) {
-            gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-            gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
-            gl.enableVertexAttribArray(at);
-            gl.vertexAttribPointer(at, 3, gl.FLOAT, false, 0, 0);
-        }
-        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
-        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, mesh.indices, gl.STATIC_DRAW);
-        gl.bindVertexArray(null);
+        fillMesh(this.gl, this.arrays, this.buffers, mesh);
         this.indices = mesh.indices.length;
         this.transform = transform;
         this.restart();
@@ -234,20 +221,7 @@ export class LiveView {
         const { gl, whole } = this;
         if (!whole) throw new Error("the picture has no size yet");
         const { width, height } = whole.target;
-        const data = new Float32Array(4 * width * height).fill(1);
-        whole.target.bind();
-        whole.target.textures.forEach((_, index) => {
-            const sums = new Float32Array(data.length);
-            gl.readBuffer(gl.COLOR_ATTACHMENT0 + index);
-            gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, sums);
-            for (let i = 0; i < data.length; i += 4) {
-                const scale = 1 / Math.max(sums[i + 3] as number, 1);
-                for (let c = i; c < i + 3; ++c) {
-                    const before = index === 0 ? 0 : (data[c] as number);
-                    data[c] = before + scale * (sums[c] as number);
-                }
-            }
-        });
+        const data = sumOfMeans(gl, whole.target);
         return { width, height, data };
     }
 
@@ -477,16 +451,16 @@ export class LiveView {
         });
         texture("placeAt", shape.textures[0] as WebGLTexture);
         texture("facingAt", shape.textures[1] as WebGLTexture);
-        this.setLightOf(program);
+        const camera = this.camera as Camera;
+        setLight(program, this.light as Light, this.lightTurn_deg, camera.target_mm);
         program.floats("eye", 3, eye.place);
         program.floats("ahead", 3, eye.ahead);
         program.floats("across", 3, eye.across);
         program.floats("upwards", 3, eye.upwards);
         program.floats("size", 2, [target.width, target.height]);
         program.floats("shift", 2, part.place);
-        this.setPart(program, part);
-        program.int("flakesShown", shown ? 1 : 0);
-        program.int("flakesAsked", asks ? 1 : 0);
+        const toRest = restMatrix(this.transform as Transform, this.turn_deg, camera.target_mm);
+        setFlakes(program, toRest, part, shown, asks);
         gl.uniform1ui(program.at("sampleIndex"), sums.samples);
         target.bind();
         gl.enable(gl.SCISSOR_TEST);
@@ -497,36 +471,6 @@ export class LiveView {
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         gl.disable(gl.BLEND);
         gl.disable(gl.SCISSOR_TEST);
-    }
-
-    private setPart(program: Program, { middle, size, tilt }: Part): void {
-        const pivot = (this.camera as Camera).target_mm;
-        program.matrix("toRest", restMatrix(this.transform as Transform, this.turn_deg, pivot));
-        program.floats("partMiddle", 2, middle);
-        program.floats("partSize", 2, size);
-        program.floats("partTilt", 2, tilt);
-    }
-
-    private setLightOf(program: Program): void {
-        const { sun, rectangles, azimuth_deg } = this.light as Light;
-        const pivot = (this.camera as Camera).target_mm;
-        const turn = this.lightTurn_deg;
-        const radians = Math.PI / 180;
-        program.floats("azimuth", 1, [(azimuth_deg + turn) * radians]);
-        const towards = sun ? turnedDirection(sun.direction, turn) : ([0, 0, 1] as const);
-        const radius = sun ? Math.cos(sun.angular_radius_deg * radians) : 2;
-        program.floats("sun", 4, [...towards, radius]);
-        program.floats("sunRadiance", 3, sun?.rgb ?? [0, 0, 0]);
-        program.int("rectangleCount", rectangles.length);
-        if (rectangles.length === 0) return;
-        const list = (name: string, of: (k: Light["rectangles"][number]) => Vec3) => {
-            program.floats(`${name}[0]`, 3, rectangles.flatMap(of));
-        };
-        list("corner", (r) => turnedPlace(r.corner, turn, pivot));
-        list("edgeU", (r) => turnedDirection(r.edge_u, turn));
-        list("edgeV", (r) => turnedDirection(r.edge_v, turn));
-        list("rectangleNormal", (r) => turnedDirection(r.normal, turn));
-        list("rectangleRadiance", (r) => r.rgb);
     }
 
     private display(): void {
