@@ -315,14 +315,6 @@ NacrePlane nacrePlane(NacrePatch seen, int axis, float fraction, float largest) 
     return plane;
 }
 
-/// Light of the flakes of a patch, each asked for what it reflects: from all around, where one of them
-/// is chosen by the answers [talbot-2005], and of a sun, which is narrower than their lobes. Afterwards
-/// nacreColour() is without them, for light that is not the sun's; nacreWithoutSunlit() is for that.
-///
-/// @param asked     or only what is left without flakes is worked out
-/// @param sun       towards a place on it; z <= 0: there is none
-/// @param sunLight  its radiance times its solid angle
-/// @param random    bits of the sample
 float nacreSunResolved[NACRE_FLAKES];
 float nacreSunWidened[NACRE_FLAKES];
 void nacreWithoutSunlit() {
@@ -330,6 +322,12 @@ void nacreWithoutSunlit() {
     nacreWidened = nacreSunWidened;
 }
 
+/// Light of the flakes of a patch, each asked for what it reflects: from all around, where one of them
+/// is chosen by the answers [talbot-2005], and of a sun, which is narrower than their lobes. Afterwards
+/// nacreColour() is without them, for light that is not the sun's; nacreWithoutSunlit() is for that.
+///
+/// asked: else only what is left without flakes is worked out. sun: towards a place on it; z <= 0: there
+/// is none. sunLight: its radiance times its solid angle. random: bits of the sample.
 vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, float sunAngle, uint random) {
     vec3 sum = vec3(0.), i = nacreRefract(wi, nacreIor);
     bool sunny = sun.z > 1e-4;
