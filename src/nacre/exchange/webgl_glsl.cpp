@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "nacre/core/quadrature.h"
@@ -11,35 +9,14 @@ namespace nacre::exchange {
 
 extern const char* const kWebglGlsl;  // webgl_shader.glsl
 
-namespace {
-
-/// A float of GLSL, which must not be an integer.
-std::string glsl_number(double x) { return fmt::format("{:.8e}", x); }
-
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
         text.replace(at, from.size(), to);
     }
 }
 
-/// Adds lines to a text, indented as where it will stand.
-class Lines {
- public:
-    template <class... Args>
-    void add(fmt::format_string<Args...> format, Args&&... args) {
-        if (!text_.empty()) text_ += "\n    ";
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
-    }
-    std::string text() && { return std::move(text_); }
-
- private:
-    std::string text_;
-};
-
-/// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
-/// `u` of a layer's thickness, and returns ln of what they let through of the group g.
-std::string add_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
-                     const char* indent, Lines& lines) {
+std::string webgl_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
+                       const char* indent, WebglLines& lines) {
     std::string gain;
     for (std::size_t k = 0; k < layout.gaps.size(); ++k) {
         const std::size_t own = layout.gaps[k].layer;
@@ -57,15 +34,29 @@ std::string add_gain(const WebglShader::Layout& layout, std::size_t layer, const
     return gain.empty() ? "vec4(0.)" : gain;
 }
 
+void webgl_gaps(const WebglShader::Layout& layout, WebglLines& lines) {
+    for (std::size_t k = 0; k < layout.gaps.size(); ++k) {
+        lines.add("vec4 gap{0}[4]; for (int g = 0; g < 4; ++g) gap{0}[g] = nacreBoth({1}, g, p);",
+                  k, layout.gaps[k].coupling);
+    }
+}
+
+namespace {
+
 void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& flakes,
-               std::size_t& pigments, Lines& lines) {
+               std::size_t& pigments, WebglLines& lines) {
     const WebglShader::Layout::Layer& layer = layout.layers[n];
+    const bool apart = !layout.species.empty();
+    for (std::size_t k = flakes; apart && k < flakes + layer.flakes.size(); ++k) {
+        lines.add("float rest{0} = nacreRest({0}, p);", k);
+    }
     lines.add("for (int g = 0; g < 4; ++g) {{");
     lines.add("    here[g] = nacreLayer[{}].x * nacreRate({}, g, p); kernel[g] = vec4(0.);", n,
               layer.extinction);
     for (const auto& flake : layer.flakes) {
-        lines.add("    kernel[g] += nacreLobe(nacreFlake[{}], p) * nacreRow({}, g, p.cosine);",
-                  flakes++, flake.reflectance);
+        lines.add("    kernel[g] += nacreLobe(nacreFlake[{0}], p) * nacreRow({1}, g, p.cosine){2};",
+                  flakes, flake.reflectance, apart ? fmt::format(" * rest{}", flakes) : "");
+        ++flakes;
     }
     for (const auto& pigment : layer.pigments) {
         const std::string phase =
@@ -83,7 +74,7 @@ void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& fl
             "min(here[2], here[3]))), 1e-20));");
         lines.add("for (int k = 0; k < NACRE_NODES; ++k) {{");
         lines.add("    float u = reach * NACRE_NODE[k].x, weight = reach * NACRE_NODE[k].y;");
-        const std::string gain = add_gain(layout, n, "u", "    ", lines);
+        const std::string gain = webgl_gain(layout, n, "u", "    ", lines);
         lines.add("    for (int g = 0; g < 4; ++g) escape[g] += weight * exp({} - here[g] * u);",
                   gain);
         lines.add("}}");
@@ -97,11 +88,8 @@ void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& fl
 
 /// The body of nacreLight().
 std::string layers_text(const WebglShader::Layout& layout) {
-    Lines lines;
-    for (std::size_t k = 0; k < layout.gaps.size(); ++k) {
-        lines.add("vec4 gap{0}[4]; for (int g = 0; g < 4; ++g) gap{0}[g] = nacreBoth({1}, g, p);",
-                  k, layout.gaps[k].coupling);
-    }
+    WebglLines lines;
+    webgl_gaps(layout, lines);
     std::size_t flakes = 0, pigments = 0;
     for (std::size_t n = 0; n < layout.layers.size(); ++n) {
         add_layer(layout, n, flakes, pigments, lines);
@@ -110,7 +98,7 @@ std::string layers_text(const WebglShader::Layout& layout) {
         lines.add("rest = vec3(1.);");
         return std::move(lines).text();
     }
-    const std::string gain = add_gain(layout, layout.layers.size() - 1, "1.", "", lines);
+    const std::string gain = webgl_gain(layout, layout.layers.size() - 1, "1.", "", lines);
     lines.add("for (int g = 0; g < 4; ++g) {{");
     lines.add("    closing = nacreBoth({}, g, p);", *layout.closing);
     lines.add("    rest += nacreRgb(closing, g);");
@@ -140,6 +128,7 @@ std::string webgl_glsl(const WebglShader::Layout& layout, const std::string& num
     define("NACRE_SMOOTH_COAT", layout.roughness == 0);
     define("NACRE_GAPS", !layout.gaps.empty());
     define("NACRE_ALBEDO", layout.albedo.value_or(-1));
+    if (!layout.species.empty()) define("NACRE_FLAKES", static_cast<int>(layout.species.size()));
     if (layout.masked) {
         define("NACRE_MASKED", *layout.masked);
         define("NACRE_MASKING", *layout.masking);
@@ -157,6 +146,13 @@ std::string webgl_glsl(const WebglShader::Layout& layout, const std::string& num
     replace_all(text, "@NODE_COUNT@", fmt::format("{}", rule.size()));
     replace_all(text, "@NODES@", "vec2[](" + nodes + ")");
     replace_all(text, "@LAYERS@", layers_text(layout));
+    replace_all(
+        text, "@FLAKES@\n",
+        layout.species.empty()
+            ? ""
+            : "/// Of a species, what single flakes are not: 1 of their mean where none are "
+              "shown.\nfloat nacreRest(int species, NacrePair p);\n\n");
+    if (!layout.species.empty()) text += webgl_flakes_glsl(layout);
     return text;
 }
 

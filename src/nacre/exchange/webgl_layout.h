@@ -1,7 +1,12 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <iterator>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "nacre/exchange/webgl_shader.h"
@@ -51,6 +56,14 @@ struct WebglShader::Layout {
     };
     std::vector<Lobe> lobes;  ///< from which directions are drawn, at most kMaxLobes
     static constexpr int kMaxLobes = 5;
+    /// Single flakes, by species; none are shown if empty.
+    struct Species {
+        sparkle::FlakeField::Constants field;
+        std::size_t layer;
+        int sizes;        ///< channel whose first number is the diameter, um, by row
+        int reflectance;  ///< Flake::reflectance
+    };
+    std::vector<Species> species;
 };
 
 /// Over a layer's depth, densest at the top: u = s^2, du = 2 s ds of Gauss and Legendre's rule.
@@ -58,8 +71,41 @@ struct WebglNode {
     double place, weight;
 };
 std::vector<WebglNode> webgl_nodes();
+
+/// Adds lines to a text, indented as where it will stand.
+class WebglLines {
+ public:
+    template <class... Args>
+    void add(fmt::format_string<Args...> format, Args&&... args) {
+        if (!text_.empty()) text_ += "\n    ";
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    }
+    std::string text() && { return std::move(text_); }
+
+ private:
+    std::string text_;
+};
 /// Optical depths, beyond which 6e-6 of the light comes from.
 inline constexpr double kFarthestDepth = 24;
+
+/// What single flakes add: the text, with the uniforms of `layout`.
+std::string webgl_flakes_glsl(const WebglShader::Layout& layout);
+/// Uniforms and the texture of the lobes' shapes.
+std::vector<WebglUniform> webgl_flake_uniforms(
+    const std::vector<bsdf::NacreArrays::Species>& species);
+WebglTexture webgl_lobe_shapes();
+
+/// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
+/// `u` of a layer's thickness, and returns ln of what they let through of the group g.
+std::string webgl_gain(const WebglShader::Layout& layout, std::size_t layer, const char* u,
+                       const char* indent, WebglLines& lines);
+/// Declares gap0, gap1, ... of a pair p.
+void webgl_gaps(const WebglShader::Layout& layout, WebglLines& lines);
+
+/// A float of GLSL, which must not be an integer.
+inline std::string glsl_number(double x) { return fmt::format("{:.8e}", x); }
+/// In place of @NAME@.
+void replace_all(std::string& text, std::string_view from, std::string_view to);
 
 /// The text, with `numbers` where the uniforms are declared.
 std::string webgl_glsl(const WebglShader::Layout& layout, const std::string& numbers);

@@ -71,7 +71,8 @@ std::uint16_t checked_half(double value) {
 /// Fills the layout, and with it the table.
 class Tabulator {
  public:
-    explicit Tabulator(const bsdf::NacreArrays& arrays) : arrays_(arrays) {
+    /// @param flakes  one by one too: arrays.species
+    Tabulator(const bsdf::NacreArrays& arrays, bool flakes) : arrays_(arrays) {
         const std::vector<double>& nm = arrays.wavelengths_nm;
         if (nm.size() < 2) {
             throw DomainError(
@@ -90,6 +91,7 @@ class Tabulator {
             for (int c = 0; c < 3; ++c) layout_.rgb[c][b] = static_cast<float>(weights[b][c]);
         }
         fill();
+        if (flakes) add_species();
     }
 
     WebglShader::Layout layout() && { return std::move(layout_); }
@@ -227,6 +229,21 @@ class Tabulator {
         return add(bands);
     }
 
+    void add_species() {
+        std::size_t species = 0;
+        for (std::size_t l = 0; l < layout_.layers.size(); ++l) {
+            for (const auto& flake : layout_.layers[l].flakes) {
+                if (species == arrays_.species.size()) return;  // none under a rough coat
+                const bsdf::NacreArrays::Species& from = arrays_.species[species++];
+                std::vector<double> bands(std::size_t{kWebglRows} * kWebglBands, 0.0);
+                for (std::size_t n = 0; n < from.diameter_um.size(); ++n) {
+                    bands[n * kWebglBands] = from.diameter_um[n];
+                }
+                layout_.species.push_back({from.field, l, add(bands), flake.reflectance});
+            }
+        }
+    }
+
     /// Those of flakes, evenly among their widths where there are many, and a rough coat's.
     void add_lobes() {
         std::vector<WebglShader::Layout::Lobe> all;
@@ -277,7 +294,8 @@ WebglTexture smooth_texture(const bsdf::NacreArrays& arrays) {
 }
 
 /// In the order in which they are declared, without empty arrays, which GLSL does not know.
-std::vector<WebglUniform> uniforms_of(const WebglShader::Layout& layout) {
+std::vector<WebglUniform> uniforms_of(const WebglShader::Layout& layout,
+                                      const bsdf::NacreArrays& arrays) {
     const auto number = [](const char* name, double value) {
         return WebglUniform{name, 1, false, {static_cast<float>(value)}};
     };
@@ -320,6 +338,9 @@ std::vector<WebglUniform> uniforms_of(const WebglShader::Layout& layout) {
         gaps,
         lobes,
         number("nacreLobeCount", static_cast<double>(layout.lobes.size()))};
+    if (!layout.species.empty()) {
+        for (WebglUniform& u : webgl_flake_uniforms(arrays.species)) all.push_back(std::move(u));
+    }
     std::erase_if(all, [](const WebglUniform& u) { return u.values.empty(); });
     return all;
 }
@@ -336,23 +357,29 @@ std::string declarations(const std::vector<WebglUniform>& uniforms) {
     return text;
 }
 
-}  // namespace
-
-WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays) {
-    Tabulator tabulator(arrays);
+WebglShader make_shader(const bsdf::NacreArrays& arrays, bool flakes) {
+    Tabulator tabulator(arrays, flakes);
     WebglShader shader;
     shader.textures = {tabulator.table(), smooth_texture(arrays)};
     const auto layout = std::make_shared<const WebglShader::Layout>(std::move(tabulator).layout());
     shader.layout = layout;
-    shader.uniforms = uniforms_of(*layout);
+    if (!layout->species.empty()) shader.textures.push_back(webgl_lobe_shapes());
+    shader.uniforms = uniforms_of(*layout, arrays);
     shader.glsl = webgl_glsl(*layout, declarations(shader.uniforms));
     shader.program = sha256_hex(shader.glsl);
     shader.smooth_coat = layout->roughness == 0;
     return shader;
 }
 
-WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint) {
-    return make_webgl_shader(bsdf::nacre_mean_arrays(paint));
+}  // namespace
+
+WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays) {
+    return make_shader(arrays, false);
+}
+
+WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                                   std::uint64_t specimen) {
+    return make_shader(bsdf::nacre_live_arrays(paint, specimen), true);
 }
 
 }  // namespace nacre::exchange

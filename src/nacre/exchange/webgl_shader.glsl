@@ -25,6 +25,7 @@ struct NacrePair {
     float spread;       // of both rays, by a step in height
 };
 
+@FLAKES@
 vec3 nacreRefract(vec3 w, float ior) {
     vec2 xy = w.xy / ior;
     return vec3(xy, sqrt(max(1. - dot(xy, xy), 0.)));

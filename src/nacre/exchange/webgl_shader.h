@@ -68,9 +68,11 @@ inline constexpr int kWebglRows = 257;
 ///         paint has so many species that no texture holds them
 WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays);
 
-/// The same for a picture that follows a slider: of a solved paint, by bsdf::nacre_mean_arrays(), and
-/// hence without nacreAlbedo().
+/// The same for a picture that follows a slider: of a solved paint, by bsdf::nacre_live_arrays(), and
+/// hence without nacreAlbedo(); with the flakes of a specimen, unless the coat is rough or there are
+/// none (webgl_flakes.glsl).
 /// @throws DomainError as above; Error as bsdf::HotSpotTables
-WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint);
+WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                                   std::uint64_t specimen = 0);
 
 }  // namespace nacre::exchange

@@ -73,6 +73,7 @@ FlakeField::Constants FlakeField::constants() const {
     }
     out.cumulative = cumulative_;
     out.full_cells = full_cells_;
+    out.few_cells = few_cells_;
     out.inverse_cover = inverse_cover_;
     out.typical_radius = typical_radius_;
     out.max_widening = max_widening_;
@@ -155,11 +156,11 @@ FlakeField::Weights FlakeField::level_weights(const float* side_mm,
 
 // The flakes in the cells that a patch touches, eight at a time.
 
-namespace {
-
-constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio, as in SplitMix64
-
-}  // namespace
+std::uint64_t FlakeField::cell_key(std::uint64_t level, int side, std::int64_t u, std::int64_t v) {
+    constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio, as in SplitMix64
+    return mix_bits((level + static_cast<std::uint64_t>(side) * kGolden) ^
+                    (static_cast<std::uint64_t>(v) << 32 | static_cast<std::uint32_t>(u)));
+}
 
 void FlakeField::find(const FlakePlane& plane, const Weights& weights, Found& found) const {
     const CellRange u_range = plane.u.cells(1 / levels_[0].cell_mm);
@@ -180,12 +181,9 @@ void FlakeField::find(const FlakePlane& plane, const Weights& weights, Found& fo
 // divided among the six sides of object space, and the last 8 its size.
 inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
                                      const Weights& weights, Found& found) const {
-    constexpr UintLanes kNumber = {1, 2, 3, 4, 5, 6, 7, 8};
-    constexpr std::uint32_t kShortGolden = 0x9e3779b9u;
+    constexpr UintLanes kNumber = {0, 1, 2, 3, 4, 5, 6, 7};
     const Level& level = levels_[cell.level];
-    const std::uint64_t key =
-        mix_bits((level.key + static_cast<std::uint64_t>(plane.side) * kGolden) ^
-                 (static_cast<std::uint64_t>(cell.v) << 32 | static_cast<std::uint32_t>(cell.u)));
+    const std::uint64_t key = cell_key(level.key, plane.side, cell.u, cell.v);
     const Vec2f corner_mm = {
         static_cast<float>(static_cast<double>(cell.u) * level.cell_mm - plane.u.at_mm),
         static_cast<float>(static_cast<double>(cell.v) * level.cell_mm - plane.v.at_mm)};
@@ -197,9 +195,8 @@ inline void FlakeField::find_in_cell(const Cell& cell, const FlakePlane& plane,
                              strip[1].u * corner_mm.x + strip[1].v * corner_mm.y};
     for (int first = 0;; first += kLanes) {
         const FloatLanes probability = load_lanes(&cumulative_[first]);
-        const UintLanes step = (static_cast<std::uint32_t>(first) + kNumber) * kShortGolden;
-        const UintLanes place = mix_bits_32(static_cast<std::uint32_t>(key) + step);
-        const UintLanes kind = mix_bits_32(static_cast<std::uint32_t>(key >> 32) + step);
+        const auto [place, kind] =
+            flake_bits<UintLanes>(key, static_cast<std::uint32_t>(first) + kNumber);
         const FloatLanes u = lower_half(place), v = upper_half(place);
         const FloatLanes a = across[0] + (strip[0].u * grain_mm) * u + (strip[0].v * grain_mm) * v;
         const FloatLanes b = across[1] + (strip[1].u * grain_mm) * u + (strip[1].v * grain_mm) * v;

@@ -36,6 +36,22 @@ struct FlakePopulation {
 /// either.                                                            [docs/nacre-model.md]
 class FlakeField {
  public:
+    /// Of the cell (u, v) on a side of object space (Projection::side), from which its flakes are made.
+    /// @param level  key of the level
+    static std::uint64_t cell_key(std::uint64_t level, int side, std::int64_t u, std::int64_t v);
+    /// 64 bits in two halves, of the flake number n of a cell; or of eight flakes.
+    template <class Bits>
+    struct FlakeBits {
+        Bits place, kind;
+    };
+    template <class Bits>
+    static FlakeBits<Bits> flake_bits(std::uint64_t cell, Bits n) {
+        constexpr std::uint32_t kShortGolden = 0x9e3779b9u;
+        const Bits step = (n + 1u) * kShortGolden;
+        return {mix_bits_32(static_cast<std::uint32_t>(cell) + step),
+                mix_bits_32(static_cast<std::uint32_t>(cell >> 32) + step)};
+    }
+
     /// @throws DomainError naming the argument, its value and its range
     FlakeField(const FlakePopulation& population, std::uint64_t seed);
 
@@ -79,6 +95,7 @@ class FlakeField {
         std::array<float, kLevels> fraction;              ///< of all flakes
         std::array<float, kMaxFlakesPerCell> cumulative;  ///< probability of at most n in a cell
         float full_cells;      ///< a level begins to fade where a patch touches so many cells
+        float few_cells;       ///< the same where flakes are asked one by one
         float inverse_cover;   ///< 1 / (density x mean area)
         float typical_radius;  ///< FlakeView::typical_radius
         float max_widening;    ///< of FlakeView::widening

@@ -2,46 +2,27 @@
  * The live picture against the path tracer's: the colours of a ball.
  *
  * In pictures of 48 pixels each holds some thousands of flakes, of which the path tracer shows every one
- * and the live picture the mean.
+ * and the live picture, told to leave them out, the mean.
  */
 
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
-import { fileURLToPath } from "node:url";
-import type { Browser, Page } from "playwright-core";
 import type { Lab } from "../../common/colour";
 import { deltaE2000 } from "../../common/colour";
-import type {} from "./live_page";
-import { launch, Program } from "./program";
+import { LiveBrowser } from "./live_browser";
 
 const PAINTS = ["red-gold", "metallic-silver", "white", "ruby", "green-violet"];
 const SIZE = 48;
 const SAMPLES = 64;
 const TRACED_SAMPLES = 256;
 
-let studio: Program;
-let browser: Browser;
-let page: Page;
+let browser: LiveBrowser;
 
 before(async () => {
-    studio = await Program.start("red-gold");
-    browser = await launch();
-    const context = await browser.newContext({ bypassCSP: true });
-    page = await context.newPage();
-    page.setDefaultTimeout(120_000); // what never comes is a failure, not a hang
-    // Any file of the studio's: the page itself would draw as well.
-    await page.goto(studio.url.replace("/?", "/studio.css?"));
-    const script = join(dirname(fileURLToPath(import.meta.url)), "live_page.mjs");
-    await page.addScriptTag({ type: "module", content: await readFile(script, "utf8") });
-    await page.waitForFunction(() => typeof window.live === "function");
+    browser = await LiveBrowser.start();
 });
 
-after(async () => {
-    await browser.close();
-    await studio.end();
-});
+after(() => browser.end());
 
 /** From linear Rec. 709, relative to its white [cie-15-2018]. */
 function labOf(rgb: readonly number[]): Lab {
@@ -67,13 +48,14 @@ function onBall(at: number): boolean {
 
 for (const paint of PAINTS) {
     test(`${paint} on a ball has the path tracer's colours`, async () => {
-        const live = await page.evaluate(
-            ([name, size, samples]) => window.live(name, size, samples),
-            [paint, SIZE, SAMPLES] as const,
+        const scene = { paint, shape: "ball", light: "studio", size: SIZE };
+        const live = await browser.page.evaluate(
+            ([where, samples]) => window.live(where, samples, false),
+            [scene, SAMPLES] as const,
         );
-        const traced = await page.evaluate(
-            ([name, size, samples]) => window.traced(name, size, samples),
-            [paint, SIZE, TRACED_SAMPLES] as const,
+        const traced = await browser.page.evaluate(
+            ([where, samples]) => window.traced(where, samples, 0),
+            [scene, TRACED_SAMPLES] as const,
         );
         let [sum, count] = [0, 0];
         for (let at = 0; at < SIZE * SIZE; ++at) {

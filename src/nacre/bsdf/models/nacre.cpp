@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <numeric>
 
 #include "nacre/bsdf/models/hot_spot_brdf.h"
 #include "nacre/core/lane_math.h"
@@ -36,9 +37,11 @@ sparkle::FlakePopulation population_of(const paint::FlakeSpecies& species,
 // cos(w_i.h) of any two directions that the interface lets through, each within the critical angle.
 double min_half_cosine(double ior) { return std::sqrt(std::max(0.0, 1 - 1 / (ior * ior))); }
 
-// Single scattering of each species at normal incidence, summed over the wavelengths: roughly, as
-// orientation is neglected, and up to a common factor.
-std::vector<double> returned_light(const Microflake::Tables& tables) {
+}  // namespace
+
+// Single scattering of each species at normal incidence, summed over the wavelengths; orientation is
+// neglected.
+std::vector<float> flake_fractions(const Microflake::Tables& tables) {
     const solver::PaintMedium& medium = tables.paint->medium;
     const int count = medium.wavelength_count();
     std::vector<double> returned;
@@ -61,19 +64,34 @@ std::vector<double> returned_light(const Microflake::Tables& tables) {
             returned.push_back(sum);
         }
     }
-    return returned;
+    const double all = std::accumulate(returned.begin(), returned.end(), 0.0);
+    std::vector<float> fractions;
+    for (const double r : returned) fractions.push_back(static_cast<float>(r / all));
+    return fractions;
 }
 
-}  // namespace
+std::vector<sparkle::FlakeField> flake_fields(const Microflake::Tables& tables,
+                                              std::uint64_t specimen) {
+    const paint::Recipe recipe = paint::expanded(tables.paint->recipe);
+    const double coat_roughness = tables.rough ? tables.paint->medium.roughness : 0;
+    std::vector<sparkle::FlakeField> fields;
+    for (std::size_t l = 0; l < recipe.layers.size(); ++l) {
+        const paint::Layer& layer = recipe.layers[l];
+        for (std::size_t f = 0; f < layer.flakes.size(); ++f) {
+            fields.emplace_back(
+                population_of(layer.flakes[f], layer, tables.mean_ior, coat_roughness),
+                hash_of(specimen, l, f));
+        }
+    }
+    return fields;
+}
 
 Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
                       SharedProgress& work)
     : smooth(std::make_shared<Microflake::Tables>(paint)) {
     const paint::Recipe recipe = paint::expanded(paint->recipe);
-    const std::vector<double> returned = returned_light(*smooth);
-    const double coat_roughness = smooth->rough ? paint->medium.roughness : 0;
-    double all = 0;
-    for (const double r : returned) all += r;
+    const std::vector<float> fractions = flake_fractions(*smooth);
+    std::vector<sparkle::FlakeField> fields = flake_fields(*smooth, settings.specimen);
     std::vector<const paint::FlakeSpecies*> known;  // of one kind, which share their films
     for (std::size_t l = 0; l < recipe.layers.size(); ++l) {
         first_species.push_back(species.size());
@@ -93,11 +111,8 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
                 }
             }
             known.push_back(&flake);
-            const float fraction = static_cast<float>(returned[species.size()] / all);
-            species.push_back({sparkle::FlakeField(population_of(flake, recipe.layers[l],
-                                                                 smooth->mean_ior, coat_roughness),
-                                                   hash_of(settings.specimen, l, f)),
-                               std::move(films), fraction});
+            const std::size_t s = species.size();
+            species.push_back({std::move(fields[s]), std::move(films), fractions[s]});
         }
     }
     // Under a rough clearcoat neighbouring rays are refracted apart: not modelled.

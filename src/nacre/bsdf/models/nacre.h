@@ -71,10 +71,16 @@ class Nacre final : public Bsdf, public SingleFlakes {
 struct NacreSpecies {
     sparkle::FlakeField field;
     std::optional<FlakeFilms> films;  ///< empty: all alike
-    /// Fraction of all singly scattered light at normal incidence that it reflects, roughly: the
-    /// probability with which its flakes are sampled. The fractions add up to 1.
-    float fraction;
+    float fraction;  ///< flake_fractions(): the probability with which its flakes are sampled
 };
+
+/// The flakes of all layers of a panel, layer by layer.
+/// @throws DomainError if they are outside the range of FlakeField
+std::vector<sparkle::FlakeField> flake_fields(const Microflake::Tables& tables,
+                                              std::uint64_t specimen);
+/// Fraction of all singly scattered light at normal incidence that each kind of flakes in each layer
+/// reflects, roughly. They add up to 1.
+std::vector<float> flake_fractions(const Microflake::Tables& tables);
 
 struct Nacre::Tables {
     Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,

@@ -114,15 +114,21 @@ NacreArrays::HotSpotArrays hot_spot_arrays(const HotSpotTables& tables) {
     return out;
 }
 
-NacreArrays::Species species_arrays(const NacreSpecies& species, std::size_t wavelengths) {
+NacreArrays::Species field_arrays(const sparkle::FlakeField& field, float fraction) {
     NacreArrays::Species out;
-    const sparkle::FlakeField& field = species.field;
+    out.fraction = fraction;
     out.field = field.constants();
     out.density_per_mm2 = field.population().density_per_mm2;
     out.alpha = field.population().alpha;
+    out.waviness = field.population().waviness;
     out.radius_um = field.lobe().radius(1.0);
     const float* sizes = field.sizes().diameters_um();
     out.diameter_um.assign(sizes, sizes + paint::FlakeSizes::kSizes);
+    return out;
+}
+
+NacreArrays::Species species_arrays(const NacreSpecies& species, std::size_t wavelengths) {
+    NacreArrays::Species out = field_arrays(species.field, species.fraction);
     if (species.films) {
         const FlakeFilms& films = *species.films;
         out.film_sets = static_cast<int>(films.sets());
@@ -144,10 +150,17 @@ NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
     return arrays_of(Microflake(paint).tables());
 }
 
-NacreArrays nacre_mean_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint) {
+NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                              std::uint64_t specimen) {
     const Microflake::Tables tables(paint);
     NacreArrays out = arrays_of(tables);
-    if (!tables.rough) out.hot_spot = hot_spot_arrays(HotSpotTables(*paint));
+    if (tables.rough) return out;
+    out.hot_spot = hot_spot_arrays(HotSpotTables(*paint));
+    const std::vector<float> fractions = flake_fractions(tables);
+    const std::vector<sparkle::FlakeField> fields = flake_fields(tables, specimen);
+    for (std::size_t s = 0; s < fields.size(); ++s) {
+        out.species.push_back(field_arrays(fields[s], fractions[s]));
+    }
     return out;
 }
 

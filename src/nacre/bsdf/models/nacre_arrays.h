@@ -72,7 +72,8 @@ struct NacreArrays {
     struct Species {
         sparkle::FlakeField::Constants field;
         double density_per_mm2;
-        double alpha;
+        double alpha, waviness;
+        double fraction;                 ///< flake_fractions()
         double radius_um;                ///< DiffractionLobe::radius() is this over the diameter
         std::vector<float> diameter_um;  ///< by the last 8 bits of a flake
         int film_sets = 0;               ///< 0: all flakes alike
@@ -86,10 +87,12 @@ struct NacreArrays {
 ///         recipe has an orange_peel, which the arrays do not hold
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
-/// The mean of `nacre` alone, for pictures that follow a slider, in a fraction of the time: without
-/// `probability`, `albedo` and `species`. Waves of the coat (orange_peel) are left out.
-/// @throws Error as HotSpotTables
-NacreArrays nacre_mean_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
+/// Those of `nacre` for pictures that follow a slider, in a fraction of the time: without
+/// `probability`, `albedo` and the films of single flakes; under a rough coat without `species`. Waves
+/// of the coat (orange_peel) are left out.
+/// @throws Error as HotSpotTables; DomainError as FlakeField
+NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
+                              std::uint64_t specimen);
 /// Without hot spot and species. @throws Error as Microflake's constructor; DomainError as above
 NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
 

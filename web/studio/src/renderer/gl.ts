@@ -1,5 +1,7 @@
 /** What every picture in WebGL 2 needs. */
 
+import type { Mesh } from "./paint";
+
 export class Program {
     private readonly locations = new Map<string, WebGLUniformLocation | null>();
     private checked = false;
@@ -143,6 +145,49 @@ export class Target {
         this.gl.deleteRenderbuffer(this.depth);
         this.gl.deleteFramebuffer(this.framebuffer);
     }
+}
+
+/** Triangles for a shader whose first two inputs are places and normals. */
+export function fillMesh(
+    gl: WebGL2RenderingContext,
+    arrays: WebGLVertexArrayObject,
+    buffers: readonly [WebGLBuffer, WebGLBuffer, WebGLBuffer],
+    mesh: Mesh,
+): void {
+    const [positions, normals, indices] = buffers;
+    gl.bindVertexArray(arrays);
+    for (const [at, buffer, data] of [
+        [0, positions, mesh.positions],
+        [1, normals, mesh.normals],
+    ] as const) {
+        gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+        gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+        gl.enableVertexAttribArray(at);
+        gl.vertexAttribPointer(at, 3, gl.FLOAT, false, 0, 0);
+    }
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, mesh.indices, gl.STATIC_DRAW);
+    gl.bindVertexArray(null);
+}
+
+/** RGB of all textures together, each divided by its alpha, the number of its samples; and 1. */
+export function sumOfMeans(gl: WebGL2RenderingContext, target: Target): Float32Array {
+    const { width, height } = target;
+    const data = new Float32Array(4 * width * height);
+    target.bind();
+    target.textures.forEach((_, index) => {
+        const sums = new Float32Array(data.length);
+        gl.readBuffer(gl.COLOR_ATTACHMENT0 + index);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, sums);
+        for (let i = 0; i < data.length; i += 4) {
+            const scale = 1 / Math.max(sums[i + 3] as number, 1);
+            for (let c = i; c < i + 3; ++c) {
+                data[c] = (data[c] as number) + scale * (sums[c] as number);
+            }
+            data[i + 3] = 1;
+        }
+    });
+    return data;
 }
 
 function plain(gl: WebGL2RenderingContext, target: GLenum, filter: GLenum, wrap: GLenum): void {

@@ -2,11 +2,14 @@
  * The live picture: a paint on a shape in a light, drawn by WebGL 2 from the paint's own numbers, better
  * from frame to frame.
  *
- * It is the mean of the model: no single flakes, waves of the coat, shadows or light from one part of the
- * shape to another.
+ * Single flakes are those of the path tracer. It has no waves of the coat, shadows or light from one part
+ * of the shape to another.
  */
 
-import { fill, Program, Target } from "./gl";
+import type { Part } from "./flakes";
+import { restMatrix, sampleOf, setFlakes } from "./flakes";
+import { fill, fillMesh, Program, sumOfMeans, Target } from "./gl";
+import { setLight } from "./lights";
 import type { Light, Mesh, PaintShader, Transform } from "./paint";
 import {
     DISPLAY,
@@ -16,8 +19,8 @@ import {
     SHAPE_VERTEX,
     shading,
 } from "./passes";
-import type { Camera, Eye, Vec3 } from "./space";
-import { eyeOf, screenMatrix, shapeMatrix, turnedDirection, turnedPlace } from "./space";
+import type { Camera, Eye } from "./space";
+import { eyeOf, screenMatrix, shapeMatrix } from "./space";
 import { surroundings } from "./surroundings";
 
 export interface LiveState {
@@ -55,6 +58,8 @@ const COARSE_SAMPLES = 24;
 /** From here on the whole picture is better than the coarse one. */
 const ENOUGH = 4;
 const MOST_COARSE = 8;
+/** Of a sample that asks flakes, over one that does not, where processors draw. */
+const ASKING_COST = 6;
 const MOST_SAMPLES = 1024;
 
 /** Draws where WebGL 2 can draw into floats; else its constructor throws an Error that says what lacks. */
@@ -81,6 +86,7 @@ export class LiveView {
     /** Whose program is not compiled yet. */
     private nextPaint: PaintShader | null = null;
     private warn = false;
+    private sparkle = true;
 
     private whole: Sums | null = null;
     private coarse: Sums | null = null;
@@ -126,21 +132,7 @@ export class LiveView {
     }
 
     setShape(mesh: Mesh, transform: Transform): void {
-        const { gl } = this;
-        const [positions, normals, indices] = this.buffers;
-        gl.bindVertexArray(this.arrays);
-        for (const [at, buffer, data] of [
-            [0, positions, mesh.positions],
-            [1, normals, mesh.normals],
-        ] as const) {
-            gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-            gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
-            gl.enableVertexAttribArray(at);
-            gl.vertexAttribPointer(at, 3, gl.FLOAT, false, 0, 0);
-        }
-        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
-        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, mesh.indices, gl.STATIC_DRAW);
-        gl.bindVertexArray(null);
+        fillMesh(this.gl, this.arrays, this.buffers, mesh);
         this.indices = mesh.indices.length;
         this.transform = transform;
         this.restart();
@@ -197,6 +189,13 @@ export class LiveView {
         this.schedule();
     }
 
+    /** Whether single flakes are seen, or their mean. */
+    setSparkle(sparkle: boolean): void {
+        if (sparkle === this.sparkle) return;
+        this.sparkle = sparkle;
+        this.restart();
+    }
+
     /** Of the picture, in pixels of the screen. */
     resize(width: number, height: number): void {
         if (this.canvas.width === width && this.canvas.height === height && this.whole) return;
@@ -218,18 +217,12 @@ export class LiveView {
         };
     }
 
-    /** The whole picture so far in linear Rec. 709, not clipped: RGBA, the bottom row first. */
+    /** The whole picture so far in linear Rec. 709, not clipped: RGB and 1, the bottom row first. */
     pixels(): { width: number; height: number; data: Float32Array } {
         const { gl, whole } = this;
         if (!whole) throw new Error("the picture has no size yet");
         const { width, height } = whole.target;
-        const data = new Float32Array(4 * width * height);
-        whole.target.bind();
-        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, data);
-        for (let i = 0; i < data.length; i += 4) {
-            const scale = 1 / Math.max(data[i + 3] as number, 1);
-            for (let c = 0; c < 4; ++c) data[i + c] = (data[i + c] as number) * scale;
-        }
+        const data = sumOfMeans(gl, whole.target);
         return { width, height, data };
     }
 
@@ -388,7 +381,7 @@ export class LiveView {
         const width = Math.max(1, Math.ceil(this.canvas.width / coarseness));
         const height = Math.max(1, Math.ceil(this.canvas.height / coarseness));
         return {
-            target: new Target(gl, width, height, [this.sumFormat], false),
+            target: new Target(gl, width, height, [this.sumFormat, this.sumFormat], false),
             shape: new Target(gl, width, height, [gl.RGBA32F, gl.RGBA32F], true),
             samples: 0,
             rows: 0,
@@ -405,15 +398,18 @@ export class LiveView {
         if (sums.samples === 0 && sums.rows === 0) sums.target.clear();
         let work = 0;
         while (work < 0.75 * budget && sums.samples < this.mostSamples) {
+            // A coarse picture's pixels are others: it shows the mean.
+            const shown = this.sparkle && sums === this.whole && this.paint?.flakes === true;
+            const { asks, part } = sampleOf(sums.samples, shown);
+            const cost = asks ? ASKING_COST * width : width;
             const rows = Math.max(
                 1,
-                Math.min(height - sums.rows, Math.round((budget - work) / width)),
+                Math.min(height - sums.rows, Math.round((budget - work) / cost)),
             );
-            const shift = shiftOf(sums.samples);
             const eye = eyeOf(this.camera as Camera, this.canvas.width / this.canvas.height);
-            if (sums.rows === 0) this.drawShape(sums.shape, eye, shift);
-            this.shade(sums, eye, shift, rows);
-            work += rows * width;
+            if (sums.rows === 0) this.drawShape(sums.shape, eye, part.place);
+            this.shade(sums, eye, part, rows, shown, asks);
+            work += rows * cost;
             sums.rows += rows;
             if (sums.rows >= height) {
                 sums.rows = 0;
@@ -440,7 +436,14 @@ export class LiveView {
         gl.disable(gl.DEPTH_TEST);
     }
 
-    private shade(sums: Sums, eye: Eye, shift: readonly [number, number], rows: number): void {
+    private shade(
+        sums: Sums,
+        eye: Eye,
+        part: Part,
+        rows: number,
+        shown: boolean,
+        asks: boolean,
+    ): void {
         const { gl } = this;
         const { target, shape } = sums;
         const paint = this.paint as PaintShader;
@@ -460,13 +463,16 @@ export class LiveView {
         });
         texture("placeAt", shape.textures[0] as WebGLTexture);
         texture("facingAt", shape.textures[1] as WebGLTexture);
-        this.setLightOf(program);
+        const camera = this.camera as Camera;
+        setLight(program, this.light as Light, this.lightTurn_deg, camera.target_mm);
         program.floats("eye", 3, eye.place);
         program.floats("ahead", 3, eye.ahead);
         program.floats("across", 3, eye.across);
         program.floats("upwards", 3, eye.upwards);
         program.floats("size", 2, [target.width, target.height]);
-        program.floats("shift", 2, shift);
+        program.floats("shift", 2, part.place);
+        const toRest = restMatrix(this.transform as Transform, this.turn_deg, camera.target_mm);
+        setFlakes(program, toRest, part, shown, asks);
         gl.uniform1ui(program.at("sampleIndex"), sums.samples);
         target.bind();
         gl.enable(gl.SCISSOR_TEST);
@@ -479,38 +485,19 @@ export class LiveView {
         gl.disable(gl.SCISSOR_TEST);
     }
 
-    private setLightOf(program: Program): void {
-        const { sun, rectangles, azimuth_deg } = this.light as Light;
-        const pivot = (this.camera as Camera).target_mm;
-        const turn = this.lightTurn_deg;
-        const radians = Math.PI / 180;
-        program.floats("azimuth", 1, [(azimuth_deg + turn) * radians]);
-        const towards = sun ? turnedDirection(sun.direction, turn) : ([0, 0, 1] as const);
-        const radius = sun ? Math.cos(sun.angular_radius_deg * radians) : 2;
-        program.floats("sun", 4, [...towards, radius]);
-        program.floats("sunRadiance", 3, sun?.rgb ?? [0, 0, 0]);
-        program.int("rectangleCount", rectangles.length);
-        if (rectangles.length === 0) return;
-        const list = (name: string, of: (k: Light["rectangles"][number]) => Vec3) => {
-            program.floats(`${name}[0]`, 3, rectangles.flatMap(of));
-        };
-        list("corner", (r) => turnedPlace(r.corner, turn, pivot));
-        list("edgeU", (r) => turnedDirection(r.edge_u, turn));
-        list("edgeV", (r) => turnedDirection(r.edge_v, turn));
-        list("rectangleNormal", (r) => turnedDirection(r.normal, turn));
-        list("rectangleRadiance", (r) => r.rgb);
-    }
-
     private display(): void {
         const { gl, whole } = this;
         if (!whole || !this.displayProgram.ready()) return;
         const program = this.displayProgram.use();
-        const sums = [whole, this.coarse ?? whole];
-        ["whole", "coarse"].forEach((name, unit) => {
-            gl.activeTexture(gl.TEXTURE0 + unit);
-            gl.bindTexture(gl.TEXTURE_2D, (sums[unit] as Sums).target.textures[0] as WebGLTexture);
-            program.int(name, unit);
-        });
+        const [sum, flakes] = whole.target.textures;
+        const coarse = (this.coarse ?? whole).target.textures[0];
+        Object.entries({ whole: sum, wholeFlakes: flakes, coarse }).forEach(
+            ([name, texture], unit) => {
+                gl.activeTexture(gl.TEXTURE0 + unit);
+                gl.bindTexture(gl.TEXTURE_2D, texture as WebGLTexture);
+                program.int(name, unit);
+            },
+        );
         const hasCoarse = (this.coarse?.samples ?? 0) > 0;
         program.floats("size", 2, [this.canvas.width, this.canvas.height]);
         program.floats("enough", 1, [hasCoarse ? ENOUGH : 0]);
@@ -520,9 +507,4 @@ export class LiveView {
         gl.bindVertexArray(this.nothing);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
-}
-
-/** Where in its pixel a sample lies, in (-1/2, 1/2): points that fill the square evenly. */
-function shiftOf(sample: number): readonly [number, number] {
-    return [((sample * 0.7548776662 + 0.5) % 1) - 0.5, ((sample * 0.569840291 + 0.5) % 1) - 0.5];
 }

@@ -10,6 +10,8 @@ export interface PaintShader {
     readonly glsl: string;
     /** Its mirror image is no part of nacreColour(). */
     readonly smoothCoat: boolean;
+    /** It has single flakes beside their mean. */
+    readonly flakes: boolean;
     readonly uniforms: readonly PaintUniform[];
     readonly textures: readonly PaintTexture[];
 }
@@ -89,6 +91,7 @@ export function readPaint(
         program,
         glsl,
         smoothCoat: message.smooth_coat === true,
+        flakes: glsl.includes("#define NACRE_FLAKES "),
         uniforms: message.uniforms as PaintUniform[],
         textures: attachments.map(({ name, shape, data }) => ({
             name,

@@ -1,8 +1,10 @@
 /** The shaders of the live picture; that of the paint comes from the server. */
 
+import { FLAKES } from "./flakes";
+
 export const MOST_RECTANGLES = 4;
 
-const HEAD = `
+export const HEAD = `
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -69,7 +71,8 @@ uniform vec3 upwards;
 uniform vec2 size;
 uniform vec2 shift;              // of this sample within its pixel
 uniform uint sampleIndex;
-out vec4 light;
+layout(location = 0) out vec4 light;
+layout(location = 1) out vec4 flakes;  // their light apart, as not all samples ask them
 
 uint mixBits(uint x) {
     x = (x ^ (x >> 16)) * 0x7feb352du;
@@ -158,12 +161,21 @@ float densityOfPaint(vec3 wi, vec3 wo) {
     for (int k = 0; k < count; ++k) sum += nacreDensity(k, wi, wo);
     return EVEN * wo.z / PI + (1. - EVEN) / float(count) * sum;
 }
-
-vec3 shaded(vec3 place, vec3 n, vec3 view) {
+${FLAKES}
+vec3 shaded(vec3 place, vec3 n, vec3 view, out vec3 ofFlakes) {
     vec3 t = normalize(abs(n.x) < .9 ? cross(n, vec3(1., 0., 0.)) : cross(n, vec3(0., 1., 0.)));
     mat3 toWorld = mat3(t, cross(n, t), n);
     vec3 wi = view * toWorld;
     wi = normalize(vec3(wi.xy, max(wi.z, 1e-3)));
+    // Towards a place on the sun; below the horizon: there is none.
+    vec3 towardsSun = vec3(0., 0., -1.);
+    if (sun.w < 1.5) {
+        vec2 u = evenly(6u);
+        float z = 1. - u.x * (1. - sun.w), r = sqrt(max(1. - z * z, 0.)), phi = 2. * PI * u.y;
+        vec3 s = normalize(abs(sun.x) < .9 ? cross(sun.xyz, vec3(1., 0., 0.)) : cross(sun.xyz, vec3(0., 1., 0.)));
+        towardsSun = (r * cos(phi) * s + r * sin(phi) * cross(sun.xyz, s) + z * sun.xyz) * toWorld;
+    }
+    ofFlakes = shadedFlakes(place, toWorld, wi, towardsSun);
     vec3 sum = vec3(0.);
     // Directions from the paint, from afar and from each rectangle.
     for (int way = 0; way < 2 + rectangleCount; ++way) {
@@ -190,13 +202,9 @@ vec3 shaded(vec3 place, vec3 n, vec3 view) {
         density += densityFromAfar(w) + densityOfPaint(wi, wo);
         sum += nacreColour(wi, wo) * radiance * (wo.z / density);
     }
-    if (sun.w < 1.5) {
-        vec2 u = evenly(6u);
-        float z = 1. - u.x * (1. - sun.w), r = sqrt(max(1. - z * z, 0.)), phi = 2. * PI * u.y;
-        vec3 s = normalize(abs(sun.x) < .9 ? cross(sun.xyz, vec3(1., 0., 0.)) : cross(sun.xyz, vec3(0., 1., 0.)));
-        vec3 w = r * cos(phi) * s + r * sin(phi) * cross(sun.xyz, s) + z * sun.xyz;
-        vec3 wo = w * toWorld;
-        if (wo.z > 1e-4) sum += nacreColour(wi, wo) * sunRadiance * (2. * PI * (1. - sun.w) * wo.z);
+    if (towardsSun.z > 1e-4) {
+        nacreWithoutSunlit();
+        sum += nacreColour(wi, towardsSun) * sunRadiance * (2. * PI * (1. - sun.w) * towardsSun.z);
     }
 #if ${smoothCoat ? "1" : "0"}
     vec3 mirrored = toWorld * vec3(-wi.xy, wi.z);
@@ -212,17 +220,18 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     pixelBits = mixBits(uint(pixel.x) + mixBits(uint(pixel.y)));
     vec4 place = texelFetch(placeAt, pixel, 0);
-    vec3 value;
+    vec3 value, ofFlakes = vec3(0.);
     if (place.w == 0.) {
         vec2 at = (gl_FragCoord.xy + shift) / size * 2. - 1.;
         float ignored;
         value = radianceFrom(eye, normalize(ahead + at.x * across + at.y * upwards), ignored);
     } else {
         vec3 view = normalize(eye - place.xyz), n = texelFetch(facingAt, pixel, 0).xyz;
-        value = shaded(place.xyz, dot(n, view) < -.1 ? -n : n, view);
+        value = shaded(place.xyz, dot(n, view) < -.1 ? -n : n, view, ofFlakes);
     }
     // What is not finite would stay for good.
     light = vec4(dot(value, value) < 1e12 ? value : vec3(0.), 1.);
+    flakes = vec4(dot(ofFlakes, ofFlakes) < 1e12 ? ofFlakes : vec3(0.), flakesAsked ? 1. : 0.);
 }`.replaceAll("0x1p-24_", "5.9604644775390625e-8");
 }
 
@@ -232,6 +241,7 @@ void main() {
  */
 export const DISPLAY = `${HEAD}
 uniform sampler2D whole;
+uniform sampler2D wholeFlakes;
 uniform sampler2D coarse;
 uniform vec2 size;
 uniform float enough;   // samples
@@ -242,6 +252,7 @@ vec4 mean(vec4 sum) { return sum.a > 0. ? vec4(sum.rgb / sum.a, 1.) : vec4(0.); 
 
 void main() {
     vec4 value = texelFetch(whole, ivec2(gl_FragCoord.xy), 0);
+    vec3 linear = mean(value).rgb + mean(texelFetch(wholeFlakes, ivec2(gl_FragCoord.xy), 0)).rgb;
     if (value.a < enough) {
         ivec2 last = textureSize(coarse, 0) - 1;
         vec2 at = gl_FragCoord.xy / size * vec2(last + 1) - .5, low = floor(at), part = at - low;
@@ -251,9 +262,8 @@ void main() {
             vec2 weight = mix(1. - part, part, vec2(step));
             sum += weight.x * weight.y * mean(texelFetch(coarse, clamp(ivec2(low) + step, ivec2(0), last), 0));
         }
-        if (sum.a > 0.) value = sum;
+        if (sum.a > 0.) linear = mean(sum).rgb;
     }
-    vec3 linear = mean(value).rgb;
     vec3 clipped = clamp(linear, 0., 1.);
     vec3 encoded = mix(12.92 * clipped, 1.055 * pow(max(clipped, 1e-6), vec3(1. / 2.4)) - .055,
                        vec3(greaterThan(clipped, vec3(.0031308))));

@@ -66,6 +66,21 @@ export function shapeMatrix(transform: Transform, turn_deg: number, pivot: Vec3)
     ].reduce(multiplied);
 }
 
+/** Of a matrix that turns and moves. */
+export function inverseRigid(m: Matrix): Matrix {
+    const out = scaleMatrix(1);
+    for (let row = 0; row < 3; ++row) {
+        let moved = 0;
+        for (let k = 0; k < 3; ++k) {
+            const turn = m[4 * row + k] as number;
+            out[4 * k + row] = turn;
+            moved -= turn * (m[12 + k] as number);
+        }
+        out[12 + row] = moved;
+    }
+    return out;
+}
+
 function turnedAbout(pivot: Vec3, turn_deg: number): Matrix {
     return [moveMatrix(pivot), turnMatrix(2, turn_deg), moveMatrix(times(-1, pivot))].reduce(
         multiplied,

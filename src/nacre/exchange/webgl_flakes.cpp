@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "nacre/core/half.h"
+#include "nacre/exchange/webgl_layout.h"
+#include "nacre/sparkle/diffraction_lobe.h"
+#include "nacre/sparkle/flake_plane.h"
+
+namespace nacre::exchange {
+
+extern const char* const kWebglFlakes;  // webgl_flakes.glsl
+
+namespace {
+
+using sparkle::DiffractionLobe;
+using Constants = sparkle::FlakeField::Constants;
+
+/// const TYPE NAME[] = ... of GLSL.
+template <class Numbers, class Text>
+std::string glsl_array(const char* type, const Numbers& numbers, const Text& text) {
+    std::string elements;
+    for (const auto& x : numbers) elements += (elements.empty() ? "" : ", ") + text(x);
+    return fmt::format("{}[]({})", type, elements);
+}
+
+/// The body of nacreCount(): four comparisons at a time.
+std::string counts_text(const Constants& field) {
+    static_assert(Constants::kMaxFlakesPerCell % 4 == 0);
+    WebglLines lines;
+    for (std::size_t n = 0; n < field.cumulative.size(); n += 4) {
+        const float* const p = &field.cumulative[n];
+        if (p[0] >= 1) break;  // never drawn
+        lines.add("count += vec4(lessThanEqual(vec4({}, {}, {}, {}), vec4(draw)));",
+                  glsl_number(p[0]), glsl_number(p[1]), glsl_number(p[2]), glsl_number(p[3]));
+    }
+    return std::move(lines).text();
+}
+
+/// The body of nacreFlakeColour(): the layers above a flake, and what it reflects.
+std::string flake_layers_text(const WebglShader::Layout& layout) {
+    WebglLines lines;
+    webgl_gaps(layout, lines);
+    for (std::size_t n = 0; n < layout.layers.size(); ++n) {
+        lines.add("for (int g = 0; g < 4; ++g) here[g] = nacreLayer[{}].x * nacreRate({}, g, p);",
+                  n, layout.layers[n].extinction);
+        if (!layout.layers[n].flakes.empty()) {
+            lines.add("if (NACRE_LAYERS[s] == {}) {{", n);
+            const std::string gain = webgl_gain(layout, n, "place", "    ", lines);
+            lines.add("    for (int g = 0; g < 4; ++g) {{");
+            lines.add("        vec4 left = exp({} - depth[g] - here[g] * place);", gain);
+            lines.add(
+                "        sum += nacreRgb(nacreRow(NACRE_REFLECTANCES[s], g, p.cosine) * left, g);");
+            lines.add("    }}");
+            lines.add("    sum *= nacreLayer[{}].x;", n);
+            lines.add("}}");
+        }
+        lines.add("for (int g = 0; g < 4; ++g) depth[g] += here[g];");
+    }
+    return std::move(lines).text();
+}
+
+}  // namespace
+
+std::string webgl_flakes_glsl(const WebglShader::Layout& layout) {
+    const Constants& field = layout.species.front().field;
+    const auto number = [](double x) { return glsl_number(x); };
+    const auto of_species = [&](auto member) {
+        return glsl_array("int", layout.species,
+                          [&](const auto& species) { return fmt::format("{}", species.*member); });
+    };
+    using Species = WebglShader::Layout::Species;
+    std::string text = kWebglFlakes;
+    const auto put = [&](const char* name, const std::string& value) {
+        replace_all(text, fmt::format("@{}@", name), value);
+    };
+    put("LEVEL_COUNT", fmt::format("{}", Constants::kLevels));
+    put("DENSEST", number(field.fraction[0]));
+    put("COUNTS", counts_text(field));
+    put("SIZES", of_species(&Species::sizes));
+    put("OWN_LAYERS", of_species(&Species::layer));
+    put("REFLECTANCES", of_species(&Species::reflectance));
+    put("EXTINCTIONS", glsl_array("int", layout.species, [&](const Species& species) {
+            return fmt::format("{}", layout.layers[species.layer].extinction);
+        }));
+    put("LOBE_POWER", number(DiffractionLobe::kLobePower));
+    put("MAX_EXPONENT", number(DiffractionLobe::kMaxExponent));
+    put("MAX_WIDTH", number(DiffractionLobe::kMaxWidth));
+    put("MAX_STRETCH", number(sparkle::kMaxStretch));
+    put("PROJECTION_BLEND", number(sparkle::kProjectionBlend));
+    put("FLAKE_LAYERS", flake_layers_text(layout));
+    return text;
+}
+
+std::vector<WebglUniform> webgl_flake_uniforms(
+    const std::vector<bsdf::NacreArrays::Species>& species) {
+    WebglUniform field{
+        "nacreField", 4, true, {}};  // side of the finest cells, mm; alpha; radius of
+                                     // lobes times diameter, um; inverse cover
+    WebglUniform levels{
+        "nacreFieldLevels", 4, true, {}};  // full and few cells; typical lobe; widening
+    WebglUniform size{
+        "nacreFieldSize", 4, true, {}};              // radii, mm; square of waviness; of all light
+    WebglUniform key{"nacreFieldKey", 4, true, {}};  // of each level, 16 bits each from the lowest
+    const auto add = [](WebglUniform& to, std::array<double, 4> values) {
+        for (const double x : values) to.values.push_back(static_cast<float>(x));
+    };
+    for (const bsdf::NacreArrays::Species& s : species) {
+        add(field, {s.field.cell_mm[0], s.alpha, s.radius_um, s.field.inverse_cover});
+        add(levels,
+            {s.field.full_cells, s.field.few_cells, s.field.typical_radius, s.field.max_widening});
+        const auto [smallest, largest] =
+            std::minmax_element(s.diameter_um.begin(), s.diameter_um.end());
+        add(size, {0.5e-3 * *smallest, 0.5e-3 * *largest, s.waviness * s.waviness, s.fraction});
+        for (const std::uint64_t bits : s.field.key) {
+            for (int part = 0; part < 4; ++part) {
+                key.values.push_back(static_cast<float>(bits >> (16 * part) & 0xffffu));
+            }
+        }
+    }
+    return {field, levels, size, key};
+}
+
+WebglTexture webgl_lobe_shapes() {
+    const auto blur = DiffractionLobe::log_blur_table();
+    const auto inverse = DiffractionLobe::inverse_lobe_fraction_table();
+    WebglTexture out{
+        "nacreLobeShapes", {DiffractionLobe::kSquareNodes, DiffractionLobe::kWidthNodes}, {}};
+    for (std::size_t i = 0; i < blur.size(); ++i) {
+        out.rgba.push_back(half_bits(blur[i]));
+        // A logarithm, as it grows beyond half floats.
+        out.rgba.push_back(half_bits(std::log(inverse[i])));
+        out.rgba.insert(out.rgba.end(), {0, 0});
+    }
+    return out;
+}
+
+}  // namespace nacre::exchange

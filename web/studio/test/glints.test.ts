@@ -1,0 +1,137 @@
+/**
+ * Single flakes in the live picture: the same as the path tracer's, at the same places.
+ */
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import HASHES from "./flake_hash.json";
+import { LiveBrowser } from "./live_browser";
+import type { LivePicture, Scene } from "./live_page";
+
+/** A quarter of them ask flakes, in the same parts of a pixel as the live picture's first sixteen. */
+const TRACED_SAMPLES = 64;
+
+let browser: LiveBrowser;
+
+before(async () => {
+    browser = await LiveBrowser.start();
+});
+
+after(() => browser.end());
+
+test("the shader hashes flakes to the program's integers", async () => {
+    const got = await browser.page.evaluate(
+        (cases) => window.hashes("metallic-silver", cases),
+        HASHES,
+    );
+    assert.deepEqual(
+        got,
+        HASHES.map(({ cell, place, kind, body }) => [cell, place, kind, body]),
+    );
+});
+
+/** ln of the luminance, less its mean over the neighbourhood: what glitters. */
+function glitter({ data, width, height }: LivePicture): number[] {
+    const channels = data.length / (width * height);
+    const at = (x: number, y: number): number => {
+        const from = channels * (y * width + x);
+        const [r = 0, g = 0, b = 0] = data.slice(from, from + 3);
+        return Math.log(0.01 + Math.max(0.2126 * r + 0.7152 * g + 0.0722 * b, 0));
+    };
+    const reach = 4;
+    const inside = (k: number, size: number): number => Math.min(Math.max(k, 0), size - 1);
+    return Array.from({ length: width * height }, (_, pixel) => {
+        const [x, y] = [pixel % width, Math.floor(pixel / width)];
+        let sum = 0;
+        for (let v = y - reach; v <= y + reach; ++v) {
+            for (let u = x - reach; u <= x + reach; ++u) {
+                sum += at(inside(u, width), inside(v, height));
+            }
+        }
+        return at(x, y) - sum / (2 * reach + 1) ** 2;
+    });
+}
+
+function correlation(a: readonly number[], b: readonly number[]): number {
+    const mean = (list: readonly number[]) => list.reduce((sum, x) => sum + x, 0) / list.length;
+    const [ma, mb] = [mean(a), mean(b)];
+    const product = (p: readonly number[], mp: number, q: readonly number[], mq: number) =>
+        p.reduce((sum, x, k) => sum + (x - mp) * ((q[k] as number) - mq), 0);
+    return product(a, ma, b, mb) / Math.sqrt(product(a, ma, a, ma) * product(b, mb, b, mb));
+}
+
+/** Of the brightest fiftieth of the pixels of one, the part that is among those of the other. */
+function shared(a: readonly number[], b: readonly number[]): number {
+    const brightest = (list: readonly number[]) =>
+        list
+            .map((_, k) => k)
+            .sort((k, l) => (list[l] as number) - (list[k] as number))
+            .slice(0, Math.floor(list.length / 50));
+    const others = new Set(brightest(b));
+    return brightest(a).filter((k) => others.has(k)).length / others.size;
+}
+
+interface Expectation {
+    readonly name: string;
+    readonly scene: Scene;
+    readonly samples: number;
+    /** Of glitter with that of the same specimen. */
+    readonly correlation: number;
+    readonly shared: number;
+}
+
+const EXPECTED: readonly Expectation[] = [
+    {
+        name: "single flakes of two millimetres",
+        scene: { paint: "metallic-silver", shape: "macro", light: "microscope", size: 64 },
+        samples: 16,
+        correlation: 0.85,
+        shared: 0.6,
+    },
+    {
+        name: "the glitter of a ball in the sun",
+        scene: { paint: "metallic-silver", shape: "ball", light: "sun", size: 96 },
+        samples: 24,
+        correlation: 0.65,
+        shared: 0.5,
+    },
+];
+
+for (const { name, scene, samples, ...least } of EXPECTED) {
+    test(`${name} are the path tracer's`, async () => {
+        const live = await browser.page.evaluate(
+            ([where, count]) => window.live(where, count, true),
+            [scene, samples] as const,
+        );
+        const traced = await Promise.all(
+            [0, 1].map((specimen) =>
+                browser.page.evaluate(
+                    ([where, count, which]) => window.traced(where, count, which),
+                    [scene, TRACED_SAMPLES, specimen] as const,
+                ),
+            ),
+        );
+        const own = glitter(live);
+        const [same, other] = traced.map((picture) => {
+            const theirs = glitter(picture);
+            return { correlation: correlation(own, theirs), shared: shared(own, theirs) };
+        }) as [
+            Pick<Expectation, "correlation" | "shared">,
+            Pick<Expectation, "correlation" | "shared">,
+        ];
+        for (const [of, found] of [
+            ["the same specimen", same],
+            ["another", other],
+        ] as const) {
+            console.log(
+                `${name}, ${of}: correlation ${found.correlation.toFixed(3)}, ` +
+                    `brightest pixels shared ${found.shared.toFixed(2)}`,
+            );
+        }
+        assert.ok(same.correlation > least.correlation);
+        assert.ok(same.shared > least.shared);
+        // The rim of a highlight is in all pictures.
+        assert.ok(other.correlation < 0.5 * same.correlation);
+        assert.ok(other.shared < 0.5 * same.shared);
+    });
+}
