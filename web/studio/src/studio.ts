@@ -1,5 +1,6 @@
 /** What the page does: edits, undo, asking the server, and keeping what it answers. */
 
+import { Atlas } from "./atlas";
 import type { Document } from "./edit";
 import { fileName, save } from "./files";
 import { History } from "./history";
@@ -51,6 +52,7 @@ export interface Surroundings {
 export class Studio {
     readonly store: Store<State>;
     readonly viewer: Viewer;
+    readonly atlas: Atlas;
     private readonly history = new History<Document>(EMPTY);
     private readonly session: Session;
     private readonly painting: Latest<PaintRequest>;
@@ -86,6 +88,9 @@ export class Studio {
             else this.disconnected();
         });
         this.viewer = new Viewer(this.session);
+        this.atlas = new Atlas(this.session, (busy) => {
+            this.viewer.hold(busy);
+        });
     }
 
     // ---- the connection ----
@@ -111,6 +116,7 @@ export class Studio {
     private disconnected(): void {
         this.painting.abandon();
         this.viewer.abandon();
+        this.atlas.stop();
         this.fitId = null;
         this.store.set({ connection: "gone", sparkleBusy: false });
         const { fit } = this.store.get();

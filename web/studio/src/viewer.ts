@@ -88,8 +88,19 @@ export class Viewer {
     private underWay: { id: number; job: Job } | null = null;
     private quickWanted = false;
     private timer: ReturnType<typeof setTimeout> | undefined;
+    private held = false;
+    /** A picture is to be begun when it may be. */
+    private postponed = false;
 
     constructor(private readonly session: Session) {}
+
+    /** The path tracer waits: it would take the processors from what somebody looks at. */
+    hold(held: boolean): void {
+        if (held === this.held) return;
+        this.held = held;
+        if (held) this.postponed = this.stop();
+        else if (this.postponed) this.startLater();
+    }
 
     /** Of the place for the picture, in pixels of the screen. */
     resize(width: number, height: number): void {
@@ -196,17 +207,22 @@ export class Viewer {
             this.quickWanted = true;
             return;
         }
-        if (this.underWay !== null) {
-            this.session.tell("stop", { what: "render" });
-            this.session.forget(this.underWay.id);
-            this.underWay = null;
-        }
+        this.stop();
         this.quickWanted = false;
         const { view, liveSamples } = this.store.get();
         this.live?.pause(false);
         if (view !== null) this.live?.show(view, this.size.width, this.size.height);
         if (liveSamples === null) this.start(true, false);
         else this.startLater();
+    }
+
+    /** @return whether there was something to stop */
+    private stop(): boolean {
+        if (this.underWay === null) return false;
+        this.session.tell("stop", { what: "render" });
+        this.session.forget(this.underWay.id);
+        this.underWay = null;
+        return true;
     }
 
     private startLater(): void {
@@ -221,6 +237,8 @@ export class Viewer {
         const { width, height } = this.size;
         if (recipe === null || view === null || width * height === 0 || !this.session.isOpen)
             return;
+        this.postponed = this.held && !quick;
+        if (this.postponed) return;
         const shrink =
             Math.min(1, Math.sqrt(MOST_PIXELS / (width * height))) / (quick ? QUICK_PART : 1);
         const job: Job = { recipe, view, kept, quick };
