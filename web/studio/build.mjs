@@ -39,7 +39,14 @@ async function buildTest(input, options) {
 }
 
 async function buildTests() {
-    const files = ["unit.test", "browser.test", "picture.test", "live.test", "pictures"];
+    const files = [
+        "unit.test",
+        "browser.test",
+        "tools.test",
+        "picture.test",
+        "live.test",
+        "pictures",
+    ];
     const input = Object.fromEntries(
         files.map((file) => [file.replace(".test", ""), `test/${file}.ts`]),
     );

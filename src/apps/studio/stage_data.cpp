@@ -64,8 +64,29 @@ Tree json_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
-std::string shape_bytes(const std::string& name) {
-    const render::SceneDescription scene = scene_of({.shape = name});
+Adaptation::Adaptation(const Stage& stage) {
+    const render::SceneDescription scene =
+        scene_of({.light = stage.light, .own_light = stage.own_light});
+    const auto* walls = std::get_if<render::ConstantEnvironment>(&*scene.environment);
+    none_ = !walls || walls->radiance.illuminant == spectra::Illuminant::D65;
+    if (none_) return;
+    const auto xyz = [](const Vec3d& rgb) { return spectra::linear_rec709_to_xyz(rgb); };
+    const Vec3d from = xyz(rgb_of_light(render::unit_illuminant(walls->radiance.illuminant)));
+    for (int c = 0; c < 3; ++c) {
+        Vec3d unit{};
+        unit[c] = 1;
+        columns_[c] =
+            spectra::xyz_to_linear_rec709(spectra::adapted(xyz(unit), from, xyz({1, 1, 1})));
+    }
+}
+
+Vec3d Adaptation::operator()(const Vec3d& rgb) const {
+    return none_ ? rgb : rgb.x * columns_[0] + rgb.y * columns_[1] + rgb.z * columns_[2];
+}
+
+std::string shape_bytes(const Stage& stage) {
+    const render::SceneDescription scene =
+        scene_of({.shape = stage.shape, .own_shape = stage.own_shape});
     const render::Mesh mesh = std::visit(MeshOf(), scene.shapes.at(0).geometry);
     const auto vertices = static_cast<std::uint32_t>(mesh.positions_mm.size());
     std::string bytes;
@@ -86,9 +107,11 @@ std::string shape_bytes(const std::string& name) {
     return bytes;
 }
 
-std::string light_bytes(const std::string& name, int width) {
+std::string light_bytes(const Stage& stage, int width) {
     require_in_range(width, kLightWidth.lo, kLightWidth.hi, "width in pixels");
-    const render::SceneDescription scene = scene_of({.light = name});
+    const render::SceneDescription scene =
+        scene_of({.light = stage.light, .own_light = stage.own_light});
+    const Adaptation adapted(stage);
     const int height = width / 2;
     render::EmissionBasis basis;
     const render::CompiledEnvironment environment =
@@ -100,12 +123,12 @@ std::string light_bytes(const std::string& name, int width) {
     std::vector<FloatLanes> colours;
     std::vector<Vec3d> rgb;
     for (int i = 0; i < basis.size(); ++i) {
-        rgb.push_back(rgb_of_light(basis[i]));
+        rgb.push_back(adapted(rgb_of_light(basis[i])));
         const Vec3d& colour = rgb.back();
         colours.push_back(make_lanes(
             [&](int lane) { return lane < 3 ? static_cast<float>(colour[lane]) : 0.0f; }));
     }
-    Tree header = {{"name", name}, {"azimuth_deg", render::ImageEnvironment{}.azimuth_deg}};
+    Tree header = {{"name", stage.light}, {"azimuth_deg", render::ImageEnvironment{}.azimuth_deg}};
     header["sun"] = nullptr;
     if (const auto& sun = environment.sun) {
         header["sun"] = {{"direction", json_of(sun->direction)},

@@ -6,6 +6,7 @@ import { fitted, orbitOf } from "./orbit";
 import type { Attachment, Message } from "./protocol";
 import type { Schema } from "./schema";
 import type { Session } from "./session";
+import type { Light, Mesh } from "./renderer/paint";
 import { Store } from "./store";
 import type { Table } from "./tree";
 
@@ -88,18 +89,29 @@ export class Viewer {
     private underWay: { id: number; job: Job } | null = null;
     private quickWanted = false;
     private timer: ReturnType<typeof setTimeout> | undefined;
-    private held = false;
+    private readonly holders = new Set<string>();
     /** A picture is to be begun when it may be. */
     private postponed = false;
 
     constructor(private readonly session: Session) {}
 
-    /** The path tracer waits: it would take the processors from what somebody looks at. */
-    hold(held: boolean): void {
-        if (held === this.held) return;
-        this.held = held;
-        if (held) this.postponed = this.stop();
-        else if (this.postponed) this.startLater();
+    /**
+     * The path tracer waits: it would take the processors from what somebody waits for.
+     * @param holder  each ends its own wait
+     */
+    hold(holder: string, held: boolean): void {
+        if (!held) {
+            this.holders.delete(holder);
+            if (this.holders.size === 0 && this.postponed) this.startLater();
+            return;
+        }
+        this.holders.add(holder);
+        this.postponed = this.stop() || this.postponed;
+    }
+
+    /** A mesh or a light that the reader brought along, as the server named it. */
+    add(schema: Schema, own: { readonly mesh?: Mesh; readonly light?: Light }, name: string): void {
+        this.live?.add(schema, own, name);
     }
 
     /** Of the place for the picture, in pixels of the screen. */
@@ -237,7 +249,7 @@ export class Viewer {
         const { width, height } = this.size;
         if (recipe === null || view === null || width * height === 0 || !this.session.isOpen)
             return;
-        this.postponed = this.held && !quick;
+        this.postponed = this.holders.size > 0 && !quick;
         if (this.postponed) return;
         const shrink =
             Math.min(1, Math.sqrt(MOST_PIXELS / (width * height))) / (quick ? QUICK_PART : 1);
