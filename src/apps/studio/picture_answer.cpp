@@ -56,7 +56,6 @@ Frames answer(const RenderRequest& request, const Context& context) {
     const NamedPaint named = paint_of(request.recipe, context);
     Stage stage = request.stage;
     context.memory.lend_own_files(stage);
-    const Adaptation adapted(stage);
     const Model model = request.model.empty() ? models::default_picture_model()
                                               : models::named_model(request.model);
     const Scene scene(scene_of(stage), {.slot = named.paint, .model = model}, context.progress);
@@ -73,7 +72,7 @@ Frames answer(const RenderRequest& request, const Context& context) {
         if (sample != next && sample != request.samples) continue;
         next = sample * kGrowth;
         render::RenderResult picture = render::develop(sums, settings);
-        adapt(picture.rgb, adapted);
+        adapt(picture.rgb, Adaptation(stage, sample));
         Frame frame = picture_frame(request, context, picture);
         if (sample == request.samples) return {std::move(frame)};
         context.send("picture", {std::move(frame)});

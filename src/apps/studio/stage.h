@@ -49,8 +49,9 @@ render::SceneDescription scene_of(const Stage& stage);
 /// they are.
 class Adaptation {
  public:
+    /// @param samples  of the picture, by whose wavelengths the lamp is white in it too; 0: by all
     /// @throws InputError as scene_of()
-    explicit Adaptation(const Stage& stage);
+    explicit Adaptation(const Stage& stage, int samples = 0);
     Vec3d operator()(const Vec3d& rgb) const;
     /// Whether colours stay as they are.
     bool is_none() const { return none_; }

@@ -59,19 +59,41 @@ Vec3d rgb_of_light(const spectra::Spectrum& radiance) {
     return spectra::xyz_to_linear_rec709(light);
 }
 
+/// The same as it stands in a picture of so many samples a pixel: by their wavelengths. Lines of a
+/// lamp fall between them or on them.
+Vec3d rgb_in_picture(const spectra::Spectrum& radiance, int samples) {
+    if (samples == 0) return rgb_of_light(radiance);
+    const spectra::Spectrum d65 = render::unit_illuminant(spectra::Illuminant::D65);
+    const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    Vec3d light{}, of_white{};
+    for (int sample = 0; sample < samples; ++sample) {
+        const bsdf::Wavelengths nm = render::film_wavelengths(static_cast<std::uint32_t>(sample));
+        const render::XyzWeights weights = render::film_xyz_weights(nm);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            for (int c = 0; c < 3; ++c) {
+                light[c] += weights[c][lane] * radiance(nm[lane]);
+                of_white[c] += weights[c][lane] * d65(nm[lane]);
+            }
+        }
+    }
+    for (int c = 0; c < 3; ++c) light[c] *= white[c] / of_white[c];
+    return spectra::xyz_to_linear_rec709(light);
+}
+
 Tree json_of(Vec3f v) { return {v.x, v.y, v.z}; }
 Tree json_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
-Adaptation::Adaptation(const Stage& stage) {
+Adaptation::Adaptation(const Stage& stage, int samples) {
     const render::SceneDescription scene =
         scene_of({.light = stage.light, .own_light = stage.own_light});
     const auto* walls = std::get_if<render::ConstantEnvironment>(&*scene.environment);
     none_ = !walls || walls->radiance.illuminant == spectra::Illuminant::D65;
     if (none_) return;
     const auto xyz = [](const Vec3d& rgb) { return spectra::linear_rec709_to_xyz(rgb); };
-    const Vec3d from = xyz(rgb_of_light(render::unit_illuminant(walls->radiance.illuminant)));
+    const Vec3d from =
+        xyz(rgb_in_picture(render::unit_illuminant(walls->radiance.illuminant), samples));
     for (int c = 0; c < 3; ++c) {
         Vec3d unit{};
         unit[c] = 1;

@@ -118,6 +118,8 @@ export class Viewer {
     resize(width: number, height: number): void {
         if (width === this.size.width && height === this.size.height) return;
         this.size = { width, height };
+        // The path tracer's is of another size; where there is no other it stays meanwhile.
+        if (this.store.get().liveSamples !== null) this.store.set({ picture: null });
         this.refresh();
     }
 

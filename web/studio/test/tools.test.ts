@@ -140,7 +140,12 @@ test("the report is printed on two pages of A4", async () => {
     await report.setContent(html);
     await report.emulateMedia({ media: "print" });
     const text = await report.innerText("body");
-    for (const part of ["Red-gold interference", "45as15", "Sparkle"]) {
+    for (const part of [
+        "Red-gold interference",
+        "L* 105.2",
+        "Sparkle, lamp at 15°",
+        "Composition",
+    ]) {
         assert.ok(text.includes(part), part);
     }
     const pdf = (await report.pdf({ preferCSSPageSize: true })).toString("latin1");

@@ -95,6 +95,7 @@ export function AtlasPanel(): VNode | null {
                         {all.filter((one) => !isFilm(one)).map(option)}
                     </optgroup>
                 </select>
+                <span>From</span>
                 <EndField
                     label="From"
                     value={ends.low}
