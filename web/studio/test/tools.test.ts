@@ -78,7 +78,7 @@ function hdr(width: number, height: number): Buffer {
     return Buffer.concat([Buffer.from(head), Buffer.alloc(4 * width * height, 0x80)]);
 }
 
-test("a mesh and a light of the reader's own are shown, and kept when the program comes back", async () => {
+test("a mesh and a light of the reader's own are shown, and what cannot be is said", async () => {
     const path = (name: string) => join(folder, name);
     await writeFile(path("roof.obj"), ROOF);
     await writeFile(path("sky.hdr"), hdr(64, 32));
