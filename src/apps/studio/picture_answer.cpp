@@ -72,7 +72,8 @@ Frames answer(const RenderRequest& request, const Context& context) {
         if (sample != next && sample != request.samples) continue;
         next = sample * kGrowth;
         render::RenderResult picture = render::develop(sums, settings);
-        adapt(picture.rgb, Adaptation(stage, sample));
+        // Which samples came first is the renderer's choice; all of them have the wavelengths of all.
+        adapt(picture.rgb, Adaptation(stage, sample == request.samples ? sample : 0));
         Frame frame = picture_frame(request, context, picture);
         if (sample == request.samples) return {std::move(frame)};
         context.send("picture", {std::move(frame)});

@@ -49,7 +49,8 @@ render::SceneDescription scene_of(const Stage& stage);
 /// they are.
 class Adaptation {
  public:
-    /// @param samples  of the picture, by whose wavelengths the lamp is white in it too; 0: by all
+    /// @param samples  of a picture that has all of its samples, by whose wavelengths the lamp is white
+    ///                 in it too; 0: by all wavelengths
     /// @throws InputError as scene_of()
     explicit Adaptation(const Stage& stage, int samples = 0);
     Vec3d operator()(const Vec3d& rgb) const;
