@@ -6,12 +6,13 @@
 
 #include "apps/studio/answers.h"
 #include "apps/studio/http_rules.h"
+#include "apps/studio/own_files.h"
 #include "nacre/core/error.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/table_reader.h"
 
 // What a page sends is taken or refused with a MessageError; the recipe in it becomes a TOML text with
-// the same tree, which is read or refused. The target of a request is taken or refused.
+// the same tree, which is read or refused; a mesh or a light in it is read or refused. The target of a request is taken or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     using namespace nacre::studio;
@@ -25,6 +26,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const MessageError& error) {
         error_frames(error.id(), "message", error);
         return 0;
+    }
+    try {
+        if (const auto* shape = std::get_if<ShapeRequest>(&message.request)) {
+            read_own_shape("own", shape->file, shape->bytes, shape->y_up);
+        } else if (const auto* light = std::get_if<LightRequest>(&message.request)) {
+            read_own_light("own", light->file, light->bytes);
+        }
+    } catch (const nacre::InputError& error) {
+        error_frames(message.id, message.type, error);
     }
     const auto* paint = std::get_if<PaintRequest>(&message.request);
     if (!paint) return 0;

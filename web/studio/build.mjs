@@ -42,6 +42,7 @@ async function buildTests() {
     const files = [
         "unit.test",
         "browser.test",
+        "tools.test",
         "picture.test",
         "live.test",
         "glints.test",

@@ -224,6 +224,24 @@ void Memory::set_opened(std::string toml) {
     opened_ = std::move(toml);
 }
 
+std::string Memory::next_own_name(const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    return fmt::format("own-{}-{}", what, ++own_names_);
+}
+void Memory::set_own(std::shared_ptr<const OwnShape> shape) {
+    const std::lock_guard lock(mutex_);
+    own_shape_ = std::move(shape);
+}
+void Memory::set_own(std::shared_ptr<const OwnLight> light) {
+    const std::lock_guard lock(mutex_);
+    own_light_ = std::move(light);
+}
+void Memory::lend_own_files(Stage& stage) const {
+    const std::lock_guard lock(mutex_);
+    stage.own_shape = own_shape_;
+    stage.own_light = own_light_;
+}
+
 std::optional<Paint> SolvedPaints::find(const std::string& toml) const {
     const std::lock_guard lock(mutex_);
     for (const auto& [text, paint] : paints_) {

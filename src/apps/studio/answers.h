@@ -28,10 +28,21 @@ class Memory {
     std::string opened() const;
     void set_opened(std::string toml);
 
+    /// A name for a shape or a light that the page brings along: "own-shape-1". Another each time, so
+    /// that nobody is shown an older one for it.
+    std::string next_own_name(const std::string& what);
+    /// Takes the place of the one before.
+    void set_own(std::shared_ptr<const OwnShape> shape);
+    void set_own(std::shared_ptr<const OwnLight> light);
+    void lend_own_files(Stage& stage) const;
+
  private:
     mutable std::mutex mutex_;
     std::shared_ptr<const Paint> standard_;
     std::string opened_;
+    int own_names_ = 0;
+    std::shared_ptr<const OwnShape> own_shape_;
+    std::shared_ptr<const OwnLight> own_light_;
 };
 
 /// The paints that were answered last, solved: who asks for their sparkle or picture need not solve
@@ -77,6 +88,8 @@ Frames answer(const ReportRequest& request, const Context& context);
 Frames answer(const AtlasRequest& request, const Context& context);
 /// Sends pictures of few samples before the last.
 Frames answer(const RenderRequest& request, const Context& context);
+Frames answer(const ShapeRequest& request, const Context& context);
+Frames answer(const LightRequest& request, const Context& context);
 /// Any of these.
 /// @throws InputError, DomainError, Error, which error_frames() states; any error once
 ///         `context.progress` asks to stop

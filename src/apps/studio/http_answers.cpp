@@ -14,7 +14,6 @@ namespace {
 
 constexpr const char* kJson = "application/json";
 constexpr const char* kBinary = "application/octet-stream";
-constexpr int kUsualLightWidth = 512;
 
 /// What follows a prefix of a path; none if it has another.
 std::optional<std::string> name_in(const std::string& path, std::string_view prefix) {
@@ -60,7 +59,7 @@ HttpAnswer HttpAnswers::api_answer(const Target& target, const std::function<boo
         return {200, kJson, schema_};
     }
     if (const auto shape = name_in(target.path, "/api/shape/")) {
-        return {200, kBinary, shape_bytes(*shape)};
+        return {200, kBinary, shape_bytes({.shape = *shape})};
     }
     if (const auto light = name_in(target.path, "/api/light/")) {
         double width = kUsualLightWidth;
@@ -70,7 +69,7 @@ HttpAnswer HttpAnswers::api_answer(const Target& target, const std::function<boo
             width = *number;
         }
         require_in_range(width, kLightWidth.lo, kLightWidth.hi, "width in pixels");
-        return {200, kBinary, light_bytes(*light, static_cast<int>(width))};
+        return {200, kBinary, light_bytes({.light = *light}, static_cast<int>(width))};
     }
     return error_answer(404,
                         "there are /api/schema, /api/shape/NAME, /api/light/NAME and the "

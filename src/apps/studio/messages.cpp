@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "nacre/core/base64.h"
 #include "nacre/core/text.h"
 #include "nacre/fit/fit.h"
 #include "nacre/io/image.h"
@@ -208,6 +209,19 @@ Stage stage_of(Fields& fields) {
     return stage;
 }
 
+/// For messages; only what follows its last dot decides anything.
+std::string file_name_of(Fields& fields) {
+    const std::string name = fields.text("file", "", kMaxNameBytes);
+    if (name.empty()) fields.fail("file", "is missing: the name of the file");
+    return printable(name);
+}
+
+std::string bytes_of(Fields& fields) {
+    const auto bytes = from_base64(fields.text("base64", "", kMaxMessageBytes));
+    if (!bytes) fields.fail("base64", "must be the bytes of the file as base64, with padding");
+    return *bytes;
+}
+
 RenderRequest render_of(Fields& fields) {
     const Range kSide{1, io::kMaxPixelsPerSide, "pixels"};
     RenderRequest request;
@@ -291,8 +305,13 @@ Request request_of(const std::string& type, Fields& fields) {
         request.viewed = viewed_of(fields);
         return request;
     }
-    static const std::vector<std::string> kTypes = {"open", "paint",  "standard", "sparkle", "fit",
-                                                    "stop", "render", "report",   "atlas"};
+    if (type == "shape") {
+        return ShapeRequest{file_name_of(fields), bytes_of(fields), fields.flag("y_up")};
+    }
+    if (type == "light") return LightRequest{file_name_of(fields), bytes_of(fields)};
+    static const std::vector<std::string> kTypes = {"open",  "paint", "standard", "sparkle",
+                                                    "fit",   "stop",  "render",   "report",
+                                                    "atlas", "shape", "light"};
     fields.fail("type", fmt::format("there is no such message{}; there are: {}",
                                     did_you_mean(type, kTypes), fmt::join(kTypes, ", ")));
 }

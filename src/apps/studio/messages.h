@@ -77,8 +77,18 @@ struct AtlasRequest {
     Viewed viewed;
 };
 
+/// A shape or a light from a file of the page's.
+struct ShapeRequest {
+    std::string file, bytes;
+    bool y_up = false;
+};
+struct LightRequest {
+    std::string file, bytes;
+};
+
 using Request = std::variant<OpenRequest, PaintRequest, StandardRequest, SparkleRequest, FitRequest,
-                             StopRequest, RenderRequest, ReportRequest, AtlasRequest>;
+                             StopRequest, RenderRequest, ReportRequest, AtlasRequest, ShapeRequest,
+                             LightRequest>;
 
 struct Message {
     Tree id;           ///< a number or a text, by which its answers are known

@@ -26,6 +26,14 @@ std::string bytes_of(const std::vector<float>& rgb, bool linear) {
     return bytes;
 }
 
+void adapt(std::vector<float>& rgb, const Adaptation& adapted) {
+    if (adapted.is_none()) return;
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+        const Vec3d seen = adapted({rgb[i], rgb[i + 1], rgb[i + 2]});
+        for (int c = 0; c < 3; ++c) rgb[i + c] = static_cast<float>(seen[c]);
+    }
+}
+
 Frame picture_frame(const RenderRequest& request, const Context& context,
                     const render::RenderResult& picture) {
     const std::vector<int> shape = {request.height, request.width, 3};
@@ -46,10 +54,11 @@ Frame picture_frame(const RenderRequest& request, const Context& context,
 
 Frames answer(const RenderRequest& request, const Context& context) {
     const NamedPaint named = paint_of(request.recipe, context);
+    Stage stage = request.stage;
+    context.memory.lend_own_files(stage);
     const Model model = request.model.empty() ? models::default_picture_model()
                                               : models::named_model(request.model);
-    const Scene scene(scene_of(request.stage), {.slot = named.paint, .model = model},
-                      context.progress);
+    const Scene scene(scene_of(stage), {.slot = named.paint, .model = model}, context.progress);
     const RenderSettings settings{.width = request.width,
                                   .height = request.height,
                                   .samples_per_pixel = request.samples,
@@ -62,11 +71,49 @@ Frames answer(const RenderRequest& request, const Context& context) {
         sums.add(scene.render_share(settings, {sample, request.samples}, context.progress).sums);
         if (sample != next && sample != request.samples) continue;
         next = sample * kGrowth;
-        Frame frame = picture_frame(request, context, render::develop(sums, settings));
+        render::RenderResult picture = render::develop(sums, settings);
+        // Which samples came first is the renderer's choice; all of them have the wavelengths of all.
+        adapt(picture.rgb, Adaptation(stage, sample == request.samples ? sample : 0));
+        Frame frame = picture_frame(request, context, picture);
         if (sample == request.samples) return {std::move(frame)};
         context.send("picture", {std::move(frame)});
     }
     throw Error("a picture without samples");
+}
+
+Frames answer(const ShapeRequest& request, const Context& context) {
+    const auto own = read_own_shape(context.memory.next_own_name("shape"), request.file,
+                                    request.bytes, request.y_up);
+    context.memory.set_own(own);
+    const std::string bytes = shape_bytes({.shape = own->name, .own_shape = own});
+    const auto& mesh = std::get<render::MeshFile>(own->shape.geometry);
+    Tree binary = Tree::array();
+    binary.push_back({{"name", "mesh"}, {"dtype", "u8"}, {"shape", {bytes.size()}}});
+    return {{dumped({{"type", "shape"},
+                     {"id", context.id},
+                     {"shape", shape_json(*own)},
+                     {"triangles", mesh.read->triangles.size()},
+                     {"extent_mm", own->extent_mm},
+                     {"shown_mm", own->extent_mm * own->shape.transform.scale},
+                     {"binary", std::move(binary)}}),
+             bytes}};
+}
+
+Frames answer(const LightRequest& request, const Context& context) {
+    const auto own =
+        read_own_light(context.memory.next_own_name("light"), request.file, request.bytes);
+    context.memory.set_own(own);
+    const std::string bytes = light_bytes({.light = own->name, .own_light = own}, kUsualLightWidth);
+    Tree binary = Tree::array();
+    binary.push_back({{"name", "light"}, {"dtype", "u8"}, {"shape", {bytes.size()}}});
+    return {{dumped({{"type", "light"},
+                     {"id", context.id},
+                     {"light", {{"name", own->name}, {"title", own->title}}},
+                     {"width", own->picture.width},
+                     {"height", own->picture.height},
+                     {"note", own->note},
+                     {"binary", std::move(binary)}}),
+             bytes}};
 }
 
 }  // namespace nacre::studio

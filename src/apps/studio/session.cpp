@@ -8,7 +8,7 @@ namespace nacre::studio {
 Lane& Workshop::lane_of(const std::string& type) {
     if (type == "sparkle" || type == "report") return look_;
     if (type == "fit") return fit_;
-    if (type == "render") return picture_;
+    if (type == "render" || type == "shape" || type == "light") return picture_;
     if (type == "atlas") return atlas_;
     return paint_;
 }

@@ -28,7 +28,8 @@ class Workshop {
     /// An answer takes some 20 ms; it may take so much longer before it is given up for a newer one.
     Lane paint_{
         {.at_least = std::chrono::milliseconds(100), .longest_silence = std::chrono::seconds(1)}};
-    Lane look_{{}, true}, fit_{{}, true}, picture_{{}, true}, atlas_{{}, true};
+    Lane look_{{}, true}, fit_{{}, true}, picture_{{}, true};
+    Lane atlas_{{}};  // somebody waits for it; pages stop it when a slider moves
 };
 
 class Session {

@@ -95,7 +95,16 @@ const Entry& find_entry(const Entry (&entries)[n], const char* what, const std::
 }
 
 /// The shape alone, and its camera.
-SceneDescription bare_scene(const std::string& shape) {
+SceneDescription bare_scene(const Stage& stage) {
+    if (const auto& own = stage.own_shape; own && own->name == stage.shape) {
+        SceneDescription scene;
+        scene.name = own->name;
+        scene.camera = own->camera;
+        scene.materials["paint"] = render::PaintMaterial{};
+        scene.shapes = {own->shape};
+        return scene;
+    }
+    const std::string& shape = stage.shape;
     SceneDescription scene = render::builtin_scene(find_entry(kShapes, "shape", shape).scene);
     std::erase_if(scene.shapes, [](const render::Shape& s) { return s.material != "paint"; });
     std::erase_if(scene.materials, [](const auto& entry) { return entry.first != "paint"; });
@@ -112,15 +121,40 @@ void require(const char* name, double value, const Range& range) {
 
 Tree vector_json(Vec3f v) { return {v.x, v.y, v.z}; }
 
+Tree json_of_shape(const SceneDescription& scene, const std::string& name, const std::string& title,
+                   const std::string& light) {
+    const render::Transform& transform = scene.shapes.at(0).transform;
+    const render::Camera& camera = scene.camera;
+    Tree shape = {{"name", name},
+                  {"title", title},
+                  {"light", light},
+                  {"transform",
+                   {{"scale", transform.scale},
+                    {"rotation_deg", vector_json(transform.rotation_deg)},
+                    {"translation_mm", vector_json(transform.translation_mm)}}},
+                  {"camera",
+                   {{"position_mm", vector_json(camera.position_mm)},
+                    {"target_mm", vector_json(camera.target_mm)},
+                    {"up", vector_json(camera.up)},
+                    {"fov_deg", camera.vertical_fov_deg}}}};
+    if (const auto* ball = std::get_if<render::Sphere>(&scene.shapes[0].geometry)) {
+        shape["radius_mm"] = ball->radius_mm;
+    }
+    return shape;
+}
+
 }  // namespace
 
 std::vector<std::string> shape_names() { return names_of(kShapes); }
 std::vector<std::string> light_names() { return names_of(kLights); }
 
 SceneDescription scene_of(const Stage& stage) {
-    const LightEntry& light = find_entry(kLights, "light", stage.light);
-    SceneDescription scene = bare_scene(stage.shape);
-    light.add(scene);
+    SceneDescription scene = bare_scene(stage);
+    if (const auto& own = stage.own_light; own && own->name == stage.light) {
+        scene.environment = own->picture;
+    } else {
+        find_entry(kLights, "light", stage.light).add(scene);
+    }
     scene.name = stage.shape + " in " + stage.light;
     require("turn_deg", stage.turn_deg, kTurn);
     require("light_turn_deg", stage.light_turn_deg, kTurn);
@@ -148,27 +182,16 @@ SceneDescription scene_of(const Stage& stage) {
 Tree shapes_json() {
     Tree shapes = Tree::array();
     for (const ShapeEntry& entry : kShapes) {
-        const SceneDescription scene = bare_scene(entry.name);
-        const render::Transform& transform = scene.shapes.at(0).transform;
-        const render::Camera& camera = scene.camera;
-        Tree shape = {{"name", entry.name},
-                      {"title", entry.title},
-                      {"light", entry.light},
-                      {"transform",
-                       {{"scale", transform.scale},
-                        {"rotation_deg", vector_json(transform.rotation_deg)},
-                        {"translation_mm", vector_json(transform.translation_mm)}}},
-                      {"camera",
-                       {{"position_mm", vector_json(camera.position_mm)},
-                        {"target_mm", vector_json(camera.target_mm)},
-                        {"up", vector_json(camera.up)},
-                        {"fov_deg", camera.vertical_fov_deg}}}};
-        if (const auto* ball = std::get_if<render::Sphere>(&scene.shapes[0].geometry)) {
-            shape["radius_mm"] = ball->radius_mm;
-        }
-        shapes.push_back(std::move(shape));
+        shapes.push_back(
+            json_of_shape(bare_scene({.shape = entry.name}), entry.name, entry.title, entry.light));
     }
     return shapes;
+}
+
+Tree shape_json(const OwnShape& own) {
+    const Stage stage{.shape = own.name,
+                      .own_shape = std::shared_ptr<const OwnShape>(std::shared_ptr<void>(), &own)};
+    return json_of_shape(bare_scene(stage), own.name, own.title, "studio");
 }
 
 Tree lights_json() {

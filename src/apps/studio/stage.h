@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "apps/studio/own_files.h"
 #include "apps/studio/recipe_tree.h"
 #include "nacre/core/error.h"
 #include "nacre/render/scene.h"
@@ -30,6 +32,9 @@ struct Stage {
     double turn_deg = 0;                     ///< of the shape about the vertical, counterclockwise
     double light_turn_deg = 0;               ///< of all lights
     double specimen = 0;                     ///< which panel of the batch
+    /// Those that the page brought along, which have names besides the names below.
+    std::shared_ptr<const OwnShape> own_shape = {};
+    std::shared_ptr<const OwnLight> own_light = {};
 };
 
 std::vector<std::string> shape_names();
@@ -39,19 +44,39 @@ std::vector<std::string> light_names();
 ///         out of range
 render::SceneDescription scene_of(const Stage& stage);
 
+/// From linear Rec. 709 to what an eye sees that has adapted to a light, on a display whose white is
+/// D65: Bradford's transform (spectra::adapted) from the light of a booth. Other lights are seen as
+/// they are.
+class Adaptation {
+ public:
+    /// @param samples  of a picture that has all of its samples, by whose wavelengths the lamp is white
+    ///                 in it too; 0: by all wavelengths
+    /// @throws InputError as scene_of()
+    explicit Adaptation(const Stage& stage, int samples = 0);
+    Vec3d operator()(const Vec3d& rgb) const;
+    /// Whether colours stay as they are.
+    bool is_none() const { return none_; }
+
+ private:
+    bool none_ = true;
+    Vec3d columns_[3];
+};
+
 /// For the schema: name, title, transform from the mesh to the world, camera and the light that
 /// suits it.
 Tree shapes_json();
+Tree shape_json(const OwnShape& shape);
 Tree lights_json();
 
-/// GET /api/shape/NAME: the triangles of a shape in its own coordinates (docs/studio-api.md).
+/// GET /api/shape/NAME: the triangles of the shape in its own coordinates (docs/studio-api.md).
 /// @throws InputError as scene_of()
-std::string shape_bytes(const std::string& name);
+std::string shape_bytes(const Stage& stage);
 
 /// GET /api/light/NAME: what shines from all directions as a picture, and the lights beside it.
 /// @param width  of the picture, kLightWidth; its height is half of that
 /// @throws InputError as scene_of(); DomainError if the width is out of range
-std::string light_bytes(const std::string& name, int width);
+std::string light_bytes(const Stage& stage, int width);
 inline constexpr Range kLightWidth{16, 4096, "pixels"};
+inline constexpr int kUsualLightWidth = 512;
 
 }  // namespace nacre::studio

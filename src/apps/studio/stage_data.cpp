@@ -59,13 +59,56 @@ Vec3d rgb_of_light(const spectra::Spectrum& radiance) {
     return spectra::xyz_to_linear_rec709(light);
 }
 
+/// The same as it stands in a picture of so many samples a pixel: by their wavelengths. Lines of a
+/// lamp fall between them or on them.
+Vec3d rgb_in_picture(const spectra::Spectrum& radiance, int samples) {
+    if (samples == 0) return rgb_of_light(radiance);
+    const spectra::Spectrum d65 = render::unit_illuminant(spectra::Illuminant::D65);
+    const Vec3d white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    Vec3d light{}, of_white{};
+    for (int sample = 0; sample < samples; ++sample) {
+        const bsdf::Wavelengths nm = render::film_wavelengths(static_cast<std::uint32_t>(sample));
+        const render::XyzWeights weights = render::film_xyz_weights(nm);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            for (int c = 0; c < 3; ++c) {
+                light[c] += weights[c][lane] * radiance(nm[lane]);
+                of_white[c] += weights[c][lane] * d65(nm[lane]);
+            }
+        }
+    }
+    for (int c = 0; c < 3; ++c) light[c] *= white[c] / of_white[c];
+    return spectra::xyz_to_linear_rec709(light);
+}
+
 Tree json_of(Vec3f v) { return {v.x, v.y, v.z}; }
 Tree json_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
-std::string shape_bytes(const std::string& name) {
-    const render::SceneDescription scene = scene_of({.shape = name});
+Adaptation::Adaptation(const Stage& stage, int samples) {
+    const render::SceneDescription scene =
+        scene_of({.light = stage.light, .own_light = stage.own_light});
+    const auto* walls = std::get_if<render::ConstantEnvironment>(&*scene.environment);
+    none_ = !walls || walls->radiance.illuminant == spectra::Illuminant::D65;
+    if (none_) return;
+    const auto xyz = [](const Vec3d& rgb) { return spectra::linear_rec709_to_xyz(rgb); };
+    const Vec3d from =
+        xyz(rgb_in_picture(render::unit_illuminant(walls->radiance.illuminant), samples));
+    for (int c = 0; c < 3; ++c) {
+        Vec3d unit{};
+        unit[c] = 1;
+        columns_[c] =
+            spectra::xyz_to_linear_rec709(spectra::adapted(xyz(unit), from, xyz({1, 1, 1})));
+    }
+}
+
+Vec3d Adaptation::operator()(const Vec3d& rgb) const {
+    return none_ ? rgb : rgb.x * columns_[0] + rgb.y * columns_[1] + rgb.z * columns_[2];
+}
+
+std::string shape_bytes(const Stage& stage) {
+    const render::SceneDescription scene =
+        scene_of({.shape = stage.shape, .own_shape = stage.own_shape});
     const render::Mesh mesh = std::visit(MeshOf(), scene.shapes.at(0).geometry);
     const auto vertices = static_cast<std::uint32_t>(mesh.positions_mm.size());
     std::string bytes;
@@ -86,9 +129,11 @@ std::string shape_bytes(const std::string& name) {
     return bytes;
 }
 
-std::string light_bytes(const std::string& name, int width) {
+std::string light_bytes(const Stage& stage, int width) {
     require_in_range(width, kLightWidth.lo, kLightWidth.hi, "width in pixels");
-    const render::SceneDescription scene = scene_of({.light = name});
+    const render::SceneDescription scene =
+        scene_of({.light = stage.light, .own_light = stage.own_light});
+    const Adaptation adapted(stage);
     const int height = width / 2;
     render::EmissionBasis basis;
     const render::CompiledEnvironment environment =
@@ -100,12 +145,12 @@ std::string light_bytes(const std::string& name, int width) {
     std::vector<FloatLanes> colours;
     std::vector<Vec3d> rgb;
     for (int i = 0; i < basis.size(); ++i) {
-        rgb.push_back(rgb_of_light(basis[i]));
+        rgb.push_back(adapted(rgb_of_light(basis[i])));
         const Vec3d& colour = rgb.back();
         colours.push_back(make_lanes(
             [&](int lane) { return lane < 3 ? static_cast<float>(colour[lane]) : 0.0f; }));
     }
-    Tree header = {{"name", name}, {"azimuth_deg", render::ImageEnvironment{}.azimuth_deg}};
+    Tree header = {{"name", stage.light}, {"azimuth_deg", render::ImageEnvironment{}.azimuth_deg}};
     header["sun"] = nullptr;
     if (const auto& sun = environment.sun) {
         header["sun"] = {{"direction", json_of(sun->direction)},

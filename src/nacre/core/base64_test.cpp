@@ -21,5 +21,17 @@ TEST(Base64, TakesEveryByte) {
     EXPECT_EQ(base64(std::string_view("\x00\x7f\x80\xff\xfb\xef", 6)), "AH+A//vv");
 }
 
+TEST(Base64, IsReadBackAndNothingElseIs) {
+    for (const std::string_view bytes :
+         {std::string_view(), std::string_view("f"), std::string_view("fo"),
+          std::string_view("foo"), std::string_view("\x00\x7f\x80\xff\xfb\xef", 6)}) {
+        EXPECT_EQ(from_base64(base64(bytes)), bytes);
+    }
+    for (const char* wrong :
+         {"Zg", "Zg=", "Zh==", "Z===", "====", "Zm9v\n", "Zm 9", "Zm9v====", "=m9v", "Zm-_"}) {
+        EXPECT_EQ(from_base64(wrong), std::nullopt) << wrong;
+    }
+}
+
 }  // namespace
 }  // namespace nacre

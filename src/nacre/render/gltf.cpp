@@ -117,7 +117,8 @@ namespace {
 
 class GltfGeometry {
  public:
-    explicit GltfGeometry(std::string_view text) : gltf_(text), whole_(gltf_.whole()) {
+    GltfGeometry(std::string_view text, double max_elements)
+        : gltf_(text), whole_(gltf_.whole()), max_elements_(max_elements) {
         copy_meshes();
         copy_nodes();
         check_trees();
@@ -161,7 +162,7 @@ class GltfGeometry {
             if (accessor.contains("sparse"))
                 throw MeshFault("has a sparse accessor, which is not read");
             all += accessor.at("count").get<double>();
-            if (!(all <= kMaxMeshElements)) refuse_size();
+            if (!(all <= max_elements_)) refuse_size();
         }
         const std::size_t materials = copy_material_names();
         out_["meshes"] = json::array();
@@ -208,11 +209,11 @@ class GltfGeometry {
         }
     }
 
-    [[noreturn]] static void refuse_size() {
+    [[noreturn]] void refuse_size() const {
         throw MeshFault(
             fmt::format("has more than {:.0f} vertices and indices, counted for each node "
                         "that shows them",
-                        kMaxMeshElements));
+                        max_elements_));
     }
 
     /// Each node must have one parent at most, and none be its own descendant.
@@ -242,7 +243,7 @@ class GltfGeometry {
                     elements += mesh_elements_[Gltf::index(nodes[i]["mesh"], mesh_elements_.size(),
                                                            "mesh")];
                 }
-                if (!(elements <= kMaxMeshElements)) refuse_size();
+                if (!(elements <= max_elements_)) refuse_size();
                 for (const json& child : Gltf::list(nodes[i], "children")) next.push_back(child);
             }
         }
@@ -260,12 +261,15 @@ class GltfGeometry {
 
     Gltf gltf_;
     const json& whole_;
+    double max_elements_;
     json out_;
     std::vector<double> mesh_elements_;
 };
 
 }  // namespace
 
-std::string gltf_geometry(std::string_view text) { return GltfGeometry(text).text(); }
+std::string gltf_geometry(std::string_view text, double max_elements) {
+    return GltfGeometry(text, max_elements).text();
+}
 
 }  // namespace nacre::render

@@ -39,6 +39,7 @@ class Gltf {
 /// looked at: materials but for their names, textures, skins, animations, extensions. Nodes must be
 /// trees, as the format has it, and small enough (render/mesh_file.h).
 /// @throws MeshFault, nlohmann::json::exception
-std::string gltf_geometry(std::string_view text);
+/// @param max_elements  as kMaxMeshElements
+std::string gltf_geometry(std::string_view text, double max_elements);
 
 }  // namespace nacre::render

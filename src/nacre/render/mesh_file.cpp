@@ -232,7 +232,9 @@ Mesh read_with_assimp(std::string_view bytes, const std::string& extension,
 
 constexpr const char* kGltfImporter = "glTF2 Importer";
 
-Mesh parse(std::string_view bytes, const MeshFile& file, std::set<std::string>* parts) {
+/// @param beside  the files that a glTF may name
+Mesh parse(std::string_view bytes, const MeshFile& file, const References& beside,
+           double max_elements, std::set<std::string>* parts) {
     const std::string extension = lowercase(file.path.extension().string());
     if (extension == ".obj") {
         if (bytes.find('\0') != std::string_view::npos) throw MeshFault("is no OBJ: is not text");
@@ -247,27 +249,26 @@ Mesh parse(std::string_view bytes, const MeshFile& file, std::set<std::string>* 
         return read_with_assimp(bytes, extension, "Stereolithography (STL) Importer", {}, file,
                                 parts);
     }
-    const References beside = References::within(file.path.parent_path());
     if (extension == ".gltf") {
-        return read_with_assimp(gltf_geometry(bytes), extension, kGltfImporter, beside, file,
-                                parts);
+        return read_with_assimp(gltf_geometry(bytes, max_elements), extension, kGltfImporter,
+                                beside, file, parts);
     }
     if (extension == ".glb") {
         const Glb glb = open_glb(bytes);
-        return read_with_assimp(glb_bytes(gltf_geometry(glb.json), glb.buffer), extension,
-                                kGltfImporter, beside, file, parts);
+        return read_with_assimp(glb_bytes(gltf_geometry(glb.json, max_elements), glb.buffer),
+                                extension, kGltfImporter, beside, file, parts);
     }
     throw MeshFault("is none of .obj, .ply, .stl, .gltf and .glb");
 }
 
-}  // namespace
-
-Mesh parse_mesh(std::string_view bytes, const MeshFile& file, std::set<std::string>* parts) {
+/// Says whose fault it is.
+template <class Parse>
+Mesh named(const MeshFile& file, const Parse& parse) {
     const auto refuse = [&](const char* why) {
         throw InputError(fmt::format("mesh '{}': {}", file.path.string(), why));
     };
     try {
-        return parse(bytes, file, parts);
+        return parse();
     } catch (const MeshFault& fault) {
         refuse(fault.what());
     } catch (const json::exception& fault) {
@@ -276,7 +277,21 @@ Mesh parse_mesh(std::string_view bytes, const MeshFile& file, std::set<std::stri
     throw std::logic_error("a mesh is read or refused");
 }
 
+}  // namespace
+
+Mesh parse_mesh(std::string_view bytes, const MeshFile& file, std::set<std::string>* parts) {
+    return named(file, [&] {
+        return parse(bytes, file, References::within(file.path.parent_path()), kMaxMeshElements,
+                     parts);
+    });
+}
+
+Mesh parse_lone_mesh(std::string_view bytes, const MeshFile& file, double max_elements) {
+    return named(file, [&] { return parse(bytes, file, References(), max_elements, nullptr); });
+}
+
 Mesh make_mesh(const MeshFile& file) {
+    if (file.read) return *file.read;
     return parse_mesh(read_file(file.path, kMaxMeshBytes), file);
 }
 

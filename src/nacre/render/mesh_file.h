@@ -27,4 +27,9 @@ inline constexpr double kMaxMeshElements = 1 << 26;
 Mesh parse_mesh(std::string_view bytes, const MeshFile& file,
                 std::set<std::string>* parts = nullptr);
 
+/// The same from the bytes alone, for a file that came from elsewhere: nothing else is opened, and
+/// buffers of a glTF stand in it.
+/// @param max_elements  as kMaxMeshElements
+Mesh parse_lone_mesh(std::string_view bytes, const MeshFile& file, double max_elements);
+
 }  // namespace nacre::render

@@ -28,6 +28,8 @@ struct PaintedShape;
 
 namespace nacre::render {
 
+struct Mesh;
+
 /// Relative spectral power times a scale. As a radiance, `scale` is the luminance Y with which
 /// the emitter itself appears in the picture; as an irradiance (directional light), a perfect
 /// diffuser facing the light appears with luminance scale / pi.
@@ -79,6 +81,8 @@ struct MeshFile {
     /// The name of a material in the file (usemtl of OBJ, a glTF's materials), whose triangles alone
     /// are the shape; empty: all.
     std::string part = {};
+    /// What was read of it, where it was not read from a disk: then `path` is a name for messages.
+    std::shared_ptr<const Mesh> read = {};
 
     friend bool operator==(const MeshFile&, const MeshFile&) = default;
 };

@@ -14,28 +14,12 @@ namespace nacre::render {
 
 namespace {
 
-/// 16384 x 8192 pixels: what an environment, or a material's picture, may have.
-constexpr std::size_t kMaxPictureValues = std::size_t{3} << 27;
-
 /// Colours that a display does not have are negative in its primaries: so little light that it may
 /// be left out, unlike that of a difference of pictures.
 constexpr double kMostNegativeLight = 0.01;
 
-/// Sets negative values to 0 and says so; leaves them where they are too much.
-std::string without_negative_light(std::vector<float>& rgb, const std::string& name) {
-    double light = 0, negative = 0;
-    std::size_t count = 0;
-    for (const float value : rgb) {
-        (value < 0 ? negative : light) += std::abs(value);
-        count += value < 0;
-    }
-    if (count == 0 || !(negative <= kMostNegativeLight * light)) return {};
-    for (float& value : rgb) value = value < 0 ? 0 : value;
-    return fmt::format(
-        "{}: {} of {} values are negative, colours that Rec. 709 does not have; they "
-        "count as 0, which leaves out {:.2g} % of the light",
-        name, count, rgb.size(), 100 * negative / light);
-}
+/// 16384 x 8192 pixels: what an environment, or a material's picture, may have.
+constexpr std::size_t kMaxPictureValues = std::size_t{3} << 27;
 
 /// The picture that a table names by `path` is read along with it.
 /// @return the picture's file
@@ -71,6 +55,21 @@ void read_pictures(const io::TableReader& table, SceneDescription& scene) {
 }
 
 }  // namespace
+
+std::string without_negative_light(std::vector<float>& rgb, const std::string& name) {
+    double light = 0, negative = 0;
+    std::size_t count = 0;
+    for (const float value : rgb) {
+        (value < 0 ? negative : light) += std::abs(value);
+        count += value < 0;
+    }
+    if (count == 0 || !(negative <= kMostNegativeLight * light)) return {};
+    for (float& value : rgb) value = value < 0 ? 0 : value;
+    return fmt::format(
+        "{}: {} of {} values are negative, colours that Rec. 709 does not have; they "
+        "count as 0, which leaves out {:.2g} % of the light",
+        name, count, rgb.size(), 100 * negative / light);
+}
 
 SceneDescription parse_scene(std::string_view text, const std::string& filename,
                              const References& references) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nacre/core/references.h"
 #include "nacre/render/scene.h"
@@ -23,6 +24,11 @@ SceneDescription read_scene(const std::filesystem::path& path, const References&
 /// The same from a text. `filename` is for messages; `references` are the files that it may name.
 SceneDescription parse_scene(std::string_view text, const std::string& filename,
                              const References& references);
+
+/// Sets negative values of a picture of light to 0 and says so; leaves them where they are too much.
+/// @param name  for the message
+/// @return what there is to say; empty: nothing
+std::string without_negative_light(std::vector<float>& rgb, const std::string& name);
 
 /// Whether a TOML text has a table that only scenes have.
 /// @throws InputError if it is not TOML

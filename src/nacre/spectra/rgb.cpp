@@ -64,6 +64,21 @@ constexpr Matrix kXyzToGamut[] = {kXyzToRgb, inverse(kGamutToXyz[1]), inverse(kG
 Vec3d xyz_to_linear_rec709(const Vec3d& xyz) { return multiply(kXyzToRgb, xyz); }
 Vec3d linear_rec709_to_xyz(const Vec3d& rgb) { return multiply(kRgbToXyz, rgb); }
 
+Vec3d adapted(const Vec3d& xyz, const Vec3d& from, const Vec3d& to) {
+    for (const Vec3d& white : {from, to}) {
+        if (!(white.x > 0 && white.y > 0 && white.z > 0)) {
+            throw DomainError("a white to adapt to must have positive X, Y and Z");
+        }
+    }
+    constexpr Matrix kResponses = {
+        {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
+    constexpr Matrix kBack = inverse(kResponses);
+    const Vec3d before = multiply(kResponses, from), after = multiply(kResponses, to);
+    Vec3d response = multiply(kResponses, xyz);
+    for (int c = 0; c < 3; ++c) response[c] *= after[c] / before[c];
+    return multiply(kBack, response);
+}
+
 Vec3d rec709_to(Gamut gamut, const Vec3d& linear_rec709) {
     if (gamut == Gamut::rec709) return linear_rec709;
     return multiply(kXyzToGamut[static_cast<int>(gamut)], linear_rec709_to_xyz(linear_rec709));

@@ -21,6 +21,12 @@ inline constexpr double kRec709White[2] = {0.3127, 0.3290};
 Vec3d xyz_to_linear_rec709(const Vec3d& xyz);
 Vec3d linear_rec709_to_xyz(const Vec3d& rgb);
 
+/// XYZ of what looks, to an eye adapted to one white, as `xyz` looks to an eye adapted to another:
+/// the transform of Bradford, which scales sharpened responses of the cones. [icc-1-2022, annex E.3]
+/// @param from, to  XYZ of the whites
+/// @throws DomainError unless every component of the whites is positive
+Vec3d adapted(const Vec3d& xyz, const Vec3d& from, const Vec3d& to);
+
 /// Primaries of displays, all with the white D65 and, in pictures, sRGB's transfer function.
 enum class Gamut {
     rec709,      ///< sRGB

@@ -254,5 +254,34 @@ TEST(Gamut, IsByItsChromaticities) {
     }
 }
 
+TEST(Adaptation, TurnsOneWhiteIntoTheOther) {
+    const Vec3d a{109.85, 100, 35.585}, d65{95.047, 100, 108.883};
+    const Vec3d white = adapted(a, a, d65), grey = adapted(0.2 * a, a, d65);
+    const Vec3d same = adapted({30, 40, 50}, d65, d65);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(white[c], d65[c], 1e-9);
+        EXPECT_NEAR(grey[c], 0.2 * d65[c], 1e-9);
+        EXPECT_NEAR(same[c], Vec3d(30, 40, 50)[c], 1e-9);
+    }
+}
+
+TEST(Adaptation, FromD50ToD65HasTheMatrixOfTheProfiles) {
+    // The matrix that is in use for D50 to D65, to the digits in which it is published.
+    const Vec3d d50{0.96422, 1, 0.82521}, d65{0.95047, 1, 1.08883};
+    const double expected[3][3] = {{0.9555766, -0.0230393, 0.0631636},
+                                   {-0.0282895, 1.0099416, 0.0210077},
+                                   {0.0122982, -0.0204830, 1.3299098}};
+    for (int column = 0; column < 3; ++column) {
+        Vec3d unit{};
+        unit[column] = 1;
+        const Vec3d out = adapted(unit, d50, d65);
+        for (int row = 0; row < 3; ++row) EXPECT_NEAR(out[row], expected[row][column], 1e-5);
+    }
+}
+
+TEST(Adaptation, RefusesAWhiteThatIsNone) {
+    EXPECT_THROW(adapted({1, 1, 1}, {1, 1, 0}, {1, 1, 1}), DomainError);
+}
+
 }  // namespace
 }  // namespace nacre::spectra

@@ -29,11 +29,7 @@ function useKeysAndDrops(studio: Studio): void {
         const drop = (event: DragEvent) => {
             event.preventDefault();
             const file = event.dataTransfer?.files[0];
-            if (file === undefined) return;
-            void file.text().then((text) => {
-                if (/\.(csv|json)$/i.test(file.name)) studio.setStandard(text, file.name);
-                else studio.openText(text);
-            });
+            if (file !== undefined) studio.openFile(file);
         };
         const paste = (event: ClipboardEvent) => {
             const text = event.clipboardData?.getData("text") ?? "";
@@ -82,14 +78,20 @@ function StatusLine(): VNode {
     const said = {
         connecting: "Connecting …",
         open: "",
-        gone: "The studio's program has gone: is it still running? Your paint is safe in this page and in its address; it goes on when the program is back.",
+        gone: "The studio's program does not answer: has it ended? The paint is safe in this page, which goes on when the same program answers again.",
+        refused:
+            "Another nacre studio answers here, which does not know this page. Open the address that it printed, and paste the paint there: Copy link has it.",
     }[connection];
     return (
-        <footer class={connection === "gone" ? "status gone" : "status"}>
-            <span role="status" aria-live="polite">
+        <footer class={said === "" || connection === "connecting" ? "status" : "status gone"}>
+            <span
+                class="notice"
+                role="status"
+                aria-live="polite"
+                title={said === "" ? notice : said}
+            >
                 {said === "" ? notice : said}
             </span>
-            <span class="gap" />
             <span class="latency" title="From the last change to its colours on the screen">
                 {latency === null ? "" : `${number(latency, 0)} ms`}
             </span>

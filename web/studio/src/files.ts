@@ -19,6 +19,35 @@ export function fileName(name: unknown, ending: string): string {
     return `${trimmed === "" ? "paint" : trimmed}.${ending}`;
 }
 
+/** The bytes of a file as base64. */
+export function base64Of(file: Blob): Promise<string> {
+    return new Promise((resolve, reject) => {
+        const reader = new FileReader();
+        reader.onload = () => {
+            const url = reader.result as string;
+            resolve(url.slice(url.indexOf(",") + 1));
+        };
+        reader.onerror = () => {
+            reject(new Error("the browser could not read it"));
+        };
+        reader.readAsDataURL(file);
+    });
+}
+
+/** Asks the browser to print a page, which it does on paper or as PDF. */
+export function print(html: string): void {
+    document.querySelector("iframe.print")?.remove();
+    const frame = document.createElement("iframe");
+    frame.className = "print";
+    frame.title = "Report";
+    frame.addEventListener("load", () => {
+        frame.contentWindow?.focus();
+        frame.contentWindow?.print();
+    });
+    frame.srcdoc = html;
+    document.body.append(frame); // it stays until the next: some browsers print it later
+}
+
 export function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
     return new Promise((resolve, reject) => {
         canvas.toBlob((blob) => {

@@ -25,7 +25,7 @@ export class Live {
      */
     constructor(
         private readonly canvas: HTMLCanvasElement,
-        private readonly schema: Schema,
+        private schema: Schema,
         private readonly bytes: (path: string) => Promise<ArrayBuffer>,
         onChange: (samples: number) => void,
         private readonly onFault: (message: string) => void,
@@ -36,6 +36,13 @@ export class Live {
             },
             onFault,
         });
+    }
+
+    /** What the reader brought along, and the schema that names it. */
+    add(schema: Schema, own: { readonly mesh?: Mesh; readonly light?: Light }, name: string): void {
+        this.schema = schema;
+        if (own.mesh !== undefined) this.meshes.set(name, Promise.resolve(own.mesh));
+        if (own.light !== undefined) this.lights.set(name, Promise.resolve(own.light));
     }
 
     show(view: View, width: number, height: number): void {

@@ -22,6 +22,15 @@ const studio = new Studio({
     },
     schema: async () => (await (await answer("/api/schema")).json()) as Schema,
     bytes: async (path) => (await answer(path)).arrayBuffer(),
+    refused: async () => {
+        try {
+            const headers = { "X-Nacre-Token": token };
+            const { status } = await fetch("/api/schema", { method: "HEAD", headers });
+            return status === 401;
+        } catch {
+            return false; // nothing answers
+        }
+    },
     now: () => performance.now(),
     drawn: (then) => {
         // After the next drawing: a task that a frame starts runs when the frame is on its way.

@@ -87,6 +87,16 @@ export interface Match {
     }[];
 }
 
+/** Colours by geometry and value of one number. */
+export interface AtlasMessage {
+    readonly key: string;
+    readonly values: readonly number[];
+    readonly geometries: readonly string[];
+    readonly lab: readonly (readonly Lab[])[];
+    /** sRGB in [0, 1]. */
+    readonly rgb: readonly (readonly Rgb[])[];
+}
+
 /** What came with a message as bytes. */
 export interface Attachment {
     readonly name: string;

@@ -23,8 +23,18 @@ export interface FitState {
     readonly began: Document | null;
 }
 
+/** A mesh or a light from a file. The server forgets it with the connection. */
+export interface OwnFile {
+    readonly file: File;
+    /** Its vertical is y. */
+    readonly yUp: boolean;
+    /** As the server named it. */
+    readonly name: string;
+}
+
 export interface State {
-    readonly connection: "connecting" | "open" | "gone";
+    /** Refused: what answers is not the program that made this page's token. */
+    readonly connection: "connecting" | "open" | "gone" | "refused";
     readonly schema: Schema | null;
     readonly document: Document;
     readonly canUndo: boolean;
@@ -42,6 +52,9 @@ export interface State {
     readonly sparkle: { readonly of: Document; readonly value: Sparkle } | null;
     readonly sparkleBusy: boolean;
     readonly fit: FitState;
+    /** That the reader brought along. */
+    readonly ownShape: OwnFile | null;
+    readonly ownLight: OwnFile | null;
     /** For the status line and screen readers. */
     readonly notice: string;
 }

@@ -1,11 +1,13 @@
 /** What the page does: edits, undo, asking the server, and keeping what it answers. */
 
+import { Atlas } from "./atlas";
 import type { Document } from "./edit";
-import { fileName, save } from "./files";
+import { base64Of, fileName, print, save } from "./files";
 import { History } from "./history";
 import { Latest } from "./latest";
 import { fromFragment, toFragment } from "./link";
 import type {
+    Attachment,
     ErrorMessage,
     Match,
     Message,
@@ -14,10 +16,11 @@ import type {
     Sparkle,
     Standard,
 } from "./protocol";
-import type { Schema } from "./schema";
+import { readLight, readMesh } from "./renderer/paint";
+import type { Schema, ShapeInfo } from "./schema";
 import type { Answer, Socket } from "./session";
 import { Session } from "./session";
-import type { Settings, State } from "./state";
+import type { OwnFile, Settings, State } from "./state";
 import { NO_FIT } from "./state";
 import { Store } from "./store";
 import type { Table } from "./tree";
@@ -25,6 +28,15 @@ import { Viewer } from "./viewer";
 
 const EMPTY: Document = { recipe: {}, locks: new Set() };
 const LINK_AFTER_MS = 400;
+/** Of a mesh or a light: what fits in a message as base64. */
+const MOST_OWN_BYTES = 6_000_000;
+const MOST_NAME = 80;
+/** Files by their endings. */
+export const MESH_FILES = ".obj,.ply,.stl,.glb,.gltf";
+export const LIGHT_FILES = ".hdr,.exr";
+const ending = (list: string) =>
+    new RegExp(`(${list.replace(/\./g, "\\.").replace(/,/g, "|")})$`, "i");
+const [MESH, LIGHT] = [ending(MESH_FILES), ending(LIGHT_FILES)];
 
 interface PaintRequest {
     readonly recipe: Table;
@@ -40,6 +52,8 @@ export interface Surroundings {
     readonly schema: () => Promise<Schema>;
     /** What the server has at an address of its own. */
     readonly bytes: (path: string) => Promise<ArrayBuffer>;
+    /** Whether what answers refuses this page's token. */
+    readonly refused: () => Promise<boolean>;
     readonly now: () => number;
     /** Calls back when what was set has been drawn. */
     readonly drawn: (then: () => void) => void;
@@ -51,6 +65,7 @@ export interface Surroundings {
 export class Studio {
     readonly store: Store<State>;
     readonly viewer: Viewer;
+    readonly atlas: Atlas;
     private readonly history = new History<Document>(EMPTY);
     private readonly session: Session;
     private readonly painting: Latest<PaintRequest>;
@@ -76,6 +91,8 @@ export class Studio {
             sparkle: null,
             sparkleBusy: false,
             fit: NO_FIT,
+            ownShape: null,
+            ownLight: null,
             notice: "",
         });
         this.painting = new Latest((request) => {
@@ -86,6 +103,9 @@ export class Studio {
             else this.disconnected();
         });
         this.viewer = new Viewer(this.session);
+        this.atlas = new Atlas(this.session, (busy) => {
+            this.viewer.hold("atlas", busy);
+        });
     }
 
     // ---- the connection ----
@@ -100,6 +120,9 @@ export class Studio {
             return;
         }
         if (this.standardText !== null) this.sendStandard();
+        const { ownShape, ownLight } = this.store.get();
+        if (ownShape !== null) void this.bring("shape", ownShape.file, ownShape.yUp);
+        if (ownLight !== null) void this.bring("light", ownLight.file);
         if (this.begun) {
             this.measure();
             return;
@@ -109,11 +132,20 @@ export class Studio {
     }
 
     private disconnected(): void {
+        void this.around.refused().then((refused) => {
+            if (refused && !this.session.isOpen) this.store.set({ connection: "refused" });
+        });
         this.painting.abandon();
-        this.viewer.hold(false);
+        this.viewer.hold("colours", false);
         this.viewer.abandon();
+        this.atlas.stop();
+        for (const what of ["shape", "light"]) this.viewer.hold(what, false);
         this.fitId = null;
-        this.store.set({ connection: "gone", sparkleBusy: false });
+        const { connection } = this.store.get();
+        this.store.set({
+            connection: connection === "refused" ? "refused" : "gone",
+            sparkleBusy: false,
+        });
         const { fit } = this.store.get();
         if (fit.running) {
             const fault = "The server went away before the fit had ended.";
@@ -185,6 +217,94 @@ export class Studio {
         });
     }
 
+    /** A file that was dropped or chosen: its ending says what it is for. */
+    openFile(file: File): void {
+        const { name } = file;
+        if (MESH.test(name)) void this.bring("shape", file);
+        else if (LIGHT.test(name)) void this.bring("light", file);
+        else if (/\.(csv|json)$/i.test(name)) {
+            void file.text().then((text) => {
+                this.setStandard(text, name);
+            });
+        } else {
+            void file.text().then((text) => {
+                this.openText(text);
+            });
+        }
+    }
+
+    /** Shows a mesh, or light from all around, from a file of the reader's. */
+    async bring(what: "shape" | "light", file: File, yUp = false): Promise<void> {
+        const { ownShape, ownLight } = this.store.get();
+        const before = what === "shape" ? ownShape : ownLight;
+        if (file.size > MOST_OWN_BYTES) {
+            const [has, most] = [file.size, MOST_OWN_BYTES].map((n) => (n / 1e6).toFixed(1));
+            this.say(`${file.name} has ${has ?? ""} MB; at most ${most ?? ""} MB can be shown.`);
+            return;
+        }
+        this.say(`Reading ${file.name} …`);
+        this.viewer.hold(what, true);
+        try {
+            const base64 = await base64Of(file);
+            const fields = { file: file.name.slice(-MOST_NAME), base64 };
+            const sent = this.ask(
+                what,
+                what === "shape" ? { ...fields, y_up: yUp } : fields,
+                (message, attachments) => {
+                    this.viewer.hold(what, false);
+                    if (message.type === "error") this.say(String(message.message));
+                    else this.brought({ file, yUp, name: "" }, before, message, attachments);
+                },
+            );
+            if (sent) return;
+        } catch (error) {
+            this.say(`${file.name}: ${messageOf(error)}`);
+        }
+        this.viewer.hold(what, false);
+    }
+
+    /** @param before  the one whose place it takes */
+    private brought(
+        own: OwnFile,
+        before: OwnFile | null,
+        message: Message,
+        attachments: readonly Attachment[],
+    ): void {
+        const { schema } = this.store.get();
+        const data = attachments[0]?.data;
+        if (schema === null || data === undefined) return;
+        const bytes = data.buffer as ArrayBuffer;
+        const view = this.viewer.store.get().view;
+        // Sent again to a server that had gone, it is shown if it was.
+        const again = before?.file === own.file;
+        if (message.type === "shape") {
+            const info = message.shape as ShapeInfo;
+            const shapes = [...schema.shapes.filter(({ name }) => name !== before?.name), info];
+            const now = { ...schema, shapes };
+            this.store.set({ schema: now, ownShape: { ...own, name: info.name } });
+            this.viewer.add(now, { mesh: readMesh(bytes) }, info.name);
+            if (!again || view?.shape === before.name) {
+                this.viewer.setShape(now, info.name, false);
+            }
+            const [extent, shown] = [message.extent_mm, message.shown_mm].map((mm) =>
+                Number(Number(mm).toPrecision(3)),
+            );
+            const size = `${String(extent)} mm${extent === shown ? "" : `, shown as ${String(shown)} mm`}`;
+            this.say(`${own.file.name}: ${String(message.triangles)} triangles, ${size}.`);
+        } else {
+            const info = message.light as { name: string; title: string };
+            const lights = [...schema.lights.filter(({ name }) => name !== before?.name), info];
+            const now = { ...schema, lights };
+            this.store.set({ schema: now, ownLight: { ...own, name: info.name } });
+            this.viewer.add(now, { light: readLight(bytes) }, info.name);
+            if (!again || view?.light === before.name) this.viewer.setView({ light: info.name });
+            const size = `${String(message.width)} x ${String(message.height)} pixels`;
+            this.say(
+                `${own.file.name}: ${size}, a white panel that lies flat is white. ${String(message.note)}`,
+            );
+        }
+    }
+
     /** @return whether the fragment held a paint */
     async openLink(fragment: string): Promise<boolean> {
         try {
@@ -213,7 +333,7 @@ export class Studio {
         const { document, settings } = this.store.get();
         if (!this.session.isOpen || Object.keys(document.recipe).length === 0) return;
         const { recipe } = document;
-        this.viewer.hold(true);
+        this.viewer.hold("colours", true);
         this.painting.want({ recipe, document, settings, since: this.around.now() });
     }
 
@@ -275,7 +395,7 @@ export class Studio {
         this.painting.finished();
         if (recipe !== null) this.viewer.paint(recipe);
         void drawn.then(() => {
-            if (!this.painting.busy) this.viewer.hold(false);
+            if (!this.painting.busy) this.viewer.hold("colours", false);
         });
         this.measureMatch();
     }
@@ -375,8 +495,11 @@ export class Studio {
 
     // ---- the report, the link ----
 
-    /** The panel page in a tab of its own, where the browser prints it or saves it as PDF. */
-    report(): void {
+    /**
+     * The panel page.
+     * @param as  pdf: the browser's way to paper and PDF opens
+     */
+    report(as: "pdf" | "html"): void {
         const { document, settings } = this.store.get();
         const { geometries, illuminant, observer, tolerance } = settings;
         this.say("Making the report …");
@@ -394,8 +517,13 @@ export class Studio {
                     this.say(String(message.message));
                     return;
                 }
-                save(fileName(document.recipe.name, "html"), String(message.html), "text/html");
-                this.say("The report was saved; open it to print it or to save it as PDF.");
+                const html = String(message.html);
+                if (as === "pdf") print(html);
+                else save(fileName(document.recipe.name, "html"), html, "text/html");
+                this.say(as === "pdf" ? "The report can be printed." : "The report was saved.");
+            },
+            (fraction) => {
+                this.say(`Making the report … ${(100 * fraction).toFixed(0)} %`);
             },
         );
     }
@@ -420,14 +548,27 @@ export class Studio {
 
     // ---- other questions ----
 
-    /** One question, one answer; how far it is meanwhile is not shown. */
-    ask(type: string, fields: Readonly<Record<string, unknown>>, answer: Answer): void {
-        if (!this.session.isOpen) return;
+    /**
+     * One question, one answer.
+     * @param progress  told how far it is meanwhile
+     * @return whether there was somebody to ask
+     */
+    ask(
+        type: string,
+        fields: Readonly<Record<string, unknown>>,
+        answer: Answer,
+        progress: (fraction: number) => void = () => undefined,
+    ): boolean {
+        if (!this.session.isOpen) return false;
         const id = this.session.send(type, fields, (message, attachments) => {
-            if (message.type === "progress") return;
+            if (message.type === "progress") {
+                progress(Number(message.fraction));
+                return;
+            }
             this.session.forget(id);
             answer(message, attachments);
         });
+        return true;
     }
 }
 

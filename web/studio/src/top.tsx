@@ -4,7 +4,7 @@ import type { VNode } from "preact";
 import { useMemo, useRef } from "preact/hooks";
 import { themeButton } from "../../common/theme";
 import { fileName, pngOf, save } from "./files";
-import { messageOf } from "./studio";
+import { LIGHT_FILES, MESH_FILES, messageOf } from "./studio";
 import { useStudio, useStudioState } from "./ui/context";
 import { Made } from "./ui/element";
 import { IconButton } from "./ui/icons";
@@ -39,17 +39,14 @@ export function Top(): VNode {
             <input
                 ref={file}
                 type="file"
-                accept=".toml,application/toml,text/plain"
+                accept={`.toml,.csv,.json,${MESH_FILES},${LIGHT_FILES},application/toml,text/plain`}
                 class="hidden"
                 tabIndex={-1}
-                aria-label="File of a recipe"
+                aria-label="File of a recipe, a standard, a mesh or a light"
                 onChange={(event) => {
                     const [chosen] = event.currentTarget.files ?? [];
                     event.currentTarget.value = "";
-                    if (chosen !== undefined)
-                        void chosen.text().then((t) => {
-                            studio.openText(t);
-                        });
+                    if (chosen !== undefined) studio.openFile(chosen);
                 }}
             />
             <span class="pair">
@@ -126,12 +123,23 @@ function Saving(): VNode {
             <button
                 type="button"
                 disabled={!current}
-                title="The panel page, to print or to save as PDF"
+                title="Print the report of the panel, or save it as PDF"
                 onClick={() => {
-                    studio.report();
+                    studio.report("pdf");
                 }}
             >
                 Report
+            </button>
+            <button
+                type="button"
+                disabled={!current}
+                aria-label="Report as HTML"
+                title="Save the report of the panel, .html"
+                onClick={() => {
+                    studio.report("html");
+                }}
+            >
+                HTML
             </button>
             <button
                 type="button"

@@ -6,6 +6,7 @@ import { fitted, orbitOf } from "./orbit";
 import type { Attachment, Message } from "./protocol";
 import type { Schema } from "./schema";
 import type { Session } from "./session";
+import type { Light, Mesh } from "./renderer/paint";
 import { Store } from "./store";
 import type { Table } from "./tree";
 
@@ -48,17 +49,15 @@ export function isCurrent({ picture, recipe, view }: ViewerState): boolean {
     return picture !== null && picture.recipe === recipe && picture.view === view;
 }
 
-/** Whether all its samples are there besides. */
-function isComplete(state: ViewerState): boolean {
-    return isCurrent(state) && state.picture?.samples === state.picture?.of;
-}
-
 /** Whether it hides the live picture. */
 export function covers(state: ViewerState): boolean {
     const { picture, liveSamples } = state;
     if (picture === null || liveSamples === null) return picture !== null;
     return isCurrent(state) && picture.samples >= ENOUGH;
 }
+
+/** What pictures wait for. */
+export type Holder = "colours" | "atlas";
 
 interface Job {
     readonly recipe: Table;
@@ -92,15 +91,38 @@ export class Viewer {
     private size = { width: 0, height: 0 };
     private underWay: { id: number; job: Job } | null = null;
     private quickWanted = false;
-    private held = false;
     private timer: ReturnType<typeof setTimeout> | undefined;
+    private readonly holders = new Set<Holder>();
+    /** A picture is to be begun when it may be. */
+    private postponed = false;
 
     constructor(private readonly session: Session) {}
+
+    /**
+     * Pictures leave the processors to what somebody waits for: the path tracer's stops, and while
+     * colours are computed the live one is not refined.
+     * @param holder  each ends its own wait
+     */
+    hold(holder: Holder, held: boolean): void {
+        if (held) this.holders.add(holder);
+        else this.holders.delete(holder);
+        this.live?.hold(this.holders.has("colours"));
+        if (held) {
+            if (this.underWay?.job.quick === false) this.postponed = this.stop();
+        } else if (this.holders.size === 0 && this.postponed) this.startLater();
+    }
+
+    /** A mesh or a light that the reader brought along, as the server named it. */
+    add(schema: Schema, own: { readonly mesh?: Mesh; readonly light?: Light }, name: string): void {
+        this.live?.add(schema, own, name);
+    }
 
     /** Of the place for the picture, in pixels of the screen. */
     resize(width: number, height: number): void {
         if (width === this.size.width && height === this.size.height) return;
         this.size = { width, height };
+        // The path tracer's is of another size; where there is no other it stays meanwhile.
+        if (this.store.get().liveSamples !== null) this.store.set({ picture: null });
         this.refresh();
     }
 
@@ -132,26 +154,6 @@ export class Viewer {
         if (view === null) return;
         this.store.set({ view: { ...view, ...change } });
         this.refresh();
-    }
-
-    /** Pictures leave the processor to what the page waits for, and go on when it waits no more. */
-    hold(held: boolean): void {
-        if (held === this.held) return;
-        this.held = held;
-        this.live?.hold(held);
-        if (!held) {
-            if (!isComplete(this.store.get())) this.refresh();
-            return;
-        }
-        clearTimeout(this.timer);
-        if (this.underWay?.job.quick === false) this.stopRender();
-    }
-
-    private stopRender(): void {
-        if (this.underWay === null) return;
-        this.session.tell("stop", { what: "render" });
-        this.session.forget(this.underWay.id);
-        this.underWay = null;
     }
 
     /** Colours of this recipe are known: it can be drawn. */
@@ -222,8 +224,8 @@ export class Viewer {
             this.quickWanted = true;
             return;
         }
-        this.stopRender();
-        this.quickWanted = false;
+        this.stop();
+        this.quickWanted = this.postponed = false;
         const { view, liveSamples } = this.store.get();
         this.live?.pause(false);
         if (view !== null) this.live?.show(view, this.size.width, this.size.height);
@@ -231,8 +233,17 @@ export class Viewer {
         else this.startLater();
     }
 
+    /** @return whether there was something to stop */
+    private stop(): boolean {
+        if (this.underWay === null) return false;
+        this.session.tell("stop", { what: "render" });
+        this.session.forget(this.underWay.id);
+        this.underWay = null;
+        return true;
+    }
+
     private startLater(): void {
-        if (this.held) return;
+        clearTimeout(this.timer);
         this.timer = setTimeout(() => {
             this.start(false, false);
         }, REST_MS);
@@ -244,6 +255,8 @@ export class Viewer {
         const { width, height } = this.size;
         if (recipe === null || view === null || width * height === 0 || !this.session.isOpen)
             return;
+        this.postponed = this.holders.size > 0 && !quick;
+        if (this.postponed) return;
         const shrink =
             Math.min(1, Math.sqrt(MOST_PIXELS / (width * height))) / (quick ? QUICK_PART : 1);
         const job: Job = { recipe, view, kept, quick };

@@ -9,6 +9,8 @@ type Sent = Readonly<Record<string, unknown>>;
 export class FakeServer {
     private socket: Socket | null = null;
     private readonly sent: Sent[] = [];
+    /** Whether it knows nothing of the page's token. */
+    refuses = false;
     private back: () => void = () => undefined;
     /** Settled when a client connects after drop(). */
     reconnected: Promise<void> = Promise.resolve();

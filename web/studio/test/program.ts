@@ -25,8 +25,8 @@ export class Program {
         private readonly process: ChildProcess,
     ) {}
 
-    static async start(recipe: string): Promise<Program> {
-        const process = spawn(program, ["studio", recipe, "--no-open", "--quiet"], {
+    static async start(recipe: string, ...options: string[]): Promise<Program> {
+        const process = spawn(program, ["studio", recipe, "--no-open", "--quiet", ...options], {
             stdio: ["ignore", "pipe", "inherit"],
         });
         const lines = createInterface({ input: process.stdout });

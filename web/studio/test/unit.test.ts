@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { atlasValues } from "../src/atlas";
 import type { Document } from "../src/edit";
 import { insertEntry, moveEntry, removeEntry, setLock, setValue } from "../src/edit";
 import { fileName } from "../src/files";
@@ -14,6 +15,7 @@ import {
     allows,
     chosen,
     foreignKeys,
+    keyInfo,
     labelOf,
     parameters,
     placeText,
@@ -277,6 +279,7 @@ async function studioWith(server: FakeServer): Promise<{ studio: Studio; clock: 
         connect: server.connect,
         schema: () => Promise.resolve(SCHEMA),
         bytes: () => Promise.reject(new Error("no bytes here")),
+        refused: () => Promise.resolve(server.refuses),
         now: () => clock.ms,
         drawn: (then) => {
             then();
@@ -376,4 +379,57 @@ test("files are named after the paint, and by no path", () => {
     assert.equal(fileName("../../etc/passwd", "csv"), "etc-passwd.csv");
     assert.equal(fileName(undefined, "png"), "paint.png");
     assert.equal(fileName("Grün 7", "toml"), "grün-7.toml");
+});
+
+test("an atlas has round values that the key allows, from end to end", () => {
+    const info = keyInfo(SCHEMA, parsePath("layer[0].flakes[0].volume_fraction"));
+    assert.ok(info);
+    assert.deepEqual(atlasValues(info, { low: 0, high: 0.2 }).slice(0, 3), [0.005, 0.01, 0.015]);
+    assert.equal(atlasValues(info, { low: 0, high: 0.2 }).at(-1), 0.2);
+    assert.deepEqual(atlasValues(info, { low: 3, high: 4 }), []);
+    assert.deepEqual(atlasValues(info, { low: 1, high: 0.5 }), []);
+});
+
+test("an atlas is asked for when sliders rest, and not for what it shows already", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    const { document, settings } = studio.store.get();
+    const path = parsePath(COAT);
+    const values = [10, 20, 30, 40, 50, 60, 70];
+    studio.atlas.want(document.recipe, path, [1, 2], settings);
+    studio.atlas.want(document.recipe, path, values, settings);
+    assert.equal(server.received("atlas").length, 0);
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    const [coarse] = server.received("atlas");
+    assert.deepEqual(coarse?.values, [10, 60, 70]);
+    const colours = { geometries: ["45as15"], lab: [[]], rgb: [[]] };
+    server.answer({ type: "atlas", id: coarse.id, key: COAT, values: [10, 60, 70], ...colours });
+    const fine = server.received("atlas").at(-1);
+    assert.deepEqual(fine?.values, values);
+    server.answer({ type: "atlas", id: fine.id, key: COAT, values, ...colours });
+    assert.equal(studio.atlas.store.get().busy, false);
+    // Its own number in the paint does not matter; another does, and what is under way is given up.
+    studio.edit((d) => setValue(d, path, 99));
+    studio.atlas.want(studio.store.get().document.recipe, path, values, settings);
+    assert.equal(studio.atlas.store.get().busy, false);
+    studio.edit((d) => setValue(d, parsePath("layer[0].thickness_um"), 99));
+    studio.atlas.want(studio.store.get().document.recipe, path, values, settings);
+    assert.equal(studio.atlas.store.get().busy, true);
+    studio.atlas.stop();
+    assert.equal(studio.atlas.store.get().busy, false);
+});
+
+test("a program that does not know the page's token is told from one that has gone", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.refuses = true;
+    server.drop();
+    await settle();
+    assert.equal(studio.store.get().connection, "refused");
+    await server.reconnected;
+    server.refuses = false;
+    server.open();
+    await settle();
+    assert.equal(studio.store.get().connection, "open");
 });

@@ -95,6 +95,20 @@ class Painter {
     std::vector<Opened> opened_;
 };
 
+/// Of the triangles that a mesh file was read as.
+std::string mesh_sha256(const render::Mesh& mesh) {
+    Sha256 sum;
+    const auto add = [&](const auto& values) {
+        sum.update(fmt::format("{}\n", values.size()));
+        sum.update(values.data(), values.size() * sizeof(values[0]));
+    };
+    add(mesh.positions_mm);
+    add(mesh.normals);
+    add(mesh.uv);
+    add(mesh.triangles);
+    return sum.hex();
+}
+
 /// Of a mesh file and those that it names.
 std::string mesh_sha256(const fs::path& mesh, const References& references) {
     std::string all = sha256_hex(read_file(mesh, render::kMaxMeshBytes));
@@ -111,7 +125,8 @@ std::string sha256_of(render::SceneDescription scene,
     scene.name.clear();
     for (render::Shape& shape : scene.shapes) {
         if (auto* mesh = std::get_if<render::MeshFile>(&shape.geometry)) {
-            mesh->path = mesh_sha256(mesh->path, scene.references);
+            mesh->path =
+                mesh->read ? mesh_sha256(*mesh->read) : mesh_sha256(mesh->path, scene.references);
         }
     }
     for (auto& [name, material] : scene.materials) {

@@ -3,6 +3,7 @@
 import type { VNode } from "preact";
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { orbitOf, turned, wrapped } from "../orbit";
+import { LIGHT_FILES, MESH_FILES } from "../studio";
 import { useStudio, useStudioState, useViewerState } from "../ui/context";
 import type { Picture, View } from "../viewer";
 import { covers, isCurrent } from "../viewer";
@@ -23,36 +24,40 @@ function PictureBar(): VNode {
     const document = useStudioState((state) => state.document);
     const view = useViewerState((state) => state.view);
     const kept = useViewerState((state) => state.keptRecipe);
+    const own = useStudioState((state) => state.ownShape);
     return (
         <div class="picture-bar">
-            <select
-                aria-label="Shape"
-                value={view?.shape ?? ""}
-                onChange={(event) => {
-                    if (schema !== null) {
-                        studio.viewer.setShape(schema, event.currentTarget.value, false);
-                    }
+            <Choice
+                label="Shape"
+                chosen={view?.shape ?? ""}
+                entries={schema?.shapes ?? []}
+                own={{ text: "Own mesh …", files: MESH_FILES }}
+                choose={(name) => {
+                    if (schema !== null) studio.viewer.setShape(schema, name, false);
                 }}
-            >
-                {(schema?.shapes ?? []).map(({ name, title }) => (
-                    <option key={name} value={name}>
-                        {title}
-                    </option>
-                ))}
-            </select>
-            <select
-                aria-label="Light"
-                value={view?.light ?? ""}
-                onChange={(event) => {
-                    studio.viewer.setView({ light: event.currentTarget.value });
+                bring={(file) => void studio.bring("shape", file)}
+            />
+            {own !== null && own.name === view?.shape && !/\.gl(tf|b)$/i.test(own.file.name) && (
+                <button
+                    type="button"
+                    class="small"
+                    aria-pressed={own.yUp}
+                    title="The file's vertical is y, not z"
+                    onClick={() => void studio.bring("shape", own.file, !own.yUp)}
+                >
+                    Y up
+                </button>
+            )}
+            <Choice
+                label="Light"
+                chosen={view?.light ?? ""}
+                entries={schema?.lights ?? []}
+                own={{ text: "Own HDR …", files: LIGHT_FILES }}
+                choose={(light) => {
+                    studio.viewer.setView({ light });
                 }}
-            >
-                {(schema?.lights ?? []).map(({ name, title }) => (
-                    <option key={name} value={name}>
-                        {title}
-                    </option>
-                ))}
-            </select>
+                bring={(file) => void studio.bring("light", file)}
+            />
             <button
                 type="button"
                 title="Turn back to where the shape began"
@@ -95,6 +100,54 @@ function PictureBar(): VNode {
                 </button>
             )}
         </div>
+    );
+}
+
+/** What there is to choose from, and at the end a file of the reader's. */
+function Choice(props: {
+    readonly label: string;
+    readonly chosen: string;
+    readonly entries: readonly { readonly name: string; readonly title: string }[];
+    readonly own: { readonly text: string; readonly files: string };
+    readonly choose: (name: string) => void;
+    readonly bring: (file: File) => void;
+}): VNode {
+    const { label, chosen, entries, own } = props;
+    const file = useRef<HTMLInputElement>(null);
+    return (
+        <>
+            <select
+                aria-label={label}
+                title={entries.find(({ name }) => name === chosen)?.title}
+                value={chosen}
+                onChange={(event) => {
+                    const { value } = event.currentTarget;
+                    event.currentTarget.value = chosen;
+                    if (value === "") file.current?.click();
+                    else props.choose(value);
+                }}
+            >
+                {entries.map(({ name, title }) => (
+                    <option key={name} value={name}>
+                        {title}
+                    </option>
+                ))}
+                <option value="">{own.text}</option>
+            </select>
+            <input
+                ref={file}
+                type="file"
+                accept={own.files}
+                class="hidden"
+                tabIndex={-1}
+                aria-label={own.text.replace(" …", "")}
+                onChange={(event) => {
+                    const [brought] = event.currentTarget.files ?? [];
+                    event.currentTarget.value = "";
+                    if (brought !== undefined) props.bring(brought);
+                }}
+            />
+        </>
     );
 }
 
@@ -263,10 +316,10 @@ function PictureFoot(): VNode {
     // Drafts have one sample.
     const traced =
         picture !== null && picture.of > 1 && (current || live === null) ? picture : null;
-    const of = traced === null ? "" : `${String(traced.samples)} of ${String(traced.of)} samples`;
+    const of = traced === null ? "" : `${String(traced.samples)} of ${String(traced.of)}`;
     const samples =
         live !== null && !covered
-            ? `Live${traced === null ? "" : `; path traced, ${of}`}`
+            ? `Live${traced === null ? "" : `, path traced ${of}`}`
             : traced !== null
               ? `Path traced, ${of}`
               : picture === null
@@ -274,7 +327,9 @@ function PictureFoot(): VNode {
                 : "Draft";
     return (
         <div class="picture-foot">
-            <span class="how-far">{fault ?? samples}</span>
+            <span class="how-far" title={fault ?? "Samples a pixel of the path tracer's picture"}>
+                {fault ?? samples}
+            </span>
             <progress
                 max={traced?.of ?? 1}
                 value={traced?.samples ?? 0}
@@ -292,9 +347,9 @@ function PictureFoot(): VNode {
                     Mark
                 </label>
             )}
-            <span class="gamut" role="status">
+            <span class="gamut" role="status" title="Angles whose colours are outside of sRGB">
                 {outside > 0
-                    ? `${String(outside)} of ${String(readings?.lab.length ?? 0)} angles outside sRGB`
+                    ? `${String(outside)} of ${String(readings?.lab.length ?? 0)} outside sRGB`
                     : ""}
             </span>
         </div>

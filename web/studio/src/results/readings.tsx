@@ -7,6 +7,7 @@ import type { Comparison } from "../protocol";
 import { useStudio, useStudioState } from "../ui/context";
 import type { Tab } from "../ui/tabs";
 import { Tabs } from "../ui/tabs";
+import { AtlasPanel } from "./atlas";
 import { Chips } from "./chips";
 import { Fit } from "./fit";
 import { Flop } from "./flop";
@@ -18,6 +19,7 @@ const TABS: readonly Tab[] = [
     { name: "flop", title: "Flop", panel: () => <Flop /> },
     { name: "numbers", title: "L*a*b*", panel: () => <Numbers /> },
     { name: "spectra", title: "Spectra", panel: () => <Spectra /> },
+    { name: "atlas", title: "Atlas", panel: () => <AtlasPanel /> },
     { name: "sparkle", title: "Sparkle", panel: () => <SparklePanel /> },
     { name: "fit", title: "Fit", panel: () => <Fit /> },
 ];

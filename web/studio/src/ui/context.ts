@@ -1,5 +1,6 @@
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
+import type { AtlasState } from "../atlas";
 import type { State } from "../state";
 import { useStore } from "../store";
 import type { Studio } from "../studio";
@@ -20,4 +21,8 @@ export function useStudioState<T>(part: (state: State) => T): T {
 
 export function useViewerState<T>(part: (state: ViewerState) => T): T {
     return useStore(useStudio().viewer.store, part);
+}
+
+export function useAtlasState<T>(part: (state: AtlasState) => T): T {
+    return useStore(useStudio().atlas.store, part);
 }

@@ -1,0 +1,175 @@
+/** What stands around the paint: the atlas, the reader's own meshes and lights, the report. */
+
+import assert from "node:assert/strict";
+import { writeFile } from "node:fs/promises";
+import { join } from "node:path";
+import { test } from "node:test";
+import {
+    begin,
+    chips,
+    field,
+    FILM,
+    folder,
+    forgive,
+    newPage,
+    open,
+    page,
+    settled,
+    studio,
+} from "./harness";
+import { Program } from "./program";
+
+begin(false);
+
+const atlasReady = () =>
+    page.waitForSelector(".atlas-stage[aria-busy=false] .atlas-field", { state: "visible" });
+const reading = async () => (await page.textContent(".atlas-reading")) ?? "";
+const notice = (pattern: RegExp) =>
+    page.waitForFunction(
+        (source) => new RegExp(source).test(document.querySelector(".status")?.textContent ?? ""),
+        pattern.source,
+    );
+
+test("a thickness that is clicked in the atlas has the colours that it showed there", async () => {
+    await open();
+    await page.getByRole("tab", { name: "Atlas" }).click();
+    await page.selectOption("[aria-label='Number of the atlas']", FILM);
+    await page.fill("[aria-label='From']", "160");
+    await page.press("[aria-label='From']", "Enter");
+    await page.fill("[aria-label='To']", "240");
+    await page.press("[aria-label='To']", "Enter");
+    await atlasReady();
+    const row = page.locator(".atlas-field i").nth(3);
+    const box = await row.boundingBox();
+    assert.ok(box);
+    const place = { x: box.width * 0.25, y: box.height / 2 };
+    await row.hover({ position: place });
+    const said = await reading();
+    assert.match(said, /^180 nm45as45L\* /);
+    await row.click({ position: place });
+    await settled();
+    assert.equal(await page.inputValue(field(FILM)), "180");
+    const [L = NaN, a = NaN, b = NaN] = (await chips()).get("45as45") ?? [];
+    const numbers = [...said.replaceAll("−", "-").matchAll(/[Lab]\* (-?[\d.]+)/g)].map((m) =>
+        Number(m[1]),
+    );
+    // What the atlas leaves out is the gloss of the surface, at 45 degrees next to nothing.
+    [L, a, b].forEach((x, c) => {
+        assert.ok(Math.abs(x - (numbers[c] ?? NaN)) < 0.3, `${said} for ${String(x)}`);
+    });
+    // It stays as it is when its own number moves, and undo takes that back.
+    assert.equal(await page.getAttribute(".atlas-stage", "aria-busy"), "false");
+    await page.keyboard.press("Control+z");
+    await settled();
+    assert.equal(await page.inputValue(field(FILM)), "208");
+    await page.focus(".atlas-field");
+    await page.keyboard.press("Home");
+    assert.match(await reading(), /^160 nm/);
+    await page.keyboard.press("Enter");
+    await settled();
+    assert.equal(await page.inputValue(field(FILM)), "160");
+});
+
+const ROOF = "v 0 0 0\nv 40 0 0\nv 40 30 20\nv 0 30 20\nf 1 2 3\nf 1 3 4\n";
+
+/** Even light from above, in flat scan lines of Radiance HDR. */
+function hdr(width: number, height: number): Buffer {
+    const head = `#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${String(height)} +X ${String(width)}\n`;
+    return Buffer.concat([Buffer.from(head), Buffer.alloc(4 * width * height, 0x80)]);
+}
+
+test("a mesh and a light of the reader's own are shown, and what cannot be is said", async () => {
+    const path = (name: string) => join(folder, name);
+    await writeFile(path("roof.obj"), ROOF);
+    await writeFile(path("sky.hdr"), hdr(64, 32));
+    await writeFile(path("square.hdr"), hdr(32, 32));
+    await writeFile(path("empty.glb"), "glTF");
+    await writeFile(path("large.ply"), Buffer.alloc(6_000_001, 0x20));
+    await open();
+    await page.setInputFiles("[aria-label='Own mesh']", path("roof.obj"));
+    await notice(/roof\.obj: 2 triangles, 40 mm, shown as 200 mm/);
+    assert.match(await page.inputValue("[aria-label='Shape']"), /^own-shape-1$/);
+    await page.setInputFiles("[aria-label='Own HDR']", path("sky.hdr"));
+    await notice(/sky\.hdr: 64 x 32 pixels/);
+    assert.match(await page.inputValue("[aria-label='Light']"), /^own-light-/);
+    const traced = () =>
+        page.waitForFunction(() => {
+            const bar = document.querySelector<HTMLProgressElement>(".picture-foot progress");
+            return bar !== null && bar.value >= 4;
+        });
+    await traced();
+    assert.match((await page.textContent(".how-far")) ?? "", /Path traced/);
+
+    // What cannot be shown is said by its name, and what is there stays.
+    for (const [file, said] of [
+        ["square.hdr", /square\.hdr: has 32 x 32 pixels; must be twice as wide as high/],
+        ["empty.glb", /'empty\.glb': is no binary glTF/],
+        ["large.ply", /large\.ply has 6\.0 MB; at most 6\.0 MB/],
+    ] as const) {
+        await page.setInputFiles("[aria-label^='File of a recipe']", path(file));
+        await notice(said);
+    }
+    assert.equal(await page.inputValue("[aria-label='Shape']"), "own-shape-1");
+    await page.click("text=Y up");
+    await notice(/roof\.obj: 2 triangles/);
+    assert.equal(await page.getAttribute("text=Y up", "aria-pressed"), "true");
+    await traced();
+});
+
+test("the report is printed on two pages of A4", async () => {
+    // The small report of tests: other pictures, the same page.
+    const tab = await newPage();
+    await tab.routeWebSocket(/\/api\/session/, (socket) => {
+        const server = socket.connectToServer();
+        socket.onMessage((message) => {
+            const text = String(message);
+            const report = text.startsWith('{"type":"report"');
+            server.send(report ? text.replace(/}$/, ',"draft":true}') : text);
+        });
+    });
+    await tab.goto(studio.url);
+    await tab.waitForSelector(".chips[data-current=true]");
+    await tab.getByRole("button", { name: "Report", exact: true }).click();
+    await tab.waitForFunction(() =>
+        document.querySelector(".status")?.textContent.startsWith("The report can be printed"),
+    );
+    const html = await tab.getAttribute("iframe.print", "srcdoc");
+    assert.ok(html);
+    await tab.close();
+    const report = await newPage();
+    await report.setContent(html);
+    await report.emulateMedia({ media: "print" });
+    const text = await report.innerText("body");
+    for (const part of [
+        "Red-gold interference",
+        "L* 105.2",
+        "Sparkle, lamp at 15°",
+        "Composition",
+    ]) {
+        assert.ok(text.includes(part), part);
+    }
+    const pdf = (await report.pdf({ preferCSSPageSize: true })).toString("latin1");
+    const pages = [...pdf.matchAll(/\/Type \/Page\b/g)].length;
+    const boxes = new Set([...pdf.matchAll(/\/MediaBox \[([^\]]*)\]/g)].map((m) => m[1]));
+    console.log(`report: ${String(pages)} pages, ${[...boxes].join("; ")}`);
+    assert.equal(pages, 2);
+    for (const box of boxes) assert.match(box ?? "", /^0 0 59[45][.\d]* 84[12][.\d]*$/);
+    await report.close();
+});
+
+test("the page says that another program answers, and goes on with its own", async () => {
+    const first = await Program.start("white");
+    const { port } = new URL(first.url);
+    const tab = await newPage();
+    await tab.goto(first.url);
+    await tab.waitForSelector(".chips[data-current=true]");
+    await first.end();
+    await tab.waitForSelector(".status.gone");
+    const other = await Program.start("white", "--port", port);
+    await tab.waitForFunction(() =>
+        document.querySelector(".status")?.textContent.startsWith("Another nacre studio"),
+    );
+    await tab.close();
+    await other.end();
+    forgive(/WebSocket|ERR_CONNECTION_REFUSED|401/);
+});
