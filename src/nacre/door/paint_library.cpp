@@ -92,9 +92,13 @@ Paint with_bounds(const NearestRecord& record, const Paint& paint) {
     std::vector<paint::ParameterBounds> bounds;
     for (const paint::ParameterBounds& range : record.swept) {
         const auto keys = paint::matching_parameters(paint.recipe(), range.key);
-        if (keys.size() != 1 || paint::find_parameter(paint.recipe(), keys[0]).value == 0) continue;
+        if (keys.size() != 1) continue;
+        const paint::RecipeParameter number = paint::find_parameter(paint.recipe(), keys[0]);
+        if (number.value == 0) continue;  // of a 0 nothing tells how large it may become
         const auto usual = fit::default_bounds(paint.recipe(), keys[0]);
-        bounds.push_back({keys[0], std::min(usual.lo, range.lo), std::max(usual.hi, range.hi)});
+        // In other records it may be 0, which stands for what the number has no value for.
+        bounds.push_back({keys[0], std::max(std::min(usual.lo, range.lo), number.range.lo),
+                          std::min(std::max(usual.hi, range.hi), number.range.hi)});
     }
     return Paint(paint.recipe(), std::move(bounds), paint.deviations());
 }

@@ -139,7 +139,7 @@ export class Studio {
         this.viewer.hold("colours", false);
         this.viewer.abandon();
         this.atlas.stop();
-        for (const what of ["shape", "light"]) this.viewer.hold(what, false);
+        for (const what of ["shape", "light"] as const) this.viewer.hold(what, false);
         this.fitId = null;
         const { connection } = this.store.get();
         this.store.set({

@@ -57,7 +57,7 @@ export function covers(state: ViewerState): boolean {
 }
 
 /** What pictures wait for. */
-export type Holder = "colours" | "atlas";
+export type Holder = "colours" | "atlas" | "shape" | "light";
 
 interface Job {
     readonly recipe: Table;
