@@ -265,7 +265,7 @@ test("the page says when the program has gone", async () => {
     await tab.waitForSelector(".chip");
     await other.end();
     await tab.waitForSelector(".status.gone");
-    assert.match((await tab.textContent(".status")) ?? "", /has gone/);
+    assert.match((await tab.textContent(".status")) ?? "", /does not answer/);
     await tab.close();
     forgive(/WebSocket|ERR_CONNECTION_REFUSED/);
 });
