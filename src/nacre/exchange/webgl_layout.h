@@ -104,7 +104,7 @@ void webgl_gaps(const WebglShader::Layout& layout, WebglLines& lines);
 
 /// A float of GLSL, which must not be an integer.
 inline std::string glsl_number(double x) { return fmt::format("{:.8e}", x); }
-/// In place of @NAME@.
+/// Every occurrence, as of a placeholder in a text.
 void replace_all(std::string& text, std::string_view from, std::string_view to);
 
 /// The text, with `numbers` where the uniforms are declared.
