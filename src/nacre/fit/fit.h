@@ -86,8 +86,8 @@ struct Fit {
 Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers,
         const FitOptions& options = {}, const Progress& progress = {});
 
-/// How near a fit would come, in mean Delta E 2000: that of where its coarse descents end, of films and
-/// wavelengths that are coarser, in a tenth of the time. Tells which paints are worth a fit.
+/// How near a fit would come, in mean Delta E 2000: that of where its coarse descents end, without the
+/// fine ones. Tells which paints are worth a fit.
 /// @throws as fit(), but for numbers that do not change the colours
 double rough_difference(const measure::Measurement& standard, const FreeNumbers& numbers,
                         const FitOptions& options = {}, const Progress& progress = {});
