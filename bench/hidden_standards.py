@@ -92,11 +92,13 @@ def drawn(plan: Path, folder: Path, seed: int) -> list[Standard]:
 def planned(folder: Path, text: str, inside: bool) -> list[Standard]:
     """The paints of a plan."""
     (folder / "plan.toml").write_text(text, "utf-8")
-    return [
-        Standard(
-            nacre.Paint.from_dict(record.recipe), record.sweep, construction(record.recipe), inside
-        )
+    paints = [
+        (nacre.Paint.from_dict(record.recipe), record.sweep)
         for record in Plan(folder / "plan.toml").records()
+    ]
+    # As a record's: with the names that "from" stands for.
+    return [
+        Standard(paint, sweep, construction(paint.to_dict()), inside) for paint, sweep in paints
     ]
 
 

@@ -89,15 +89,17 @@ void widen(std::vector<paint::ParameterBounds>& ranges,
 /// The record's paint, whose swept numbers may lie anywhere in the library's ranges, and as far off as
 /// those of any paint.
 Paint with_bounds(const NearestRecord& record, const Paint& paint) {
+    const std::vector<paint::RecipeParameter> numbers = paint::recipe_parameters(paint.recipe());
     std::vector<paint::ParameterBounds> bounds;
     for (const paint::ParameterBounds& range : record.swept) {
-        const auto keys = paint::matching_parameters(paint.recipe(), range.key);
-        if (keys.size() != 1) continue;
-        const paint::RecipeParameter number = paint::find_parameter(paint.recipe(), keys[0]);
+        // What is 0 in this record may be none of its numbers: a waviness.
+        const auto found = std::ranges::find(numbers, range.key, &paint::RecipeParameter::key);
+        if (found == numbers.end()) continue;
+        const paint::RecipeParameter& number = *found;
         if (number.value == 0) continue;  // of a 0 nothing tells how large it may become
-        const auto usual = fit::default_bounds(paint.recipe(), keys[0]);
+        const auto usual = fit::default_bounds(paint.recipe(), number.key);
         // In other records it may be 0, which stands for what the number has no value for.
-        bounds.push_back({keys[0], std::max(std::min(usual.lo, range.lo), number.range.lo),
+        bounds.push_back({number.key, std::max(std::min(usual.lo, range.lo), number.range.lo),
                           std::min(std::max(usual.hi, range.hi), number.range.hi)});
     }
     return Paint(paint.recipe(), std::move(bounds), paint.deviations());

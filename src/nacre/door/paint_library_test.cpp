@@ -47,6 +47,7 @@ TEST_F(PaintLibrary, FitsEachOfTheNearestConstructionsFromItsNearestRecord) {
     add("aa2", pearl(120), "pearl",
         {{kLibraryFilm, 120},
          {"layer[0].flakes[0].diameter_um", 20},  // which no fit can tell
+         {"layer[0].flakes[0].waviness", 0},      // no number of a recipe where it is 0
          {"layer[0].flakes[0].core", "mica"}});
     add("bb1", fit::testing::solid(), "solid", nlohmann::json::object());
     const Measurement standard = fit::testing::read(pearl(127));
@@ -58,7 +59,8 @@ TEST_F(PaintLibrary, FitsEachOfTheNearestConstructionsFromItsNearestRecord) {
     using Bounds = paint::ParameterBounds;
     EXPECT_THAT(nearest[0].swept,
                 UnorderedElementsAre(Bounds{kLibraryFilm, 80, 120},
-                                     Bounds{"layer[0].flakes[0].diameter_um", 20, 20}));
+                                     Bounds{"layer[0].flakes[0].diameter_um", 20, 20},
+                                     Bounds{"layer[0].flakes[0].waviness", 0, 0}));
     EXPECT_EQ(nearest[0].shared_geometries, standard.readings.size());
     EXPECT_GT(nearest[1].mean_delta_e_2000, nearest[0].mean_delta_e_2000);
     EXPECT_EQ(nearest_constructions(path(), standard, 1).size(), 1u);
