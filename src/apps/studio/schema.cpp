@@ -13,6 +13,7 @@
 #include "nacre/core/version.h"
 #include "nacre/io/recipe_text.h"
 #include "nacre/measure/geometry.h"
+#include "nacre/models/models.h"
 #include "nacre/nacre.h"
 #include "nacre/paint/recipe_description.h"
 
@@ -281,7 +282,8 @@ Tree schema(const Progress& progress) {
             {"illuminants", std::move(illuminants)},
             {"observers", std::move(observers)},
             {"shapes", shapes_json()},
-            {"lights", lights_json()}};
+            {"lights", lights_json()},
+            {"mean_model", models::default_model().info().name}};
 }
 
 }  // namespace nacre::studio

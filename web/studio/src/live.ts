@@ -73,6 +73,7 @@ export class Live {
         this.view.setCamera({ ...camera, target_mm: shape.camera.target_mm });
         this.view.turn("shape", view.turn_deg);
         this.view.turn("light", view.light_turn_deg);
+        this.view.setSparkle(view.sparkle);
     }
 
     /** A message `shader`. @return whether the paint can be drawn */

@@ -88,6 +88,8 @@ export interface Schema {
     readonly observers: readonly string[];
     readonly shapes: readonly ShapeInfo[];
     readonly lights: readonly { readonly name: string; readonly title: string }[];
+    /** By which the path tracer's picture shows the mean of the flakes. */
+    readonly mean_model: string;
     /** The paint that the command line named. */
     readonly start: string | null;
 }

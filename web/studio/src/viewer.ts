@@ -17,6 +17,8 @@ export interface View {
     /** Of the shape about the vertical. */
     readonly turn_deg: number;
     readonly light_turn_deg: number;
+    /** Whether single flakes are seen, or their mean. */
+    readonly sparkle: boolean;
 }
 
 export interface Picture {
@@ -89,6 +91,7 @@ export class Viewer {
     });
     private live: Live | null = null;
     private size = { width: 0, height: 0 };
+    private meanModel = "";
     private underWay: { id: number; job: Job } | null = null;
     private quickWanted = false;
     private timer: ReturnType<typeof setTimeout> | undefined;
@@ -127,6 +130,7 @@ export class Viewer {
     }
 
     begin(schema: Schema): void {
+        this.meanModel = schema.mean_model;
         if (this.store.get().view !== null) return;
         const shape = schema.shapes.find(({ name }) => name === "ball") ?? schema.shapes[0];
         if (shape !== undefined) this.setShape(schema, shape.name, true);
@@ -144,6 +148,7 @@ export class Viewer {
                 camera: orbitOf(shape),
                 turn_deg: 0,
                 light_turn_deg: view?.light_turn_deg ?? 0,
+                sparkle: view?.sparkle ?? true,
             },
         });
         this.refresh();
@@ -175,7 +180,9 @@ export class Viewer {
         };
         try {
             const changed = (liveSamples: number) => {
-                if (this.store.get().liveSamples !== null) this.store.set({ liveSamples });
+                if (this.store.get().liveSamples === null) return;
+                this.store.set({ liveSamples });
+                this.pauseWhenCovered();
             };
             this.live = new Live(canvas, schema, bytes, changed, fail);
         } catch (error) {
@@ -202,6 +209,12 @@ export class Viewer {
     keep(recipe: Table | null): void {
         this.store.set({ keptRecipe: recipe, kept: recipe === null ? null : this.shown(recipe) });
         this.refresh();
+    }
+
+    /** Not before it has drawn something, which is seen as soon as the view is turned. */
+    private pauseWhenCovered(): void {
+        const state = this.store.get();
+        if (covers(state)) this.live?.pause((state.liveSamples ?? 0) > 0);
     }
 
     private shown(recipe: Table): Picture | null {
@@ -260,9 +273,11 @@ export class Viewer {
         const shrink =
             Math.min(1, Math.sqrt(MOST_PIXELS / (width * height))) / (quick ? QUICK_PART : 1);
         const job: Job = { recipe, view, kept, quick };
+        const { sparkle, ...scene } = view;
         const fields = {
             recipe,
-            scene: { ...view, camera: fitted(view.camera, width, height) },
+            ...(sparkle ? {} : { model: this.meanModel }),
+            scene: { ...scene, camera: fitted(view.camera, width, height) },
             width: Math.max(16, Math.round(width * shrink)),
             height: Math.max(16, Math.round(height * shrink)),
             samples: quick ? 1 : kept ? KEPT_SAMPLES : SAMPLES,
@@ -282,7 +297,7 @@ export class Viewer {
         if (message.type === "picture") {
             const picture = pictureOf(job, message, attachments);
             this.store.set(job.kept ? { kept: picture } : { picture, fault: null });
-            this.live?.pause(covers(this.store.get()));
+            this.pauseWhenCovered();
             if (picture.samples < picture.of) return;
         } else if (message.type === "error") {
             this.store.set({ fault: String(message.message) });

@@ -165,5 +165,6 @@ export const SCHEMA: Schema = {
     observers: ["10"],
     shapes: [],
     lights: [],
+    mean_model: "microflake",
     start: null,
 };

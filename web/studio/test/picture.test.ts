@@ -53,7 +53,10 @@ test("the picture gets better, follows turning, and A is held beside B", async (
         first.every((x) => x > 1 && x < 254),
         String(first),
     );
-    assert.ok(near(await mean("canvas.live"), first, 8), "live and path traced are of one paint");
+    // The live one is drawn on until it has a sample.
+    const alike = async () => near(await mean("canvas.live"), first, 8);
+    for (let i = 0; i < 120 && !(await alike()); ++i) await page.waitForTimeout(500);
+    assert.ok(await alike(), "live and path traced are of one paint");
     await page.focus(".turnable");
     for (let i = 0; i < 6; ++i) await page.keyboard.press("Shift+ArrowRight");
     await page.waitForSelector("canvas.live.now");
@@ -67,4 +70,35 @@ test("the picture gets better, follows turning, and A is held beside B", async (
     await page.click("text=Back to A");
     await settled();
     assert.equal(await page.inputValue(field(FILM)), "208");
+});
+
+test("single flakes are seen, or their mean", async () => {
+    await open();
+    await page.selectOption("[aria-label='Shape']", "macro");
+    /** Of the square root of the picture's variance to its mean. */
+    const contrast = async (canvas: string) => {
+        await page.waitForSelector(`${canvas}.now`);
+        return page.$eval(canvas, (element) => {
+            const copy = document.createElement("canvas");
+            const { width, height } = element as HTMLCanvasElement;
+            copy.width = width;
+            copy.height = height;
+            const context = copy.getContext("2d");
+            context?.drawImage(element as HTMLCanvasElement, 0, 0);
+            const { data } = context?.getImageData(0, 0, width, height) ?? { data: [] };
+            const green = [...data].filter((_, i) => i % 4 === 1);
+            const mean = green.reduce((sum, x) => sum + x, 0) / green.length;
+            const variance = green.reduce((sum, x) => sum + (x - mean) ** 2, 0) / green.length;
+            return Math.sqrt(variance) / mean;
+        });
+    };
+    const seen = await contrast("canvas.traced");
+    await page.uncheck("text=Sparkle");
+    await page.waitForSelector("canvas.live.now");
+    const mean = await contrast("canvas.traced");
+    console.log(`contrast: flakes ${seen.toFixed(2)}, their mean ${mean.toFixed(2)}`);
+    assert.ok(seen > 0.2 && mean < 0.3 * seen);
+    await page.check("text=Sparkle");
+    await page.waitForSelector("canvas.live.now");
+    assert.ok((await contrast("canvas.traced")) > 0.2);
 });

@@ -312,6 +312,7 @@ function PictureFoot(): VNode {
     const covered = useViewerState(covers);
     const current = useViewerState(isCurrent);
     const warn = useViewerState((state) => state.gamutWarning);
+    const sparkle = useViewerState((state) => state.view?.sparkle ?? true);
     const studio = useStudio();
     // Drafts have one sample.
     const traced =
@@ -335,8 +336,18 @@ function PictureFoot(): VNode {
                 value={traced?.samples ?? 0}
                 aria-label="Samples of the picture"
             />
+            <label title="Single flakes, or their mean">
+                <input
+                    type="checkbox"
+                    checked={sparkle}
+                    onChange={(event) => {
+                        studio.viewer.setView({ sparkle: event.currentTarget.checked });
+                    }}
+                />{" "}
+                Sparkle
+            </label>
             {live !== null && (
-                <label>
+                <label title="Colours outside of sRGB, in the live picture">
                     <input
                         type="checkbox"
                         checked={warn}
