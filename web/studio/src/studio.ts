@@ -2,12 +2,12 @@
 
 import { Atlas } from "./atlas";
 import type { Document } from "./edit";
-import { base64Of, fileName, print, save } from "./files";
+import { messageOf } from "./errors";
+import { fileName, print, save } from "./files";
 import { History } from "./history";
 import { Latest } from "./latest";
 import { fromFragment, toFragment } from "./link";
 import type {
-    Attachment,
     ErrorMessage,
     Match,
     Message,
@@ -16,11 +16,11 @@ import type {
     Sparkle,
     Standard,
 } from "./protocol";
-import { readLight, readMesh } from "./renderer/paint";
-import type { Schema, ShapeInfo } from "./schema";
+import { kindOf, OwnFiles } from "./own_files";
+import type { Schema } from "./schema";
 import type { Answer, Socket } from "./session";
 import { Session } from "./session";
-import type { OwnFile, Settings, State } from "./state";
+import type { Settings, State } from "./state";
 import { NO_FIT } from "./state";
 import { Store } from "./store";
 import type { Table } from "./tree";
@@ -28,15 +28,6 @@ import { Viewer } from "./viewer";
 
 const EMPTY: Document = { recipe: {}, locks: new Set() };
 const LINK_AFTER_MS = 400;
-/** Of a mesh or a light: what fits in a message as base64. */
-const MOST_OWN_BYTES = 6_000_000;
-const MOST_NAME = 80;
-/** Files by their endings. */
-export const MESH_FILES = ".obj,.ply,.stl,.glb,.gltf";
-export const LIGHT_FILES = ".hdr,.exr";
-const ending = (list: string) =>
-    new RegExp(`(${list.replace(/\./g, "\\.").replace(/,/g, "|")})$`, "i");
-const [MESH, LIGHT] = [ending(MESH_FILES), ending(LIGHT_FILES)];
 
 interface PaintRequest {
     readonly recipe: Table;
@@ -66,6 +57,7 @@ export class Studio {
     readonly store: Store<State>;
     readonly viewer: Viewer;
     readonly atlas: Atlas;
+    readonly ownFiles: OwnFiles;
     private readonly history = new History<Document>(EMPTY);
     private readonly session: Session;
     private readonly painting: Latest<PaintRequest>;
@@ -106,6 +98,7 @@ export class Studio {
         this.atlas = new Atlas(this.session, (busy) => {
             this.viewer.hold("atlas", busy);
         });
+        this.ownFiles = new OwnFiles(this.store, this.viewer, this.ask.bind(this));
     }
 
     // ---- the connection ----
@@ -120,9 +113,7 @@ export class Studio {
             return;
         }
         if (this.standardText !== null) this.sendStandard();
-        const { ownShape, ownLight } = this.store.get();
-        if (ownShape !== null) void this.bring("shape", ownShape.file, ownShape.yUp);
-        if (ownLight !== null) void this.bring("light", ownLight.file);
+        this.ownFiles.bringAgain();
         if (this.begun) {
             this.measure();
             return;
@@ -139,7 +130,7 @@ export class Studio {
         this.viewer.hold("colours", false);
         this.viewer.abandon();
         this.atlas.stop();
-        for (const what of ["shape", "light"] as const) this.viewer.hold(what, false);
+        this.ownFiles.abandon();
         this.fitId = null;
         const { connection } = this.store.get();
         this.store.set({
@@ -220,8 +211,8 @@ export class Studio {
     /** A file that was dropped or chosen: its ending says what it is for. */
     openFile(file: File): void {
         const { name } = file;
-        if (MESH.test(name)) void this.bring("shape", file);
-        else if (LIGHT.test(name)) void this.bring("light", file);
+        const own = kindOf(name);
+        if (own !== null) void this.ownFiles.bring(own, file);
         else if (/\.(csv|json)$/i.test(name)) {
             void file.text().then((text) => {
                 this.setStandard(text, name);
@@ -230,78 +221,6 @@ export class Studio {
             void file.text().then((text) => {
                 this.openText(text);
             });
-        }
-    }
-
-    /** Shows a mesh, or light from all around, from a file of the reader's. */
-    async bring(what: "shape" | "light", file: File, yUp = false): Promise<void> {
-        const { ownShape, ownLight } = this.store.get();
-        const before = what === "shape" ? ownShape : ownLight;
-        if (file.size > MOST_OWN_BYTES) {
-            const [has, most] = [file.size, MOST_OWN_BYTES].map((n) => (n / 1e6).toFixed(1));
-            this.say(`${file.name} has ${has ?? ""} MB; at most ${most ?? ""} MB can be shown.`);
-            return;
-        }
-        this.say(`Reading ${file.name} …`);
-        this.viewer.hold(what, true);
-        try {
-            const base64 = await base64Of(file);
-            const fields = { file: file.name.slice(-MOST_NAME), base64 };
-            const sent = this.ask(
-                what,
-                what === "shape" ? { ...fields, y_up: yUp } : fields,
-                (message, attachments) => {
-                    this.viewer.hold(what, false);
-                    if (message.type === "error") this.say(String(message.message));
-                    else this.brought({ file, yUp, name: "" }, before, message, attachments);
-                },
-            );
-            if (sent) return;
-        } catch (error) {
-            this.say(`${file.name}: ${messageOf(error)}`);
-        }
-        this.viewer.hold(what, false);
-    }
-
-    /** @param before  the one whose place it takes */
-    private brought(
-        own: OwnFile,
-        before: OwnFile | null,
-        message: Message,
-        attachments: readonly Attachment[],
-    ): void {
-        const { schema } = this.store.get();
-        const data = attachments[0]?.data;
-        if (schema === null || data === undefined) return;
-        const bytes = data.buffer as ArrayBuffer;
-        const view = this.viewer.store.get().view;
-        // Sent again to a server that had gone, it is shown if it was.
-        const again = before?.file === own.file;
-        if (message.type === "shape") {
-            const info = message.shape as ShapeInfo;
-            const shapes = [...schema.shapes.filter(({ name }) => name !== before?.name), info];
-            const now = { ...schema, shapes };
-            this.store.set({ schema: now, ownShape: { ...own, name: info.name } });
-            this.viewer.add(now, { mesh: readMesh(bytes) }, info.name);
-            if (!again || view?.shape === before.name) {
-                this.viewer.setShape(now, info.name, false);
-            }
-            const [extent, shown] = [message.extent_mm, message.shown_mm].map((mm) =>
-                Number(Number(mm).toPrecision(3)),
-            );
-            const size = `${String(extent)} mm${extent === shown ? "" : `, shown as ${String(shown)} mm`}`;
-            this.say(`${own.file.name}: ${String(message.triangles)} triangles, ${size}.`);
-        } else {
-            const info = message.light as { name: string; title: string };
-            const lights = [...schema.lights.filter(({ name }) => name !== before?.name), info];
-            const now = { ...schema, lights };
-            this.store.set({ schema: now, ownLight: { ...own, name: info.name } });
-            this.viewer.add(now, { light: readLight(bytes) }, info.name);
-            if (!again || view?.light === before.name) this.viewer.setView({ light: info.name });
-            const size = `${String(message.width)} x ${String(message.height)} pixels`;
-            this.say(
-                `${own.file.name}: ${size}, a white panel that lies flat is white. ${String(message.note)}`,
-            );
         }
     }
 
@@ -570,8 +489,4 @@ export class Studio {
         });
         return true;
     }
-}
-
-export function messageOf(error: unknown): string {
-    return error instanceof Error ? error.message : String(error);
 }

@@ -3,7 +3,7 @@
 import type { VNode } from "preact";
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { orbitOf, turned, wrapped } from "../orbit";
-import { LIGHT_FILES, MESH_FILES } from "../studio";
+import { LIGHT_FILES, MESH_FILES } from "../own_files";
 import { useStudio, useStudioState, useViewerState } from "../ui/context";
 import type { Picture, View } from "../viewer";
 import { covers, isCurrent } from "../viewer";
@@ -35,7 +35,7 @@ function PictureBar(): VNode {
                 choose={(name) => {
                     if (schema !== null) studio.viewer.setShape(schema, name, false);
                 }}
-                bring={(file) => void studio.bring("shape", file)}
+                bring={(file) => void studio.ownFiles.bring("shape", file)}
             />
             {own !== null && own.name === view?.shape && !/\.gl(tf|b)$/i.test(own.file.name) && (
                 <button
@@ -43,7 +43,7 @@ function PictureBar(): VNode {
                     class="small"
                     aria-pressed={own.yUp}
                     title="The file's vertical is y, not z"
-                    onClick={() => void studio.bring("shape", own.file, !own.yUp)}
+                    onClick={() => void studio.ownFiles.bring("shape", own.file, !own.yUp)}
                 >
                     Y up
                 </button>
@@ -56,7 +56,7 @@ function PictureBar(): VNode {
                 choose={(light) => {
                     studio.viewer.setView({ light });
                 }}
-                bring={(file) => void studio.bring("light", file)}
+                bring={(file) => void studio.ownFiles.bring("light", file)}
             />
             <button
                 type="button"
