@@ -86,6 +86,8 @@ struct Block {
 struct Lanes {
     /// e^(i phase_rate d) is a film's factor for the way there and back; core first.
     std::vector<ComplexLanes> phase_rate;
+    /// These factors for each thickness of a coat: [film][node]; none of the core's.
+    std::vector<std::vector<ComplexLanes>> round_trip;
     /// Reflectance amplitude of the interfaces, from outside: binder | last coat, ..., first coat |
     /// core; for s and p.
     std::vector<ComplexLanes> interface[2];
@@ -138,6 +140,7 @@ class PlateletAverage {
         }
         core_spreads_ = films_[0]->spread.standard_deviation_nm > 0;
         if (core_spreads_) arc_ = thickness_arc(films_[0]->thickness_nm, films_[0]->spread);
+        opaque_decay_per_nm_ = -std::log(kOpaque) / thinnest_core_nm();
     }
 
     /// Chooses and prepares the nodes for a set of cosines.
@@ -161,11 +164,14 @@ class PlateletAverage {
             rules.push_back(&rules_.at({f, counts_[i][f]}));
         }
         std::vector<ComplexLanes> w;
+        Lanes lanes;
         for (std::size_t first = 0; first < wavelengths_nm_.size(); first += kLanes) {
             require_going();
-            const Lanes lanes = make(cosine, blocks_[first / kLanes]);
+            make(lanes, cosine, blocks_[first / kLanes], rules);
             DoubleLanes r{}, t{};
-            if (core_spreads_ && lanes.core_transmits) {
+            if (is_opaque(lanes)) {
+                average_opaque(lanes, rules, r);
+            } else if (core_spreads_ && lanes.core_transmits) {
                 average_arc(lanes, rules, w, r, t);
             } else {
                 average_real(lanes, rules, w, r, t);
@@ -183,9 +189,22 @@ class PlateletAverage {
         if (work_) work_->require_going("computing the films of a flake");
     }
 
-    Lanes make(double cosine, const Block& block) const {
+    double thinnest_core_nm() const {
+        return thickness_range(films_[0]->thickness_nm, films_[0]->spread).lo_nm;
+    }
+
+    /// Whether nothing comes back from the core's far side, at any of the wavelengths.
+    bool is_opaque(const Lanes& lanes) const {
+        for (int l = 0; l < kLanes; ++l) {
+            if (lanes.phase_rate[0].im[l] < opaque_decay_per_nm_) return false;
+        }
+        return true;
+    }
+
+    void make(Lanes& lanes, double cosine, const Block& block,
+              const std::vector<const ThicknessRule*>& rules) const {
         const std::size_t count = films_.size();
-        Lanes lanes;
+        lanes.core_transmits = true;
         lanes.phase_rate.resize(count);
         for (auto& list : lanes.interface) list.resize(count);
         const DoubleLanes none{};
@@ -215,7 +234,13 @@ class PlateletAverage {
             y_s = below_s;
             y_p = below_p;
         }
-        return lanes;
+        lanes.round_trip.resize(count);
+        for (std::size_t f = 1; f < count; ++f) {
+            lanes.round_trip[f].clear();
+            for (double thickness_nm : rules[f]->thickness_nm) {
+                lanes.round_trip[f].push_back(exp_i(splat(thickness_nm) * lanes.phase_rate[f]));
+            }
+        }
     }
 
     struct Coat {
@@ -236,7 +261,7 @@ class PlateletAverage {
             start[p] = interface_alone(lanes.interface[p][0]);
             bare[p] = interface_alone(lanes.bare[p]);
         }
-        add_coats(lanes, rules, films_.size() - 1, start, 1.0,
+        add_coats(lanes, rules, films_.size() - 1, 0, start, 1.0,
                   [&](const Coat* coat, double weight) {
                       for (int p = 0; p < 2; ++p) {
                           if (!one_sided_) {
@@ -250,18 +275,19 @@ class PlateletAverage {
                   });
     }
 
-    /// Adds film `film` and those below it, the core excepted, under the coats in `above`.
+    /// Adds film `film` and those below it, as far as the one above `end`, under the coats in `above`.
     template <class Use>
     void add_coats(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
-                   std::size_t film, const Coat (&above)[2], double weight, const Use& use) const {
-        if (film == 0) {
+                   std::size_t film, std::size_t end, const Coat (&above)[2], double weight,
+                   const Use& use) const {
+        if (film == end) {
             use(above, weight);
             return;
         }
         require_going();  // up to a million combinations of thicknesses follow
         const ThicknessRule& rule = *rules[film];
         for (std::size_t i = 0; i < rule.weights.size(); ++i) {
-            const ComplexLanes e = exp_i(splat(rule.thickness_nm[i]) * lanes.phase_rate[film]);
+            const ComplexLanes e = lanes.round_trip[film][i];
             Coat next[2];
             for (int p = 0; p < 2; ++p) {
                 const Coat& a = above[p];
@@ -273,8 +299,37 @@ class PlateletAverage {
                 next[p] = {a.r_out + a.tt * f * e_bounce, through * a.r_in * e_bounce - f,
                            a.tt * through * e_bounce * bounce};
             }
-            add_coats(lanes, rules, film - 1, next, weight * rule.weights[i], use);
+            add_coats(lanes, rules, film - 1, end, next, weight * rule.weights[i], use);
         }
+    }
+
+    /// On an opaque core: R = |r_out|^2, T = 0. With the factor e of the innermost coat,
+    /// r_out = r + tt f e / (1 - r_in f e), where r, r_in and tt are those of the coats above it and f
+    /// is the interface to the core; over one denominator that costs one division.
+    void average_opaque(const Lanes& lanes, const std::vector<const ThicknessRule*>& rules,
+                        DoubleLanes& r) const {
+        if (films_.size() == 1 || (one_sided_ && !coat_faces_light_)) {
+            for (const ComplexLanes& bare : lanes.bare) r += norm(bare);
+            return;
+        }
+        Coat start[2];
+        for (int p = 0; p < 2; ++p) start[p] = interface_alone(lanes.interface[p][0]);
+        const std::vector<double>& weights = rules[1]->weights;
+        add_coats(lanes, rules, films_.size() - 1, 1, start, 1.0,
+                  [&](const Coat* above, double weight) {
+                      for (int p = 0; p < 2; ++p) {
+                          const ComplexLanes f = lanes.interface[p].back();
+                          const ComplexLanes b = above[p].r_in * f;
+                          const ComplexLanes a = above[p].tt * f - above[p].r_out * b;
+                          DoubleLanes sum{};
+                          for (std::size_t i = 0; i < weights.size(); ++i) {
+                              const ComplexLanes e = lanes.round_trip[1][i];
+                              sum += weights[i] * norm(above[p].r_out + a * e) /
+                                     norm(splat_complex(1.0) - b * e);
+                          }
+                          r += weight * sum;
+                      }
+                  });
     }
 
     /// The general case: every thickness of the core by itself.
@@ -384,9 +439,7 @@ class PlateletAverage {
             // Amplitude returned from the far side of the core, averaged over its thickness: the
             // mean of e^(i phase) over a normal law is exp(-(deviation of the phase)^2 / 2).
             const double core_phase = rate[0] * films_[0]->spread.standard_deviation_nm;
-            const double thinnest_core_nm =
-                thickness_range(films_[0]->thickness_nm, films_[0]->spread).lo_nm;
-            double inward = std::exp(-core_phase * core_phase / 2 - decay[0] * thinnest_core_nm);
+            double inward = std::exp(-core_phase * core_phase / 2 - decay[0] * thinnest_core_nm());
             for (std::size_t f = 0; f < count; ++f) {
                 const auto& spread = films_[f]->spread;
                 // Where average_arc() is used, the core needs no nodes of its own.
@@ -418,6 +471,7 @@ class PlateletAverage {
     std::vector<Block> blocks_;
     bool one_sided_, coat_faces_light_;
     bool core_spreads_ = false;
+    double opaque_decay_per_nm_ = 0;  // of a core of which the thinnest is opaque
     ThicknessArc arc_;
     std::map<std::pair<std::size_t, int>, ThicknessRule> rules_;  // by film and count
     std::vector<std::vector<int>> counts_;                        // [cosine][film]
