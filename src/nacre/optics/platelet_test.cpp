@@ -228,9 +228,9 @@ TEST(Platelet, ThickFrustratingCoatsLetNothingThrough) {
 // here. Through the thinner one 1e-11 of the amplitude pass.
 TEST(Platelet, OpaqueCoresAreTheLimitOfThickOnes) {
     using Sides = Platelet::CoatedSides;
-    for (const auto [sides, face] :
-         {std::pair(Sides::both, Platelet::Face::any), std::pair(Sides::one, Platelet::Face::coated),
-          std::pair(Sides::one, Platelet::Face::bare)}) {
+    for (const auto [sides, face] : {std::pair(Sides::both, Platelet::Face::any),
+                                     std::pair(Sides::one, Platelet::Face::coated),
+                                     std::pair(Sides::one, Platelet::Face::bare)}) {
         for (std::size_t coats : {0, 1, 2}) {
             Platelet thin{.core = film("Al", 165, 0), .coats = {}};
             if (coats > 0) thin.coats.push_back(film("SiO2", 330, 15));
@@ -241,8 +241,8 @@ TEST(Platelet, OpaqueCoresAreTheLimitOfThickOnes) {
             thick.core.thickness_nm = 400;
             const auto expected = platelet_table(thin, 1.5, kTableCosines, kWavelengths);
             const auto table = platelet_table(thick, 1.5, kTableCosines, kWavelengths);
-            EXPECT_GT(*std::max_element(expected.transmittance.begin(), expected.transmittance.end()),
-                      0);
+            EXPECT_GT(
+                *std::max_element(expected.transmittance.begin(), expected.transmittance.end()), 0);
             for (std::size_t i = 0; i < table.reflectance.size(); ++i) {
                 EXPECT_NEAR(table.reflectance[i], expected.reflectance[i], 1e-9);
                 EXPECT_EQ(table.transmittance[i], 0);
