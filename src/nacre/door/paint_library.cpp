@@ -116,15 +116,16 @@ bool is_turned(std::string_view key) {
                        [&](std::string_view end) { return key.ends_with(end); });
 }
 
-/// Constructions that are fitted roughly, for each that is fitted: the nearest record of a sparse sweep
-/// may be further from the standard than those of many others.
-constexpr std::size_t kTriedRoughlyPerFit = 4;
+/// Constructions that are screened, and of these continued with a coarse descent, for each that is
+/// fitted: the nearest record of a sparse sweep may be further from the standard than those of many
+/// others.
+constexpr std::size_t kScreenedPerFit = 4, kDescendedPerFit = 2;
 /// Descents of a rough fit.
 constexpr int kRoughStarts = 2;
 /// More than a rough fit is above what a fit reaches.
 constexpr double kRoughError_delta_e = 3;
 /// Of all the work, for the progress.
-constexpr double kRoughFraction = 0.4;
+constexpr double kScreeningFraction = 0.2, kDescendingFraction = 0.2;
 
 /// Progress from 0 to 1 as that from `begin` to `end` of all the work.
 Progress part_of(const Progress& progress, double begin, double end) {
@@ -138,36 +139,73 @@ struct Start {
     NearestRecord record;
     Paint paint;
     std::vector<std::string> keys;
+    fit::RoughFit rough;
     bool out_of_reach = false;  ///< its rough fit does not come near to a match
+
+    /// As the rough fit, and the fit of what is out of reach, varies them: flakes lie no flatter
+    /// than in the records of the construction, as fewer degrees of tilt make a solve ten times as
+    /// long.
+    std::vector<paint::ParameterBounds> rough_bounds() const {
+        std::vector<paint::ParameterBounds> bounds = paint.bounds();
+        for (const std::string& key : keys) {
+            if (!key.ends_with("orientation.alpha")) continue;
+            const auto swept = std::ranges::find(record.swept, key, &paint::ParameterBounds::key);
+            auto range = std::ranges::find(bounds, key, &paint::ParameterBounds::key);
+            if (range == bounds.end()) {
+                bounds.push_back(fit::default_bounds(paint.recipe(), key));
+                range = std::prev(bounds.end());
+            }
+            const double least = swept == record.swept.end()
+                                     ? paint::find_parameter(paint.recipe(), key).value
+                                     : swept->lo;
+            range->lo = std::max(range->lo, least);
+        }
+        return bounds;
+    }
 };
 
-/// Those whose rough fits come nearest to the standard, in that order.
+void keep_nearest(std::vector<Start>& starts, std::size_t most) {
+    std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) {
+        return a.rough.delta_e < b.rough.delta_e;
+    });
+    if (starts.size() > most)
+        starts.erase(starts.begin() + static_cast<std::ptrdiff_t>(most), starts.end());
+}
+
+/// Those whose rough fits come nearest to the standard, in that order: of all some first steps are
+/// made, and the better half of what these leave goes on with a coarse descent.
 std::vector<Start> most_promising(const std::vector<NearestRecord>& records,
                                   const Measurement& standard, std::size_t most,
                                   const FitSettings& settings, const Progress& progress) {
     FitSettings rough = settings;
     rough.starts = kRoughStarts;
-    std::vector<std::pair<double, Start>> found;
+    std::vector<Start> starts;
     for (const NearestRecord& record : records) {
-        const auto share = 1 / static_cast<double>(records.size());
-        const double begin = share * static_cast<double>(found.size());
-        const Progress part = part_of(progress, begin, begin + share);
         Paint paint = with_bounds(record, open(record.folder / kRecipe));
         std::vector<std::string> keys = keys_to_fit(record, paint, rough, only_asking(progress));
-        double difference = record.mean_delta_e_2000;
-        if (records.size() > most) {
-            const fit::FreeNumbers numbers(paint.recipe(), keys, paint.bounds());
-            difference = fit::rough_difference(standard, numbers, rough, part);
-        }
-        found.push_back({difference, {record, std::move(paint), std::move(keys)}});
+        starts.push_back(
+            {record, std::move(paint), std::move(keys), {{}, record.mean_delta_e_2000}});
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Start> starts;
-    for (auto& [difference, start] : found) {
-        if (starts.size() == most) break;
-        start.out_of_reach = difference > settings.matched_delta_e + kRoughError_delta_e;
-        starts.push_back(std::move(start));
+    if (starts.size() <= most) return starts;
+    const auto refine = [&](double begin, double end, const auto& refined) {
+        const double each = (end - begin) / static_cast<double>(starts.size());
+        for (Start& start : starts) {
+            const fit::FreeNumbers numbers(start.paint.recipe(), start.keys, start.rough_bounds());
+            start.rough = refined(numbers, start.rough, part_of(progress, begin, begin + each));
+            begin += each;
+        }
+    };
+    refine(0, kScreeningFraction, [&](const auto& numbers, const auto&, const Progress& part) {
+        return fit::screened(standard, numbers, rough, part);
+    });
+    keep_nearest(starts, kDescendedPerFit * most);
+    refine(kScreeningFraction, kScreeningFraction + kDescendingFraction,
+           [&](const auto& numbers, const auto& from, const Progress& part) {
+               return fit::descended(standard, numbers, from, rough, part);
+           });
+    keep_nearest(starts, most);
+    for (Start& start : starts) {
+        start.out_of_reach = start.rough.delta_e > settings.matched_delta_e + kRoughError_delta_e;
     }
     return starts;
 }
@@ -243,20 +281,26 @@ std::vector<ConstructionMatch> fit_from_library(const fs::path& library,
                                                 const FitSettings& settings,
                                                 const Progress& progress) {
     const std::vector<NearestRecord> nearest =
-        nearest_constructions(library, standard, kTriedRoughlyPerFit * most, only_asking(progress));
+        nearest_constructions(library, standard, kScreenedPerFit * most, only_asking(progress));
     FitSettings alone = settings;
     alone.remedies = false;
-    const double roughly = nearest.size() > most ? kRoughFraction : 0;
-    const std::vector<Start> starts =
-        most_promising(nearest, standard, most, alone, part_of(progress, 0, roughly));
+    const double roughly = nearest.size() > most ? kScreeningFraction + kDescendingFraction : 0;
+    const std::vector<Start> starts = most_promising(nearest, standard, most, alone, progress);
     std::vector<ConstructionMatch> matches;
     const double each = (1 - roughly) / static_cast<double>(starts.size());
     for (const Start& start : starts) {
         const double begin = roughly + each * static_cast<double>(matches.size());
-        FitSettings how = alone;
-        if (start.out_of_reach) how.starts = 1;
-        matches.push_back({start.record, start.paint.fit(standard, start.keys, how,
-                                                         part_of(progress, begin, begin + each))});
+        const Progress part = part_of(progress, begin, begin + each);
+        // What only comes nearest is fitted with as much care as what matches.
+        if (start.out_of_reach && !matches.empty()) {
+            FitSettings once = alone;
+            once.starts = 1;
+            const Paint narrow(start.paint.recipe(), start.rough_bounds(),
+                               start.paint.deviations());
+            matches.push_back({start.record, narrow.fit(standard, start.keys, once, part)});
+        } else {
+            matches.push_back({start.record, start.paint.fit(standard, start.keys, alone, part)});
+        }
     }
     std::stable_sort(
         matches.begin(), matches.end(), [](const ConstructionMatch& a, const ConstructionMatch& b) {

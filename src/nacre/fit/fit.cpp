@@ -146,17 +146,28 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     return out;
 }
 
-double rough_difference(const measure::Measurement& standard, const FreeNumbers& numbers,
-                        const FitOptions& options, const Progress& progress) {
+RoughFit screened(const measure::Measurement& standard, const FreeNumbers& numbers,
+                  const FitOptions& options, const Progress& progress) {
     check(options);
     const Target target(standard, options.target);
     paint::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
     SharedProgress work(progress, 1);
     const ColourModel model(numbers, target, work);
-    SearchEffort effort;
     const Descent best =
-        coarse_search(model, numbers.start_point(), options.starts, options.seed, work, effort)[0];
-    return target.difference(colours_of(target, numbers.at(best.x), work)).mean_delta_e_2000;
+        short_search(model, numbers.start_point(), options.starts, options.seed, work)[0];
+    return {best.x, best.rms_delta_e};
+}
+
+RoughFit descended(const measure::Measurement& standard, const FreeNumbers& numbers,
+                   const RoughFit& from, const FitOptions& options, const Progress& progress) {
+    check(options);
+    const Target target(standard, options.target);
+    SharedProgress work(progress, 1);
+    const ColourModel model(numbers, target, work);
+    const Descent end = coarse_descent(model, from.x);
+    if (!std::isfinite(end.rms_delta_e)) throw Error(model.first_failure());
+    const measure::Measurement colours = colours_of(target, numbers.at(end.x), work);
+    return {end.x, target.difference(colours).mean_delta_e_2000};
 }
 
 }  // namespace nacre::fit

@@ -86,10 +86,23 @@ struct Fit {
 Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers,
         const FitOptions& options = {}, const Progress& progress = {});
 
-/// How near a fit would come, in mean Delta E 2000: that of where its coarse descents end, without the
-/// fine ones. Tells which paints are worth a fit.
+/// A fit that was begun, to see whether it is worth being finished.
+struct RoughFit {
+    std::vector<double> x;  ///< of the free numbers
+    double delta_e = 0;     ///< what tells which of several is nearest
+};
+
+/// The first steps of fit() alone, by colours of few wavelengths: their root mean square is off by
+/// some Delta E.
 /// @throws as fit(), but for numbers that do not change the colours
-double rough_difference(const measure::Measurement& standard, const FreeNumbers& numbers,
-                        const FitOptions& options = {}, const Progress& progress = {});
+RoughFit screened(const measure::Measurement& standard, const FreeNumbers& numbers,
+                  const FitOptions& options = {}, const Progress& progress = {});
+
+/// Goes on from there with one coarse descent: `delta_e` is the mean Delta E 2000 at its end, without
+/// what fine descents would win.
+/// @throws as screened()
+RoughFit descended(const measure::Measurement& standard, const FreeNumbers& numbers,
+                   const RoughFit& from, const FitOptions& options = {},
+                   const Progress& progress = {});
 
 }  // namespace nacre::fit

@@ -271,9 +271,11 @@ std::vector<Descent> distinct(const std::vector<Descent>& ends) {
     return kept;
 }
 
-std::vector<Descent> coarse_minima(const ColourModel& model, const std::vector<double>& start,
-                                   int starts, std::uint64_t seed, Meter& meter,
-                                   SearchEffort& effort) {
+/// Where short descents begin: at `start` and at the best of the screened points.
+std::vector<std::vector<double>> short_starts(const ColourModel& model,
+                                              const std::vector<double>& start, int starts,
+                                              std::uint64_t seed, Meter& meter,
+                                              SearchEffort& effort) {
     std::vector<std::vector<double>> points = {start};
     for (auto& point :
          halton_points(static_cast<std::size_t>(starts - 1) * points_per_start(start.size()),
@@ -285,13 +287,23 @@ std::vector<Descent> coarse_minima(const ColourModel& model, const std::vector<d
         for (auto& point : points) point[i] = std::max(point[i], kMinStart);
     }
     effort.points = static_cast<int>(points.size());
-    const auto short_starts =
-        choose_starts(screen(model, std::move(points), meter),
-                      static_cast<std::size_t>(starts) * kShortDescentsPerStart);
-    std::vector<std::vector<double>> coarse_starts = {short_starts[0]};
-    if (short_starts.size() > 1) {
-        for (const Descent& end : distinct(descend_from(model, short_starts, Detail::screening,
-                                                        kShortLimits, kShortFraction, meter))) {
+    return choose_starts(screen(model, std::move(points), meter),
+                         static_cast<std::size_t>(starts) * kShortDescentsPerStart);
+}
+
+std::vector<Descent> short_minima(const ColourModel& model,
+                                  const std::vector<std::vector<double>>& starts, Meter& meter) {
+    return distinct(
+        descend_from(model, starts, Detail::screening, kShortLimits, kShortFraction, meter));
+}
+
+std::vector<Descent> coarse_minima(const ColourModel& model, const std::vector<double>& start,
+                                   int starts, std::uint64_t seed, Meter& meter,
+                                   SearchEffort& effort) {
+    const auto begun = short_starts(model, start, starts, seed, meter, effort);
+    std::vector<std::vector<double>> coarse_starts = {begun[0]};
+    if (begun.size() > 1) {
+        for (const Descent& end : short_minima(model, begun, meter)) {
             if (coarse_starts.size() < static_cast<std::size_t>(starts))
                 coarse_starts.push_back(end.x);
         }
@@ -306,11 +318,20 @@ std::vector<Descent> coarse_minima(const ColourModel& model, const std::vector<d
 
 }  // namespace
 
-std::vector<Descent> coarse_search(const ColourModel& model, const std::vector<double>& start,
-                                   int starts, std::uint64_t seed, SharedProgress& work,
-                                   SearchEffort& effort) {
+std::vector<Descent> short_search(const ColourModel& model, const std::vector<double>& start,
+                                  int starts, std::uint64_t seed, SharedProgress& work) {
     Meter meter(work);
-    return coarse_minima(model, start, starts, seed, meter, effort);
+    SearchEffort effort;
+    std::vector<Descent> ends =
+        short_minima(model, short_starts(model, start, starts, seed, meter, effort), meter);
+    if (ends.empty()) throw Error(model.first_failure());
+    return ends;
+}
+
+Descent coarse_descent(const ColourModel& model, const std::vector<double>& start) {
+    Descent end = descend(model, start, Detail::coarse, kCoarseLimits);
+    require_going(model);
+    return end;
 }
 
 std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,

@@ -50,9 +50,14 @@ struct SearchEffort {
 std::vector<Descent> search(const ColourModel& model, const std::vector<double>& start, int starts,
                             std::uint64_t seed, SharedProgress& work, SearchEffort& effort);
 
-/// As search(), without the fine descents: where the coarse ones ended.
-std::vector<Descent> coarse_search(const ColourModel& model, const std::vector<double>& start,
-                                   int starts, std::uint64_t seed, SharedProgress& work,
-                                   SearchEffort& effort);
+/// The first steps of search() alone, for a fraction of its work: where the short descents ended,
+/// the best first.
+/// @throws as search()
+std::vector<Descent> short_search(const ColourModel& model, const std::vector<double>& start,
+                                  int starts, std::uint64_t seed, SharedProgress& work);
+
+/// One of the coarse descents of search().
+/// @throws Stopped if the work is
+Descent coarse_descent(const ColourModel& model, const std::vector<double>& start);
 
 }  // namespace nacre::fit

@@ -6,15 +6,6 @@ namespace nacre::paint {
 
 namespace detail {
 
-const Quadrature& unit_radial_nodes() {
-    static const Quadrature nodes = gauss_legendre(kRadialNodes, 0.0, 1.0);
-    return nodes;
-}
-const Quadrature& unit_azimuth_nodes() {
-    static const Quadrature nodes = gauss_legendre(kAzimuthNodes, 0.0, 1.0);
-    return nodes;
-}
-
 // Mean over phi of |a - b cos phi|, a, b >= 0.
 static double mean_absolute_projection(double a, double b) {
     if (a >= b) return a;

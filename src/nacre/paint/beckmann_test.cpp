@@ -132,7 +132,7 @@ TEST(BeckmannFlakes, QuadratureOfNormalsSumsToTheProjectedArea) {
     for (double alpha : {0.02, 0.05, 0.1, 0.3, 0.5, 1.0}) {
         for (double mu : {1.0, 0.9, 0.75, 0.5, 0.2, 0.1, 0.05, 0.01, 1e-4, 0.0}) {
             double sum = 0;
-            for_each_normal(mu, alpha, [&](double cosine, double weight) {
+            for_each_normal(mu, alpha, kNormalNodes, [&](double cosine, double weight) {
                 EXPECT_GE(cosine, 0);
                 EXPECT_LE(cosine, 1);
                 EXPECT_GE(weight, 0);
@@ -152,7 +152,8 @@ TEST(BeckmannFlakes, QuadratureOfNormalsMatchesBruteForce) {
     for (double alpha : {0.05, 0.3, 1.0}) {
         for (double mu : {1.0, 0.6, 0.15, 0.03}) {
             double sum = 0;
-            for_each_normal(mu, alpha, [&](double c, double weight) { sum += weight * f(c); });
+            for_each_normal(mu, alpha, kNormalNodes,
+                            [&](double c, double weight) { sum += weight * f(c); });
             const double expected = brute_force(mu, alpha, f);
             EXPECT_NEAR(sum, expected, (kNormalQuadratureError + kBruteForceError) * expected)
                 << alpha << ' ' << mu;

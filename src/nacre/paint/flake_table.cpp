@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -124,6 +125,7 @@ FlakeTable FlakeTable::from_chebyshev(int cosine_count, int wavelength_count,
     table.stride_ = static_cast<std::size_t>(block_count(wavelength_count)) * kLanes;
     table.chebyshev_r_.assign(reflectance.begin(), reflectance.end());
     table.chebyshev_t_.assign(transmittance.begin(), transmittance.end());
+    table.opaque_ = std::ranges::all_of(transmittance, [](double t) { return t == 0; });
     table.fine_r_ = fine_grid(cosine_count, wavelength_count, table.stride_, table.intervals_,
                               table.chebyshev_r_);
     table.fine_t_ = fine_grid(cosine_count, wavelength_count, table.stride_, table.intervals_,

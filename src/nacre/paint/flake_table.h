@@ -35,6 +35,8 @@ class FlakeTable {
 
     int wavelength_count() const { return wavelength_count_; }
     int cosine_count() const { return cosine_count_; }
+    /// Whether nothing is transmitted at any angle and wavelength.
+    bool is_opaque() const { return opaque_; }
     /// The values at the Chebyshev-Lobatto points, [cosine][wavelength]: what a file stores.
     const std::vector<double>& chebyshev_reflectance() const { return chebyshev_r_; }
     const std::vector<double>& chebyshev_transmittance() const { return chebyshev_t_; }
@@ -71,6 +73,7 @@ class FlakeTable {
     }
 
     int wavelength_count_ = 0, cosine_count_ = 0;
+    bool opaque_ = false;
     int intervals_ = 0;  // 0: no dependence on angle
     std::size_t stride_ = 0;
     std::vector<double> chebyshev_r_, chebyshev_t_;

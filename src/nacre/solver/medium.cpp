@@ -108,9 +108,14 @@ DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
     DoubleLanes sum{};
     for (const FlakeMedium& flake : layer.flakes) {
         DoubleLanes cross_section{};
-        paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
-            cross_section += weight * (1.0 - flake.table.transmittance(cosine, block));
-        });
+        if (flake.table.is_opaque()) {
+            cross_section += paint::projected_area(mu, flake.alpha);
+        } else {
+            paint::for_each_normal(
+                mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
+                    cross_section += weight * (1.0 - flake.table.transmittance(cosine, block));
+                });
+        }
         sum += flake.area_density_per_um * cross_section;
     }
     for (const PigmentMedium& pigment : layer.pigments) {
@@ -124,7 +129,8 @@ DoubleLanes absorption(const LayerMedium& layer, double mu, int block) {
     DoubleLanes sum{};
     for (const FlakeMedium& flake : layer.flakes) {
         DoubleLanes cross_section{};
-        paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
+        const int nodes = flake.normal_nodes();
+        paint::for_each_normal(mu, flake.alpha, nodes, [&](double cosine, double weight) {
             cross_section += weight * (1.0 - flake.table.transmittance(cosine, block) -
                                        flake.table.reflectance(cosine, block));
         });

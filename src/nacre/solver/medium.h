@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nacre/optics/phase_function.h"
+#include "nacre/paint/beckmann.h"
 #include "nacre/paint/flake_table.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/solver/film_cache.h"
@@ -18,6 +19,9 @@ struct FlakeMedium {
     double area_density_per_um = 0;  ///< c = a rho
     double alpha = 0.1;
     paint::FlakeTable table;
+
+    /// Of averages over the flakes' normals (paint::for_each_normal).
+    int normal_nodes() const { return paint::normal_nodes(alpha, table.cosine_count()); }
 
     friend bool operator==(const FlakeMedium&, const FlakeMedium&) = default;
 };

@@ -30,10 +30,11 @@ void fill_row(const solver::PaintMedium& medium, float* row, F&& f) {
 // c Int (1-T)^2 |w.m| D(m) dm / mu at the wavelengths of one block.
 DoubleLanes shared_blocking(const solver::FlakeMedium& flake, double mu, int block) {
     DoubleLanes sum{};
-    paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
-        const DoubleLanes blocked = 1.0 - flake.table.transmittance(cosine, block);
-        sum += weight * blocked * blocked;
-    });
+    paint::for_each_normal(
+        mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
+            const DoubleLanes blocked = 1.0 - flake.table.transmittance(cosine, block);
+            sum += weight * blocked * blocked;
+        });
     return flake.area_density_per_um / mu * sum;
 }
 

@@ -46,10 +46,11 @@ double single_scattering_fraction(const solver::PaintMedium& medium, double ior,
         const double here = layer.thickness_um * lane_mean(rate);
         double scattering = 0;
         for (const auto& flake : layer.flakes) {
-            paint::for_each_normal(mu, flake.alpha, [&](double cosine, double weight) {
-                scattering += flake.area_density_per_um * weight *
-                              lane_mean(flake.table.reflectance(cosine, block));
-            });
+            paint::for_each_normal(
+                mu, flake.alpha, paint::kNormalNodes, [&](double cosine, double weight) {
+                    scattering += flake.area_density_per_um * weight *
+                                  lane_mean(flake.table.reflectance(cosine, block));
+                });
         }
         fraction += t * t * scattering / mu * std::exp(-depth) * layer.thickness_um *
                     (here > 1e-9 ? -std::expm1(-here) / here : 1.0);
