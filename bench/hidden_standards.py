@@ -141,7 +141,7 @@ def main() -> None:
             kind = write_readings(standard, number, file)
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
             start = time.monotonic()
-            command = [given.nacre, "fit", file, "--library", given.library, "--format", "json"]
+            command = [given.nacre.resolve(), "fit", file, "--library", given.library, "--format", "json"]
             done = subprocess.run(
                 [*command, "--quiet", *words[ours + 1 :]], capture_output=True, text=True, check=False
             )

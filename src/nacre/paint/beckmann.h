@@ -39,8 +39,7 @@ inline constexpr int kNormalNodes = 16;
 /// error is below 3e-4 of s(mu) for films of silica up to 400 nm on metal, 1e-3 up to 900 nm, where
 /// 16 nodes err by up to 4e-2.
 constexpr int normal_nodes(double alpha, int cosine_count) {
-    const double spread = std::min(1.0, 2.5 * alpha);
-    return kNormalNodes + 8 * static_cast<int>(6 * spread * cosine_count / 513 + 0.5);
+    return kNormalNodes + 8 * static_cast<int>(15 * alpha * cosine_count / 513 + 0.5);
 }
 
 namespace detail {

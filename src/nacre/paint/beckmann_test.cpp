@@ -161,6 +161,30 @@ TEST(BeckmannFlakes, QuadratureOfNormalsMatchesBruteForce) {
     }
 }
 
+// Fringes of a film: a phase of 100 rad over the cosines takes some 75 Chebyshev cosines, of which
+// tables hold 257.
+TEST(BeckmannFlakes, FringesTakeAsManyNodesAsTheirCosines) {
+    const auto fringes = [](double c) { return 0.5 + 0.5 * std::cos(100 * c); };
+    for (double alpha : {0.1, 0.4, 1.0}) {
+        double worst = 0, worst_of_16 = 0;
+        for (double mu : {1.0, 0.8, 0.4, 0.1}) {
+            const double expected = brute_force(mu, alpha, fringes);
+            const auto error = [&](int nodes) {
+                double sum = 0;
+                for_each_normal(mu, alpha, nodes,
+                                [&](double c, double w) { sum += w * fringes(c); });
+                return std::abs(sum - expected) / projected_area(mu, alpha);
+            };
+            worst = std::max(worst, error(normal_nodes(alpha, 257)));
+            worst_of_16 = std::max(worst_of_16, error(kNormalNodes));
+        }
+        EXPECT_LT(worst, 1e-3) << alpha;
+        EXPECT_GT(worst_of_16, 3 * worst) << alpha;
+    }
+    EXPECT_EQ(normal_nodes(0.4, 1), kNormalNodes);
+    EXPECT_EQ(normal_nodes(0.4, 513), 64);
+}
+
 TEST(BeckmannFlakes, RefusesCosinesAndRoughnessOutOfRange) {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(projected_area(-0.1, 0.1), DomainError);

@@ -87,6 +87,18 @@ TEST(Solver, TooFewNodesShowInTheReport) {
     EXPECT_EQ(paint.report.exit_nodes, 4);
 }
 
+// Silica of 900 nm on aluminium, whose fringes are many: what the flakes absorb and what they
+// scatter add up to their area (kernel and loss are integrated apart), and twelve directions do.
+TEST(Solver, FilmsOfManyFringesLoseNoLight) {
+    paint::Recipe recipe = flake_paint(0.4, 0.6, 0, 1, 1.5);
+    recipe.layers[0].flakes[0].body = optics::Platelet{
+        {optics::find_material("Al"), 300, {60}},
+        {{optics::find_material("SiO2"), 900, {8}}, {optics::find_material("Fe2O3"), 17, {2}}}};
+    const SolverReport report = solve(recipe, {440, 500, 560}).report;
+    EXPECT_LT(report.unresolved_scattering, 8e-3);
+    EXPECT_LE(report.exit_nodes, 12);
+}
+
 TEST(Solver, TooFewOrdersShowInTheReport) {
     SolverSettings coarse;
     coarse.max_orders = 8;
