@@ -77,6 +77,20 @@ TEST_F(PaintLibrary, FitsEachOfTheNearestConstructionsFromItsNearestRecord) {
     for (const auto& parameter : matches[1].match.parameters) {
         EXPECT_THAT(parameter.number.bounds.key, HasSubstr("pigment[0]"));
     }
+
+    // Of more constructions than are to be fitted, what rough fits say is nearest.
+    std::vector<double> told;
+    const std::vector<ConstructionMatch> one =
+        fit_from_library(path(), standard, 1, settings, [&](double fraction) {
+            told.push_back(fraction);
+            return true;
+        });
+    ASSERT_EQ(one.size(), 1u);
+    EXPECT_EQ(one[0].start.construction, "pearl");
+    EXPECT_EQ(one[0].match.recipe, matches[0].match.recipe);
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_THROW(fit_from_library(path(), standard, 1, settings, [](double) { return false; }),
+                 Stopped);
 }
 
 TEST_F(PaintLibrary, RefusesWhatIsNone) {
