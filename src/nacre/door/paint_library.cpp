@@ -158,7 +158,7 @@ struct Start {
             const double least = swept == record.swept.end()
                                      ? paint::find_parameter(paint.recipe(), key).value
                                      : swept->lo;
-            range->lo = std::max(range->lo, least);
+            if (least < range->hi) range->lo = std::max(range->lo, least);
         }
         return bounds;
     }
