@@ -256,6 +256,23 @@ export class Studio {
         this.painting.want({ recipe, document, settings, since: this.around.now() });
     }
 
+    /**
+     * Calls back with what the server says of the paint as it is now, which may be yet to come; never
+     * where it finds a fault or goes away.
+     */
+    whenCurrent(then: (state: State) => void): void {
+        const look = (): boolean => {
+            const state = this.store.get();
+            const current = state.readingsOf === state.document;
+            if (current) then(state);
+            return current || state.fault !== null || state.connection !== "open";
+        };
+        if (look()) return;
+        const leave = this.store.subscribe(() => {
+            if (look()) leave();
+        });
+    }
+
     /** No answer is awaited. */
     get settled(): boolean {
         return !this.painting.busy;

@@ -6,6 +6,7 @@ import { themeButton } from "../../common/theme";
 import { fileName, pngOf, save } from "./files";
 import { messageOf } from "./errors";
 import { LIGHT_FILES, MESH_FILES } from "./own_files";
+import type { State } from "./state";
 import { useStudio, useStudioState } from "./ui/context";
 import { Made } from "./ui/element";
 import { IconButton } from "./ui/icons";
@@ -77,18 +78,18 @@ export function Top(): VNode {
 
 function Saving(): VNode {
     const studio = useStudio();
-    const document = useStudioState((state) => state.document);
-    const readings = useStudioState((state) => state.readings);
-    const paint = useStudioState((state) => state.paint);
-    // What is saved is what the server last read; while it has yet to answer there is nothing new.
-    const current = useStudioState((state) => state.readingsOf === state.document);
-    const { name } = document.recipe;
+    // Not while the server has yet to answer: buttons that go out and on with each move would flicker.
+    const sound = useStudioState(
+        ({ readings, readingsOf, document, fault }) =>
+            readings !== null && (fault === null || readingsOf === document),
+    );
+    const nameOf = ({ document }: State) => document.recipe.name;
     const savePicture = () => {
         const canvas = globalThis.document.querySelector<HTMLCanvasElement>("canvas.now");
         if (canvas === null) return;
         pngOf(canvas).then(
             (blob) => {
-                save(fileName(name, "png"), blob, "image/png");
+                save(fileName(nameOf(studio.store.get()), "png"), blob, "image/png");
             },
             (error: unknown) => {
                 studio.say(messageOf(error));
@@ -99,11 +100,13 @@ function Saving(): VNode {
         <span class="saving">
             <button
                 type="button"
-                disabled={!current || paint === null}
+                disabled={!sound}
                 title="Save the recipe, .toml"
                 onClick={() => {
-                    if (paint !== null)
-                        save(fileName(name, "toml"), paint.toml, "application/toml");
+                    studio.whenCurrent((state) => {
+                        const toml = state.paint?.toml ?? "";
+                        save(fileName(nameOf(state), "toml"), toml, "application/toml");
+                    });
                 }}
             >
                 Save recipe
@@ -113,17 +116,20 @@ function Saving(): VNode {
             </button>
             <button
                 type="button"
-                disabled={!current || readings === null}
+                disabled={!sound}
                 title="Save the readings, .csv"
                 onClick={() => {
-                    if (readings !== null) save(fileName(name, "csv"), readings.csv, "text/csv");
+                    studio.whenCurrent((state) => {
+                        const csv = state.readings?.csv ?? "";
+                        save(fileName(nameOf(state), "csv"), csv, "text/csv");
+                    });
                 }}
             >
                 Readings
             </button>
             <button
                 type="button"
-                disabled={!current}
+                disabled={!sound}
                 title="Print the report of the panel, or save it as PDF"
                 onClick={() => {
                     studio.report("pdf");
@@ -133,7 +139,7 @@ function Saving(): VNode {
             </button>
             <button
                 type="button"
-                disabled={!current}
+                disabled={!sound}
                 aria-label="Report as HTML"
                 title="Save the report of the panel, .html"
                 onClick={() => {

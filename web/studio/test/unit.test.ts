@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import type { FunctionComponent } from "preact";
 import { atlasValues } from "../src/atlas";
 import type { Document } from "../src/edit";
 import { insertEntry, moveEntry, removeEntry, setLock, setValue } from "../src/edit";
@@ -26,8 +27,9 @@ import { Session, unpack } from "../src/session";
 import { niceAbove, scaleOf, settled } from "../src/slider";
 import { newEntry, switched } from "../src/starters";
 import { Studio } from "../src/studio";
-import type { Table } from "../src/tree";
+import type { Path, Table } from "../src/tree";
 import { genericPath, get, numbers, parsePath, pathText, set } from "../src/tree";
+import { steady } from "../src/ui/steady";
 import { FakeServer, SCHEMA } from "./fake_server";
 
 const PAINT: Table = {
@@ -315,6 +317,48 @@ test("the studio opens a paint, measures it, and never has two measurements unde
     assert.equal(get(studio.store.get().document.recipe, parsePath(COAT)), 20);
     studio.redo();
     assert.equal(get(studio.store.get().document.recipe, parsePath(COAT)), 70);
+});
+
+test("what is saved is of the paint as it is now, and a paint with a fault is not saved", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    const saved: unknown[] = [];
+    const save = () => {
+        studio.whenCurrent(({ document }) => saved.push(get(document.recipe, parsePath(COAT))));
+    };
+    save();
+    assert.deepEqual(saved, [20], "at once where nothing is awaited");
+    studio.edit((d) => setValue(d, parsePath(COAT), 21));
+    save();
+    assert.deepEqual(saved, [20]);
+    server.answerPaint();
+    assert.deepEqual(saved, [20, 21]);
+    studio.edit((d) => setValue(d, parsePath(COAT), -1));
+    save();
+    const { id } = server.received("paint").at(-1) ?? {};
+    server.answer({ type: "error", id, message: "out of range", key: COAT });
+    studio.undo();
+    server.answerPaint();
+    assert.deepEqual(saved, [20, 21], "what was refused is forgotten");
+});
+
+test("a steady component is drawn when a property or a step of its path is another", () => {
+    const draw: FunctionComponent<{ path: Path; value?: unknown }> = () => null;
+    const Row = steady(draw);
+    type Props = Parameters<typeof draw>[0];
+    const draws = (one: Props, other: Props) =>
+        new Row(one).shouldComponentUpdate?.(other, {}, {}) ?? true;
+    const value = { a: 1 };
+    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 0], value }), false);
+    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 1], value }), true);
+    assert.equal(
+        draws({ path: ["layer", 0], value }, { path: ["layer", 0], value: { a: 1 } }),
+        true,
+    );
+    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 0] }), true);
+    assert.equal(draws({ path: ["layer", 0] }, { path: ["layer", 0], value }), true);
 });
 
 test("a fault is kept until a recipe can be read again, and the last colours stay", async () => {

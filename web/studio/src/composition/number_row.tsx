@@ -8,8 +8,8 @@ import { labelOf, placeText, rangeText } from "../schema";
 import type { Scale } from "../slider";
 import { scaleOf, settled } from "../slider";
 import type { Path } from "../tree";
-import { get, pathText } from "../tree";
-import { useStudio, useStudioState } from "../ui/context";
+import { pathText } from "../tree";
+import { useStudio, useStudioState, useValueAt } from "../ui/context";
 import { IconButton } from "../ui/icons";
 import { FaultText, useFaultAt } from "./fault";
 
@@ -36,8 +36,8 @@ export function NumberRow(props: {
     const studio = useStudio();
     const text = pathText(path);
     const locked = useStudioState((state) => state.document.locks.has(text));
-    const recipe = useStudioState((state) => state.document.recipe);
-    const bounds = boundsOf(get(recipe, ["fit", text]));
+    const place = useStudioState((state) => placeText(state.document.recipe, path));
+    const bounds = boundsOf(useValueAt(["fit", text]));
     const fault = useFaultAt(path);
     const id = useId();
     const [draft, setDraft] = useState<string | null>(null);
@@ -54,7 +54,7 @@ export function NumberRow(props: {
     const { unit } = labelOf(info.key);
     const label = props.label ?? labelOf(info.key).label;
     const range = rangeText(info);
-    const full = `${label}, ${placeText(recipe, path)}`;
+    const full = `${label}, ${place}`;
     const change = (to: number, gesture: string | null) => {
         studio.edit((document) => setValue(document, path, to), gesture);
     };

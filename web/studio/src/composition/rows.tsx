@@ -9,6 +9,7 @@ import type { Path, Value } from "../tree";
 import { get, isList, isTable } from "../tree";
 import { useStudio, useStudioState } from "../ui/context";
 import { Picker } from "../ui/picker";
+import { steady } from "../ui/steady";
 import { FaultText, useFaultAt } from "./fault";
 import { NumberRow } from "./number_row";
 
@@ -18,7 +19,7 @@ interface RowProps {
     readonly value: Value;
 }
 
-export function ValueRow({ path, info, value }: RowProps): VNode {
+export const ValueRow = steady(({ path, info, value }: RowProps): VNode => {
     if (typeof value === "number" && info.kind !== "material") {
         return <NumberRow path={path} info={info} value={value} />;
     }
@@ -42,16 +43,15 @@ export function ValueRow({ path, info, value }: RowProps): VNode {
         default:
             return <SamplesRow path={path} info={info} value={value} />;
     }
-}
+});
 
 /** What all of them need: label, message, and how to set another value. */
 function useRow({ path, info }: RowProps) {
     const studio = useStudio();
-    const recipe = useStudioState((state) => state.document.recipe);
+    const place = useStudioState((state) => placeText(state.document.recipe, path));
     const fault = useFaultAt(path);
     const id = useId();
     const { label } = labelOf(info.key);
-    const place = placeText(recipe, path);
     return {
         id,
         label,

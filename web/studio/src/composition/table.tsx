@@ -6,11 +6,12 @@ import { insertEntry, moveEntry, removeEntry, setValue } from "../edit";
 import type { KeyInfo, Schema, TableInfo } from "../schema";
 import { chosen, foreignKeys, labelOf, singular, tableInfo } from "../schema";
 import { newEntry, starter, switched } from "../starters";
-import type { Path, Table } from "../tree";
+import type { Path, Table, Value } from "../tree";
 import { get, isList, isTable, pathText } from "../tree";
-import { useStudio, useStudioState } from "../ui/context";
+import { useStudio, useStudioState, useValueAt } from "../ui/context";
 import { Icon, IconButton } from "../ui/icons";
 import { Picker } from "../ui/picker";
+import { steady } from "../ui/steady";
 import { FaultText, useFaultIn } from "./fault";
 import { ValueRow } from "./rows";
 
@@ -42,10 +43,9 @@ function offered(table: Table, info: TableInfo): KeyInfo[] {
     );
 }
 
-export function TableForm({ path }: { readonly path: Path }): VNode | null {
+export const TableForm = steady(({ path }: { readonly path: Path }): VNode | null => {
     const schema = useStudioState((state) => state.schema);
-    const recipe = useStudioState((state) => state.document.recipe);
-    const table = get(recipe, path);
+    const table = useValueAt(path);
     const info = schema === null ? undefined : tableInfo(schema, path);
     const fault = useFaultIn(path);
     if (schema === null || info === undefined || !isTable(table)) return null;
@@ -75,7 +75,7 @@ export function TableForm({ path }: { readonly path: Path }): VNode | null {
             {inner}
         </>
     );
-}
+});
 
 /** Layers offer flakes and pigments, and flakes with a core coats, even when they have none. */
 function isListOfLayer(path: Path, key: string): boolean {
@@ -83,13 +83,19 @@ function isListOfLayer(path: Path, key: string): boolean {
 }
 
 /** What a table could have besides, could say in another way, or could do without. */
-export function More({ path }: { readonly path: Path }): VNode | null {
+export const More = steady(({ path }: { readonly path: Path }): VNode | null => {
     const schema = useStudioState((state) => state.schema);
-    const recipe = useStudioState((state) => state.document.recipe);
-    const table = get(recipe, path);
+    const studio = useStudio();
+    // What may be done depends on which keys are there, not on their values.
+    useStudioState(({ document }) => keysOf(get(document.recipe, path)));
+    const table = get(studio.store.get().document.recipe, path);
     const info = schema === null ? undefined : tableInfo(schema, path);
     if (schema === null || info === undefined || !isTable(table)) return null;
     return <MoreOf path={path} table={table} info={info} schema={schema} />;
+});
+
+function keysOf(table: Value | undefined): string {
+    return isTable(table) ? Object.keys(table).join(" ") : "";
 }
 
 function MoreOf(props: {
@@ -143,8 +149,9 @@ function MoreOf(props: {
             }
             if (what === "remove") return setValue(document, [...path, one ?? ""], undefined);
             const group = info.alternatives?.[Number(one)];
-            if (group === undefined) return document;
-            const changed = switched(schema, path, table, group, Number(two));
+            const now = get(document.recipe, path);
+            if (group === undefined || !isTable(now)) return document;
+            const changed = switched(schema, path, now, group, Number(two));
             return setValue(document, path, changed);
         });
     };
@@ -256,9 +263,8 @@ function SectionForm({ path, info }: { readonly path: Path; readonly info: KeyIn
     );
 }
 
-function ListForm({ path }: { readonly path: Path }): VNode {
-    const recipe = useStudioState((state) => state.document.recipe);
-    const value = get(recipe, path);
+const ListForm = steady(({ path }: { readonly path: Path }): VNode => {
+    const value = useValueAt(path);
     const entries = isList(value) ? value : [];
     const list = String(path.at(-1));
     const order = [...entries.keys()];
@@ -273,64 +279,66 @@ function ListForm({ path }: { readonly path: Path }): VNode {
             {!REVERSED.has(list) && add}
         </div>
     );
-}
+});
 
 const OWN_PIGMENT = "own coefficients";
 
-function AddEntry({ path, at }: { readonly path: Path; readonly at: number }): VNode | null {
-    const studio = useStudio();
-    const schema = useStudioState((state) => state.schema);
-    if (schema === null) return null;
-    const list = String(path.at(-1));
-    const kind = singular(list);
-    const insert = (entry = newEntry(schema, path)) => {
-        studio.edit((document) => insertEntry(document, path, at, entry));
-    };
-    if (list === "pigment") {
+const AddEntry = steady(
+    ({ path, at }: { readonly path: Path; readonly at: number }): VNode | null => {
+        const studio = useStudio();
+        const schema = useStudioState((state) => state.schema);
+        if (schema === null) return null;
+        const list = String(path.at(-1));
+        const kind = singular(list);
+        const insert = (entry = newEntry(schema, path)) => {
+            studio.edit((document) => insertEntry(document, path, at, entry));
+        };
+        if (list === "pigment") {
+            return (
+                <Picker
+                    class="add"
+                    label="Add a pigment"
+                    text="+ Pigment"
+                    chosen={null}
+                    choices={[
+                        ...schema.pigments,
+                        { name: OWN_PIGMENT, summary: "scattering and absorption", rgb: null },
+                    ]}
+                    onChoose={(name) => {
+                        insert(
+                            name === OWN_PIGMENT
+                                ? { scattering_per_mm: 10, absorption_per_mm: 10 }
+                                : { from: name, volume_fraction: 0.05 },
+                        );
+                    }}
+                />
+            );
+        }
         return (
-            <Picker
+            <button
+                type="button"
                 class="add"
-                label="Add a pigment"
-                text="+ Pigment"
-                chosen={null}
-                choices={[
-                    ...schema.pigments,
-                    { name: OWN_PIGMENT, summary: "scattering and absorption", rgb: null },
-                ]}
-                onChoose={(name) => {
-                    insert(
-                        name === OWN_PIGMENT
-                            ? { scattering_per_mm: 10, absorption_per_mm: 10 }
-                            : { from: name, volume_fraction: 0.05 },
-                    );
+                onClick={() => {
+                    insert();
                 }}
-            />
+            >
+                + {kind.charAt(0).toUpperCase() + kind.slice(1)}
+            </button>
         );
-    }
-    return (
-        <button
-            type="button"
-            class="add"
-            onClick={() => {
-                insert();
-            }}
-        >
-            + {kind.charAt(0).toUpperCase() + kind.slice(1)}
-        </button>
-    );
-}
+    },
+);
 
-function EntryForm(props: {
+interface EntryProps {
     readonly path: Path;
     readonly i: number;
     readonly count: number;
-}): VNode | null {
-    const { path, i, count } = props;
+}
+
+const EntryForm = steady(({ path, i, count }: EntryProps): VNode | null => {
     const studio = useStudio();
-    const recipe = useStudioState((state) => state.document.recipe);
     const schema = useStudioState((state) => state.schema);
     const at = [...path, i];
-    const table = get(recipe, at);
+    const table = useValueAt(at);
     const list = String(path.at(-1));
     const kind = singular(list);
     const number = list === "layer" && count === 1 ? "" : ` ${String(i + 1)}`;
@@ -398,4 +406,4 @@ function EntryForm(props: {
             <TableForm path={at} />
         </Folding>
     );
-}
+});

@@ -21,7 +21,6 @@ export function PicturePanel(): VNode {
 function PictureBar(): VNode {
     const studio = useStudio();
     const schema = useStudioState((state) => state.schema);
-    const document = useStudioState((state) => state.document);
     const view = useViewerState((state) => state.view);
     const kept = useViewerState((state) => state.keptRecipe);
     const own = useStudioState((state) => state.ownShape);
@@ -83,7 +82,8 @@ function PictureBar(): VNode {
                         : "Stop comparing"
                 }
                 onClick={() => {
-                    studio.viewer.keep(kept === null ? document.recipe : null);
+                    const { recipe } = studio.store.get().document;
+                    studio.viewer.keep(kept === null ? recipe : null);
                 }}
             >
                 {kept === null ? "Keep as A" : "A | B"}

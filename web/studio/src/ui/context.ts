@@ -4,6 +4,8 @@ import type { AtlasState } from "../atlas";
 import type { State } from "../state";
 import { useStore } from "../store";
 import type { Studio } from "../studio";
+import type { Path, Value } from "../tree";
+import { get } from "../tree";
 import type { ViewerState } from "../viewer";
 
 const StudioContext = createContext<Studio | null>(null);
@@ -17,6 +19,11 @@ export function useStudio(): Studio {
 
 export function useStudioState<T>(part: (state: State) => T): T {
     return useStore(useStudio().store, part);
+}
+
+/** What the recipe has at a path: the same object until something in it is changed. */
+export function useValueAt(path: Path): Value | undefined {
+    return useStudioState(({ document }) => get(document.recipe, path));
 }
 
 export function useViewerState<T>(part: (state: ViewerState) => T): T {
