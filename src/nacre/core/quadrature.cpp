@@ -34,6 +34,45 @@ double tricomi_estimate(int n, int i) {
     return (1 - (n - 1.0) / (8.0 * n * n * n)) * std::cos(theta);
 }
 
+// On [-1, 1], from the largest node down to the centre; the others are their mirror images.
+Quadrature upper_half(int n) {
+    Quadrature half;
+    for (int i = 0; i < (n + 1) / 2; ++i) {
+        double x = 2 * i + 1 == n ? 0.0 : tricomi_estimate(n, i);
+        for (int step = 0; step < 8 && x != 0; ++step) {
+            const auto [value, derivative] = legendre(n, x);
+            const double change = value / derivative;
+            x -= change;
+            // Newton's error squares at each step: below 1e-9 it has reached rounding.
+            if (std::abs(change) < 1e-9) break;
+        }
+        const double derivative = n == 1 ? 1.0 : legendre(n, x).derivative;
+        half.nodes.push_back(x);
+        half.weights.push_back(2 / ((1 - x) * (1 + x) * derivative * derivative));
+    }
+    return half;
+}
+
+// One rule for each number of nodes, made when it is first asked for and kept.
+class RuleCache {
+ public:
+    template <class Make>
+    const Quadrature& at(int n, const Make& make) {
+        const std::scoped_lock lock(mutex_);
+        if (static_cast<int>(rules_.size()) <= n) rules_.resize(n + 1);
+        if (!rules_[n]) rules_[n] = std::make_unique<const Quadrature>(make(n));
+        return *rules_[n];
+    }
+
+ private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<const Quadrature>> rules_;
+};
+
+// Finding the zeros takes time in n^2: rules of up to so many nodes are kept, a quarter of a megabyte
+// in all.
+constexpr int kMaxKeptNodes = 256;
+
 }  // namespace
 
 Quadrature gauss_legendre(int n, double a, double b) {
@@ -46,34 +85,21 @@ Quadrature gauss_legendre(int n, double a, double b) {
     }
     Quadrature rule{std::vector<double>(n), std::vector<double>(n)};
     const double half = 0.5 * (b - a), centre = 0.5 * (a + b);
-    // Zeros lie symmetrically about the centre: find the upper half, from the largest down.
+    static RuleCache kept;
+    Quadrature found;
+    if (n > kMaxKeptNodes) found = upper_half(n);
+    const Quadrature& upper = n > kMaxKeptNodes ? found : kept.at(n, upper_half);
     for (int i = 0; i < (n + 1) / 2; ++i) {
-        double x = 2 * i + 1 == n ? 0.0 : tricomi_estimate(n, i);
-        for (int step = 0; step < 8 && x != 0; ++step) {
-            const auto [value, derivative] = legendre(n, x);
-            const double change = value / derivative;
-            x -= change;
-            // Newton's error squares at each step: below 1e-9 it has reached rounding.
-            if (std::abs(change) < 1e-9) break;
-        }
-        const double derivative = n == 1 ? 1.0 : legendre(n, x).derivative;
-        const double weight = 2 / ((1 - x) * (1 + x) * derivative * derivative);
-        rule.nodes[n - 1 - i] = centre + half * x;
-        rule.nodes[i] = centre - half * x;
-        rule.weights[i] = rule.weights[n - 1 - i] = half * weight;
+        rule.nodes[n - 1 - i] = centre + half * upper.nodes[i];
+        rule.nodes[i] = centre - half * upper.nodes[i];
+        rule.weights[i] = rule.weights[n - 1 - i] = half * upper.weights[i];
     }
     return rule;
 }
 
 const Quadrature& unit_gauss_legendre(int count) {
-    static std::mutex mutex;
-    static std::vector<std::unique_ptr<const Quadrature>> rules;
-    const std::scoped_lock lock(mutex);
-    if (static_cast<int>(rules.size()) <= count) rules.resize(count + 1);
-    if (!rules[count]) {
-        rules[count] = std::make_unique<const Quadrature>(gauss_legendre(count, 0.0, 1.0));
-    }
-    return *rules[count];
+    static RuleCache rules;
+    return rules.at(count, [](int n) { return gauss_legendre(n, 0.0, 1.0); });
 }
 
 }  // namespace nacre

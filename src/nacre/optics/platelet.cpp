@@ -13,48 +13,7 @@
 #include "nacre/optics/thickness_rule.h"
 #include "nacre/optics/thin_film.h"
 
-// How many nodes Gauss's rule needs for the mean over a film's thickness. Its error falls like
-// rho^(-2 n), rho being the half-axis sum of the largest ellipse around the range of integration
-// inside which R is analytic [trefethen-2013, theorem 19.3]; so the nearest pole of R decides.
-
 namespace nacre::optics {
-
-inline constexpr int kMaxNodesPerFilm = 768;
-
-/// For a film in which waves run. As a function of its phase, in [-half_phase, half_phase], R has
-/// its nearest pole where the amplitude after a round trip, p e^(Im phase), reaches 1.
-/// @param p             largest amplitude after a round trip, in [0, 1]
-/// @param target_error  relative error aimed at, in (0, 1)
-/// @return  in [1, kMaxNodesPerFilm], rounded up so that few different counts occur
-int nodes_for_wave(double half_phase, double p, double target_error);
-
-/// For a film beyond its critical angle, where waves decay by `decay_per_nm` and nothing resonates:
-/// the pole is at thickness 0, outside [lo, hi].
-int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double target_error);
-
-namespace {
-
-/// Few different counts, so that few rules are made.
-int rounded_count(double n) {
-    const int rounded = n < 16 ? static_cast<int>(std::ceil(n))
-                               : 8 * static_cast<int>(std::ceil(std::min(n, 1e4) / 8));
-    return std::clamp(rounded, 1, kMaxNodesPerFilm);
-}
-
-}  // namespace
-
-int nodes_for_wave(double half_phase, double p, double target_error) {
-    p = std::clamp(p, 1e-12, 1 - 1e-9);
-    const double pole = -std::log(p) / std::max(half_phase, 1e-12);
-    return rounded_count(-std::log(target_error) / (2 * std::asinh(pole)) + 1);
-}
-
-int nodes_for_decay(double lo_nm, double hi_nm, double decay_per_nm, double target_error) {
-    const double half_nm = (hi_nm - lo_nm) / 2;
-    const double pole = std::max((lo_nm + hi_nm) / 2 / half_nm, 1.05);
-    return rounded_count(-std::log(target_error) / (2 * std::acosh(pole)) +
-                         decay_per_nm * half_nm / 2 + 1);
-}
 
 // A platelet is the core between two coats: mirror images of each other, or one of them none, the
 // bare interface. For a coat, let r_out be its amplitude reflectance from the binder, r_in the one
@@ -145,29 +104,34 @@ class PlateletAverage {
 
     /// Chooses and prepares the nodes for a set of cosines.
     void prepare(std::span<const double> cosines) {
-        for (double c : cosines) {
-            counts_.push_back(affordable_counts(std::max(c, kMinCosine)));
-            for (std::size_t f = 0; f < films_.size(); ++f) {
-                const int count = counts_.back()[f];
-                ThicknessRule& rule = rules_[{f, count}];
-                if (rule.weights.empty()) {
-                    rule = thickness_rule(films_[f]->thickness_nm, films_[f]->spread, count);
-                }
-            }
+        counts_.resize(cosines.size() * blocks_.size());
+        parallel_for(0, counts_.size(), [&](std::size_t i) {
+            counts_[i] = affordable_counts(std::max(cosines[i / blocks_.size()], kMinCosine),
+                                           i % blocks_.size());
+        });
+        for (const std::vector<int>& counts : counts_) {
+            for (std::size_t f = 0; f < films_.size(); ++f) rules_[{f, counts[f]}];
         }
+        std::vector<std::pair<const std::pair<std::size_t, int>, ThicknessRule>*> rules;
+        for (auto& rule : rules_) rules.push_back(&rule);
+        parallel_for(0, rules.size(), [&](std::size_t i) {
+            const auto [film, count] = rules[i]->first;
+            rules[i]->second =
+                thickness_rule(films_[film]->thickness_nm, films_[film]->spread, count);
+        });
     }
 
     void row(std::size_t i, double cosine, double* reflectance, double* transmittance) const {
         cosine = std::max(cosine, kMinCosine);
-        std::vector<const ThicknessRule*> rules;
-        for (std::size_t f = 0; f < films_.size(); ++f) {
-            rules.push_back(&rules_.at({f, counts_[i][f]}));
-        }
+        std::vector<const ThicknessRule*> rules(films_.size());
         std::vector<ComplexLanes> w;
         Lanes lanes;
-        for (std::size_t first = 0; first < wavelengths_nm_.size(); first += kLanes) {
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
             require_going();
-            make(lanes, cosine, blocks_[first / kLanes], rules);
+            for (std::size_t f = 0; f < films_.size(); ++f) {
+                rules[f] = &rules_.at({f, counts_[i * blocks_.size() + b][f]});
+            }
+            make(lanes, cosine, blocks_[b], rules);
             DoubleLanes r{}, t{};
             if (is_opaque(lanes)) {
                 average_opaque(lanes, rules, r);
@@ -176,6 +140,7 @@ class PlateletAverage {
             } else {
                 average_real(lanes, rules, w, r, t);
             }
+            const std::size_t first = b * kLanes;
             const std::size_t count = std::min<std::size_t>(kLanes, wavelengths_nm_.size() - first);
             for (std::size_t l = 0; l < count; ++l) {
                 reflectance[first + l] = r[l] / 2;  // mean of the polarisations
@@ -399,10 +364,10 @@ class PlateletAverage {
         });
     }
 
-    std::vector<int> affordable_counts(double cosine) const {
+    std::vector<int> affordable_counts(double cosine, std::size_t block) const {
         double all = 0;
         for (double target_error : kTargetErrors) {
-            auto counts = node_counts(cosine, target_error);
+            auto counts = node_counts(cosine, block, target_error);
             all = core_spreads_ ? static_cast<double>(arc_.weights.size()) : 1.0;
             all = std::max<double>(all, counts[0]);
             for (std::size_t f = 1; f < counts.size(); ++f) all *= counts[f];
@@ -414,7 +379,8 @@ class PlateletAverage {
             films_.size(), all, cosine, kMaxNodes));
     }
 
-    std::vector<int> node_counts(double cosine, double target_error) const {
+    /// Of thicknesses, by film: as many as the wavelength of the block needs that needs most.
+    std::vector<int> node_counts(double cosine, std::size_t block, double target_error) const {
         const std::size_t count = films_.size();
         std::vector<int> nodes(count, 1);
         const bool spread = std::any_of(films_.begin(), films_.end(), [](const FilmPopulation* f) {
@@ -425,7 +391,8 @@ class PlateletAverage {
         // (a + b)/(1 + a b).
         const auto together = [](double a, double b) { return (a + b) / (1 + a * b); };
         std::vector<double> face(count), rate(count), decay(count);
-        for (std::size_t j = 0; j < wavelengths_nm_.size(); ++j) {
+        const std::size_t end = std::min((block + 1) * kLanes, wavelengths_nm_.size());
+        for (std::size_t j = block * kLanes; j < end; ++j) {
             std::complex<double> y = binder_[j] * cosine;
             std::vector<double> outward(count);
             for (std::size_t f = count; f-- > 0;) {
@@ -474,7 +441,7 @@ class PlateletAverage {
     double opaque_decay_per_nm_ = 0;  // of a core of which the thinnest is opaque
     ThicknessArc arc_;
     std::map<std::pair<std::size_t, int>, ThicknessRule> rules_;  // by film and count
-    std::vector<std::vector<int>> counts_;                        // [cosine][film]
+    std::vector<std::vector<int>> counts_;                        // [cosine][block][film]
 };
 
 void require_film(const FilmPopulation& film) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "nacre/core/error.h"
+#include "nacre/core/parallel.h"
 
 namespace nacre::paint {
 
@@ -21,31 +22,34 @@ std::vector<double> fine_grid(int count, int wavelengths, std::size_t stride, in
                               std::span<const double> values) {
     const std::vector<double> x = chebyshev_cosines(count);
     std::vector<double> fine((intervals + 1) * stride);
-    std::vector<double> weight(count);
-    for (int g = 0; g <= intervals; ++g) {
-        const double c = intervals ? static_cast<double>(g) / intervals : 1.0;
-        double sum = 0;
-        int hit = -1;
-        for (int i = 0; i < count; ++i) {
-            const double d = c - x[i];
-            if (std::abs(d) < 1e-15) hit = i;
-            weight[i] = (i % 2 ? -1.0 : 1.0) * (i == 0 || i == count - 1 ? 0.5 : 1.0) / d;
-            sum += weight[i];
-        }
-        double* row = fine.data() + g * stride;
-        if (hit >= 0) {
-            for (int w = 0; w < wavelengths; ++w) row[w] = values[hit * wavelengths + w];
-        } else {
+    constexpr std::size_t kGrain = 32;
+    parallel_for_ranges(0, intervals + 1, kGrain, [&](std::size_t first, std::size_t last) {
+        std::vector<double> weight(count);
+        for (std::size_t g = first; g < last; ++g) {
+            const double c = intervals ? static_cast<double>(g) / intervals : 1.0;
+            double sum = 0;
+            int hit = -1;
             for (int i = 0; i < count; ++i) {
-                const double f = weight[i] / sum;
-                const double* from = values.data() + static_cast<std::size_t>(i) * wavelengths;
-                for (int w = 0; w < wavelengths; ++w) row[w] += f * from[w];
+                const double d = c - x[i];
+                if (std::abs(d) < 1e-15) hit = i;
+                weight[i] = (i % 2 ? -1.0 : 1.0) * (i == 0 || i == count - 1 ? 0.5 : 1.0) / d;
+                sum += weight[i];
             }
-            // The interpolant may leave the physical range by its own error, not by more.
-            for (int w = 0; w < wavelengths; ++w) row[w] = std::clamp(row[w], 0.0, 1.0);
+            double* row = fine.data() + g * stride;
+            if (hit >= 0) {
+                for (int w = 0; w < wavelengths; ++w) row[w] = values[hit * wavelengths + w];
+            } else {
+                for (int i = 0; i < count; ++i) {
+                    const double f = weight[i] / sum;
+                    const double* from = values.data() + static_cast<std::size_t>(i) * wavelengths;
+                    for (int w = 0; w < wavelengths; ++w) row[w] += f * from[w];
+                }
+                // The interpolant may leave the physical range by its own error, not by more.
+                for (int w = 0; w < wavelengths; ++w) row[w] = std::clamp(row[w], 0.0, 1.0);
+            }
+            for (std::size_t w = wavelengths; w < stride; ++w) row[w] = row[wavelengths - 1];
         }
-        for (std::size_t w = wavelengths; w < stride; ++w) row[w] = row[wavelengths - 1];
-    }
+    });
     return fine;
 }
 
@@ -128,8 +132,12 @@ FlakeTable FlakeTable::from_chebyshev(int cosine_count, int wavelength_count,
     table.opaque_ = std::ranges::all_of(transmittance, [](double t) { return t == 0; });
     table.fine_r_ = fine_grid(cosine_count, wavelength_count, table.stride_, table.intervals_,
                               table.chebyshev_r_);
-    table.fine_t_ = fine_grid(cosine_count, wavelength_count, table.stride_, table.intervals_,
-                              table.chebyshev_t_);
+    if (table.opaque_) {
+        table.fine_t_.assign(table.fine_r_.size(), 0.0);
+    } else {
+        table.fine_t_ = fine_grid(cosine_count, wavelength_count, table.stride_, table.intervals_,
+                                  table.chebyshev_t_);
+    }
     return table;
 }
 

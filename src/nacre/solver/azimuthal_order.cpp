@@ -4,13 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/parallel.h"
 #include "nacre/optics/fresnel.h"
 
 namespace nacre::solver {
 
 namespace {
 
-LaneBuffer balanced_extinction(const LayerMedium& layer, const FourierKernel& kernel,
+LaneBuffer balanced_extinction(const LayerLosses& losses, const FourierKernel& kernel,
                                const Directions& d, int block, double& unresolved) {
     const int n = d.size();
     LaneBuffer scattering(n, DoubleLanes{}), total(n);
@@ -27,10 +28,9 @@ LaneBuffer balanced_extinction(const LayerMedium& layer, const FourierKernel& ke
         }
     }
     for (int i = 0; i < n; ++i) {
-        const DoubleLanes lost = absorption(layer, d.mu[i], block);
-        total[i] = lost + scattering[i];
+        total[i] = losses.absorption[i][block] + scattering[i];
         if (i < d.exit_count) {
-            const DoubleLanes exact = extinction(layer, d.mu[i], block);
+            const DoubleLanes& exact = losses.extinction[i][block];
             for (int lane = 0; lane < kLanes; ++lane) {
                 const double miss = std::abs(total[i][lane] - exact[lane]);
                 unresolved = std::max(unresolved, miss / std::max(exact[lane], 1e-300));
@@ -42,8 +42,22 @@ LaneBuffer balanced_extinction(const LayerMedium& layer, const FourierKernel& ke
 
 }  // namespace
 
+LayerLosses make_losses(const LayerMedium& layer, const Directions& d, int blocks) {
+    LayerLosses out;
+    out.absorption.resize(d.size());
+    out.extinction.resize(d.exit_count);
+    parallel_for(0, d.size(), [&](std::size_t i) {
+        out.absorption[i] = absorption_by_block(layer, d.mu[i], blocks);
+        if (i < out.extinction.size()) {
+            out.extinction[i] = extinction_by_block(layer, d.mu[i], blocks);
+        }
+    });
+    return out;
+}
+
 PaintBlock make_block(const PaintMedium& medium, const Directions& d, const ActiveNodes& active,
-                      int lit, int block, SharedProgress* work) {
+                      std::span<const LayerLosses> losses, int lit, int block,
+                      SharedProgress* work) {
     const int n = d.size();
     PaintBlock out;
     out.substrate = block_lanes(medium.substrate_reflectance, block);
@@ -56,9 +70,10 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d, const Acti
             splat(optics::dielectric_reflectance(d.ior, 1.0, d.mu[i])));
     }
     LaneBuffer depth(lit, DoubleLanes{});  // above the layer, one way
-    for (const LayerMedium& layer : medium.layers) {
+    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+        const LayerMedium& layer = medium.layers[k];
         FourierKernel kernel(layer, d, active, block, work);
-        LaneBuffer total = balanced_extinction(layer, kernel, d, block, out.unresolved);
+        LaneBuffer total = balanced_extinction(losses[k], kernel, d, block, out.unresolved);
         DoubleLanes deepest{};
         for (int i = 0; i < n; ++i) {
             deepest = max_lanes(deepest, layer.thickness_um * total[i] * (1 / d.mu[i]));

@@ -1,6 +1,7 @@
 #include "nacre/solver/medium.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -104,43 +105,82 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
     return medium;
 }
 
-DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
-    DoubleLanes sum{};
+namespace {
+
+using OneBlock = std::array<DoubleLanes, 1>;
+using Blocks = std::vector<DoubleLanes>;
+
+// Of the blocks first, first + 1, ..., as many as `sum`, which is 0, has room for.
+template <class Sums>
+Sums extinction_from(int first, const LayerMedium& layer, double mu, Sums sum) {
+    const Sums zero = sum;
+    const int blocks = static_cast<int>(sum.size());
     for (const FlakeMedium& flake : layer.flakes) {
-        DoubleLanes cross_section{};
+        Sums cross_section = zero;
         if (flake.table.is_opaque()) {
-            cross_section += paint::projected_area(mu, flake.alpha);
+            for (DoubleLanes& area : cross_section) area += paint::projected_area(mu, flake.alpha);
         } else {
             paint::for_each_normal(
                 mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
-                    cross_section += weight * (1.0 - flake.table.transmittance(cosine, block));
+                    for (int b = 0; b < blocks; ++b) {
+                        cross_section[b] +=
+                            weight * (1.0 - flake.table.transmittance(cosine, first + b));
+                    }
                 });
         }
-        sum += flake.area_density_per_um * cross_section;
+        for (int b = 0; b < blocks; ++b) sum[b] += flake.area_density_per_um * cross_section[b];
     }
     for (const PigmentMedium& pigment : layer.pigments) {
-        sum += block_lanes(pigment.scattering_per_um, block) +
-               block_lanes(pigment.absorption_per_um, block);
+        for (int b = 0; b < blocks; ++b) {
+            sum[b] += block_lanes(pigment.scattering_per_um, first + b) +
+                      block_lanes(pigment.absorption_per_um, first + b);
+        }
     }
     return sum;
 }
 
-DoubleLanes absorption(const LayerMedium& layer, double mu, int block) {
-    DoubleLanes sum{};
+template <class Sums>
+Sums absorption_from(int first, const LayerMedium& layer, double mu, Sums sum) {
+    const Sums zero = sum;
+    const int blocks = static_cast<int>(sum.size());
     for (const FlakeMedium& flake : layer.flakes) {
-        DoubleLanes cross_section{};
+        Sums cross_section = zero;
         const int nodes = flake.normal_nodes();
         paint::for_each_normal(mu, flake.alpha, nodes, [&](double cosine, double weight) {
-            cross_section += weight * (1.0 - flake.table.transmittance(cosine, block) -
-                                       flake.table.reflectance(cosine, block));
+            for (int b = 0; b < blocks; ++b) {
+                cross_section[b] += weight * (1.0 - flake.table.transmittance(cosine, first + b) -
+                                              flake.table.reflectance(cosine, first + b));
+            }
         });
         // R + T = 1 leaves rounding of either sign.
-        sum += flake.area_density_per_um * max_lanes(cross_section, DoubleLanes{});
+        for (int b = 0; b < blocks; ++b) {
+            sum[b] += flake.area_density_per_um * max_lanes(cross_section[b], DoubleLanes{});
+        }
     }
     for (const PigmentMedium& pigment : layer.pigments) {
-        sum += block_lanes(pigment.absorption_per_um, block);
+        for (int b = 0; b < blocks; ++b) {
+            sum[b] += block_lanes(pigment.absorption_per_um, first + b);
+        }
     }
     return sum;
+}
+
+}  // namespace
+
+DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
+    return extinction_from(block, layer, mu, OneBlock{})[0];
+}
+
+std::vector<DoubleLanes> extinction_by_block(const LayerMedium& layer, double mu, int blocks) {
+    return extinction_from(0, layer, mu, Blocks(blocks, DoubleLanes{}));
+}
+
+DoubleLanes absorption(const LayerMedium& layer, double mu, int block) {
+    return absorption_from(block, layer, mu, OneBlock{})[0];
+}
+
+std::vector<DoubleLanes> absorption_by_block(const LayerMedium& layer, double mu, int blocks) {
+    return absorption_from(0, layer, mu, Blocks(blocks, DoubleLanes{}));
 }
 
 DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, double phi,

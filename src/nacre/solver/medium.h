@@ -68,8 +68,12 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
 /// Extinction sigma_t(mu), in 1/um, of the eight wavelengths of `block`.
 DoubleLanes extinction(const LayerMedium& layer, double mu, int block);
 
+/// The same of the blocks 0 ... blocks - 1, for which the flakes' normals are gone through once.
+std::vector<DoubleLanes> extinction_by_block(const LayerMedium& layer, double mu, int blocks);
+
 /// Absorption sigma_t - sigma_s, in 1/um, likewise.
 DoubleLanes absorption(const LayerMedium& layer, double mu, int block);
+std::vector<DoubleLanes> absorption_by_block(const LayerMedium& layer, double mu, int blocks);
 
 /// sigma_s p(w -> w') in 1/(um sr): light that travels down (towards -z) under the cosine mu_i is
 /// turned upwards under mu_o; both cosines > 0, phi = phi_o - phi_i between the directions that

@@ -45,12 +45,37 @@ std::vector<double> pair_scales(const MultipleScattering& r, const Eigen::Vector
     return scale;
 }
 
-// To a multiple of the largest power of two that is not above `step`: a float with few significant
-// bits, which compresses well in a file.
-float round_to(double value, double step) {
-    if (!(step > 0)) return static_cast<float>(value);
-    const double unit = std::exp2(std::floor(std::log2(step)));
-    return static_cast<float>(std::round(value / unit) * unit);
+// The largest power of two that is not above x, or 0: its multiples are floats with few significant
+// bits, which compress well in a file.
+double power_of_two_below(double x) { return x > 0 ? std::ldexp(1.0, std::ilogb(x)) : 0.0; }
+
+// The smallest number of eigenvectors, those of the largest eigenvalues, whose span leaves of no row
+// more than `tolerance` times its scale at any wavelength.
+int rank_needed(const Eigen::Map<const RowMajorMatrix>& rows, const SymmetricEigen& eigen,
+                const std::vector<double>& scale, double tolerance) {
+    const auto wavelengths = static_cast<int>(rows.cols());
+    Eigen::VectorXd row(wavelengths), residual(wavelengths);
+    int rank = 0;
+    for (int checked = -1; checked != rank;) {  // a rank that one row raised is checked by all
+        checked = rank;
+        for (Eigen::Index p = 0; p < rows.rows(); ++p) {
+            const double limit = tolerance * scale[static_cast<std::size_t>(p)];
+            residual = row = rows.row(p).transpose();
+            const auto subtract = [&](int k) {
+                const auto direction = eigen.vectors.col(wavelengths - 1 - k);  // largest last
+                residual -= row.dot(direction) * direction;
+            };
+            // Further directions make the norm no larger, though they may the largest value.
+            int k = 0;
+            while (k < rank && residual.squaredNorm() > limit * limit) subtract(k++);
+            while (rank < wavelengths && residual.cwiseAbs().maxCoeff() > limit) subtract(rank++);
+        }
+    }
+    return rank;
+}
+
+float round_to(double value, double unit) {
+    return static_cast<float>(unit > 0 ? std::round(value / unit) * unit : value);
 }
 
 }  // namespace
@@ -68,22 +93,8 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     const std::vector<double> scale = pair_scales(out, all.cwiseAbs().rowwise().maxCoeff());
 
     const SymmetricEigen eigen = symmetric_eigen(gram_matrix(all));
-    int rank = 0;
-    RowMajorMatrix residual = all;
-    const auto resolved = [&] {
-        // Half of the tolerance is for the rank, half for rounding.
-        for (Eigen::Index p = 0; p < pairs; ++p) {
-            if (residual.row(p).cwiseAbs().maxCoeff() > 0.5 * tolerance * scale[p]) return false;
-        }
-        return true;
-    };
-    // Largest eigenvalues come last.
-    while (rank < wavelength_count && !resolved()) {
-        const Eigen::VectorXd direction = eigen.vectors.col(wavelength_count - 1 - rank);
-        const Eigen::VectorXd projected = all * direction;
-        residual -= projected * direction.transpose();
-        ++rank;
-    }
+    // Half of the tolerance is for the rank, half for rounding.
+    const int rank = rank_needed(all, eigen, scale, 0.5 * tolerance);
     const RowMajorMatrix basis = eigen.vectors.rightCols(rank).rowwise().reverse().transpose();
     const RowMajorMatrix coefficient = (all * basis.transpose()).transpose();
     // Each coefficient errs by step / 2 at most. At one wavelength the squares of the basis sum to
@@ -92,13 +103,17 @@ MultipleScattering compress(std::vector<double> exit_angle, std::vector<int> fir
     const double step = tolerance / std::sqrt(std::max(rank, 1)), finer = 1.0 / 64;
     const std::size_t order_0 =
         (out.exit_angle.size() - out.first[0]) * (out.exit_angle.size() - out.first[0] + 1) / 2;
+    std::vector<double> unit;
+    for (std::size_t p = 0; p < scale.size(); ++p) {
+        unit.push_back(power_of_two_below((p < order_0 ? finer * step : step) * scale[p]));
+    }
+    out.coefficient.reserve(static_cast<std::size_t>(rank) * unit.size());
     for (int k = 0; k < rank; ++k) {
         for (int w = 0; w < wavelength_count; ++w) {
             out.basis.push_back(static_cast<float>(basis(k, w)));
         }
         for (Eigen::Index p = 0; p < pairs; ++p) {
-            const double here = static_cast<std::size_t>(p) < order_0 ? finer * step : step;
-            out.coefficient.push_back(round_to(coefficient(k, p), here * scale[p]));
+            out.coefficient.push_back(round_to(coefficient(k, p), unit[p]));
         }
     }
     return out;

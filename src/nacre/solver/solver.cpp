@@ -19,6 +19,15 @@ namespace nacre::solver {
 
 namespace {
 
+// Pairs of active exit nodes, of all orders.
+std::size_t exit_pairs(const Directions& d, const ActiveNodes& active) {
+    std::size_t pairs = 0;
+    for (int l = 0; l < active.orders(); ++l) {
+        pairs += triangle(std::max(0, d.exit_count - active.first(l)));
+    }
+    return pairs;
+}
+
 // Solves wavelengths that share one index of the binder.
 class GroupSolver {
  public:
@@ -32,8 +41,14 @@ class GroupSolver {
         if (rough) interface_.emplace(directions_, active_, medium.roughness);
         const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(paint::block_count(wavelengths_));
+        std::vector<LayerLosses> losses;
+        for (const LayerMedium& layer : medium.layers) {
+            work_.require_going(kSolving);
+            losses.push_back(make_losses(layer, directions_, static_cast<int>(blocks_.size())));
+        }
         tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
-            blocks_[b] = make_block(medium, directions_, active_, lit, static_cast<int>(b), &work_);
+            blocks_[b] =
+                make_block(medium, directions_, active_, losses, lit, static_cast<int>(b), &work_);
             work_.add(kBlockWork);
         });
         set_peaks(medium);
@@ -56,6 +71,9 @@ class GroupSolver {
         tbb::enumerable_thread_specific<OrderWorkspace> workspaces(
             [&] { return OrderWorkspace(directions_.size()); });
         const int blocks = static_cast<int>(blocks_.size());
+        const std::size_t pairs = exit_pairs(directions_, active_);
+        out.values.reserve(pairs * wavelengths_);
+        if (interface_) out.single_values.reserve(pairs * wavelengths_);
         double last_chunk = 0;
         for (int from = 0; from < active_.orders(); from += kChunk) {
             const int count = std::min(kChunk, active_.orders() - from);
@@ -198,11 +216,7 @@ std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
         kernels =
             std::max(kernels, FourierKernel::bytes(d, active) * medium.layers.size() *
                                   paint::block_count(static_cast<int>(group.distinct.size())));
-        std::size_t here = 0;
-        for (int l = 0; l < active.orders(); ++l) {
-            here += triangle(std::max(0, d.exit_count - active.first(l)));
-        }
-        pairs = std::max(pairs, here);
+        pairs = std::max(pairs, exit_pairs(d, active));
     }
     const std::size_t tensors = medium.roughness > 0 ? 2 : 1;
     return std::max(kernels, 2 * tensors * pairs * wavelengths * sizeof(double)) +
