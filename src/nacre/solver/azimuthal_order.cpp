@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "nacre/core/parallel.h"
 #include "nacre/optics/fresnel.h"
 
 namespace nacre::solver {
 
 namespace {
 
-LaneBuffer balanced_extinction(const LayerLosses& losses, const FourierKernel& kernel,
+LaneBuffer balanced_extinction(const std::vector<Losses>& losses, const FourierKernel& kernel,
                                const Directions& d, int block, double& unresolved) {
     const int n = d.size();
     LaneBuffer scattering(n, DoubleLanes{}), total(n);
@@ -28,9 +27,9 @@ LaneBuffer balanced_extinction(const LayerLosses& losses, const FourierKernel& k
         }
     }
     for (int i = 0; i < n; ++i) {
-        total[i] = losses.absorption[i][block] + scattering[i];
+        total[i] = losses[i].absorption[block] + scattering[i];
         if (i < d.exit_count) {
-            const DoubleLanes& exact = losses.extinction[i][block];
+            const DoubleLanes& exact = losses[i].extinction[block];
             for (int lane = 0; lane < kLanes; ++lane) {
                 const double miss = std::abs(total[i][lane] - exact[lane]);
                 unresolved = std::max(unresolved, miss / std::max(exact[lane], 1e-300));
@@ -42,21 +41,8 @@ LaneBuffer balanced_extinction(const LayerLosses& losses, const FourierKernel& k
 
 }  // namespace
 
-LayerLosses make_losses(const LayerMedium& layer, const Directions& d, int blocks) {
-    LayerLosses out;
-    out.absorption.resize(d.size());
-    out.extinction.resize(d.exit_count);
-    parallel_for(0, d.size(), [&](std::size_t i) {
-        out.absorption[i] = absorption_by_block(layer, d.mu[i], blocks);
-        if (i < out.extinction.size()) {
-            out.extinction[i] = extinction_by_block(layer, d.mu[i], blocks);
-        }
-    });
-    return out;
-}
-
 PaintBlock make_block(const PaintMedium& medium, const Directions& d, const ActiveNodes& active,
-                      std::span<const LayerLosses> losses, int lit, int block,
+                      std::span<const std::vector<Losses>> losses, int lit, int block,
                       SharedProgress* work) {
     const int n = d.size();
     PaintBlock out;

@@ -31,23 +31,16 @@ struct PaintBlock {
     double unresolved = 0;  ///< as SolverReport::unresolved_scattering
 };
 
-/// What a layer takes from light, in 1/um, by node: of the exit nodes also the extinction, which the
-/// kernel's own sum is held against.
-struct LayerLosses {
-    std::vector<std::vector<DoubleLanes>> absorption, extinction;  ///< [node][block]
-};
-LayerLosses make_losses(const LayerMedium& layer, const Directions& directions, int blocks);
-
 /// Single scattering is computed between the first `lit` nodes, those that light from outside
 /// reaches.
-/// @param losses  by layer
+/// @param losses  by layer and node
 ///
 /// The block keeps sigma_t = (discrete sum of the kernel) + (exact absorption): what the quadrature
 /// misses of the scattering cross section is taken from extinction too, so that a flake that
 /// absorbs nothing loses nothing. Rescaling the kernel instead would break its symmetry.
 PaintBlock make_block(const PaintMedium& medium, const Directions& directions,
-                      const ActiveNodes& active, std::span<const LayerLosses> losses, int lit,
-                      int block, SharedProgress* work = nullptr);
+                      const ActiveNodes& active, std::span<const std::vector<Losses>> losses,
+                      int lit, int block, SharedProgress* work = nullptr);
 
 // One azimuthal order of a paint at eight wavelengths: layers stacked as impedances (impedance.h),
 // the interface on top, single scattering subtracted.

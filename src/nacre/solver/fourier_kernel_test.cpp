@@ -133,7 +133,7 @@ TEST(FourierKernel, OrderZeroSumsToTheScatteringCrossSection) {
                        (fourier.same(0)[at][0] + fourier.opposite(0)[at][0]);
             }
             const double exact =
-                extinction(layer, d.mu[i], 0)[0] - absorption(layer, d.mu[i], 0)[0];
+                extinction(layer, d.mu[i], 0)[0] - losses(layer, d.mu[i], 0, 1).absorption[0][0];
             // Flakes have a kink |mu - mu'| in the hemisphere of travel.
             const double error = layer.flakes.empty() ? 1e-6 : 1e-3;
             EXPECT_NEAR(sum, exact, error * exact) << i;

@@ -1,7 +1,6 @@
 #include "nacre/solver/medium.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -105,82 +104,59 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
     return medium;
 }
 
-namespace {
-
-using OneBlock = std::array<DoubleLanes, 1>;
-using Blocks = std::vector<DoubleLanes>;
-
-// Of the blocks first, first + 1, ..., as many as `sum`, which is 0, has room for.
-template <class Sums>
-Sums extinction_from(int first, const LayerMedium& layer, double mu, Sums sum) {
-    const Sums zero = sum;
-    const int blocks = static_cast<int>(sum.size());
+DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
+    DoubleLanes sum{};
     for (const FlakeMedium& flake : layer.flakes) {
-        Sums cross_section = zero;
+        DoubleLanes cross_section{};
         if (flake.table.is_opaque()) {
-            for (DoubleLanes& area : cross_section) area += paint::projected_area(mu, flake.alpha);
+            cross_section += paint::projected_area(mu, flake.alpha);
         } else {
             paint::for_each_normal(
                 mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
-                    for (int b = 0; b < blocks; ++b) {
-                        cross_section[b] +=
-                            weight * (1.0 - flake.table.transmittance(cosine, first + b));
-                    }
+                    cross_section += weight * (1.0 - flake.table.transmittance(cosine, block));
                 });
         }
-        for (int b = 0; b < blocks; ++b) sum[b] += flake.area_density_per_um * cross_section[b];
+        sum += flake.area_density_per_um * cross_section;
     }
     for (const PigmentMedium& pigment : layer.pigments) {
-        for (int b = 0; b < blocks; ++b) {
-            sum[b] += block_lanes(pigment.scattering_per_um, first + b) +
-                      block_lanes(pigment.absorption_per_um, first + b);
-        }
+        sum += block_lanes(pigment.scattering_per_um, block) +
+               block_lanes(pigment.absorption_per_um, block);
     }
     return sum;
 }
 
-template <class Sums>
-Sums absorption_from(int first, const LayerMedium& layer, double mu, Sums sum) {
-    const Sums zero = sum;
-    const int blocks = static_cast<int>(sum.size());
+Losses losses(const LayerMedium& layer, double mu, int first, int count) {
+    const std::vector<DoubleLanes> zero(count, DoubleLanes{});
+    Losses out{zero, zero};
     for (const FlakeMedium& flake : layer.flakes) {
-        Sums cross_section = zero;
+        Losses flakes{zero, zero};
         const int nodes = flake.normal_nodes();
         paint::for_each_normal(mu, flake.alpha, nodes, [&](double cosine, double weight) {
-            for (int b = 0; b < blocks; ++b) {
-                cross_section[b] += weight * (1.0 - flake.table.transmittance(cosine, first + b) -
-                                              flake.table.reflectance(cosine, first + b));
+            for (int b = 0; b < count; ++b) {
+                const DoubleLanes taken = 1.0 - flake.table.transmittance(cosine, first + b);
+                flakes.extinction[b] += weight * taken;
+                flakes.absorption[b] +=
+                    weight * (taken - flake.table.reflectance(cosine, first + b));
             }
         });
-        // R + T = 1 leaves rounding of either sign.
-        for (int b = 0; b < blocks; ++b) {
-            sum[b] += flake.area_density_per_um * max_lanes(cross_section[b], DoubleLanes{});
+        const double area = paint::projected_area(mu, flake.alpha);
+        for (int b = 0; b < count; ++b) {
+            const bool opaque = flake.table.is_opaque();
+            out.extinction[b] +=
+                flake.area_density_per_um * (opaque ? splat(area) : flakes.extinction[b]);
+            // R + T = 1 leaves rounding of either sign.
+            out.absorption[b] +=
+                flake.area_density_per_um * max_lanes(flakes.absorption[b], DoubleLanes{});
         }
     }
     for (const PigmentMedium& pigment : layer.pigments) {
-        for (int b = 0; b < blocks; ++b) {
-            sum[b] += block_lanes(pigment.absorption_per_um, first + b);
+        for (int b = 0; b < count; ++b) {
+            const DoubleLanes absorbed = block_lanes(pigment.absorption_per_um, first + b);
+            out.extinction[b] += block_lanes(pigment.scattering_per_um, first + b) + absorbed;
+            out.absorption[b] += absorbed;
         }
     }
-    return sum;
-}
-
-}  // namespace
-
-DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
-    return extinction_from(block, layer, mu, OneBlock{})[0];
-}
-
-std::vector<DoubleLanes> extinction_by_block(const LayerMedium& layer, double mu, int blocks) {
-    return extinction_from(0, layer, mu, Blocks(blocks, DoubleLanes{}));
-}
-
-DoubleLanes absorption(const LayerMedium& layer, double mu, int block) {
-    return absorption_from(block, layer, mu, OneBlock{})[0];
-}
-
-std::vector<DoubleLanes> absorption_by_block(const LayerMedium& layer, double mu, int blocks) {
-    return absorption_from(0, layer, mu, Blocks(blocks, DoubleLanes{}));
+    return out;
 }
 
 DoubleLanes backscattering(const LayerMedium& layer, double mu_i, double mu_o, double phi,

@@ -68,12 +68,14 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
 /// Extinction sigma_t(mu), in 1/um, of the eight wavelengths of `block`.
 DoubleLanes extinction(const LayerMedium& layer, double mu, int block);
 
-/// The same of the blocks 0 ... blocks - 1, for which the flakes' normals are gone through once.
-std::vector<DoubleLanes> extinction_by_block(const LayerMedium& layer, double mu, int blocks);
+/// What a layer takes from light, in 1/um, by block.
+struct Losses {
+    std::vector<DoubleLanes> extinction;  ///< sigma_t
+    std::vector<DoubleLanes> absorption;  ///< sigma_t - sigma_s
+};
 
-/// Absorption sigma_t - sigma_s, in 1/um, likewise.
-DoubleLanes absorption(const LayerMedium& layer, double mu, int block);
-std::vector<DoubleLanes> absorption_by_block(const LayerMedium& layer, double mu, int blocks);
+/// Of `count` blocks from `first` on, for all of which the flakes' normals are gone through once.
+Losses losses(const LayerMedium& layer, double mu, int first, int count);
 
 /// sigma_s p(w -> w') in 1/(um sr): light that travels down (towards -z) under the cosine mu_i is
 /// turned upwards under mu_o; both cosines > 0, phi = phi_o - phi_i between the directions that

@@ -82,7 +82,7 @@ TEST(PaintMedium, ScatteringIntegratesToTheCrossSection) {
             }
         }
         const double scattering =
-            extinction(m.layers[0], mu, 0)[0] - absorption(m.layers[0], mu, 0)[0];
+            extinction(m.layers[0], mu, 0)[0] - losses(m.layers[0], mu, 0, 1).absorption[0][0];
         // for_each_normal errs by 1e-5, the sum here less.
         EXPECT_NEAR(sum, scattering, 3e-5 * scattering) << mu;
         // Both in closed form: c R s(mu), c (1 - T) s(mu).
@@ -119,7 +119,7 @@ TEST(PaintMedium, BackscatteringIsReciprocalEvenInAzimuthAndMatchesVectors) {
 TEST(PaintMedium, FlakesThatTransmitOrReflectAllAbsorbNothing) {
     const PaintMedium m = make_medium(test::flake_paint(0.1, 0.4, 0.6, 1, 1.5), kOneWavelength);
     for (double mu : {1.0, 0.3, 1e-3}) {
-        const double lost = absorption(m.layers[0], mu, 0)[0];
+        const double lost = losses(m.layers[0], mu, 0, 1).absorption[0][0];
         EXPECT_GE(lost, 0);
         EXPECT_LT(lost, 1e-16 * 10);  // rounding of 1 - R - T, never negative
     }

@@ -41,10 +41,14 @@ class GroupSolver {
         if (rough) interface_.emplace(directions_, active_, medium.roughness);
         const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(paint::block_count(wavelengths_));
-        std::vector<LayerLosses> losses;
+        std::vector<std::vector<Losses>> losses;  // [layer][node]
         for (const LayerMedium& layer : medium.layers) {
-            work_.require_going(kSolving);
-            losses.push_back(make_losses(layer, directions_, static_cast<int>(blocks_.size())));
+            std::vector<Losses>& by_node = losses.emplace_back(directions_.size());
+            tbb::parallel_for(0, directions_.size(), [&](int i) {
+                work_.require_going(kSolving);
+                by_node[i] =
+                    solver::losses(layer, directions_.mu[i], 0, static_cast<int>(blocks_.size()));
+            });
         }
         tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
             blocks_[b] =

@@ -124,7 +124,7 @@ class Block {
             const FloatLanes extinction = i.look_up(extinction_[l]);
             const FloatLanes here = max_lanes(
                 extinction * static_cast<float>(layer.thickness_um) / i.inside.z, splat(1e-20f));
-            const DoubleLanes absorbed = solver::absorption(layer, i.inside.z, block_);
+            const DoubleLanes absorbed = solver::losses(layer, i.inside.z, block_, 1).absorption[0];
             const FloatLanes scattered =
                 max_lanes(extinction - __builtin_convertvector(absorbed, FloatLanes), FloatLanes{});
             sum.again += exp_lanes(-depth) * one_minus_exp_lanes(here) / here * scattered *
