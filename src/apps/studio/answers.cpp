@@ -168,11 +168,11 @@ Tree recipe_json(const NamedPaint& named, const Tree& tree, const Tree& id) {
 }
 
 /// Texts and arrays of the shader that shows the paint.
-Frame shader_frame(const Paint& paint, const Context& context) {
+Frame shader_frame(const Paint& paint, spectra::Illuminant lamp, const Context& context) {
     Tree json = {{"type", "shader"}, {"id", context.id}};
     exchange::WebglShader shader;
     try {
-        shader = exchange::make_live_webgl_shader(paint.solved({}, context.progress));
+        shader = exchange::make_live_webgl_shader(paint.solved({}, context.progress), 0, lamp);
     } catch (const DomainError& error) {  // it has readings all the same
         json["problem"] = error.what();
         return {dumped(json), {}};
@@ -319,7 +319,7 @@ Frames answer(const PaintRequest& request, const Context& context) {
     context.send("readings", {{dumped(recipe_json(named, request.recipe, context.id)), {}},
                               {dumped(json), {}}});
     Frames frames;
-    if (request.shader) frames.push_back(shader_frame(named.paint, context));
+    if (request.shader) frames.push_back(shader_frame(named.paint, request.lamp, context));
     frames.push_back(done(context.id));
     return frames;
 }

@@ -141,6 +141,11 @@ class Fields {
     std::set<std::string> known_;
 };
 
+spectra::Illuminant illuminant_of(Fields& fields, const char* key) {
+    const std::string name = fields.text(key, "D65", kMaxNameBytes);
+    return fields.parsed(key, [&] { return spectra::parse_illuminant(name); });
+}
+
 Viewed viewed_of(Fields& fields) {
     Viewed viewed;
     const std::string set = fields.text("geometries", kDefaultGeometries, 10'000);
@@ -159,9 +164,7 @@ Viewed viewed_of(Fields& fields) {
     if (viewed.geometries.size() > kMaxGeometries) {
         fields.fail("geometries", fmt::format("at most {} are allowed", kMaxGeometries));
     }
-    const std::string illuminant = fields.text("illuminant", "D65", kMaxNameBytes);
-    viewed.illuminant =
-        fields.parsed("illuminant", [&] { return spectra::parse_illuminant(illuminant); });
+    viewed.illuminant = illuminant_of(fields, "illuminant");
     const std::string observer = fields.text("observer", "10", kMaxNameBytes);
     viewed.observer = fields.parsed("observer", [&] { return spectra::parse_observer(observer); });
     return viewed;
@@ -246,7 +249,7 @@ Request request_of(const std::string& type, Fields& fields) {
     }
     if (type == "paint") {
         return PaintRequest{fields.object("recipe"), viewed_of(fields), fields.flag("shader"),
-                            tolerance_of(fields)};
+                            illuminant_of(fields, "lamp"), tolerance_of(fields)};
     }
     if (type == "standard") {
         StandardRequest request;

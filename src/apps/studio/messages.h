@@ -36,7 +36,8 @@ struct PaintRequest {
     Tree recipe;
     Viewed viewed;
     bool shader = false;
-    measure::Tolerance tolerance = {};  ///< against the standard
+    spectra::Illuminant lamp = spectra::Illuminant::D65;  ///< in which the shader shows it
+    measure::Tolerance tolerance = {};                    ///< against the standard
 };
 struct StandardRequest {
     std::optional<std::string> text;  ///< none: no standard any more

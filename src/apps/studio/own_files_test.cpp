@@ -197,6 +197,9 @@ TEST(LightBooth, LooksWhiteToAnEyeThatHasAdapted) {
         EXPECT_EQ(Adaptation({.light = name}).is_none(), name == std::string("booth-d65"));
     }
     EXPECT_TRUE(Adaptation({.light = "sun"}).is_none());
+    EXPECT_EQ(lamp_of({.light = "booth-fl11"}), spectra::Illuminant::FL11);
+    EXPECT_EQ(lamp_of({.light = "booth-a"}), spectra::Illuminant::A);
+    EXPECT_EQ(lamp_of({.light = "sun"}), spectra::Illuminant::D65);
 
     // And the path tracer's grey walls are grey.
     Memory memory;

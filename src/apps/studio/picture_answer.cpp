@@ -108,7 +108,7 @@ Frames answer(const LightRequest& request, const Context& context) {
     binary.push_back({{"name", "light"}, {"dtype", "u8"}, {"shape", {bytes.size()}}});
     return {{dumped({{"type", "light"},
                      {"id", context.id},
-                     {"light", {{"name", own->name}, {"title", own->title}}},
+                     {"light", {{"name", own->name}, {"title", own->title}, {"illuminant", "D65"}}},
                      {"width", own->picture.width},
                      {"height", own->picture.height},
                      {"note", own->note},

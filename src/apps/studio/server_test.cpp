@@ -268,14 +268,19 @@ TEST(StudioServer, TheShaderIsThatOfTheSolvedPaint) {
     Tree tree = red_gold_tree();
     for (const int thickness : {15, 20}) {
         tree["layer"][0]["thickness_um"] = thickness;
-        page.send({{"type", "paint"}, {"id", thickness}, {"recipe", tree}, {"shader", true}});
+        const auto lamp = thickness == 15 ? Illuminant::D65 : Illuminant::FL11;
+        page.send({{"type", "paint"},
+                   {"id", thickness},
+                   {"recipe", tree},
+                   {"shader", true},
+                   {"lamp", spectra::name(lamp)}});
         page.read_until("readings");
         const Tree told = page.read();
         ASSERT_EQ(told["type"], "shader");
         const std::string bytes = page.read_bytes();
         EXPECT_EQ(page.read()["type"], "done");
-        const auto shader =
-            exchange::make_live_webgl_shader(open_text(toml_of_tree(tree), "recipe.toml").solved());
+        const auto shader = exchange::make_live_webgl_shader(
+            open_text(toml_of_tree(tree), "recipe.toml").solved(), 0, lamp);
         EXPECT_EQ(told["program"], shader.program);
         // Its text is sent once: the second paint has the same structure.
         EXPECT_EQ(told.contains("glsl"), thickness == 15);

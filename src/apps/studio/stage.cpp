@@ -197,7 +197,9 @@ Tree shape_json(const OwnShape& own) {
 Tree lights_json() {
     Tree lights = Tree::array();
     for (const LightEntry& entry : kLights) {
-        lights.push_back({{"name", entry.name}, {"title", entry.title}});
+        lights.push_back({{"name", entry.name},
+                          {"title", entry.title},
+                          {"illuminant", spectra::name(lamp_of({.light = entry.name}))}});
     }
     return lights;
 }

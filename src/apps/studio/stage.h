@@ -44,6 +44,10 @@ std::vector<std::string> light_names();
 ///         out of range
 render::SceneDescription scene_of(const Stage& stage);
 
+/// The illuminant of all lights of a booth; of other lights D65, by which their colours are stated.
+/// @throws InputError as scene_of()
+spectra::Illuminant lamp_of(const Stage& stage);
+
 /// From linear Rec. 709 to what an eye sees that has adapted to a light, on a display whose white is
 /// D65: Bradford's transform (spectra::adapted) from the light of a booth. Other lights are seen as
 /// they are.

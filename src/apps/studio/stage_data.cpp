@@ -85,15 +85,19 @@ Tree json_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
-Adaptation::Adaptation(const Stage& stage, int samples) {
+spectra::Illuminant lamp_of(const Stage& stage) {
     const render::SceneDescription scene =
         scene_of({.light = stage.light, .own_light = stage.own_light});
     const auto* walls = std::get_if<render::ConstantEnvironment>(&*scene.environment);
-    none_ = !walls || walls->radiance.illuminant == spectra::Illuminant::D65;
+    return walls ? walls->radiance.illuminant : spectra::Illuminant::D65;
+}
+
+Adaptation::Adaptation(const Stage& stage, int samples) {
+    const spectra::Illuminant lamp = lamp_of(stage);
+    none_ = lamp == spectra::Illuminant::D65;
     if (none_) return;
     const auto xyz = [](const Vec3d& rgb) { return spectra::linear_rec709_to_xyz(rgb); };
-    const Vec3d from =
-        xyz(rgb_in_picture(render::unit_illuminant(walls->radiance.illuminant), samples));
+    const Vec3d from = xyz(rgb_in_picture(render::unit_illuminant(lamp), samples));
     for (int c = 0; c < 3; ++c) {
         Vec3d unit{};
         unit[c] = 1;

@@ -33,17 +33,25 @@ struct EvenPlaces {
     }
 };
 
-/// Weights of the samples of a reflectance in its colour, linear Rec. 709 under D65 for the 2 degree
+using spectra::Illuminant;
+
+/// Weights of the samples of a reflectance in its colour under a lamp, linear Rec. 709 for the 2 degree
 /// observer, as the renderer's film has it: by the light between the first and the last wavelength
-/// alone, of which the perfect diffuser is white.
-std::vector<Vec3d> film_weights(const std::vector<double>& wavelengths_nm) {
-    using spectra::Illuminant, spectra::Observer;
+/// alone, of which the perfect diffuser is white, also to an eye that has adapted to another lamp than
+/// D65 (spectra::adapted).
+std::vector<Vec3d> film_weights(const std::vector<double>& wavelengths_nm, Illuminant lamp) {
+    constexpr auto kObserver = spectra::Observer::cie1931_2deg;
     std::vector<double> fine_nm;
     for (double nm = wavelengths_nm.front(); nm < wavelengths_nm.back() + 0.5; nm += 1) {
         fine_nm.push_back(nm);
     }
-    const Vec3d white = spectra::white_point(fine_nm, Illuminant::D65, Observer::cie1931_2deg);
     const Vec3d rec709_white = spectra::linear_rec709_to_xyz({1, 1, 1});
+    const Vec3d film_white = spectra::white_point(fine_nm, Illuminant::D65, kObserver);
+    const auto on_film = [&](Vec3d xyz) {
+        for (int c = 0; c < 3; ++c) xyz[c] *= rec709_white[c] / film_white[c];
+        return xyz;
+    };
+    const Vec3d white = on_film(spectra::white_point(fine_nm, lamp, kObserver));
     std::vector<Vec3d> weights;
     std::vector<double> hat(wavelengths_nm.size(), 0.0), fine(fine_nm.size());
     for (double& sample : hat) {
@@ -51,10 +59,9 @@ std::vector<Vec3d> film_weights(const std::vector<double>& wavelengths_nm) {
         const spectra::Spectrum spectrum(wavelengths_nm, hat);
         sample = 0;
         std::transform(fine_nm.begin(), fine_nm.end(), fine.begin(), spectrum);
-        Vec3d xyz =
-            spectra::reflectance_to_xyz(fine_nm, fine, Illuminant::D65, Observer::cie1931_2deg);
-        for (int c = 0; c < 3; ++c) xyz[c] *= rec709_white[c] / white[c];
-        weights.push_back(spectra::xyz_to_linear_rec709(xyz));
+        const Vec3d xyz = on_film(spectra::reflectance_to_xyz(fine_nm, fine, lamp, kObserver));
+        weights.push_back(
+            spectra::xyz_to_linear_rec709(spectra::adapted(xyz, white, rec709_white)));
     }
     return weights;
 }
@@ -72,7 +79,8 @@ std::uint16_t checked_half(double value) {
 class Tabulator {
  public:
     /// @param flakes  one by one too: arrays.species
-    Tabulator(const bsdf::NacreArrays& arrays, bool flakes) : arrays_(arrays) {
+    Tabulator(const bsdf::NacreArrays& arrays, bool flakes, Illuminant lamp)
+        : arrays_(arrays), lamp_(lamp) {
         const std::vector<double>& nm = arrays.wavelengths_nm;
         if (nm.size() < 2) {
             throw DomainError(
@@ -86,7 +94,7 @@ class Tabulator {
             band.low = static_cast<std::size_t>(above - nm.begin()) - 1;
             band.part = (bands_nm[b] - nm[band.low]) / (nm[band.low + 1] - nm[band.low]);
         }
-        const std::vector<Vec3d> weights = film_weights(bands_nm);
+        const std::vector<Vec3d> weights = film_weights(bands_nm, lamp);
         for (int b = 0; b < kWebglBands; ++b) {
             for (int c = 0; c < 3; ++c) layout_.rgb[c][b] = static_cast<float>(weights[b][c]);
         }
@@ -217,7 +225,7 @@ class Tabulator {
 
     int add_albedo() {
         const std::vector<double>& nm = arrays_.wavelengths_nm;
-        const std::vector<Vec3d> weights = film_weights(nm);
+        const std::vector<Vec3d> weights = film_weights(nm, lamp_);
         std::vector<double> bands;
         for (std::size_t first = 0; first < arrays_.albedo.size(); first += nm.size()) {
             Vec3d rgb;
@@ -264,13 +272,14 @@ class Tabulator {
     }
 
     const bsdf::NacreArrays& arrays_;
+    const Illuminant lamp_;
     std::array<Band, kWebglBands> bands_;
     WebglShader::Layout layout_;
     std::vector<std::vector<double>> channels_;  // [row][band]
 };
 
-WebglTexture smooth_texture(const bsdf::NacreArrays& arrays) {
-    const std::vector<Vec3d> weights = film_weights(arrays.wavelengths_nm);
+WebglTexture smooth_texture(const bsdf::NacreArrays& arrays, Illuminant lamp) {
+    const std::vector<Vec3d> weights = film_weights(arrays.wavelengths_nm, lamp);
     const std::size_t rank = static_cast<std::size_t>(arrays.rank), count = weights.size();
     std::vector<Vec3f> basis(rank);
     for (std::size_t k = 0; k < rank; ++k) {
@@ -357,10 +366,10 @@ std::string declarations(const std::vector<WebglUniform>& uniforms) {
     return text;
 }
 
-WebglShader make_shader(const bsdf::NacreArrays& arrays, bool flakes) {
-    Tabulator tabulator(arrays, flakes);
+WebglShader make_shader(const bsdf::NacreArrays& arrays, bool flakes, Illuminant lamp) {
+    Tabulator tabulator(arrays, flakes, lamp);
     WebglShader shader;
-    shader.textures = {tabulator.table(), smooth_texture(arrays)};
+    shader.textures = {tabulator.table(), smooth_texture(arrays, lamp)};
     const auto layout = std::make_shared<const WebglShader::Layout>(std::move(tabulator).layout());
     shader.layout = layout;
     if (!layout->species.empty()) shader.textures.push_back(webgl_lobe_shapes());
@@ -373,13 +382,13 @@ WebglShader make_shader(const bsdf::NacreArrays& arrays, bool flakes) {
 
 }  // namespace
 
-WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays) {
-    return make_shader(arrays, false);
+WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays, Illuminant lamp) {
+    return make_shader(arrays, false, lamp);
 }
 
 WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                                   std::uint64_t specimen) {
-    return make_shader(bsdf::nacre_live_arrays(paint, specimen), true);
+                                   std::uint64_t specimen, Illuminant lamp) {
+    return make_shader(bsdf::nacre_live_arrays(paint, specimen), true, lamp);
 }
 
 }  // namespace nacre::exchange

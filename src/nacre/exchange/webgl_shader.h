@@ -64,15 +64,20 @@ inline constexpr int kWebglBands = 16;
 /// Rows of the table: functions of a place from 0 to 1.
 inline constexpr int kWebglRows = 257;
 
+/// @param lamp  of all lights of the scene: colours are those that an eye sees that has adapted to it,
+///              and the lights are to be white
 /// @throws DomainError if there are fewer than two wavelengths, a value is beyond half floats, or the
 ///         paint has so many species that no texture holds them
-WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays);
+WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays,
+                              spectra::Illuminant lamp = spectra::Illuminant::D65);
 
 /// The same for a picture that follows a slider: of a solved paint, by bsdf::nacre_live_arrays(), and
 /// hence without nacreAlbedo(); with the flakes of a specimen, unless the coat is rough or there are
 /// none (webgl_flakes.glsl).
+/// @param lamp  as above
 /// @throws DomainError as above; Error as bsdf::HotSpotTables
 WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                                   std::uint64_t specimen = 0);
+                                   std::uint64_t specimen = 0,
+                                   spectra::Illuminant lamp = spectra::Illuminant::D65);
 
 }  // namespace nacre::exchange

@@ -133,6 +133,43 @@ TEST(WebglShader, ColoursAreThoseOfTheSolvedPaint) {
     }
 }
 
+// What an eye sees that has adapted to the lamp: by the CIE's tables every nanometre and Bradford's
+// transform, where the shader has weights of sixteen bands.
+TEST(WebglShader, ColoursUnderALampAreThoseOfItsSpectrum) {
+    using spectra::Illuminant, spectra::Observer;
+    const auto paint = solved(rich_paint(0.6));
+    const auto arrays = bsdf::microflake_arrays(paint);
+    const WebglShader daylight = make_webgl_shader(arrays);
+    const std::vector<double>& nm = paint->wavelengths_nm();
+    std::vector<double> fine_nm;
+    for (double w = nm.front(); w <= nm.back(); w += 1) fine_nm.push_back(w);
+    const Vec3d d65 = spectra::linear_rec709_to_xyz({1, 1, 1});
+    for (const Illuminant lamp : {Illuminant::A, Illuminant::FL11}) {
+        const WebglShader shader = make_webgl_shader(arrays, lamp);
+        const Vec3d white = spectra::white_point(fine_nm, lamp, Observer::cie1931_2deg);
+        double largest = 0, worst = 0, worst_in_daylight = 0;
+        for (const double theta_o : {0.0, 30.0, 50.0, 75.0}) {
+            const spectra::Spectrum spectrum(
+                nm, paint->brdf(45 * kDegree, theta_o * kDegree, 100 * kDegree));
+            std::vector<double> fine;
+            for (const double w : fine_nm) fine.push_back(spectrum(w));
+            const Vec3d xyz =
+                spectra::reflectance_to_xyz(fine_nm, fine, lamp, Observer::cie1931_2deg);
+            const Vec3d want = spectra::xyz_to_linear_rec709(spectra::adapted(xyz, white, d65));
+            const Vec3d wi = direction_of(45, 0), wo = direction_of(theta_o, 100);
+            const Vec3d got = shader.brdf(wi, wo), by_day = daylight.brdf(wi, wo);
+            for (int c = 0; c < 3; ++c) {
+                largest = std::max(largest, want[c]);
+                worst = std::max(worst, std::abs(got[c] - want[c]));
+                worst_in_daylight = std::max(worst_in_daylight, std::abs(by_day[c] - want[c]));
+            }
+        }
+        EXPECT_GT(largest, 0.01);
+        EXPECT_LT(worst, kShaderError * largest) << spectra::name(lamp);
+        EXPECT_GT(worst_in_daylight, 5 * worst) << spectra::name(lamp);
+    }
+}
+
 TEST(WebglShader, WhiteUnderSmoothBinderOfIndexOneIsWhite) {
     // A layer that does nothing over a white ground: 1 / pi in all three.
     paint::Recipe recipe = test::paint_of(1, {{10, {}, {}}}, 1.0);

@@ -4,7 +4,7 @@ import { messageOf } from "./errors";
 import { base64Of } from "./files";
 import type { Attachment, Message } from "./protocol";
 import { readLight, readMesh } from "./renderer/paint";
-import type { ShapeInfo } from "./schema";
+import type { LightInfo, ShapeInfo } from "./schema";
 import type { Answer } from "./session";
 import type { OwnFile, State } from "./state";
 import type { Store } from "./store";
@@ -110,7 +110,7 @@ export class OwnFiles {
             const size = `${String(extent)} mm${extent === shown ? "" : `, shown as ${String(shown)} mm`}`;
             this.say(`${own.file.name}: ${String(message.triangles)} triangles, ${size}.`);
         } else {
-            const info = message.light as { name: string; title: string };
+            const info = message.light as LightInfo;
             const lights = [...schema.lights.filter(({ name }) => name !== before?.name), info];
             const now = { ...schema, lights };
             this.store.set({ schema: now, ownLight: { ...own, name: info.name } });

@@ -73,6 +73,13 @@ export interface ShapeInfo {
     };
 }
 
+export interface LightInfo {
+    readonly name: string;
+    readonly title: string;
+    /** Of all its lamps, to which the eye adapts. */
+    readonly illuminant: string;
+}
+
 export interface Schema {
     readonly version: string;
     readonly recipe: { readonly tables: readonly TableInfo[] };
@@ -87,7 +94,7 @@ export interface Schema {
     readonly illuminants: readonly string[];
     readonly observers: readonly string[];
     readonly shapes: readonly ShapeInfo[];
-    readonly lights: readonly { readonly name: string; readonly title: string }[];
+    readonly lights: readonly LightInfo[];
     /** By which the path tracer's picture shows the mean of the flakes. */
     readonly mean_model: string;
     /** The paint that the command line named. */

@@ -3,7 +3,6 @@
 import { Atlas } from "./atlas";
 import type { Document } from "./edit";
 import { messageOf } from "./errors";
-import { fileName, print, save } from "./files";
 import { History } from "./history";
 import { Latest } from "./latest";
 import { fromFragment, toFragment } from "./link";
@@ -34,6 +33,8 @@ interface PaintRequest {
     /** null: of a match, which is looked at beside the paint. */
     readonly document: Document | null;
     readonly settings: Settings;
+    /** In which the live picture shows it. */
+    readonly lamp: string;
     /** When the change was made, for the time from slider to chips. */
     readonly since: number;
 }
@@ -95,6 +96,12 @@ export class Studio {
             else this.disconnected();
         });
         this.viewer = new Viewer(this.session);
+        let shownIn = this.lamp;
+        this.viewer.store.subscribe(() => {
+            if (this.lamp === shownIn) return;
+            shownIn = this.lamp;
+            this.measure();
+        });
         this.atlas = new Atlas(this.session, (busy) => {
             this.viewer.hold("atlas", busy);
         });
@@ -248,12 +255,20 @@ export class Studio {
 
     // ---- colours ----
 
+    /** The illuminant of the light in the picture. */
+    private get lamp(): string {
+        const { view } = this.viewer.store.get();
+        const lights = this.store.get().schema?.lights ?? [];
+        return lights.find(({ name }) => name === view?.light)?.illuminant ?? "D65";
+    }
+
     private measure(): void {
         const { document, settings } = this.store.get();
         if (!this.session.isOpen || Object.keys(document.recipe).length === 0) return;
         const { recipe } = document;
         this.viewer.hold("colours", true);
-        this.painting.want({ recipe, document, settings, since: this.around.now() });
+        const since = this.around.now();
+        this.painting.want({ recipe, document, settings, lamp: this.lamp, since });
     }
 
     /**
@@ -278,7 +293,7 @@ export class Studio {
         return !this.painting.busy;
     }
 
-    private sendPaint({ recipe, document, settings, since }: PaintRequest): void {
+    private sendPaint({ recipe, document, settings, lamp, since }: PaintRequest): void {
         const { geometries, illuminant, observer, tolerance } = settings;
         const fields = {
             recipe,
@@ -287,6 +302,7 @@ export class Studio {
             observer,
             tolerance: { limit: tolerance },
             shader: document !== null && this.viewer.wantsShader,
+            lamp,
         };
         let chipsAreDrawn = Promise.resolve();
         const id = this.session.send("paint", fields, (message, attachments) => {
@@ -342,7 +358,8 @@ export class Studio {
         const match = fit.matches?.[fit.colours.length];
         if (match === undefined || this.painting.busy || !this.session.isOpen) return;
         const { recipe } = match;
-        this.painting.want({ recipe, document: null, settings, since: this.around.now() });
+        const since = this.around.now();
+        this.painting.want({ recipe, document: null, settings, lamp: this.lamp, since });
     }
 
     private receiveMatch(id: number, message: Message): void {
@@ -429,40 +446,7 @@ export class Studio {
         this.edit((document) => ({ ...document, recipe }));
     }
 
-    // ---- the report, the link ----
-
-    /**
-     * The panel page.
-     * @param as  pdf: the browser's way to paper and PDF opens
-     */
-    report(as: "pdf" | "html"): void {
-        const { document, settings } = this.store.get();
-        const { geometries, illuminant, observer, tolerance } = settings;
-        this.say("Making the report …");
-        this.ask(
-            "report",
-            {
-                recipe: document.recipe,
-                geometries,
-                illuminant,
-                observer,
-                tolerance: { limit: tolerance },
-            },
-            (message) => {
-                if (message.type === "error") {
-                    this.say(String(message.message));
-                    return;
-                }
-                const html = String(message.html);
-                if (as === "pdf") print(html);
-                else save(fileName(document.recipe.name, "html"), html, "text/html");
-                this.say(as === "pdf" ? "The report can be printed." : "The report was saved.");
-            },
-            (fraction) => {
-                this.say(`Making the report … ${(100 * fraction).toFixed(0)} %`);
-            },
-        );
-    }
+    // ---- the link ----
 
     copyLink(): void {
         void toFragment(this.history.now)

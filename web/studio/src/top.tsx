@@ -6,6 +6,7 @@ import { themeButton } from "../../common/theme";
 import { fileName, pngOf, save } from "./files";
 import { messageOf } from "./errors";
 import { LIGHT_FILES, MESH_FILES } from "./own_files";
+import { report } from "./report";
 import type { State } from "./state";
 import { useStudio, useStudioState } from "./ui/context";
 import { Made } from "./ui/element";
@@ -132,7 +133,7 @@ function Saving(): VNode {
                 disabled={!sound}
                 title="Print the report of the panel, or save it as PDF"
                 onClick={() => {
-                    studio.report("pdf");
+                    report(studio, "pdf");
                 }}
             >
                 Report
@@ -143,7 +144,7 @@ function Saving(): VNode {
                 aria-label="Report as HTML"
                 title="Save the report of the panel, .html"
                 onClick={() => {
-                    studio.report("html");
+                    report(studio, "html");
                 }}
             >
                 HTML

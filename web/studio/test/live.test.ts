@@ -11,7 +11,15 @@ import type { Lab } from "../../common/colour";
 import { deltaE2000 } from "../../common/colour";
 import { LiveBrowser } from "./live_browser";
 
-const PAINTS = ["red-gold", "metallic-silver", "white", "ruby", "green-violet"];
+/** Paints in a studio's daylight, and two in the booth's other lamps, to which the eye adapts. */
+const SCENES = [
+    ...["red-gold", "metallic-silver", "white", "ruby", "green-violet"].map((paint) => ({
+        paint,
+        light: "studio",
+    })),
+    { paint: "red-gold", light: "booth-a" },
+    { paint: "green-violet", light: "booth-fl11" },
+];
 const SIZE = 48;
 const SAMPLES = 64;
 const TRACED_SAMPLES = 256;
@@ -46,9 +54,9 @@ function onBall(at: number): boolean {
     return Math.hypot(x, y) < 0.42 * SIZE;
 }
 
-for (const paint of PAINTS) {
-    test(`${paint} on a ball has the path tracer's colours`, async () => {
-        const scene = { paint, shape: "ball", light: "studio", size: SIZE };
+for (const { paint, light } of SCENES) {
+    test(`${paint} on a ball in the light ${light} has the path tracer's colours`, async () => {
+        const scene = { paint, shape: "ball", light, size: SIZE };
         const live = await browser.page.evaluate(
             ([where, samples]) => window.live(where, samples, false),
             [scene, SAMPLES] as const,
@@ -67,7 +75,9 @@ for (const paint of PAINTS) {
             ++count;
         }
         assert.ok(count > 1000);
-        console.log(`${paint}: Delta E 2000 ${(sum / count).toFixed(2)}, mean over the ball`);
+        console.log(
+            `${paint}, ${light}: Delta E 2000 ${(sum / count).toFixed(2)}, mean over the ball`,
+        );
         assert.ok(sum / count < 2);
     });
 }

@@ -71,8 +71,9 @@ export interface Scene {
     readonly size: number;
 }
 
-async function shaderOf(paintName: string): Promise<PaintShader> {
-    const fields = { type: "paint", recipe: await recipeOf(paintName), shader: true };
+async function shaderOf(paintName: string, light: string): Promise<PaintShader> {
+    const lamp = (await schema()).lights.find(({ name }) => name === light)?.illuminant;
+    const fields = { type: "paint", recipe: await recipeOf(paintName), shader: true, lamp };
     return readPaint(...(await asked(fields, "shader")), new Map());
 }
 
@@ -80,7 +81,7 @@ async function shaderOf(paintName: string): Promise<PaintShader> {
 async function live(scene: Scene, samples: number, sparkle: boolean): Promise<LivePicture> {
     const shape = (await schema()).shapes.find(({ name }) => name === scene.shape);
     if (shape === undefined) throw new Error(`there is no ${scene.shape}`);
-    const paint = await shaderOf(scene.paint);
+    const paint = await shaderOf(scene.paint, scene.light);
     const { size } = scene;
     const canvas = document.createElement("canvas");
     const view = await new Promise<LiveView>((resolve, reject) => {
@@ -148,7 +149,7 @@ async function hashes(paintName: string, cases: readonly HashCase[]): Promise<st
     const program = Program.begin(
         gl,
         EVERYWHERE,
-        `${HEAD}${(await shaderOf(paintName)).glsl}
+        `${HEAD}${(await shaderOf(paintName, "studio")).glsl}
 vec3 nacreRadiance(vec3 wo) { return wo; }
 uniform ivec4 level;  // 16 bits each, from the lowest
 uniform ivec4 at;

@@ -344,6 +344,29 @@ test("what is saved is of the paint as it is now, and a paint with a fault is no
     assert.deepEqual(saved, [20, 21], "what was refused is forgotten");
 });
 
+test("in a light of another lamp the paint is asked for in that lamp", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    const light = (name: string, illuminant: string) => ({ name, title: name, illuminant });
+    const lights = [light("sun", "D65"), light("booth-a", "A"), light("booth-fl11", "FL11")];
+    studio.store.set({ schema: { ...SCHEMA, lights } });
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    const camera = { azimuth_deg: -90, elevation_deg: 10, distance_mm: 600, fov_deg: 11 };
+    const turned = { turn_deg: 0, light_turn_deg: 0, sparkle: true, camera, shape: "ball" };
+    const show = (name: string) => {
+        studio.viewer.store.set({ view: { ...turned, light: name } });
+    };
+    const lamps = () => server.received("paint").map(({ lamp }) => lamp);
+    show("sun");
+    assert.deepEqual(lamps(), ["D65"], "nothing new in another light of the same lamp");
+    show("booth-a");
+    assert.deepEqual(lamps(), ["D65", "A"]);
+    show("booth-fl11");
+    server.answerPaint();
+    assert.deepEqual(lamps(), ["D65", "A", "FL11"]);
+});
+
 test("a steady component is drawn when a property or a step of its path is another", () => {
     const draw: FunctionComponent<{ path: Path; value?: unknown }> = () => null;
     const Row = steady(draw);

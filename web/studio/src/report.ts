@@ -1,0 +1,34 @@
+/** The report of the panel, which the program writes. */
+
+import { fileName, print, save } from "./files";
+import type { Studio } from "./studio";
+
+/** @param as  pdf: the browser's way to paper and PDF opens; html: a file is saved */
+export function report(studio: Studio, as: "pdf" | "html"): void {
+    const { document, settings } = studio.store.get();
+    const { geometries, illuminant, observer, tolerance } = settings;
+    studio.say("Making the report …");
+    studio.ask(
+        "report",
+        {
+            recipe: document.recipe,
+            geometries,
+            illuminant,
+            observer,
+            tolerance: { limit: tolerance },
+        },
+        (message) => {
+            if (message.type === "error") {
+                studio.say(String(message.message));
+                return;
+            }
+            const html = String(message.html);
+            if (as === "pdf") print(html);
+            else save(fileName(document.recipe.name, "html"), html, "text/html");
+            studio.say(as === "pdf" ? "The report can be printed." : "The report was saved.");
+        },
+        (fraction) => {
+            studio.say(`Making the report … ${(100 * fraction).toFixed(0)} %`);
+        },
+    );
+}
