@@ -524,6 +524,15 @@ TEST(StudioServer, TheSchemaSaysWhatShips) {
     const Tree schema = Tree::parse(answer.body());
     EXPECT_EQ(schema["start"], red_gold());
     EXPECT_EQ(schema["paints"].size(), shipped_paints().size());
+    for (const Tree& shape : schema["shapes"]) {  // 400 mm long; others are as wide as high
+        const double aspect = shape["camera"]["aspect"];
+        if (shape["name"] == "speed-shape") {
+            EXPECT_GT(aspect, 1.2);
+            EXPECT_LT(aspect, 1.6);
+        } else if (shape["name"] == "ball" || shape["name"] == "macro") {
+            EXPECT_EQ(aspect, 1) << shape["name"];
+        }
+    }
     for (const Tree& paint : schema["paints"]) {
         EXPECT_NO_THROW(io::parse_recipe_file(paint["toml"].get<std::string>(), "x", {}))
             << paint["name"];

@@ -136,7 +136,8 @@ Tree json_of_shape(const SceneDescription& scene, const std::string& name, const
                    {{"position_mm", vector_json(camera.position_mm)},
                     {"target_mm", vector_json(camera.target_mm)},
                     {"up", vector_json(camera.up)},
-                    {"fov_deg", camera.vertical_fov_deg}}}};
+                    {"fov_deg", camera.vertical_fov_deg},
+                    {"aspect", aspect_of(scene)}}}};
     if (const auto* ball = std::get_if<render::Sphere>(&scene.shapes[0].geometry)) {
         shape["radius_mm"] = ball->radius_mm;
     }

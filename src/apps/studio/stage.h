@@ -66,6 +66,11 @@ class Adaptation {
     Vec3d columns_[3];
 };
 
+/// The least width over height of a picture by the shape's camera that shows the whole shape, however it
+/// is turned about the vertical; 1 for those that any upright picture shows, and for the camera of a
+/// detail.
+double aspect_of(const render::SceneDescription& scene);
+
 /// For the schema: name, title, transform from the mesh to the world, camera and the light that
 /// suits it.
 Tree shapes_json();

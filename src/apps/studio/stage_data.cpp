@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -108,6 +110,24 @@ Adaptation::Adaptation(const Stage& stage, int samples) {
 
 Vec3d Adaptation::operator()(const Vec3d& rgb) const {
     return none_ ? rgb : rgb.x * columns_[0] + rgb.y * columns_[1] + rgb.z * columns_[2];
+}
+
+double aspect_of(const render::SceneDescription& scene) {
+    const render::Shape& shape = scene.shapes.at(0);
+    const render::AffineMap map(shape.transform);
+    const render::Camera& camera = scene.camera;
+    double radius_mm = 0;
+    for (const Vec3f& position : std::visit(MeshOf(), shape.geometry).positions_mm) {
+        const Vec3f at = map.point(position) - camera.target_mm;
+        radius_mm = std::max(radius_mm, std::hypot(double{at.x}, double{at.y}));
+    }
+    const double distance_mm = length(camera.position_mm - camera.target_mm);
+    // A circle about the vertical is seen from its side as tan of half an angle.
+    const double across =
+        radius_mm / std::sqrt(std::max(distance_mm * distance_mm - radius_mm * radius_mm, 1e-9));
+    constexpr double kMargin = 1.05, kDetail = 3;
+    const double aspect = kMargin * across / std::tan(camera.vertical_fov_deg / 2 * kDegree);
+    return aspect > kDetail ? 1.0 : std::max(aspect, 1.0);
 }
 
 std::string shape_bytes(const Stage& stage) {

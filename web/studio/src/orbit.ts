@@ -1,8 +1,9 @@
-/** Where a picture is taken from: angles about the middle of the shape, as the server takes them. */
+/** Where a picture is taken from: angles about the middle of the shape. */
 
 import type { ShapeInfo } from "./schema";
 
-export interface Orbit {
+/** As the server takes it. */
+export interface OrbitCamera {
     /** From +x to +y; -90 is in front. */
     readonly azimuth_deg: number;
     readonly elevation_deg: number;
@@ -10,10 +11,15 @@ export interface Orbit {
     readonly fov_deg: number;
 }
 
+export interface Orbit extends OrbitCamera {
+    /** The least width over height of a picture for which the field of view is meant. */
+    readonly aspect: number;
+}
+
 const DEGREES = 180 / Math.PI;
 
 export function orbitOf(shape: ShapeInfo): Orbit {
-    const { position_mm, target_mm, fov_deg } = shape.camera;
+    const { position_mm, target_mm, fov_deg, aspect } = shape.camera;
     const [x, y, z] = [0, 1, 2].map(
         (i) => (position_mm[i] as number) - (target_mm[i] as number),
     ) as [number, number, number];
@@ -23,14 +29,15 @@ export function orbitOf(shape: ShapeInfo): Orbit {
         elevation_deg: Math.asin(z / distance_mm) * DEGREES,
         distance_mm,
         fov_deg,
+        aspect,
     };
 }
 
-/** With a field of view that shows upright pictures as much from side to side as others. */
-export function fitted(orbit: Orbit, width: number, height: number): Orbit {
-    if (width >= height) return orbit;
-    const half = Math.tan(orbit.fov_deg / 2 / DEGREES);
-    return { ...orbit, fov_deg: 2 * DEGREES * Math.atan((half * height) / width) };
+/** With a field of view that shows narrow pictures as much from side to side as others. */
+export function fitted({ aspect, ...camera }: Orbit, width: number, height: number): OrbitCamera {
+    const wider = Math.max(1, (aspect * height) / width);
+    const half = Math.tan(camera.fov_deg / 2 / DEGREES);
+    return { ...camera, fov_deg: 2 * DEGREES * Math.atan(half * wider) };
 }
 
 const clamp = (value: number, low: number, high: number) => Math.min(Math.max(value, low), high);

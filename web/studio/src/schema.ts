@@ -70,6 +70,8 @@ export interface ShapeInfo {
         readonly position_mm: Vector;
         readonly target_mm: Vector;
         readonly fov_deg: number;
+        /** The least width over height that shows the whole shape. */
+        readonly aspect: number;
     };
 }
 

@@ -39,7 +39,14 @@ const page = await browser.newPage({
 page.setDefaultTimeout(120_000);
 await page.goto(program.url);
 await settled(page);
-await drawn(page, 16);
+// The time at the bottom is that of a move, not of the start.
+await page.fill(FILM, "209");
+await page.press(FILM, "Enter");
+await settled(page);
+await page.fill(FILM, "208");
+await page.press(FILM, "Enter");
+await settled(page);
+await drawn(page, 64);
 await page.screenshot({ path: join(IMAGES, "studio.jpg"), quality: 88 });
 
 await page.emulateMedia({ colorScheme: "light" });
@@ -51,7 +58,7 @@ await page.waitForFunction(() => document.querySelectorAll(".chip .delta").lengt
 await page.getByRole("tab", { name: "Fit" }).click();
 await page.locator(".fit-start button").click();
 await page.getByRole("button", { name: "Use match 1" }).waitFor();
-await drawn(page, 16);
+await drawn(page, 64);
 await page.screenshot({ path: join(IMAGES, "studio-fit.jpg"), quality: 88 });
 
 await browser.close();

@@ -10,7 +10,7 @@ import { fileName } from "../src/files";
 import { History } from "../src/history";
 import { Latest } from "../src/latest";
 import { fromFragment, toFragment } from "../src/link";
-import { orbitOf, turned, wrapped } from "../src/orbit";
+import { fitted, orbitOf, turned, wrapped } from "../src/orbit";
 import type { KeyInfo } from "../src/schema";
 import {
     allows,
@@ -352,7 +352,13 @@ test("in a light of another lamp the paint is asked for in that lamp", async () 
     studio.store.set({ schema: { ...SCHEMA, lights } });
     server.answerOpen(PAINT);
     server.answerPaint();
-    const camera = { azimuth_deg: -90, elevation_deg: 10, distance_mm: 600, fov_deg: 11 };
+    const camera = {
+        azimuth_deg: -90,
+        elevation_deg: 10,
+        distance_mm: 600,
+        fov_deg: 11,
+        aspect: 1,
+    };
     const turned = { turn_deg: 0, light_turn_deg: 0, sparkle: true, camera, shape: "ball" };
     const show = (name: string) => {
         studio.viewer.store.set({ view: { ...turned, light: name } });
@@ -433,9 +439,14 @@ test("a camera is angles about the shape, and turning stops before the poles", (
         title: "Ball",
         light: "studio",
         transform: { scale: 1, rotation_deg: [0, 0, 0], translation_mm: [0, 0, 0] },
-        camera: { position_mm: [0, -600, 0], target_mm: [0, 0, 0], fov_deg: 11 },
+        camera: { position_mm: [0, -600, 0], target_mm: [0, 0, 0], fov_deg: 11, aspect: 1.5 },
     });
     assert.ok(Math.abs(orbit.azimuth_deg + 90) < 1e-9 && orbit.distance_mm === 600);
+    const half = (fov_deg: number) => Math.tan((fov_deg * Math.PI) / 360);
+    assert.ok(Math.abs(fitted(orbit, 300, 200).fov_deg - 11) < 1e-9, "wide enough for the shape");
+    const narrow = fitted(orbit, 200, 300);
+    assert.ok(Math.abs(half(narrow.fov_deg) / half(11) - 2.25) < 1e-9, "as much from side to side");
+    assert.ok(!("aspect" in narrow), "the server knows no such key");
     assert.equal(turned(orbit, 500).elevation_deg, 85);
     assert.equal(wrapped(190), -170);
     assert.equal(wrapped(-540), 180);
