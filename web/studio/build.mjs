@@ -41,6 +41,7 @@ async function buildTest(input, options) {
 async function buildTests() {
     const files = [
         "unit.test",
+        "studio.test",
         "browser.test",
         "tools.test",
         "picture.test",

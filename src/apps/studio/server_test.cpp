@@ -284,7 +284,9 @@ TEST(StudioServer, TheShaderIsThatOfTheSolvedPaint) {
         EXPECT_EQ(told["program"], shader.program);
         // Its text is sent once: the second paint has the same structure.
         EXPECT_EQ(told.contains("glsl"), thickness == 15);
-        if (thickness == 15) EXPECT_EQ(told["glsl"], shader.glsl);
+        if (thickness == 15) {
+            EXPECT_EQ(told["glsl"], shader.glsl);
+        }
         ASSERT_EQ(told["uniforms"].size(), shader.uniforms.size());
         EXPECT_EQ(told["uniforms"][0]["values"].get<std::vector<float>>(),
                   shader.uniforms[0].values);

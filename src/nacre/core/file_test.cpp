@@ -54,7 +54,9 @@ TEST_F(AtomicFileTest, WithoutCommitTheOldFileStaysAndTheTemporaryGoes) {
             AtomicFile file(path, temporary);
             file.write("half of the ne");
             EXPECT_EQ(read_file(path), "old");
-            if (temporary == Temporary::named) EXPECT_EQ(files(), 2);
+            if (temporary == Temporary::named) {
+                EXPECT_EQ(files(), 2);
+            }
         }
         EXPECT_EQ(read_file(path), "old");
         EXPECT_EQ(files(), 1);

@@ -34,7 +34,7 @@ struct DrawdownSettings {
     /// what lies below is seen.                                            [saunderson-1942]
     bool matt_ground = false;
     /// Standard deviation of a reading; none: from the residuals.
-    std::optional<double> noise;
+    std::optional<double> noise = {};
 };
 
 /// What was found of one application.

@@ -18,7 +18,7 @@
 #include "nacre/io/measurement_file.h"
 #include "nacre/io/pigment_file.h"
 #include "nacre/io/solved_paint_file.h"
-#include "nacre/io/table_reader.h"
+#include "nacre/io/toml_document.h"
 
 namespace nacre::io {
 

@@ -9,7 +9,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/file.h"
-#include "nacre/io/table_reader.h"
+#include "nacre/io/toml_document.h"
 #include "nacre/testing/errors.h"
 
 namespace nacre::io {

@@ -23,8 +23,8 @@ struct Channel {
 
 struct Image {
     int width = 0, height = 0;
-    std::vector<Channel> channels;
-    std::map<std::string, std::string> metadata;  ///< kept by EXR and PNG
+    std::vector<Channel> channels = {};
+    std::map<std::string, std::string> metadata = {};  ///< kept by EXR and PNG
 
     std::size_t pixel_count() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

@@ -4,14 +4,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "nacre/core/error.h"
-#include "nacre/core/references.h"
+#include "nacre/io/toml_document.h"
 #include "nacre/spectra/spectrum.h"
 
 // Reads the tables of a TOML text so that whatever is wrong is refused with a message of the form
@@ -22,39 +21,6 @@
 // (References::may_quote()) they show places, the keys that are allowed and numbers, nothing else.
 
 namespace nacre::io {
-
-/// Characters that a recipe or a scene may have: a megabyte.
-inline constexpr std::size_t kMaxTextBytes = 1 << 20;
-
-/// How deep tables and arrays may lie in each other, and how many parts a dotted key may have. What
-/// is deeper is refused before it is parsed: parser and tree are recursive.
-inline constexpr int kMaxTomlNesting = 32;
-
-/// A parsed TOML text: its name for messages, the files that it may name, and the place of each
-/// key.
-class TomlDocument {
- public:
-    /// @throws InputError with file, line and column if the text is not TOML, not UTF-8, too large or
-    ///         nested too deeply; naming what it is instead where that shows (io/file_kind.h)
-    TomlDocument(std::string_view text, std::string filename, References references);
-
-    const toml::table& root() const { return root_; }
-    const std::string& filename() const { return filename_; }
-    const References& references() const { return references_; }
-
-    /// Remembers where `key` (its full path) stands.
-    void note(const std::string& key, const toml::source_region& where);
-    /// "file:line:column: " of a key, or of the nearest table around it that is known.
-    std::string location(std::string key) const;
-
- private:
-    void refuse_other_kind(std::string_view text) const;
-
-    toml::table root_;
-    std::string filename_;
-    References references_;
-    std::map<std::string, toml::source_region> places_;
-};
 
 /// One table. The keys that it may have are named when it is opened; others are refused at once,
 /// with the nearest of those allowed as a suggestion.
@@ -121,10 +87,6 @@ class TableReader {
     std::string path_;
     Keys allowed_;
 };
-
-/// Gives the message of a DomainError ("key = value: ...") the place of its key in the file.
-/// @throws InputError always
-[[noreturn]] void rethrow_with_location(const TomlDocument& document, const std::string& message);
 
 /// A number, { wavelengths_nm = [...], values = [...] }, or the path of a CSV file with the columns
 /// wavelength_nm and one of values; every value in the range.

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "nacre/io/table_reader.h"
+#include "nacre/io/toml_document.h"
 
 // Changes values in a TOML text and leaves every other byte as it is: comments, order, spaces, line
 // ends.

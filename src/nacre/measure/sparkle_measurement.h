@@ -93,19 +93,19 @@ Background background(const RetinalPicture& picture, const Viewing& viewing);
 std::vector<Spot> visible_spots(const RetinalPicture& picture, const Background& background);
 
 struct Sparkle {
-    double mean_y = 0;        ///< luminance factor of the panel
-    Estimate pixel_contrast;  ///< of the camera's picture, without the eye: pixel_contrast()
-    Background background;
-    double blur_mm = 0;        ///< as in RetinalPicture
-    double area_mm2 = 0;       ///< of the panel in which spots are looked for
-    Estimate density_per_cm2;  ///< visible spots per area
+    double mean_y = 0;             ///< luminance factor of the panel
+    Estimate pixel_contrast = {};  ///< of the camera's picture, without the eye: pixel_contrast()
+    Background background = {};
+    double blur_mm = 0;             ///< as in RetinalPicture
+    double area_mm2 = 0;            ///< of the panel in which spots are looked for
+    Estimate density_per_cm2 = {};  ///< visible spots per area
     /// Geometric mean of their visibility, in thresholds: the eye tells ratios. None: no spots.
-    std::optional<Estimate> intensity;
+    std::optional<Estimate> intensity = {};
     /// The same as Weber contrast on the retina; none: no spots, or a black background.
-    std::optional<Estimate> contrast;
-    Estimate area_fraction;  ///< of the panel that is above threshold on the retina
+    std::optional<Estimate> contrast = {};
+    Estimate area_fraction = {};  ///< of the panel that is above threshold on the retina
     /// Sum of log10(visibility) over the spots, per area: density times log10(intensity).
-    Estimate sparkle_per_cm2;
+    Estimate sparkle_per_cm2 = {};
 };
 
 /// @throws DomainError as check(const Viewing&) and retinal_picture(); Stopped as the latter
@@ -138,7 +138,7 @@ Graininess graininess(const PanelPicture& a, const PanelPicture& b, const Viewin
 struct SparkleMeasurement {
     std::vector<double> lamps_deg;
     std::vector<Sparkle> by_lamp;
-    std::optional<Graininess> diffuse;  ///< none: no picture in diffuse light was taken
+    std::optional<Graininess> diffuse = {};  ///< none: no picture in diffuse light was taken
 };
 
 /// Evaluates the pictures of take_pictures().

@@ -228,9 +228,9 @@ TEST(Platelet, ThickFrustratingCoatsLetNothingThrough) {
 // here. Through the thinner one 1e-11 of the amplitude pass.
 TEST(Platelet, OpaqueCoresAreTheLimitOfThickOnes) {
     using Sides = Platelet::CoatedSides;
-    for (const auto [sides, face] : {std::pair(Sides::both, Platelet::Face::any),
-                                     std::pair(Sides::one, Platelet::Face::coated),
-                                     std::pair(Sides::one, Platelet::Face::bare)}) {
+    for (const auto& [sides, face] : {std::pair(Sides::both, Platelet::Face::any),
+                                      std::pair(Sides::one, Platelet::Face::coated),
+                                      std::pair(Sides::one, Platelet::Face::bare)}) {
         for (std::size_t coats : {0, 1, 2}) {
             Platelet thin{.core = film("Al", 165, 0), .coats = {}};
             if (coats > 0) thin.coats.push_back(film("SiO2", 330, 15));

@@ -122,8 +122,8 @@ using PigmentShare = std::variant<PigmentUnstated, PigmentVolume, PigmentMass>;
 
 /// A pigment by its coefficients; it scatters by Henyey-Greenstein.
 struct PigmentCoefficients {
-    spectra::Spectrum scattering_per_mm;
-    spectra::Spectrum absorption_per_mm;
+    spectra::Spectrum scattering_per_mm = 0.0;
+    spectra::Spectrum absorption_per_mm = 0.0;
     double anisotropy = 0;  ///< g, in (-1, 1)
     PigmentShare amount = {};
 
@@ -203,7 +203,7 @@ inline constexpr std::array<WaveBand, 5> kWaveBands{{{"wa", &OrangePeel::wa, {0.
 
 struct Clearcoat {
     double thickness_um = 0;
-    spectra::Spectrum absorption_per_mm;
+    spectra::Spectrum absorption_per_mm = 0.0;
     double roughness = 0;  ///< Beckmann alpha of the air interface, 0 = smooth
     std::optional<OrangePeel> orange_peel = {};
 
@@ -230,7 +230,7 @@ struct Microfacet {
     double film_thickness_nm = 0;
     double base_ior = 1;
     double base_extinction = 0;
-    std::optional<MicrofacetFacets> facets;
+    std::optional<MicrofacetFacets> facets = {};
 
     friend bool operator==(const Microfacet&, const Microfacet&) = default;
 };

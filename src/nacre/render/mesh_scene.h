@@ -12,9 +12,9 @@ namespace nacre::render {
 struct MeshSceneOptions {
     /// Parts of the mesh that are painted, by the names of their materials. Empty: the mesh itself if
     /// it has one part, else none.
-    std::vector<std::string> painted;
+    std::vector<std::string> painted = {};
     /// The name of a glTF's camera; empty: its first, if it has one.
-    std::string camera;
+    std::string camera = {};
 };
 
 /// A scene to start from: each part of a mesh as a shape of its own, lit by the studio. Of a glTF

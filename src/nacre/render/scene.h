@@ -173,9 +173,9 @@ struct ConductorMaterial {
 /// Glass: the face of a solid, or a pane (bsdf/materials/glass.h).
 struct GlassMaterial {
     optics::Material index = optics::Material(1.5);
-    double roughness = 0;                 ///< alpha of GGX, or 0; of a solid only
-    double pane_mm = 0;                   ///< 0: the shape encloses a solid
-    spectra::Spectrum absorption_per_mm;  ///< >= 0
+    double roughness = 0;                       ///< alpha of GGX, or 0; of a solid only
+    double pane_mm = 0;                         ///< 0: the shape encloses a solid
+    spectra::Spectrum absorption_per_mm = 0.0;  ///< >= 0
 
     friend bool operator==(const GlassMaterial&, const GlassMaterial&) = default;
 };

@@ -77,6 +77,31 @@ const text = { unit: "", doc: "", required: false } as const;
 const number = { kind: "number", unit: "um", doc: "", required: true, min: 0, max: 1e6 } as const;
 const fraction = { ...number, unit: "", max: 1, min_excluded: true } as const;
 
+/** With two films, whose outer one tests move. */
+export const PAINT: Table = {
+    name: "Pearl",
+    ior: 1.5,
+    layer: [
+        {
+            thickness_um: 15,
+            flakes: [
+                {
+                    name: "TiO2 on mica",
+                    volume_fraction: 0.03,
+                    core: { material: "mica", thickness_nm: 500 },
+                    coats: [
+                        { material: "TiO2_anatase", thickness_nm: 80 },
+                        { material: "SiO2", thickness_nm: 20 },
+                    ],
+                },
+            ],
+        },
+        { thickness_um: 30 },
+    ],
+    fit: { "layer[1].thickness_um": [20, 40] },
+};
+export const COAT = "layer[0].flakes[0].coats[1].thickness_nm";
+
 /** As the server describes recipes, but with few of their keys. */
 export const SCHEMA: Schema = {
     version: "0",

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import type { FunctionComponent } from "preact";
 import { atlasValues } from "../src/atlas";
 import type { Document } from "../src/edit";
-import { insertEntry, moveEntry, removeEntry, setLock, setValue } from "../src/edit";
+import { insertEntry, moveEntry, removeEntry, setLock } from "../src/edit";
 import { fileName } from "../src/files";
 import { History } from "../src/history";
 import { Latest } from "../src/latest";
@@ -26,36 +26,12 @@ import {
 import { Session, unpack } from "../src/session";
 import { niceAbove, scaleOf, settled } from "../src/slider";
 import { newEntry, switched } from "../src/starters";
-import { Studio } from "../src/studio";
 import type { Path, Table } from "../src/tree";
 import { genericPath, get, numbers, parsePath, pathText, set } from "../src/tree";
 import { steady } from "../src/ui/steady";
-import { FakeServer, SCHEMA } from "./fake_server";
+import { COAT, FakeServer, PAINT, SCHEMA } from "./fake_server";
 
-const PAINT: Table = {
-    name: "Pearl",
-    ior: 1.5,
-    layer: [
-        {
-            thickness_um: 15,
-            flakes: [
-                {
-                    name: "TiO2 on mica",
-                    volume_fraction: 0.03,
-                    core: { material: "mica", thickness_nm: 500 },
-                    coats: [
-                        { material: "TiO2_anatase", thickness_nm: 80 },
-                        { material: "SiO2", thickness_nm: 20 },
-                    ],
-                },
-            ],
-        },
-        { thickness_um: 30 },
-    ],
-    fit: { "layer[1].thickness_um": [20, 40] },
-};
 const DOCUMENT: Document = { recipe: PAINT, locks: new Set(["layer[1].thickness_um"]) };
-const COAT = "layer[0].flakes[0].coats[1].thickness_nm";
 
 test("a path is written and read as messages name keys", () => {
     assert.equal(pathText(parsePath(COAT)), COAT);
@@ -272,167 +248,6 @@ test("answers reach those who asked, with the bytes behind them", () => {
     session.close();
 });
 
-/** Lets promises that are settled be heard. */
-const settle = () => new Promise((resolve) => setTimeout(resolve, 5));
-
-async function studioWith(server: FakeServer): Promise<{ studio: Studio; clock: { ms: number } }> {
-    const clock = { ms: 0 };
-    const studio = new Studio({
-        connect: server.connect,
-        schema: () => Promise.resolve(SCHEMA),
-        bytes: () => Promise.reject(new Error("no bytes here")),
-        refused: () => Promise.resolve(server.refuses),
-        now: () => clock.ms,
-        drawn: (then) => {
-            then();
-        },
-        fragment: () => "",
-        setFragment: () => undefined,
-        address: () => "",
-    });
-    server.open();
-    await settle();
-    return { studio, clock };
-}
-
-test("the studio opens a paint, measures it, and never has two measurements under way", async () => {
-    const server = new FakeServer();
-    const { studio, clock } = await studioWith(server);
-    server.answerOpen(PAINT);
-    assert.equal(server.received("paint").length, 1);
-    for (let i = 1; i <= 50; ++i) {
-        studio.edit((d) => setValue(d, parsePath(COAT), 20 + i), "slide");
-    }
-    assert.equal(server.received("paint").length, 1);
-    clock.ms = 80;
-    server.answerPaint();
-    const [, second] = server.received("paint");
-    assert.equal(get(second?.recipe as Table, parsePath(COAT)), 70);
-    assert.equal(server.received("paint").length, 2);
-    clock.ms = 100;
-    server.answerPaint();
-    assert.equal(studio.store.get().latency_ms, 100);
-    assert.equal(studio.store.get().readingsOf, studio.store.get().document);
-    studio.undo();
-    assert.equal(get(studio.store.get().document.recipe, parsePath(COAT)), 20);
-    studio.redo();
-    assert.equal(get(studio.store.get().document.recipe, parsePath(COAT)), 70);
-});
-
-test("what is saved is of the paint as it is now, and a paint with a fault is not saved", async () => {
-    const server = new FakeServer();
-    const { studio } = await studioWith(server);
-    server.answerOpen(PAINT);
-    server.answerPaint();
-    const saved: unknown[] = [];
-    const save = () => {
-        studio.whenCurrent(({ document }) => saved.push(get(document.recipe, parsePath(COAT))));
-    };
-    save();
-    assert.deepEqual(saved, [20], "at once where nothing is awaited");
-    studio.edit((d) => setValue(d, parsePath(COAT), 21));
-    save();
-    assert.deepEqual(saved, [20]);
-    server.answerPaint();
-    assert.deepEqual(saved, [20, 21]);
-    studio.edit((d) => setValue(d, parsePath(COAT), -1));
-    save();
-    const { id } = server.received("paint").at(-1) ?? {};
-    server.answer({ type: "error", id, message: "out of range", key: COAT });
-    studio.undo();
-    server.answerPaint();
-    assert.deepEqual(saved, [20, 21], "what was refused is forgotten");
-});
-
-test("in a light of another lamp the paint is asked for in that lamp", async () => {
-    const server = new FakeServer();
-    const { studio } = await studioWith(server);
-    const light = (name: string, illuminant: string) => ({ name, title: name, illuminant });
-    const lights = [light("sun", "D65"), light("booth-a", "A"), light("booth-fl11", "FL11")];
-    studio.store.set({ schema: { ...SCHEMA, lights } });
-    server.answerOpen(PAINT);
-    server.answerPaint();
-    const camera = {
-        azimuth_deg: -90,
-        elevation_deg: 10,
-        distance_mm: 600,
-        fov_deg: 11,
-        aspect: 1,
-    };
-    const turned = { turn_deg: 0, light_turn_deg: 0, sparkle: true, camera, shape: "ball" };
-    const show = (name: string) => {
-        studio.viewer.store.set({ view: { ...turned, light: name } });
-    };
-    const lamps = () => server.received("paint").map(({ lamp }) => lamp);
-    show("sun");
-    assert.deepEqual(lamps(), ["D65"], "nothing new in another light of the same lamp");
-    show("booth-a");
-    assert.deepEqual(lamps(), ["D65", "A"]);
-    show("booth-fl11");
-    server.answerPaint();
-    assert.deepEqual(lamps(), ["D65", "A", "FL11"]);
-});
-
-test("a steady component is drawn when a property or a step of its path is another", () => {
-    const draw: FunctionComponent<{ path: Path; value?: unknown }> = () => null;
-    const Row = steady(draw);
-    type Props = Parameters<typeof draw>[0];
-    const draws = (one: Props, other: Props) =>
-        new Row(one).shouldComponentUpdate?.(other, {}, {}) ?? true;
-    const value = { a: 1 };
-    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 0], value }), false);
-    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 1], value }), true);
-    assert.equal(
-        draws({ path: ["layer", 0], value }, { path: ["layer", 0], value: { a: 1 } }),
-        true,
-    );
-    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 0] }), true);
-    assert.equal(draws({ path: ["layer", 0] }, { path: ["layer", 0], value }), true);
-});
-
-test("a fault is kept until a recipe can be read again, and the last colours stay", async () => {
-    const server = new FakeServer();
-    const { studio } = await studioWith(server);
-    server.answerOpen(PAINT);
-    server.answerPaint();
-    studio.edit((d) => setValue(d, ["layer", 0, "thickness_um"], -3));
-    server.answer({
-        type: "error",
-        id: server.received("paint").at(-1)?.id,
-        message:
-            "recipe.toml:7:16: layer[0].thickness_um = -3: must be a number in (0, 1000000] um",
-        key: "layer[0].thickness_um",
-    });
-    assert.equal(studio.store.get().fault?.key, "layer[0].thickness_um");
-    assert.ok(studio.store.get().readings);
-    studio.undo();
-    server.answerPaint();
-    assert.equal(studio.store.get().fault, null);
-});
-
-test("the studio says when the server has gone, and goes on when it is back", async () => {
-    const server = new FakeServer();
-    const { studio } = await studioWith(server);
-    server.answerOpen(PAINT);
-    studio.setStandard("geometry,L,a,b\n45as15,50,0,0\n", "panel.csv");
-    server.drop();
-    assert.equal(studio.store.get().connection, "gone");
-    studio.edit((d) => setValue(d, parsePath(COAT), 33));
-    const before = server.received("paint").length;
-    await server.reconnected;
-    server.open();
-    await settle();
-    assert.equal(studio.store.get().connection, "open");
-    assert.equal(server.received("paint").length, before + 1);
-    const last = server.received("paint").at(-1);
-    assert.equal(get(last?.recipe as Table, parsePath(COAT)), 33);
-    assert.equal(
-        server.received("standard").length,
-        2,
-        "a session of the server knows no standard",
-    );
-});
-
 test("a camera is angles about the shape, and turning stops before the poles", () => {
     const orbit = orbitOf({
         name: "ball",
@@ -468,46 +283,19 @@ test("an atlas has round values that the key allows, from end to end", () => {
     assert.deepEqual(atlasValues(info, { low: 1, high: 0.5 }), []);
 });
 
-test("an atlas is asked for when sliders rest, and not for what it shows already", async () => {
-    const server = new FakeServer();
-    const { studio } = await studioWith(server);
-    server.answerOpen(PAINT);
-    const { document, settings } = studio.store.get();
-    const path = parsePath(COAT);
-    const values = [10, 20, 30, 40, 50, 60, 70];
-    studio.atlas.want(document.recipe, path, [1, 2], settings);
-    studio.atlas.want(document.recipe, path, values, settings);
-    assert.equal(server.received("atlas").length, 0);
-    await new Promise((resolve) => setTimeout(resolve, 400));
-    const [coarse] = server.received("atlas");
-    assert.deepEqual(coarse?.values, [10, 60, 70]);
-    const colours = { geometries: ["45as15"], lab: [[]], rgb: [[]] };
-    server.answer({ type: "atlas", id: coarse.id, key: COAT, values: [10, 60, 70], ...colours });
-    const fine = server.received("atlas").at(-1);
-    assert.deepEqual(fine?.values, values);
-    server.answer({ type: "atlas", id: fine.id, key: COAT, values, ...colours });
-    assert.equal(studio.atlas.store.get().busy, false);
-    // Its own number in the paint does not matter; another does, and what is under way is given up.
-    studio.edit((d) => setValue(d, path, 99));
-    studio.atlas.want(studio.store.get().document.recipe, path, values, settings);
-    assert.equal(studio.atlas.store.get().busy, false);
-    studio.edit((d) => setValue(d, parsePath("layer[0].thickness_um"), 99));
-    studio.atlas.want(studio.store.get().document.recipe, path, values, settings);
-    assert.equal(studio.atlas.store.get().busy, true);
-    studio.atlas.stop();
-    assert.equal(studio.atlas.store.get().busy, false);
-});
-
-test("a program that does not know the page's token is told from one that has gone", async () => {
-    const server = new FakeServer();
-    const { studio } = await studioWith(server);
-    server.refuses = true;
-    server.drop();
-    await settle();
-    assert.equal(studio.store.get().connection, "refused");
-    await server.reconnected;
-    server.refuses = false;
-    server.open();
-    await settle();
-    assert.equal(studio.store.get().connection, "open");
+test("a steady component is drawn when a property or a step of its path is another", () => {
+    const draw: FunctionComponent<{ path: Path; value?: unknown }> = () => null;
+    const Row = steady(draw);
+    type Props = Parameters<typeof draw>[0];
+    const draws = (one: Props, other: Props) =>
+        new Row(one).shouldComponentUpdate?.(other, {}, {}) ?? true;
+    const value = { a: 1 };
+    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 0], value }), false);
+    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 1], value }), true);
+    assert.equal(
+        draws({ path: ["layer", 0], value }, { path: ["layer", 0], value: { a: 1 } }),
+        true,
+    );
+    assert.equal(draws({ path: ["layer", 0], value }, { path: ["layer", 0] }), true);
+    assert.equal(draws({ path: ["layer", 0] }, { path: ["layer", 0], value }), true);
 });

@@ -8,7 +8,8 @@
 
 import type { Part } from "./flakes";
 import { restMatrix, sampleOf, setFlakes } from "./flakes";
-import { fill, fillMesh, Program, sumOfMeans, Target } from "./gl";
+import type { Target } from "./gl";
+import { fill, fillMesh, Program, sumOfMeans } from "./gl";
 import { setLight } from "./lights";
 import type { Light, Mesh, PaintShader, Transform } from "./paint";
 import {
@@ -21,6 +22,7 @@ import {
 } from "./passes";
 import type { Camera, Eye } from "./space";
 import { eyeOf, screenMatrix, shapeMatrix } from "./space";
+import { Sums } from "./sums";
 import { surroundings } from "./surroundings";
 
 export interface LiveState {
@@ -40,14 +42,6 @@ export interface LiveOptions {
     readonly onFault?: (message: string) => void;
     /** Samples after which the picture is finished. */
     readonly samples?: number;
-}
-
-interface Sums {
-    readonly target: Target;
-    shape: Target;
-    samples: number;
-    /** Rows that have the sample that is under way. */
-    rows: number;
 }
 
 /** As long as drawing may take in a frame without the page becoming slow. */
@@ -201,9 +195,9 @@ export class LiveView {
         if (this.canvas.width === width && this.canvas.height === height && this.whole) return;
         this.canvas.width = Math.max(1, width);
         this.canvas.height = Math.max(1, height);
-        this.delete(this.whole);
+        this.whole?.delete();
         this.whole = this.make(1);
-        this.delete(this.coarse);
+        this.coarse?.delete();
         this.coarse = null;
         this.restart();
     }
@@ -370,27 +364,16 @@ export class LiveView {
             coarseness < 0.7 * this.coarseness
         ) {
             this.coarseness = coarseness;
-            this.delete(this.coarse);
+            this.coarse?.delete();
             this.coarse = this.make(coarseness);
         }
         return this.coarse;
     }
 
     private make(coarseness: number): Sums {
-        const { gl } = this;
         const width = Math.max(1, Math.ceil(this.canvas.width / coarseness));
         const height = Math.max(1, Math.ceil(this.canvas.height / coarseness));
-        return {
-            target: new Target(gl, width, height, [this.sumFormat, this.sumFormat], false),
-            shape: new Target(gl, width, height, [gl.RGBA32F, gl.RGBA32F], true),
-            samples: 0,
-            rows: 0,
-        };
-    }
-
-    private delete(sums: Sums | null): void {
-        sums?.target.delete();
-        sums?.shape.delete();
+        return new Sums(this.gl, width, height, this.sumFormat);
     }
 
     private add(sums: Sums, budget: number): number {
@@ -410,11 +393,7 @@ export class LiveView {
             if (sums.rows === 0) this.drawShape(sums.shape, eye, part.place);
             this.shade(sums, eye, part, rows, shown, asks);
             work += rows * cost;
-            sums.rows += rows;
-            if (sums.rows >= height) {
-                sums.rows = 0;
-                ++sums.samples;
-            }
+            sums.added(rows);
         }
         return work;
     }
