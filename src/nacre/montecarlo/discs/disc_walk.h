@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -8,77 +7,18 @@
 
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/model.h"
-#include "nacre/bsdf/wavelength_lanes.h"
-#include "nacre/core/lanes.h"
 #include "nacre/montecarlo/discs/disc.h"
+#include "nacre/montecarlo/discs/disc_films.h"
 #include "nacre/montecarlo/discs/disc_scene.h"
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/montecarlo/walker.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/spectra/spectrum.h"
 
-// Diffraction at a flat disc that mirrors light.
+// The reference for sparkle: paint with every flake at an explicit position.
+// docs/explicit-flakes.md
 
 namespace nacre::montecarlo {
-
-/// The Airy pattern in x = pi d |q| / lambda', where d is the diameter, q the part parallel to the
-/// disc by which the direction differs from that of the mirror, and lambda' the wavelength in the
-/// binder: power is spread over q with a density proportional to (2 J_1(x) / x)^2.
-///                                                   [born-wolf-1999, section 8.5.2, eq. 14 and 18]
-/// The disc is lit uniformly; transmitted light, and light that passes beside it, go straight on.
-/// In q the pattern is round at any angle of incidence, and it is reciprocal.
-class AiryDisc {
- public:
-    /// The x within which this fraction of the power lies. fraction in [0, 1); error in the
-    /// fraction below kAiryDiscError min(fraction, 1 - fraction).
-    static double radius_of_fraction(double fraction);
-};
-
-/// Of radius_of_fraction(), against the encircled power.
-inline constexpr double kAiryDiscError = 3e-3;
-
-/// Fraction of the power within x: 1 - J_0(x)^2 - J_1(x)^2.
-///                                                          [born-wolf-1999, section 8.5.2, eq. 18]
-double encircled_power(double x);
-
-// R and T of single flakes, each of its own film thicknesses.
-
-/// Where eight wavelengths lie between those of the tables: bsdf::locate_wavelengths().
-using WavelengthPlaces = std::array<bsdf::WavelengthPosition, kLanes>;
-
-/// A set of flakes of one species. Their films are drawn from the recipe's laws, evenly: each film
-/// thickness takes one value from each of so many equally probable intervals, and thicknesses are
-/// combined at random.                                                    [mckay-1979, section 2.3]
-class DiscFilms {
- public:
-    /// @param wavelengths_nm  within the data of all materials, increasing
-    /// @throws DomainError, Stopped as optics::platelet_table()
-    DiscFilms(const paint::FlakeSpecies& species, const optics::Material& binder,
-              const std::vector<double>& wavelengths_nm, std::uint64_t seed,
-              SharedProgress* work = nullptr);
-
-    /// How many different flakes there are: one where no film varies.
-    int count() const { return count_; }
-
-    struct Optics {
-        DoubleLanes reflectance, transmittance;
-    };
-    /// Linear in cosine and wavelength between the nodes of the tables.
-    /// @param film    in [0, count())
-    /// @param cosine  of incidence on the flake, in [0, 1]; rounding above 1 is taken as 1
-    Optics at(int film, double cosine, const WavelengthPlaces& places) const;
-
-    static constexpr int kFilms = 256;
-    static constexpr int kCosineIntervals = 256;
-
- private:
-    void fill(const paint::FlakeSpecies& species, const optics::Material& binder,
-              const std::vector<double>& wavelengths_nm, std::uint64_t seed, SharedProgress* work);
-
-    int count_ = 1, intervals_ = 0;
-    std::size_t stride_ = 0;
-    std::vector<float> reflectance_, transmittance_;  // [film][cosine][wavelength]
-};
 
 /// What all walks at eight wavelengths share.
 struct DiscPaint {
@@ -121,10 +61,6 @@ class DiscWalker : private Walker {
     std::optional<Escape> escape_;
 };
 
-// The reference for sparkle: paint with every flake at an explicit position.
-// docs/explicit-flakes.md
-
-class DiscScene;
 struct DiscWalkTables;
 
 /// A tile's sides are at least this times the thickness of the paint.
