@@ -109,10 +109,17 @@ class PlateletAverage {
             counts_[i] = affordable_counts(std::max(cosines[i / blocks_.size()], kMinCosine),
                                            i % blocks_.size());
         });
-        for (const std::vector<int>& counts : counts_) {
-            for (std::size_t f = 0; f < films_.size(); ++f) rules_[{f, counts[f]}];
+        for (std::size_t i = 0; i < counts_.size(); ++i) {
+            if (const double all = combinations(counts_[i]); all > kMaxNodes) {
+                throw DomainError(fmt::format(
+                    "averaging a platelet of {} films over all their spreads takes {:g} "
+                    "combinations of thicknesses at cosine {}, more than {:g}; give fewer films a "
+                    "spread_nm",
+                    films_.size(), all, cosines[i / blocks_.size()], kMaxNodes));
+            }
+            for (std::size_t f = 0; f < films_.size(); ++f) rules_[{f, counts_[i][f]}];
         }
-        std::vector<std::pair<const std::pair<std::size_t, int>, ThicknessRule>*> rules;
+        std::vector<decltype(rules_)::value_type*> rules;
         for (auto& rule : rules_) rules.push_back(&rule);
         parallel_for(0, rules.size(), [&](std::size_t i) {
             const auto [film, count] = rules[i]->first;
@@ -364,19 +371,21 @@ class PlateletAverage {
         });
     }
 
+    /// Those of the smallest error aimed at that is affordable, else of the largest.
     std::vector<int> affordable_counts(double cosine, std::size_t block) const {
-        double all = 0;
+        std::vector<int> counts;
         for (double target_error : kTargetErrors) {
-            auto counts = node_counts(cosine, block, target_error);
-            all = core_spreads_ ? static_cast<double>(arc_.weights.size()) : 1.0;
-            all = std::max<double>(all, counts[0]);
-            for (std::size_t f = 1; f < counts.size(); ++f) all *= counts[f];
-            if (all <= kMaxNodes) return counts;
+            counts = node_counts(cosine, block, target_error);
+            if (combinations(counts) <= kMaxNodes) break;
         }
-        throw DomainError(fmt::format(
-            "averaging a platelet of {} films over all their spreads takes {:g} combinations of "
-            "thicknesses at cosine {}, more than {:g}; give fewer films a spread_nm",
-            films_.size(), all, cosine, kMaxNodes));
+        return counts;
+    }
+
+    double combinations(const std::vector<int>& counts) const {
+        double all = core_spreads_ ? static_cast<double>(arc_.weights.size()) : 1.0;
+        all = std::max<double>(all, counts[0]);
+        for (std::size_t f = 1; f < counts.size(); ++f) all *= counts[f];
+        return all;
     }
 
     /// Of thicknesses, by film: as many as the wavelength of the block needs that needs most.
