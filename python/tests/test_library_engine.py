@@ -11,8 +11,11 @@ from pathlib import Path
 
 import pyarrow as pa
 import pytest
+from distributed import Client, Future
 from nacre.library import Catalogue
-from nacre.library.record import failures, record_folder, record_ids
+from nacre.library.engine import compute_with
+from nacre.library.record import Outcome, failures, record_folder, record_ids
+from nacre.library.sweep import Plan
 
 PLAN = """
 [library]
@@ -114,6 +117,23 @@ def test_a_worker_that_is_killed_loses_nothing(plan: Path, by_one: pa.Table) -> 
     assert len(record_ids(library)) < RECORDS, "nothing was left to do"
     finish(process)
     assert rows(library).equals(by_one)
+
+
+def test_a_result_that_is_lost_is_waited_for(
+    plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As a future says where the worker that had its result has died, until another has it."""
+    monkeypatch.setattr(Future, "status", property(lambda _: "lost"))
+    read = Plan(plan)
+    records = list(read.records())[:2]
+    outcomes: list[Outcome] = []
+    with Client(
+        processes=False, n_workers=1, threads_per_worker=1, dashboard_address=None
+    ) as client:
+        compute_with(client, records, read.settings, tmp_path, outcomes.append)
+    assert [outcome.error for outcome in outcomes] == ["", ""]
+    assert record_ids(tmp_path) == {record.id for record in records}
+    assert not failures(tmp_path)
 
 
 def test_a_run_that_is_killed_goes_on(plan: Path, by_one: pa.Table) -> None:

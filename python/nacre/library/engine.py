@@ -218,15 +218,19 @@ def compute_with(
     send()
     for future in completed:
         task = running.pop(future)
-        if future.status == "finished":
-            for outcome in future.result():
+        try:
+            # Its status may be "lost" by now: the worker that had the result has died since. Then
+            # another one is asked, and this waits.
+            outcomes = future.result()
+        except Exception as error:  # of Dask; what a record raises is an outcome
+            if len(task) > 1:
+                alone += task
+            else:
+                report(record_failure(task[0], library, error, 0.0))
+        else:
+            for outcome in outcomes:
                 spent, count = spent + outcome.seconds, count + 1
                 report(outcome)
-        elif len(task) > 1:
-            alone += task
-        else:
-            error = future.exception()
-            report(record_failure(task[0], library, error, 0.0))
         future.release()
         send()
 
