@@ -286,6 +286,15 @@ std::string_view field(std::string_view block, std::string_view key) {
     return rest.substr(0, rest.find('\n'));
 }
 
+/// Looks at all characters, whatever they are: a fuzzer that is shown where a checksum begins to differ
+/// learns to forge it, and tries the HDF5 library from then on in place of this program.
+bool same(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) return false;
+    unsigned char difference = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) difference |= a[i] ^ b[i];
+    return difference == 0;
+}
+
 /// The HDF5 part, once size and checksum have been found right.
 std::string_view checked_body(const SealedFormat& format, std::string_view bytes,
                               const std::string& name) {
@@ -307,7 +316,7 @@ std::string_view checked_body(const SealedFormat& format, std::string_view bytes
             fmt::format("{}: is cut short or altered: {} bytes follow its head, not {}", name,
                         body.size(), field(block, "bytes").substr(0, 20)));
     }
-    if (field(block, "sha256") != sha256_hex(body)) {
+    if (!same(field(block, "sha256"), sha256_hex(body))) {
         throw InputError(fmt::format("{}: is damaged: its checksum does not fit", name));
     }
     return body;
