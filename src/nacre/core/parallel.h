@@ -4,7 +4,7 @@
 #include <memory>
 
 // Loops over indices on all cores, by oneTBB. An exception thrown by a body ends the loop and is
-// rethrown to the caller.
+// rethrown to the caller; a loop inside of a body goes on to its end all the same.
 
 namespace nacre {
 

@@ -47,6 +47,21 @@ TEST(ParallelFor, ExceptionsReachTheCaller) {
                  std::runtime_error);
 }
 
+TEST(ParallelFor, InsideOfAnotherGoesToItsEndThoughThatIsGivenUp) {
+    std::atomic<int> cut_short = 0;
+    for (int round = 0; round < 300; ++round) {
+        EXPECT_THROW(parallel_for(0, 16,
+                                  [&](std::size_t i) {
+                                      if (i == 15) throw Error("given up");
+                                      std::atomic<int> visited = 0;
+                                      parallel_for(0, 500, [&](std::size_t) { ++visited; });
+                                      if (visited != 500) ++cut_short;
+                                  }),
+                     Error);
+    }
+    EXPECT_EQ(cut_short, 0);
+}
+
 TEST(ThreadLimit, HoldsWhileItLives) {
     const int before = ThreadLimit::threads();
     {

@@ -1,11 +1,10 @@
 #include "nacre/solver/fourier_kernel.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/solver/lane_matrix.h"
@@ -128,7 +127,7 @@ std::size_t FourierKernel::bytes(const Directions& d, const ActiveNodes& active)
 
 void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
                                const ActiveNodes& active, int block, SharedProgress* work) {
-    tbb::parallel_for(0, d.size(), [&](int i) {
+    parallel_for(0, d.size(), [&](int i) {
         if (work) work->require_going(kSolving);
         thread_local PairScratch scratch;
         const double s_i = std::sqrt((1 - d.mu[i]) * (1 + d.mu[i]));
@@ -193,7 +192,7 @@ void FourierKernel::add_legendre(const std::vector<T>& series, const DoubleLanes
     // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
     const int degrees = static_cast<int>(series.size());
     const int orders = std::min(active.orders(), degrees);
-    tbb::parallel_for(0, orders, [&](int l) {
+    parallel_for(0, orders, [&](int l) {
         if (work) work->require_going(kSolving);
         const int first = active.first(l), m = d.size() - first;
         const int terms = degrees - l;

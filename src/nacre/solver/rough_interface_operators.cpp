@@ -1,12 +1,11 @@
 #include "nacre/solver/rough_interface_operators.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "nacre/core/angles.h"
 #include "nacre/core/dense.h"
+#include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
 
 namespace nacre::solver {
@@ -50,8 +49,8 @@ class Projection {
         for (int i = 0; i < d.size(); ++i) etendue_.push_back(n2 * d.weight[i] * d.mu[i]);
         add_outer_nodes(panels_[0], true);
         for (const Panel& panel : panels_) add_outer_nodes(panel, false);
-        tbb::parallel_for(std::size_t{0}, outer_nodes_.size(),
-                          [&](std::size_t i) { integrate_facets(outer_nodes_[i]); });
+        parallel_for(std::size_t{0}, outer_nodes_.size(),
+                     [&](std::size_t i) { integrate_facets(outer_nodes_[i]); });
         set_normaliser();
     }
 
@@ -190,7 +189,7 @@ RoughInterfaceOperators::RoughInterfaceOperators(const Directions& d, const Acti
                                                  double alpha) {
     const Projection projection(d, active.orders(), alpha);
     orders_.resize(active.orders());
-    tbb::parallel_for(0, active.orders(), [&](int l) {
+    parallel_for(0, active.orders(), [&](int l) {
         Matrix reflection = projection.reflection(l);
         reflection = 0.5 * (reflection + reflection.transpose()).eval();
         Matrix transmission = projection.transmission(l);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
+#include "nacre/core/parallel.h"
 #include "nacre/solver/azimuthal_order.h"
 #include "nacre/solver/resolution.h"
 #include "nacre/solver/wavelength_groups.h"
@@ -44,13 +44,13 @@ class GroupSolver {
         std::vector<std::vector<Losses>> losses;  // [layer][node]
         for (const LayerMedium& layer : medium.layers) {
             std::vector<Losses>& by_node = losses.emplace_back(directions_.size());
-            tbb::parallel_for(0, directions_.size(), [&](int i) {
+            parallel_for(0, directions_.size(), [&](int i) {
                 work_.require_going(kSolving);
                 by_node[i] =
                     solver::losses(layer, directions_.mu[i], 0, static_cast<int>(blocks_.size()));
             });
         }
-        tbb::parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
+        parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
             blocks_[b] =
                 make_block(medium, directions_, active_, losses, lit, static_cast<int>(b), &work_);
             work_.add(kBlockWork);
@@ -82,7 +82,7 @@ class GroupSolver {
         for (int from = 0; from < active_.orders(); from += kChunk) {
             const int count = std::min(kChunk, active_.orders() - from);
             std::vector<LaneBuffer> values(static_cast<std::size_t>(count) * blocks);
-            tbb::parallel_for(0, count * blocks, [&](int task) {
+            parallel_for(0, count * blocks, [&](int task) {
                 work_.require_going(kSolving);
                 const int order = from + task / blocks;
                 const int rows = directions_.exit_count - active_.first(order);
