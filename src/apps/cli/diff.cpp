@@ -28,7 +28,7 @@ bool is_exr_name(const std::string& output) {
 }
 
 /// The difference picture: signed numbers in an EXR, a heat map of Delta E in a PNG.
-void write_picture(const DiffOptions& options, const io::ImageDifference& difference) {
+void write_difference(const DiffOptions& options, const io::ImageDifference& difference) {
     if (options.output.empty()) return;
     if (is_exr_name(options.output)) {
         io::write_exr(options.output, difference.picture);
@@ -85,7 +85,7 @@ ExitStatus run(const DiffOptions& options) {
     const io::Image b = io::read_image(options.b), a = io::read_image(options.a);
     const io::ImageDifference d = io::image_difference(a, b, options.a, options.b);
     const auto z = io::image_z_scores(a, b, options.a, options.b);
-    write_picture(options, d);
+    write_difference(options, d);
     print_data(fmt::format("quantity,value\nmse,{:.9g}\npsnr_db,{:.6g}\nrelative_error,{:.9g}\n"
                            "delta_e_2000_mean,{:.6g}\ndelta_e_2000_95th_percentile,{:.6g}\n"
                            "delta_e_2000_max,{:.6g}\n",

@@ -88,8 +88,8 @@ BrdfSettings brdf_settings(const ExportOptions& options) {
     return settings;
 }
 
-nlohmann::json report_of(const ExportOptions& options, const Paint& paint, const char* format,
-                         std::size_t bytes, double seconds) {
+nlohmann::json export_report(const ExportOptions& options, const Paint& paint, const char* format,
+                             std::size_t bytes, double seconds) {
     return {{"paint", options.paint},
             {"recipe_sha256", paint.recipe_sha256()},
             {"model", paint.is_measured() ? "measured" : options.model.model},
@@ -115,7 +115,7 @@ void write_table(const ExportOptions& options, const Paint& paint, const BrdfSet
                              options.output, made.bytes.size(), watch.seconds(),
                              100 * made.error.flux, 100 * made.error.peak));
     nlohmann::json report =
-        report_of(options, paint, rgl ? "rgl" : "merl", made.bytes.size(), watch.seconds());
+        export_report(options, paint, rgl ? "rgl" : "merl", made.bytes.size(), watch.seconds());
     report["error_of_flux"] = made.error.flux;
     report["error_over_peak"] = made.error.peak;
     write_report(options, "export", report);
@@ -145,8 +145,8 @@ void write_material(const ExportOptions& options, const Paint& paint, const Brdf
                     fit.instrument.max_delta_e_2000, fit.tested.mean_delta_e_2000,
                     fit.tested.max_delta_e_2000, fit.tested.angles.size(), chips_name(options)));
     nlohmann::json report =
-        report_of(options, paint, format == MaterialFormat::gltf ? "gltf" : "materialx",
-                  made.bytes.size(), watch.seconds());
+        export_report(options, paint, format == MaterialFormat::gltf ? "gltf" : "materialx",
+                      made.bytes.size(), watch.seconds());
     report["chips"] = chips_name(options);
     for (const auto& [name, value] : made.parameters) report["parameters"][name] = value;
     report["differences"] = {{"byk_mac", difference_json(fit.instrument)},

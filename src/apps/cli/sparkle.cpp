@@ -133,8 +133,8 @@ json json_of(const SparkleOptions& options, const Paint& paint,
             {"readings", readings}};
 }
 
-void write_picture(const SparkleOptions& options, const std::string& name,
-                   const measure::PanelPicture& picture) {
+void write_lamp_picture(const SparkleOptions& options, const std::string& name,
+                        const measure::PanelPicture& picture) {
     require_going();
     const io::ToneMap tone_map{io::display_stops(picture)};
     io::Image image = io::image_of(
@@ -276,9 +276,10 @@ json json_of(const std::vector<Compared>& rows) {
 void write_pictures(const SparkleOptions& options, const measure::PanelPictures& pictures) {
     study::make_folder(options.pictures);
     for (std::size_t i = 0; i < pictures.by_lamp.size(); ++i) {
-        write_picture(options, lamp_name(options.camera.lamps_deg[i]), pictures.by_lamp[i]);
+        write_lamp_picture(options, lamp_name(options.camera.lamps_deg[i]), pictures.by_lamp[i]);
     }
-    if (!pictures.diffuse.empty()) write_picture(options, "diffuse", mean_of(pictures.diffuse));
+    if (!pictures.diffuse.empty())
+        write_lamp_picture(options, "diffuse", mean_of(pictures.diffuse));
 }
 
 ExitStatus run(SparkleOptions options) {

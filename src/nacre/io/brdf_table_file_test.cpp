@@ -34,7 +34,7 @@ const bsdf::CompressedBrdfTable& compressed() {
     return table;
 }
 
-std::string refused_table(const std::string& bytes) {
+std::string refused_brdf_table(const std::string& bytes) {
     return message_of<InputError>([&] { parse_brdf_table(bytes, "table.h5"); });
 }
 
@@ -75,31 +75,32 @@ TEST(BrdfTableFile, IsRefusedWhereverItIsCutOrABitFlips) {
     ASSERT_LT(remark, 200u);
     int tried = 0;
     for (std::size_t at = 0; at < bytes.size(); at += 1 + at / 10, ++tried) {
-        EXPECT_THAT(refused_table(bytes.substr(0, at)), HasSubstr("table.h5: ")) << at;
+        EXPECT_THAT(refused_brdf_table(bytes.substr(0, at)), HasSubstr("table.h5: ")) << at;
         if (at >= remark && at < 512) continue;  // a remark ends the head, and is not read
         std::string damaged = bytes;
         damaged[at] = static_cast<char>(damaged[at] ^ 4);
-        EXPECT_THAT(refused_table(damaged), HasSubstr("table.h5: ")) << at;
+        EXPECT_THAT(refused_brdf_table(damaged), HasSubstr("table.h5: ")) << at;
     }
     EXPECT_GT(tried, 40);
-    EXPECT_THAT(refused_table(""), HasSubstr("is not a BRDF table of Nacre"));
+    EXPECT_THAT(refused_brdf_table(""), HasSubstr("is not a BRDF table of Nacre"));
 }
 
 TEST(BrdfTableFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
     bsdf::RawBrdfTable table = raw();
     table.values[7] = NAN;
-    EXPECT_THAT(refused_table(brdf_table_bytes(table)), HasSubstr("a value is not finite"));
+    EXPECT_THAT(refused_brdf_table(brdf_table_bytes(table)), HasSubstr("a value is not finite"));
     table = raw();
     table.grid.ior = 0.5;
-    EXPECT_THAT(refused_table(brdf_table_bytes(table)), HasSubstr("ior of a BRDF table = 0.5"));
+    EXPECT_THAT(refused_brdf_table(brdf_table_bytes(table)),
+                HasSubstr("ior of a BRDF table = 0.5"));
     table = raw();
     table.grid.lobe_alpha = NAN;
-    EXPECT_THAT(refused_table(brdf_table_bytes(table)), HasSubstr("lobe_alpha"));
+    EXPECT_THAT(refused_brdf_table(brdf_table_bytes(table)), HasSubstr("lobe_alpha"));
 
     bsdf::CompressedBrdfTable c = compressed();
     c.rank[0] = -1;
     c.rank[1] += 7;  // the sum is right
-    EXPECT_THAT(refused_table(brdf_table_bytes(c)), HasSubstr("number of terms"));
+    EXPECT_THAT(refused_brdf_table(brdf_table_bytes(c)), HasSubstr("number of terms"));
 
     // Sizes are compared with the grid before anything is allocated.
     constexpr SealedFormat kFormat = {"nacre BRDF table", kBrdfTableFormatVersion, "BRDF table"};
@@ -117,11 +118,11 @@ TEST(BrdfTableFile, ContentsThatCannotBeAreRefusedEvenUnderAValidChecksum) {
             write_array(file, "values", {12, 12, 10, 3}, raw().values.data(), "1/sr", "g");
         });
     };
-    EXPECT_EQ(refused_table(sealed(12, 10)), "accepted");
-    EXPECT_THAT(refused_table(sealed(13, 10)), HasSubstr("do not fit the grid"));
-    EXPECT_THAT(refused_table(sealed(512, 512)), HasSubstr("do not fit the grid"));
-    EXPECT_THAT(refused_table(sealed(1 << 30, 10)), HasSubstr("angles of a BRDF table"));
-    EXPECT_THAT(refused_table(sealed(-12, 10)), HasSubstr("angles of a BRDF table"));
+    EXPECT_EQ(refused_brdf_table(sealed(12, 10)), "accepted");
+    EXPECT_THAT(refused_brdf_table(sealed(13, 10)), HasSubstr("do not fit the grid"));
+    EXPECT_THAT(refused_brdf_table(sealed(512, 512)), HasSubstr("do not fit the grid"));
+    EXPECT_THAT(refused_brdf_table(sealed(1 << 30, 10)), HasSubstr("angles of a BRDF table"));
+    EXPECT_THAT(refused_brdf_table(sealed(-12, 10)), HasSubstr("angles of a BRDF table"));
 }
 
 // Arrays of many megabytes are compressed piece by piece.

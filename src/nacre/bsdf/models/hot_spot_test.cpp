@@ -126,7 +126,7 @@ TEST(Balance, FindsTheScalesOfASymmetricMatrix) {
 
 constexpr int k540 = 14;  // of the default wavelengths; kOnGrid[3]
 
-std::shared_ptr<const solver::SolvedPaint> solved(const paint::Recipe& recipe) {
+std::shared_ptr<const solver::SolvedPaint> shared_solution(const paint::Recipe& recipe) {
     return std::make_shared<const solver::SolvedPaint>(
         solver::solve(recipe, spectra::default_wavelengths_nm()));
 }
@@ -155,7 +155,7 @@ double albedo(const HotSpotBrdf& brdf, double theta, double ior, Part part = Par
 }
 
 TEST(HotSpotClosing, WhiteFlakesOverWhiteGroundLoseNoLight) {
-    const auto paint = solved(white_paint(1));
+    const auto paint = shared_solution(white_paint(1));
     const HotSpotBrdf brdf(*paint);
     for (const double theta_deg : {5.0, 30.0, 60.0, 75.0}) {
         EXPECT_NEAR(albedo(brdf, theta_deg * kDegree, 1.5), 1, 2e-3) << theta_deg;
@@ -178,7 +178,7 @@ TEST(HotSpotClosing, SmallFlakesLeaveTheEquationOfTransferAsItIs) {
         layer.flakes[0].diameter_um = 0.01;
         layer.flakes[0].diameter_spread_um = 0;
     }
-    const auto paint = solved(recipe);
+    const auto paint = shared_solution(recipe);
     const HotSpotBrdf brdf(*paint);
     for (const double theta_o : {0.0, 0.5, 1.2}) {
         const auto f = brdf(0.6, theta_o, 2.5), expected = paint->brdf(0.6, theta_o, 2.5);
