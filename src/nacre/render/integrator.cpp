@@ -12,17 +12,22 @@ namespace {
 
 using bsdf::power_heuristic;
 
+/// What is added to a surface's density, per cosine, where it guesses what the surface reflects: so
+/// that nothing is left out that the density does not know of.
+constexpr float kLeastGuess = 0.01f;
+
 /// How the numbers of one vertex are used: see PathSampler::draw.
 struct VertexNumbers {
     Vec2f light, surface;
-    float which_light, which_lobe, roulette;
+    float which_light, which_lobe, roulette, which_candidate;
 
     explicit VertexNumbers(const std::array<float, PathSampler::kNumbers>& u)
         : light{u[0], u[1]},
           surface{u[2], u[3]},
           which_light(u[4]),
           which_lobe(u[5]),
-          roulette(u[6]) {}
+          roulette(u[6]),
+          which_candidate(u[7]) {}
 };
 
 /// Radiance or throughput: as it is, and with the mean over its area in place of every surface that
@@ -51,28 +56,71 @@ struct LocalSurface {
     }
 };
 
+/// A direction towards a light, of several among which one is chosen to be followed.
+struct LightCandidate {
+    LightSample light;
+    Vec3f wo;
+    float target = 0;  ///< roughly what the surface reflects of it, as it is weighed
+};
+
 WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
                       const Frame& frame, Vec3f wi, LocalSurface& surface, const VertexNumbers& u,
+                      const PathSampler& sampler, std::uint32_t vertex, int candidates,
                       DirectLight strategy) {
-    const auto light =
-        scene.lights->sample(hit.position_mm, u.which_light, u.light, pass.emission.data(),
-                             strategy == DirectLight::light_sampling);
-    if (!light) return {};
-    const Vec3f wo = frame.to_local(light->direction);
+    const bool combined = strategy == DirectLight::combined;
+    const auto weighed = [&](const LightSample& light) {
+        return combined && !light.delta && !(light.density > surface.narrow_light);
+    };
+    // Of a few candidates, drawn as evenly as if there were that many samples, one is chosen in
+    // proportion to a guess of what it gives, over the density that it was drawn with. The mean of
+    // those ratios takes the place of the one candidate's.                   [talbot-2005]
+    LightCandidate chosen;
+    float ratios = 0, rest = u.which_candidate;
+    const auto many = static_cast<float>(candidates);
+    for (int k = 0; k < candidates; ++k) {
+        VertexNumbers at = u;
+        if (candidates > 1) at = VertexNumbers(sampler.refined(candidates, k).draw(vertex));
+        const auto light =
+            scene.lights->sample(hit.position_mm, at.which_light, at.light, pass.emission.data(),
+                                 strategy == DirectLight::light_sampling);
+        if (!light) continue;
+        const Vec3f wo = frame.to_local(light->direction);
+        const bool behind = wo.z < 0;
+        // An interpolated normal can take the light for one on the other side.
+        if (wo.z == 0 || (dot(light->direction, hit.geometric_normal) <= 0) != behind) continue;
+        if (behind && !surface.bsdf.transmits()) continue;
+        float target = 1;
+        if (candidates > 1) {
+            const float pdf = surface.bsdf.pdf(wi, wo);
+            target = lane_sum(light->radiance) * (pdf + kLeastGuess * std::abs(wo.z));
+            if (weighed(*light)) target *= power_heuristic(many * light->pdf, pdf);
+        }
+        const float ratio = target / light->pdf;
+        if (!(ratio > 0)) continue;
+        // One number chooses among all: what is left of it is as good as new.
+        ratios += ratio;
+        const float taken = ratio / ratios;
+        if (rest < taken) {
+            chosen = {*light, wo, target};
+            rest /= taken;
+        } else {
+            rest = (rest - taken) / (1 - taken);
+        }
+    }
+    if (!(ratios > 0)) return {};
+    const LightSample& light = chosen.light;
+    const Vec3f wo = chosen.wo;
     const bool behind = wo.z < 0;
-    // An interpolated normal can take the light for one on the other side.
-    if (wo.z == 0 || (dot(light->direction, hit.geometric_normal) <= 0) != behind) return {};
-    if (behind && !surface.bsdf.transmits()) return {};
-    const bool narrow = light->density > surface.narrow_light;
-    const bool weighted = !light->delta && strategy == DirectLight::combined && !narrow;
-    if (surface.patch) surface.patch->narrow_light = narrow ? light->density : 0.0f;
+    const bool narrow = light.density > surface.narrow_light;
+    const bool weighted = weighed(light);
+    if (surface.patch) surface.patch->narrow_light = narrow ? light.density : 0.0f;
     const bsdf::BsdfValue value =
         weighted ? surface.evaluate(wi, wo) : bsdf::BsdfValue{surface.eval(wi, wo)};
     const FloatLanes mean = surface.smooth_too ? surface.bsdf.eval(wi, wo) : value.f;
-    const float weight = weighted ? power_heuristic(light->pdf, value.pdf) : 1.0f;
+    const float weight = weighted ? power_heuristic(many * light.pdf, value.pdf) : 1.0f;
     WithMean reflected{weight * value.f, weight * mean};
     if (surface.asked_weight > 0) {
-        const float pdf = weighted ? light->pdf : std::numeric_limits<float>::infinity();
+        const float pdf = weighted ? light.pdf : std::numeric_limits<float>::infinity();
         reflected.shown +=
             surface.asked_weight * surface.bsdf.flakes_at(*surface.patch, wi, wo, pdf);
     }
@@ -80,10 +128,11 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& h
     if (!(lane_max(reflected.shown) > 0 || lane_max(reflected.smooth) > 0)) return {};
     // Stop just short of the light, whose own rectangle is part of the scene.
     const FloatLanes arrives =
-        scene.transmittance({behind ? hit.origin_behind() : hit.origin(), light->direction},
-                            light->distance * 0.9999f, pass.surfaces);
+        scene.transmittance({behind ? hit.origin_behind() : hit.origin(), light.direction},
+                            light.distance * 0.9999f, pass.surfaces);
     if (!(lane_max(arrives) > 0)) return {};
-    const FloatLanes scale = (std::abs(wo.z) / light->pdf) * arrives * light->radiance;
+    const FloatLanes scale =
+        (std::abs(wo.z) * ratios / (many * chosen.target)) * arrives * light.radiance;
     return {scale * reflected.shown, scale * reflected.smooth};
 }
 
@@ -135,6 +184,10 @@ float lobe_of(float pdf) { return std::min(1 / pdf, kMaxSpread); }
 constexpr float kBlind = 0.1f;
 /// The sampler's vertex for the choice among flakes, beyond those of any path.
 constexpr std::uint32_t kFlakeVertex = 1u << 16;
+/// The same for the candidates of light samples.
+constexpr std::uint32_t kCandidateVertex = 1u << 17;
+/// How many there are where the camera looks; elsewhere one, as most of what is seen is seen there.
+constexpr int kCandidates = 4;
 
 /// A ray of a path, and what its light is worth.
 struct Branch {
@@ -150,6 +203,7 @@ struct Branch {
     bool weighable = false;
     /// Light of a larger density has been left to the light samples of the last surface.
     float narrow_light = std::numeric_limits<float>::infinity();
+    int light_samples = 1;           ///< as which those of the last surface are weighed
     std::uint32_t first_vertex = 1;  ///< of the sampler: vertex of depth 0
     /// Solid angle that samples of lobes, the widest since the camera, stood for.
     float lobe = 0;
@@ -212,9 +266,12 @@ class PathTracer {
             default:
                 return pdf.density > branch.narrow_light
                            ? 0.0f
-                           : power_heuristic(branch.surface_pdf, pdf.value());
+                           : power_heuristic(
+                                 branch.surface_pdf,
+                                 static_cast<float>(branch.light_samples) * pdf.value());
         }
     }
+    int candidates_at(const Branch& branch) const { return branch.differential ? kCandidates : 1; }
     void gather(const Branch& branch, const WithMean& light) {
         path_.radiance += branch.throughput.shown * light.shown;
         if (options_.smooth) path_.smooth += branch.throughput.smooth * light.smooth;
@@ -384,8 +441,10 @@ void PathTracer::follow(Branch branch) {
         const VertexNumbers u(
             sampler_.draw(branch.first_vertex + static_cast<std::uint32_t>(branch.depth)));
         if (options_.direct_light != DirectLight::surface_sampling && !scene_.lights->empty()) {
-            gather(branch,
-                   direct_light(scene_, pass_, *hit, frame, wi, surface, u, options_.direct_light));
+            branch.light_samples = candidates_at(branch);
+            gather(branch, direct_light(scene_, pass_, *hit, frame, wi, surface, u, sampler_,
+                                        kCandidateVertex + static_cast<std::uint32_t>(branch.depth),
+                                        branch.light_samples, options_.direct_light));
         }
         if (surface.asked_weight > 0) ask_flakes(*hit, frame, wi, surface);
         const auto sample = surface.sample(wi, u.which_lobe, u.surface);

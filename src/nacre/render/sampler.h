@@ -118,6 +118,15 @@ class PathSampler {
         return u;
     }
 
+    /// The numbers of the k-th of `count` paths that this one stands for: those of all samples are
+    /// as evenly spread as those of `count` times as many.
+    PathSampler refined(int count, int k) const {
+        PathSampler one = *this;
+        one.sample_index_ =
+            sample_index_ * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(k);
+        return one;
+    }
+
  private:
     std::uint32_t sample_index_, base_;
 };

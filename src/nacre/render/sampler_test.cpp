@@ -34,6 +34,16 @@ TEST(PathSampler, EveryPlaceIsAZeroTwoSequence) {
     EXPECT_EQ(checked, 3 * 3 * (kLog + 1));
 }
 
+// Candidates: four to a sample are the points of four times as many samples.
+TEST(PathSampler, RefinedNumbersAreThoseOfALongerSequence) {
+    for (std::uint32_t sample : {0u, 5u, 1000u}) {
+        for (int k = 0; k < 4; ++k) {
+            const PathSampler refined = PathSampler(7, 1234, sample).refined(4, k);
+            EXPECT_EQ(refined.draw(3), PathSampler(7, 1234, 4 * sample + k).draw(3));
+        }
+    }
+}
+
 // A place and its choice together are a (1,3)-sequence: each box of volume 2^-(m-1) holds two of the
 // first 2^m points.                            [niederreiter-1992, definition 4.1; joe-kuo-2008]
 TEST(PathSampler, EveryChoiceIsSpreadWithItsPlace) {
