@@ -169,6 +169,7 @@ TEST_F(Program, EveryInputMayComeThroughAPipe) {
           "[materials.paint]\ntype = \"paint\"\n[[shapes]]\ntype = \"sphere\"\n"
           "material = \"paint\"\n[environment]\ntype = \"constant\"\n");
     const std::string small = "--spp 1 --size 2x2 --model walk -o x.exr";
+    const std::string page = "--quality low --model microflake --scene sphere -o x.html";
     for (const char* make :
          {"solve gray.toml --wavelength 500,600 -o gray.h5",
           "solve gray.toml --wavelength 400:700:100 --table svd -o table.h5",
@@ -201,8 +202,8 @@ TEST_F(Program, EveryInputMayComeThroughAPipe) {
         {"gray.csv", "measure gray.toml --versus @"},
         {"set.toml", "measure gray.toml --geometry @"},
         {"gray.toml", "sparkle @ --field 2 --diffuse-samples 0 --lamp 45"},
-        {"gray.h5", "panel gray.h5 --versus @ --quality low -o x.html"},
-        {"gray.h5", "panel @ --quality low -o x.html"},
+        {"gray.h5", "panel gray.h5 --versus @ " + page},
+        {"gray.h5", "panel @ " + page},
         {"gray.csv", "fit @ --start start.toml --starts 1 --format json"},
         {"start.toml", "fit gray.csv --start @ --starts 1 --format json"},
         {"gray.toml", "atlas --recipe @ --key alpha --values 0.1,0.2"},
@@ -313,10 +314,10 @@ coats = [{ material = "TiO2_anatase", thickness_nm = 80, spread_nm = 80 }, { mat
                     "--samples 1000000000 -o old.csv",
                     "old.csv"},
           std::pair{"export gray.toml --resolution 256 --incidences 256 -o old.bsdf", "old.bsdf"},
-          std::pair{"render sphere --paint lossless.toml --model walk --size 4096x4096 -o old.exr",
+          std::pair{"render sphere --paint lossless.toml --model walk --size 1024x1024 -o old.exr",
                     "old.exr"},
           std::pair{
-              "render sphere --paint lossless.toml --model volume --size 4096x4096 -o old.exr",
+              "render sphere --paint lossless.toml --model volume --size 1024x1024 -o old.exr",
               "old.exr"}}) {
         write(file, "old");
         const Outcome outcome = nacre(command, "timeout --foreground --preserve-status -s INT 0.5");

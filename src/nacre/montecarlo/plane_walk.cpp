@@ -137,20 +137,22 @@ void BoundWalk::estimate_typical_weight() {
     typical_weight_ = std::max(std::sqrt(mean_square), kMin);
 }
 
+const Lanes& BoundWalk::inner_albedo(int i) const {
+    std::call_once(albedo_once_[i], [&] {
+        constexpr double kMinCosine = 1e-3;
+        const double cosine = std::max(static_cast<double>(i) / kAlbedoIntervals, kMinCosine);
+        inner_albedo_[i] =
+            mean_weight(cosine, kAlbedoWalks, static_cast<std::uint64_t>(i) + 1, nullptr);
+    });
+    return inner_albedo_[i];
+}
+
 FloatLanes BoundWalk::albedo(Vec3f wi) const {
     if (!(wi.z > 0)) return FloatLanes{};
-    std::call_once(albedo_once_, [&] {
-        for (int i = 0; i <= kAlbedoIntervals; ++i) {
-            constexpr double kMinCosine = 1e-3;
-            const double cosine = std::max(static_cast<double>(i) / kAlbedoIntervals, kMinCosine);
-            inner_albedo_.push_back(
-                mean_weight(cosine, kAlbedoWalks, static_cast<std::uint64_t>(i) + 1, nullptr));
-        }
-    });
     const double cosine = std::min(static_cast<double>(wi.z), 1.0);
     const double x = cosine * kAlbedoIntervals;
     const int i = std::min(static_cast<int>(x), kAlbedoIntervals - 1);
-    const Lanes inner = inner_albedo_[i] + (x - i) * (inner_albedo_[i + 1] - inner_albedo_[i]);
+    const Lanes low = inner_albedo(i), inner = low + (x - i) * (inner_albedo(i + 1) - low);
     const Lanes specular = specular_reflectance(cosine);
     return to_float(Lanes(specular + (1 - specular) * inner));
 }

@@ -65,8 +65,8 @@ class BoundWalk : public bsdf::BoundBsdf {
                                               Vec2f u) const override {
         return walk(&patch, wi, u_select, u);
     }
-    /// Estimated by kAlbedoWalks walks from each of kAlbedoIntervals + 1 directions, at the first
-    /// call; the specular reflectance of a smooth interface is exact.
+    /// Linear between kAlbedoIntervals + 1 directions, each of which is estimated by kAlbedoWalks walks
+    /// when it is first needed; the specular reflectance of a smooth interface is exact.
     FloatLanes albedo(Vec3f wi) const override;
 
     static constexpr int kAlbedoIntervals = 16, kAlbedoWalks = 512;
@@ -99,6 +99,7 @@ class BoundWalk : public bsdf::BoundBsdf {
                                            RandomStream& random) const;
     std::optional<Escape> meet_rough(const Vec3d& wi, const Packet& packet,
                                      RandomStream& random) const;
+    const Lanes& inner_albedo(int i) const;
     Lanes mean_weight(double cosine, int walks, std::uint64_t number, double* mean_square) const;
 
     Medium medium_;
@@ -108,8 +109,9 @@ class BoundWalk : public bsdf::BoundBsdf {
     /// Root mean square of the weight with which light leaves that came in with weight 1.
     double typical_weight_ = 1;
 
-    mutable std::once_flag albedo_once_;
-    mutable std::vector<Lanes> inner_albedo_;  // over the outer cosine
+    // Over the outer cosine, each when it is first asked for: a flat panel is seen from few directions.
+    mutable std::array<std::once_flag, kAlbedoIntervals + 1> albedo_once_;
+    mutable std::array<Lanes, kAlbedoIntervals + 1> inner_albedo_;
 };
 
 // The Monte Carlo reference as a surface for the renderer. docs/volume.md

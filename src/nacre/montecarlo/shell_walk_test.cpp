@@ -7,6 +7,7 @@
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/testing/errors.h"
 #include "nacre/testing/montecarlo.h"
+#include "nacre/testing/reference_albedos.h"
 
 namespace nacre::montecarlo {
 namespace {
@@ -31,16 +32,11 @@ paint::Recipe lossless(double thickness_um) {
 }
 
 void expect_reference_albedo(const VolumeModel& settings, double theta_deg) {
+    SCOPED_TRACE(settings.radius_mm);
     const paint::Recipe recipe = test::pearl();
     const auto surface = ShellWalk(recipe, settings).bind(kOnGrid);
-    const auto found = walked_albedo(*surface, direction(theta_deg, 30), kShellWalks / 2);
-    const auto expected = reference_albedo(recipe, std::vector<Direction>{{theta_deg, 0}}, kOnGrid,
-                                           {.samples = kShellWalks / 2});
-    for (int lane = 0; lane < kLanes; ++lane) {
-        EXPECT_LT(std::abs(z_score(found[lane], expected[lane].reflectance)), kWorstZ)
-            << settings.radius_mm << " mm, " << theta_deg << " deg, " << kOnGrid[lane]
-            << " nm: " << found[lane].value << " against " << expected[lane].reflectance.value;
-    }
+    test::expect_frozen_albedo(walked_albedo(*surface, direction(theta_deg, 30), kShellWalks / 2),
+                               recipe, theta_deg);
 }
 
 TEST(ShellWalk, ThinShellHasTheAlbedoOfTheReference) {

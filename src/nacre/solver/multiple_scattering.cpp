@@ -126,20 +126,25 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
     interpolation_.weights_at(theta_i, weight.data());
     by_node_.assign(static_cast<std::size_t>(r.rank()) * r.orders() * n, 0.0);
     const float* value = r.coefficient.data();
+    // The triangle of pairs as the square that it stands for, column by column times the weights:
+    // vectors, where rows would be added up one number after the other.
+    std::vector<float> square(static_cast<std::size_t>(n) * n);
     for (int k = 0; k < r.rank(); ++k) {
         for (int l = 0; l < r.orders(); ++l) {
             double* out = by_node_.data() + (static_cast<std::size_t>(k) * r.orders() + l) * n;
+            const int first = r.first[l], rows = n - first;
             if (!r.takes_part(l, theta_i)) {
-                const int rows = n - r.first[l];
                 value += rows * (rows + 1) / 2;
                 continue;
             }
-            for (int i = r.first[l]; i < n; ++i) {
-                for (int j = r.first[l]; j < i; ++j, ++value) {
-                    out[i] += *value * weight[j];
-                    out[j] += *value * weight[i];
-                }
-                out[i] += *value++ * weight[i];
+            for (int i = first; i < n; value += i + 1 - first, ++i) {
+                std::copy(value, value + (i + 1 - first), square.data() + i * n + first);
+                for (int j = first; j < i; ++j) square[j * n + i] = value[j - first];
+            }
+            for (int j = first; j < n; ++j) {
+                const float* column = square.data() + j * n;
+                const double w = weight[j];
+                for (int i = first; i < n; ++i) out[i] += column[i] * w;
             }
         }
     }
