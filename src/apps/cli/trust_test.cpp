@@ -436,7 +436,7 @@ TEST_F(Terminal, GetsNoControlCharactersOfNames) {
         "solve gray.toml -o '" + raw + "/x'",
         "solve '" + raw + ".toml' --wavelength 550 -o '" + raw + ".h5'",
         "info '" + raw + ".h5'",
-        "panel '" + raw + ".toml' --quality low --model microflake -o '" + raw + ".html'",
+        "panel '" + raw + ".toml' --quality low -o '" + raw + ".html'",
         "measure gray.toml --illuminant '" + raw + "'",
         "measure gray.toml --geometry '" + raw + "'",
         "panel gray.toml --scene '" + raw + "' -o x.html",
