@@ -440,11 +440,11 @@ void PathTracer::follow(Branch branch) {
 
         const VertexNumbers u(
             sampler_.draw(branch.first_vertex + static_cast<std::uint32_t>(branch.depth)));
+        const int candidates = candidates_at(branch);
         if (options_.direct_light != DirectLight::surface_sampling && !scene_.lights->empty()) {
-            branch.light_samples = candidates_at(branch);
             gather(branch, direct_light(scene_, pass_, *hit, frame, wi, surface, u, sampler_,
                                         kCandidateVertex + static_cast<std::uint32_t>(branch.depth),
-                                        branch.light_samples, options_.direct_light));
+                                        candidates, options_.direct_light));
         }
         if (surface.asked_weight > 0) ask_flakes(*hit, frame, wi, surface);
         const auto sample = surface.sample(wi, u.which_lobe, u.surface);
@@ -494,6 +494,7 @@ void PathTracer::follow(Branch branch) {
         }
         branch.surface_pdf = sample->pdf;
         branch.weighable = sample->kind == bsdf::SampleKind::density;
+        branch.light_samples = candidates;
         branch.narrow_light = surface.narrow_light;
         branch.ray = {behind ? hit->origin_behind() : scene_.origin(*hit, exit_mm), direction};
     }
