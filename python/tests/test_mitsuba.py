@@ -18,6 +18,7 @@ pytest.importorskip("mitsuba", reason="Mitsuba is not installed here")
 import mitsuba as mi
 import nacre.mitsuba as plugin
 from nacre.mitsuba import _library
+from nacre.mitsuba._bands import single
 from nacre.mitsuba._flakes import Sparkle
 from nacre.mitsuba._patch import Footprint
 
@@ -51,9 +52,13 @@ def directions(count: int) -> tuple[Array, Array]:
     return wi, wo
 
 
+def vectors(w: Array) -> Any:
+    return mi.Vector3f(*[mi.Float(single(x)) for x in w.T])
+
+
 def interaction(wi: Array, wavelengths: list[float]) -> Any:
     si = dr.zeros(mi.SurfaceInteraction3f, len(wi))
-    si.wi = mi.Vector3f(*[mi.Float(x) for x in wi.T])
+    si.wi = vectors(wi)
     si.sh_frame = mi.Frame3f(mi.Vector3f(0, 0, 1))
     if mi.is_spectral:
         si.wavelengths = mi.UnpolarizedSpectrum(*wavelengths)
@@ -75,7 +80,7 @@ def test_values_are_those_of_nacre(paints: Path, name: str, model: str) -> None:
     wi, wo = directions(500)
     want = nacre.Paint(recipe).brdf(wi, wo, NODES, model=model, as_rendered=True) * wo[:, 2:]
     si = interaction(wi, NODES)
-    value = bsdf(recipe, model=model).eval(mi.BSDFContext(), si, mi.Vector3f(*wo.T.copy()))
+    value = bsdf(recipe, model=model).eval(mi.BSDFContext(), si, vectors(wo))
     # microflake solves for these wavelengths alone and keeps other terms of the spectral basis.
     assert disagreement(np.array(value).T, want) < (5e-4 if model == "nacre" else 5e-3)
 
@@ -86,7 +91,7 @@ def test_rgb_is_the_integral_over_the_spectrum(paints: Path) -> None:
     nm = np.linspace(400, 700, 31)
     paint = nacre.Paint(paints / "red-gold.toml")
     f = paint.brdf(wi, wo, nm, model="nacre") * wo[:, 2:]
-    lit = mi.Vector3f(*wo.T.copy())
+    lit = vectors(wo)
     si = interaction(wi, [])
 
     def colours(bands: int) -> Array:
@@ -135,7 +140,7 @@ def test_flakes_are_those_of_nacre(paints: Path, name: str, side: float) -> None
     i = smooth.ray(si.wi, where, True)
     o = smooth.ray(mi.Vector3f(*map(float, wo)), where, True)
     pair = smooth.pair(i, o, where)
-    x, y = (mi.Float(places[:, n].copy()) for n in range(2))
+    x, y = (mi.Float(single(places[:, n])) for n in range(2))
     patch = Footprint(
         mi.Vector3f(x, y, 0),
         mi.Vector3f(0, 0, 1),
@@ -224,7 +229,7 @@ def test_weights_add_up_to_the_albedo(paints: Path, shown: bool) -> None:
     si = dr.zeros(mi.SurfaceInteraction3f, count)
     # Over a spot of 2 mm, so that flakes average out.
     at = 50 * n[:, None] + 2 * rng.uniform(-1, 1, (3, count)) * np.array([[0], [0], [1]])
-    si.p = mi.Point3f(*[mi.Float(x) for x in at])
+    si.p = mi.Point3f(vectors(at.T))
     si.sh_frame = mi.Frame3f(mi.Vector3f(*map(float, n)))
     towards = mi.Vector3f(0, -2000, 0) - si.p
     si.wi = si.to_local(dr.normalize(towards))
@@ -271,11 +276,23 @@ def test_gradients_are_those_of_finite_differences(paints: Path) -> None:
     dr.enable_grad(params[key])
     params.update()
     si = interaction(wi, NODES)
-    value = surface.eval(mi.BSDFContext(), si, mi.Vector3f(*wo.T.copy()))
+    value = surface.eval(mi.BSDFContext(), si, vectors(wo))
     dr.forward_from(params[key])
     got = np.array(dr.grad(value)).T
     assert np.max(np.abs(got - want)) < 0.03 * np.max(np.abs(want))
     assert np.median(np.abs(got - want)) < 0.01 * np.median(np.abs(want))
+
+
+@pytest.mark.parametrize("size", [1, 7, 16, 1000])
+def test_kernels_do_not_depend_on_where_tables_lie(size: int) -> None:
+    """Which they would by the alignment of memory, and every process would compile its own."""
+    values = np.random.default_rng(size).uniform(-1, 1, (size, 3))
+    kept = [single(values[:, ::2]) for _ in range(20)]
+    for table in kept:
+        assert table.ctypes.data % 64 == 0
+        assert table.dtype == np.float32
+        assert table.flags.c_contiguous
+        np.testing.assert_array_equal(table, values[:, ::2].astype(np.float32))
 
 
 def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:

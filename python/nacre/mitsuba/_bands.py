@@ -21,6 +21,8 @@ from .. import _rgb
 from .._errors import SettingError
 
 Float = Any  # mi.Float of the variant at hand
+ALIGNMENT = 64
+"""In bytes, of Dr.Jit's arrays."""
 Wide = Any
 """A value at each wavelength: mi.UnpolarizedSpectrum, or in RGB variants an array over the
 bands."""
@@ -31,6 +33,21 @@ def array_type() -> Any:
     if mi.Float is float:
         return dr.scalar.ArrayXf
     return sys.modules[mi.Float.__module__].ArrayXf
+
+
+def single(values: NDArray[Any]) -> NDArray[np.float32]:
+    """Numbers in single precision, aligned as Dr.Jit aligns its own.
+
+    Dr.Jit works on NumPy's memory as it lies, and a kernel says how what it reads is aligned. Of
+    tables that lie now so, now so, it would compile another kernel in every process, and find none
+    of those that it keeps on disk.
+    """
+    size = values.size * 4
+    memory = np.empty(size + ALIGNMENT, dtype=np.uint8)
+    start = -memory.ctypes.data % ALIGNMENT
+    aligned = memory[start : start + size].view(np.float32).reshape(values.shape)
+    aligned[...] = values
+    return aligned
 
 
 def even_wavelengths(nm: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -69,10 +86,10 @@ class Source:
     tangents: Sequence[Tangent] = ()
 
     def tensor(self, build: Callable[[Arrays], NDArray[Any]]) -> Any:
-        value = mi.TensorXf(build(self.base).astype(np.float32))
+        value = mi.TensorXf(single(build(self.base)))
         for t in self.tangents:
             slope = (build(t.plus) - build(t.minus)) / t.step
-            value += mi.TensorXf(slope.astype(np.float32)) * t.delta
+            value += mi.TensorXf(single(slope)) * t.delta
         return value
 
     def scalar(self, build: Callable[[Arrays], float]) -> Float:
@@ -151,8 +168,8 @@ def texture(dimension: int, data: Any) -> Any:
 
 def column_texture(values: Any) -> Any:
     """Of functions of a direction (D,) or (D, channels), even in tan(theta / 2) from 0 to 1."""
-    columns = np.asarray(values, dtype=np.float32)
-    return texture(1, mi.TensorXf(columns.reshape(len(columns), -1)))
+    columns = np.asarray(values)
+    return texture(1, mi.TensorXf(single(columns.reshape(len(columns), -1))))
 
 
 def by_direction(table: Any, x: Float) -> list[Float]:

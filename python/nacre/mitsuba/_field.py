@@ -13,7 +13,7 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
-from ._bands import Arrays, Float, texture
+from ._bands import Arrays, Float, single, texture
 from ._bits import (
     GOLDEN,
     SHORT_GOLDEN,
@@ -80,13 +80,13 @@ class Field:
         diameters = species["diameter_um"].astype(np.float64)
         self.sizes = len(diameters)
         self.one_size = float(diameters[0]) if np.ptp(diameters) == 0 else None
-        values = diameters.astype(np.float32)
+        values = single(diameters)
         self.diameters = values.tolist() if mi.Float is float else mi.Float(values)
         self.smallest = 0.5e-3 * float(diameters[0])
         self.largest = 0.5e-3 * float(diameters[-1])
         # Both tables over the same coordinates, fetched at once.
         stack = np.stack([a["log_blur"], a["inverse_lobe_fraction"]], axis=-1)
-        self.lobes = texture(2, mi.TensorXf(stack.astype(np.float32)))
+        self.lobes = texture(2, mi.TensorXf(single(stack)))
         self.nodes = stack.shape[:2]
         self.max_width = 4.0
 

@@ -27,6 +27,7 @@ from ._bands import (
     by_direction,
     column_texture,
     dr_array,
+    single,
     texture,
 )
 
@@ -193,10 +194,10 @@ class Microflake:
             rank = coefficients.shape[-1]
             padded = 1 << (rank - 1).bit_length()  # which are fetched at once
             coefficients = np.pad(coefficients, [(0, 0)] * 3 + [(0, padded - rank)])
-            table = texture(3, mi.TensorXf(coefficients.astype(np.float32)))
+            table = texture(3, mi.TensorXf(single(coefficients)))
             if self.bands.spectral:
                 spectra: Any = texture(
-                    1, mi.TensorXf(np.pad(basis, [(0, padded - rank), (0, 0)]).T.astype(np.float32))
+                    1, mi.TensorXf(single(np.pad(basis, [(0, padded - rank), (0, 0)]).T))
                 )
             else:
                 spectra = basis
