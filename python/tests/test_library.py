@@ -6,9 +6,11 @@ import csv
 import dataclasses
 import hashlib
 import json
+import os
 import random
 import re
 import subprocess
+import sys
 import tomllib
 import zipfile
 from pathlib import Path
@@ -225,6 +227,32 @@ def test_a_record_is_named_by_its_content(tmp_path: Path) -> None:
     assert len(ids_of(tmp_path, twice)) == 1
     # What is computed is part of it.
     assert not set(few) & set(ids_of(tmp_path, "[record]\nsolved = true\n" + sobol + "4"))
+
+
+def test_a_plan_is_the_same_in_every_process(tmp_path: Path) -> None:
+    """Where it is read anew, by a run that goes on; whatever order sets have there."""
+    sweep = """
+        [[sweep]]
+        name = "{method}"
+        base = "tio2-mica-80"
+        method = "{method}"
+        count = 6
+        [sweep.vary]
+        "*alpha" = {{ from = 0.05, to = 0.2 }}
+        "coats[0].material" = ["TiO2_anatase", "SiO2"]
+        """
+    methods = ("sobol", "latin-hypercube")
+    here = ids_of(tmp_path, "".join(sweep.format(method=method) for method in methods))
+    assert len(here) == 12
+    code = "import sys, nacre.library as n; print(*(r.id for r in n.Plan(sys.argv[1]).records()))"
+    there = subprocess.run(
+        [sys.executable, "-c", code, tmp_path / "plan.toml"],
+        env=os.environ | {"PYTHONHASHSEED": "7"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert there.stdout.split() == here
 
 
 def test_records_do_not_share_what_they_take_from_a_list(tmp_path: Path) -> None:

@@ -23,10 +23,8 @@ name = "Kills"
 [[sweep]]
 name = "satin"
 base = "satin-silver"
-method = "sobol"
-count = 6
 [sweep.vary]
-"orientation.alpha" = { from = 0.1, to = 0.2 }
+"orientation.alpha" = { from = 0.1, to = 0.2, steps = 6 }
 [[sweep]]
 name = "prescribed"
 base = "metallic-gray"
