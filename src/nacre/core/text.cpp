@@ -120,6 +120,25 @@ std::string replaced(std::string_view text, std::string_view from, std::string_v
     return result += text;
 }
 
+std::size_t json_nesting(std::string_view text) {
+    std::size_t depth = 0, deepest = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string) {
+            if (c == '\\') ++i;
+            in_string = c != '"';
+        } else if (c == '"') {
+            in_string = true;
+        } else if (c == '[' || c == '{') {
+            deepest = std::max(deepest, ++depth);
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        }
+    }
+    return deepest;
+}
+
 std::string printable(std::string_view text) { return escaped(text, ""); }
 
 std::string printable_lines(std::string_view text) { return escaped(text, "\n\t"); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -88,6 +89,11 @@ bool looks_like_utf16(std::string_view bytes);
 /// @throws InputError naming the file, line and column, what the text seems to be (UTF-16, Latin-1
 ///         or binary data) and how to save it
 void require_utf8(std::string_view text, const std::string& filename);
+
+/// How deep arrays and objects of a JSON text lie within each other, to be asked before it is parsed:
+/// 0 of a bare number, 1 of `[]`. Of text that is no JSON at least what a parser meets before it
+/// finds that out. Linear in the text's length.
+std::size_t json_nesting(std::string_view text);
 
 /// As it may go to a terminal: control characters (C0, DEL and C1, which move the cursor, change
 /// colours or begin a line) become escape sequences of C, such as `\x1b`.

@@ -132,5 +132,20 @@ TEST(ClosestMatch, DoesNotChokeOnAnEnormousName) {
     EXPECT_EQ(closest_match(std::string(10'000'000, 'm'), keys), std::nullopt);
 }
 
+TEST(JsonNesting, CountsBracketsThatStandOutsideOfStrings) {
+    EXPECT_EQ(json_nesting("1"), 0u);
+    EXPECT_EQ(json_nesting("[]"), 1u);
+    EXPECT_EQ(json_nesting(R"({"a": [1, {"b": 2}], "c": [[3]]})"), 3u);
+    EXPECT_EQ(json_nesting(R"(["[[[", "\"[[[", "\\", [1]])"), 2u);
+    EXPECT_EQ(json_nesting(R"("\\"[[)"), 2u);
+}
+
+TEST(JsonNesting, OfTextThatIsNoJsonIsNoLessThanAParserMeets) {
+    EXPECT_EQ(json_nesting(std::string(200'000, '[')), 200'000u);
+    EXPECT_EQ(json_nesting("]]]}[["), 2u);
+    EXPECT_EQ(json_nesting("[\"[[\\"), 1u);
+    EXPECT_EQ(json_nesting(""), 0u);
+}
+
 }  // namespace
 }  // namespace nacre

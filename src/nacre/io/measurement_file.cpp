@@ -293,14 +293,13 @@ measure::Measurement parse_measurement_json(std::string_view text, const std::st
                                             const measure::Conditions& defaults) {
     // Nacre's own files need 4; members that others add may be nested deeper.
     constexpr int kMaxDepth = 64;
-    const auto limit_depth = [&](int depth, json::parse_event_t, const json&) {
-        if (depth <= kMaxDepth) return true;
+    if (json_nesting(text) > kMaxDepth) {
         throw InputError(
             fmt::format("{}: lists and objects are nested deeper than {}", filename, kMaxDepth));
-    };
+    }
     json document;
     try {
-        document = json::parse(text, limit_depth);
+        document = json::parse(text);
     } catch (const json::exception& error) {
         throw InputError(fmt::format("{}: {}", filename, error.what()));
     }

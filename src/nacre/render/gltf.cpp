@@ -29,15 +29,15 @@ constexpr std::size_t kGlbHeader = 12, kGlbChunkHeader = 8;
 
 json parse_json(std::string_view text) {
     constexpr std::size_t kMaxTextBytes = std::size_t{1} << 28;
-    static constexpr int kDeepest = 64;
+    constexpr int kDeepest = 64;
     if (text.size() > kMaxTextBytes) {
         throw MeshFault(fmt::format("has more than {} bytes of JSON", kMaxTextBytes));
     }
-    // The parser itself does not recurse.
-    return json::parse(text.begin(), text.end(), [](int depth, json::parse_event_t, json&) {
-        if (depth > kDeepest) throw MeshFault(fmt::format("is nested more than {} deep", kDeepest));
-        return true;
-    });
+    // The parser does not recurse, but copying what it makes does.
+    if (json_nesting(text) > kDeepest) {
+        throw MeshFault(fmt::format("is nested more than {} deep", kDeepest));
+    }
+    return json::parse(text);
 }
 
 }  // namespace
