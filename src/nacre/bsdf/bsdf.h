@@ -150,6 +150,10 @@ class BoundBsdf {
     virtual std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const = 0;
     /// Density per solid angle with which sample() draws wo other than by the specular lobe.
     virtual float pdf(Vec3f wi, Vec3f wo) const = 0;
+    /// Probability, below 1, with which sample() draws the specular reflection, if just the lower
+    /// u_select choose it; then a renderer may trace it besides the rest. 0 where they do not. On a
+    /// patch it is the same, unless that shows flakes (Patch::Flakes).
+    virtual float specular_probability(Vec3f /*wi*/) const { return 0; }
     /// Both at once, for light sampling with multiple importance: they share most of the work.
     virtual BsdfValue evaluate(Vec3f wi, Vec3f wo) const { return {eval(wi, wo), pdf(wi, wo)}; }
     /// The same on one patch of the surface. A surface that does not vary has only the above;

@@ -95,7 +95,7 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
                                                 const Evaluate& evaluate) const {
     const auto i = ray_of(wi);
     if (!i) return std::nullopt;
-    if (u_select < kAround) {
+    if (u_select >= 1 - kAround) {
         BsdfSample out;
         out.wo = Frame::around(normal_).to_world(cosine_hemisphere(u));
         const BsdfValue value = evaluate_by(wi, out.wo, evaluate);
@@ -104,7 +104,7 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
         out.weight = value.f * (out.wo.z / value.pdf);
         return out;
     }
-    const float rest = std::min((u_select - kAround) / (1 - kAround), 0x1.fffffep-1f);
+    const float rest = std::min(u_select / (1 - kAround), 0x1.fffffep-1f);
     auto out = sample(i->flat, rest, u);
     if (!out) return std::nullopt;
     if (out->kind == SampleKind::specular) {
@@ -124,6 +124,16 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
     out->pdf = mixed_pdf(flat_pdf, *o);
     out->weight *= i->transmittance * o->transmittance * (flat_pdf / out->pdf);
     return out;
+}
+
+float TiltedCoat::pdf(Vec3f wi, Vec3f wo) const {
+    const auto i = ray_of(wi), o = ray_of(wo);
+    return i && o ? mixed_pdf(flat_.pdf(i->flat, o->flat) * o->jacobian, *o) : 0.0f;
+}
+
+float TiltedCoat::specular_probability(Vec3f wi) const {
+    const auto i = ray_of(wi);
+    return i ? (1 - kAround) * flat_.specular_probability(i->flat) : 0.0f;
 }
 
 BsdfValue TiltedCoat::evaluate(Vec3f wi, Vec3f wo) const {

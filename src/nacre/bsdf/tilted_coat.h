@@ -39,7 +39,8 @@ class TiltedCoat final : public BoundBsdf {
     TiltedCoat(const BoundBsdf& flat, Vec2f slope, Vec3f seen_from);
 
     FloatLanes eval(Vec3f wi, Vec3f wo) const override { return evaluate(wi, wo).f; }
-    float pdf(Vec3f wi, Vec3f wo) const override { return evaluate(wi, wo).pdf; }
+    float pdf(Vec3f wi, Vec3f wo) const override;
+    float specular_probability(Vec3f wi) const override;
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     BsdfValue evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const override;

@@ -141,10 +141,12 @@ TEST(TiltedCoat, SamplesAreWorthTheirValueOverTheirDensity) {
         const Vec2f slope = kSlopes[i % std::size(kSlopes)];
         const Vec3f wi = direction(89 * rng.uniform_double(), 360 * rng.uniform_double());
         const TiltedCoat coat(wide_metallic(), slope, wi);
-        const auto s =
-            coat.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
+        const float u_select = rng.uniform_float();
+        const auto s = coat.sample(wi, u_select, {rng.uniform_float(), rng.uniform_float()});
         if (!s) continue;
         EXPECT_GT(s->wo.z, 0);
+        EXPECT_EQ(s->kind == SampleKind::specular, u_select < coat.specular_probability(wi));
+        EXPECT_NEAR(coat.pdf(wi, s->wo), coat.evaluate(wi, s->wo).pdf, 1e-6 * s->pdf);
         if (s->kind == SampleKind::specular) {
             // The law of reflection, but where the next wave turns it up.
             const Vec3f across = cross(wi + s->wo, coat.normal());

@@ -45,14 +45,39 @@ struct LocalSurface {
     /// Beyond it light is left to light samples (BoundBsdf::narrow_light).
     float narrow_light = std::numeric_limits<float>::infinity();
 
+    int light_samples = 1;  ///< candidates among which direct light is looked for
+    /// Probability of the specular reflection where it is traced besides: what is drawn here, and
+    /// the densities, are then of the rest alone.
+    float specular = 0;
+
+    bool shows_flakes() const {
+        return patch && patch->flakes == bsdf::Patch::Flakes::shown && bsdf.tells_flakes_apart();
+    }
+    float pdf(Vec3f wi, Vec3f wo) const { return bsdf.pdf(wi, wo) / (1 - specular); }
     bsdf::BsdfValue evaluate(Vec3f wi, Vec3f wo) const {
-        return patch ? bsdf.evaluate_on(*patch, wi, wo) : bsdf.evaluate(wi, wo);
+        bsdf::BsdfValue value = patch ? bsdf.evaluate_on(*patch, wi, wo) : bsdf.evaluate(wi, wo);
+        value.pdf /= 1 - specular;
+        return value;
     }
     FloatLanes eval(Vec3f wi, Vec3f wo) const {
         return patch ? bsdf.evaluate_on(*patch, wi, wo).f : bsdf.eval(wi, wo);
     }
     std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const {
-        return patch ? bsdf.sample_on(*patch, wi, u_select, u) : bsdf.sample(wi, u_select, u);
+        if (specular > 0) {
+            u_select = std::min(specular + (1 - specular) * u_select, 0x1.fffffep-1f);
+        }
+        auto s = patch ? bsdf.sample_on(*patch, wi, u_select, u) : bsdf.sample(wi, u_select, u);
+        if (s && specular > 0) {
+            s->weight *= 1 - specular;
+            s->pdf /= 1 - specular;
+        }
+        return s;
+    }
+    /// The reflection that is traced besides.
+    std::optional<bsdf::BsdfSample> sample_specular(Vec3f wi) const {
+        auto s = bsdf.sample(wi, 0, {});
+        if (s) s->weight *= specular;
+        return s;
     }
 };
 
@@ -65,8 +90,8 @@ struct LightCandidate {
 
 WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
                       const Frame& frame, Vec3f wi, LocalSurface& surface, const VertexNumbers& u,
-                      const PathSampler& sampler, std::uint32_t vertex, int candidates,
-                      DirectLight strategy) {
+                      const PathSampler& sampler, std::uint32_t vertex, DirectLight strategy) {
+    const int candidates = surface.light_samples;
     const bool combined = strategy == DirectLight::combined;
     const auto weighed = [&](const LightSample& light) {
         return combined && !light.delta && !(light.density > surface.narrow_light);
@@ -91,7 +116,7 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& h
         if (behind && !surface.bsdf.transmits()) continue;
         float target = 1;
         if (candidates > 1) {
-            const float pdf = surface.bsdf.pdf(wi, wo);
+            const float pdf = surface.pdf(wi, wo);
             target = lane_sum(light->radiance) * (pdf + kLeastGuess * std::abs(wo.z));
             if (weighed(*light)) target *= power_heuristic(many * light->pdf, pdf);
         }
@@ -186,6 +211,8 @@ constexpr float kBlind = 0.1f;
 constexpr std::uint32_t kFlakeVertex = 1u << 16;
 /// The same for the candidates of light samples.
 constexpr std::uint32_t kCandidateVertex = 1u << 17;
+/// The sampler's first vertex of the path that begins with a specular reflection traced besides.
+constexpr std::uint32_t kSpecularVertex = 1u << 18;
 /// How many there are where the camera looks; elsewhere one, as most of what is seen is seen there.
 constexpr int kCandidates = 4;
 
@@ -209,6 +236,8 @@ struct Branch {
     float lobe = 0;
     bool specular = false;  ///< the last reflection or refraction
     float straight_mm = 0;  ///< gone through panes since the last surface
+    /// Probability with which it goes on at the next surface that it meets, if not at a light.
+    float followed = 1;
 };
 
 class PathTracer {
@@ -228,6 +257,7 @@ class PathTracer {
         follow({.ray = {camera_ray_.origin_mm, camera_ray_.direction},
                 .differential = camera_ray_.differential});
         if (flake_) follow(*flake_);
+        if (specular_) follow(*specular_);
         return path_;
     }
 
@@ -237,6 +267,9 @@ class PathTracer {
     LocalSurface surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
                             const std::optional<bsdf::TiltedCoat>& tilted);
     void ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
+    /// Whether the branch goes on along the sample, with what it is worth there.
+    bool go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f wi,
+               const LocalSurface& surface, const bsdf::BsdfSample& sample, float roulette) const;
 
     /// The surface as it is from the side on which the ray arrives.
     const bsdf::BoundBsdf& bound(const Hit& hit) const {
@@ -271,7 +304,6 @@ class PathTracer {
                                  static_cast<float>(branch.light_samples) * pdf.value());
         }
     }
-    int candidates_at(const Branch& branch) const { return branch.differential ? kCandidates : 1; }
     void gather(const Branch& branch, const WithMean& light) {
         path_.radiance += branch.throughput.shown * light.shown;
         if (options_.smooth) path_.smooth += branch.throughput.smooth * light.smooth;
@@ -286,7 +318,8 @@ class PathTracer {
     const PathOptions& options_;
     bsdf::PatchMemory& memory_;
     PathLight path_;
-    std::optional<Branch> flake_;  ///< the ray of the one that was chosen among those asked
+    std::optional<Branch> flake_;     ///< the ray of the one that was chosen among those asked
+    std::optional<Branch> specular_;  ///< the reflection at the first surface, traced besides
 };
 
 LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
@@ -432,72 +465,98 @@ void PathTracer::follow(Branch branch) {
             if (options_.albedo) path_.albedo = bound(*hit).albedo(wi);
         }
         if (branch.depth >= options_.max_depth) return;
+        const VertexNumbers u(
+            sampler_.draw(branch.first_vertex + static_cast<std::uint32_t>(branch.depth)));
+        if (branch.followed < 1) {
+            if (u.roulette >= branch.followed) return;
+            branch.throughput.shown *= 1 / branch.followed;
+            branch.throughput.smooth *= 1 / branch.followed;
+            branch.followed = 1;
+        }
         std::optional<bsdf::TiltedCoat> tilted;
         if (const auto slope = scene_.coat_slope(*hit)) {
             tilted.emplace(*pass_.surfaces[hit->material], *slope, wi);
         }
         LocalSurface surface = surface_at(*hit, wi, branch, tilted);
+        surface.light_samples = branch.differential ? kCandidates : 1;
+        if (branch.depth == 0 && !surface.shows_flakes()) {
+            surface.specular = surface.bsdf.specular_probability(wi);
+        }
 
-        const VertexNumbers u(
-            sampler_.draw(branch.first_vertex + static_cast<std::uint32_t>(branch.depth)));
-        const int candidates = candidates_at(branch);
         if (options_.direct_light != DirectLight::surface_sampling && !scene_.lights->empty()) {
             gather(branch, direct_light(scene_, pass_, *hit, frame, wi, surface, u, sampler_,
                                         kCandidateVertex + static_cast<std::uint32_t>(branch.depth),
-                                        candidates, options_.direct_light));
+                                        options_.direct_light));
         }
         if (surface.asked_weight > 0) ask_flakes(*hit, frame, wi, surface);
+        if (surface.specular > 0) {
+            Branch mirrored = branch;
+            const auto sample = surface.sample_specular(wi);
+            if (sample && go_on(mirrored, *hit, frame, wi, surface, *sample, u.roulette)) {
+                ++mirrored.depth;
+                mirrored.first_vertex = kSpecularVertex;
+                // Lights are seen in it by every sample, other surfaces by as many as if it had
+                // been drawn by lot: following those costs much, and it reflects little.
+                mirrored.followed = surface.specular;
+                specular_ = mirrored;
+            }
+        }
         const auto sample = surface.sample(wi, u.which_lobe, u.surface);
-        if (!sample) return;
-        const Vec3f direction = frame.to_world(sample->wo);
-        // An interpolated normal can send light through the surface. Where light leaves a volume
-        // elsewhere the surface has another normal.
-        const Vec3f exit_mm = frame.to_world(sample->exit_mm);
-        const bool behind = sample->wo.z < 0;
-        if (dot(exit_mm, exit_mm) == 0 && (dot(direction, hit->geometric_normal) <= 0) != behind) {
-            return;
-        }
-        const bool roulette = branch.depth + 1 >= kRouletteFrom;
-        WithMean& throughput = branch.throughput;
-        throughput.shown *= sample->weight;
-        bool goes_on = survives(throughput.shown, roulette, u.roulette);
-        if (options_.smooth) {
-            throughput.smooth *=
-                surface.smooth_too && sample->kind == bsdf::SampleKind::density
-                    ? (sample->wo.z / sample->pdf) * surface.bsdf.eval(wi, sample->wo)
-                    : sample->weight;
-            goes_on |= survives(throughput.smooth, roulette, u.roulette);
-        }
-        if (!goes_on) return;
-        if (sample->kind == bsdf::SampleKind::straight) {
-            // The last surface still knows with which density the ray was sampled.
-            branch.straight_mm = hit->distance_mm;
-            branch.ray.origin_mm = hit->origin_behind();
-            continue;
-        }
-        const bool mirrored = sample->kind == bsdf::SampleKind::specular && !behind;
-        if (mirrored && branch.differential) {
-            const RayDifferential::Edges edges = footprint(*hit, branch);
-            branch.differential =
-                branch.differential->reflected(branch.ray.direction, edges, hit->shading_normal,
-                                               {scene_.normal_change(*hit, edges.edge_mm[0]),
-                                                scene_.normal_change(*hit, edges.edge_mm[1])});
-        } else {
-            branch.differential.reset();
-        }
-        branch.straight_mm = 0;
-        branch.specular = sample->kind == bsdf::SampleKind::specular;
-        if (sample->kind == bsdf::SampleKind::density) {
-            branch.lobe = std::max(branch.lobe, lobe_of(sample->pdf));
-        } else if (!branch.specular) {
-            branch.lobe = kMaxSpread;
-        }
-        branch.surface_pdf = sample->pdf;
-        branch.weighable = sample->kind == bsdf::SampleKind::density;
-        branch.light_samples = candidates;
-        branch.narrow_light = surface.narrow_light;
-        branch.ray = {behind ? hit->origin_behind() : scene_.origin(*hit, exit_mm), direction};
+        if (!sample || !go_on(branch, *hit, frame, wi, surface, *sample, u.roulette)) return;
     }
+}
+
+bool PathTracer::go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f wi,
+                       const LocalSurface& surface, const bsdf::BsdfSample& sample,
+                       float roulette) const {
+    const Vec3f direction = frame.to_world(sample.wo);
+    // An interpolated normal can send light through the surface. Where light leaves a volume
+    // elsewhere the surface has another normal.
+    const Vec3f exit_mm = frame.to_world(sample.exit_mm);
+    const bool behind = sample.wo.z < 0;
+    if (dot(exit_mm, exit_mm) == 0 && (dot(direction, hit.geometric_normal) <= 0) != behind) {
+        return false;
+    }
+    const bool by_lot = branch.depth + 1 >= kRouletteFrom;
+    WithMean& throughput = branch.throughput;
+    throughput.shown *= sample.weight;
+    bool goes_on = survives(throughput.shown, by_lot, roulette);
+    if (options_.smooth) {
+        throughput.smooth *= surface.smooth_too && sample.kind == bsdf::SampleKind::density
+                                 ? (sample.wo.z / sample.pdf) * surface.bsdf.eval(wi, sample.wo)
+                                 : sample.weight;
+        goes_on |= survives(throughput.smooth, by_lot, roulette);
+    }
+    if (!goes_on) return false;
+    if (sample.kind == bsdf::SampleKind::straight) {
+        // The last surface still knows with which density the ray was sampled.
+        branch.straight_mm = hit.distance_mm;
+        branch.ray.origin_mm = hit.origin_behind();
+        return true;
+    }
+    const bool mirrored = sample.kind == bsdf::SampleKind::specular && !behind;
+    if (mirrored && branch.differential) {
+        const RayDifferential::Edges edges = footprint(hit, branch);
+        branch.differential =
+            branch.differential->reflected(branch.ray.direction, edges, hit.shading_normal,
+                                           {scene_.normal_change(hit, edges.edge_mm[0]),
+                                            scene_.normal_change(hit, edges.edge_mm[1])});
+    } else {
+        branch.differential.reset();
+    }
+    branch.straight_mm = 0;
+    branch.specular = sample.kind == bsdf::SampleKind::specular;
+    if (sample.kind == bsdf::SampleKind::density) {
+        branch.lobe = std::max(branch.lobe, lobe_of(sample.pdf));
+    } else if (!branch.specular) {
+        branch.lobe = kMaxSpread;
+    }
+    branch.surface_pdf = sample.pdf;
+    branch.weighable = sample.kind == bsdf::SampleKind::density;
+    branch.light_samples = surface.light_samples;
+    branch.narrow_light = surface.narrow_light;
+    branch.ray = {behind ? hit.origin_behind() : scene_.origin(hit, exit_mm), direction};
+    return true;
 }
 
 }  // namespace

@@ -30,11 +30,16 @@ inline double area_mm2(const Mesh& mesh) {
 
 class BoundGlossy final : public bsdf::BoundBsdf {
  public:
-    BoundGlossy(const bsdf::Wavelengths& wavelengths_nm, float exponent, float specular)
+    BoundGlossy(const bsdf::Wavelengths& wavelengths_nm, float exponent, float specular,
+                bool tells_specular = true)
         : nm_(make_lanes([&](int i) { return static_cast<float>(wavelengths_nm[i]); })),
           exponent_(exponent),
-          specular_(specular) {}
+          specular_(specular),
+          tells_specular_(tells_specular) {}
 
+    float specular_probability(Vec3f) const override {
+        return tells_specular_ ? probability_of_specular() : 0.0f;
+    }
     FloatLanes eval(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
         const Vec3f h = normalize(wi + wo);
@@ -44,7 +49,7 @@ class BoundGlossy final : public bsdf::BoundBsdf {
     }
     std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
         if (wi.z <= 0) return std::nullopt;
-        const float p_specular = specular_probability();
+        const float p_specular = probability_of_specular();
         if (u_select < p_specular) {
             return bsdf::BsdfSample{{-wi.x, -wi.y, wi.z},
                                     splat(specular_ / p_specular),
@@ -69,8 +74,9 @@ class BoundGlossy final : public bsdf::BoundBsdf {
     float pdf(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return 0;
         const Vec3f h = normalize(wi + wo);
-        return (1 - specular_probability()) * (kLobeFraction * density(h) * h.z / (4 * dot(wi, h)) +
-                                               (1 - kLobeFraction) * kInvPi * wo.z);
+        return (1 - probability_of_specular()) *
+               (kLobeFraction * density(h) * h.z / (4 * dot(wi, h)) +
+                (1 - kLobeFraction) * kInvPi * wo.z);
     }
     FloatLanes albedo(Vec3f wi) const override { return 0.8f * colour(wi.z); }
 
@@ -78,7 +84,7 @@ class BoundGlossy final : public bsdf::BoundBsdf {
     static constexpr float kInvPi = std::numbers::inv_pi_v<float>;
     static constexpr float kLobeFraction = 0.7f;
 
-    float specular_probability() const { return specular_ > 0 ? 0.1f : 0; }
+    float probability_of_specular() const { return specular_ > 0 ? 0.1f : 0; }
     /// Normalised such that Int D cos(theta_h) d omega = 1.
     float density(Vec3f h) const {
         return (exponent_ + 2) * 0.5f * kInvPi * std::pow(std::max(h.z, 0.0f), exponent_);
@@ -93,18 +99,21 @@ class BoundGlossy final : public bsdf::BoundBsdf {
 
     FloatLanes nm_;
     float exponent_, specular_;
+    bool tells_specular_;
 };
 
 class Glossy final : public bsdf::Bsdf {
  public:
-    explicit Glossy(float exponent = 60, float specular = 0.05f)
-        : exponent_(exponent), specular_(specular) {}
+    /// @param tells_specular  whether the renderer may trace the specular reflection besides
+    explicit Glossy(float exponent = 60, float specular = 0.05f, bool tells_specular = true)
+        : exponent_(exponent), specular_(specular), tells_specular_(tells_specular) {}
     std::unique_ptr<const bsdf::BoundBsdf> bind(const bsdf::Wavelengths& nm) const override {
-        return std::make_unique<BoundGlossy>(nm, exponent_, specular_);
+        return std::make_unique<BoundGlossy>(nm, exponent_, specular_, tells_specular_);
     }
 
  private:
     float exponent_, specular_;
+    bool tells_specular_;
 };
 
 /// Mean luminance of the whole picture, over `seeds` renders.

@@ -375,6 +375,10 @@ float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {
     return density(probabilities_at(i), i, make_ray(wo));
 }
 
+float BoundMicroflake::specular_probability(Vec3f wi) const {
+    return rough_ || wi.z <= 0 ? 0.0f : probabilities_at(make_ray(wi)).interface;
+}
+
 BsdfValue BoundMicroflake::evaluate(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     const Ray i = make_ray(wi), o = make_ray(wo);

@@ -215,6 +215,7 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes eval(Vec3f wi, Vec3f wo) const override;
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     float pdf(Vec3f wi, Vec3f wo) const override;
+    float specular_probability(Vec3f wi) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }

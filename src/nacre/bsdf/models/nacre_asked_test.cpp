@@ -139,6 +139,31 @@ TEST(NacreAsked, FlakesOfManySpeciesAreAllAsked) {
     EXPECT_THAT(by_species, testing::Each(testing::Gt(0)));
 }
 
+// A renderer may trace the specular reflection besides: none but the lower numbers choose it.
+TEST(NacreAsked, TheSpecularReflectionIsThatOfTheLowerNumbers) {
+    for (const bool rough : {false, true}) {
+        SCOPED_TRACE(rough);
+        const BoundBsdf& surface = *model_with_every_feature(rough).bound;
+        Rng rng(35, 1);
+        int specular = 0, others = 0;
+        for (int n = 0; n < 2000; ++n) {
+            const Patch patch = apart(rng, side_of_flakes(4));
+            const Vec3f wi = direction(85 * rng.uniform_double(), 360 * rng.uniform_double());
+            const float u_select = rng.uniform_float();
+            const Vec2f u = {rng.uniform_float(), rng.uniform_float()};
+            const bool lower = u_select < surface.specular_probability(wi);
+            for (const auto& s :
+                 {surface.sample(wi, u_select, u), surface.sample_on(patch, wi, u_select, u)}) {
+                if (!s) continue;
+                ASSERT_EQ(s->kind == SampleKind::specular, lower);
+                ++(lower ? specular : others);
+            }
+        }
+        EXPECT_TRUE(rough ? specular == 0 : specular > 100);
+        EXPECT_GT(others, 1000);
+    }
+}
+
 TEST(NacreAsked, WhatIsLeftDoesNotDependOnWhoAsks) {
     for (const bool rough : {false, true}) {
         SCOPED_TRACE(rough);
