@@ -80,10 +80,10 @@ TEST(Sparkle, IsSeenDirectlyAndInAMirror) {
 }
 
 TEST(Sparkle, IsZeroOnAverage) {
-    // Over the picture, for 24 patterns: three standard errors.
+    // Over the picture, for 30 patterns: three standard errors.
     RenderOptions options = kSparkleOptions;
     double sum = 0, squares = 0, light = 0;
-    constexpr int kPatterns = 24;
+    constexpr int kPatterns = 30;
     for (int pattern = 0; pattern < kPatterns; ++pattern) {
         options.seed = static_cast<std::uint64_t>(pattern);
         const RenderResult r = render(mirrored(speckles(options.seed)), options);

@@ -164,6 +164,9 @@ class Speckled final : public bsdf::Bsdf {
         FloatLanes eval(Vec3f wi, Vec3f wo) const override { return mean_->eval(wi, wo); }
         float pdf(Vec3f wi, Vec3f wo) const override { return mean_->pdf(wi, wo); }
         FloatLanes albedo(Vec3f wi) const override { return mean_->albedo(wi); }
+        float specular_probability(Vec3f wi) const override {
+            return mean_->specular_probability(wi);
+        }
         std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override {
             return mean_->sample(wi, u_select, u);
         }
