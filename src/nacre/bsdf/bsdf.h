@@ -150,6 +150,10 @@ class BoundBsdf {
     virtual std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const = 0;
     /// Density per solid angle with which sample() draws wo other than by the specular lobe.
     virtual float pdf(Vec3f wi, Vec3f wo) const = 0;
+    /// pdf() of eight directions.
+    virtual FloatLanes pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
+        return make_lanes([&](int k) { return pdf(wi, lane(wo, k)); });
+    }
     /// Probability, below 1, with which sample() draws the specular reflection, if just the lower
     /// u_select choose it; then a renderer may trace it besides the rest. 0 where they do not. On a
     /// patch it is the same, unless that shows flakes (Patch::Flakes).

@@ -14,12 +14,13 @@
 
 namespace nacre::bsdf {
 
-/// The direction inside the coat of a direction outside: the tangential part shrinks by 1/n.
-inline Vec3f refract_in(Vec3f w, float inverse_ior) {
-    const float x = w.x * inverse_ior, y = w.y * inverse_ior;
+/// The direction inside the coat of a direction outside, or of eight: the tangential part shrinks by 1/n.
+template <class T>
+Vec3<T> refract_in(const Vec3<T>& w, float inverse_ior) {
+    const T x = w.x * inverse_ior, y = w.y * inverse_ior;
     // At n = 1 the cosine itself, which 1 - sin^2 would lose near grazing.
-    const float z = inverse_ior == 1.0f ? w.z : std::sqrt(std::max(0.0f, 1 - x * x - y * y));
-    return {x, y, z};
+    if (inverse_ior == 1.0f) return {x, y, w.z};
+    return {x, y, sqrt_lanes(max_lanes(1 - x * x - y * y, T{}))};
 }
 
 /// The direction outside; empty beyond the critical angle.
@@ -59,6 +60,9 @@ class FlakeLobe {
 
     /// Density of sample() per solid angle inside the coat; wi and wo upwards.
     float pdf(Vec3f wi, Vec3f wo) const { return mixed_pdf(wi, wo, 1, 0); }
+    FloatLanes pdf(Vec3f wi, const Vec3Lanes& wo) const {
+        return make_lanes([&](int k) { return pdf(wi, lane(wo, k)); });
+    }
 
     /// Mixture, with these weights, of pdf() and of that of a lobe with twice the roughness, whose
     /// exponential is the fourth root of this one's.

@@ -26,12 +26,6 @@ Azimuth azimuth_at(float y) {
     const float a = 1 - t, square = a * a + t * t, inverse = 1 / std::sqrt(square);
     return {(back ? -t : a) * inverse, (back ? a : t) * inverse, 2 / square};
 }
-float place_of(float cosine, float sine) {  // sine >= 0
-    const float sum = std::abs(cosine) + sine;
-    if (!(sum > 0)) return 0;
-    return cosine >= 0 ? 0.5f * sine / sum : 0.5f - 0.5f * cosine / sum;
-}
-
 // The steepest half vector of two directions that the interface lets through.
 float largest_slope(float ior) {
     constexpr float kUnbounded = 50;  // without a coat, where light grazes on both sides
@@ -134,20 +128,6 @@ std::optional<Vec3f> ReflectionWarp::sample(const Incident& i, Vec2f u) const {
     const Vec3f out = 2 * dot(i.inside, m) * m - i.inside;
     if (out.z <= 0) return std::nullopt;
     return refract_out(out, ior_);
-}
-
-float ReflectionWarp::slope_pdf(const Incident& i, Vec3f half) const {
-    constexpr float kLeast = 1e-6f;  // density over slope is finite there
-    const float inverse = 1 / half.z;
-    const Vec2f e = direction_of(i), p = {half.x * inverse, half.y * inverse};
-    const float along = -(p.x * e.x + p.y * e.y), across = std::abs(p.y * e.x - p.x * e.y);
-    const float slope = std::max(std::sqrt(along * along + across * across), kLeast);
-    const float scaled = slope / (slope + alpha_);
-    if (scaled >= end_) return 0;
-    const float y = place_of(along, across);
-    const float density = warp_.density(slices(i.x), {scaled / end_, y});
-    const float rest = 1 - scaled;
-    return 0.5f * density * rest * rest / (slope * alpha_ * end_ * azimuth_at(y).rate);
 }
 
 }  // namespace nacre::bsdf

@@ -35,8 +35,9 @@ class ReflectionWarp {
     /// The direction outside for a point of [0, 1)^2; empty where light cannot leave.
     std::optional<Vec3f> sample(const Incident& i, Vec2f u) const;
     /// Density of sample(), per area of the slopes of half vectors inside.
-    /// @param half  sum of both directions inside
-    float slope_pdf(const Incident& i, Vec3f half) const;
+    /// @param half  sum of both directions inside, of one pair or of eight
+    template <class T>
+    T slope_pdf(const Incident& i, const Vec3<T>& half) const;
 
     /// Integral of the flux over all wo: a guide, within a few per cent for paints, a quarter at worst.
     float albedo(float x) const;
@@ -50,5 +51,25 @@ class ReflectionWarp {
     std::vector<float> albedo_;
     SquareWarp warp_;
 };
+
+template <class T>
+T ReflectionWarp::slope_pdf(const Incident& i, const Vec3<T>& half) const {
+    const T inverse = 1 / half.z, x = half.x * inverse, y = half.y * inverse;
+    const Vec2f e = direction_of(i);
+    const T along = -(x * e.x + y * e.y), across = y * e.x - x * e.y;
+    // Density over slope is finite at its end.
+    const T slope = max_lanes(sqrt_lanes(along * along + across * across), T{} + 1e-6f);
+    const T scaled = slope / (slope + alpha_);
+    // As the azimuth is laid out: along the sides of |x| + |y| = slope's.
+    const T width = max_lanes(along, -along), depth = max_lanes(across, -across);
+    const T sum = max_lanes(width + depth, slope);
+    const T quarter = 0.5f * depth / sum;
+    const T density =
+        warp_.density(slices(i.x), Vec2<T>{scaled / end_, along < 0 ? 1 - quarter : quarter});
+    const T rest = 1 - scaled;
+    // d u / d slope and d v / d azimuth, over the slope.
+    const T pdf = density * rest * rest * slope / (4 * alpha_ * end_ * sum * sum);
+    return scaled < end_ ? pdf : T{};
+}
 
 }  // namespace nacre::bsdf

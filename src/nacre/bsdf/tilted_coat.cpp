@@ -1,6 +1,7 @@
 #include "nacre/bsdf/tilted_coat.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -129,6 +130,24 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
 float TiltedCoat::pdf(Vec3f wi, Vec3f wo) const {
     const auto i = ray_of(wi), o = ray_of(wo);
     return i && o ? mixed_pdf(flat_.pdf(i->flat, o->flat) * o->jacobian, *o) : 0.0f;
+}
+
+FloatLanes TiltedCoat::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
+    const auto i = ray_of(wi);
+    if (!i) return FloatLanes{};
+    std::array<std::optional<Ray>, kLanes> rays;
+    Vec3Lanes flat = splat(Vec3f{0, 0, 1});
+    for (int k = 0; k < kLanes; ++k) {
+        rays[k] = ray_of(lane(wo, k));
+        if (!rays[k]) continue;
+        flat.x[k] = rays[k]->flat.x;
+        flat.y[k] = rays[k]->flat.y;
+        flat.z[k] = rays[k]->flat.z;
+    }
+    const FloatLanes pdf = flat_.pdf_lanes(i->flat, flat);
+    return make_lanes([&](int k) {
+        return rays[k] ? mixed_pdf(pdf[k] * rays[k]->jacobian, *rays[k]) : 0.0f;
+    });
 }
 
 float TiltedCoat::specular_probability(Vec3f wi) const {

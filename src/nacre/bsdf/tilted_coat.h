@@ -40,6 +40,7 @@ class TiltedCoat final : public BoundBsdf {
 
     FloatLanes eval(Vec3f wi, Vec3f wo) const override { return evaluate(wi, wo).f; }
     float pdf(Vec3f wi, Vec3f wo) const override;
+    FloatLanes pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const override;
     float specular_probability(Vec3f wi) const override;
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;

@@ -68,14 +68,6 @@ SliceMix SliceGrid::locate(float first, float second) const {
     return mix;
 }
 
-SquareCell locate_in_square(Vec2f point, int rows, int columns) {
-    const auto inside = [](float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; };  // NaN too
-    const float x = inside(point.x) * (columns - 1), y = inside(point.y) * (rows - 1);
-    const int column = std::min(static_cast<int>(x), columns - 2);
-    const int row = std::min(static_cast<int>(y), rows - 2);
-    return {row, column, y - row, x - column};
-}
-
 SquareWarp::SquareWarp(std::span<const float> values, int slices, int rows, int columns,
                        SharedProgress* work)
     : rows_(rows), columns_(columns), cells_(static_cast<std::size_t>(rows) * columns) {
@@ -137,7 +129,7 @@ SquareWarp::Point SquareWarp::sample(const SliceMix& mix, Vec2f u) const {
 }
 
 SquareWarp::Point SquareWarp::invert(const SliceMix& mix, Vec2f point) const {
-    const SquareCell cell = locate_in_square(point, rows_, columns_);
+    const SquareCell<float> cell = locate_in_square(point, rows_, columns_);
     const int row = cell.row, column = cell.column;
     const float t = cell.row_fraction, s = cell.column_fraction;
     const float r0 = along_row(mix, row, columns_ - 1), r1 = along_row(mix, row + 1, columns_ - 1);
@@ -149,15 +141,6 @@ SquareWarp::Point SquareWarp::invert(const SliceMix& mix, Vec2f point) const {
                        area_to(d0, d1, s) / (columns_ - 1);
     const float x = whole > 0 ? part / whole : point.x;
     return {{std::clamp(x, 0.0f, 1.0f), std::clamp(y, 0.0f, 1.0f)}, mix_of(d0, d1, s)};
-}
-
-float SquareWarp::density(const SliceMix& mix, Vec2f point) const {
-    const SquareCell cell = locate_in_square(point, rows_, columns_);
-    const auto row_value = [&](int row) {
-        return mix_of(value(mix, row, cell.column), value(mix, row, cell.column + 1),
-                      cell.column_fraction);
-    };
-    return mix_of(row_value(cell.row), row_value(cell.row + 1), cell.row_fraction);
 }
 
 }  // namespace nacre::bsdf

@@ -59,11 +59,22 @@ class SliceGrid {
 
 /// Where a point of the unit square lies among the nodes of a table: the lower node and the
 /// fraction of the way to the next. Points outside are moved to the edge.
+template <class T>
 struct SquareCell {
-    int row, column;
-    float row_fraction, column_fraction;
+    decltype(whole(T{})) row, column;
+    T row_fraction, column_fraction;
 };
-SquareCell locate_in_square(Vec2f point, int rows, int columns);
+template <class T>
+SquareCell<T> locate_in_square(Vec2<T> point, int rows, int columns) {
+    const auto place = [](T v, int nodes) {
+        const T inside = v > 0 ? min_lanes(v, T{} + 1) : T{};  // NaN too
+        return inside * static_cast<float>(nodes - 1);
+    };
+    const T x = place(point.x, columns), y = place(point.y, rows);
+    const auto column = min_lanes(whole(x), whole(T{}) + (columns - 2));
+    const auto row = min_lanes(whole(y), whole(T{}) + (rows - 2));
+    return {row, column, y - to_float(row), x - to_float(column)};
+}
 
 /// One table per slice, each made a density (its bilinear interpolant integrates to 1; a slice of
 /// zeros becomes the uniform density), mixed linearly.
@@ -86,23 +97,28 @@ class SquareWarp {
     Point sample(const SliceMix& mix, Vec2f u) const;
     /// The uniform numbers that lead to a point.
     Point invert(const SliceMix& mix, Vec2f point) const;
-    float density(const SliceMix& mix, Vec2f point) const;
+    /// Of one point or of eight.
+    template <class T>
+    T density(const SliceMix& mix, Vec2<T> point) const;
 
  private:
-    float mixed(const std::vector<float>& table, std::size_t stride, const SliceMix& mix,
-                std::size_t at) const {
-        float sum = 0;
+    /// @param at  a place in a slice, or eight
+    template <class Int>
+    auto mixed(const std::vector<float>& table, std::size_t stride, const SliceMix& mix,
+               Int at) const {
+        decltype(to_float(at)) sum{};
         for (int k = 0; k < mix.count; ++k) {
-            sum += mix.weight[k] * table[mix.slice[k] * stride + at];
+            sum += mix.weight[k] * gather(&table[mix.slice[k] * stride], at);
         }
         return sum;
     }
-    float value(const SliceMix& mix, int row, int column) const {
-        return mixed(density_, cells_, mix, static_cast<std::size_t>(row) * columns_ + column);
+    template <class Int>
+    auto value(const SliceMix& mix, Int row, Int column) const {
+        return mixed(density_, cells_, mix, row * columns_ + column);
     }
     /// Integral of a row up to a column; up to the last: the whole row.
     float along_row(const SliceMix& mix, int row, int column) const {
-        return mixed(row_integral_, cells_, mix, static_cast<std::size_t>(row) * columns_ + column);
+        return mixed(row_integral_, cells_, mix, row * columns_ + column);
     }
     /// Integral of everything below a row.
     float below(const SliceMix& mix, int row) const { return mixed(below_, rows_, mix, row); }
@@ -111,5 +127,16 @@ class SquareWarp {
     std::size_t cells_;
     std::vector<float> density_, row_integral_, below_;
 };
+
+template <class T>
+T SquareWarp::density(const SliceMix& mix, Vec2<T> point) const {
+    const SquareCell<T> cell = locate_in_square(point, rows_, columns_);
+    const auto row_value = [&](auto row) {
+        const T left = value(mix, row, cell.column), right = value(mix, row, cell.column + 1);
+        return left + cell.column_fraction * (right - left);
+    };
+    const T lower = row_value(cell.row), upper = row_value(cell.row + 1);
+    return lower + cell.row_fraction * (upper - lower);
+}
 
 }  // namespace nacre::bsdf

@@ -18,6 +18,7 @@ inline constexpr int kLanes = 8;
 using FloatLanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using DoubleLanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 using UintLanes = std::uint32_t __attribute__((vector_size(kLanes * sizeof(std::uint32_t))));
+using IntLanes = std::int32_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
 
 /// All lanes equal to x.
 inline FloatLanes splat(float x) { return FloatLanes{} + x; }
@@ -61,6 +62,31 @@ inline V sqrt_lanes(V a) {
     V r;
     for (int i = 0; i < kLanes; ++i) r[i] = std::sqrt(a[i]);
     return r;
+}
+/// For functions of one number or of lanes.
+inline float sqrt_lanes(float a) { return std::sqrt(a); }
+/// The whole number towards zero, of magnitude below 2^31, and back.
+inline int whole(float a) { return static_cast<int>(a); }
+inline IntLanes whole(FloatLanes a) { return __builtin_convertvector(a, IntLanes); }
+inline float to_float(int a) { return static_cast<float>(a); }
+inline FloatLanes to_float(IntLanes a) { return __builtin_convertvector(a, FloatLanes); }
+/// The elements of a table at these places.
+template <class T>
+inline T gather(const T* table, int at) {
+    return table[at];
+}
+inline FloatLanes gather(const float* table, IntLanes at) {
+    return make_lanes([&](int i) { return table[at[i]]; });
+}
+inline IntLanes gather(const std::uint16_t* table, IntLanes at) {
+    return make_lanes<IntLanes>([&](int i) { return table[at[i]]; });
+}
+/// Whether a comparison holds, for any of the lanes.
+inline bool any(bool holds) { return holds; }
+inline bool any(IntLanes holds) {
+    std::int32_t some = 0;
+    for (int i = 0; i < kLanes; ++i) some |= holds[i];
+    return some != 0;
 }
 /// Sum, largest and mean over the lanes.
 template <class V>

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "nacre/core/lanes.h"
+
 // Small vectors: directions, which point away from the surface (docs/conventions.md), positions,
 // and triples of numbers that are added and scaled together, such as colours.
 
@@ -11,7 +13,7 @@ namespace nacre {
 
 template <class T>
 struct Vec2 {
-    T x = 0, y = 0;
+    T x{}, y{};
 
     friend constexpr T dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
     friend T length(Vec2 a) { return std::sqrt(dot(a, a)); }
@@ -19,7 +21,7 @@ struct Vec2 {
 
 template <class T>
 struct Vec3 {
-    T x = 0, y = 0, z = 0;
+    T x{}, y{}, z{};
 
     constexpr T& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
     constexpr const T& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
@@ -60,6 +62,11 @@ void to_json(Json& json, const Vec3<T>& v) {
 using Vec2f = Vec2<float>;
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
+/// Eight of them.
+using Vec3Lanes = Vec3<FloatLanes>;
+
+inline Vec3Lanes splat(Vec3f a) { return {splat(a.x), splat(a.y), splat(a.z)}; }
+inline Vec3f lane(const Vec3Lanes& a, int i) { return {a.x[i], a.y[i], a.z[i]}; }
 
 inline Vec3d to_double(Vec3f a) { return {a.x, a.y, a.z}; }
 inline Vec3f to_float(Vec3d a) {
@@ -91,6 +98,9 @@ struct Frame {
             {1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
     }
     Vec3f to_local(Vec3f v) const { return {dot(v, s), dot(v, t), dot(v, n)}; }
+    Vec3Lanes to_local(const Vec3Lanes& v) const {
+        return {dot(v, splat(s)), dot(v, splat(t)), dot(v, splat(n))};
+    }
     Vec3f to_world(Vec3f v) const { return v.x * s + v.y * t + v.z * n; }
 };
 

@@ -8,23 +8,40 @@ namespace nacre::render {
 namespace {
 
 /// d u d v / d omega of the map to the square.
-float jacobian(Vec3f d) {
-    const float r2 = d.x * d.x + d.y * d.y;
-    const float diamond = std::abs(d.x) + std::abs(d.y);
+template <class T>
+T jacobian(const Vec3<T>& d) {
+    const T r2 = d.x * d.x + d.y * d.y;
+    const T diamond = max_lanes(d.x, -d.x) + max_lanes(d.y, -d.y);
     // On the axis itself the azimuth is undefined; its limit along x is as good as any.
-    return r2 > 0 ? 0.125f * r2 / (diamond * diamond) : 0.125f;
+    return r2 > 0 ? 0.125f * r2 / (diamond * diamond) : T{} + 0.125f;
+}
+
+/// A number, or eight, within [low, high].
+template <class T>
+T clamped(T x, float low, float high) {
+    return min_lanes(max_lanes(x, T{} + low), T{} + high);
 }
 
 /// The cell of a cumulative distribution of `count` cells in which u falls, and how far along it.
+template <class T, class Int>
 struct Inversion {
-    int cell;
-    float offset;
+    Int cell;
+    T offset;
 };
-Inversion invert(const float* cdf, const std::uint16_t* guide, int count, float u) {
-    int cell = guide[std::min(static_cast<int>(u * static_cast<float>(count)), count - 1)];
-    while (cell < count - 1 && cdf[cell + 1] <= u) ++cell;
-    const float width = cdf[cell + 1] - cdf[cell];
-    return {cell, width > 0 ? std::clamp((u - cdf[cell]) / width, 0.0f, 1.0f) : 0.5f};
+/// @param cdf, guide  of all rows; `row` says which, or which of each
+template <class T, class Int>
+Inversion<T, Int> invert(const float* cdf, const std::uint16_t* guide, int count, Int row, T u) {
+    const Int start = min_lanes(whole(u * static_cast<float>(count)), Int{} + (count - 1));
+    Int cell = gather(guide, row * count + start);
+    const Int first = row * (count + 1);
+    const auto beyond = [&] {
+        return (cell < count - 1) & (gather(cdf, first + cell + 1) <= u);
+    };
+    for (auto further = beyond(); any(further); further = beyond()) {
+        cell += further ? Int{} + 1 : Int{};
+    }
+    const T below = gather(cdf, first + cell), width = gather(cdf, first + cell + 1) - below;
+    return {cell, width > 0 ? clamped((u - below) / width, 0, 1) : T{} + 0.5f};
 }
 
 void fill_guide(const float* cdf, int count, std::uint16_t* guide) {
@@ -115,38 +132,35 @@ Vec2f DirectionTable::to_square(Vec3f d) {
     return {0.25f * quarter_turns, std::clamp(0.5f * (1 - d.z), 0.0f, 1.0f)};
 }
 
-Vec3f DirectionTable::from_square(Vec2f square) {
-    const float quarter_turns = 4 * square.x;
-    const int quadrant = std::min(static_cast<int>(quarter_turns), 3);
-    const float t = quarter_turns - static_cast<float>(quadrant);
-    const float norm = 1 / std::sqrt(t * t + (1 - t) * (1 - t));
-    const float a = (1 - t) * norm;  // along the quadrant's first axis
-    const float b = t * norm;
-    const float z = 1 - 2 * square.y;
-    const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-    switch (quadrant) {
-        case 0:
-            return {r * a, r * b, z};
-        case 1:
-            return {-r * b, r * a, z};
-        case 2:
-            return {-r * a, -r * b, z};
-        default:
-            return {r * b, -r * a, z};
-    }
+template <class T>
+Vec3<T> DirectionTable::from_square(Vec2<T> square) {
+    const T quarter_turns = 4 * square.x;
+    const auto quadrant = min_lanes(whole(quarter_turns), whole(T{}) + 3);
+    const T t = quarter_turns - to_float(quadrant);
+    const T norm = 1 / sqrt_lanes(t * t + (1 - t) * (1 - t));
+    const T z = 1 - 2 * square.y;
+    const T r = sqrt_lanes(max_lanes(1 - z * z, T{}));
+    const T a = r * (1 - t) * norm;  // along the quadrant's first axis
+    const T b = r * t * norm;
+    const T x = (quadrant & 1) == 0 ? a : b, y = (quadrant & 1) == 0 ? b : a;
+    return {(quadrant == 1) | (quadrant == 2) ? -x : x, quadrant > 1 ? -y : y, z};
 }
+template Vec3f DirectionTable::from_square(Vec2f);
 
-DirectionSample DirectionTable::sample(Vec2f u) const {
-    const Inversion row = invert(row_cdf_.data(), row_guide_.data(), rows_, u.y);
-    const auto first = static_cast<std::size_t>(row.cell);
-    const Inversion column = invert(&column_cdf_[first * (columns_ + 1)],
-                                    &column_guide_[first * columns_], columns_, u.x);
-    const Vec3f direction =
-        from_square({(static_cast<float>(column.cell) + column.offset) / columns_,
-                     (static_cast<float>(row.cell) + row.offset) / rows_});
-    const float density = density_[static_cast<std::size_t>(row.cell) * columns_ + column.cell];
+template <class T>
+DirectionSample<T> DirectionTable::sample_at(Vec2<T> u) const {
+    const auto row =
+        invert(row_cdf_.data(), row_guide_.data(), rows_, whole(T{}), u.y);
+    const auto column =
+        invert(column_cdf_.data(), column_guide_.data(), columns_, row.cell, u.x);
+    const Vec3<T> direction =
+        from_square(Vec2<T>{(to_float(column.cell) + column.offset) / static_cast<float>(columns_),
+                            (to_float(row.cell) + row.offset) / static_cast<float>(rows_)});
+    const T density = gather(density_.data(), row.cell * columns_ + column.cell);
     return {direction, density * jacobian(direction)};
 }
+template DirectionSample<float> DirectionTable::sample_at(Vec2f) const;
+template DirectionSample<FloatLanes> DirectionTable::sample_at(Vec2<FloatLanes>) const;
 
 float DirectionTable::pdf(Vec3f direction) const {
     const Vec2f square = to_square(direction);

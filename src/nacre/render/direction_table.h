@@ -16,9 +16,11 @@
 
 namespace nacre::render {
 
+/// One, or eight.
+template <class T>
 struct DirectionSample {
-    Vec3f direction;
-    float pdf;  ///< per solid angle
+    Vec3<T> direction;
+    T pdf;  ///< per solid angle
 };
 
 class DirectionTable {
@@ -28,15 +30,20 @@ class DirectionTable {
     /// uniform.
     DirectionTable(int columns, int rows, const std::function<float(Vec3f)>& brightness);
 
-    DirectionSample sample(Vec2f u) const;
+    DirectionSample<float> sample(Vec2f u) const { return sample_at(u); }
+    DirectionSample<FloatLanes> sample(Vec2<FloatLanes> u) const { return sample_at(u); }
     float pdf(Vec3f direction) const;
     /// Mean of the brightness over the sphere.
     float mean_brightness() const { return mean_; }
 
     static Vec2f to_square(Vec3f direction);
-    static Vec3f from_square(Vec2f square);
+    template <class T>
+    static Vec3<T> from_square(Vec2<T> square);
 
  private:
+    template <class T>
+    DirectionSample<T> sample_at(Vec2<T> u) const;
+
     int columns_, rows_;
     float mean_ = 0;
     // Where the search for a number may start: for the i-th of `count` equal steps of u, the cell

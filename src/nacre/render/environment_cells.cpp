@@ -48,7 +48,7 @@ std::vector<CellSums> sums_of(const EnvironmentRadiance& environment, int detail
         for (int i = 0; i < across * down; ++i) {
             const float u = (cell % wide + (i % across + 0.5f) / across) / wide;
             const float v = (cell / wide + (i / across + 0.5f) / down) / high;
-            const Vec3f d = DirectionTable::from_square({u, v});
+            const Vec3f d = DirectionTable::from_square(Vec2f{u, v});
             // Solid angle of the point: the map keeps areas in height alone.
             const float round = std::sqrt(d.x * d.x + d.y * d.y);
             const double bend = round > 0 ? (std::abs(d.x) + std::abs(d.y)) / round : 1.0f;

@@ -6,160 +6,12 @@
 #include <limits>
 
 #include "nacre/bsdf/tilted_coat.h"
+#include "nacre/render/direct_light.h"
 
 namespace nacre::render {
 namespace {
 
 using bsdf::power_heuristic;
-
-/// What is added to a surface's density, per cosine, where it guesses what the surface reflects: so
-/// that nothing is left out that the density does not know of.
-constexpr float kLeastGuess = 0.01f;
-
-/// How the numbers of one vertex are used: see PathSampler::draw.
-struct VertexNumbers {
-    Vec2f light, surface;
-    float which_light, which_lobe, roulette, which_candidate;
-
-    explicit VertexNumbers(const std::array<float, PathSampler::kNumbers>& u)
-        : light{u[0], u[1]},
-          surface{u[2], u[3]},
-          which_light(u[4]),
-          which_lobe(u[5]),
-          roulette(u[6]),
-          which_candidate(u[7]) {}
-};
-
-/// Radiance or throughput: as it is, and with the mean over its area in place of every surface that
-/// varies. The second is valid only where it was asked for.
-struct WithMean {
-    FloatLanes shown{}, smooth{};
-};
-
-/// A surface at a hit: where it varies, with the patch over which the sample averages.
-struct LocalSurface {
-    const bsdf::BoundBsdf& bsdf;
-    std::optional<bsdf::Patch> patch;
-    bool smooth_too = false;  ///< on a patch: the mean over the surface is wanted besides
-    float asked_weight = 0;   ///< AskedPart::weight, where flakes are asked
-    /// Beyond it light is left to light samples (BoundBsdf::narrow_light).
-    float narrow_light = std::numeric_limits<float>::infinity();
-
-    int light_samples = 1;  ///< candidates among which direct light is looked for
-    /// Probability of the specular reflection where it is traced besides: what is drawn here, and
-    /// the densities, are then of the rest alone.
-    float specular = 0;
-
-    bool shows_flakes() const {
-        return patch && patch->flakes == bsdf::Patch::Flakes::shown && bsdf.tells_flakes_apart();
-    }
-    float pdf(Vec3f wi, Vec3f wo) const { return bsdf.pdf(wi, wo) / (1 - specular); }
-    bsdf::BsdfValue evaluate(Vec3f wi, Vec3f wo) const {
-        bsdf::BsdfValue value = patch ? bsdf.evaluate_on(*patch, wi, wo) : bsdf.evaluate(wi, wo);
-        value.pdf /= 1 - specular;
-        return value;
-    }
-    FloatLanes eval(Vec3f wi, Vec3f wo) const {
-        return patch ? bsdf.evaluate_on(*patch, wi, wo).f : bsdf.eval(wi, wo);
-    }
-    std::optional<bsdf::BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const {
-        if (specular > 0) {
-            u_select = std::min(specular + (1 - specular) * u_select, 0x1.fffffep-1f);
-        }
-        auto s = patch ? bsdf.sample_on(*patch, wi, u_select, u) : bsdf.sample(wi, u_select, u);
-        if (s && specular > 0) {
-            s->weight *= 1 - specular;
-            s->pdf /= 1 - specular;
-        }
-        return s;
-    }
-    /// The reflection that is traced besides.
-    std::optional<bsdf::BsdfSample> sample_specular(Vec3f wi) const {
-        auto s = bsdf.sample(wi, 0, {});
-        if (s) s->weight *= specular;
-        return s;
-    }
-};
-
-/// A direction towards a light, of several among which one is chosen to be followed.
-struct LightCandidate {
-    LightSample light;
-    Vec3f wo;
-    float target = 0;  ///< roughly what the surface reflects of it, as it is weighed
-};
-
-WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Hit& hit,
-                      const Frame& frame, Vec3f wi, LocalSurface& surface, const VertexNumbers& u,
-                      const PathSampler& sampler, std::uint32_t vertex, DirectLight strategy) {
-    const int candidates = surface.light_samples;
-    const bool combined = strategy == DirectLight::combined;
-    const auto weighed = [&](const LightSample& light) {
-        return combined && !light.delta && !(light.density > surface.narrow_light);
-    };
-    // Of a few candidates, drawn as evenly as if there were that many samples, one is chosen in
-    // proportion to a guess of what it gives, over the density that it was drawn with. The mean of
-    // those ratios takes the place of the one candidate's.                   [talbot-2005]
-    LightCandidate chosen;
-    float ratios = 0, rest = u.which_candidate;
-    const auto many = static_cast<float>(candidates);
-    for (int k = 0; k < candidates; ++k) {
-        VertexNumbers at = u;
-        if (candidates > 1) at = VertexNumbers(sampler.refined(candidates, k).draw(vertex));
-        const auto light =
-            scene.lights->sample(hit.position_mm, at.which_light, at.light, pass.emission.data(),
-                                 strategy == DirectLight::light_sampling);
-        if (!light) continue;
-        const Vec3f wo = frame.to_local(light->direction);
-        const bool behind = wo.z < 0;
-        // An interpolated normal can take the light for one on the other side.
-        if (wo.z == 0 || (dot(light->direction, hit.geometric_normal) <= 0) != behind) continue;
-        if (behind && !surface.bsdf.transmits()) continue;
-        float target = 1;
-        if (candidates > 1) {
-            const float pdf = surface.pdf(wi, wo);
-            target = lane_sum(light->radiance) * (pdf + kLeastGuess * std::abs(wo.z));
-            if (weighed(*light)) target *= power_heuristic(many * light->pdf, pdf);
-        }
-        const float ratio = target / light->pdf;
-        if (!(ratio > 0)) continue;
-        // One number chooses among all: what is left of it is as good as new.
-        ratios += ratio;
-        const float taken = ratio / ratios;
-        if (rest < taken) {
-            chosen = {*light, wo, target};
-            rest /= taken;
-        } else {
-            rest = (rest - taken) / (1 - taken);
-        }
-    }
-    if (!(ratios > 0)) return {};
-    const LightSample& light = chosen.light;
-    const Vec3f wo = chosen.wo;
-    const bool behind = wo.z < 0;
-    const bool narrow = light.density > surface.narrow_light;
-    const bool weighted = weighed(light);
-    if (surface.patch) surface.patch->narrow_light = narrow ? light.density : 0.0f;
-    const bsdf::BsdfValue value =
-        weighted ? surface.evaluate(wi, wo) : bsdf::BsdfValue{surface.eval(wi, wo)};
-    const FloatLanes mean = surface.smooth_too ? surface.bsdf.eval(wi, wo) : value.f;
-    const float weight = weighted ? power_heuristic(many * light.pdf, value.pdf) : 1.0f;
-    WithMean reflected{weight * value.f, weight * mean};
-    if (surface.asked_weight > 0) {
-        const float pdf = weighted ? light.pdf : std::numeric_limits<float>::infinity();
-        reflected.shown +=
-            surface.asked_weight * surface.bsdf.flakes_at(*surface.patch, wi, wo, pdf);
-    }
-    if (surface.patch) surface.patch->narrow_light = 0;
-    if (!(lane_max(reflected.shown) > 0 || lane_max(reflected.smooth) > 0)) return {};
-    // Stop just short of the light, whose own rectangle is part of the scene.
-    const FloatLanes arrives =
-        scene.transmittance({behind ? hit.origin_behind() : hit.origin(), light.direction},
-                            light.distance * 0.9999f, pass.surfaces);
-    if (!(lane_max(arrives) > 0)) return {};
-    const FloatLanes scale =
-        (std::abs(wo.z) * ratios / (many * chosen.target)) * arrives * light.radiance;
-    return {scale * reflected.shown, scale * reflected.smooth};
-}
 
 bool all_finite(const RayDifferential::Edges& edges) {
     const Vec3f sum = edges.edge_mm[0] + edges.edge_mm[1];
@@ -209,12 +61,8 @@ float lobe_of(float pdf) { return std::min(1 / pdf, kMaxSpread); }
 constexpr float kBlind = 0.1f;
 /// The sampler's vertex for the choice among flakes, beyond those of any path.
 constexpr std::uint32_t kFlakeVertex = 1u << 16;
-/// The same for the candidates of light samples.
-constexpr std::uint32_t kCandidateVertex = 1u << 17;
 /// The sampler's first vertex of the path that begins with a specular reflection traced besides.
 constexpr std::uint32_t kSpecularVertex = 1u << 18;
-/// How many there are where the camera looks; elsewhere one, as most of what is seen is seen there.
-constexpr int kCandidates = 4;
 
 /// A ray of a path, and what its light is worth.
 struct Branch {
@@ -478,15 +326,14 @@ void PathTracer::follow(Branch branch) {
             tilted.emplace(*pass_.surfaces[hit->material], *slope, wi);
         }
         LocalSurface surface = surface_at(*hit, wi, branch, tilted);
-        surface.light_samples = branch.differential ? kCandidates : 1;
+        surface.light_samples = branch.differential ? kLightCandidates : 1;
         if (branch.depth == 0 && !surface.shows_flakes()) {
             surface.specular = surface.bsdf.specular_probability(wi);
         }
 
         if (options_.direct_light != DirectLight::surface_sampling && !scene_.lights->empty()) {
-            gather(branch, direct_light(scene_, pass_, *hit, frame, wi, surface, u, sampler_,
-                                        kCandidateVertex + static_cast<std::uint32_t>(branch.depth),
-                                        options_.direct_light));
+            gather(branch, direct_light(scene_, pass_, {*hit, frame, wi}, surface, u, sampler_,
+                                        branch.depth, options_.direct_light));
         }
         if (surface.asked_weight > 0) ask_flakes(*hit, frame, wi, surface);
         if (surface.specular > 0) {

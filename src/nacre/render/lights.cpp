@@ -40,7 +40,8 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
             alone_.environment.emplace(compiled.table_columns, compiled.table_rows, luminance);
         const float mean = all.mean_brightness();
         add(Kind::environment, 0, std::numbers::pi * mean);
-        environment_brightness_ = static_cast<float>(4 * std::numbers::pi) * mean;
+        constexpr auto kSphere = static_cast<float>(4 * std::numbers::pi);
+        alone_.luminance_per_density = kSphere * mean;
         const DirectionTable& peaks = beside_.environment.emplace(
             compiled.table_columns, compiled.table_rows,
             [&](Vec3f d) { return std::max(0.0f, luminance(d) - mean); });
@@ -48,6 +49,8 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         constexpr float kLeast = 1e-4f;
         if (peaks.mean_brightness() > kLeast * mean) {
             peaks_estimate = std::numbers::pi * peaks.mean_brightness();
+            beside_.dimmest = mean;
+            beside_.luminance_per_density = kSphere * peaks.mean_brightness();
         } else {
             beside_.environment.reset();
         }
@@ -128,49 +131,111 @@ FloatLanes LightSet::escaped_spread(Vec3f direction, float solid_angle,
     return sum;
 }
 
+void LightDirections::set(int lane, const LightDirection& one) {
+    direction.x[lane] = one.direction.x;
+    direction.y[lane] = one.direction.y;
+    direction.z[lane] = one.direction.z;
+    distance[lane] = one.distance;
+    pdf[lane] = one.pdf;
+    density[lane] = one.density;
+    luminance[lane] = one.luminance;
+    delta[lane] = one.delta ? -1 : 0;
+}
+
 std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f u,
                                             const FloatLanes* basis, bool alone) const {
-    const Choice& choice = alone ? alone_ : beside_;
+    const Choice& choice = this->choice(alone);
     if (choice.entries.empty()) return std::nullopt;
-    const Entry* entry = choice.entries.data();
-    while (u_light >= entry->cumulative) ++entry;  // the last one's is 1
-    switch (entry->kind) {
+    const Entry& entry = choice.entries[choice.entry_at(u_light)];
+    const LightDirection found = draw(choice, entry, point_mm, u);
+    if (!(found.pdf > 0)) return std::nullopt;
+    return LightSample{found, radiance_of(entry, found.direction, basis)};
+}
+
+LightDirections LightSet::directions(Vec3f point_mm, FloatLanes u_light, Vec2<FloatLanes> u,
+                                     bool alone) const {
+    LightDirections found;
+    const Choice& choice = this->choice(alone);
+    if (choice.entries.empty()) return found;
+    if (choice.environment) {
+        const DirectionSample<FloatLanes> sky = choice.environment->sample(u);
+        found.direction = sky.direction;
+        found.distance = splat(kInfinity);
+        found.pdf = choice.environment_probability * sky.pdf;
+        found.density = sky.pdf;
+        found.luminance = choice.dimmest + choice.luminance_per_density * sky.pdf;
+    }
+    for (int k = 0; k < kLanes; ++k) {
+        found.light[k] = choice.entry_at(u_light[k]);
+        const Entry& entry = choice.entries[found.light[k]];
+        if (entry.kind != Kind::environment) {
+            found.set(k, draw(choice, entry, point_mm, {u.x[k], u.y[k]}));
+        }
+    }
+    return found;
+}
+
+LightSample LightSet::look_at(const LightDirections& eight, int lane, const FloatLanes* basis,
+                              bool alone) const {
+    const LightDirection found = eight.at(lane);
+    return {found,
+            radiance_of(choice(alone).entries[eight.light[lane]], found.direction, basis)};
+}
+
+LightDirection LightSet::draw(const Choice& choice, const Entry& entry, Vec3f point_mm,
+                              Vec2f u) const {
+    switch (entry.kind) {
         case Kind::environment: {
-            const DirectionSample s = choice.environment->sample(u);
-            const float pdf = choice.environment_probability * s.pdf;
-            if (!(pdf > 0)) return std::nullopt;
-            return LightSample{s.direction, kInfinity, pdf,
-                               s.pdf,       false,     environment_->radiance(s.direction, basis)};
+            const DirectionSample<float> s = choice.environment->sample(u);
+            return {.direction = s.direction,
+                    .distance = kInfinity,
+                    .pdf = choice.environment_probability * s.pdf,
+                    .density = s.pdf,
+                    .luminance = choice.dimmest + choice.luminance_per_density * s.pdf};
         }
         case Kind::sun: {
             const float drop = 0.5f * u.x * sun_->chord_squared;  // 1 - cos
             const float sine = std::sqrt(std::max(0.0f, drop * (2 - drop)));
             const float angle = 2 * std::numbers::pi_v<float> * u.y;
             const Vec3f local{sine * std::cos(angle), sine * std::sin(angle), 1 - drop};
-            return LightSample{Frame::around(sun_->direction).to_world(local),
-                               kInfinity,
-                               choice.sun.value(),
-                               choice.sun.density,
-                               false,
-                               sun_radiance(basis)};
+            return {.direction = Frame::around(sun_->direction).to_world(local),
+                    .distance = kInfinity,
+                    .pdf = choice.sun.value(),
+                    .density = choice.sun.density,
+                    .luminance = static_cast<float>(sun_->luminance)};
         }
         case Kind::rectangle: {
-            const CompiledRectangle& r = rectangles_[entry->index];
+            const CompiledRectangle& r = rectangles_[entry.index];
             const Vec3f to = r.corner_mm + u.x * r.edge_u_mm + u.y * r.edge_v_mm - point_mm;
             const float distance = length(to);
             const Vec3f direction = (1 / distance) * to;
-            const LightPdf pdf = rectangle_pdf(choice, entry->index, direction, distance);
-            if (!(pdf.value() > 0) || !(pdf.value() < kInfinity)) return std::nullopt;
-            return LightSample{direction,   distance,   pdf.value(),
-                               pdf.density, !r.visible, rectangle_radiance(entry->index, basis)};
+            const LightPdf pdf = rectangle_pdf(choice, entry.index, direction, distance);
+            if (!(pdf.value() < kInfinity)) return {};
+            return {direction, distance, pdf.value(), pdf.density, !r.visible, r.radiance};
         }
         case Kind::directional: {
-            const Directional& d = directionals_[entry->index];
-            return LightSample{d.direction, kInfinity, entry->probability,
-                               kInfinity,   true,      d.irradiance * basis[d.spectrum]};
+            const Directional& d = directionals_[entry.index];
+            return {d.direction, kInfinity, entry.probability, kInfinity, true, d.irradiance};
         }
     }
-    return std::nullopt;
+    return {};
+}
+
+FloatLanes LightSet::radiance_of(const Entry& entry, Vec3f direction,
+                                 const FloatLanes* basis) const {
+    switch (entry.kind) {
+        case Kind::environment:
+            return environment_->radiance(direction, basis);
+        case Kind::sun:
+            return sun_radiance(basis);
+        case Kind::rectangle:
+            return rectangle_radiance(entry.index, basis);
+        case Kind::directional: {
+            const Directional& d = directionals_[entry.index];
+            return d.irradiance * basis[d.spectrum];
+        }
+    }
+    return FloatLanes{};
 }
 
 LightPdf LightSet::rectangle_pdf(const Choice& choice, int rectangle, Vec3f direction,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,13 +29,32 @@ struct LightPdf {
     float value() const { return probability * density; }
 };
 
-struct LightSample {
+/// Where a light was found.
+struct LightDirection {
     Vec3f direction;      ///< from the surface to the light
     float distance = 0;   ///< infinity for distant lights
-    float pdf = 0;        ///< per solid angle; of a DirectionalLight: the probability alone
+    float pdf = 0;        ///< per solid angle; of a DirectionalLight: the probability alone. 0: none
     float density = 0;    ///< LightPdf::density
     bool delta = false;   ///< no BSDF sample can find it: it needs no weight
+    float luminance = 0;  ///< roughly, to choose by; of a DirectionalLight: illuminance
+};
+
+struct LightSample : LightDirection {
     FloatLanes radiance;  ///< of a DirectionalLight: irradiance
+};
+
+/// Eight of LightDirection.
+struct LightDirections {
+    Vec3Lanes direction;
+    FloatLanes distance{}, pdf{}, density{}, luminance{};
+    IntLanes delta{};  ///< as a comparison: -1 where it is
+    std::array<std::uint32_t, kLanes> light{};
+
+    LightDirection at(int lane) const {
+        return {nacre::lane(direction, lane), distance[lane],   pdf[lane],
+                density[lane],                delta[lane] != 0, luminance[lane]};
+    }
+    void set(int lane, const LightDirection& one);
 };
 
 /// A rectangle that shines towards its normal.
@@ -58,6 +79,11 @@ class LightSet {
     /// @param alone  whether samples of surfaces find no light, so that these must find all of it
     std::optional<LightSample> sample(Vec3f point_mm, float u_light, Vec2f u,
                                       const FloatLanes* basis, bool alone) const;
+    /// Eight draws, without what shines there, which look_at() tells of one.
+    LightDirections directions(Vec3f point_mm, FloatLanes u_light, Vec2<FloatLanes> u,
+                               bool alone) const;
+    LightSample look_at(const LightDirections& eight, int lane, const FloatLanes* basis,
+                        bool alone) const;
 
     /// Radiance from infinity, of environment and sun, each weighted by `weight(pdf)`, where pdf,
     /// a LightPdf, is that with which sample() draws this direction from that light beside surfaces.
@@ -101,12 +127,23 @@ class LightSet {
 
     /// How light samples choose: alone, or beside samples of surfaces.
     struct Choice {
+        std::uint32_t entry_at(float u_light) const {
+            std::uint32_t at = 0;
+            while (u_light >= entries[at].cumulative) ++at;  // the last one's is 1
+            return at;
+        }
+
         std::vector<Entry> entries;
         std::optional<DirectionTable> environment;
         std::vector<float> rectangle_probability;
         float environment_probability = 0;
+        /// Of the luminance in an environment's direction: at least, and per density.
+        float dimmest = 0, luminance_per_density = 0;
         LightPdf sun;
     };
+    const Choice& choice(bool alone) const { return alone ? alone_ : beside_; }
+    LightDirection draw(const Choice& choice, const Entry& entry, Vec3f point_mm, Vec2f u) const;
+    FloatLanes radiance_of(const Entry& entry, Vec3f direction, const FloatLanes* basis) const;
     void add(Kind kind, int index, double estimate);
     void normalise(Choice& choice) const;
     LightPdf rectangle_pdf(const Choice& choice, int rectangle, Vec3f direction,
@@ -125,7 +162,6 @@ class LightSet {
     std::unique_ptr<const EnvironmentRadiance> environment_;
     std::optional<DistantDisk> sun_;
     std::optional<EnvironmentCells> cells_;
-    float environment_brightness_ = 0;  // luminance per density of alone_.environment
 };
 
 template <class Weight>
@@ -144,7 +180,7 @@ template <class Weight>
 float LightSet::brightness(Vec3f point_mm, Vec3f direction, const Weight& weight) const {
     float sum = 0;
     if (environment_) {
-        sum += weight(environment_pdf(direction)) * environment_brightness_ *
+        sum += weight(environment_pdf(direction)) * alone_.luminance_per_density *
                alone_.environment->pdf(direction);
     }
     if (sun_ && sun_->contains(direction)) {

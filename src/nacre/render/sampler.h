@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "nacre/core/lanes.h"
@@ -99,23 +100,39 @@ class PathSampler {
     /// (0,2)-sequence, and a three is a (1,3)-sequence.
     std::array<float, kNumbers> draw(std::uint32_t vertex) const {
         using namespace sampler_detail;
-        static_assert(kLanes == 8);
         constexpr UintLanes kSequence{0, 0, 1, 1, 0, 1, 2, 2};
         constexpr UintLanes kLane{0, 1, 2, 3, 4, 5, 6, 7};
         constexpr UintLanes kSecond{0, ~0u, 0, ~0u, 0, 0, 0, ~0u};
-        const std::uint32_t vertex_base = mix_bits_32(base_ + vertex * 0x9E3779B9u);
-        const UintLanes shuffle_seed = mix_bits_32(kSequence * 0x85EBCA6Bu + vertex_base);
-        const UintLanes scramble_seed = mix_bits_32((kLane + 4u) * 0xC2B2AE35u + vertex_base);
-        // Shuffling acts on the index from its highest bit down, scrambling on the value from its
-        // highest bit down, which is the index's lowest: the bit reversals cancel but for these.
-        const UintLanes index = UintLanes{} + sample_index_;
-        const UintLanes shuffled = reverse_bits(laine_karras(reverse_bits(index), shuffle_seed));
+        const std::uint32_t vertex_base = base_of(vertex);
+        const UintLanes shuffled = shuffle(UintLanes{} + sample_index_,
+                                           mix_bits_32(kSequence * kSequenceStep + vertex_base));
         UintLanes sobol = (pascal(shuffled) & kSecond) | (shuffled & ~kSecond);
         for (int third : {4, 5}) sobol[third] = kThirdDimension(shuffled[third]);
-        const UintLanes bits = reverse_bits(laine_karras(sobol, scramble_seed)) >> 8;
+        const FloatLanes numbers =
+            scramble(sobol, mix_bits_32((kLane + 4u) * kDimensionStep + vertex_base));
         std::array<float, kNumbers> u;
-        for (int i = 0; i < kNumbers; ++i) u[i] = static_cast<float>(bits[i]) * 0x1p-24f;
+        store_lanes(u.data(), numbers);
         return u;
+    }
+
+    /// A three of each of eight paths.
+    struct Threes {
+        FloatLanes x, y, choice;
+    };
+    /// The first three, elements 0, 1 and 4 of draw(), of the eight paths refined(kLanes, lane).
+    Threes draw_refined(std::uint32_t vertex) const {
+        using namespace sampler_detail;
+        constexpr UintLanes kLane{0, 1, 2, 3, 4, 5, 6, 7};
+        const std::uint32_t vertex_base = base_of(vertex);
+        const auto seed = [&](std::uint32_t element) {
+            return UintLanes{} + mix_bits_32((element + 4u) * kDimensionStep + vertex_base);
+        };
+        const UintLanes shuffled =
+            shuffle(sample_index_ * kLanes + kLane, UintLanes{} + mix_bits_32(vertex_base));
+        UintLanes third;
+        for (int i = 0; i < kLanes; ++i) third[i] = kThirdDimension(shuffled[i]);
+        return {scramble(shuffled, seed(0)), scramble(pascal(shuffled), seed(1)),
+                scramble(third, seed(4))};
     }
 
     /// The numbers of the k-th of `count` paths that this one stands for: those of all samples are
@@ -128,6 +145,24 @@ class PathSampler {
     }
 
  private:
+    static constexpr std::uint32_t kSequenceStep = 0x85EBCA6Bu, kDimensionStep = 0xC2B2AE35u;
+
+    std::uint32_t base_of(std::uint32_t vertex) const {
+        return mix_bits_32(base_ + vertex * 0x9E3779B9u);
+    }
+    // Shuffling acts on the index from its highest bit down, scrambling on the value from its
+    // highest bit down, which is the index's lowest: the bit reversals cancel but for these.
+    static UintLanes shuffle(UintLanes index, UintLanes seed) {
+        using namespace sampler_detail;
+        return reverse_bits(laine_karras(reverse_bits(index), seed));
+    }
+    static FloatLanes scramble(UintLanes reversed, UintLanes seed) {
+        using namespace sampler_detail;
+        // 24 bits fit into a signed number, whose conversion is one instruction on any processor.
+        const UintLanes bits = reverse_bits(laine_karras(reversed, seed)) >> 8;
+        return to_float(std::bit_cast<IntLanes>(bits)) * 0x1p-24f;
+    }
+
     std::uint32_t sample_index_, base_;
 };
 

@@ -44,6 +44,20 @@ TEST(PathSampler, RefinedNumbersAreThoseOfALongerSequence) {
     }
 }
 
+TEST(PathSampler, EightPathsAtOnceAreThoseOneByOne) {
+    for (std::uint32_t sample : {0u, 5u, 1000u, 0x12345678u}) {
+        const PathSampler sampler(7, 1234, sample);
+        const PathSampler::Threes eight = sampler.draw_refined(3);
+        for (int k = 0; k < kLanes; ++k) {
+            const auto one = sampler.refined(kLanes, k).draw(3);
+            EXPECT_EQ(eight.x[k], one[0]);
+            EXPECT_EQ(eight.y[k], one[1]);
+            EXPECT_EQ(eight.choice[k], one[4]);
+        }
+    }
+}
+
+
 // A place and its choice together are a (1,3)-sequence: each box of volume 2^-(m-1) holds two of the
 // first 2^m points.                            [niederreiter-1992, definition 4.1; joe-kuo-2008]
 TEST(PathSampler, EveryChoiceIsSpreadWithItsPlace) {

@@ -118,7 +118,7 @@ int parts_of_circle(const RglTable& table) {
 }  // namespace
 
 float read_square(const SquareTable& table, Vec2f point) {
-    const SquareCell cell = locate_in_square(point, table.rows, table.columns);
+    const SquareCell<float> cell = locate_in_square(point, table.rows, table.columns);
     const float* at =
         table.values.data() + static_cast<std::size_t>(cell.row) * table.columns + cell.column;
     const float low = at[0] + cell.column_fraction * (at[1] - at[0]);
@@ -207,7 +207,7 @@ struct MeasuredRgl::Tables {
     /// Calls visit(weight, values of the channels) for the corners of an interpolation.
     template <class Visit>
     void for_each_corner(const SliceMix& mix, Vec2f sample, Visit&& visit) const {
-        const SquareCell cell = locate_in_square(sample, resolution, resolution);
+        const SquareCell<float> cell = locate_in_square(sample, resolution, resolution);
         const std::size_t square = static_cast<std::size_t>(resolution) * resolution;
         for (int k = 0; k < mix.count; ++k) {
             for (int corner = 0; corner < 4; ++corner) {

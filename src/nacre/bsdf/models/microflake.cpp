@@ -347,17 +347,19 @@ const SamplingProbabilities& BoundMicroflake::probabilities_at(const Ray& i) con
     return tables_->probability[i.row + (i.fraction > 0.5f)];
 }
 
-float BoundMicroflake::density(const SamplingProbabilities& probability, const Ray& i,
-                               const Ray& o) const {
-    const Vec3f half = i.inside + o.inside;
-    const float slopes = tables_->warp->slope_pdf({i.outside, i.inside, i.x}, half);
+template <class T>
+T BoundMicroflake::density(const SamplingProbabilities& probability, const Ray& i,
+                           const Vec3<T>& outside, const Vec3<T>& inside) const {
+    const T x = i.inside.x + inside.x, y = i.inside.y + inside.y, z = i.inside.z + inside.z;
+    const Vec3<T> half = {x, y, z};
+    const T slopes = tables_->warp->slope_pdf({i.outside, i.inside, i.x}, half);
     // Area of slopes per solid angle of w_o: sec^3 / (4 w_i.h), and that outside.
-    const float table =
-        slopes * solid_angle_ratio(o) * 0.5f * dot(half, half) / (half.z * half.z * half.z);
-    const float interface =
-        rough_ ? probability.interface * rough_->lobe.pdf(i.outside, o.outside) : 0.0f;
+    const T table =
+        slopes * solid_angle_ratio(outside.z, inside.z) * 0.5f * dot(half, half) / (z * z * z);
+    T interface{};
+    if (rough_) interface = probability.interface * rough_->lobe.pdf(i.outside, outside);
     return interface + probability.table * table +
-           probability.diffuse * std::numbers::inv_pi_v<float> * o.outside.z;
+           probability.diffuse * std::numbers::inv_pi_v<float> * outside.z;
 }
 
 FloatLanes BoundMicroflake::interface_lobe(Vec3f wi, Vec3f wo) const {
@@ -373,6 +375,16 @@ float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return 0;
     const Ray i = make_ray(wi);
     return density(probabilities_at(i), i, make_ray(wo));
+}
+
+FloatLanes BoundMicroflake::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
+    if (wi.z <= 0) return FloatLanes{};
+    const Ray i = make_ray(wi);
+    // Those below the horizon are taken somewhere above, and left out then.
+    const Vec3Lanes above = {wo.x, wo.y, max_lanes(wo.z, splat(1e-6f))};
+    const FloatLanes pdf =
+        density(probabilities_at(i), i, above, refract_in(above, inverse_mean_ior_));
+    return wo.z > 0 ? pdf : FloatLanes{};
 }
 
 float BoundMicroflake::specular_probability(Vec3f wi) const {

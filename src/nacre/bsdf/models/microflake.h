@@ -215,6 +215,7 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes eval(Vec3f wi, Vec3f wo) const override;
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     float pdf(Vec3f wi, Vec3f wo) const override;
+    FloatLanes pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const override;
     float specular_probability(Vec3f wi) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
@@ -235,7 +236,9 @@ class BoundMicroflake : public BoundBsdf {
 
     const SamplingProbabilities& probabilities_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these probabilities.
-    float density(const SamplingProbabilities& probability, const Ray& i, const Ray& o) const;
+    float density(const SamplingProbabilities& probability, const Ray& i, const Ray& o) const {
+        return density(probability, i, o.outside, o.inside);
+    }
     /// Whether u_select, in [0, sum of the probabilities), selects the specular lobe of a smooth
     /// interface.
     bool draws_specular(const SamplingProbabilities& probability, float u_select) const {
@@ -263,7 +266,7 @@ class BoundMicroflake : public BoundBsdf {
     float mean_ior() const { return mean_ior_; }
     /// Solid angles inside over those outside.
     float solid_angle_ratio(const Ray& o) const {
-        return o.outside.z * inverse_mean_ior_ * inverse_mean_ior_ / o.inside.z;
+        return solid_angle_ratio(o.outside.z, o.inside.z);
     }
 
     const std::array<WavelengthPosition, kLanes>& where() const { return where_; }
@@ -275,6 +278,14 @@ class BoundMicroflake : public BoundBsdf {
     const sparkle::CoatTilt& coat() const { return coat_; }
 
  private:
+    template <class T>
+    T solid_angle_ratio(const T& outside_z, const T& inside_z) const {
+        return outside_z * (inverse_mean_ior_ * inverse_mean_ior_) / inside_z;
+    }
+    /// density() of one direction or of eight.
+    template <class T>
+    T density(const SamplingProbabilities& probability, const Ray& i, const Vec3<T>& outside,
+              const Vec3<T>& inside) const;
     void bind_smooth_interface();
     void bind_rough_interface();
     void bind_layers();
