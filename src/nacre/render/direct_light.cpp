@@ -20,7 +20,7 @@ struct Weighing {
     float narrow_light;  ///< LocalSurface::narrow_light
     float many;          ///< as how many samples that of the lights counts
 
-    bool applies(const LightDirection& light) const {
+    bool applies(const LightDirection<float>& light) const {
         return combined && !light.delta && !(light.density > narrow_light);
     }
 };

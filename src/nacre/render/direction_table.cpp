@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace nacre::render {
 namespace {
@@ -81,7 +80,7 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
       row_guide_(rows) {
     constexpr int kSubdivisions = 3;  // squared: evaluations per cell
     std::vector<double> cell(density_.size()), row_total(rows);
-    double sphere = 0;  // Int brightness d omega, for the mean
+    double sphere = 0, all = 0;  // Int brightness d omega and Int d omega, for the mean
     for (int r = 0; r < rows; ++r) {
         for (int c = 0; c < columns; ++c) {
             double sum = 0;
@@ -89,15 +88,15 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
                 const Vec2f square{(c + (k % kSubdivisions + 0.5f) / kSubdivisions) / columns,
                                    (r + (k / kSubdivisions + 0.5f) / kSubdivisions) / rows};
                 const Vec3f direction = from_square(square);
-                sum += brightness(direction) / jacobian(direction);
+                const double angle = 1 / jacobian(direction);
+                sum += brightness(direction) * angle;
+                all += angle;
             }
             cell[static_cast<std::size_t>(r) * columns + c] = sum;
             sphere += sum;
         }
     }
-    const double cells = static_cast<double>(columns) * rows;
-    mean_ =
-        static_cast<float>(sphere / (cells * kSubdivisions * kSubdivisions * 4 * std::numbers::pi));
+    mean_ = static_cast<float>(sphere / all);
     std::vector<double> weights(columns);
     for (int r = 0; r < rows; ++r) {
         std::copy_n(cell.begin() + static_cast<std::ptrdiff_t>(r) * columns, columns,

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "nacre/core/lane_math.h"
+
 namespace nacre::render {
 namespace {
 
@@ -24,6 +26,12 @@ CompiledRectangle compile(const RectangleLight& light, EmissionBasis& basis) {
     r.visible = light.visible;
     return r;
 }
+
+CosineSine<float> turned_by(float turns) {
+    const float angle = 2 * std::numbers::pi_v<float> * turns;
+    return {std::cos(angle), std::sin(angle)};
+}
+CosineSine<FloatLanes> turned_by(const FloatLanes& turns) { return cos_sin_turns(turns); }
 
 double disk_solid_angle(const DistantDisk& disk) { return std::numbers::pi * disk.chord_squared; }
 
@@ -131,23 +139,12 @@ FloatLanes LightSet::escaped_spread(Vec3f direction, float solid_angle,
     return sum;
 }
 
-void LightDirections::set(int lane, const LightDirection& one) {
-    direction.x[lane] = one.direction.x;
-    direction.y[lane] = one.direction.y;
-    direction.z[lane] = one.direction.z;
-    distance[lane] = one.distance;
-    pdf[lane] = one.pdf;
-    density[lane] = one.density;
-    luminance[lane] = one.luminance;
-    delta[lane] = one.delta ? -1 : 0;
-}
-
 std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f u,
                                             const FloatLanes* basis, bool alone) const {
     const Choice& choice = this->choice(alone);
     if (choice.entries.empty()) return std::nullopt;
     const Entry& entry = choice.entries[choice.entry_at(u_light)];
-    const LightDirection found = draw(choice, entry, point_mm, u);
+    const LightDirection<float> found = draw(choice, entry, point_mm, u);
     if (!(found.pdf > 0)) return std::nullopt;
     return LightSample{found, radiance_of(entry, found.direction, basis)};
 }
@@ -157,65 +154,89 @@ LightDirections LightSet::directions(Vec3f point_mm, FloatLanes u_light, Vec2<Fl
     LightDirections found;
     const Choice& choice = this->choice(alone);
     if (choice.entries.empty()) return found;
-    if (choice.environment) {
-        const DirectionSample<FloatLanes> sky = choice.environment->sample(u);
-        found.direction = sky.direction;
-        found.distance = splat(kInfinity);
-        found.pdf = choice.environment_probability * sky.pdf;
-        found.density = sky.pdf;
-        found.luminance = choice.dimmest + choice.luminance_per_density * sky.pdf;
-    }
-    for (int k = 0; k < kLanes; ++k) {
-        found.light[k] = choice.entry_at(u_light[k]);
-        const Entry& entry = choice.entries[found.light[k]];
-        if (entry.kind != Kind::environment) {
-            found.set(k, draw(choice, entry, point_mm, {u.x[k], u.y[k]}));
-        }
+    for (int k = 0; k < kLanes; ++k) found.light[k] = choice.entry_at(u_light[k]);
+    for (int entry = 0; entry < static_cast<int>(choice.entries.size()); ++entry) {
+        const IntLanes here = found.light == entry;
+        if (!any(here)) continue;
+        const LightDirection<FloatLanes> light = draw(choice, choice.entries[entry], point_mm, u);
+        const auto put = [&](auto& to, const auto& from) { to = here ? from : to; };
+        put(found.direction.x, light.direction.x);
+        put(found.direction.y, light.direction.y);
+        put(found.direction.z, light.direction.z);
+        put(found.distance, light.distance);
+        put(found.pdf, light.pdf);
+        put(found.density, light.density);
+        put(found.luminance, light.luminance);
+        put(found.delta, light.delta);
     }
     return found;
 }
 
 LightSample LightSet::look_at(const LightDirections& eight, int lane, const FloatLanes* basis,
                               bool alone) const {
-    const LightDirection found = eight.at(lane);
-    return {found,
-            radiance_of(choice(alone).entries[eight.light[lane]], found.direction, basis)};
+    const LightDirection<float> found{nacre::lane(eight.direction, lane),
+                                      eight.distance[lane],
+                                      eight.pdf[lane],
+                                      eight.density[lane],
+                                      eight.luminance[lane],
+                                      eight.delta[lane] != 0};
+    return {found, radiance_of(choice(alone).entries[eight.light[lane]], found.direction, basis)};
 }
 
-LightDirection LightSet::draw(const Choice& choice, const Entry& entry, Vec3f point_mm,
-                              Vec2f u) const {
+template <class T>
+LightDirection<T> LightSet::draw(const Choice& choice, const Entry& entry, Vec3f point_mm,
+                                 const Vec2<T>& u) const {
+    const auto all = [](float x) { return T{} + x; };
+    using Mask = decltype(T{} < T{});
     switch (entry.kind) {
         case Kind::environment: {
-            const DirectionSample<float> s = choice.environment->sample(u);
+            const DirectionSample<T> s = choice.environment->sample(u);
             return {.direction = s.direction,
-                    .distance = kInfinity,
+                    .distance = all(kInfinity),
                     .pdf = choice.environment_probability * s.pdf,
                     .density = s.pdf,
                     .luminance = choice.dimmest + choice.luminance_per_density * s.pdf};
         }
         case Kind::sun: {
-            const float drop = 0.5f * u.x * sun_->chord_squared;  // 1 - cos
-            const float sine = std::sqrt(std::max(0.0f, drop * (2 - drop)));
-            const float angle = 2 * std::numbers::pi_v<float> * u.y;
-            const Vec3f local{sine * std::cos(angle), sine * std::sin(angle), 1 - drop};
-            return {.direction = Frame::around(sun_->direction).to_world(local),
-                    .distance = kInfinity,
-                    .pdf = choice.sun.value(),
-                    .density = choice.sun.density,
-                    .luminance = static_cast<float>(sun_->luminance)};
+            const T drop = 0.5f * sun_->chord_squared * u.x;  // 1 - cos
+            const T sine = sqrt_lanes(max_lanes(drop * (2 - drop), T{}));
+            const CosineSine<T> turn = turned_by(u.y);
+            const Frame frame = Frame::around(sun_->direction);
+            const T x = sine * turn.cosine, y = sine * turn.sine, z = 1 - drop;
+            return {.direction = {x * frame.s.x + y * frame.t.x + z * frame.n.x,
+                                  x * frame.s.y + y * frame.t.y + z * frame.n.y,
+                                  x * frame.s.z + y * frame.t.z + z * frame.n.z},
+                    .distance = all(kInfinity),
+                    .pdf = all(choice.sun.value()),
+                    .density = all(choice.sun.density),
+                    .luminance = all(static_cast<float>(sun_->luminance))};
         }
         case Kind::rectangle: {
             const CompiledRectangle& r = rectangles_[entry.index];
-            const Vec3f to = r.corner_mm + u.x * r.edge_u_mm + u.y * r.edge_v_mm - point_mm;
-            const float distance = length(to);
-            const Vec3f direction = (1 / distance) * to;
-            const LightPdf pdf = rectangle_pdf(choice, entry.index, direction, distance);
-            if (!(pdf.value() < kInfinity)) return {};
-            return {direction, distance, pdf.value(), pdf.density, !r.visible, r.radiance};
+            const Vec3f from = r.corner_mm - point_mm;
+            const T x = from.x + u.x * r.edge_u_mm.x + u.y * r.edge_v_mm.x,
+                    y = from.y + u.x * r.edge_u_mm.y + u.y * r.edge_v_mm.y,
+                    z = from.z + u.x * r.edge_u_mm.z + u.y * r.edge_v_mm.z;
+            const T distance = sqrt_lanes(x * x + y * y + z * z), inverse = 1 / distance;
+            const Vec3<T> direction{x * inverse, y * inverse, z * inverse};
+            const T density = density_over(r, direction, distance);
+            // None of a point of the light itself, nor edge on.
+            const T pdf = entry.probability * density;
+            return {direction,
+                    distance,
+                    pdf < kInfinity ? pdf : T{},
+                    density,
+                    all(r.radiance),
+                    r.visible ? Mask{} : distance == distance};
         }
         case Kind::directional: {
             const Directional& d = directionals_[entry.index];
-            return {d.direction, kInfinity, entry.probability, kInfinity, true, d.irradiance};
+            return {{all(d.direction.x), all(d.direction.y), all(d.direction.z)},
+                    all(kInfinity),
+                    all(entry.probability),
+                    all(kInfinity),
+                    all(d.irradiance),
+                    T{} == T{}};
         }
     }
     return {};
@@ -236,15 +257,6 @@ FloatLanes LightSet::radiance_of(const Entry& entry, Vec3f direction,
         }
     }
     return FloatLanes{};
-}
-
-LightPdf LightSet::rectangle_pdf(const Choice& choice, int rectangle, Vec3f direction,
-                                 float distance_mm) const {
-    const CompiledRectangle& r = rectangles_[rectangle];
-    const float cos_light = -dot(direction, r.normal);
-    if (cos_light <= 0) return {};
-    return {choice.rectangle_probability[rectangle],
-            distance_mm * distance_mm / (cos_light * r.area_mm2)};
 }
 
 }  // namespace nacre::render

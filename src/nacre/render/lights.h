@@ -29,32 +29,23 @@ struct LightPdf {
     float value() const { return probability * density; }
 };
 
-/// Where a light was found.
+/// Where a light was found, or eight were.
+template <class T>
 struct LightDirection {
-    Vec3f direction;      ///< from the surface to the light
-    float distance = 0;   ///< infinity for distant lights
-    float pdf = 0;        ///< per solid angle; of a DirectionalLight: the probability alone. 0: none
-    float density = 0;    ///< LightPdf::density
-    bool delta = false;   ///< no BSDF sample can find it: it needs no weight
-    float luminance = 0;  ///< roughly, to choose by; of a DirectionalLight: illuminance
+    Vec3<T> direction;          ///< from the surface to the light
+    T distance{};               ///< infinity for distant lights
+    T pdf{};                    ///< per solid angle; of a DirectionalLight: the probability alone. 0: none
+    T density{};                ///< LightPdf::density
+    T luminance{};              ///< roughly, to choose by; of a DirectionalLight: illuminance
+    decltype(T{} < T{}) delta{};  ///< no BSDF sample can find it: it needs no weight
 };
 
-struct LightSample : LightDirection {
+struct LightSample : LightDirection<float> {
     FloatLanes radiance;  ///< of a DirectionalLight: irradiance
 };
 
-/// Eight of LightDirection.
-struct LightDirections {
-    Vec3Lanes direction;
-    FloatLanes distance{}, pdf{}, density{}, luminance{};
-    IntLanes delta{};  ///< as a comparison: -1 where it is
-    std::array<std::uint32_t, kLanes> light{};
-
-    LightDirection at(int lane) const {
-        return {nacre::lane(direction, lane), distance[lane],   pdf[lane],
-                density[lane],                delta[lane] != 0, luminance[lane]};
-    }
-    void set(int lane, const LightDirection& one);
+struct LightDirections : LightDirection<FloatLanes> {
+    IntLanes light{};  ///< by number
 };
 
 /// A rectangle that shines towards its normal.
@@ -109,7 +100,8 @@ class LightSet {
     /// Of sample() beside surfaces, for a point of the rectangle seen at `distance_mm` in
     /// `direction`.
     LightPdf rectangle_pdf(int rectangle, Vec3f direction, float distance_mm) const {
-        return rectangle_pdf(beside_, rectangle, direction, distance_mm);
+        return {beside_.rectangle_probability[rectangle],
+                density_over(rectangles_[rectangle], direction, distance_mm)};
     }
 
  private:
@@ -127,8 +119,8 @@ class LightSet {
 
     /// How light samples choose: alone, or beside samples of surfaces.
     struct Choice {
-        std::uint32_t entry_at(float u_light) const {
-            std::uint32_t at = 0;
+        int entry_at(float u_light) const {
+            int at = 0;
             while (u_light >= entries[at].cumulative) ++at;  // the last one's is 1
             return at;
         }
@@ -141,13 +133,21 @@ class LightSet {
         float dimmest = 0, luminance_per_density = 0;
         LightPdf sun;
     };
+    /// Per solid angle, of points that are even over a rectangle; 0 on its dark side.
+    template <class T>
+    static T density_over(const CompiledRectangle& r, const Vec3<T>& direction, T distance_mm) {
+        const T cosine =
+            -(direction.x * r.normal.x + direction.y * r.normal.y + direction.z * r.normal.z);
+        const T density = distance_mm * distance_mm / (cosine * r.area_mm2);
+        return cosine > 0 ? density : T{};
+    }
     const Choice& choice(bool alone) const { return alone ? alone_ : beside_; }
-    LightDirection draw(const Choice& choice, const Entry& entry, Vec3f point_mm, Vec2f u) const;
+    template <class T>
+    LightDirection<T> draw(const Choice& choice, const Entry& entry, Vec3f point_mm,
+                           const Vec2<T>& u) const;
     FloatLanes radiance_of(const Entry& entry, Vec3f direction, const FloatLanes* basis) const;
     void add(Kind kind, int index, double estimate);
     void normalise(Choice& choice) const;
-    LightPdf rectangle_pdf(const Choice& choice, int rectangle, Vec3f direction,
-                           float distance_mm) const;
     LightPdf environment_pdf(Vec3f direction) const {
         return {beside_.environment_probability,
                 beside_.environment ? beside_.environment->pdf(direction) : 0.0f};
