@@ -145,9 +145,8 @@ FloatLanes TiltedCoat::pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const {
         flat.z[k] = rays[k]->flat.z;
     }
     const FloatLanes pdf = flat_.pdf_lanes(i->flat, flat);
-    return make_lanes([&](int k) {
-        return rays[k] ? mixed_pdf(pdf[k] * rays[k]->jacobian, *rays[k]) : 0.0f;
-    });
+    return make_lanes(
+        [&](int k) { return rays[k] ? mixed_pdf(pdf[k] * rays[k]->jacobian, *rays[k]) : 0.0f; });
 }
 
 float TiltedCoat::specular_probability(Vec3f wi) const {

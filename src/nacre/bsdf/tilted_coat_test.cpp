@@ -223,6 +223,12 @@ TEST(TiltedCoat, AFurnaceIsWhite) {
     }
 }
 
+TEST(TiltedCoat, DensitiesOfEightDirectionsAreThoseOfEach) {
+    for (const Vec2f slope : kSlopes) {
+        expect_densities_of_eight(TiltedCoat(wide_metallic(), slope, direction(20, 30)), 1e-3f);
+    }
+}
+
 TEST(TiltedCoat, NothingComesFromBelowEitherHorizon) {
     const Vec3f wi = direction(60);
     const TiltedCoat coat(wide_metallic(), {0.2f, 0}, wi);  // the normal leans to -x

@@ -27,12 +27,10 @@ NodePosition locate_between(const std::vector<float>& nodes, float x) {
 /// Largest index in [0, size - 2] at which an increasing function is at most x; 0 if there is none.
 template <class F>
 int last_not_above(int size, float x, F&& function) {
-    // Without a branch on what is found, which no processor can foresee.
-    int low = 0;
-    for (int length = size - 1; length > 1;) {
-        const int half = length / 2;
-        low += half * static_cast<int>(function(low + half) <= x);
-        length -= half;
+    int low = 0, high = size - 1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        (function(middle) <= x ? low : high) = middle;
     }
     return low;
 }

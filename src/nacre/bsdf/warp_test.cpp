@@ -55,7 +55,7 @@ TEST(SquareWarp, DensityIsTheJacobianOfTheInverse) {
         const Vec2f p = at(x, y), q = at(x + kStep, y), r = at(x, y + kStep);
         const double area = static_cast<double>(q.x - p.x) * (r.y - p.y) -
                             static_cast<double>(q.y - p.y) * (r.x - p.x);
-        const double density = warp.density(mix, {x + kStep / 2, y + kStep / 2});
+        const double density = warp.density(mix, Vec2f{x + kStep / 2, y + kStep / 2});
         // Differences to first order of a density that may change by 4 from node to node.
         EXPECT_NEAR(area / (kStep * kStep), density, 0.06 * density + 0.02);
     }
@@ -69,8 +69,8 @@ TEST(SquareWarp, EverySliceIntegratesToOne) {
         double sum = 0;
         constexpr int kPoints = 300;  // a multiple of the cells: the midpoint rule is then exact
         for (int i = 0; i < kPoints * kPoints; ++i) {
-            sum +=
-                warp.density(mix, {(i % kPoints + 0.5f) / kPoints, (i / kPoints + 0.5f) / kPoints});
+            sum += warp.density(
+                mix, Vec2f{(i % kPoints + 0.5f) / kPoints, (i / kPoints + 0.5f) / kPoints});
         }
         EXPECT_NEAR(sum / (kPoints * kPoints), 1, 1e-4);
     }

@@ -116,9 +116,9 @@ WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Meetin
     if (surface.patch) surface.patch->narrow_light = 0;
     if (!(lane_max(reflected.shown) > 0 || lane_max(reflected.smooth) > 0)) return {};
     // Stop just short of the light, whose own rectangle is part of the scene.
-    const FloatLanes arrives = scene.transmittance(
-        {wo.z < 0 ? at.hit.origin_behind() : at.hit.origin(), light.direction},
-        light.distance * 0.9999f, pass.surfaces);
+    const FloatLanes arrives =
+        scene.transmittance({wo.z < 0 ? at.hit.origin_behind() : at.hit.origin(), light.direction},
+                            light.distance * 0.9999f, pass.surfaces);
     if (!(lane_max(arrives) > 0)) return {};
     const FloatLanes scale = (std::abs(wo.z) * chosen->scale) * arrives * light.radiance;
     return {scale * reflected.shown, scale * reflected.smooth};

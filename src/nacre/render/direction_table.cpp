@@ -33,9 +33,7 @@ Inversion<T, Int> invert(const float* cdf, const std::uint16_t* guide, int count
     const Int start = min_lanes(whole(u * static_cast<float>(count)), Int{} + (count - 1));
     Int cell = gather(guide, row * count + start);
     const Int first = row * (count + 1);
-    const auto beyond = [&] {
-        return (cell < count - 1) & (gather(cdf, first + cell + 1) <= u);
-    };
+    const auto beyond = [&] { return (cell < count - 1) & (gather(cdf, first + cell + 1) <= u); };
     for (auto further = beyond(); any(further); further = beyond()) {
         cell += further ? Int{} + 1 : Int{};
     }
@@ -148,10 +146,8 @@ template Vec3f DirectionTable::from_square(Vec2f);
 
 template <class T>
 DirectionSample<T> DirectionTable::sample_at(Vec2<T> u) const {
-    const auto row =
-        invert(row_cdf_.data(), row_guide_.data(), rows_, whole(T{}), u.y);
-    const auto column =
-        invert(column_cdf_.data(), column_guide_.data(), columns_, row.cell, u.x);
+    const auto row = invert(row_cdf_.data(), row_guide_.data(), rows_, whole(T{}), u.y);
+    const auto column = invert(column_cdf_.data(), column_guide_.data(), columns_, row.cell, u.x);
     const Vec3<T> direction =
         from_square(Vec2<T>{(to_float(column.cell) + column.offset) / static_cast<float>(columns_),
                             (to_float(row.cell) + row.offset) / static_cast<float>(rows_)});

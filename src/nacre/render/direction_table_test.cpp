@@ -30,7 +30,7 @@ Vec3f spherical(double u, double v) {
 TEST(DirectionTable, SquareAndSphereMapBackAndForth) {
     for (int i = 0; i < 1000; ++i) {
         const auto u = PathSampler(0, 0, i).draw(0);
-        const Vec3f d = DirectionTable::from_square({u[0], u[1]});
+        const Vec3f d = DirectionTable::from_square(Vec2f{u[0], u[1]});
         EXPECT_NEAR(length(d), 1, 1e-6);
         const Vec2f back = DirectionTable::to_square(d);
         EXPECT_NEAR(back.y, u[1], 1e-6);
@@ -51,13 +51,26 @@ TEST(DirectionTable, PdfIntegratesToOne) {
     EXPECT_NEAR(sum * 4 * M_PI / (kSide * kSide), 1, 5e-3);
 }
 
+TEST(DirectionTable, EightSamplesAreThoseOfEach) {
+    const DirectionTable t = table();
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        const PathSampler::Threes u = PathSampler(0, 2, i).draw_refined(0);
+        const DirectionSample<FloatLanes> eight = t.sample({u.x, u.y});
+        for (int k = 0; k < kLanes; ++k) {
+            const DirectionSample<float> one = t.sample({u.x[k], u.y[k]});
+            EXPECT_LT(length(lane(eight.direction, k) - one.direction), 1e-6f);
+            EXPECT_NEAR(eight.pdf[k], one.pdf, 1e-5f * one.pdf);
+        }
+    }
+}
+
 TEST(DirectionTable, SampleReportsThePdfOfItsDirection) {
     const DirectionTable t = table();
     int inside = 0;
     constexpr int kCount = 10000;
     for (int i = 0; i < kCount; ++i) {
         const auto u = PathSampler(0, 3, i).draw(0);
-        const DirectionSample s = t.sample({u[0], u[1]});
+        const DirectionSample<float> s = t.sample({u[0], u[1]});
         EXPECT_GT(s.pdf, 0);
         // On an edge between cells rounding may look up the neighbour.
         inside += std::abs(t.pdf(s.direction) - s.pdf) < 1e-3f * s.pdf;
@@ -105,7 +118,7 @@ TEST(DirectionTable, SamplesFollowThePdf) {
 TEST(DirectionTable, BlackEnvironmentIsSampledUniformly) {
     const DirectionTable t(8, 4, [](Vec3f) { return 0.0f; });
     EXPECT_EQ(t.mean_brightness(), 0);
-    const DirectionSample s = t.sample({0.3f, 0.7f});
+    const DirectionSample<float> s = t.sample({0.3f, 0.7f});
     EXPECT_GT(s.pdf, 0);
     EXPECT_NEAR(length(s.direction), 1, 1e-6);
 }

@@ -222,12 +222,8 @@ LightDirection<T> LightSet::draw(const Choice& choice, const Entry& entry, Vec3f
             const T density = density_over(r, direction, distance);
             // None of a point of the light itself, nor edge on.
             const T pdf = entry.probability * density;
-            return {direction,
-                    distance,
-                    pdf < kInfinity ? pdf : T{},
-                    density,
-                    all(r.radiance),
-                    r.visible ? Mask{} : distance == distance};
+            return {direction, distance,        pdf < kInfinity ? pdf : T{},
+                    density,   all(r.radiance), r.visible ? Mask{} : distance == distance};
         }
         case Kind::directional: {
             const Directional& d = directionals_[entry.index];

@@ -32,11 +32,11 @@ struct LightPdf {
 /// Where a light was found, or eight were.
 template <class T>
 struct LightDirection {
-    Vec3<T> direction;          ///< from the surface to the light
-    T distance{};               ///< infinity for distant lights
-    T pdf{};                    ///< per solid angle; of a DirectionalLight: the probability alone. 0: none
-    T density{};                ///< LightPdf::density
-    T luminance{};              ///< roughly, to choose by; of a DirectionalLight: illuminance
+    Vec3<T> direction;  ///< from the surface to the light
+    T distance{};       ///< infinity for distant lights
+    T pdf{};            ///< per solid angle; of a DirectionalLight: the probability alone. 0: none
+    T density{};        ///< LightPdf::density
+    T luminance{};      ///< roughly, to choose by; of a DirectionalLight: illuminance
     decltype(T{} < T{}) delta{};  ///< no BSDF sample can find it: it needs no weight
 };
 

@@ -57,7 +57,6 @@ TEST(PathSampler, EightPathsAtOnceAreThoseOneByOne) {
     }
 }
 
-
 // A place and its choice together are a (1,3)-sequence: each box of volume 2^-(m-1) holds two of the
 // first 2^m points.                            [niederreiter-1992, definition 4.1; joe-kuo-2008]
 TEST(PathSampler, EveryChoiceIsSpreadWithItsPlace) {

@@ -131,6 +131,37 @@ inline void expect_black_below_the_horizon(const BoundBsdf& bound) {
     EXPECT_FALSE(bound.sample(down, 0.5f, {0.5f, 0.5f}).has_value());
 }
 
+/// pdf_lanes() is pdf() of each direction, above the horizon and below.
+inline void expect_densities_of_eight(const BoundBsdf& bound, float relative) {
+    Rng rng(5, 2);
+    int above = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Vec3f wi = direction(89.5 * rng.uniform_double(), 360 * rng.uniform_double());
+        Vec3Lanes wo;
+        for (int k = 0; k < kLanes; ++k) {
+            // Where samples lie as well as anywhere, the mirror direction itself once.
+            const auto s =
+                bound.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
+            const Vec3f anywhere =
+                direction(180 * rng.uniform_double(), 360 * rng.uniform_double());
+            const Vec3f to = k == 0            ? Vec3f{-wi.x, -wi.y, wi.z}
+                             : k % 2 == 1 && s ? s->wo
+                                               : anywhere;
+            wo.x[k] = to.x;
+            wo.y[k] = to.y;
+            wo.z[k] = to.z;
+        }
+        const FloatLanes eight = bound.pdf_lanes(wi, wo);
+        for (int k = 0; k < kLanes; ++k) {
+            const float one = bound.pdf(wi, lane(wo, k));
+            above += one > 0;
+            EXPECT_NEAR(eight[k], one, relative * one) << wi.z << " to " << wo.z[k];
+        }
+    }
+    EXPECT_GT(above, 300 * kLanes / 2);
+    EXPECT_EQ(lane_max(bound.pdf_lanes({0.6f, 0, -0.8f}, splat(direction(30)))), 0);
+}
+
 /// How often sample() took the specular lobe, or another direction, and the largest weight of
 /// those.
 struct Drawn {

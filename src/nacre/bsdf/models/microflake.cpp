@@ -356,7 +356,7 @@ T BoundMicroflake::density(const SamplingProbabilities& probability, const Ray& 
     // Area of slopes per solid angle of w_o: sec^3 / (4 w_i.h), and that outside.
     const T table =
         slopes * solid_angle_ratio(outside.z, inside.z) * 0.5f * dot(half, half) / (z * z * z);
-    T interface{};
+    T interface {};
     if (rough_) interface = probability.interface * rough_->lobe.pdf(i.outside, outside);
     return interface + probability.table * table +
            probability.diffuse * std::numbers::inv_pi_v<float> * outside.z;

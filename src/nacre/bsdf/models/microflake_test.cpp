@@ -137,6 +137,11 @@ TEST(Microflake, SampleReportsItsOwnDensityAndWeight) {
     EXPECT_GT(drawn.others, 2000);
 }
 
+TEST(Microflake, DensitiesOfEightDirectionsAreThoseOfEach) {
+    expect_densities_of_eight(*everything_model().bsdf->bind(kOnGrid), 1e-3f);
+    expect_densities_of_eight(*Model(rough_pearl(0.2)).bsdf->bind(kOnGrid), 1e-3f);
+}
+
 TEST(Microflake, SamplesFollowTheDensity) {
     int tests = 0;
     for (const double alpha : {0.1, 0.4}) {

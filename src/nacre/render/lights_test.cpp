@@ -1,0 +1,114 @@
+#include "nacre/render/lights.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "nacre/render/film.h"
+#include "nacre/render/sampler.h"
+
+namespace nacre::render {
+namespace {
+
+const std::vector<Light> kLamps = {
+    RectangleLight{.center_mm = {300, 0, 900}, .radiance = {.scale = 3}},
+    RectangleLight{.center_mm = {-900, 200, 400}, .radiance = {.scale = 40}, .visible = false},
+    // Its dark side faces the scene.
+    RectangleLight{.center_mm = {0, 0, 800}, .target_mm = {0, 0, 2000}, .radiance = {.scale = 9}},
+    DirectionalLight{.to_light = {1, 1, 2}, .irradiance = {.scale = 2}}};
+
+/// Lamps in front of a sky, in a studio, and before an even grey.
+struct Lit {
+    explicit Lit(const Environment& environment) : lights(kLamps, environment, {}, 100, basis) {}
+
+    EmissionBasis basis;
+    LightSet lights;
+};
+const std::vector<Environment> kSurroundings = {SkyEnvironment{.sun_elevation_deg = 35},
+                                                StudioEnvironment{}, ConstantEnvironment{}};
+constexpr Vec3f kPoint_mm{20, -30, 40};
+
+TEST(LightSet, EightDrawsAreThoseOfEach) {
+    std::map<float, int> kinds;  // by distance and by what else tells them apart
+    for (const Environment& environment : kSurroundings) {
+        const Lit lit(environment);
+        const auto spectra = lit.basis.at(film_wavelengths(0));
+        for (const bool alone : {false, true}) {
+            for (std::uint32_t i = 0; i < 500; ++i) {
+                const PathSampler::Threes u = PathSampler(1, 5, i).draw_refined(0);
+                const LightDirections eight =
+                    lit.lights.directions(kPoint_mm, u.choice, {u.x, u.y}, alone);
+                for (int k = 0; k < kLanes; ++k) {
+                    const auto one = lit.lights.sample(kPoint_mm, u.choice[k], {u.x[k], u.y[k]},
+                                                       spectra.data(), alone);
+                    ASSERT_EQ(eight.pdf[k] > 0, one.has_value());
+                    if (!one) continue;
+                    const LightSample found = lit.lights.look_at(eight, k, spectra.data(), alone);
+                    EXPECT_LT(length(found.direction - one->direction), 1e-6f);
+                    EXPECT_NEAR(found.pdf, one->pdf, 1e-4f * one->pdf);
+                    EXPECT_EQ(found.delta, one->delta);
+                    EXPECT_FLOAT_EQ(found.luminance, eight.luminance[k]);
+                    if (std::isfinite(one->distance)) {
+                        EXPECT_NEAR(found.distance, one->distance, 1e-4f * one->distance);
+                    } else {
+                        EXPECT_EQ(found.distance, one->distance);
+                    }
+                    for (int lane = 0; lane < kLanes; ++lane) {
+                        EXPECT_NEAR(found.radiance[lane], one->radiance[lane],
+                                    1e-3f * one->radiance[lane]);
+                    }
+                    ++kinds[found.delta ? -eight.luminance[k] : std::min(found.distance, 1e6f)];
+                }
+            }
+        }
+    }
+    EXPECT_GT(kinds[-40], 100);  // the lamp that is not seen
+    EXPECT_GT(kinds[-2], 100);   // the direction
+    EXPECT_GT(kinds[1e6f], 100);
+}
+
+// By the guess candidates are chosen: it must tell bright directions from dim ones, no more.
+TEST(LightSet, TheGuessIsNearTheLuminance) {
+    for (const Environment& environment : kSurroundings) {
+        const Lit lit(environment);
+        int near = 0, all = 0;
+        for (std::uint32_t pass = 0; pass < 64; ++pass) {
+            const bsdf::Wavelengths nm = film_wavelengths(pass);
+            const auto spectra = lit.basis.at(nm);
+            const XyzWeights xyz = film_xyz_weights(nm);
+            const PathSampler::Threes u = PathSampler(1, 6, pass).draw_refined(0);
+            for (const bool alone : {false, true}) {
+                const LightDirections eight =
+                    lit.lights.directions(kPoint_mm, u.choice, {u.x, u.y}, alone);
+                for (int k = 0; k < kLanes; ++k) {
+                    if (!(eight.pdf[k] > 0)) continue;
+                    const LightSample found = lit.lights.look_at(eight, k, spectra.data(), alone);
+                    const float luminance = lane_sum(xyz[1] * found.radiance);
+                    ++all;
+                    near +=
+                        luminance < 1.6f * found.luminance && luminance > found.luminance / 1.6f;
+                }
+            }
+        }
+        EXPECT_GT(all, 500);
+        EXPECT_GT(near, 0.9 * all) << environment.index();
+    }
+}
+
+// An even sky is left to samples of surfaces, which find it wherever they look.
+TEST(LightSet, BesideSurfacesAnEvenSkyIsNotSampled) {
+    EmissionBasis basis;
+    const LightSet lights({}, ConstantEnvironment{}, {}, 100, basis);
+    const auto spectra = basis.at(film_wavelengths(0));
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        const auto u = PathSampler(1, 7, i).draw(0);
+        EXPECT_FALSE(lights.sample(kPoint_mm, u[4], {u[0], u[1]}, spectra.data(), false));
+        EXPECT_TRUE(lights.sample(kPoint_mm, u[4], {u[0], u[1]}, spectra.data(), true));
+        EXPECT_FALSE(any(
+            lights.directions(kPoint_mm, splat(u[4]), {splat(u[0]), splat(u[1])}, false).pdf > 0));
+    }
+}
+
+}  // namespace
+}  // namespace nacre::render
