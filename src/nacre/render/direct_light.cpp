@@ -48,11 +48,35 @@ std::optional<Chosen> one_candidate(const CompiledScene& scene, const Pass& pass
     return Chosen{*light, wo, 1 / light->pdf};
 }
 
+/// An order of the candidates in which neighbours lie side by side: light by light and, as their
+/// places in the square are eight points of a (0,2)-sequence, one in each of 4 x 2 cells, to and
+/// fro through these. All differ.
+IntLanes order_of(const LightDirections& lights, const PathSampler::Threes& u) {
+    constexpr IntLanes kLane{0, 1, 2, 3, 4, 5, 6, 7};
+    const IntLanes column = whole(4 * u.x), row = whole(2 * u.y);
+    const IntLanes cell = 4 * row + (row == 0 ? column : 3 - column);
+    return ((lights.light * 8 + cell) * kLanes) + kLane;
+}
+
+/// The candidate at `target` of the running sum, in [0, sum). Numbers that are even over the samples
+/// so give directions that are.
+int choose(const FloatLanes& weight, const IntLanes& order, float target) {
+    FloatLanes running{};
+    for (int k = 0; k < kLanes; ++k) running += order >= order[k] ? weight[k] : FloatLanes{};
+    int chosen = -1, last = -1;  // the last, where rounding puts all running sums below the target
+    for (int k = 0; k < kLanes; ++k) {
+        if (!(weight[k] > 0)) continue;
+        if (last < 0 || running[k] > running[last]) last = k;
+        if (running[k] > target && (chosen < 0 || running[k] < running[chosen])) chosen = k;
+    }
+    return chosen < 0 ? last : chosen;
+}
+
 std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass, const Meeting& at,
                                     const LocalSurface& surface, const PathSampler::Threes& u,
                                     float which, bool alone, const Weighing& weighing) {
-    const LightDirections lights =
-        scene.lights->directions(at.hit.position_mm, u.choice, {u.x, u.y}, alone);
+    const LightDirections lights = scene.lights->directions(
+        at.hit.position_mm, u.choice, {u.x, u.y}, pass.emission.data(), alone);
     const Vec3Lanes wo = at.frame.to_local(lights.direction);
     const FloatLanes cosine = dot(lights.direction, splat(at.hit.geometric_normal));
     const FloatLanes slant = max_lanes(wo.z, -wo.z);
@@ -61,7 +85,7 @@ std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass
     if (!any(possible)) return std::nullopt;
 
     const FloatLanes pdf = surface.pdf_lanes(at.wi, wo);
-    FloatLanes target = lights.luminance * (pdf + kLeastGuess * slant);
+    FloatLanes target = lights.brightness * (pdf + kLeastGuess * slant);
     if (weighing.combined) {
         const FloatLanes ratio = pdf / (weighing.many * lights.pdf);
         const IntLanes alone_there = lights.delta | (lights.density > weighing.narrow_light);
@@ -70,14 +94,7 @@ std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass
     const FloatLanes ratio = possible ? target / lights.pdf : FloatLanes{};
     const float sum = lane_sum(ratio);
     if (!(sum > 0)) return std::nullopt;
-    int chosen = 0;
-    float rest = which * sum;
-    for (int k = 0; k < kLanes; ++k) {
-        if (!(ratio[k] > 0)) continue;
-        chosen = k;
-        if (rest < ratio[k]) break;
-        rest -= ratio[k];
-    }
+    const int chosen = choose(ratio, order_of(lights, u), which * sum);
     return Chosen{scene.lights->look_at(lights, chosen, pass.emission.data(), alone),
                   lane(wo, chosen), sum / (kLanes * target[chosen])};
 }
@@ -87,16 +104,16 @@ std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass
 WithMean direct_light(const CompiledScene& scene, const Pass& pass, const Meeting& at,
                       LocalSurface& surface, const VertexNumbers& u, const PathSampler& sampler,
                       int depth, DirectLight strategy) {
-    const auto many = static_cast<float>(surface.light_samples);
+    const float many = surface.light_samples();
     const Weighing weighing{strategy == DirectLight::combined, surface.narrow_light, many};
     const bool alone = strategy == DirectLight::light_sampling;
     const std::optional<Chosen> chosen =
-        surface.light_samples == 1
-            ? one_candidate(scene, pass, at, surface, u, alone)
-            : best_of_eight(
+        surface.among_candidates
+            ? best_of_eight(
                   scene, pass, at, surface,
                   sampler.draw_refined(kCandidateVertex + static_cast<std::uint32_t>(depth)),
-                  u.which_candidate, alone, weighing);
+                  u.which_candidate, alone, weighing)
+            : one_candidate(scene, pass, at, surface, u, alone);
     if (!chosen) return {};
     const LightSample& light = chosen->light;
     const Vec3f wi = at.wi, wo = chosen->wo;

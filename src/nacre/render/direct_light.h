@@ -45,11 +45,17 @@ struct LocalSurface {
     /// Beyond it light is left to light samples (BoundBsdf::narrow_light).
     float narrow_light = std::numeric_limits<float>::infinity();
 
-    int light_samples = 1;  ///< candidates among which direct light is looked for
+    /// Whether the light sample is chosen among several: where the camera looks, as most of what is
+    /// seen is seen there.
+    bool among_candidates = false;
     /// Probability of the specular reflection where it is traced besides: what is drawn here, and
     /// the densities, are then of the rest alone.
     float specular = 0;
 
+    /// As how many the light sample is weighed against that of the surface. Of eight candidates, not as
+    /// eight: how much of their light is reflected is guessed for white light, and not whether it
+    /// arrives.
+    float light_samples() const { return among_candidates ? 5.0f : 1.0f; }
     bool shows_flakes() const {
         return patch && patch->flakes == bsdf::Patch::Flakes::shown && bsdf.tells_flakes_apart();
     }
@@ -89,10 +95,6 @@ struct Meeting {
     const Frame& frame;
     Vec3f wi;
 };
-
-/// Among how many directions towards lights one is chosen where the camera looks; elsewhere there
-/// is one, as most of what is seen is seen there.
-inline constexpr int kLightCandidates = kLanes;
 
 /// What the surface reflects of the light that one sample of the lights finds, weighed against
 /// samples of the surface as `strategy` says.

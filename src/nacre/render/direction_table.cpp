@@ -119,15 +119,16 @@ DirectionTable::DirectionTable(int columns, int rows, const std::function<float(
     }
 }
 
-Vec2f DirectionTable::to_square(Vec3f d) {
-    const float sum = std::abs(d.x) + std::abs(d.y);
-    float quarter_turns = 0;  // [0, 4]
-    if (sum > 0) {
-        const float t = d.y / sum;
-        quarter_turns = d.x >= 0 ? (d.y >= 0 ? t : 4 + t) : 2 - t;
-    }
-    return {0.25f * quarter_turns, std::clamp(0.5f * (1 - d.z), 0.0f, 1.0f)};
+template <class T>
+Vec2<T> DirectionTable::to_square(const Vec3<T>& d) {
+    const T sum = max_lanes(d.x, -d.x) + max_lanes(d.y, -d.y);
+    const T t = d.y / sum;
+    const T right = d.y >= 0 ? t : 4 + t;
+    const T quarter_turns = d.x >= 0 ? right : 2 - t;  // [0, 4]
+    return {sum > 0 ? 0.25f * quarter_turns : T{}, clamped(0.5f * (1 - d.z), 0, 1)};
 }
+template Vec2f DirectionTable::to_square(const Vec3f&);
+template Vec2<FloatLanes> DirectionTable::to_square(const Vec3Lanes&);
 
 template <class T>
 Vec3<T> DirectionTable::from_square(Vec2<T> square) {

@@ -36,7 +36,9 @@ class DirectionTable {
     /// Mean of the brightness over the sphere.
     float mean_brightness() const { return mean_; }
 
-    static Vec2f to_square(Vec3f direction);
+    /// Of one direction or of eight.
+    template <class T>
+    static Vec2<T> to_square(const Vec3<T>& direction);
     template <class T>
     static Vec3<T> from_square(Vec2<T> square);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 
 #include "nacre/bsdf/tilted_coat.h"
@@ -78,7 +79,7 @@ struct Branch {
     bool weighable = false;
     /// Light of a larger density has been left to the light samples of the last surface.
     float narrow_light = std::numeric_limits<float>::infinity();
-    int light_samples = 1;           ///< as which those of the last surface are weighed
+    float light_samples = 1;         ///< as how many that of the last surface is weighed
     std::uint32_t first_vertex = 1;  ///< of the sampler: vertex of depth 0
     /// Solid angle that samples of lobes, the widest since the camera, stood for.
     float lobe = 0;
@@ -147,9 +148,8 @@ class PathTracer {
             default:
                 return pdf.density > branch.narrow_light
                            ? 0.0f
-                           : power_heuristic(
-                                 branch.surface_pdf,
-                                 static_cast<float>(branch.light_samples) * pdf.value());
+                           : power_heuristic(branch.surface_pdf,
+                                             branch.light_samples * pdf.value());
         }
     }
     void gather(const Branch& branch, const WithMean& light) {
@@ -326,7 +326,7 @@ void PathTracer::follow(Branch branch) {
             tilted.emplace(*pass_.surfaces[hit->material], *slope, wi);
         }
         LocalSurface surface = surface_at(*hit, wi, branch, tilted);
-        surface.light_samples = branch.differential ? kLightCandidates : 1;
+        surface.among_candidates = branch.differential.has_value();
         if (branch.depth == 0 && !surface.shows_flakes()) {
             surface.specular = surface.bsdf.specular_probability(wi);
         }
@@ -400,7 +400,7 @@ bool PathTracer::go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f
     }
     branch.surface_pdf = sample.pdf;
     branch.weighable = sample.kind == bsdf::SampleKind::density;
-    branch.light_samples = surface.light_samples;
+    branch.light_samples = surface.light_samples();
     branch.narrow_light = surface.narrow_light;
     branch.ray = {behind ? hit.origin_behind() : scene_.origin(hit, exit_mm), direction};
     return true;

@@ -33,6 +33,43 @@ CosineSine<float> turned_by(float turns) {
 }
 CosineSine<FloatLanes> turned_by(const FloatLanes& turns) { return cos_sin_turns(turns); }
 
+/// Cells of LightSet::colours_ along each side of the square.
+constexpr int kColourCells = 32;
+
+std::vector<EnvironmentRadiance::Coefficients> colours_of(const EnvironmentRadiance& environment) {
+    using Coefficients = EnvironmentRadiance::Coefficients;
+    constexpr int kSide = 4, kPoints = kColourCells * kSide;
+    std::vector<Coefficients> sums(kColourCells * kColourCells);
+    Coefficients all{};
+    for (int i = 0; i < kPoints * kPoints; ++i) {
+        const int column = i % kPoints, row = i / kPoints;
+        const Coefficients here = environment.coefficients(
+            DirectionTable::from_square(Vec2f{(column + 0.5f) / kPoints, (row + 0.5f) / kPoints}));
+        Coefficients& cell = sums[row / kSide * kColourCells + column / kSide];
+        for (std::size_t k = 0; k < here.size(); ++k) {
+            cell[k] += here[k];
+            all[k] += here[k];
+        }
+    }
+    // Where no light was found there may be some beside it: of the mean's colour.
+    const auto per_luminance = [&](Coefficients sum) {
+        if (!(environment.luminance_of(sum) > 0)) sum = all;
+        const float luminance = environment.luminance_of(sum);
+        for (float& k : sum) k = luminance > 0 ? k / luminance : 0;
+        return sum;
+    };
+    for (Coefficients& cell : sums) cell = per_luminance(cell);
+    const Coefficients mean = per_luminance(all);
+    const bool even = std::all_of(sums.begin(), sums.end(), [&](const Coefficients& cell) {
+        constexpr float kRounding = 1e-4f;
+        for (std::size_t k = 0; k < cell.size(); ++k) {
+            if (std::abs(cell[k] - mean[k]) > kRounding * std::abs(mean[0])) return false;
+        }
+        return true;
+    });
+    return even ? std::vector{mean} : sums;
+}
+
 double disk_solid_angle(const DistantDisk& disk) { return std::numbers::pi * disk.chord_squared; }
 
 }  // namespace
@@ -50,6 +87,7 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
         add(Kind::environment, 0, std::numbers::pi * mean);
         constexpr auto kSphere = static_cast<float>(4 * std::numbers::pi);
         alone_.luminance_per_density = kSphere * mean;
+        colours_ = colours_of(*environment_);
         const DirectionTable& peaks = beside_.environment.emplace(
             compiled.table_columns, compiled.table_rows,
             [&](Vec3f d) { return std::max(0.0f, luminance(d) - mean); });
@@ -150,7 +188,7 @@ std::optional<LightSample> LightSet::sample(Vec3f point_mm, float u_light, Vec2f
 }
 
 LightDirections LightSet::directions(Vec3f point_mm, FloatLanes u_light, Vec2<FloatLanes> u,
-                                     bool alone) const {
+                                     const FloatLanes* basis, bool alone) const {
     LightDirections found;
     const Choice& choice = this->choice(alone);
     if (choice.entries.empty()) return found;
@@ -166,7 +204,8 @@ LightDirections LightSet::directions(Vec3f point_mm, FloatLanes u_light, Vec2<Fl
         put(found.distance, light.distance);
         put(found.pdf, light.pdf);
         put(found.density, light.density);
-        put(found.luminance, light.luminance);
+        put(found.brightness,
+            light.brightness * sum_per_luminance(choice.entries[entry], light.direction, basis));
         put(found.delta, light.delta);
     }
     return found;
@@ -178,7 +217,7 @@ LightSample LightSet::look_at(const LightDirections& eight, int lane, const Floa
                                       eight.distance[lane],
                                       eight.pdf[lane],
                                       eight.density[lane],
-                                      eight.luminance[lane],
+                                      eight.brightness[lane],
                                       eight.delta[lane] != 0};
     return {found, radiance_of(choice(alone).entries[eight.light[lane]], found.direction, basis)};
 }
@@ -195,7 +234,7 @@ LightDirection<T> LightSet::draw(const Choice& choice, const Entry& entry, Vec3f
                     .distance = all(kInfinity),
                     .pdf = choice.environment_probability * s.pdf,
                     .density = s.pdf,
-                    .luminance = choice.dimmest + choice.luminance_per_density * s.pdf};
+                    .brightness = choice.dimmest + choice.luminance_per_density * s.pdf};
         }
         case Kind::sun: {
             const T drop = 0.5f * sun_->chord_squared * u.x;  // 1 - cos
@@ -209,7 +248,7 @@ LightDirection<T> LightSet::draw(const Choice& choice, const Entry& entry, Vec3f
                     .distance = all(kInfinity),
                     .pdf = all(choice.sun.value()),
                     .density = all(choice.sun.density),
-                    .luminance = all(static_cast<float>(sun_->luminance))};
+                    .brightness = all(static_cast<float>(sun_->luminance))};
         }
         case Kind::rectangle: {
             const CompiledRectangle& r = rectangles_[entry.index];
@@ -251,6 +290,32 @@ FloatLanes LightSet::radiance_of(const Entry& entry, Vec3f direction,
             const Directional& d = directionals_[entry.index];
             return d.irradiance * basis[d.spectrum];
         }
+    }
+    return FloatLanes{};
+}
+
+FloatLanes LightSet::sum_per_luminance(const Entry& entry, const Vec3Lanes& direction,
+                                       const FloatLanes* basis) const {
+    switch (entry.kind) {
+        case Kind::environment: {
+            const auto sum = [&](std::size_t cell) {
+                return lane_sum(environment_->combined(colours_[cell], basis));
+            };
+            if (colours_.size() == 1) return splat(sum(0));
+            const Vec2<FloatLanes> square = DirectionTable::to_square(direction);
+            const auto along = [](const FloatLanes& u) {
+                return min_lanes(whole(u * static_cast<float>(kColourCells)),
+                                 IntLanes{} + (kColourCells - 1));
+            };
+            const IntLanes cell = along(square.y) * kColourCells + along(square.x);
+            return make_lanes([&](int k) { return sum(static_cast<std::size_t>(cell[k])); });
+        }
+        case Kind::sun:
+            return splat(lane_sum(sun_radiance(basis)) / static_cast<float>(sun_->luminance));
+        case Kind::rectangle:
+            return splat(lane_sum(basis[rectangles_[entry.index].spectrum]));
+        case Kind::directional:
+            return splat(lane_sum(basis[directionals_[entry.index].spectrum]));
     }
     return FloatLanes{};
 }

@@ -36,7 +36,7 @@ struct LightDirection {
     T distance{};       ///< infinity for distant lights
     T pdf{};            ///< per solid angle; of a DirectionalLight: the probability alone. 0: none
     T density{};        ///< LightPdf::density
-    T luminance{};      ///< roughly, to choose by; of a DirectionalLight: illuminance
+    T brightness{};     ///< roughly the luminance, to choose by; of a DirectionalLight: illuminance
     decltype(T{} < T{}) delta{};  ///< no BSDF sample can find it: it needs no weight
 };
 
@@ -44,6 +44,7 @@ struct LightSample : LightDirection<float> {
     FloatLanes radiance;  ///< of a DirectionalLight: irradiance
 };
 
+/// Here brightness is roughly the radiance, summed over the wavelengths.
 struct LightDirections : LightDirection<FloatLanes> {
     IntLanes light{};  ///< by number
 };
@@ -72,7 +73,7 @@ class LightSet {
                                       const FloatLanes* basis, bool alone) const;
     /// Eight draws, without what shines there, which look_at() tells of one.
     LightDirections directions(Vec3f point_mm, FloatLanes u_light, Vec2<FloatLanes> u,
-                               bool alone) const;
+                               const FloatLanes* basis, bool alone) const;
     LightSample look_at(const LightDirections& eight, int lane, const FloatLanes* basis,
                         bool alone) const;
 
@@ -146,6 +147,9 @@ class LightSet {
     LightDirection<T> draw(const Choice& choice, const Entry& entry, Vec3f point_mm,
                            const Vec2<T>& u) const;
     FloatLanes radiance_of(const Entry& entry, Vec3f direction, const FloatLanes* basis) const;
+    /// Roughly, the sum over the wavelengths per luminance, of light from these directions.
+    FloatLanes sum_per_luminance(const Entry& entry, const Vec3Lanes& direction,
+                                 const FloatLanes* basis) const;
     void add(Kind kind, int index, double estimate);
     void normalise(Choice& choice) const;
     LightPdf environment_pdf(Vec3f direction) const {
@@ -160,6 +164,9 @@ class LightSet {
     std::vector<CompiledRectangle> rectangles_;
     std::vector<Directional> directionals_;
     std::unique_ptr<const EnvironmentRadiance> environment_;
+    /// Of the environment, per luminance, in cells of DirectionTable::to_square(); a single one
+    /// where the colour is the same all over.
+    std::vector<EnvironmentRadiance::Coefficients> colours_;
     std::optional<DistantDisk> sun_;
     std::optional<EnvironmentCells> cells_;
 };
