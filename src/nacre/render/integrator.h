@@ -65,7 +65,7 @@ struct AskedPart {
     float weight = 0;
 };
 
-/// Follows a path from the camera: at each surface one sample of the lights, chosen among four where
+/// Follows a path from the camera: at each surface one sample of the lights, chosen among eight where
 /// the camera looks [talbot-2005], and one of the surface, weighted by the power heuristic with
 /// exponent 2 [veach-1997, eq. 9.13], then Russian roulette by throughput from the fourth surface on,
 /// which keeps the mean. The specular reflection at the first surface is a path of its own where the
