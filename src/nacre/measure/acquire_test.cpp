@@ -313,6 +313,10 @@ TEST(AcquireRgl, SampleReportsItsOwnDensityAndWeight) {
     EXPECT_LT(largest, 3);  // the luminance follows the values: weights are near the albedo
 }
 
+TEST(AcquireRgl, DensitiesOfEightDirectionsAreThoseOfEach) {
+    bsdf::expect_densities_of_eight(*measured(ggx(0.15, {0.9, 0.6, 0.3})).bind(kLanesAt), 1e-5f);
+}
+
 TEST(AcquireRgl, TurningTheSurfaceChangesNothing) {
     const auto bound = measured(ggx(0.3, {0.9, 0.6, 0.3}), {24, 16, 128, false}).bind(kLanesAt);
     for (const double turn : {10.0, 95.0, -170.0}) {

@@ -58,8 +58,13 @@ std::vector<EnvironmentRadiance::Coefficients> colours_of(const EnvironmentRadia
         for (float& k : sum) k = luminance > 0 ? k / luminance : 0;
         return sum;
     };
-    for (Coefficients& cell : sums) cell = per_luminance(cell);
     const Coefficients mean = per_luminance(all);
+    for (Coefficients& cell : sums) {
+        cell = per_luminance(cell);
+        // A little of the mean's, so that no wavelength is left out that a detail may have.
+        constexpr float kLeast = 0.05f;
+        for (std::size_t k = 0; k < cell.size(); ++k) cell[k] += kLeast * (mean[k] - cell[k]);
+    }
     const bool even = std::all_of(sums.begin(), sums.end(), [&](const Coefficients& cell) {
         constexpr float kRounding = 1e-4f;
         for (std::size_t k = 0; k < cell.size(); ++k) {

@@ -263,6 +263,14 @@ class BoundMeasuredRgl final : public BoundBsdf {
         const RglIncident i = tables_->map.incident(wi);
         return density(i, tables_->map.towards(i, turned(i, wo)));
     }
+    FloatLanes pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const override {
+        if (wi.z <= 0) return FloatLanes{};
+        const RglIncident i = tables_->map.incident(wi);
+        return make_lanes([&](int k) {
+            const Vec3f one = lane(wo, k);
+            return one.z > 0 ? density(i, tables_->map.towards(i, turned(i, one))) : 0.0f;
+        });
+    }
 
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override {
         if (wi.z <= 0 || wo.z <= 0) return {};
