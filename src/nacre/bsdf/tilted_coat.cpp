@@ -56,11 +56,14 @@ std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
         ray.flat = {inside.x * shorter, inside.y * shorter, kMinFlatCosine};
         ray.jacobian = 0;
     }
-    const auto transmittance = [&](float c) {
-        return 1.0f - optics::dielectric_reflectance(splat(1.0f), index_.each, splat(c));
-    };
-    ray.transmittance = transmittance(cosine) / transmittance(ray.flat.z);
     return ray;
+}
+
+FloatLanes TiltedCoat::transmittance(const Ray& ray) const {
+    const auto at = [&](float cosine) {
+        return 1.0f - optics::dielectric_reflectance(splat(1.0f), index_.each, splat(cosine));
+    };
+    return at(ray.cosine) / at(ray.flat.z);
 }
 
 std::optional<Vec3f> TiltedCoat::leave(Vec3f flat) const {
@@ -86,7 +89,7 @@ BsdfValue TiltedCoat::evaluate_by(Vec3f wi, Vec3f wo, const Evaluate& evaluate) 
     const auto i = ray_of(wi), o = ray_of(wo);
     if (!i || !o) return {};
     const BsdfValue value = evaluate(i->flat, o->flat);
-    return {value.f * i->transmittance * o->transmittance * o->irradiance,
+    return {value.f * transmittance(*i) * transmittance(*o) * o->irradiance,
             mixed_pdf(value.pdf * o->jacobian, *o)};
 }
 
@@ -123,7 +126,7 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
     out->wo = *wo;
     const float flat_pdf = out->pdf * o->jacobian;
     out->pdf = mixed_pdf(flat_pdf, *o);
-    out->weight *= i->transmittance * o->transmittance * (flat_pdf / out->pdf);
+    out->weight *= transmittance(*i) * transmittance(*o) * (flat_pdf / out->pdf);
     return out;
 }
 
@@ -204,7 +207,7 @@ FloatLanes TiltedCoat::flake_weight(const Patch& patch, Vec3f wi, const AskedFla
     AskedFlake asked = flake;
     asked.wo = o->flat;
     asked.pdf = flake.pdf / o->jacobian;
-    return flat_.flake_weight(patch, i->flat, asked) * i->transmittance * o->transmittance;
+    return flat_.flake_weight(patch, i->flat, asked) * transmittance(*i) * transmittance(*o);
 }
 
 FloatLanes TiltedCoat::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
@@ -213,8 +216,8 @@ FloatLanes TiltedCoat::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float p
     // Beyond the flat coat's critical angle no flake is asked, and nothing is weighed.
     const float flat_pdf =
         o->jacobian > 0 ? pdf / o->jacobian : std::numeric_limits<float>::infinity();
-    return flat_.flakes_at(patch, i->flat, o->flat, flat_pdf) * i->transmittance *
-           o->transmittance * o->irradiance;
+    return flat_.flakes_at(patch, i->flat, o->flat, flat_pdf) * transmittance(*i) *
+           transmittance(*o) * o->irradiance;
 }
 
 }  // namespace nacre::bsdf

@@ -70,9 +70,10 @@ class TiltedCoat final : public BoundBsdf {
         float cosine;      // to the tilted normal
         float jacobian;    // solid angle of `flat` over that of the direction; 0 if none has it
         float irradiance;  // the same times the cosines to the mean surface
-        FloatLanes transmittance;  // over that of a flat coat at `flat`
     };
     std::optional<Ray> ray_of(Vec3f w) const;
+    /// Of the interface, over that of a flat coat at Ray::flat.
+    FloatLanes transmittance(const Ray& ray) const;
     /// The direction whose Ray::flat is this; empty where it does not leave.
     std::optional<Vec3f> leave(Vec3f flat) const;
 
