@@ -10,9 +10,10 @@
 namespace nacre::bsdf {
 namespace {
 
-// Incident directions over tan(theta/2); slopes; azimuths of half the circle. Twice as many of each
-// take a fifth to two fifths off the variance of weights, which is below .06, for 8 times the memory.
-constexpr int kSlices = 33, kColumns = 33, kRows = 17;
+// Incident directions over tan(theta/2); slopes; azimuths of half the circle. With half as many slopes
+// and azimuths pictures in even light have a third to two thirds more variance at 64 samples; twice as
+// many incident directions would take 5 % off.
+constexpr int kSlices = 33, kColumns = 65, kRows = 33;
 
 // The azimuth's half circle over [0, 1], without trigonometry: the point walks along the sides of the
 // square |x| + |y| = 1.

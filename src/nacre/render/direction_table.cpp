@@ -141,7 +141,7 @@ Vec3<T> DirectionTable::from_square(Vec2<T> square) {
     const T a = r * (1 - t) * norm;  // along the quadrant's first axis
     const T b = r * t * norm;
     const T x = (quadrant & 1) == 0 ? a : b, y = (quadrant & 1) == 0 ? b : a;
-    return {(quadrant == 1) | (quadrant == 2) ? -x : x, quadrant > 1 ? -y : y, z};
+    return {((quadrant + 1) & 2) != 0 ? -x : x, quadrant > 1 ? -y : y, z};
 }
 template Vec3f DirectionTable::from_square(Vec2f);
 
