@@ -11,7 +11,7 @@ namespace nacre::bsdf {
 namespace {
 
 // Incident directions over tan(theta/2); slopes; azimuths of half the circle. With half as many slopes
-// and azimuths pictures in even light have a third to two thirds more variance at 64 samples; twice as
+// and azimuths pictures in even light have a third to a half more variance at 64 samples; twice as
 // many incident directions would take 5 % off.
 constexpr int kSlices = 33, kColumns = 65, kRows = 33;
 
