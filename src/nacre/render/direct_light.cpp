@@ -1,6 +1,8 @@
 #include "nacre/render/direct_light.h"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace nacre::render {
 namespace {

@@ -119,7 +119,8 @@ class PathSampler {
     struct Threes {
         FloatLanes x, y, choice;
     };
-    /// The first three, elements 0, 1 and 4 of draw(), of the eight paths refined(kLanes, lane).
+    /// The first three, elements 0, 1 and 4 of draw(), of the eight paths for which this one stands
+    /// where there are eight times as many: those of all samples are as evenly spread.
     Threes draw_refined(std::uint32_t vertex) const {
         using namespace sampler_detail;
         constexpr UintLanes kLane{0, 1, 2, 3, 4, 5, 6, 7};
@@ -133,15 +134,6 @@ class PathSampler {
         for (int i = 0; i < kLanes; ++i) third[i] = kThirdDimension(shuffled[i]);
         return {scramble(shuffled, seed(0)), scramble(pascal(shuffled), seed(1)),
                 scramble(third, seed(4))};
-    }
-
-    /// The numbers of the k-th of `count` paths that this one stands for: those of all samples are
-    /// as evenly spread as those of `count` times as many.
-    PathSampler refined(int count, int k) const {
-        PathSampler one = *this;
-        one.sample_index_ =
-            sample_index_ * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(k);
-        return one;
     }
 
  private:

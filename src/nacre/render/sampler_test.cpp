@@ -35,21 +35,11 @@ TEST(PathSampler, EveryPlaceIsAZeroTwoSequence) {
 }
 
 // Candidates: four to a sample are the points of four times as many samples.
-TEST(PathSampler, RefinedNumbersAreThoseOfALongerSequence) {
-    for (std::uint32_t sample : {0u, 5u, 1000u}) {
-        for (int k = 0; k < 4; ++k) {
-            const PathSampler refined = PathSampler(7, 1234, sample).refined(4, k);
-            EXPECT_EQ(refined.draw(3), PathSampler(7, 1234, 4 * sample + k).draw(3));
-        }
-    }
-}
-
-TEST(PathSampler, EightPathsAtOnceAreThoseOneByOne) {
+TEST(PathSampler, EightPathsAtOnceAreThoseOfALongerSequence) {
     for (std::uint32_t sample : {0u, 5u, 1000u, 0x12345678u}) {
-        const PathSampler sampler(7, 1234, sample);
-        const PathSampler::Threes eight = sampler.draw_refined(3);
+        const PathSampler::Threes eight = PathSampler(7, 1234, sample).draw_refined(3);
         for (int k = 0; k < kLanes; ++k) {
-            const auto one = sampler.refined(kLanes, k).draw(3);
+            const auto one = PathSampler(7, 1234, kLanes * sample + k).draw(3);
             EXPECT_EQ(eight.x[k], one[0]);
             EXPECT_EQ(eight.y[k], one[1]);
             EXPECT_EQ(eight.choice[k], one[4]);
