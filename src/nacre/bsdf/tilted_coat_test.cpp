@@ -199,33 +199,27 @@ const BoundBsdf& lossless() {
 }
 
 /// What a furnace of radiance 1 sends to wi, on average over slopes and their opposites.
-MeanWeight furnace(double theta, float slope) {
-    double sum = 0, variance = 0;
+double furnace(double theta, float slope) {
+    double sum = 0;
     int count = 0;
     for (const double phi : {0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0}) {
         const Vec3f turned = direction(90, phi);
         const Vec3f wi = direction(theta, 0);
         const TiltedCoat coat(lossless(), {slope * turned.x, slope * turned.y}, wi);
-        const MeanWeight one = mean_weight(coat, wi, 3, 60'000, 21 + count);
-        sum += one.mean;
-        variance += one.error * one.error;
+        sum += mean_weight(coat, wi, 3, 120'000, 21 + count).mean;
         ++count;
     }
-    return {sum / count, std::sqrt(variance) / count};
+    return sum / count;
 }
 
-// A slope of 0.02 loses up to 0.3 % of the light, one of 0.1 up to 2 %, and none makes light. A facet
-// alone may send more to one side and less to the other. With ten means of fixed seeds, 3.5 standard
-// errors are one false alarm in 200.
+// A slope of 0.02 loses up to 0.3 % of the light, one of 0.1 up to 1.5 %, and none makes light. A facet
+// alone may send more to one side and less to the other.
 TEST(TiltedCoat, AFurnaceIsWhite) {
     for (const double theta : {5.0, 40.0, 60.0, 75.0, 86.0}) {
         EXPECT_NEAR(mean_weight(lossless(), direction(theta, 0), 3, 480'000, 21).mean, 1, 0.001);
-        for (const auto& [slope, loss] : {std::pair{0.02f, 0.003}, std::pair{0.1f, 0.02}}) {
-            const MeanWeight light = furnace(theta, slope);
-            EXPECT_LT(light.error, 0.004);
-            EXPECT_LT(light.mean, 1 + 3.5 * light.error) << theta << ' ' << slope;
-            EXPECT_GT(light.mean, 1 - loss - 3.5 * light.error) << theta << ' ' << slope;
-        }
+        const double gentle = furnace(theta, 0.02f), steep = furnace(theta, 0.1f);
+        EXPECT_NEAR(gentle, 1 - 0.002, 0.0025) << theta;
+        EXPECT_NEAR(steep, 1 - 0.01, 0.0125) << theta;
     }
 }
 
