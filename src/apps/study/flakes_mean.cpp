@@ -15,6 +15,7 @@
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/montecarlo/discs/disc_walk.h"
+#include "nacre/solver/rough_interface.h"
 #include "nacre/solver/solver.h"
 
 namespace nacre::study {
@@ -105,6 +106,7 @@ paint::Recipe recipe_of(const MeanCase& paint) {
         fmt::format("{} deep, {} um, alpha {}", paint.depth, paint.diameter_um, paint.alpha);
     recipe.clearcoat.emplace();
     recipe.clearcoat->thickness_um = 50;
+    recipe.clearcoat->roughness = paint.roughness;
     recipe.layers.push_back(layer);
     recipe.substrate_reflectance = paint.ground;
     return recipe;
@@ -133,24 +135,37 @@ std::vector<MeanRatios> compare_means(const MeanCase& paint, double incidence_de
     for (std::size_t e = 0; e < exits.size(); ++e) {
         MeanRatios& exit = exits[e];
         const Vec3d middle = direction_at(exit.theta_deg, exit.phi_deg);
+        // The interface's lobe, which all of them have alike.
+        const double interface = flux_in_cone(
+            [&](double theta_o, double phi) {
+                return paint.roughness > 0
+                           ? solver::rough_interface_brdf(solved.medium.ior[0], paint.roughness,
+                                                          theta_i, theta_o, phi)
+                           : 0.0;
+            },
+            middle);
         double sum = 0, squares = 0;
         for (const auto& specimen : flux) {
-            sum += specimen[e];
-            squares += specimen[e] * specimen[e];
+            sum += specimen[e] - interface;
+            squares += (specimen[e] - interface) * (specimen[e] - interface);
         }
         const Estimate discs = estimate_of_mean(sum, squares, kMeanSpecimens);
-        const auto ratio = [&](auto&& brdf) {
-            const double value = flux_in_cone(brdf, middle) / discs.value;
+        // Of a model's single and multiple scattering, each with the hot spot or without.
+        const auto ratio = [&](bool hot_single, bool hot_multiple) {
+            const double value = flux_in_cone(
+                [&](double theta_o, double phi) {
+                    const auto part = [&](bool with_hot_spot, Part part) {
+                        return with_hot_spot ? hot(theta_i, theta_o, phi, part)[0]
+                                             : solved.brdf(theta_i, theta_o, phi, part)[0];
+                    };
+                    return part(hot_single, Part::single) + part(hot_multiple, Part::multiple);
+                },
+                middle) / discs.value;
             return Estimate{value, value * discs.standard_error / discs.value};
         };
-        exit.transfer = ratio(
-            [&](double theta_o, double phi) { return solved.brdf(theta_i, theta_o, phi)[0]; });
-        exit.gain_alone = ratio([&](double theta_o, double phi) {
-            return hot(theta_i, theta_o, phi, Part::single)[0] +
-                   solved.brdf(theta_i, theta_o, phi, Part::multiple)[0];
-        });
-        exit.nacre =
-            ratio([&](double theta_o, double phi) { return hot(theta_i, theta_o, phi)[0]; });
+        exit.transfer = ratio(false, false);
+        exit.gain_alone = ratio(true, false);
+        exit.nacre = ratio(true, true);
         const double projected = flux_in_cone([](double, double) { return 1.0; }, middle);
         exit.discs = {discs.value / projected, discs.standard_error / projected};
     }

@@ -18,6 +18,7 @@ struct MeanCase {
     double depth = 2;  ///< c H
     double diameter_um = 20, alpha = 0.1;
     double reflectance = 0.9, transmittance = 0, ground = 0;
+    double roughness = 0;  ///< Beckmann alpha of the clear coat
 };
 
 paint::Recipe recipe_of(const MeanCase& paint);
@@ -25,7 +26,8 @@ paint::Recipe recipe_of(const MeanCase& paint);
 /// A direction in which light leaves, and what is seen there.
 struct MeanRatios {
     double theta_deg = 0, phi_deg = 0;  ///< phi 180: the mirror side
-    /// BRDF of discs without diffraction, weighted by the cosine over a cone of kExitCone_deg.
+    /// BRDF of discs without diffraction, less the lobe of a rough interface, weighted by the cosine
+    /// over a cone of kExitCone_deg.
     Estimate discs = {};
     /// Over it, with the discs' standard error: the equation of transfer; with the hot spot alone,
     /// nothing taken from multiple scattering; the model nacre.

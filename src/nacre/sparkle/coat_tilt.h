@@ -41,6 +41,20 @@ class CoatTilt {
         const float sum = std::max(mu_i + mu_o, kMinSum);
         return roughness2_ * (k_i * k_i + k_o * k_o) / (sum * sum);
     }
+    /// Half the mean square of the angle, as a slope, by which facets turn the way in and the way out
+    /// from each other: of the vector (x/z, y/z) of one direction inside less that of the other, the
+    /// variance of each component. To first order in the facets' slopes a ray is turned by k s / mu
+    /// across the plane of incidence and by k s / mu^3 in it; the two are averaged.
+    float turn2(float mu_i, float mu_o) const {
+        if (!rough()) return 0;
+        const auto of = [this](float mu) {
+            const float cosine = std::max(mu, kMinSum);
+            const float k = cosine - std::sqrt(std::max(0.0f, cosine * cosine - beyond_));
+            const float secant2 = 1 / (cosine * cosine);
+            return k * k * secant2 * 0.25f * (1 + secant2 * secant2);
+        };
+        return roughness2_ * (of(mu_i) + of(mu_o));
+    }
     /// At one incident direction and eight others, which may lie beyond the critical angle.
     FloatLanes spread2(float mu_i, const FloatLanes& mu_o) const {
         if (!rough()) return FloatLanes{};

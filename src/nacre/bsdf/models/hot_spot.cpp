@@ -69,6 +69,10 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
             });
         }
     }
+    if (has_rough_interface(paint)) {
+        coat_ = sparkle::CoatTilt(medium.roughness, mean_ior(medium));
+        return;
+    }
     if (species_.empty()) return;
     tabulate_ground(medium);
     closing_ = closing_factors(paint, *this);
@@ -125,7 +129,10 @@ float HotSpot::overlap(float x) const {
 }
 
 HotSpot::HotSpot(const HotSpotTables& tables, const std::array<WavelengthPosition, kLanes>& where)
-    : top_um_(tables.top_um_), thickness_um_(tables.thickness_um_), overlap_(overlap_table()) {
+    : top_um_(tables.top_um_),
+      thickness_um_(tables.thickness_um_),
+      coat_(tables.coat_),
+      overlap_(overlap_table()) {
     for (const HotSpotTables::Species& from : tables.species_) {
         Species& to = species_.emplace_back();
         to.layer = from.layer;
@@ -149,9 +156,14 @@ HotSpot::Pair::Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o)
     : hot_spot_(&hot_spot), i_(&i), o_(&o) {
     const float x = i.inside.x / i.inside.z - o.inside.x / o.inside.z;
     const float y = i.inside.y / i.inside.z - o.inside.y / o.inside.z;
+    // The mean of a Rice distribution to 0.5 %: exact at 0, and far from it.
     // Beyond the upper bound, at grazing incidence without a coat, the integrals below are nil; at
     // the lower one they are those of rays that coincide.
-    spread_ = std::clamp(std::sqrt(x * x + y * y), 1e-4f, 1e6f);
+    float square = x * x + y * y;
+    if (const float turn2 = hot_spot.coat_.turn2(i.inside.z, o.inside.z); turn2 > 0) {
+        square += turn2 * (1 + 0.5707963f / (1 + 0.5f * square / turn2));
+    }
+    spread_ = std::clamp(std::sqrt(square), 1e-4f, 1e6f);
 }
 
 template <class Add>

@@ -9,6 +9,7 @@
 #include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/lanes.h"
 #include "nacre/solver/solved_paint.h"
+#include "nacre/sparkle/coat_tilt.h"
 
 namespace nacre::bsdf {
 
@@ -29,6 +30,9 @@ namespace nacre::bsdf {
 //
 // Light that leaves after it was scattered once is missing from what is scattered again, which is
 // dimmed by g(i) g(o) (hot_spot_closing.h).
+//
+// A rough clearcoat turns each ray on its own: g is then that of the mean distance between the two
+// (CoatTilt::turn2), and what is dimmed, and by how much, rough_hot_spot.h says.
 
 /// What does not depend on the wavelengths that are bound.
 class HotSpotTables {
@@ -44,11 +48,13 @@ class HotSpotTables {
     const std::vector<Species>& species() const { return species_; }
     /// [direction][wavelength]. The product of two directions: of ground(), the light that the
     /// ground alone has scattered, without Fresnel factors; of closing(), what multiple scattering
-    /// is multiplied by. Empty where that is 0, or 1.
+    /// is multiplied by. Empty where that is 0, or 1, and under a rough clearcoat.
     const std::vector<float>& ground() const { return ground_; }
     const std::vector<float>& closing() const { return closing_; }
 
     const std::vector<std::vector<float>>& extinction() const { return extinction_; }
+    /// How the rays are spread; not at all by a smooth clearcoat.
+    const sparkle::CoatTilt& coat() const { return coat_; }
 
  private:
     friend class HotSpot;
@@ -59,6 +65,7 @@ class HotSpotTables {
     int wavelength_count_;
     std::vector<std::vector<float>> extinction_;  // extinction_by_direction()
     std::vector<float> ground_, closing_;
+    sparkle::CoatTilt coat_;
 };
 
 /// Int_0^x O(t) dt; 4 / (3 pi) for x >= 1.
@@ -110,6 +117,7 @@ class HotSpot {
     std::vector<Species> species_;
     std::vector<float> top_um_, thickness_um_;
     std::vector<FloatLanes> ground_, closing_;  // by direction, or empty
+    sparkle::CoatTilt coat_;
     std::span<const float> overlap_;            // disc_overlap_integral() at even x, 0 to 1
 };
 

@@ -2,11 +2,16 @@
 
 #include <cmath>
 
+#include "nacre/bsdf/models/rough_hot_spot.h"
+
 namespace nacre::bsdf {
 
 HotSpotBrdf::HotSpotBrdf(const solver::SolvedPaint& paint)
     : paint_(paint), inverse_mean_ior_(1 / mean_ior(paint.medium)) {
-    if (paint_.medium.roughness > 0) return;
+    if (has_rough_interface(paint)) {
+        rough_ = with_rough_hot_spot(paint);
+        return;
+    }
     const HotSpotTables tables(paint_);
     const int count = paint_.medium.wavelength_count();
     for (int block = 0; block < paint::block_count(count); ++block) {
@@ -16,7 +21,7 @@ HotSpotBrdf::HotSpotBrdf(const solver::SolvedPaint& paint)
 
 std::vector<double> HotSpotBrdf::operator()(double theta_i, double theta_o, double phi,
                                             Part part) const {
-    if (blocks_.empty()) return paint_.brdf(theta_i, theta_o, phi, part);
+    if (rough_) return rough_->brdf(theta_i, theta_o, phi, part);
     const auto ray = [&](double theta, double azimuth) {
         const double sine = std::sin(theta);
         return make_ray(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "nacre/bsdf/models/hot_spot.h"
@@ -9,12 +10,11 @@
 namespace nacre::bsdf {
 
 /// The mean of the model nacre by values, from the solved paint itself: SolvedPaint::brdf() with the
-/// hot spot, where the model that a renderer gets has a table. Under a rough clearcoat, as there,
-/// without it.
+/// hot spot, where the model that a renderer gets has a table.
 class HotSpotBrdf {
  public:
     /// @param paint  outlives this
-    /// @throws Error as closing_factors()
+    /// @throws Error as closing_factors(), with_rough_hot_spot()
     explicit HotSpotBrdf(const solver::SolvedPaint& paint);
 
     /// As SolvedPaint::brdf(). What the ground alone has scattered is part of the multiple.
@@ -23,6 +23,7 @@ class HotSpotBrdf {
 
  private:
     const solver::SolvedPaint& paint_;
+    std::optional<solver::SolvedPaint> rough_;  // has all of it
     float inverse_mean_ior_;
     std::vector<HotSpot> blocks_;  // eight wavelengths each
 };

@@ -130,6 +130,14 @@ double narrowest_alpha(const solver::PaintMedium& medium) {
     return medium.roughness > 0 ? alpha / 3 : alpha;
 }
 
+double mean(const std::vector<double>& v) {
+    double sum = 0;
+    for (double x : v) sum += x;
+    return sum / static_cast<double>(v.size());
+}
+
+}  // namespace
+
 bool has_rough_interface(const solver::SolvedPaint& paint) {
     int rough = 0;
     for (int w = 0; w < paint.medium.wavelength_count(); ++w) rough += paint.is_rough(w);
@@ -140,14 +148,6 @@ bool has_rough_interface(const solver::SolvedPaint& paint) {
     }
     return rough != 0;
 }
-
-double mean(const std::vector<double>& v) {
-    double sum = 0;
-    for (double x : v) sum += x;
-    return sum / static_cast<double>(v.size());
-}
-
-}  // namespace
 
 float mean_ior(const solver::PaintMedium& medium) { return static_cast<float>(mean(medium.ior)); }
 

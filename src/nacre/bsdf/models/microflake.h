@@ -129,6 +129,10 @@ std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMediu
 std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen);
 
+/// Whether the interface is rough.
+/// @throws Error if it is at some wavelengths only, as the binder's index is 1 at others
+bool has_rough_interface(const solver::SolvedPaint& paint);
+
 /// Of the binder, over the paint's wavelengths.
 float mean_ior(const solver::PaintMedium& medium);
 
@@ -199,7 +203,8 @@ Ray make_ray(Vec3f w, float inverse_mean_ior);
 ///
 /// A class may change the rest too: pigments by pigment_factor(layer, depth), which is like
 /// factor(), and multiple scattering without Fresnel factors by multiple(by the equation of
-/// transfer). A class with kFlakesAlone set leaves out everything but flakes.
+/// transfer). Under a rough clearcoat, where tables hold the mean of all flakes, mean() is the class
+/// that gives it; without it that is MeanFlakes. A class with kFlakesAlone set leaves out everything but flakes.
 struct MeanFlakes {
     FloatLanes factor(std::size_t /*layer*/, std::size_t /*flake*/,
                       const FloatLanes& /*depth*/) const {
@@ -274,6 +279,7 @@ class BoundMicroflake : public BoundBsdf {
     /// Under a rough clearcoat, for models that change the flakes: must be called before value() or
     /// single_value() of other flakes than the mean.
     void bind_rough_single();
+    bool under_rough_coat() const { return rough_.has_value(); }
     /// How a rough clearcoat spreads half vectors; nothing under a smooth one.
     const sparkle::CoatTilt& coat() const { return coat_; }
 
@@ -457,7 +463,13 @@ FloatLanes BoundMicroflake::rough_ratio(const Ray& i, const Ray& o, const Flakes
     // Where nothing is scattered once, nothing is changed.
     constexpr float kNothing = requires { Flakes::kFlakesAlone; }
     ? 0 : 1;
-    const FloatLanes all = once(i, o, MeanFlakes{}), some = once(i, o, flakes);
+    FloatLanes all;
+    if constexpr (requires { flakes.mean(); }) {
+        all = once(i, o, flakes.mean());
+    } else {
+        all = once(i, o, MeanFlakes{});
+    }
+    const FloatLanes some = once(i, o, flakes);
     return all > kDark ? some / max_lanes(all, splat(kDark)) : splat(kNothing);
 }
 

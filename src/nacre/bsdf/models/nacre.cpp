@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "nacre/bsdf/models/rough_hot_spot.h"
 #include "nacre/core/random.h"
 #include "nacre/paint/expansion.h"
 
@@ -85,7 +86,8 @@ std::vector<sparkle::FlakeField> flake_fields(const Microflake::Tables& tables,
 
 Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
                       SharedProgress& work)
-    : smooth(std::make_shared<Microflake::Tables>(paint)) {
+    : smooth(std::make_shared<Microflake::Tables>(
+          settings.hot_spot ? with_rough_hot_spot(paint) : paint)) {
     const paint::Recipe recipe = paint::expanded(paint->recipe);
     const std::vector<float> fractions = flake_fractions(*smooth);
     std::vector<sparkle::FlakeField> fields = flake_fields(*smooth, settings.specimen);
@@ -112,8 +114,7 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
             species.push_back({std::move(fields[s]), std::move(films), fractions[s]});
         }
     }
-    // Under a rough clearcoat neighbouring rays are refracted apart: not modelled.
-    if (settings.hot_spot && !smooth->rough) hot_spot.emplace(*paint);
+    if (settings.hot_spot) hot_spot.emplace(*paint);
 }
 
 Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,

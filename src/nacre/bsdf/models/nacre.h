@@ -86,7 +86,7 @@ struct Nacre::Tables {
     Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
            SharedProgress& work);
 
-    std::shared_ptr<Microflake::Tables> smooth;
+    std::shared_ptr<Microflake::Tables> smooth;  ///< under a rough clearcoat with the hot spot
     std::vector<NacreSpecies> species;       ///< layer by layer
     std::vector<std::size_t> first_species;  ///< of each layer
     std::optional<HotSpotTables> hot_spot;
@@ -117,7 +117,6 @@ class BoundNacre final : public BoundMicroflake {
     FloatLanes flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const override;
 
  private:
-    class MeanHotSpot;
     class WithHotSpot;
     class FlakesOfPatch;
     class BesideFlakes;

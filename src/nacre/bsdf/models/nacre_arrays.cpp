@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/bsdf/models/rough_hot_spot.h"
 #include "nacre/core/error.h"
 #include "nacre/solver/rough_interface.h"
 
@@ -152,7 +153,7 @@ NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
 
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                               std::uint64_t specimen) {
-    const Microflake::Tables tables(paint);
+    const Microflake::Tables tables(with_rough_hot_spot(paint));
     NacreArrays out = arrays_of(tables);
     if (tables.rough) return out;
     out.hot_spot = hot_spot_arrays(HotSpotTables(*paint));
@@ -179,7 +180,7 @@ NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint
     const Nacre surface(paint, settings, progress);
     const Nacre::Tables& tables = surface.tables();
     NacreArrays out = arrays_of(*tables.smooth);
-    if (tables.hot_spot) out.hot_spot = hot_spot_arrays(*tables.hot_spot);
+    if (tables.hot_spot && !tables.smooth->rough) out.hot_spot = hot_spot_arrays(*tables.hot_spot);
     for (const NacreSpecies& species : tables.species) {
         out.species.push_back(species_arrays(species, out.wavelengths_nm.size()));
     }

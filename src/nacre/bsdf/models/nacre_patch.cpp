@@ -44,27 +44,14 @@ struct HalfVector {
 
 }  // namespace
 
-// In place of MeanFlakes: the mean of all flakes, with the hot spot.
-class BoundNacre::MeanHotSpot {
- public:
-    MeanHotSpot(const HotSpot& hot_spot, const Ray& i, const Ray& o) : pair_(hot_spot, i, o) {}
-    FloatLanes factor(std::size_t layer, std::size_t, const FloatLanes& depth) const {
-        return pair_.mean(layer, depth);
-    }
-    FloatLanes pigment_factor(std::size_t layer, const FloatLanes& depth) const {
-        return pair_.mean(layer, depth);
-    }
-    FloatLanes multiple(const FloatLanes& multiple) const { return pair_.multiple(multiple); }
-
- private:
-    HotSpot::Pair pair_;
-};
-
-// What is the same on every patch, all but the flakes, with the hot spot if there is one.
+// In place of MeanFlakes: the mean of all flakes, with the hot spot if there is one.
 class BoundNacre::WithHotSpot {
  public:
     WithHotSpot(const BoundNacre& surface, const Ray& i, const Ray& o) {
         if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
+    }
+    FloatLanes factor(std::size_t layer, std::size_t /*flake*/, const FloatLanes& depth) const {
+        return pair_ ? pair_->mean(layer, depth) : splat(1.0f);
     }
     FloatLanes pigment_factor(std::size_t layer, const FloatLanes& depth) const {
         return pair_ ? pair_->mean(layer, depth) : splat(1.0f);
@@ -72,6 +59,8 @@ class BoundNacre::WithHotSpot {
     FloatLanes multiple(const FloatLanes& multiple) const {
         return pair_ ? pair_->multiple(multiple) : multiple;
     }
+    // What the table of single scattering under a rough clearcoat holds.
+    const WithHotSpot& mean() const { return *this; }
 
  protected:
     std::optional<HotSpot::Pair> pair_;
@@ -137,18 +126,17 @@ class BoundNacre::BesideFlakes : public WithHotSpot {
 };
 
 // In place of MeanFlakes: flakes of one species of a patch, and nothing else.
-class BoundNacre::SomeFlakes {
+class BoundNacre::SomeFlakes : public WithHotSpot {
  public:
     static constexpr bool kFlakesAlone = true;
 
     SomeFlakes(const BoundNacre& surface, std::size_t species, const sparkle::FlakeView& view,
                const Ray& i, const Ray& o)
-        : surface_(surface),
+        : WithHotSpot(surface, i, o),
+          surface_(surface),
           species_(species),
           view_(view),
-          cosine_(HalfVector(i, o, surface.coat()).cosine) {
-        if (surface.hot_spot_) pair_.emplace(*surface.hot_spot_, i, o);
-    }
+          cosine_(HalfVector(i, o, surface.coat()).cosine) {}
     /// @param fraction  of the mean of the species
     void add(int flake, float fraction) {
         if (count_ == static_cast<int>(answers_.size())) return;
@@ -179,7 +167,6 @@ class BoundNacre::SomeFlakes {
     std::size_t species_;
     const sparkle::FlakeView& view_;
     float cosine_;
-    std::optional<HotSpot::Pair> pair_;
     std::array<Answer, sparkle::FlakeView::kMax> answers_;
     int count_ = 0;
 };
@@ -239,7 +226,9 @@ BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavele
 }
 
 FloatLanes BoundNacre::mean_value(const Ray& i, const Ray& o) const {
-    return hot_spot_ ? value(i, o, MeanHotSpot(*hot_spot_, i, o)) : value(i, o, MeanFlakes{});
+    // Under a rough clearcoat the tables hold the hot spot.
+    if (!hot_spot_ || under_rough_coat()) return value(i, o, MeanFlakes{});
+    return value(i, o, WithHotSpot(*this, i, o));
 }
 
 FloatLanes BoundNacre::relative_attenuation(std::size_t species, std::size_t layer,

@@ -1,0 +1,200 @@
+#include "nacre/bsdf/models/hot_spot_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nacre/bsdf/flake_lobe.h"
+#include "nacre/core/lane_math.h"
+
+namespace nacre::bsdf {
+namespace {
+
+constexpr int kRadii = 24, kAzimuths = 24;
+
+FloatLanes to_float(const DoubleLanes& x) { return __builtin_convertvector(x, FloatLanes); }
+
+}  // namespace
+
+HotSpotBlock::HotSpotBlock(const solver::SolvedPaint& paint, const HotSpotTables& tables, int block)
+    : medium_(paint.medium),
+      block_(block),
+      where_(wavelengths_of_block(medium_.wavelength_count(), block)),
+      hot_spot_(tables, where_),
+      coat_(tables.coat()),
+      mean_ior_(mean_ior(medium_)),
+      ior_(lanes(medium_.ior)),
+      clearcoat_depth_(lanes(medium_.clearcoat_depth)),
+      ground_reflectance_(lanes(medium_.substrate_reflectance)) {
+    const int count = medium_.wavelength_count();
+    for (const std::vector<float>& from : tables.extinction()) {
+        auto& to = extinction_.emplace_back();
+        for (int row = 0; row <= kDirectionIntervals; ++row) {
+            to.push_back(at_wavelengths(where_, [&](int w) { return from[row * count + w]; }));
+        }
+    }
+}
+
+FloatLanes HotSpotBlock::lanes(const std::vector<double>& values) const {
+    return at_wavelengths(where_, [&](int w) { return values[w]; });
+}
+
+Ray HotSpotBlock::ray(double theta, double phi) const {
+    const double sine = std::sin(theta);
+    return make_ray({static_cast<float>(sine * std::cos(phi)),
+                     static_cast<float>(sine * std::sin(phi)), static_cast<float>(std::cos(theta))},
+                    1 / mean_ior_);
+}
+
+FloatLanes HotSpotBlock::clear_transmittance(const Ray& ray) const {
+    return exp_lanes(-clearcoat_depth_ / ray.inside.z);
+}
+
+FloatLanes HotSpotBlock::transmittance_of_layers(const Ray& ray) const {
+    FloatLanes depth = clearcoat_depth_;
+    for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+        depth += static_cast<float>(medium_.layers[l].thickness_um) * ray.look_up(extinction_[l]);
+    }
+    return exp_lanes(-depth / ray.inside.z);
+}
+
+FloatLanes HotSpotBlock::rate(std::size_t layer, const Ray& i, const Ray& o) const {
+    return i.look_up(extinction_[layer]) / i.inside.z + o.look_up(extinction_[layer]) / o.inside.z;
+}
+
+FloatLanes HotSpotBlock::lost(const Ray& o) const {
+    const FloatLanes clear = clear_transmittance(o);
+    return 1.0f - clear * clear * (1.0f - transmittance(o));
+}
+
+HotSpotBlock::Budget HotSpotBlock::budget(const Ray& i, const Quadrature& polar) const {
+    Budget sum;
+    sum.again = scattered_once(i);
+    add_flakes(i, sum);
+    add_others(i, polar, sum);
+    return sum;
+}
+
+FloatLanes HotSpotBlock::scattered_once(const Ray& i) const {
+    FloatLanes sum{};
+    FloatLanes depth = clearcoat_depth_ / i.inside.z;
+    for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+        const solver::LayerMedium& layer = medium_.layers[l];
+        const FloatLanes extinction = i.look_up(extinction_[l]);
+        const FloatLanes here = max_lanes(
+            extinction * static_cast<float>(layer.thickness_um) / i.inside.z, splat(1e-20f));
+        const DoubleLanes absorbed = solver::losses(layer, i.inside.z, block_, 1).absorption[0];
+        const FloatLanes scattered = max_lanes(extinction - to_float(absorbed), FloatLanes{});
+        sum += exp_lanes(-depth) * one_minus_exp_lanes(here) / here * scattered *
+               (static_cast<float>(layer.thickness_um) / i.inside.z);
+        depth += here;
+    }
+    return sum + exp_lanes(-depth) * ground_reflectance_;
+}
+
+FloatLanes HotSpotBlock::single_gain(const Ray& i, const Ray& o) const {
+    constexpr float kDark = 1e-30f;
+    const HotSpot::Pair both = pair(i, o);
+    const double spread2 = coat_.spread2(i.inside.z, o.inside.z);
+    const double phi = std::atan2(o.outside.y, o.outside.x) - std::atan2(i.outside.y, i.outside.x);
+    FloatLanes plain{}, hot{}, depth{};
+    for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+        const solver::LayerMedium& layer = medium_.layers[l];
+        const FloatLanes here =
+            max_lanes(static_cast<float>(layer.thickness_um) * rate(l, i, o), splat(1e-20f));
+        const FloatLanes once =
+            to_float(solver::backscattering(layer, i.inside.z, o.inside.z, phi, block_, spread2)) *
+            exp_lanes(-depth) * one_minus_exp_lanes(here) / here *
+            static_cast<float>(layer.thickness_um);
+        plain += once;
+        hot += once * both.mean(l, here);
+        depth += here;
+    }
+    return plain > kDark ? hot / max_lanes(plain, splat(kDark)) : splat(1.0f);
+}
+
+// What flakes have scattered once and what then is lost, over the slopes of each species.
+void HotSpotBlock::add_flakes(const Ray& i, Budget& sum) const {
+    const Quadrature &radii = unit_gauss_legendre(kRadii),
+                     &azimuths = unit_gauss_legendre(kAzimuths);
+    for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+        for (const solver::FlakeMedium& flake : medium_.layers[l].flakes) {
+            constexpr double kTail = 4.5;  // in units of alpha; e^-20 of the flakes is steeper
+            for (int r = 0; r < kRadii; ++r) {
+                const double u = kTail * radii.nodes[r], slope = flake.alpha * u;
+                const double weight = kTail * radii.weights[r] * 2 * u * std::exp(-u * u);
+                for (int a = 0; a < kAzimuths; ++a) {
+                    const double phi = std::numbers::pi * azimuths.nodes[a];
+                    const Vec3f m = normalize(Vec3f{static_cast<float>(slope * std::cos(phi)),
+                                                    static_cast<float>(slope * std::sin(phi)), 1});
+                    const float projected = dot(i.inside, m);
+                    if (projected <= 0) continue;
+                    const Vec3f inside = 2 * projected * m - i.inside;
+                    if (inside.z <= 0) continue;
+                    const auto outside = refract_out(inside, mean_ior_);
+                    if (!outside || outside->z <= 1e-4f) continue;
+                    const Ray o = make_ray(*outside, 1 / mean_ior_);
+                    const DoubleLanes reflectance =
+                        flake.table.reflectance(std::min(1.0f, projected), block_);
+                    const auto scale = static_cast<float>(flake.area_density_per_um * weight *
+                                                          azimuths.weights[a] * projected /
+                                                          i.inside.z);
+                    add_once(l, i, o, scale * to_float(reflectance), sum);
+                }
+            }
+        }
+    }
+}
+
+// What pigments and the ground have scattered once, over the directions outside.
+void HotSpotBlock::add_others(const Ray& i, const Quadrature& polar, Budget& sum) const {
+    bool any = lane_max(ground_reflectance_) > 0;
+    for (const auto& layer : medium_.layers) any = any || !layer.pigments.empty();
+    if (!any) return;
+    const Quadrature& azimuths = unit_gauss_legendre(kAzimuths);
+    for (std::size_t n = 0; n < polar.nodes.size(); ++n) {
+        for (int a = 0; a < kAzimuths; ++a) {
+            const Ray o = ray(polar.nodes[n], std::numbers::pi * azimuths.nodes[a]);
+            const FloatLanes solid_angle =
+                inverse_ior2() *
+                static_cast<float>(polar.weights[n] * std::sin(polar.nodes[n]) *
+                                   std::cos(polar.nodes[n]) * 2 * std::numbers::pi *
+                                   azimuths.weights[a]);
+            const float projection = 1 / (i.inside.z * o.inside.z);
+            for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
+                FloatLanes kernel{};
+                for (const solver::PigmentMedium& pigment : medium_.layers[l].pigments) {
+                    // Directions point away from the surface, on both ways.
+                    kernel += to_float(pigment.phase_value(-dot(i.inside, o.inside), block_)) *
+                              lanes(pigment.scattering_per_um);
+                }
+                if (medium_.layers[l].pigments.empty()) continue;
+                add_once(l, i, o, kernel * projection * solid_angle, sum);
+            }
+            const HotSpot::Pair both = pair(i, o);
+            // The clearcoat on the way out is in lost().
+            const FloatLanes once = both.ground() * exp_lanes(clearcoat_depth_ / o.inside.z) *
+                                    solid_angle * lost(o);
+            sum.again -= once;
+            sum.gained += once * (both.ground_gain() - 1.0f);
+        }
+    }
+}
+
+// Light that one kind of particles in a layer turns from i to o, per length.
+void HotSpotBlock::add_once(std::size_t layer, const Ray& i, const Ray& o, const FloatLanes& per_um,
+                            Budget& sum) const {
+    FloatLanes depth = clearcoat_depth_ / i.inside.z;
+    for (std::size_t l = 0; l < layer; ++l) {
+        depth += static_cast<float>(medium_.layers[l].thickness_um) * rate(l, i, o);
+    }
+    const float thickness_um = static_cast<float>(medium_.layers[layer].thickness_um);
+    const FloatLanes here = thickness_um * rate(layer, i, o);
+    const FloatLanes safe = max_lanes(here, splat(1e-20f));
+    const FloatLanes once =
+        per_um * exp_lanes(-depth) * thickness_um * one_minus_exp_lanes(safe) / safe * lost(o);
+    sum.again -= once;
+    sum.gained += once * (pair(i, o).mean(layer, here) - 1.0f);
+}
+
+}  // namespace nacre::bsdf

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "nacre/bsdf/models/hot_spot.h"
+#include "nacre/core/quadrature.h"
+#include "nacre/optics/fresnel.h"
+#include "nacre/solver/solved_paint.h"
+#include "nacre/sparkle/coat_tilt.h"
+
+namespace nacre::bsdf {
+
+/// A paint at the eight wavelengths of a block, for what is worked out once a paint about its hot
+/// spot. Light here has entered the coat, and directions are those of a smooth interface.
+class HotSpotBlock {
+ public:
+    /// @param paint, tables  outlive this
+    HotSpotBlock(const solver::SolvedPaint& paint, const HotSpotTables& tables, int block);
+
+    HotSpot::Pair pair(const Ray& i, const Ray& o) const { return {hot_spot_, i, o}; }
+    /// @param theta  outside
+    Ray ray(double theta, double phi = 0) const;
+    FloatLanes transmittance(const Ray& ray) const {
+        return 1.0f - optics::dielectric_reflectance(splat(1.0f), ior_, splat(ray.outside.z));
+    }
+    FloatLanes inverse_ior2() const { return 1.0f / (ior_ * ior_); }
+    /// Of the clearcoat, along a ray.
+    FloatLanes clear_transmittance(const Ray& ray) const;
+
+    /// Of all layers and the clearcoat.
+    FloatLanes transmittance_of_layers(const Ray& ray) const;
+
+    /// Of the light that has just entered the coat from one direction.
+    struct Budget {
+        FloatLanes again{};   ///< is there to be scattered again, by the equation of transfer
+        FloatLanes gained{};  ///< of it, what leaves with the hot spot
+    };
+    /// @param polar  nodes of the angle outside, for what is scattered evenly
+    Budget budget(const Ray& i, const Quadrature& polar) const;
+
+    /// Fraction of the light from i that is scattered at all, by a flake, a pigment or the ground.
+    FloatLanes scattered_once(const Ray& i) const;
+    /// Of light on its way from the layers to the interface, what is not there to be scattered
+    /// again: all but what the interface sends back.
+    FloatLanes lost(const Ray& o) const;
+    /// Single scattering in the layers with the hot spot over that without it; 1 where there is
+    /// none. Under a rough clearcoat half vectors are spread as sparkle::CoatTilt says.
+    FloatLanes single_gain(const Ray& i, const Ray& o) const;
+
+ private:
+    FloatLanes lanes(const std::vector<double>& values) const;
+    /// 1/um along the way in and out together.
+    FloatLanes rate(std::size_t layer, const Ray& i, const Ray& o) const;
+    void add_flakes(const Ray& i, Budget& sum) const;
+    void add_others(const Ray& i, const Quadrature& polar, Budget& sum) const;
+    void add_once(std::size_t layer, const Ray& i, const Ray& o, const FloatLanes& per_um,
+                  Budget& sum) const;
+
+    const solver::PaintMedium& medium_;
+    int block_;
+    std::array<WavelengthPosition, kLanes> where_;
+    HotSpot hot_spot_;
+    sparkle::CoatTilt coat_;
+    float mean_ior_;
+    FloatLanes ior_, clearcoat_depth_, ground_reflectance_;
+    std::vector<std::vector<FloatLanes>> extinction_;  // by layer and direction
+};
+
+}  // namespace nacre::bsdf
