@@ -152,15 +152,17 @@ std::vector<MeanRatios> compare_means(const MeanCase& paint, double incidence_de
         const Estimate discs = estimate_of_mean(sum, squares, kMeanSpecimens);
         // Of a model's single and multiple scattering, each with the hot spot or without.
         const auto ratio = [&](bool hot_single, bool hot_multiple) {
-            const double value = flux_in_cone(
-                [&](double theta_o, double phi) {
-                    const auto part = [&](bool with_hot_spot, Part part) {
-                        return with_hot_spot ? hot(theta_i, theta_o, phi, part)[0]
-                                             : solved.brdf(theta_i, theta_o, phi, part)[0];
-                    };
-                    return part(hot_single, Part::single) + part(hot_multiple, Part::multiple);
-                },
-                middle) / discs.value;
+            const double value =
+                flux_in_cone(
+                    [&](double theta_o, double phi) {
+                        const auto part = [&](bool with_hot_spot, Part part) {
+                            return with_hot_spot ? hot(theta_i, theta_o, phi, part)[0]
+                                                 : solved.brdf(theta_i, theta_o, phi, part)[0];
+                        };
+                        return part(hot_single, Part::single) + part(hot_multiple, Part::multiple);
+                    },
+                    middle) /
+                discs.value;
             return Estimate{value, value * discs.standard_error / discs.value};
         };
         exit.transfer = ratio(false, false);

@@ -28,6 +28,19 @@ TEST(MeanOfDiscs, IsThatOfTheHotSpotWithItsLightTakenFromMultipleScattering) {
     EXPECT_LT(exits[0].transfer.value, 0.75);
 }
 
+// With the lobe of the interface left out of both.
+TEST(MeanOfDiscs, UnderARoughClearcoatIsThatOfTheHotSpotToo) {
+    const auto exits = compare_means({.roughness = 0.2}, 45, 300000, 3);
+    // The mirror direction, beyond it, before it, and beside it.
+    for (std::size_t e = 0; e < 4; ++e) {
+        const MeanRatios& exit = exits[e];
+        EXPECT_LT(exit.nacre.standard_error, 0.03);
+        EXPECT_NEAR(exit.nacre.value, 1, 0.04 + 3 * exit.nacre.standard_error)
+            << exit.theta_deg << ", " << exit.phi_deg;
+        EXPECT_LT(exit.transfer.value, 0.85);
+    }
+}
+
 TEST(MeanOfDiscs, OfTranslucentFlakesOverABrightGroundIsThatOfTheHotSpot) {
     const MeanCase paint{.depth = 1,
                          .diameter_um = 30,

@@ -41,19 +41,22 @@ class CoatTilt {
         const float sum = std::max(mu_i + mu_o, kMinSum);
         return roughness2_ * (k_i * k_i + k_o * k_o) / (sum * sum);
     }
-    /// Half the mean square of the angle, as a slope, by which facets turn the way in and the way out
-    /// from each other: of the vector (x/z, y/z) of one direction inside less that of the other, the
-    /// variance of each component. To first order in the facets' slopes a ray is turned by k s / mu
-    /// across the plane of incidence and by k s / mu^3 in it; the two are averaged.
-    float turn2(float mu_i, float mu_o) const {
-        if (!rough()) return 0;
+    /// Mean distance between the tangents (x/z, y/z) of the way in and the way out inside, which
+    /// facets turn apart. To first order in the facets' slopes a tangent changes by k s / mu across
+    /// the plane of incidence and by k s / mu^3 in it; the mean of both is taken for the variance of
+    /// a component, and for the mean distance that of a Rice distribution to 0.5 %.
+    /// @param square  of the distance under a smooth coat
+    float separation(float square, float mu_i, float mu_o) const {
+        if (!rough()) return std::sqrt(square);
         const auto of = [this](float mu) {
             const float cosine = std::max(mu, kMinSum);
             const float k = cosine - std::sqrt(std::max(0.0f, cosine * cosine - beyond_));
             const float secant2 = 1 / (cosine * cosine);
             return k * k * secant2 * 0.25f * (1 + secant2 * secant2);
         };
-        return roughness2_ * (of(mu_i) + of(mu_o));
+        const float variance = roughness2_ * (of(mu_i) + of(mu_o));
+        // Exact where the two coincide, pi/2 of the variance, and far apart, the variance itself.
+        return std::sqrt(square + variance * (1 + 0.5707963f / (1 + 0.5f * square / variance)));
     }
     /// At one incident direction and eight others, which may lie beyond the critical angle.
     FloatLanes spread2(float mu_i, const FloatLanes& mu_o) const {

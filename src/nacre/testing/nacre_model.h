@@ -7,6 +7,7 @@
 
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/models/nacre.h"
+#include "nacre/core/quadrature.h"
 #include "nacre/core/random.h"
 #include "nacre/solver/solver.h"
 #include "nacre/spectra/spectrum.h"
@@ -87,6 +88,26 @@ inline const SparklingModel& model_with_every_feature(bool rough) {
         return SparklingModel(recipe);
     }();
     return model;
+}
+
+/// Of the default wavelengths; kOnGrid[3].
+inline constexpr int k540 = 14;
+
+/// Of the light from theta, the fraction that leaves at 540 nm, without a specular reflection.
+/// @param brdf  as HotSpotBrdf
+template <class Brdf>
+double albedo_at_540(const Brdf& brdf, double theta, Part part = Part::total) {
+    const Quadrature polar = gauss_legendre(48, 0, std::numbers::pi / 2),
+                     azimuth = gauss_legendre(48, 0, std::numbers::pi);
+    double sum = 0;
+    for (std::size_t t = 0; t < polar.nodes.size(); ++t) {
+        for (std::size_t p = 0; p < azimuth.nodes.size(); ++p) {
+            sum += 2 * azimuth.weights[p] * polar.weights[t] * std::sin(polar.nodes[t]) *
+                   std::cos(polar.nodes[t]) *
+                   brdf(theta, polar.nodes[t], azimuth.nodes[p], part)[k540];
+        }
+    }
+    return sum;
 }
 
 /// A rotated square of this side on a plane normal to one of the axes, at a random position within

@@ -156,14 +156,10 @@ HotSpot::Pair::Pair(const HotSpot& hot_spot, const Ray& i, const Ray& o)
     : hot_spot_(&hot_spot), i_(&i), o_(&o) {
     const float x = i.inside.x / i.inside.z - o.inside.x / o.inside.z;
     const float y = i.inside.y / i.inside.z - o.inside.y / o.inside.z;
-    // The mean of a Rice distribution to 0.5 %: exact at 0, and far from it.
+    const float distance = hot_spot.coat_.separation(x * x + y * y, i.inside.z, o.inside.z);
     // Beyond the upper bound, at grazing incidence without a coat, the integrals below are nil; at
     // the lower one they are those of rays that coincide.
-    float square = x * x + y * y;
-    if (const float turn2 = hot_spot.coat_.turn2(i.inside.z, o.inside.z); turn2 > 0) {
-        square += turn2 * (1 + 0.5707963f / (1 + 0.5f * square / turn2));
-    }
-    spread_ = std::clamp(std::sqrt(square), 1e-4f, 1e6f);
+    spread_ = std::clamp(distance, 1e-4f, 1e6f);
 }
 
 template <class Add>

@@ -31,8 +31,8 @@ namespace nacre::bsdf {
 // Light that leaves after it was scattered once is missing from what is scattered again, which is
 // dimmed by g(i) g(o) (hot_spot_closing.h).
 //
-// A rough clearcoat turns each ray on its own: g is then that of the mean distance between the two
-// (CoatTilt::turn2), and what is dimmed, and by how much, rough_hot_spot.h says.
+// A rough clearcoat turns each ray on its own: g is then the mean over its facets
+// (CoatTilt::separation), and what is dimmed, and by how much, rough_hot_spot.h says.
 
 /// What does not depend on the wavelengths that are bound.
 class HotSpotTables {
@@ -118,7 +118,7 @@ class HotSpot {
     std::vector<float> top_um_, thickness_um_;
     std::vector<FloatLanes> ground_, closing_;  // by direction, or empty
     sparkle::CoatTilt coat_;
-    std::span<const float> overlap_;            // disc_overlap_integral() at even x, 0 to 1
+    std::span<const float> overlap_;  // disc_overlap_integral() at even x, 0 to 1
 };
 
 }  // namespace nacre::bsdf

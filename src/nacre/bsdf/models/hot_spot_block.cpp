@@ -136,9 +136,9 @@ void HotSpotBlock::add_flakes(const Ray& i, Budget& sum) const {
                     const Ray o = make_ray(*outside, 1 / mean_ior_);
                     const DoubleLanes reflectance =
                         flake.table.reflectance(std::min(1.0f, projected), block_);
-                    const auto scale = static_cast<float>(flake.area_density_per_um * weight *
-                                                          azimuths.weights[a] * projected /
-                                                          i.inside.z);
+                    const auto scale =
+                        static_cast<float>(flake.area_density_per_um * weight *
+                                           azimuths.weights[a] * projected / i.inside.z);
                     add_once(l, i, o, scale * to_float(reflectance), sum);
                 }
             }
@@ -156,10 +156,9 @@ void HotSpotBlock::add_others(const Ray& i, const Quadrature& polar, Budget& sum
         for (int a = 0; a < kAzimuths; ++a) {
             const Ray o = ray(polar.nodes[n], std::numbers::pi * azimuths.nodes[a]);
             const FloatLanes solid_angle =
-                inverse_ior2() *
-                static_cast<float>(polar.weights[n] * std::sin(polar.nodes[n]) *
-                                   std::cos(polar.nodes[n]) * 2 * std::numbers::pi *
-                                   azimuths.weights[a]);
+                inverse_ior2() * static_cast<float>(polar.weights[n] * std::sin(polar.nodes[n]) *
+                                                    std::cos(polar.nodes[n]) * 2 *
+                                                    std::numbers::pi * azimuths.weights[a]);
             const float projection = 1 / (i.inside.z * o.inside.z);
             for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
                 FloatLanes kernel{};
@@ -173,8 +172,8 @@ void HotSpotBlock::add_others(const Ray& i, const Quadrature& polar, Budget& sum
             }
             const HotSpot::Pair both = pair(i, o);
             // The clearcoat on the way out is in lost().
-            const FloatLanes once = both.ground() * exp_lanes(clearcoat_depth_ / o.inside.z) *
-                                    solid_angle * lost(o);
+            const FloatLanes once =
+                both.ground() * exp_lanes(clearcoat_depth_ / o.inside.z) * solid_angle * lost(o);
             sum.again -= once;
             sum.gained += once * (both.ground_gain() - 1.0f);
         }

@@ -86,8 +86,8 @@ std::vector<sparkle::FlakeField> flake_fields(const Microflake::Tables& tables,
 
 Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
                       SharedProgress& work)
-    : smooth(std::make_shared<Microflake::Tables>(
-          settings.hot_spot ? with_rough_hot_spot(paint) : paint)) {
+    : smooth(std::make_shared<Microflake::Tables>(settings.hot_spot ? with_rough_hot_spot(paint)
+                                                                    : paint)) {
     const paint::Recipe recipe = paint::expanded(paint->recipe);
     const std::vector<float> fractions = flake_fractions(*smooth);
     std::vector<sparkle::FlakeField> fields = flake_fields(*smooth, settings.specimen);

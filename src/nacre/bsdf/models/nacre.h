@@ -87,8 +87,8 @@ struct Nacre::Tables {
            SharedProgress& work);
 
     std::shared_ptr<Microflake::Tables> smooth;  ///< under a rough clearcoat with the hot spot
-    std::vector<NacreSpecies> species;       ///< layer by layer
-    std::vector<std::size_t> first_species;  ///< of each layer
+    std::vector<NacreSpecies> species;           ///< layer by layer
+    std::vector<std::size_t> first_species;      ///< of each layer
     std::optional<HotSpotTables> hot_spot;
 };
 

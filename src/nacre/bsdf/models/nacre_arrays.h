@@ -67,7 +67,8 @@ struct NacreArrays {
         std::vector<HotSpotSpecies> species;
         std::vector<float> ground, closing;  ///< (D, W), or empty
     };
-    std::optional<HotSpotArrays> hot_spot;  ///< of `nacre`; none under a rough coat, where `smooth` has it
+    std::optional<HotSpotArrays>
+        hot_spot;  ///< of `nacre`; none under a rough coat, where `smooth` has it
 
     struct Species {
         sparkle::FlakeField::Constants field;

@@ -301,16 +301,5 @@ TEST(NacreRough, IsSmoothInTheLimit) {
     EXPECT_LT(difference, 0.02 * sparkle);
 }
 
-// Whose closing is not worked out there: the mean is the solver's.
-TEST(NacreRough, HotSpotIsLeftOut) {
-    paint::Recipe recipe = paint_of({metal_flake(20, 0.6)});
-    recipe.clearcoat = paint::Clearcoat{0, spectra::Spectrum(0.0), 0.1};
-    const SparklingModel hot(recipe, {.specimen = 1, .hot_spot = true});
-    const SparklingModel plain(recipe, {.specimen = 1, .hot_spot = false});
-    const Vec3f wi = direction(30, 0), wo = direction(25, 180);
-    EXPECT_EQ(hot.bound->eval(wi, wo)[3], plain.bound->eval(wi, wo)[3]);
-    EXPECT_GT(plain.bound->eval(wi, wo)[3], 0);
-}
-
 }  // namespace
 }  // namespace nacre::bsdf

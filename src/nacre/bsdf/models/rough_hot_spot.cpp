@@ -133,8 +133,8 @@ class RoughHotSpot {
             flux_.push_back(2 * std::numbers::pi * polar.weights[a] * std::sin(polar.nodes[a]) *
                             std::cos(polar.nodes[a]));
             for (const double ior : medium.ior) {
-                entering_.push_back(1 - solver::rough_interface(ior, medium.roughness)
-                                            ->albedo(polar.nodes[a]));
+                entering_.push_back(
+                    1 - solver::rough_interface(ior, medium.roughness)->albedo(polar.nodes[a]));
             }
         }
         set_ground();
@@ -203,15 +203,15 @@ class RoughHotSpot {
             const double* const order_0 = values.at(0, i, j);
             for (std::size_t w = 0; order_0 && w < wavelengths_; ++w) once[w] += order_0[w];
             azimuths_.multiply(values.rows(i, j), gain, wavelengths_);
-            for (std::size_t w = 0; order_0 && w < wavelengths_; ++w) with_hot_spot[w] += order_0[w];
+            for (std::size_t w = 0; order_0 && w < wavelengths_; ++w)
+                with_hot_spot[w] += order_0[w];
         };
         multiply(single_, single_gain);
         double* const multiple = multiple_.at(0, i, j);
         if (lit_ground_ && multiple) {
             double* const ground = lit_ground_->at(0, i, j);
             for (std::size_t w = 0; w < wavelengths_; ++w) {
-                const double value =
-                    ground_[i * wavelengths_ + w] * ground_[j * wavelengths_ + w];
+                const double value = ground_[i * wavelengths_ + w] * ground_[j * wavelengths_ + w];
                 ground[w] = std::clamp(multiple[w], 0.0, value);
                 multiple[w] -= ground[w];
             }
@@ -286,9 +286,9 @@ class RoughHotSpot {
     Azimuths azimuths_;
     std::vector<HotSpotBlock> blocks_;
     std::vector<Ray> rays_;
-    std::vector<double> flux_;                // of a node, of 1/sr
-    std::vector<double> entering_, ground_;   // by node and wavelength
-    std::vector<double> once_, gained_;       // order 0, by pair of nodes and wavelength
+    std::vector<double> flux_;               // of a node, of 1/sr
+    std::vector<double> entering_, ground_;  // by node and wavelength
+    std::vector<double> once_, gained_;      // order 0, by pair of nodes and wavelength
 };
 
 }  // namespace
