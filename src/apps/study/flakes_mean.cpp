@@ -189,7 +189,8 @@ constexpr MeanCase kMeanCases[] = {
     {.reflectance = 0.4, .transmittance = 0.5},
     {.depth = 3, .reflectance = 0.4, .transmittance = 0.5},
     {.diameter_um = 80, .reflectance = 0.4, .transmittance = 0.5},
-    {.depth = 1, .alpha = 0.2, .reflectance = 0.4, .transmittance = 0.5, .ground = 0.8}};
+    {.depth = 1, .alpha = 0.2, .reflectance = 0.4, .transmittance = 0.5, .ground = 0.8},
+    {.roughness = 0.2}};
 constexpr double kIncidences_deg[] = {15, 45, 60};
 /// Directions that are darker than this over the mirror direction are not compared: there is next
 /// to no light that met one flake.
@@ -206,13 +207,14 @@ void add_means(FlakesContext& context, const Progress& progress) {
         "Light that came in between large flakes finds the same gaps on its way out. From walks "
         "among discs, without diffraction: the light that leaves within {}° of the mirror "
         "direction, of 10° beyond and 15° before it, of 25° and 90° beside it, and of 35° before "
-        "it. Each model over the discs, in the mirror direction and where it is farthest from 1 "
+        "it; without the lobe of a rough clear coat. Each model over the discs, in the mirror "
+        "direction and where it is farthest from 1 "
         "among those directions that have {} of the mirror direction's light: the equation of "
         "transfer (`microflake`), the hot spot with nothing taken from multiple scattering, and "
         "the hot spot of `nacre`. All layers are {} um thick.",
         kExitCone_deg, kDim, kPaintThickness_um));
-    report::Table table{.columns = {"flakes deep", "um", "alpha", "R", "T", "ground", "light",
-                                    "transfer", "gain alone", "nacre", "standard error",
+    report::Table table{.columns = {"flakes deep", "um", "alpha", "R", "T", "ground", "roughness",
+                                    "light", "transfer", "gain alone", "nacre", "standard error",
                                     "farthest: transfer", "gain alone", "nacre"}};
     const bool quick = context.settings.quick;
     const int cases = quick ? 1 : static_cast<int>(std::size(kMeanCases));
@@ -243,8 +245,8 @@ void add_means(FlakesContext& context, const Progress& progress) {
         std::vector<report::Cell> row;
         for (const double value :
              {paint.depth, paint.diameter_um, paint.alpha, paint.reflectance, paint.transmittance,
-              paint.ground, light, exits[0].transfer.value, exits[0].gain_alone.value,
-              exits[0].nacre.value}) {
+              paint.ground, paint.roughness, light, exits[0].transfer.value,
+              exits[0].gain_alone.value, exits[0].nacre.value}) {
             row.push_back(report::number_cell(number(value)));
         }
         row.push_back(report::number_cell(number(exits[0].nacre.standard_error, 1)));
@@ -256,6 +258,7 @@ void add_means(FlakesContext& context, const Progress& progress) {
                                                  {"reflectance", paint.reflectance},
                                                  {"transmittance", paint.transmittance},
                                                  {"ground", paint.ground},
+                                                 {"roughness", paint.roughness},
                                                  {"incidence", light},
                                                  {"exits", directions}});
     }
