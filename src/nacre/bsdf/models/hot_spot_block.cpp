@@ -40,10 +40,7 @@ FloatLanes HotSpotBlock::lanes(const std::vector<double>& values) const {
 }
 
 Ray HotSpotBlock::ray(double theta, double phi) const {
-    const double sine = std::sin(theta);
-    return make_ray({static_cast<float>(sine * std::cos(phi)),
-                     static_cast<float>(sine * std::sin(phi)), static_cast<float>(std::cos(theta))},
-                    1 / mean_ior_);
+    return make_ray(theta, phi, 1 / mean_ior_);
 }
 
 FloatLanes HotSpotBlock::clear_transmittance(const Ray& ray) const {
@@ -63,8 +60,7 @@ FloatLanes HotSpotBlock::rate(std::size_t layer, const Ray& i, const Ray& o) con
 }
 
 FloatLanes HotSpotBlock::lost(const Ray& o) const {
-    const FloatLanes clear = clear_transmittance(o);
-    return 1.0f - clear * clear * (1.0f - transmittance(o));
+    return lost_at_interface(clear_transmittance(o), transmittance(o));
 }
 
 HotSpotBlock::Budget HotSpotBlock::budget(const Ray& i, const Quadrature& polar) const {

@@ -12,6 +12,14 @@
 
 namespace nacre::bsdf {
 
+/// Of light on its way from the layers to the interface, what is not there to be scattered again:
+/// all but what the interface sends back through the clearcoat.
+/// @param clear, transmittance  of the clearcoat and of the interface
+template <class T>
+T lost_at_interface(const T& clear, const T& transmittance) {
+    return 1 - clear * clear * (1 - transmittance);
+}
+
 /// A paint at the eight wavelengths of a block, for what is worked out once a paint about its hot
 /// spot. Light here has entered the coat, and directions are those of a smooth interface.
 class HotSpotBlock {
@@ -42,8 +50,7 @@ class HotSpotBlock {
 
     /// Fraction of the light from i that is scattered at all, by a flake, a pigment or the ground.
     FloatLanes scattered_once(const Ray& i) const;
-    /// Of light on its way from the layers to the interface, what is not there to be scattered
-    /// again: all but what the interface sends back.
+    /// lost_at_interface() of a smooth one.
     FloatLanes lost(const Ray& o) const;
     /// Single scattering in the layers with the hot spot over that without it; 1 where there is
     /// none. Under a rough clearcoat half vectors are spread as sparkle::CoatTilt says.

@@ -22,14 +22,8 @@ HotSpotBrdf::HotSpotBrdf(const solver::SolvedPaint& paint)
 std::vector<double> HotSpotBrdf::operator()(double theta_i, double theta_o, double phi,
                                             Part part) const {
     if (rough_) return rough_->brdf(theta_i, theta_o, phi, part);
-    const auto ray = [&](double theta, double azimuth) {
-        const double sine = std::sin(theta);
-        return make_ray(
-            {static_cast<float>(sine * std::cos(azimuth)),
-             static_cast<float>(sine * std::sin(azimuth)), static_cast<float>(std::cos(theta))},
-            inverse_mean_ior_);
-    };
-    const Ray i = ray(theta_i, 0), o = ray(theta_o, phi);
+    const Ray i = make_ray(theta_i, 0, inverse_mean_ior_),
+              o = make_ray(theta_o, phi, inverse_mean_ior_);
     std::vector<double> f(paint_.medium.wavelength_count(), 0.0);
     if (part != Part::single) {
         f = paint_.brdf(theta_i, theta_o, phi, Part::multiple);

@@ -327,6 +327,13 @@ Ray make_ray(Vec3f w, float inverse_mean_ior) {
     return ray;
 }
 
+Ray make_ray(double theta, double phi, float inverse_mean_ior) {
+    const double sine = std::sin(theta);
+    return make_ray({static_cast<float>(sine * std::cos(phi)),
+                     static_cast<float>(sine * std::sin(phi)), static_cast<float>(std::cos(theta))},
+                    inverse_mean_ior);
+}
+
 // solver::RoughInterface::brdf at eight wavelengths.
 FloatLanes BoundMicroflake::rough_lobe(const Ray& i, const Ray& o) const {
     const Vec3f h = i.outside + o.outside;

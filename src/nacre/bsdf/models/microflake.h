@@ -194,6 +194,8 @@ struct Ray {
 
 /// @param w  outside, in the upper hemisphere
 Ray make_ray(Vec3f w, float inverse_mean_ior);
+/// @param theta, phi  of that direction
+Ray make_ray(double theta, double phi, float inverse_mean_ior);
 
 /// Which flakes scatter once: all of them, as their mean.
 ///
@@ -203,8 +205,9 @@ Ray make_ray(Vec3f w, float inverse_mean_ior);
 ///
 /// A class may change the rest too: pigments by pigment_factor(layer, depth), which is like
 /// factor(), and multiple scattering without Fresnel factors by multiple(by the equation of
-/// transfer). Under a rough clearcoat, where tables hold the mean of all flakes, mean() is the class
-/// that gives it; without it that is MeanFlakes. A class with kFlakesAlone set leaves out everything but flakes.
+/// transfer). Under a rough clearcoat, where a table holds the mean of all flakes, mean() is the
+/// class of that mean; without it that is MeanFlakes. A class with kFlakesAlone set leaves out
+/// everything but flakes.
 struct MeanFlakes {
     FloatLanes factor(std::size_t /*layer*/, std::size_t /*flake*/,
                       const FloatLanes& /*depth*/) const {

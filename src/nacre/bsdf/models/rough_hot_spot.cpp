@@ -129,7 +129,7 @@ class RoughHotSpot {
         }
         const Quadrature polar = gauss_legendre(nodes_, 0, std::numbers::pi / 2);  // the exit nodes
         for (int a = 0; a < nodes_; ++a) {
-            rays_.push_back(blocks_[0].ray(polar.nodes[a]));
+            rays_.push_back(blocks_[0].ray(paint.multiple_scattering.exit_angle[a]));
             flux_.push_back(2 * std::numbers::pi * polar.weights[a] * std::sin(polar.nodes[a]) *
                             std::cos(polar.nodes[a]));
             for (const double ior : medium.ior) {
@@ -172,7 +172,7 @@ class RoughHotSpot {
         const solver::PaintMedium& medium = paint_.medium;
         const auto& reflectance = medium.substrate_reflectance;
         if (*std::max_element(reflectance.begin(), reflectance.end()) <= 0) return;
-        lit_ground_.emplace(paint_.multiple_scattering, false);
+        ground_alone_.emplace(paint_.multiple_scattering, false);
         for (int a = 0; a < nodes_; ++a) {
             const std::vector<double> through = at_all_wavelengths(
                 [&](const HotSpotBlock& block) { return block.transmittance_of_layers(rays_[a]); });
@@ -194,7 +194,7 @@ class RoughHotSpot {
                 to.insert(to.end(), values.begin(), values.end());
             };
             append(single_gain, [&](const HotSpotBlock& b) { return b.single_gain(rays_[i], o); });
-            if (!lit_ground_) continue;
+            if (!ground_alone_) continue;
             append(ground_gain,
                    [&](const HotSpotBlock& b) { return b.pair(rays_[i], o).ground_gain(); });
         }
@@ -208,14 +208,14 @@ class RoughHotSpot {
         };
         multiply(single_, single_gain);
         double* const multiple = multiple_.at(0, i, j);
-        if (lit_ground_ && multiple) {
-            double* const ground = lit_ground_->at(0, i, j);
+        if (ground_alone_ && multiple) {
+            double* const ground = ground_alone_->at(0, i, j);
             for (std::size_t w = 0; w < wavelengths_; ++w) {
                 const double value = ground_[i * wavelengths_ + w] * ground_[j * wavelengths_ + w];
                 ground[w] = std::clamp(multiple[w], 0.0, value);
                 multiple[w] -= ground[w];
             }
-            multiply(*lit_ground_, ground_gain);
+            multiply(*ground_alone_, ground_gain);
         }
         for (std::size_t w = 0; w < wavelengths_; ++w) {
             once_[pair(i, j) + w] = once_[pair(j, i) + w] = once[w];
@@ -230,7 +230,8 @@ class RoughHotSpot {
                 for (int l = 0; l < multiple_.orders(); ++l) {
                     double* const to = multiple_.at(l, i, j);
                     if (!to) continue;
-                    const double* const ground = lit_ground_ ? lit_ground_->at(l, i, j) : nullptr;
+                    const double* const ground =
+                        ground_alone_ ? ground_alone_->at(l, i, j) : nullptr;
                     for (std::size_t w = 0; w < wavelengths_; ++w) {
                         to[w] *= scale[i * wavelengths_ + w] * scale[j * wavelengths_ + w];
                         if (ground) to[w] += ground[w];
@@ -254,7 +255,7 @@ class RoughHotSpot {
                 entered[at] = entering_[at] * scattered[w];
                 // Of what leaves there, by what more of it the clearcoat has absorbed.
                 const double c = std::max(clear[w], 1e-30), t = std::max(entering_[at], 1e-30);
-                lost[at] = (1 - c * c * (1 - t)) / (c * t);
+                lost[at] = lost_at_interface(c, t) / (c * t);
             }
         });
         parallel_for(std::size_t{0}, wavelengths_, [&](std::size_t w) {
@@ -282,7 +283,7 @@ class RoughHotSpot {
     std::size_t wavelengths_;
     int nodes_;
     NodeValues single_, multiple_;
-    std::optional<NodeValues> lit_ground_;  // what the ground alone has scattered
+    std::optional<NodeValues> ground_alone_;  // what the ground alone has scattered
     Azimuths azimuths_;
     std::vector<HotSpotBlock> blocks_;
     std::vector<Ray> rays_;
@@ -294,8 +295,7 @@ class RoughHotSpot {
 }  // namespace
 
 solver::SolvedPaint with_rough_hot_spot(const solver::SolvedPaint& paint) {
-    if (!has_rough_interface(paint) || paint.rough_single.orders() == 0) return paint;
-    return RoughHotSpot(paint).run();
+    return has_rough_interface(paint) ? RoughHotSpot(paint).run() : paint;
 }
 
 std::shared_ptr<const solver::SolvedPaint> with_rough_hot_spot(

@@ -68,6 +68,7 @@ TEST(RoughHotSpot, FacetsTurnRaysApartAsIsStated) {
                     sum / weights, 0.1 * sum / weights);
     }
     EXPECT_FLOAT_EQ(sparkle::CoatTilt().separation(0.25f, 0.8f, 0.9f), 0.5f);
+    EXPECT_LT(sparkle::CoatTilt(0.3, 1 + 1e-8).separation(0, 1, 1), 1e-5f);
 }
 
 solver::SolvedPaint solved(paint::Recipe recipe, double roughness) {
@@ -143,10 +144,12 @@ TEST(RoughHotSpot, SmallFlakesLeaveTheEquationOfTransferAsItIs) {
 }
 
 TEST(RoughHotSpot, ValuesAreThoseOfTheModel) {
-    for (const bool every_feature : {true, false}) {
-        paint::Recipe recipe =
-            every_feature ? recipe_with_every_feature() : paint_of({pearl_flake(25)});
-        if (!every_feature) recipe.substrate_reflectance = 0.7;
+    // Every feature; transparent flakes; black ones; none.
+    std::vector<paint::Recipe> recipes = {recipe_with_every_feature(), paint_of({pearl_flake(25)}),
+                                          paint_of({metal_flake(20, 0)}), paint_of({})};
+    recipes[1].substrate_reflectance = 0.7;
+    recipes[3].layers[0].pigments = {{paint::PigmentCoefficients{200.0, 50.0, 0.3}}};
+    for (paint::Recipe& recipe : recipes) {
         recipe.clearcoat = paint::Clearcoat{20, spectra::Spectrum(2.0), 0.15};
         const SparklingModel model(recipe, {.specimen = 1});
         const HotSpotBrdf brdf(*model.paint);
