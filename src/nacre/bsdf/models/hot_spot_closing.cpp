@@ -28,7 +28,10 @@ std::vector<double> balance(const std::vector<double>& matrix, const std::vector
             double row = 0;
             for (std::size_t b = 0; b < n; ++b) row += matrix[a * n + b] * g[b];
             row *= g[a];
-            if (row <= 0 && sum[a] <= 0) continue;
+            if (row <= 0 && sum[a] <= 0) {
+                next[a] = g[a];
+                continue;
+            }
             // The geometric mean with Sinkhorn's step, which alone would swing to and fro.
             next[a] = g[a] * std::sqrt(sum[a] / row);
             const double here = std::abs(row - sum[a]) / sum[a];

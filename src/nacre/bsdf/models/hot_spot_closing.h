@@ -27,7 +27,7 @@ namespace nacre::bsdf {
 std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSpotTables& tables);
 
 /// Scales a symmetric matrix: g with g_a sum_b m[a][b] g_b = sum[a], to 1e-6 of it. g_a = 1 where
-/// both are 0.
+/// m[a] and sum[a] are 0, and 0 where sum[a] alone is.
 /// @param matrix  row-major, entries >= 0
 /// @param sum     >= 0
 /// @throws Error if it does not converge, as where no such g exists

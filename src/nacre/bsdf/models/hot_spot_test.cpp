@@ -126,6 +126,9 @@ TEST(Balance, FindsTheScalesOfASymmetricMatrix) {
     for (int a = 0; a < 3; ++a) EXPECT_NEAR(found[a], g[a], 1e-5 * g[a]);
     EXPECT_THAT(balance({0, 0, 0, 2}, {0, 8}),
                 testing::ElementsAre(1, testing::DoubleNear(2, 1e-5)));
+    // Nothing is left of one of them.
+    EXPECT_THAT(balance({1, 2, 2, 3}, {0, 12}),
+                testing::ElementsAre(0, testing::DoubleNear(2, 1e-5)));
     // No g: what one of two gets from the other, the other gets from it.
     EXPECT_THROW(balance({0, 1, 1, 0}, {1, 2}), Error);
 }
