@@ -88,7 +88,9 @@ vec3 nacreSurrounded(vec3 wi, mat3 toWorld) {
 
 void main() {
   vec3 n = normalize(gl_FrontFacing ? vNormal : -vNormal), v = normalize(-vPosition);
-  vec3 t = normalize(abs(n.x) < .9 ? cross(n, vec3(1., 0., 0.)) : cross(n, vec3(0., 1., 0.)));
+  // Of the samples' directions, without a seam where the surface faces the viewer [duff-2017-onb].
+  float a = 1. / (1. + n.z);
+  vec3 t = vec3(1. - a * n.x * n.x, -a * n.x * n.y, -n.x);
   mat3 toView = mat3(t, cross(n, t), n);
   vec3 wi = v * toView;
   wi = normalize(vec3(wi.xy, max(wi.z, 1e-3)));
