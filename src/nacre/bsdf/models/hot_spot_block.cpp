@@ -14,6 +14,17 @@ constexpr int kRadii = 24, kAzimuths = 24;
 
 FloatLanes to_float(const DoubleLanes& x) { return __builtin_convertvector(x, FloatLanes); }
 
+// The tangent of the least tilt, towards the azimuth phi, of a flake that mirrors light from i into
+// total reflection: beyond inside.z = least_z.
+//
+// As the flake tilts by a in a plane through the vertical, what it mirrors turns by 2 a about the
+// normal of that plane, towards which the light from i has the angle beta: z = rho cos(2 a - beta).
+double slope_of_total_reflection(const Vec3f& i, double phi, double least_z) {
+    const double along = i.x * std::cos(phi) + i.y * std::sin(phi);
+    const double rho = std::hypot(along, i.z), beta = std::atan2(along, i.z);
+    return std::tan(0.5 * (beta + std::acos(std::min(1.0, least_z / rho))));
+}
+
 }  // namespace
 
 HotSpotBlock::HotSpotBlock(const solver::SolvedPaint& paint, const HotSpotTables& tables, int block)
@@ -113,21 +124,24 @@ FloatLanes HotSpotBlock::single_gain(const Ray& i, const Ray& o) const {
 void HotSpotBlock::add_flakes(const Ray& i, Budget& sum) const {
     const Quadrature &radii = unit_gauss_legendre(kRadii),
                      &azimuths = unit_gauss_legendre(kAzimuths);
+    const double n = mean_ior_, least_z = std::sqrt(std::max(0.0, 1 - 1 / (n * n)));
     for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
         for (const solver::FlakeMedium& flake : medium_.layers[l].flakes) {
             constexpr double kTail = 4.5;  // in units of alpha; e^-20 of the flakes is steeper
-            for (int r = 0; r < kRadii; ++r) {
-                const double u = kTail * radii.nodes[r], slope = flake.alpha * u;
-                const double weight = kTail * radii.weights[r] * 2 * u * std::exp(-u * u);
-                for (int a = 0; a < kAzimuths; ++a) {
-                    const double phi = std::numbers::pi * azimuths.nodes[a];
+            for (int a = 0; a < kAzimuths; ++a) {
+                const double phi = std::numbers::pi * azimuths.nodes[a];
+                const double end = std::min(
+                    kTail, slope_of_total_reflection(i.inside, phi, least_z) / flake.alpha);
+                for (int r = 0; r < kRadii; ++r) {
+                    // The interface lets through what the square root of the distance from total
+                    // reflection is.
+                    const double x = 1 - radii.nodes[r], u = end * (1 - x * x);
+                    const double weight = 2 * end * x * radii.weights[r] * 2 * u * std::exp(-u * u);
+                    const double slope = flake.alpha * u;
                     const Vec3f m = normalize(Vec3f{static_cast<float>(slope * std::cos(phi)),
                                                     static_cast<float>(slope * std::sin(phi)), 1});
                     const float projected = dot(i.inside, m);
-                    if (projected <= 0) continue;
-                    const Vec3f inside = 2 * projected * m - i.inside;
-                    if (inside.z <= 0) continue;
-                    const auto outside = refract_out(inside, mean_ior_);
+                    const auto outside = refract_out(2 * projected * m - i.inside, mean_ior_);
                     if (!outside || outside->z <= 1e-4f) continue;
                     const Ray o = make_ray(*outside, 1 / mean_ior_);
                     const DoubleLanes reflectance =
