@@ -73,6 +73,7 @@ nb::dict species_arrays(NacreArrays::Species&& species, std::size_t w) {
     d["max_widening"] = field.max_widening;
     d["density_per_mm2"] = species.density_per_mm2;
     d["alpha"] = species.alpha;
+    d["waviness"] = species.waviness;
     d["radius_um"] = species.radius_um;
     d["diameter_um"] = to_numpy(std::move(species.diameter_um));
     d["film_min_cosine"] = species.film_min_cosine;

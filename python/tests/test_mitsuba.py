@@ -73,7 +73,10 @@ def disagreement(got: Array, want: Array) -> float:
     return float(np.max(np.abs(got - want) / (np.abs(want) + 1e-3 * np.max(np.abs(want)))))
 
 
-@pytest.mark.parametrize("name", ["red-gold", "ruby", "tinted-grey", "satin-silver"])
+WAVY = "effect-pigments/aluminium-corn-flake"
+
+
+@pytest.mark.parametrize("name", ["red-gold", "ruby", "tinted-grey", "satin-silver", WAVY])
 @pytest.mark.parametrize("model", ["nacre", "microflake"])
 def test_values_are_those_of_nacre(paints: Path, name: str, model: str) -> None:
     recipe = paints / f"{name}.toml"
@@ -122,9 +125,19 @@ def test_scalar_variants_give_the_same_values(paints: Path) -> None:
         assert disagreement(np.array(value), want[n]) < 5e-4
 
 
-@pytest.mark.parametrize(("name", "side"), [("ruby", 0.02), ("tio2-mica-80", 0.5)])
-def test_flakes_are_those_of_nacre(paints: Path, name: str, side: float) -> None:
-    """One by one, and where they stand for others."""
+@pytest.mark.parametrize(
+    ("name", "side", "contrast"),
+    [
+        ("ruby", 0.02, 0.3),
+        ("tio2-mica-80", 0.5, 0.3),
+        ("satin-silver", 0.02, 0.3),
+        ("satin-silver", 0.5, 0.04),
+        (WAVY, 0.02, 0.3),
+        (WAVY, 0.5, 0.04),
+    ],
+)
+def test_flakes_are_those_of_nacre(paints: Path, name: str, side: float, contrast: float) -> None:
+    """One by one, and where they stand for others; under a rough coat, and wavy ones."""
     recipe, specimen = paints / f"{name}.toml", 3
     wi, wo = np.array([np.sin(0.3), 0, np.cos(0.3)]), np.array([-np.sin(0.33), 0.02, np.cos(0.33)])
     wo /= np.linalg.norm(wo)
@@ -132,7 +145,7 @@ def test_flakes_are_those_of_nacre(paints: Path, name: str, side: float) -> None
     model = nacre.Model("nacre", specimen=specimen)
     paint = nacre.Paint(recipe)
     want = np.array([paint.brdf(wi, wo, NODES, model=model, patch=(x, y, side)) for x, y in places])
-    assert np.std(want[:, 0]) > 0.3 * np.mean(want[:, 0])  # it sparkles
+    assert np.std(want[:, 0]) > contrast * np.mean(want[:, 0])  # it sparkles
 
     surface = bsdf(recipe, specimen=specimen)
     si = interaction(np.tile(wi, (len(places), 1)), NODES)
@@ -177,11 +190,20 @@ def ball(paint: Path | nacre.Paint, distance: float, **settings: Any) -> Any:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("shown", [False, True], ids=["mean", "flakes"])
-@pytest.mark.parametrize("angle", [0.2, 1.1])
-def test_samples_follow_their_density(paints: Path, shown: bool, angle: float) -> None:
+@pytest.mark.parametrize(
+    ("name", "shown", "angle"),
+    [
+        ("metallic-silver", False, 0.2),
+        ("metallic-silver", False, 1.1),
+        ("metallic-silver", True, 0.2),
+        ("metallic-silver", True, 1.1),
+        ("satin-silver", True, 0.2),
+        (WAVY, True, 1.1),
+    ],
+)
+def test_samples_follow_their_density(paints: Path, name: str, shown: bool, angle: float) -> None:
     """By Mitsuba's own chi-square test; with single flakes at one place of a ball."""
-    scene = ball(paints / "metallic-silver.toml", 200.0)
+    scene = ball(paints / f"{name}.toml", 200.0)
     surface = scene.shapes()[0].bsdf()
     if shown:
         plugin.attach(scene)
@@ -246,8 +268,11 @@ def test_weights_add_up_to_the_albedo(paints: Path, shown: bool) -> None:
     assert np.all(w.mean(axis=0) < 1)
 
 
-def test_pictures_with_and_without_flakes_have_one_mean(paints: Path) -> None:
-    scene = ball(paints / "metallic-silver.toml", 90.0)
+@pytest.mark.parametrize(("name", "grainier"), [("metallic-silver", 1.5), ("satin-silver", 1.2)])
+def test_pictures_with_and_without_flakes_have_one_mean(
+    paints: Path, name: str, grainier: float
+) -> None:
+    scene = ball(paints / f"{name}.toml", 90.0)
     mean = np.array(mi.render(scene, spp=64, seed=1))
     plugin.attach(scene)
     flakes = np.array(mi.render(scene, spp=64, seed=2))
@@ -255,7 +280,7 @@ def test_pictures_with_and_without_flakes_have_one_mean(paints: Path) -> None:
     a, b = mean[middle].reshape(-1, 3), flakes[middle].reshape(-1, 3)
     error = np.hypot(a.std(axis=0), b.std(axis=0)) / np.sqrt(len(a))
     assert np.all(np.abs(a.mean(axis=0) - b.mean(axis=0)) < 4 * error)
-    assert b.std() > 1.5 * a.std()
+    assert b.std() > grainier * a.std()
 
 
 def test_gradients_are_those_of_finite_differences(paints: Path) -> None:

@@ -82,9 +82,13 @@ def test_the_file_says_how_far_it_is(paints: Path, tmp_path: Path) -> None:
 
 def test_what_a_shader_cannot_show_is_refused(paints: Path, tmp_path: Path) -> None:
     file = tmp_path / "paint.three.js"
-    wavy = nacre.Paint("aluminium-corn-flake")
-    with pytest.raises(nacre.DomainError, match="waviness"):
-        wavy.write(file)
+    peel = (
+        nacre.Paint(paints / "ruby.toml")
+        .to_toml()
+        .replace("[clearcoat]", "[clearcoat]\norange_peel = { wd = 0.002 }")
+    )
+    with pytest.raises(nacre.DomainError, match="orange_peel"):
+        nacre.Paint.from_toml(peel).write(file)
     with pytest.raises(nacre.SettingError, match="wavelengths_nm"):
         nacre.Paint(paints / "ruby.toml").write(file, wavelengths_nm=[450, 550])
     assert not file.exists()

@@ -26,11 +26,14 @@ from ._bits import (
     u64,
     unit_float,
 )
+from ._coat import CoatTilt
 from ._patch import Footprint, Outline, planes_of
 
 MAX_EXPONENT = 14.0
 MIN_COSINE = 0.1
 SAMPLED_WIDENING = 1.1
+LOBE_POWER = 0.92
+"""kLobePower: the fraction of a flake's light that its lobe holds."""
 BATCH = 8
 """Flakes of a cell that are looked at together; it has four on average."""
 
@@ -61,12 +64,22 @@ class Flake:
     """Of its level."""
     slope: Any
     lobe_radius: Float
+    widening: Float
+    """Of the levels."""
+
+
+def added_radius2(spread2: Float) -> Float:
+    """DiffractionLobe::coat_radius2()."""
+    return 18 / 5 * spread2
 
 
 class Field:
     """The flakes of one species in one layer: FlakeField with its DiffractionLobe."""
 
-    def __init__(self, a: Arrays, species: Arrays) -> None:
+    def __init__(self, a: Arrays, species: Arrays, coat: CoatTilt) -> None:
+        self.coat = coat
+        self.waviness2 = float(species["waviness"]) ** 2
+        self.spreads = coat.rough or self.waviness2 > 0
         self.cell_mm = [float(x) for x in species["cell_mm"]]
         self.key = [int(x) for x in species["key"]]
         self.fraction = [float(x) for x in species["fraction"]]
@@ -119,11 +132,28 @@ class Field:
         t = dr.maximum(1 - distance2 * inverse, 0)
         return 3 * dr.inv_pi * inverse * t * t
 
-    def answer_factor(self, levels: Levels, exponent: Float, scale: Float) -> Float:
-        """FlakeView::answer_factor(), of a smooth coat."""
+    def spread2(self, mu_i: Float, mu_o: Float) -> Float:
+        """The square of the alpha by which all but diffraction spreads the light of a flake."""
+        of_coat = self.coat.spread2(mu_i, mu_o) if self.coat.rough else 0
+        return of_coat + self.waviness2
+
+    def answer_factor(
+        self, levels: Levels, exponent: Float, scale: Float, spread2: Float | None
+    ) -> Float:
+        """FlakeView::answer_factor(); spread2: None where nothing but diffraction spreads light."""
         radius = self.typical_radius * scale
-        lobes = 1 / dr.maximum(1, self._tables(exponent, radius)[1])
-        bend = (exponent - 1) * radius * radius * (1 / 3)
+        radius2 = radius * radius
+        if spread2 is None:
+            inverse = self._tables(exponent, radius)[1]
+        else:
+            relative = spread2 / (self.alpha * self.alpha)
+            narrower = 1 / (1 + relative)
+            power = dr.maximum(LOBE_POWER, 1 - 0.2 * dr.rsqrt(dr.maximum(relative / radius2, 1e-9)))
+            inverse = self._tables(exponent * narrower, radius * dr.sqrt(narrower))[1]
+            inverse *= LOBE_POWER / power
+            radius2 = radius2 + added_radius2(relative)
+        lobes = 1 / dr.maximum(1, inverse)
+        bend = (exponent - 1) * radius2 * (1 / 3)
         bound = dr.select(levels.resolved > 0, 1 / dr.maximum(levels.resolved, 1e-6), 1)
         ratio = dr.maximum(1 - bend, 0.25) / dr.maximum(
             1 - levels.widening * levels.widening * bend, 0.25
@@ -264,7 +294,10 @@ class Field:
             t = c["turn"]
             slope = mi.Vector2f(self.alpha * (t.x * a - t.y * b), self.alpha * (t.y * a + t.x * b))
             lobe_radius = levels.widening * (self.radius_um / diameter)
-            return Flake(place, kind, x, y, 0.5e-3 * diameter, c["weight"], slope, lobe_radius)
+            return Flake(
+                *(place, kind, x, y, 0.5e-3 * diameter, c["weight"], slope, lobe_radius),
+                levels.widening,
+            )
 
         def touching(c: dict[str, Any], k: Any) -> Any:
             """Which of the next flakes of the cell touch the patch, as bits. They do not wait for
@@ -317,9 +350,14 @@ class Field:
         which is evaluated, whose radius is that at the half vector instead, and a little more."""
         m = flake.slope
         sec2 = 1 + dr.dot(m, m)
-        facing = dr.abs(wi.x * m.x + wi.y * m.y + wi.z)
-        scale = self.widening(sec2, facing * dr.rsqrt(sec2))
+        facing = wi.x * m.x + wi.y * m.y + wi.z
+        scale = self.widening(sec2, dr.abs(facing) * dr.rsqrt(sec2))
         radius = SAMPLED_WIDENING * flake.lobe_radius * scale
+        if self.spreads:
+            # Towards where a flake of this slope mirrors wi.
+            spread2 = self.spread2(wi.z, 2 * facing / sec2 - wi.z)
+            wider = SAMPLED_WIDENING * flake.widening
+            radius = dr.sqrt(radius * radius + wider * wider * added_radius2(spread2))
         return dr.minimum(radius, self.max_width * self.alpha)
 
     def _first_level(self, levels: Levels) -> Any:

@@ -15,7 +15,7 @@ import mitsuba as mi
 
 from ._bands import Arrays, Float, Source, Table, Wide
 from ._bits import SHORT_GOLDEN, hash_of_two, mix_bits_32, u32, u64, unit_float, unit_fraction
-from ._field import MAX_EXPONENT, Field, Flake
+from ._field import MAX_EXPONENT, Field, Flake, added_radius2
 from ._hot_spot import HotSpot
 from ._microflake import MeanFlakes, Microflake, Pair, Ray, mean_escape
 from ._patch import Footprint, Outline
@@ -33,6 +33,7 @@ class Sparkle(MeanFlakes):
         self, model: SparkleModel, patch: Footprint, i: Ray, active: Any, shown: Any
     ) -> None:
         self.model = model
+        self.averaged = model.mean
         self.patch = patch
         self.i = i
         self.shown = shown
@@ -105,7 +106,9 @@ class Sparkle(MeanFlakes):
         exponent = pair.slope2 / alpha2
         reaches = exponent < MAX_EXPONENT
         scale = field.widening(1 + pair.slope2, pair.cosine)
-        part = dr.select(reaches, field.answer_factor(levels, exponent, scale), 0)
+        spread2 = field.spread2(pair.i.inside.z, pair.o.inside.z) if field.spreads else None
+        added2 = 0 if spread2 is None else levels.widening**2 * added_radius2(spread2)
+        part = dr.select(reaches, field.answer_factor(levels, exponent, scale, spread2), 0)
         density = dr.inv_pi / alpha2 * dr.exp(-dr.minimum(exponent, MAX_EXPONENT))
         widest = field.max_width * field.alpha
         hot_spot = model.hot_spot
@@ -115,7 +118,9 @@ class Sparkle(MeanFlakes):
 
         def distance2(f: Flake) -> tuple[Float, Float]:
             dx, dy = f.slope.x - pair.slope.x, f.slope.y - pair.slope.y
-            return dx * dx + dy * dy, dr.minimum(f.lobe_radius * scale, widest)
+            own = f.lobe_radius * scale
+            width = own if spread2 is None else dr.sqrt(own * own + added2)
+            return dx * dx + dy * dy, dr.minimum(width, widest)
 
         def accept(f: Flake) -> Any:
             d2, width = distance2(f)
@@ -178,7 +183,7 @@ class Sparkle(MeanFlakes):
         total = mi.Float(0)
         for density in self.densities:
             total = total + density
-        slopes = dr.select(self.any, total / self.met["chances"], 0)
+        slopes = total / dr.select(self.any, self.met["chances"], 1)
         return dr.detach(slopes * pair.slopes_per_solid_angle * ratio)
 
     def draw(self, u: Any) -> Any:
@@ -223,7 +228,7 @@ class SparkleModel:
         self.smooth = smooth
         self.hot_spot = HotSpot(smooth, a) if a["hot_spot"] is not None else None
         self.mean = self.hot_spot or MeanFlakes()
-        self.fields = [Field(a, species) for species in a["species"]]
+        self.fields = [Field(a, species, smooth.coat) for species in a["species"]]
         self.films = [
             Films(smooth, source, n) if len(species["film_ratio"]) else None
             for n, species in enumerate(a["species"])

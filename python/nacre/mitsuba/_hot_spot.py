@@ -42,12 +42,13 @@ class HotSpot(MeanFlakes):
         self.nodes = (s * s).tolist()
         self.weights = (weights * s).tolist()  # half the interval's weight, times 2 s
 
-    @staticmethod
-    def spread(pair: Pair) -> Float:
+    def spread(self, pair: Pair) -> Float:
         """How far apart both rays are after a step in height."""
         i, o = pair.i.inside, pair.o.inside
         x, y = i.x / i.z - o.x / o.z, i.y / i.z - o.y / o.z
-        return dr.clip(dr.sqrt(x * x + y * y), 1e-4, 1e6)
+        square, coat = x * x + y * y, self.smooth.coat
+        apart = coat.separation(square, i.z, o.z) if coat.rough else dr.sqrt(square)
+        return dr.clip(apart, 1e-4, 1e6)
 
     def couplings(self, pair: Pair) -> list[Wide]:
         of = self.smooth.directions.of

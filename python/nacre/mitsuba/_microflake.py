@@ -30,6 +30,7 @@ from ._bands import (
     single,
     texture,
 )
+from ._coat import CoatTilt
 
 Vector = Any
 
@@ -67,6 +68,9 @@ class Pair:
 class Flakes(Protocol):
     """Which flakes scatter once: what takes the place of their mean (MeanFlakes in C++)."""
 
+    averaged: Flakes | None
+    """Their mean, which a table under a rough coat holds; None: they are it."""
+
     def start(self, random: Any = None) -> None:
         """Before each pair of directions."""
 
@@ -81,6 +85,8 @@ class Flakes(Protocol):
 
 
 class MeanFlakes:
+    averaged: Flakes | None = None
+
     def start(self, random: Any = None) -> None:
         pass
 
@@ -162,6 +168,7 @@ class Microflake:
         self.bands = bands
         self.mean_ior = float(a["mean_ior"])
         self.rough = float(a["coat_roughness"])
+        self.coat = CoatTilt(self.rough, self.mean_ior)
         self.dispersive = bool(np.ptp(a["ior"]) > 0)
         self.directions = DirectionTables(bands, source)
         self.by_wavelength = Table(bands, source, self._by_wavelength)
@@ -202,7 +209,7 @@ class Microflake:
             else:
                 spectra = basis
             self.smooth.append((table, coefficients.shape, spectra, factor))
-        self.single_rank = int(source.base["single_rank"])
+        self.first_single = source.base["smooth"].shape[-1] - int(source.base["single_rank"])
 
     def _tabulated(self, pair: Pair, active: Any) -> Wide:
         """Multiple scattering without Fresnel factors; under a rough coat all but the interface."""
@@ -212,9 +219,22 @@ class Microflake:
             total = value if factor is None else total + factor * value
         return dr.maximum(total, 0) * dr.rcp(pair.i.inside.z + pair.o.inside.z)
 
+    def _tabulated_single(self, pair: Pair, active: Any) -> Wide:
+        """Of it, under a rough coat, what was scattered once; without gradients."""
+        table, shape, spectra, _ = self.smooth[0]
+        value = self._smooth_value(pair, table, shape, spectra, active, self.first_single)
+        return dr.maximum(value, 0) * dr.rcp(pair.i.inside.z + pair.o.inside.z)
+
     def _smooth_value(
-        self, pair: Pair, table: Any, shape: tuple[int, ...], spectra: Any, active: Any
+        self,
+        pair: Pair,
+        table: Any,
+        shape: tuple[int, ...],
+        spectra: Any,
+        active: Any,
+        first: int = 0,
     ) -> Wide:
+        """The sum of the terms from `first` on."""
         # bsdf::locate()
         i, o = pair.i, pair.o
         a = dr.minimum(dr.maximum(i.x, o.x), 1)
@@ -238,7 +258,7 @@ class Microflake:
             return self.bands.wide(
                 [
                     sum(
-                        (float(spectra[k][n]) * coefficients[k] for k in range(rank)),
+                        (float(spectra[k][n]) * coefficients[k] for k in range(first, rank)),
                         start=mi.Float(0),
                     )
                     for n in range(len(self.bands.nm))
@@ -248,7 +268,7 @@ class Microflake:
         for x in pair.where.coordinates:
             basis = spectra.eval(dr_array(1)(x), active)
             value = mi.Float(0)
-            for c, weight in zip(coefficients, basis, strict=True):
+            for c, weight in list(zip(coefficients, basis, strict=True))[first:]:
                 value = dr.fma(c, weight, value)
             values.append(value)
         return self.bands.wide(values)
@@ -325,7 +345,8 @@ class Microflake:
         return Pair(i, o, where, slope, slope2, cosine, 0.5 * inverse * sec2)
 
     def once(self, pair: Pair, flakes: Flakes, numbers: Sequence[Wide], active: Any) -> Wide:
-        """Single scattering without Fresnel factors: BoundMicroflake::single()."""
+        """Single scattering without Fresnel factors, under a rough coat with half vectors spread
+        by it: BoundMicroflake::single()."""
         i, o = pair.i, pair.o
         if self.dispersive:
             inverse_ior = dr.rcp(numbers[0])
@@ -344,6 +365,7 @@ class Microflake:
             between = dr.dot(i.inside, o.inside)
             tan2, cosine = pair.slope2, pair.cosine
         inverse_i, inverse_o = dr.rcp(mu_i), dr.rcp(mu_o)
+        spread2 = self.coat.spread2(mu_i, mu_o) if self.coat.rough else 0
         sec2 = 1 + tan2
         sec3 = sec2 * dr.sqrt(sec2)
         reflectances = self._by_angle(self.reflectance, cosine, pair, active)
@@ -357,7 +379,7 @@ class Microflake:
             here = thickness * rate
             kernel: Wide = self.bands.constant(0)
             for f, flake in enumerate(species):
-                alpha2 = flake.alpha * flake.alpha
+                alpha2 = flake.alpha * flake.alpha + spread2
                 density = (
                     (flake.half_density * (0.5 * dr.inv_pi) / alpha2)
                     * sec3
@@ -408,13 +430,27 @@ class Microflake:
         numbers = self.by_wavelength.look_up(mi.Float(0), pair.where, active)
         smooth = self._tabulated(pair, active)
         if self.rough > 0:
-            return smooth + self._rough_lobe(pair, numbers)
+            mean = smooth + self._rough_lobe(pair, numbers)
+            if flakes.averaged is None:
+                return mean
+            single = dr.minimum(self._tabulated_single(pair, active), smooth)
+            return mean + single * (self._rough_ratio(pair, flakes, numbers, active) - 1)
         ior = numbers[0]
         through = (1 - self.fresnel(pair.i.outside.z, ior)) * (
             1 - self.fresnel(pair.o.outside.z, ior)
         )
         once = self.once(pair, flakes, numbers, active)
         return (once + flakes.multiple(pair, smooth)) * through / (ior * ior)
+
+    def _rough_ratio(
+        self, pair: Pair, flakes: Flakes, numbers: Sequence[Wide], active: Any
+    ) -> Wide:
+        """Of the light that was scattered once, that of some flakes over that of all:
+        BoundMicroflake::rough_ratio()."""
+        assert flakes.averaged is not None
+        some = self.once(pair, flakes, numbers, active)
+        all_ = self.once(pair, flakes.averaged, numbers, active)
+        return dr.select(all_ > 1e-30, some / dr.maximum(all_, 1e-30), 1)
 
     def specular(self, cosine: Float, where: Where, active: Any) -> Wide:
         """Reflectance of a smooth interface."""

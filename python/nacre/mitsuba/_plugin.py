@@ -190,7 +190,6 @@ def make_plugin() -> Any:
                 self.camera is not None
                 and self.sparkle is not None
                 and bool(self.sparkle.fields)
-                and self.smooth.rough == 0
                 and not self.parameters
             )
 

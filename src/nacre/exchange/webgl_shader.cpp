@@ -181,7 +181,7 @@ class Tabulator {
             layout_.layers.push_back(layer(from, top_um));
             top_um += from.thickness_um;
         }
-        if (arrays_.hot_spot) {
+        if (arrays_.hot_spot && layout_.roughness == 0) {
             for (const auto& species : arrays_.hot_spot->species) {
                 layout_.gaps.push_back(
                     {species.layer, species.diameter_um, add_spectra(species.coupling)});

@@ -1,7 +1,5 @@
 #include "nacre/bsdf/models/nacre_arrays.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -167,20 +165,11 @@ NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
 
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress) {
-    for (const paint::Layer& layer : paint->recipe.layers) {
-        for (const paint::FlakeSpecies& species : layer.flakes) {
-            if (species.waviness == 0) continue;
-            throw DomainError(fmt::format(
-                "waviness = {}: programs that evaluate the model nacre by its arrays know flat "
-                "flakes only; take the model microflake, or waviness = 0",
-                species.waviness));
-        }
-    }
     require_flat_coat(*paint);
     const Nacre surface(paint, settings, progress);
     const Nacre::Tables& tables = surface.tables();
     NacreArrays out = arrays_of(*tables.smooth);
-    if (tables.hot_spot && !tables.smooth->rough) out.hot_spot = hot_spot_arrays(*tables.hot_spot);
+    if (tables.hot_spot) out.hot_spot = hot_spot_arrays(*tables.hot_spot);
     for (const NacreSpecies& species : tables.species) {
         out.species.push_back(species_arrays(species, out.wavelengths_nm.size()));
     }

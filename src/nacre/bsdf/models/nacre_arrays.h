@@ -67,8 +67,8 @@ struct NacreArrays {
         std::vector<HotSpotSpecies> species;
         std::vector<float> ground, closing;  ///< (D, W), or empty
     };
-    std::optional<HotSpotArrays>
-        hot_spot;  ///< of `nacre`; none under a rough coat, where `smooth` has it
+    /// Of `nacre`. Under a rough coat `smooth` holds the mean with it, and this is for single flakes.
+    std::optional<HotSpotArrays> hot_spot;
 
     struct Species {
         sparkle::FlakeField::Constants field;
@@ -84,8 +84,8 @@ struct NacreArrays {
     std::vector<Species> species;  ///< of `nacre`: those of all layers, one after the other
 };
 
-/// @throws Error, DomainError, Stopped as Nacre's constructor; DomainError if flakes are wavy or the
-///         recipe has an orange_peel, which the arrays do not hold
+/// @throws Error, DomainError, Stopped as Nacre's constructor; DomainError if the recipe has an
+///         orange_peel, which the arrays do not hold
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
 /// Those of `nacre` for pictures that follow a slider, in a fraction of the time: without
