@@ -5,6 +5,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/estimate.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::study {
 namespace {
@@ -32,7 +33,7 @@ std::vector<std::vector<double>> luminances(const std::vector<io::Image>& batche
         const std::vector<float> rgb = io::interleaved_rgb(image, "batch");
         auto& y = out.emplace_back(pixels);
         for (std::size_t i = 0; i < pixels; ++i) {
-            y[i] = 0.2126 * rgb[3 * i] + 0.7152 * rgb[3 * i + 1] + 0.0722 * rgb[3 * i + 2];
+            y[i] = spectra::rec709_luminance<double>(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
         }
     }
     return out;

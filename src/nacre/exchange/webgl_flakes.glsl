@@ -97,8 +97,14 @@ float nacreWidening(float sec2, float cosine) {
 }
 float nacreExponent(int s, float slope2) { return slope2 / (nacreField[s].y * nacreField[s].y); }
 bool nacreReaches(int s, float slope2) { return nacreExponent(s, slope2) < @MAX_EXPONENT@; }
-/// What waviness adds to the square of a lobe's radius.
-float nacreSpread2(int s) { return 3.6 * nacreFieldSize[s].z; }
+/// What waviness, and a rough coat along a way in and out, add to the square of a lobe's radius.
+float nacreSpread2(int s, float mi, float mo) {
+#if NACRE_SMOOTH_COAT
+    return 3.6 * nacreFieldSize[s].z;
+#else
+    return 3.6 * (nacreFieldSize[s].z + nacreCoat2(mi, mo));
+#endif
+}
 
 /// How a patch shows a species: FlakeView. Levels fade out where it touches more cells than `full`.
 struct NacreShown {
@@ -109,7 +115,7 @@ struct NacreShown {
 float nacreAnswer(int s, NacrePair p, float resolved, float widening) {
     float exponent = nacreExponent(s, p.slope2);
     float radius = nacreFieldLevels[s].z * nacreWidening(p.sec2, p.cosine);
-    float relative = nacreExponent(s, nacreFieldSize[s].z), narrower = 1. / (1. + relative);
+    float relative = nacreExponent(s, nacreFieldSize[s].z + p.coat2), narrower = 1. / (1. + relative);
     float power = relative > 0. ? max(NACRE_LOBE_POWER, 1. - .2 * radius * inversesqrt(relative))
                                 : NACRE_LOBE_POWER;
     float inverse = exp(nacreLobeTable(exponent * narrower, radius * sqrt(narrower)).y);
@@ -275,7 +281,11 @@ vec3 nacreFlakeColour(int s, float place, vec3 wi, vec3 wo, NacrePair p) {
     for (int g = 0; g < 4; ++g) depth[g] = nacreDepth[g] * (1. / p.i.z + 1. / p.o.z);
     vec3 sum = vec3(0.);
     @FLAKE_LAYERS@
+#if NACRE_SMOOTH_COAT
     float leaves = (1. - nacreFresnel(wi.z)) * (1. - nacreFresnel(wo.z)) / (nacreIor * nacreIor);
+#else
+    float leaves = nacreOverClosed(nacreTabulated(wi, wo, p), nacreLight(p, true).once);
+#endif
     return sum * (nacreLobe(nacreFlake[s], p) * leaves / (p.i.z * p.o.z));
 }
 
@@ -349,13 +359,13 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
 
     for (int s = 0; s < NACRE_FLAKES; ++s) {
         vec4 field = nacreField[s], sizes = nacreFieldSize[s];
-        float cellSide = field.x, alpha = field.y, largest = sizes.y, spread2 = nacreSpread2(s);
+        float cellSide = field.x, alpha = field.y, largest = sizes.y;
         NacreOutline outline = nacreOutline(seen, sizes.x);
         NacreShown wide = nacreLevels(s, outline.side, 2.), narrow = wide;
         if (sunny && wide.resolved < 1.) {
             // FlakeField::lobe_area() as what it is outside the coat.
             float radius = nacreFieldLevels[s].z * alpha / max(i.z, .1);
-            float area = 5. * PI / 9. * (radius * radius + spread2);
+            float area = 5. * PI / 9. * (radius * radius + nacreSpread2(s, i.z, i.z));
             float angle = area * 4. * i.z * i.z * i.z * nacreIor * nacreIor * i.z / wi.z;
             narrow = nacreLevels(s, outline.side, min(sunAngle / angle, 1.));
         }
@@ -366,8 +376,9 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
         if (!asked || wide.resolved + narrow.resolved == 0.) continue;
         float typicalDepth = 2. * nacreLayer[NACRE_LAYERS[s]].x / i.z *
                              nacreRow(NACRE_EXTINCTIONS[s], 1, length(wi.xy) / (1. + wi.z)).w;
-        float sunScale = 0., sunSpread = narrow.widening * narrow.widening * spread2;
+        float sunScale = 0., sunSpread = 0.;
         if (sunny && nacreReaches(s, sunPair.slope2)) {
+            sunSpread = narrow.widening * narrow.widening * nacreSpread2(s, i.z, sunPair.o.z);
             sunScale = narrow.widening * nacreWidening(sunPair.sec2, sunPair.cosine);
         }
 
@@ -428,6 +439,7 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
                         float sec2 = 1. + dot(slope, slope);
                         float facing = dot(i.xy, slope) + i.z;
                         float scaled = own * nacreWidening(sec2, abs(facing) * inversesqrt(sec2));
+                        float spread2 = nacreSpread2(s, i.z, 2. * facing / sec2 - i.z);
                         float width = min(sqrt(scaled * scaled + spread2), 4. * alpha);
                         uint a = nacreShortMix(random ^ flake.x ^ (flake.y * NACRE_SHORT_GOLDEN));
                         uint b = nacreShortMix(a ^ NACRE_SHORT_GOLDEN);

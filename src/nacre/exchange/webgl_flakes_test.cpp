@@ -89,13 +89,14 @@ TEST(WebglFlakes, UniformsAreTheFieldsOfTheSpecimen) {
     EXPECT_EQ(values(other, "nacreField"), field);
 }
 
-TEST(WebglFlakes, AreLeftOutUnderARoughCoatAndOfFilesOfOnePaint) {
-    EXPECT_THAT(make_live_webgl_shader(two_species(0)).glsl, HasSubstr("#define NACRE_FLAKES 2\n"));
-    EXPECT_THAT(make_live_webgl_shader(two_species(0.1)).glsl, Not(HasSubstr("NACRE_FLAKES")));
-    const auto paint = two_species(0);
-    const WebglShader file = make_webgl_shader(bsdf::nacre_arrays(paint, bsdf::NacreModel{}));
-    EXPECT_THAT(file.glsl, Not(HasSubstr("NACRE_FLAKES")));
-    EXPECT_THAT(file.glsl, Not(HasSubstr("nacreRest")));
+TEST(WebglFlakes, AreLeftOutOfFilesOfOnePaint) {
+    for (const double roughness : {0.0, 0.1}) {
+        const auto paint = two_species(roughness);
+        EXPECT_THAT(make_live_webgl_shader(paint).glsl, HasSubstr("#define NACRE_FLAKES 2\n"));
+        const WebglShader file = make_webgl_shader(bsdf::nacre_arrays(paint, bsdf::NacreModel{}));
+        EXPECT_THAT(file.glsl, Not(HasSubstr("define NACRE_FLAKES")));
+        EXPECT_THAT(file.glsl, Not(HasSubstr("nacreRest")));
+    }
 }
 
 }  // namespace

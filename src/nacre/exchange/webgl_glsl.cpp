@@ -48,7 +48,7 @@ void add_layer(const WebglShader::Layout& layout, std::size_t n, std::size_t& fl
     const WebglShader::Layout::Layer& layer = layout.layers[n];
     const bool apart = !layout.species.empty();
     for (std::size_t k = flakes; apart && k < flakes + layer.flakes.size(); ++k) {
-        lines.add("float rest{0} = nacreRest({0}, p);", k);
+        lines.add("float rest{0} = whole ? 1. : nacreRest({0}, p);", k);
     }
     lines.add("for (int g = 0; g < 4; ++g) {{");
     lines.add("    here[g] = nacreLayer[{}].x * nacreRate({}, g, p); kernel[g] = vec4(0.);", n,

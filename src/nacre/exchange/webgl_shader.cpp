@@ -80,7 +80,7 @@ class Tabulator {
  public:
     /// @param flakes  one by one too: arrays.species
     Tabulator(const bsdf::NacreArrays& arrays, bool flakes, Illuminant lamp)
-        : arrays_(arrays), lamp_(lamp) {
+        : arrays_(arrays), flakes_(flakes), lamp_(lamp) {
         const std::vector<double>& nm = arrays.wavelengths_nm;
         if (nm.size() < 2) {
             throw DomainError(
@@ -99,7 +99,7 @@ class Tabulator {
             for (int c = 0; c < 3; ++c) layout_.rgb[c][b] = static_cast<float>(weights[b][c]);
         }
         fill();
-        if (flakes) add_species();
+        if (flakes_) add_species();
     }
 
     WebglShader::Layout layout() && { return std::move(layout_); }
@@ -181,7 +181,8 @@ class Tabulator {
             layout_.layers.push_back(layer(from, top_um));
             top_um += from.thickness_um;
         }
-        if (arrays_.hot_spot && layout_.roughness == 0) {
+        // Under a rough coat, whose table has the mean with it, it is for single flakes.
+        if (arrays_.hot_spot && (layout_.roughness == 0 || flakes_)) {
             for (const auto& species : arrays_.hot_spot->species) {
                 layout_.gaps.push_back(
                     {species.layer, species.diameter_um, add_spectra(species.coupling)});
@@ -241,7 +242,6 @@ class Tabulator {
         std::size_t species = 0;
         for (std::size_t l = 0; l < layout_.layers.size(); ++l) {
             for (const auto& flake : layout_.layers[l].flakes) {
-                if (species == arrays_.species.size()) return;  // none under a rough coat
                 const bsdf::NacreArrays::Species& from = arrays_.species[species++];
                 std::vector<double> bands(std::size_t{kWebglRows} * kWebglBands, 0.0);
                 for (std::size_t n = 0; n < from.diameter_um.size(); ++n) {
@@ -272,6 +272,7 @@ class Tabulator {
     }
 
     const bsdf::NacreArrays& arrays_;
+    const bool flakes_;
     const Illuminant lamp_;
     std::array<Band, kWebglBands> bands_;
     WebglShader::Layout layout_;
@@ -281,6 +282,7 @@ class Tabulator {
 WebglTexture smooth_texture(const bsdf::NacreArrays& arrays, Illuminant lamp) {
     const std::vector<Vec3d> weights = film_weights(arrays.wavelengths_nm, lamp);
     const std::size_t rank = static_cast<std::size_t>(arrays.rank), count = weights.size();
+    const std::size_t first_single = rank - static_cast<std::size_t>(arrays.single_rank);
     std::vector<Vec3f> basis(rank);
     for (std::size_t k = 0; k < rank; ++k) {
         Vec3d rgb;
@@ -294,10 +296,13 @@ WebglTexture smooth_texture(const bsdf::NacreArrays& arrays, Illuminant lamp) {
     out.rgba.reserve(4 * arrays.grid.cells());
     const float* coefficient = arrays.smooth.data();
     for (std::size_t cell = 0; cell < arrays.grid.cells(); ++cell, coefficient += rank) {
-        Vec3f rgb;
-        for (std::size_t k = 0; k < rank; ++k) rgb += coefficient[k] * basis[k];
+        Vec3f rgb, single;
+        for (std::size_t k = 0; k < rank; ++k) {
+            rgb += coefficient[k] * basis[k];
+            if (k >= first_single) single += coefficient[k] * basis[k];
+        }
         for (int c = 0; c < 3; ++c) out.rgba.push_back(checked_half(rgb[c]));
-        out.rgba.push_back(0);
+        out.rgba.push_back(checked_half(spectra::rec709_luminance(single.x, single.y, single.z)));
     }
     return out;
 }

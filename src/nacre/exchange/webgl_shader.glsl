@@ -4,7 +4,7 @@
 
 precision highp sampler3D;
 uniform sampler2D nacreTable;   // functions of a place in [0, 1] down the rows, 4 wavelengths a texel
-uniform sampler3D nacreSmooth;  // multiple scattering
+uniform sampler3D nacreSmooth;  // multiple scattering; under a rough coat single too, whose luminance is alpha
 
 @STRUCTURE@
 @NUMBERS@
@@ -23,6 +23,7 @@ struct NacrePair {
     float cosine;       // on a flake that reflects one into the other
     float turned;       // cosine between i and o
     float spread;       // of both rays, by a step in height
+    float coat2;        // square of the alpha by which a rough coat spreads half vectors
 };
 
 @FLAKES@
@@ -30,6 +31,22 @@ vec3 nacreRefract(vec3 w, float ior) {
     vec2 xy = w.xy / ior;
     return vec3(xy, sqrt(max(1. - dot(xy, xy), 0.)));
 }
+
+#if !NACRE_SMOOTH_COAT
+// sparkle::CoatTilt: cosines are those inside a smooth coat.
+float nacreTurned(float mu) {
+    return mu - sqrt(max(mu * mu - 1. + 1. / (nacreIor * nacreIor), 0.));
+}
+float nacreCoat2(float mi, float mo) {
+    vec2 k = nacreRoughness * vec2(nacreTurned(mi), nacreTurned(mo)) / max(mi + mo, .1);
+    return dot(k, k);
+}
+/// What one ray adds to the variance of a component of the distance of both.
+float nacreApart(float mu) {
+    float k = nacreRoughness * nacreTurned(mu), secant2 = 1. / (max(mu, .1) * max(mu, .1));
+    return k * k * secant2 * .25 * (1. + secant2 * secant2);
+}
+#endif
 
 NacrePair nacrePair(vec3 wi, vec3 wo) {
     NacrePair p;
@@ -42,7 +59,16 @@ NacrePair nacrePair(vec3 wi, vec3 wo) {
     p.sec2 = 1. + p.slope2;
     p.cosine = min(.5 * h.z * sqrt(p.sec2), 1.);
     p.turned = dot(p.i, p.o);
-    p.spread = clamp(length(p.i.xy / p.i.z - p.o.xy / p.o.z), 1e-4, 1e6);
+    vec2 apart = p.i.xy / p.i.z - p.o.xy / p.o.z;
+    float square = dot(apart, apart);
+#if NACRE_SMOOTH_COAT
+    p.coat2 = 0.;
+#else
+    p.coat2 = nacreCoat2(p.i.z, p.o.z);
+    float variance = max(nacreApart(p.i.z) + nacreApart(p.o.z), 1e-12);
+    square += variance * (1. + (.5 * PI - 1.) / (1. + .5 * square / variance));
+#endif
+    p.spread = clamp(sqrt(square), 1e-4, 1e6);
     return p;
 }
 
@@ -56,7 +82,8 @@ vec4 nacreRate(int channel, int g, NacrePair p) {
 
 /// flake: half its area per volume over 2 pi alpha^2, and alpha.
 float nacreLobe(vec2 flake, NacrePair p) {
-    return flake.x * exp(-min(p.slope2 / (flake.y * flake.y), 80.)) * p.sec2 * sqrt(p.sec2);
+    float own2 = flake.y * flake.y, alpha2 = own2 + p.coat2;
+    return flake.x * (own2 / alpha2) * exp(-min(p.slope2 / alpha2, 80.)) * p.sec2 * sqrt(p.sec2);
 }
 
 float nacreHenyeyGreenstein(float g, float turned) {
@@ -102,8 +129,8 @@ struct NacreLight {
     vec3 closing;  // what is left of all other light
 };
 
-/// Without what the interface turns away.
-NacreLight nacreLight(NacrePair p) {
+/// Without what the interface turns away. whole: with the mean of the flakes that are shown one by one.
+NacreLight nacreLight(NacrePair p, bool whole) {
     vec3 once = vec3(0.), ground = vec3(0.), rest = vec3(0.);
     vec4 depth[4], here[4], kernel[4], escape[4], closing;
     for (int g = 0; g < 4; ++g) depth[g] = nacreDepth[g] * (1. / p.i.z + 1. / p.o.z);
@@ -112,15 +139,15 @@ NacreLight nacreLight(NacrePair p) {
     return NacreLight(once / (p.i.z * p.o.z), ground, rest);
 }
 
-/// All other light, times the cosines inside.
-vec3 nacreMultiple(vec3 wi, vec3 wo, NacrePair p) {
+/// From the table of what is not closed.
+vec4 nacreTabulated(vec3 wi, vec3 wo, NacrePair p) {
     float a = min(max(p.xi, p.xo), 1.), b = abs(p.xi - p.xo) / max(a, 1e-12);
     float si = length(wi.xy), so = length(wo.xy), scale = 4. * si * si * so * so;
     vec2 u = si * wo.xy + so * wi.xy;
     float q2 = scale > 1e-14 ? min(dot(u, u) / scale, 1.) : 0.;
     vec3 size = vec3(textureSize(nacreSmooth, 0));
     vec3 at = vec3(sqrt(sqrt(q2)), sqrt(b), sqrt(a));
-    return texture(nacreSmooth, (at * (size - 1.) + .5) / size).rgb;
+    return texture(nacreSmooth, (at * (size - 1.) + .5) / size) / (p.i.z + p.o.z);
 }
 
 float nacreFresnel(float cosine) {
@@ -140,19 +167,33 @@ vec3 nacreInterface(vec3 wi, vec3 wo, NacrePair p) {
     for (int g = 0; g < 4; ++g) masked += nacreRgb(nacreBoth(NACRE_MASKED, g, p), g);
     return masked + .25 * facets * masking * nacreFresnel(min(.5 * length(h), 1.));
 }
+
+/// Light that was scattered once, as the table has it, over that of the closed form under a smooth coat
+/// (BoundMicroflake::rough_ratio()): by luminance, as interface and coat are nearly grey and RGB may be
+/// next to 0.
+float nacreOverClosed(vec4 tabulated, vec3 once) {
+    const vec3 LUMINANCE = vec3(.2126, .7152, .0722);
+    float closed = dot(LUMINANCE, once);
+    return closed > 1e-20 ? min(tabulated.a, dot(LUMINANCE, tabulated.rgb)) / closed : 0.;
+}
 #endif
 
 /// In 1/sr, linear Rec. 709, without the mirror image in a smooth coat: that is nacreFresnel(). Colours
 /// outside the gamut have negative components.
 vec3 nacreColour(vec3 wi, vec3 wo) {
     NacrePair p = nacrePair(wi, wo);
-    vec3 value = nacreMultiple(wi, wo, p) / (p.i.z + p.o.z);
+    vec4 tabulated = nacreTabulated(wi, wo, p);
+    vec3 value = tabulated.rgb;
 #if NACRE_SMOOTH_COAT
-    NacreLight light = nacreLight(p);
+    NacreLight light = nacreLight(p, false);
     value = light.closing * value + light.ground + light.once;
     value *= (1. - nacreFresnel(wi.z)) * (1. - nacreFresnel(wo.z)) / (nacreIor * nacreIor);
 #else
     value += nacreInterface(wi, wo, p);
+#ifdef NACRE_FLAKES
+    vec3 once = nacreLight(p, true).once;
+    value += nacreOverClosed(tabulated, once) * (nacreLight(p, false).once - once);
+#endif
 #endif
     return value;
 }

@@ -9,6 +9,7 @@
 
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
+#include "nacre/spectra/rgb.h"
 #include "nacre/testing/directions.h"
 #include "nacre/testing/plain_flakes.h"
 #include "nacre/testing/render.h"
@@ -104,8 +105,8 @@ render::SceneDescription ball() {
 }
 
 double luminance(const render::RenderResult& r, std::size_t pixel) {
-    return 0.2126 * r.rgb[3 * pixel] + 0.7152 * r.rgb[3 * pixel + 1] +
-           0.0722 * r.rgb[3 * pixel + 2];
+    const float* const rgb = &r.rgb[3 * pixel];
+    return spectra::rec709_luminance<double>(rgb[0], rgb[1], rgb[2]);
 }
 
 TEST(NacreOnShapes, FlakesTurnWithTheirShape) {

@@ -7,6 +7,7 @@
 
 #include "nacre/core/angles.h"
 #include "nacre/render/emission.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::render {
 namespace {
@@ -100,7 +101,7 @@ class ImageRadiance final : public EnvironmentRadiance {
         return c[0] * basis[first_] + c[1] * basis[first_ + 1] + c[2] * basis[first_ + 2];
     }
     float luminance_of(const Coefficients& c) const override {
-        return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];  // Y of linear Rec. 709
+        return spectra::rec709_luminance(c[0], c[1], c[2]);
     }
 
  private:

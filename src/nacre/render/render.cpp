@@ -17,6 +17,7 @@
 #include "nacre/io/image.h"
 #include "nacre/render/camera.h"
 #include "nacre/render/film.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::render {
 namespace {
@@ -293,7 +294,9 @@ RenderOptions noise_options(RenderOptions options, int probe) {
     return options;
 }
 
-double luminance(const float* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+double luminance(const float* rgb) {
+    return spectra::rec709_luminance<double>(rgb[0], rgb[1], rgb[2]);
+}
 
 /// From pairs of values of the same pixels by other random numbers; 0 of black pictures.
 double noise_between(const std::vector<std::array<double, 2>>& pairs) {

@@ -21,6 +21,12 @@ inline constexpr double kRec709White[2] = {0.3127, 0.3290};
 Vec3d xyz_to_linear_rec709(const Vec3d& xyz);
 Vec3d linear_rec709_to_xyz(const Vec3d& rgb);
 
+/// Y of linear Rec. 709 by the four digits of the recommendation.       [itu-bt-709-2015]
+template <class T>
+constexpr T rec709_luminance(T r, T g, T b) {
+    return static_cast<T>(0.2126) * r + static_cast<T>(0.7152) * g + static_cast<T>(0.0722) * b;
+}
+
 /// XYZ of what looks, to an eye adapted to one white, as `xyz` looks to an eye adapted to another:
 /// the transform of Bradford, which scales sharpened responses of the cones. [icc-1-2022, annex E.3]
 /// @param from, to  XYZ of the whites

@@ -13,6 +13,7 @@
 #include "nacre/render/mesh.h"
 #include "nacre/render/render.h"
 #include "nacre/render/scene.h"
+#include "nacre/spectra/rgb.h"
 
 // Only for tests: a coated paint in a few lines, with a specular lobe, a sharp lobe whose colour
 // changes with angle, and a diffuse lobe: all that a renderer must cope with.
@@ -125,7 +126,7 @@ inline Estimate estimate_luminance(const Scene& scene, RenderOptions options,
         const RenderResult r = render_with(scene, options, direct_light);
         double y = 0;
         for (std::size_t i = 0; i < r.rgb.size(); i += 3) {
-            y += 0.2126 * r.rgb[i] + 0.7152 * r.rgb[i + 1] + 0.0722 * r.rgb[i + 2];
+            y += spectra::rec709_luminance<double>(r.rgb[i], r.rgb[i + 1], r.rgb[i + 2]);
         }
         y /= static_cast<double>(r.rgb.size() / 3);
         sum += y;

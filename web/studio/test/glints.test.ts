@@ -89,6 +89,14 @@ const EXPECTED: readonly Expectation[] = [
         shared: 0.6,
     },
     {
+        // Lobes of more flakes overlap: less contrast, over as much noise.
+        name: "single flakes under a rough coat",
+        scene: { paint: "satin-silver", shape: "macro", light: "microscope", size: 64 },
+        samples: 16,
+        correlation: 0.6,
+        shared: 0.2,
+    },
+    {
         name: "the glitter of a ball in the sun",
         scene: { paint: "metallic-silver", shape: "ball", light: "sun", size: 96 },
         samples: 24,

@@ -153,7 +153,6 @@ NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
                               std::uint64_t specimen) {
     const Microflake::Tables tables(with_rough_hot_spot(paint));
     NacreArrays out = arrays_of(tables);
-    if (tables.rough) return out;
     out.hot_spot = hot_spot_arrays(HotSpotTables(*paint));
     const std::vector<float> fractions = flake_fractions(tables);
     const std::vector<sparkle::FlakeField> fields = flake_fields(tables, specimen);

@@ -89,8 +89,7 @@ struct NacreArrays {
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
 /// Those of `nacre` for pictures that follow a slider, in a fraction of the time: without
-/// `probability`, `albedo` and the films of single flakes; under a rough coat without `species`. Waves
-/// of the coat (orange_peel) are left out.
+/// `probability`, `albedo` and the films of single flakes. Waves of the coat (orange_peel) are left out.
 /// @throws Error as HotSpotTables; DomainError as FlakeField
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                               std::uint64_t specimen);
