@@ -1,13 +1,10 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "nacre/bsdf/models/nacre_arrays.h"
-#include "nacre/core/error.h"
 #include "nacre/paint/expansion.h"
-#include "nacre/testing/errors.h"
 #include "nacre/testing/nacre_model.h"
 #include "nacre/testing/statistics.h"
 
@@ -113,16 +110,16 @@ TEST(NacreFlakes, SamplesWhatTheyReflect) {
     EXPECT_NEAR(own, even, test::kWorstZ * error);
 }
 
-TEST(NacreFlakes, ArraysAreOfFlatFlakes) {
-    const auto solved = [](double waviness) {
-        paint::FlakeSpecies flake = metal_flake(20, 0.7, 0.2);
-        flake.waviness = waviness;
-        return std::make_shared<const solver::SolvedPaint>(solver::solve(paint_of({flake}), {550}));
-    };
-    EXPECT_EQ(nacre_arrays(solved(0), {}).species.size(), 1u);
-    EXPECT_THAT(nacre::test::message_of<DomainError>([&] { nacre_arrays(solved(0.1), {}); }),
-                testing::HasSubstr("waviness = 0.1"));
-    EXPECT_EQ(microflake_arrays(solved(0.1)).layers.size(), 1u);
+TEST(NacreFlakes, ArraysTellPlanesFromTheirWaves) {
+    paint::FlakeSpecies flake = metal_flake(20, 0.7, 0.2);
+    flake.waviness = 0.1;
+    const NacreArrays arrays = nacre_arrays(
+        std::make_shared<const solver::SolvedPaint>(solver::solve(paint_of({flake}), {550})), {});
+    ASSERT_EQ(arrays.species.size(), 1u);
+    EXPECT_DOUBLE_EQ(arrays.species[0].alpha, 0.2);
+    EXPECT_DOUBLE_EQ(arrays.species[0].waviness, 0.1);
+    // Of the mean: both together.
+    EXPECT_DOUBLE_EQ(arrays.layers[0].flakes[0].alpha, std::hypot(0.2, 0.1));
 }
 
 }  // namespace
