@@ -17,6 +17,7 @@
 // opaque: a direction below the horizon gives zero; glass alone transmits() there.
 
 namespace nacre::sparkle {
+class CoatThickness;
 class CoatWaves;
 }
 
@@ -129,6 +130,12 @@ struct Patch {
     float narrow_light = 0;
 };
 
+/// What becomes of a BRDF f where the coat is thinner or thicker: factor f + added.
+struct CoatChange {
+    FloatLanes factor = splat(1.0f);  ///< of light that crosses the coat once on its way in and once out
+    FloatLanes added{};               ///< for all other light
+};
+
 /// The coordinates by which a surface varies.
 enum class SurfaceCoordinates {
     none,                 ///< it does not vary
@@ -202,6 +209,17 @@ class BoundBsdf {
     /// Of surfaces whose interface may be tilted (TiltedCoat).
     virtual BinderIndex binder_index() const { return {}; }
 
+    /// Of surfaces whose coat is thicker at some places than at others (VariedCoat): both directions
+    /// above the horizon.
+    /// @param deviation  of the thickness from its mean, in standard deviations
+    virtual CoatChange coat_change(Vec3f /*wi*/, Vec3f /*wo*/, float /*deviation*/) const {
+        return {};
+    }
+    /// CoatChange::factor alone, which is that of single flakes.
+    virtual FloatLanes coat_factor(Vec3f /*wi*/, Vec3f /*wo*/, float /*deviation*/) const {
+        return splat(1.0f);
+    }
+
     // Of glass. wi.z > 0 always: a ray that arrives from behind asks from_behind().
 
     /// Whether a direction wo.z < 0 has a value, a density and samples.
@@ -227,6 +245,10 @@ class Bsdf {
     /// The waves of its coat, by which a renderer tilts it (TiltedCoat): the calls of BoundBsdf are of
     /// the flat one. Null: it is flat. Not of surfaces whose samples have an unknown density.
     virtual const sparkle::CoatWaves* coat_waves() const { return nullptr; }
+    /// By which a renderer varies the thickness of its coat (VariedCoat): the calls of BoundBsdf are of
+    /// the mean thickness. Null: it is even, or nothing is seen of it. Not of surfaces whose samples have
+    /// an unknown density.
+    virtual const sparkle::CoatThickness* coat_thickness() const { return nullptr; }
 };
 
 /// What surfaces have in common that show single flakes on small patches and, on larger ones, some

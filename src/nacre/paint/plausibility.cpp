@@ -112,6 +112,12 @@ std::vector<std::string> implausible_numbers(const Recipe& recipe) {
     Findings found;
     if (recipe.clearcoat) {
         check_layer_thickness(found, "clearcoat.thickness_um", recipe.clearcoat->thickness_um);
+        if (recipe.clearcoat->thickness_spread_um > 0 && recipe.coat_spread() == 0) {
+            found.add("clearcoat.thickness_spread_um",
+                      " = {:.6g} um: nothing is seen of it, as the coat absorbs nothing; is its "
+                      "absorption_per_mm missing?",
+                      recipe.clearcoat->thickness_spread_um);
+        }
     }
     for (std::size_t i = 0; i < recipe.layers.size(); ++i) {
         const Layer& layer = recipe.layers[i];

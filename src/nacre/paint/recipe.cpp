@@ -182,6 +182,16 @@ void check_pigments(const std::string& key, const Layer& layer) {
     }
 }
 
+void check_spread(const Clearcoat& coat) {
+    const double most_um = coat.thickness_um * limits::kMaxCoatSpread;
+    // Rounded up, so that a third as a file spells it is allowed.
+    if (coat.thickness_spread_um <= most_um * (1 + 1e-9)) return;
+    throw DomainError(
+        fmt::format("clearcoat.thickness_spread_um = {}: must be in [0, {:.6g}] um, at most a third "
+                    "of thickness_um = {}",
+                    coat.thickness_spread_um, most_um, coat.thickness_um));
+}
+
 Spectrum scaled(const Spectrum& spectrum, double factor) {
     std::vector<double> values = spectrum.values();
     for (double& value : values) value *= factor;
@@ -298,6 +308,12 @@ std::optional<OrangePeel> Recipe::orange_peel() const {
     return clearcoat->orange_peel;
 }
 
+double Recipe::coat_spread() const {
+    if (!clearcoat || clearcoat->thickness_spread_um == 0) return 0;
+    if (clearcoat->absorption_per_mm.max() == 0) return 0;
+    return clearcoat->thickness_spread_um / clearcoat->thickness_um;
+}
+
 void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
     for (double wavelength : wavelengths_nm) {
         if (!limits::kWavelength.contains(wavelength)) {
@@ -307,6 +323,7 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
     }
     RecipeCheck check(wavelengths_nm);
     Described::to_inspect(recipe).accept(check);
+    if (recipe.clearcoat) check_spread(*recipe.clearcoat);
     if (recipe.layers.empty() && !recipe.microfacet) {
         throw DomainError("layer: a paint needs at least one layer (or a microfacet table)");
     }

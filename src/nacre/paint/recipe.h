@@ -206,6 +206,7 @@ struct Clearcoat {
     spectra::Spectrum absorption_per_mm = 0.0;
     double roughness = 0;  ///< Beckmann alpha of the air interface, 0 = smooth
     std::optional<OrangePeel> orange_peel = {};
+    double thickness_spread_um = 0;  ///< standard deviation over the panel
 
     friend bool operator==(const Clearcoat&, const Clearcoat&) = default;
 };
@@ -248,6 +249,9 @@ struct Recipe {
     double thickness_um() const;  ///< of clearcoat and layers
     /// Of the coat, if it is not flat.
     std::optional<OrangePeel> orange_peel() const;
+    /// Of the coat's thickness over the panel, over its mean; 0 also where the coat absorbs nothing, as
+    /// nothing is seen of it.
+    double coat_spread() const;
 
     friend bool operator==(const Recipe&, const Recipe&) = default;
 };
@@ -272,6 +276,10 @@ inline constexpr Range kOrientationAlpha{0.005, 1};
 /// Of GGX: below, its core of slopes is narrower than what is solved; above, more than a fifth of
 /// the flakes would be steeper than what Beckmann's laws of kOrientationAlpha can be.
 inline constexpr Range kGgxAlpha{0.02, 0.5};
+/// Of a coat's thickness over its mean: at kMaxCoatDeviation nothing is left of the coat.
+inline constexpr double kMaxCoatSpread = 1 / 3.0;
+/// In standard deviations; the normal law of a coat's thickness ends there.
+inline constexpr double kMaxCoatDeviation = 3;
 /// Over the alpha of the flakes' planes.
 inline constexpr double kMaxRelativeWaviness = 2;
 

@@ -54,6 +54,14 @@ void describe(Visitor& visit, Recipe& recipe) {
 void describe(Visitor& visit, Clearcoat& coat) {
     visit({.key = "thickness_um", .range = {0, 1e6, "um"}, .required = true, .words = "{}"},
           coat.thickness_um);
+    visit({.key = "thickness_spread_um",
+           .range = {0, 1e6, "um"},
+           .meaning = "standard deviation of the thickness over a panel, which only pictures show "
+                      "([coat-thickness.md](coat-thickness.md))",
+           .also = "at most a third of `thickness_um`",
+           .spread_of = "thickness_um",
+           .tacit = true},
+          coat.thickness_spread_um);
     visit({.key = "absorption_per_mm",
            .range = kPerMillimetre,
            .meaning = "absorption coefficient, for tinted clear coats",

@@ -34,8 +34,8 @@ TEST(RecipeParameter, EveryNumberOfARecipeIsListedInItsOrder) {
     EXPECT_THAT(
         keys(full_recipe()),
         ElementsAre(
-            "ior", "clearcoat.thickness_um", "clearcoat.absorption_per_mm.max",
-            "clearcoat.roughness", "clearcoat.orange_peel.wa", "clearcoat.orange_peel.wb",
+            "ior", "clearcoat.thickness_um", "clearcoat.thickness_spread_um",
+            "clearcoat.absorption_per_mm.max", "clearcoat.roughness", "clearcoat.orange_peel.wa", "clearcoat.orange_peel.wb",
             "clearcoat.orange_peel.wc", "clearcoat.orange_peel.wd", "clearcoat.orange_peel.we",
             "layer[0].thickness_um", "layer[0].flakes[0].volume_fraction",
             "layer[0].flakes[0].diameter_um", "layer[0].flakes[0].diameter_spread_um",

@@ -14,6 +14,7 @@
 #include "nacre/core/embree.h"
 #include "nacre/core/error.h"
 #include "nacre/render/surface_patch.h"
+#include "nacre/sparkle/coat_thickness.h"
 #include "nacre/sparkle/coat_waves.h"
 
 namespace nacre::render {
@@ -300,6 +301,12 @@ std::optional<Vec2f> CompiledScene::coat_slope(const Hit& hit) const {
     return waves->slope(map.point_in_object_space_mm(hit.position_mm),
                         map.direction_in_object_space(frame.n),
                         map.direction_in_object_space(frame.s));
+}
+
+std::optional<float> CompiledScene::coat_deviation(const Hit& hit) const {
+    const sparkle::CoatThickness* const thickness = materials[hit.material]->coat_thickness();
+    if (!thickness) return std::nullopt;
+    return thickness->deviation(surfaces_[hit.surface].map.point_in_object_space_mm(hit.position_mm));
 }
 
 bool CompiledScene::occluded(const Ray& ray, float distance_mm) const {

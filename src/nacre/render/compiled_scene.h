@@ -74,6 +74,9 @@ struct CompiledScene {
     /// The slope of the coat's waves there (Bsdf::coat_waves), along x and y of the frame around the
     /// shading normal; none where it is flat.
     std::optional<Vec2f> coat_slope(const Hit& hit) const;
+    /// How thick the coat is there (Bsdf::coat_thickness), in standard deviations above its mean; none
+    /// where it is even.
+    std::optional<float> coat_deviation(const Hit& hit) const;
 
     Camera camera;
     std::vector<std::shared_ptr<const bsdf::Bsdf>> materials;

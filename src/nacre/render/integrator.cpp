@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "nacre/bsdf/tilted_coat.h"
+#include "nacre/bsdf/varied_coat.h"
 #include "nacre/render/direct_light.h"
 
 namespace nacre::render {
@@ -112,9 +113,9 @@ class PathTracer {
 
  private:
     void follow(Branch branch);
-    /// @param tilted  the surface where its coat is not flat; must outlive what is returned
+    /// @param here  the surface with what its coat is like there; must outlive what is returned
     LocalSurface surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
-                            const std::optional<bsdf::TiltedCoat>& tilted);
+                            const bsdf::BoundBsdf& here);
     void ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi, const LocalSurface& surface);
     /// Whether the branch goes on along the sample, with what it is worth there.
     bool go_on(Branch& branch, const Hit& hit, const Frame& frame, Vec3f wi,
@@ -171,9 +172,8 @@ class PathTracer {
 };
 
 LocalSurface PathTracer::surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
-                                    const std::optional<bsdf::TiltedCoat>& tilted) {
-    const bsdf::BoundBsdf& flat = bound(hit);
-    LocalSurface surface{tilted ? *tilted : flat, {}};
+                                    const bsdf::BoundBsdf& here) {
+    LocalSurface surface{here, {}};
     const bsdf::SurfaceCoordinates by = scene_.materials[hit.material]->surface_coordinates();
     if (by == bsdf::SurfaceCoordinates::place_in_unit_square) {
         surface.patch = scene_.patch(hit, {}, {}, {});
@@ -321,11 +321,14 @@ void PathTracer::follow(Branch branch) {
             branch.throughput.smooth *= 1 / branch.followed;
             branch.followed = 1;
         }
-        std::optional<bsdf::TiltedCoat> tilted;
-        if (const auto slope = scene_.coat_slope(*hit)) {
-            tilted.emplace(*pass_.surfaces[hit->material], *slope, wi);
+        const bsdf::BoundBsdf* here = &bound(*hit);
+        std::optional<bsdf::VariedCoat> varied;
+        if (const auto deviation = scene_.coat_deviation(*hit)) {
+            here = &varied.emplace(*here, *deviation);
         }
-        LocalSurface surface = surface_at(*hit, wi, branch, tilted);
+        std::optional<bsdf::TiltedCoat> tilted;
+        if (const auto slope = scene_.coat_slope(*hit)) here = &tilted.emplace(*here, *slope, wi);
+        LocalSurface surface = surface_at(*hit, wi, branch, *here);
         surface.among_candidates = branch.differential.has_value();
         if (branch.depth == 0 && !surface.shows_flakes()) {
             surface.specular = surface.bsdf.specular_probability(wi);

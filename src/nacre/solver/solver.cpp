@@ -227,17 +227,9 @@ std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
            tensors * pairs * wavelengths * sizeof(double);
 }
 
-}  // namespace
-
-SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
-                  const SolverSettings& settings, FilmCache* films, const Progress& progress) {
-    SolvedPaint paint;
-    paint.recipe = recipe;
-    paint.settings = settings;
-    SharedProgress asking(progress, 1);  // how much there is to do is not known yet
-    asking.add(0);
-    paint.medium = make_medium(recipe, wavelengths_nm, films, &asking);
-    asking.require_going(kSolving);
+// Of the medium, with the settings.
+void solve_medium(SolvedPaint& paint, const Progress& progress) {
+    const SolverSettings& settings = paint.settings;
     Resolution resolution = choose_resolution(paint.medium, settings);
     const WavelengthGroups groups = group_wavelengths(paint.medium);
     std::vector<GroupSolution> solutions;
@@ -246,7 +238,7 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
         require_memory(
             static_cast<double>(memory_of(paint.medium, groups, resolution)),
             fmt::format("solving {} wavelengths with {} + {} nodes and {} azimuthal orders",
-                        wavelengths_nm.size(), resolution.exit_nodes, resolution.inner_nodes,
+                        paint.wavelengths_nm().size(), resolution.exit_nodes, resolution.inner_nodes,
                         resolution.orders),
             "solve fewer wavelengths at a time, or set fewer nodes and orders");
         double total = 0;
@@ -264,7 +256,35 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
         }
     } while (refine(resolution, settings, unresolved, tail));
     merge_groups(groups, solutions, settings.tolerance, paint);
+}
+
+}  // namespace
+
+SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,
+                  const SolverSettings& settings, FilmCache* films, const Progress& progress) {
+    SolvedPaint paint;
+    paint.recipe = recipe;
+    paint.settings = settings;
+    SharedProgress asking(progress, 1);  // how much there is to do is not known yet
+    asking.add(0);
+    paint.medium = make_medium(recipe, wavelengths_nm, films, &asking);
+    asking.require_going(kSolving);
+    solve_medium(paint, progress);
     return paint;
+}
+
+SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor, const Progress& progress) {
+    SolvedPaint out;
+    out.recipe = paint.recipe;
+    out.settings = paint.settings;
+    out.medium = paint.medium;
+    if (out.recipe.clearcoat) {
+        out.recipe.clearcoat->thickness_um *= factor;
+        out.recipe.clearcoat->thickness_spread_um = 0;
+    }
+    for (double& depth : out.medium.clearcoat_depth) depth *= factor;
+    solve_medium(out, progress);
+    return out;
 }
 
 std::size_t memory_to_solve(const paint::Recipe& recipe, const std::vector<double>& wavelengths_nm,

@@ -7,6 +7,7 @@
 #include "nacre/core/lanes.h"
 #include "nacre/core/vec.h"
 #include "nacre/paint/recipe.h"
+#include "nacre/sparkle/plane_waves.h"
 
 namespace nacre::sparkle {
 
@@ -18,19 +19,15 @@ namespace nacre::sparkle {
 ///
 ///     h(x) = sum_j a_j cos(2 pi (k_j.x / lambda_j + phi_j)),  a_j = lambda_j A / (2 pi),
 ///
-/// with wavelengths uniform in their logarithm, so that each octave of the band has the same slopes.
-/// The directions k_j come in triples at right angles, turned at random: the slope of the tangent
-/// plane along any line, on a surface of any direction, then has the band's root mean square exactly,
-/// over a surface that is large. A wave that runs at an angle to the surface looks longer there by
+/// with the waves of sparkle/plane_waves.h, so that each octave of the band has the same slopes. As the
+/// directions k_j come in triples at right angles, the slope of the tangent plane along any line, on a
+/// surface of any direction, has the band's root mean square exactly, over a surface that is large. A wave that runs at an angle to the surface looks longer there by
 /// the inverse of the cosine: an eighth of the squared slopes of a band lies above its upper end,
 /// nearly all of that within a factor of two.
 ///
 /// Slopes are small: the height moves no point of the surface, and what a wave hides is not hidden.
 class CoatWaves {
  public:
-    /// Waves of each band; their sum is nearly normal.
-    static constexpr int kWavesPerBand = 72;
-
     /// @param seed  the specimen
     CoatWaves(const paint::OrangePeel& peel, std::uint64_t seed);
 
@@ -45,10 +42,9 @@ class CoatWaves {
     Vec2f slope(Vec3f position_mm, Vec3f normal, Vec3f tangent) const;
 
  private:
-    struct Group {              // eight waves
-        DoubleLanes per_mm[3];  // wave vector, in turns
-        DoubleLanes phase;      // in turns
-        FloatLanes slope[3];    // A k_j
+    struct Group {  // eight waves
+        PlaneWaveLanes waves;
+        FloatLanes slope[3];  // A k_j
     };
     /// Calls act(group, its phases at a point in turns, within half a turn) for each.
     template <class Act>

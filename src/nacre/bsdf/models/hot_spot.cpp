@@ -228,13 +228,18 @@ FloatLanes HotSpot::Pair::ground_gain() const {
     return exp_lanes(gain(hot_spot_->thickness_um_.size() - 1, 1));
 }
 
+FloatLanes HotSpot::Pair::closing() const {
+    const std::vector<FloatLanes>& by_direction = hot_spot_->closing_;
+    if (by_direction.empty()) return splat(1.0f);
+    return i_->look_up(by_direction) * o_->look_up(by_direction);
+}
+
 FloatLanes HotSpot::Pair::multiple(const FloatLanes& multiple) const {
     const HotSpot& h = *hot_spot_;
     if (h.closing_.empty()) return multiple;
-    const FloatLanes closing = i_->look_up(h.closing_) * o_->look_up(h.closing_);
-    if (h.ground_.empty()) return closing * multiple;
+    if (h.ground_.empty()) return closing() * multiple;
     const FloatLanes once = ground();
-    return closing * max_lanes(multiple - once, FloatLanes{}) + ground_gain() * once;
+    return closing() * max_lanes(multiple - once, FloatLanes{}) + ground_gain() * once;
 }
 
 }  // namespace nacre::bsdf

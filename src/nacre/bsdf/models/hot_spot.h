@@ -87,6 +87,8 @@ class HotSpot {
         /// All light that was not scattered once in a layer, without Fresnel factors.
         /// @param multiple  the same by the equation of transfer
         FloatLanes multiple(const FloatLanes& multiple) const;
+        /// The factor of what was scattered more than once.
+        FloatLanes closing() const;
         /// Of it, what the ground alone has scattered, by the equation of transfer; and the factor
         /// of the hot spot.
         FloatLanes ground() const;

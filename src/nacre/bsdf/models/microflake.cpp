@@ -72,6 +72,12 @@ std::optional<BrdfTable> MicroflakeModel::make_table(const solver::SolvedPaint& 
                         "split",
                         kTableNames[static_cast<int>(table)]));
     }
+    if (paint.recipe.coat_spread() > 0) {
+        throw DomainError(fmt::format(
+            "table = {}: tables are of an even coat, and this paint has a "
+            "clearcoat.thickness_spread_um of {}; must be split",
+            kTableNames[static_cast<int>(table)], paint.recipe.clearcoat->thickness_spread_um));
+    }
     RawBrdfTable raw = make_raw_table(paint, table_size, progress);
     if (table == Table::svd) {
         return std::make_shared<const CompressedBrdfTable>(compress(raw, compression));
@@ -102,9 +108,17 @@ std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
     return sparkle::CoatWaves(*peel, specimen);
 }
 
+std::optional<sparkle::CoatThickness> coat_thickness(const solver::SolvedPaint& paint,
+                                                     std::uint64_t specimen) {
+    if (paint.recipe.coat_spread() == 0) return std::nullopt;
+    return sparkle::CoatThickness(specimen);
+}
+
 Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t specimen)
-    : waves_(bsdf::coat_waves(*paint, specimen)) {
+    : waves_(bsdf::coat_waves(*paint, specimen)),
+      thickness_(bsdf::coat_thickness(*paint, specimen)) {
     auto tables = std::make_shared<Tables>(std::move(paint));
+    if (thickness_) tables->coat_spread.emplace(*tables->paint, false);
     tabulate_sampling(*tables, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundMicroflake>(tables, wavelengths_nm);
     });
@@ -118,17 +132,6 @@ std::unique_ptr<const BoundBsdf> Microflake::bind(const Wavelengths& wavelengths
 }
 
 namespace {
-
-// Roughness that the grid of the smooth table must resolve.
-double narrowest_alpha(const solver::PaintMedium& medium) {
-    double alpha = 1.0;
-    for (const auto& layer : medium.layers) {
-        for (const auto& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
-    }
-    // Under a rough interface the table holds single scattering too, whose lobe is narrower by
-    // sqrt(3) and makes up the peak: a third keeps kMicroflakeRoughError (microflake_test.cpp).
-    return medium.roughness > 0 ? alpha / 3 : alpha;
-}
 
 double mean(const std::vector<double>& v) {
     double sum = 0;
@@ -160,13 +163,8 @@ Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
     : paint(std::move(solved)),
       mean_ior(bsdf::mean_ior(paint->medium)),
       rough(has_rough_interface(*paint)),
-      smooth(tensors(), narrowest_alpha(paint->medium), mean_ior),
+      smooth(smooth_table(*paint)),
       extinction(extinction_by_direction(paint->medium)) {}
-
-std::vector<const solver::MultipleScattering*> Microflake::Tables::tensors() const {
-    if (rough) return {&paint->multiple_scattering, &paint->rough_single};
-    return {&paint->multiple_scattering};
-}
 
 std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium) {
     const int count = medium.wavelength_count();
@@ -198,7 +196,8 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
       where_(locate_wavelengths(tables_->paint->wavelengths_nm(), wavelengths)),
       grid_(tables_->smooth.grid()) {
     const solver::SolvedPaint& paint = *tables_->paint;
-    smooth_ = bind_tensors(false);
+    smooth_ = bind_table(tables_->smooth, paint, where_);
+    if (tables_->coat_spread) coat_spread_ = BoundCoatSpread(*tables_->coat_spread, where_);
     clearcoat_depth_ =
         at_wavelengths(where_, [&](int w) { return paint.medium.clearcoat_depth[w]; });
     ior_ = at_wavelengths(where_, [&](int w) { return paint.medium.ior[w]; });
@@ -215,24 +214,9 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
     }
 }
 
-std::vector<FloatLanes> BoundMicroflake::bind_tensors(bool single_alone) const {
-    const int count = tables_->wavelength_count();
-    std::vector<FloatLanes> basis, values(grid_.cells(), FloatLanes{});
-    for (const solver::MultipleScattering* tensor : tables_->tensors()) {
-        const bool left_out = single_alone && tensor != &tables_->paint->rough_single;
-        for (int k = 0; k < tensor->rank(); ++k) {
-            basis.push_back(left_out ? FloatLanes{} : at_wavelengths(where_, [&](int w) {
-                return tensor->basis[k * count + w];
-            }));
-        }
-    }
-    tables_->smooth.bind(basis, values.data());
-    return values;
-}
-
 void BoundMicroflake::bind_rough_single() {
     if (!rough_) return;
-    rough_->single = bind_tensors(true);
+    rough_->single = bind_table(tables_->smooth, *tables_->paint, where_, true);
     coat_ = sparkle::CoatTilt(tables_->paint->medium.roughness, mean_ior_);
     bind_layers();
 }
@@ -367,6 +351,33 @@ T BoundMicroflake::density(const SamplingProbabilities& probability, const Ray& 
     if (rough_) interface = probability.interface * rough_->lobe.pdf(i.outside, outside);
     return interface + probability.table * table +
            probability.diffuse * std::numbers::inv_pi_v<float> * outside.z;
+}
+
+FloatLanes BoundMicroflake::coat_depth_of_deviation(const Ray& i, const Ray& o) const {
+    const auto inverse_mu = [&](const Ray& ray) {
+        return 1.0f / sqrt_lanes(max_lanes(1.0f - ray.sine * ray.sine * inverse_ior2_, splat(1e-6f)));
+    };
+    return coat_spread_.spread() * clearcoat_depth_ * (inverse_mu(i) + inverse_mu(o));
+}
+
+// Light that the interface has not sent back crosses the coat once on its way in and once out. What
+// the table holds is more: CoatSpread.
+CoatChange BoundMicroflake::coat_change(const Ray& i, const Ray& o, float deviation,
+                                        const FloatLanes& multiple) const {
+    const FloatLanes depth = coat_depth_of_deviation(i, o);
+    CoatChange change{exp_lanes(-deviation * depth), {}};
+    const FloatLanes table = tabulated(smooth_, i, o);
+    const FloatLanes thinner = tabulated(coat_spread_.thinner(), i, o);
+    const FloatLanes thicker = tabulated(coat_spread_.thicker(), i, o);
+    const FloatLanes more =
+        table * (relative_remainder(table, thinner, thicker, depth, deviation) - 1.0f);
+    if (rough_) {
+        // The lobe of the interface does not cross the coat.
+        change.added = change.factor * more + (1.0f - change.factor) * rough_lobe(i, o);
+    } else {
+        change.added = change.factor * more * multiple * interface_factor(i, o);
+    }
+    return change;
 }
 
 FloatLanes BoundMicroflake::interface_lobe(Vec3f wi, Vec3f wo) const {

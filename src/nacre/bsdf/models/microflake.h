@@ -14,12 +14,14 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/flake_lobe.h"
 #include "nacre/bsdf/model.h"
+#include "nacre/bsdf/models/coat_spread.h"
 #include "nacre/bsdf/reflection_warp.h"
 #include "nacre/bsdf/smooth_table.h"
 #include "nacre/bsdf/tabulated/compression.h"
 #include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/lane_math.h"
 #include "nacre/solver/solved_paint.h"
+#include "nacre/sparkle/coat_thickness.h"
 #include "nacre/sparkle/coat_tilt.h"
 #include "nacre/sparkle/coat_waves.h"
 
@@ -35,7 +37,7 @@ struct MicroflakeModel {
         svd     ///< its truncated singular value decomposition
     };
     Table table = Table::split;
-    std::uint64_t specimen = 0;         ///< which panel of the batch: the seed of its coat's waves
+    std::uint64_t specimen = 0;         ///< which panel of the batch: the seed of its coat
     BrdfTableSettings table_size = {};  ///< raw and svd
     CompressionSettings compression = {};  ///< svd
 
@@ -62,13 +64,17 @@ struct MicroflakeModel {
 /// linearly, those beyond its ends take the end's value.
 class Microflake final : public Bsdf {
  public:
-    /// @param specimen  of the waves of its coat, if the recipe has an orange_peel
+    /// @param specimen  of the waves of its coat, if the recipe has an orange_peel, and of its thickness,
+    ///                  if that has a spread
     explicit Microflake(std::shared_ptr<const solver::SolvedPaint> paint,
                         std::uint64_t specimen = 0);
     ~Microflake() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;
     const sparkle::CoatWaves* coat_waves() const override { return waves_ ? &*waves_ : nullptr; }
+    const sparkle::CoatThickness* coat_thickness() const override {
+        return thickness_ ? &*thickness_ : nullptr;
+    }
 
     struct Tables;
     const Tables& tables() const { return *tables_; }
@@ -76,6 +82,7 @@ class Microflake final : public Bsdf {
  private:
     std::shared_ptr<const Tables> tables_;
     std::optional<sparkle::CoatWaves> waves_;
+    std::optional<sparkle::CoatThickness> thickness_;
 };
 
 inline constexpr double kMicroflakeError = 2e-3;
@@ -106,13 +113,12 @@ struct Microflake::Tables {
     bool rough;      ///< the interface: its lobe takes the place of the specular one
     SmoothTable smooth;
     std::vector<std::vector<float>> extinction;  ///< extinction_by_direction()
+    std::optional<CoatSpread> coat_spread;       ///< none where the coat is even
     // Filled by tabulate_sampling(), which needs the model itself.
     std::shared_ptr<const ReflectionWarp> warp;      ///< all but the interface
     std::vector<SamplingProbabilities> probability;  ///< by direction
     std::vector<float> albedo;  ///< [direction][wavelength]: directional-hemispherical reflectance
 
-    /// What the smooth table sums, in the order of its basis.
-    std::vector<const solver::MultipleScattering*> tensors() const;
     int wavelength_count() const { return paint->medium.wavelength_count(); }
 };
 
@@ -128,6 +134,10 @@ std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMediu
 /// @throws DomainError if it is rough as well
 std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen);
+
+/// Of a specimen of the paint; none where its coat is even, or where nothing is seen of its thickness.
+std::optional<sparkle::CoatThickness> coat_thickness(const solver::SolvedPaint& paint,
+                                                     std::uint64_t specimen);
 
 /// Whether the interface is rough.
 /// @throws Error if it is at some wavelengths only, as the binder's index is 1 at others
@@ -228,6 +238,12 @@ class BoundMicroflake : public BoundBsdf {
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
+    CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override {
+        return coat_change(make_ray(wi), make_ray(wo), deviation, splat(1.0f));
+    }
+    FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override {
+        return exp_lanes(-deviation * coat_depth_of_deviation(make_ray(wi), make_ray(wo)));
+    }
     /// The lobe of a rough interface, part of eval(); 0 of a smooth one.
     FloatLanes interface_lobe(Vec3f wi, Vec3f wo) const;
 
@@ -277,6 +293,10 @@ class BoundMicroflake : public BoundBsdf {
         return solid_angle_ratio(o.outside.z, o.inside.z);
     }
 
+    /// @param multiple  factor by which the model's multiple scattering differs from the table
+    CoatChange coat_change(const Ray& i, const Ray& o, float deviation,
+                           const FloatLanes& multiple) const;
+
     const std::array<WavelengthPosition, kLanes>& where() const { return where_; }
 
     /// Under a rough clearcoat, for models that change the flakes: must be called before value() or
@@ -313,7 +333,8 @@ class BoundMicroflake : public BoundBsdf {
         return max_lanes(interpolate(grid_, table.data(), cell), FloatLanes{}) *
                (1 / (i.inside.z + o.inside.z));
     }
-    std::vector<FloatLanes> bind_tensors(bool single_alone) const;
+    /// Of the coat, along both directions together, of one standard deviation of its thickness.
+    FloatLanes coat_depth_of_deviation(const Ray& i, const Ray& o) const;
     FloatLanes interface_factor(const Ray& i, const Ray& o) const {
         return i.look_up(transmittance_over_cosine_) * o.look_up(transmittance_over_cosine_) *
                inverse_ior2_ * (i.outside.z * o.outside.z);
@@ -327,6 +348,7 @@ class BoundMicroflake : public BoundBsdf {
     std::array<WavelengthPosition, kLanes> where_;
     SmoothGrid grid_;
     std::vector<FloatLanes> smooth_;
+    BoundCoatSpread coat_spread_;
     std::vector<BoundLayer> layers_;
     FloatLanes clearcoat_depth_, ior_, inverse_ior2_;
     bool dispersive_ = false;

@@ -115,11 +115,13 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
         }
     }
     if (settings.hot_spot) hot_spot.emplace(*paint);
+    if (paint->recipe.coat_spread() > 0) smooth->coat_spread.emplace(*paint, settings.hot_spot);
 }
 
 Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
              const Progress& progress)
-    : waves_(bsdf::coat_waves(*paint, settings.specimen)) {
+    : waves_(bsdf::coat_waves(*paint, settings.specimen)),
+      thickness_(bsdf::coat_thickness(*paint, settings.specimen)) {
     SharedProgress work(progress, 1);
     work.add(0);
     auto tables = std::make_shared<Tables>(std::move(paint), settings, work);

@@ -18,7 +18,7 @@ namespace nacre::bsdf {
 
 /// Chooses the model Nacre.
 struct NacreModel {
-    std::uint64_t specimen = 0;  ///< which panel of the batch: the seed of its flakes and waves
+    std::uint64_t specimen = 0;  ///< which panel of the batch: the seed of its flakes and its coat
     /// Large flakes: light that has come in between the flakes finds the same gaps on its way out
     /// (HotSpotTables). Without it the mean is that of the solver, exactly.
     bool hot_spot = true;
@@ -56,6 +56,9 @@ class Nacre final : public Bsdf, public SingleFlakes {
     }
     double exact_patch_mm() const override;
     const sparkle::CoatWaves* coat_waves() const override { return waves_ ? &*waves_ : nullptr; }
+    const sparkle::CoatThickness* coat_thickness() const override {
+        return thickness_ ? &*thickness_ : nullptr;
+    }
 
     struct Tables;
     const Tables& tables() const { return *tables_; }
@@ -63,6 +66,7 @@ class Nacre final : public Bsdf, public SingleFlakes {
  private:
     std::shared_ptr<const Tables> tables_;
     std::optional<sparkle::CoatWaves> waves_;
+    std::optional<sparkle::CoatThickness> thickness_;
 };
 
 // What the nacre model works out once a paint.
@@ -111,6 +115,7 @@ class BoundNacre final : public BoundMicroflake {
     }
     bool tells_flakes_apart() const override { return true; }
     float narrow_light(Vec3f wi) const override;
+    CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     void ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t random,
                     std::vector<AskedFlake>& list) const override;
     FloatLanes flake_weight(const Patch& patch, Vec3f wi, const AskedFlake& flake) const override;

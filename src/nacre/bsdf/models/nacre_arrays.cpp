@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/bsdf/models/paint_table.h"
 #include "nacre/bsdf/models/rough_hot_spot.h"
 #include "nacre/core/error.h"
 #include "nacre/solver/rough_interface.h"
@@ -15,7 +16,7 @@ void add_smooth(const Microflake::Tables& tables, NacreArrays& out) {
     out.rank = tables.smooth.rank();
     const auto coefficients = tables.smooth.coefficients();
     out.smooth.assign(coefficients.begin(), coefficients.end());
-    for (const solver::MultipleScattering* tensor : tables.tensors()) {
+    for (const solver::MultipleScattering* tensor : tabulated_tensors(*tables.paint)) {
         if (tensor == &tables.paint->rough_single) out.single_rank = tensor->rank();
         const auto size = static_cast<std::size_t>(tensor->rank()) * tables.wavelength_count();
         out.smooth_basis.insert(out.smooth_basis.end(), tensor->basis.begin(),
@@ -96,11 +97,18 @@ NacreArrays arrays_of(const Microflake::Tables& tables) {
     return out;
 }
 
-void require_flat_coat(const solver::SolvedPaint& paint) {
-    if (!paint.recipe.orange_peel()) return;
-    throw DomainError(
-        "clearcoat.orange_peel: these arrays describe a flat coat; only Nacre's own renderer shows "
-        "its waves");
+void require_even_coat(const solver::SolvedPaint& paint) {
+    if (paint.recipe.orange_peel()) {
+        throw DomainError(
+            "clearcoat.orange_peel: these arrays describe a flat coat; only Nacre's own renderer "
+            "shows its waves");
+    }
+    if (paint.recipe.coat_spread() > 0) {
+        throw DomainError(fmt::format(
+            "clearcoat.thickness_spread_um = {}: these arrays describe an even coat, of spread 0; "
+            "only Nacre's own renderer shows where it is thicker",
+            paint.recipe.clearcoat->thickness_spread_um));
+    }
 }
 
 NacreArrays::HotSpotArrays hot_spot_arrays(const HotSpotTables& tables) {
@@ -145,7 +153,7 @@ NacreArrays::Species species_arrays(const NacreSpecies& species, std::size_t wav
 }  // namespace
 
 NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint) {
-    require_flat_coat(*paint);
+    require_even_coat(*paint);
     return arrays_of(Microflake(paint).tables());
 }
 
@@ -164,7 +172,7 @@ NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
 
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress) {
-    require_flat_coat(*paint);
+    require_even_coat(*paint);
     const Nacre surface(paint, settings, progress);
     const Nacre::Tables& tables = surface.tables();
     NacreArrays out = arrays_of(*tables.smooth);

@@ -85,11 +85,12 @@ struct NacreArrays {
 };
 
 /// @throws Error, DomainError, Stopped as Nacre's constructor; DomainError if the recipe has an
-///         orange_peel, which the arrays do not hold
+///         orange_peel or a coat_spread(), which the arrays do not hold
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
 /// Those of `nacre` for pictures that follow a slider, in a fraction of the time: without
-/// `probability`, `albedo` and the films of single flakes. Waves of the coat (orange_peel) are left out.
+/// `probability`, `albedo` and the films of single flakes. Waves of the coat (orange_peel) and the
+/// spread of its thickness are left out.
 /// @throws Error as HotSpotTables; DomainError as FlakeField
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                               std::uint64_t specimen);

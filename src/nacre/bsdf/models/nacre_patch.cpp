@@ -231,6 +231,14 @@ FloatLanes BoundNacre::mean_value(const Ray& i, const Ray& o) const {
     return value(i, o, WithHotSpot(*this, i, o));
 }
 
+CoatChange BoundNacre::coat_change(Vec3f wi, Vec3f wo, float deviation) const {
+    const Ray i = make_ray(wi), o = make_ray(wo);
+    const bool dimmed = hot_spot_ && !under_rough_coat();
+    const FloatLanes multiple =
+        dimmed ? HotSpot::Pair(*hot_spot_, i, o).closing() : splat(1.0f);
+    return BoundMicroflake::coat_change(i, o, deviation, multiple);
+}
+
 FloatLanes BoundNacre::relative_attenuation(std::size_t species, std::size_t layer,
                                             const sparkle::FlakeView& view, int flake, float cosine,
                                             const FloatLanes& depth,

@@ -190,14 +190,20 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
         const std::size_t found = painter.find(wanted->recipe, name, description.references);
         table[name] = painter.look(description, name, found);
         const Paint& paint = painter.paint(found);
-        if (paint.has_recipe() && paint.recipe().orange_peel() && !table[name]->coat_waves()) {
+        const auto require_shown = [&](const char* key, bool wanted, bool shown) {
+            if (!wanted || shown) return;
             throw SettingError(
                 "model",
-                fmt::format(
-                    "does not show the clearcoat.orange_peel of the paint of the material {}; "
-                    "must be nacre or microflake",
-                    name),
+                fmt::format("does not show the clearcoat.{} of the paint of the material {}; must "
+                            "be nacre or microflake",
+                            key, name),
                 std::string(painter.model().info().name));
+        };
+        if (paint.has_recipe()) {
+            require_shown("orange_peel", paint.recipe().orange_peel().has_value(),
+                          table[name]->coat_waves());
+            require_shown("thickness_spread_um", paint.recipe().coat_spread() > 0,
+                          table[name]->coat_thickness());
         }
         shows_model_ |= paint.kind() != Kind::measured_brdf;
         if (paint.has_recipe()) recipe_sha256_[name] = paint.recipe_sha256();

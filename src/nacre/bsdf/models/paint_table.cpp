@@ -1,0 +1,49 @@
+#include "nacre/bsdf/models/paint_table.h"
+
+#include <algorithm>
+
+#include "nacre/bsdf/models/microflake.h"
+
+namespace nacre::bsdf {
+namespace {
+
+// Roughness that the grid of the smooth table must resolve.
+double narrowest_alpha(const solver::PaintMedium& medium) {
+    double alpha = 1.0;
+    for (const auto& layer : medium.layers) {
+        for (const auto& flake : layer.flakes) alpha = std::min(alpha, flake.alpha);
+    }
+    // Under a rough interface the table holds single scattering too, whose lobe is narrower by
+    // sqrt(3) and makes up the peak: a third keeps kMicroflakeRoughError (microflake_test.cpp).
+    return medium.roughness > 0 ? alpha / 3 : alpha;
+}
+
+}  // namespace
+
+std::vector<const solver::MultipleScattering*> tabulated_tensors(const solver::SolvedPaint& paint) {
+    if (has_rough_interface(paint)) return {&paint.multiple_scattering, &paint.rough_single};
+    return {&paint.multiple_scattering};
+}
+
+SmoothTable smooth_table(const solver::SolvedPaint& paint) {
+    return {tabulated_tensors(paint), narrowest_alpha(paint.medium), mean_ior(paint.medium)};
+}
+
+std::vector<FloatLanes> bind_table(const SmoothTable& table, const solver::SolvedPaint& paint,
+                                   const std::array<WavelengthPosition, kLanes>& where,
+                                   bool single_alone) {
+    const int count = paint.medium.wavelength_count();
+    std::vector<FloatLanes> basis, values(table.grid().cells(), FloatLanes{});
+    for (const solver::MultipleScattering* tensor : tabulated_tensors(paint)) {
+        const bool left_out = single_alone && tensor != &paint.rough_single;
+        for (int k = 0; k < tensor->rank(); ++k) {
+            basis.push_back(left_out ? FloatLanes{} : at_wavelengths(where, [&](int w) {
+                return tensor->basis[k * count + w];
+            }));
+        }
+    }
+    table.bind(basis, values.data());
+    return values;
+}
+
+}  // namespace nacre::bsdf
