@@ -1,5 +1,8 @@
 #include "nacre/bsdf/models/coat_spread.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "nacre/bsdf/models/paint_table.h"
 #include "nacre/bsdf/models/rough_hot_spot.h"
 #include "nacre/core/lane_math.h"
@@ -10,6 +13,12 @@ namespace {
 
 /// Bounds of q: where a coat is nearly opaque a table holds little but its own error.
 constexpr float kMostRemainder = 8;
+/// D over the depth of C, at most: light that the interface sends back crosses the coat twice more, at
+/// angles that are flatter than those at which light leaves.
+constexpr float kMostCrossings = 2;
+/// Below, e^x is taken for a straight line.
+constexpr float kFlat = 1e-2f;
+constexpr float kDark = 1e-30f;
 
 solver::SolvedPaint at_deviation(const solver::SolvedPaint& paint, double deviation, bool hot_spot,
                                  const Progress& progress) {
@@ -34,21 +43,30 @@ BoundCoatSpread::BoundCoatSpread(const CoatSpread& spread,
     }
 }
 
-FloatLanes relative_remainder(const FloatLanes& table, const FloatLanes& thinner,
-                              const FloatLanes& thicker, const FloatLanes& depth, float deviation) {
+FloatLanes relative_remainder(const CoatNodes& table, const FloatLanes& depth, float deviation) {
     constexpr auto kNode = static_cast<float>(kCoatNode);
     const auto bounded = [](const FloatLanes& x) {
         return min_lanes(max_lanes(x, splat(1 / kMostRemainder)), splat(kMostRemainder));
     };
     // 1/q at a node, whose C is e^exponent.
     const auto inverse = [&](const FloatLanes& there, const FloatLanes& exponent) {
-        return bounded(table * exp_lanes(exponent) / max_lanes(there, splat(1e-30f)));
+        return bounded(table.mean * exp_lanes(exponent) / max_lanes(there, splat(kDark)));
     };
-    const FloatLanes below = inverse(thinner, kNode * depth);
-    const FloatLanes above = inverse(thicker, -kNode * depth);
-    const float t = deviation / kNode;
-    return 1.0f / bounded(1.0f + (0.5f * t) * (above - below) +
-                          (t * t) * (0.5f * (above + below) - 1.0f));
+    const FloatLanes thinner = inverse(table.thinner, kNode * depth);
+    const FloatLanes thicker = inverse(table.thicker, -kNode * depth);
+    // B (e^(-D n) - 1) and B (e^(D n) - 1): minus their ratio is e^(D n).
+    const FloatLanes rise = max_lanes(thicker - 1.0f, splat(kDark));
+    const FloatLanes steepest = exp_lanes(max_lanes(kMostCrossings * kNode * depth, splat(kFlat)));
+    const FloatLanes steepness =
+        log_lanes(min_lanes(max_lanes((1.0f - thinner) / rise, splat(1 + kFlat)), steepest));
+    // Of the way from the mean to the node on this side.
+    const bool thin = deviation < 0;
+    const float part = std::abs(deviation) / kNode;
+    const FloatLanes exponent = thin ? steepness : -steepness;
+    const FloatLanes way = (exp_lanes(part * exponent) - 1.0f) / (exp_lanes(exponent) - 1.0f);
+    const FloatLanes at_node = thin ? thinner : thicker;
+    return 1.0f / max_lanes(1.0f + (at_node - 1.0f) * min_lanes(way, splat(std::max(part, 1.0f))),
+                            0.5f * at_node);
 }
 
 }  // namespace nacre::bsdf

@@ -360,22 +360,23 @@ FloatLanes BoundMicroflake::coat_depth_of_deviation(const Ray& i, const Ray& o) 
     return coat_spread_.spread() * clearcoat_depth_ * (inverse_mu(i) + inverse_mu(o));
 }
 
-// Light that the interface has not sent back crosses the coat once on its way in and once out. What
-// the table holds is more: CoatSpread.
+CoatNodes BoundMicroflake::coat_nodes(const Ray& i, const Ray& o) const {
+    return {tabulated(smooth_, i, o), tabulated(coat_spread_.thinner(), i, o),
+            tabulated(coat_spread_.thicker(), i, o)};
+}
+
+// Light in closed form crosses the coat once on its way in and once out; what the table holds is more:
+// CoatSpread.
 CoatChange BoundMicroflake::coat_change(const Ray& i, const Ray& o, float deviation,
-                                        const FloatLanes& multiple) const {
+                                        const CoatNodes& table) const {
     const FloatLanes depth = coat_depth_of_deviation(i, o);
     CoatChange change{exp_lanes(-deviation * depth), {}};
-    const FloatLanes table = tabulated(smooth_, i, o);
-    const FloatLanes thinner = tabulated(coat_spread_.thinner(), i, o);
-    const FloatLanes thicker = tabulated(coat_spread_.thicker(), i, o);
-    const FloatLanes more =
-        table * (relative_remainder(table, thinner, thicker, depth, deviation) - 1.0f);
+    const FloatLanes more = table.mean * (relative_remainder(table, depth, deviation) - 1.0f);
     if (rough_) {
         // The lobe of the interface does not cross the coat.
         change.added = change.factor * more + (1.0f - change.factor) * rough_lobe(i, o);
     } else {
-        change.added = change.factor * more * multiple * interface_factor(i, o);
+        change.added = change.factor * more * interface_factor(i, o);
     }
     return change;
 }

@@ -239,7 +239,8 @@ class BoundMicroflake : public BoundBsdf {
     FloatLanes albedo(Vec3f wi) const override;
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override {
-        return coat_change(make_ray(wi), make_ray(wo), deviation, splat(1.0f));
+        const Ray i = make_ray(wi), o = make_ray(wo);
+        return coat_change(i, o, deviation, coat_nodes(i, o));
     }
     FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override {
         return exp_lanes(-deviation * coat_depth_of_deviation(make_ray(wi), make_ray(wo)));
@@ -293,9 +294,11 @@ class BoundMicroflake : public BoundBsdf {
         return solid_angle_ratio(o.outside.z, o.inside.z);
     }
 
-    /// @param multiple  factor by which the model's multiple scattering differs from the table
+    /// The table where the thickness of the coat varies.
+    CoatNodes coat_nodes(const Ray& i, const Ray& o) const;
+    /// @param table  what the model makes of it, without Fresnel factors
     CoatChange coat_change(const Ray& i, const Ray& o, float deviation,
-                           const FloatLanes& multiple) const;
+                           const CoatNodes& table) const;
 
     const std::array<WavelengthPosition, kLanes>& where() const { return where_; }
 

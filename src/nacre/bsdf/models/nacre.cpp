@@ -115,7 +115,12 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
         }
     }
     if (settings.hot_spot) hot_spot.emplace(*paint);
-    if (paint->recipe.coat_spread() > 0) smooth->coat_spread.emplace(*paint, settings.hot_spot);
+    if (paint->recipe.coat_spread() > 0) {
+        const CoatSpread& spread = smooth->coat_spread.emplace(*paint, settings.hot_spot);
+        if (settings.hot_spot && !smooth->rough) {
+            for (const solver::SolvedPaint& node : spread.paint) hot_spot_nodes.emplace_back(node);
+        }
+    }
 }
 
 Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
@@ -143,6 +148,21 @@ double Nacre::exact_patch_mm() const {
 
 std::unique_ptr<const BoundBsdf> Nacre::bind(const Wavelengths& wavelengths_nm) const {
     return std::make_unique<const BoundNacre>(tables_, wavelengths_nm);
+}
+
+// The hot spot leaves less to be scattered again, by another fraction at each thickness.
+CoatChange BoundNacre::coat_change(Vec3f wi, Vec3f wo, float deviation) const {
+    const Ray i = make_ray(wi), o = make_ray(wo);
+    CoatNodes table = coat_nodes(i, o);
+    if (!hot_spot_nodes_.empty()) {
+        const auto again = [&](const HotSpot& hot_spot, const FloatLanes& multiple) {
+            const HotSpot::Pair pair(hot_spot, i, o);
+            return pair.closing() * max_lanes(multiple - pair.ground(), FloatLanes{});
+        };
+        table = {again(*hot_spot_, table.mean), again(hot_spot_nodes_[0], table.thinner),
+                 again(hot_spot_nodes_[1], table.thicker)};
+    }
+    return BoundMicroflake::coat_change(i, o, deviation, table);
 }
 
 namespace {

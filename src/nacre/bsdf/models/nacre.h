@@ -94,6 +94,8 @@ struct Nacre::Tables {
     std::vector<NacreSpecies> species;           ///< layer by layer
     std::vector<std::size_t> first_species;      ///< of each layer
     std::optional<HotSpotTables> hot_spot;
+    /// Of a smooth coat whose thickness varies, at the nodes of CoatSpread.
+    std::vector<HotSpotTables> hot_spot_nodes;
 };
 
 // The nacre model at eight wavelengths.
@@ -167,6 +169,7 @@ class BoundNacre final : public BoundMicroflake {
     std::shared_ptr<const Nacre::Tables> tables_;
     std::vector<BoundFlakeFilms> films_;  // by species
     std::optional<HotSpot> hot_spot_;
+    std::vector<HotSpot> hot_spot_nodes_;
 };
 
 }  // namespace nacre::bsdf

@@ -223,20 +223,13 @@ BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavele
         films_.push_back(species.films ? species.films->bind(where()) : BoundFlakeFilms());
     }
     if (tables_->hot_spot) hot_spot_.emplace(*tables_->hot_spot, where());
+    for (const HotSpotTables& node : tables_->hot_spot_nodes) hot_spot_nodes_.emplace_back(node, where());
 }
 
 FloatLanes BoundNacre::mean_value(const Ray& i, const Ray& o) const {
     // Under a rough clearcoat the tables hold the hot spot.
     if (!hot_spot_ || under_rough_coat()) return value(i, o, MeanFlakes{});
     return value(i, o, WithHotSpot(*this, i, o));
-}
-
-CoatChange BoundNacre::coat_change(Vec3f wi, Vec3f wo, float deviation) const {
-    const Ray i = make_ray(wi), o = make_ray(wo);
-    const bool dimmed = hot_spot_ && !under_rough_coat();
-    const FloatLanes multiple =
-        dimmed ? HotSpot::Pair(*hot_spot_, i, o).closing() : splat(1.0f);
-    return BoundMicroflake::coat_change(i, o, deviation, multiple);
 }
 
 FloatLanes BoundNacre::relative_attenuation(std::size_t species, std::size_t layer,
