@@ -90,6 +90,30 @@ struct Branch {
     float followed = 1;
 };
 
+/// A surface with what its coat is like where a path meets it.
+class CoatHere {
+ public:
+    /// @param mean  must outlive this
+    CoatHere(const CompiledScene& scene, const Hit& hit, const bsdf::BoundBsdf& mean, Vec3f wi)
+        : surface_(&mean) {
+        if (const auto deviation = scene.coat_deviation(hit)) {
+            surface_ = &varied_.emplace(*surface_, *deviation);
+        }
+        if (const auto slope = scene.coat_slope(hit)) {
+            surface_ = &tilted_.emplace(*surface_, *slope, wi);
+        }
+    }
+    CoatHere(const CoatHere&) = delete;
+    CoatHere& operator=(const CoatHere&) = delete;
+
+    const bsdf::BoundBsdf& surface() const { return *surface_; }
+
+ private:
+    const bsdf::BoundBsdf* surface_;
+    std::optional<bsdf::VariedCoat> varied_;
+    std::optional<bsdf::TiltedCoat> tilted_;
+};
+
 class PathTracer {
  public:
     PathTracer(const CompiledScene& scene, const Pass& pass, const PathSampler& sampler,
@@ -321,14 +345,8 @@ void PathTracer::follow(Branch branch) {
             branch.throughput.smooth *= 1 / branch.followed;
             branch.followed = 1;
         }
-        const bsdf::BoundBsdf* here = &bound(*hit);
-        std::optional<bsdf::VariedCoat> varied;
-        if (const auto deviation = scene_.coat_deviation(*hit)) {
-            here = &varied.emplace(*here, *deviation);
-        }
-        std::optional<bsdf::TiltedCoat> tilted;
-        if (const auto slope = scene_.coat_slope(*hit)) here = &tilted.emplace(*here, *slope, wi);
-        LocalSurface surface = surface_at(*hit, wi, branch, *here);
+        const CoatHere coat(scene_, *hit, bound(*hit), wi);
+        LocalSurface surface = surface_at(*hit, wi, branch, coat.surface());
         surface.among_candidates = branch.differential.has_value();
         if (branch.depth == 0 && !surface.shows_flakes()) {
             surface.specular = surface.bsdf.specular_probability(wi);

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "nacre/core/random.h"
+#include "nacre/testing/directions.h"
 #include "nacre/testing/statistics.h"
 
 namespace nacre::sparkle {
 namespace {
 
 using std::numbers::pi;
+using test::random_direction;
 
 constexpr double kSlope = 0.01;
 
@@ -22,12 +24,6 @@ paint::OrangePeel only(const paint::WaveBand& band) {
     paint::OrangePeel peel;
     peel.*band.slope = kSlope;
     return peel;
-}
-
-Vec3f random_direction(Rng& rng) {
-    const double z = 2 * rng.uniform_double() - 1, phi = 2 * pi * rng.uniform_double();
-    const double s = std::sqrt(1 - z * z);
-    return to_float(Vec3d{s * std::cos(phi), s * std::sin(phi), z});
 }
 
 TEST(CoatWaves, TheGradientIsThatOfTheHeight) {

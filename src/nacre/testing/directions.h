@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "nacre/core/angles.h"
 #include "nacre/core/lanes.h"
+#include "nacre/core/random.h"
 #include "nacre/core/vec.h"
 
 // Only for tests: what surfaces are asked about.
@@ -21,6 +23,13 @@ inline Vec3f direction(double theta_deg, double phi_deg = 0) {
     return {static_cast<float>(s * std::cos(phi_deg * kDegree)),
             static_cast<float>(s * std::sin(phi_deg * kDegree)),
             static_cast<float>(std::cos(theta_deg * kDegree))};
+}
+
+/// Evenly over the sphere.
+inline Vec3f random_direction(Rng& rng) {
+    const double z = 2 * rng.uniform_double() - 1, phi = 2 * std::numbers::pi * rng.uniform_double();
+    const double s = std::sqrt(1 - z * z);
+    return to_float(Vec3d{s * std::cos(phi), s * std::sin(phi), z});
 }
 
 }  // namespace nacre::test

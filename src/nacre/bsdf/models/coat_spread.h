@@ -56,7 +56,7 @@ class BoundCoatSpread {
 
 /// T at the mean thickness and at the nodes.
 struct CoatNodes {
-    FloatLanes mean, thinner, thicker;
+    FloatLanes mean{}, thinner{}, thicker{};
 };
 
 /// q(z).

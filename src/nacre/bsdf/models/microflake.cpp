@@ -360,7 +360,17 @@ FloatLanes BoundMicroflake::coat_depth_of_deviation(const Ray& i, const Ray& o) 
     return coat_spread_.spread() * clearcoat_depth_ * (inverse_mu(i) + inverse_mu(o));
 }
 
+FloatLanes BoundMicroflake::coat_factor(Vec3f wi, Vec3f wo, float deviation) const {
+    return exp_lanes(-deviation * coat_depth_of_deviation(make_ray(wi), make_ray(wo)));
+}
+
+CoatChange BoundMicroflake::coat_change(Vec3f wi, Vec3f wo, float deviation) const {
+    const Ray i = make_ray(wi), o = make_ray(wo);
+    return coat_change(i, o, deviation, coat_nodes(i, o));
+}
+
 CoatNodes BoundMicroflake::coat_nodes(const Ray& i, const Ray& o) const {
+    if (coat_spread_.spread() == 0) return {};
     return {tabulated(smooth_, i, o), tabulated(coat_spread_.thinner(), i, o),
             tabulated(coat_spread_.thicker(), i, o)};
 }

@@ -238,13 +238,8 @@ class BoundMicroflake : public BoundBsdf {
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
-    CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override {
-        const Ray i = make_ray(wi), o = make_ray(wo);
-        return coat_change(i, o, deviation, coat_nodes(i, o));
-    }
-    FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override {
-        return exp_lanes(-deviation * coat_depth_of_deviation(make_ray(wi), make_ray(wo)));
-    }
+    CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
+    FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override;
     /// The lobe of a rough interface, part of eval(); 0 of a smooth one.
     FloatLanes interface_lobe(Vec3f wi, Vec3f wo) const;
 
