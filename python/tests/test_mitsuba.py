@@ -323,14 +323,18 @@ def test_kernels_do_not_depend_on_where_tables_lie(size: int) -> None:
 def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:
     recipe = str(paints / "ruby.toml")
     wavy = tmp_path / "wavy.toml"
+    mottled = tmp_path / "mottled.toml"
     text = (paints / "ruby.toml").read_text()
     wavy.write_text(text.replace("[clearcoat]", "[clearcoat]\norange_peel = { wd = 0.002 }"))
+    tint = "[clearcoat]\nthickness_spread_um = 3\nabsorption_per_mm = 5"
+    mottled.write_text(text.replace("[clearcoat]", tint))
     for settings, text in (
         ({}, "recipe: is missing"),
         ({"recipe": recipe, "model": "thin-film"}, "model = thin-film"),
         ({"recipe": recipe, "footprint": -1.0}, "footprint"),
         ({"recipe": "no-such-file.toml"}, "no-such-file.toml"),
         ({"recipe": str(wavy)}, "orange_peel"),
+        ({"recipe": str(mottled)}, "thickness_spread_um"),
     ):
         with pytest.raises(Exception, match=text):
             mi.load_dict({"type": "nacre", **settings})

@@ -116,6 +116,10 @@ void describe_recipe(Facts& facts, const paint::Recipe& recipe) {
         facts.add("clearcoat", "{} um, roughness {}", recipe.clearcoat->thickness_um,
                   recipe.clearcoat->roughness);
     }
+    if (const double spread = recipe.coat_spread(); spread > 0) {
+        facts.add("coat thickness", "spread by {} um over the panel, {:.3g} % of the mean",
+                  recipe.clearcoat->thickness_spread_um, 100 * spread);
+    }
     if (const auto peel = recipe.orange_peel()) {
         std::string bands;
         for (const paint::WaveBand& band : paint::kWaveBands) {

@@ -73,6 +73,17 @@ TEST(Plausibility, FindsSlipsOfTheUnitAndOfTheDecimalPoint) {
     }
 }
 
+TEST(Plausibility, ASpreadOfACoatWithoutColourIsNotSeen) {
+    Recipe recipe = sold_pearl();
+    recipe.clearcoat->thickness_spread_um = 5;
+    EXPECT_EQ(recipe.coat_spread(), 0);
+    EXPECT_THAT(implausible_numbers(recipe),
+                ElementsAre(HasSubstr("clearcoat.thickness_spread_um = 5 um: nothing is seen")));
+    recipe.clearcoat->absorption_per_mm = spectra::Spectrum({400, 700}, {0.0, 10.0});
+    EXPECT_EQ(recipe.coat_spread(), 5 / 40.0);
+    EXPECT_THAT(implausible_numbers(recipe), IsEmpty());
+}
+
 TEST(Plausibility, PigmentsCountAmongTheSolids) {
     Recipe recipe = sold_pearl();
     recipe.layers[0].pigments = {{PigmentCoefficients{.amount = PigmentVolume{0.38}}, "white"}};

@@ -62,13 +62,28 @@ struct Errors {
     double rms = 0, worst = 0, change = 0;
 };
 
-/// Of VariedCoat, relative to the paint solved anew, at all values above a hundredth of the largest one of
-/// their incident direction and wavelength; and the natural logarithm by which at most the coat changes a value.
+/// A paint under a coat of a spread, to be compared with the paint solved anew.
 template <class Surface>
-Errors errors(const paint::Recipe& recipe, double spread, double deviation) {
-    const Surface mean(solved_on_grid(with_spread(recipe, spread)));
-    const Surface anew(solved_on_grid(at_deviation(recipe, spread, deviation)));
-    const auto bound = mean.bind(test::kOnGrid), expected = anew.bind(test::kOnGrid);
+class SpreadPaint {
+ public:
+    SpreadPaint(const paint::Recipe& recipe, double spread)
+        : recipe_(recipe), spread_(spread), mean_(solved_on_grid(with_spread(recipe, spread))) {}
+
+    /// Of VariedCoat, relative to the paint solved anew, at all values above a hundredth of the largest one
+    /// of their incident direction and wavelength; and the natural logarithm by which at most the coat
+    /// changes a value.
+    Errors errors(double deviation) const;
+
+ private:
+    paint::Recipe recipe_;
+    double spread_;
+    Surface mean_;
+};
+
+template <class Surface>
+Errors SpreadPaint<Surface>::errors(double deviation) const {
+    const Surface anew(solved_on_grid(at_deviation(recipe_, spread_, deviation)));
+    const auto bound = mean_.bind(test::kOnGrid), expected = anew.bind(test::kOnGrid);
     const VariedCoat varied(*bound, static_cast<float>(deviation));
     Errors out;
     int count = 0;
@@ -103,9 +118,10 @@ Errors errors(const paint::Recipe& recipe, double spread, double deviation) {
 constexpr double kTypicalSpread = 0.13, kWorst = 0.02, kRms = 2e-3;
 
 TEST(CoatSpread, ThinnerAndThickerCoatsAreThoseOfThePaintSolvedAnew) {
-    for (const double deviation : {-2.0, -1.0, 1.0, 2.0}) {
-        for (const paint::Recipe& recipe : {candy(), white(), amber()}) {
-            const Errors found = errors<Microflake>(recipe, kTypicalSpread, deviation);
+    for (const paint::Recipe& recipe : {candy(), white(), amber()}) {
+        const SpreadPaint<Microflake> paint(recipe, kTypicalSpread);
+        for (const double deviation : {-2.0, -1.0, 1.0, 2.0}) {
+            const Errors found = paint.errors(deviation);
             EXPECT_LT(found.worst, kWorst) << deviation;
             EXPECT_LT(found.rms, kRms) << deviation;
             EXPECT_GT(found.change, 0.15);
@@ -114,8 +130,9 @@ TEST(CoatSpread, ThinnerAndThickerCoatsAreThoseOfThePaintSolvedAnew) {
 }
 
 TEST(CoatSpread, TheHotSpotOfLargeFlakesIsThatOfTheThickness) {
+    const SpreadPaint<Nacre> paint(candy(), kTypicalSpread);
     for (const double deviation : {-2.0, 2.0}) {
-        const Errors found = errors<Nacre>(candy(), kTypicalSpread, deviation);
+        const Errors found = paint.errors(deviation);
         EXPECT_LT(found.worst, kWorst);
         EXPECT_LT(found.rms, kRms);
     }
@@ -124,7 +141,7 @@ TEST(CoatSpread, TheHotSpotOfLargeFlakesIsThatOfTheThickness) {
 TEST(CoatSpread, UnderARoughInterfaceToo) {
     paint::Recipe recipe = candy();
     recipe.clearcoat->roughness = 0.2;
-    const Errors found = errors<Nacre>(recipe, kTypicalSpread, -2);
+    const Errors found = SpreadPaint<Nacre>(recipe, kTypicalSpread).errors(-2);
     EXPECT_LT(found.worst, kWorst);
     EXPECT_LT(found.rms, kRms);
 }
@@ -132,12 +149,10 @@ TEST(CoatSpread, UnderARoughInterfaceToo) {
 // A coat that varies by a third: at the thinnest the light is tens of times that of the mean.
 TEST(CoatSpread, TheLargestSpreadIsStillFollowed) {
     for (const paint::Recipe& recipe : {candy(), white()}) {
-        const auto worst = [&](double deviation) {
-            return errors<Microflake>(recipe, paint::limits::kMaxCoatSpread, deviation).worst;
-        };
-        EXPECT_LT(worst(-2), 0.04);
-        EXPECT_LT(worst(2), 0.04);
-        EXPECT_LT(worst(-3), 0.4);
+        const SpreadPaint<Microflake> spread(recipe, paint::limits::kMaxCoatSpread);
+        EXPECT_LT(spread.errors(-2).worst, 0.04);
+        EXPECT_LT(spread.errors(2).worst, 0.04);
+        EXPECT_LT(spread.errors(-3).worst, 0.4);
     }
 }
 

@@ -54,15 +54,23 @@ TEST(Picture, OfAScenePaintedThroughTheDoor) {
     EXPECT_FALSE(scene.render(two_passes, [](double) { return false; }).result.complete);
 }
 
-TEST(Picture, ModelsThatCannotShowAnOrangePeelRefuseIt) {
+TEST(Picture, ModelsThatCannotShowWhereACoatVariesRefuseIt) {
     paint::Recipe recipe = fit::testing::pearl();
-    recipe.clearcoat = paint::Clearcoat{40, 0.0, 0, paint::OrangePeel{.wd = 0.002}};
-    const Paint paint(recipe);
-    EXPECT_EQ(Scene(find_scene("sphere"), {.slot = paint}).model_name(), "nacre");
-    EXPECT_THAT(message_of<SettingError>(
-                    [&] { Scene(find_scene("sphere"), {.slot = paint, .model = VolumeModel{}}); }),
+    const auto refusal = [&](const paint::Clearcoat& coat) {
+        recipe.clearcoat = coat;
+        const Paint paint(recipe);
+        EXPECT_EQ(Scene(find_scene("sphere"), {.slot = paint}).model_name(), "nacre");
+        return message_of<SettingError>(
+            [&] { Scene(find_scene("sphere"), {.slot = paint, .model = VolumeModel{}}); });
+    };
+    EXPECT_THAT(refusal({40, 0.0, 0, paint::OrangePeel{.wd = 0.002}}),
                 HasSubstr("orange_peel of the paint of the material paint; must be nacre or "
                           "microflake"));
+    EXPECT_THAT(refusal({40, 10.0, 0, {}, 4}),
+                HasSubstr("thickness_spread_um of the paint of the material paint; must be nacre or "
+                          "microflake"));
+    // Of a coat without colour nothing is seen of it.
+    EXPECT_EQ(refusal({40, 0.0, 0, {}, 4}), "accepted");
 }
 
 TEST(Picture, IsMergedFromItsSharesAndNoOthers) {
