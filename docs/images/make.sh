@@ -72,6 +72,17 @@ for paint in black silver; do
 done
 montage "${tiles[@]}" -tile 3x2 -geometry 280x280+2+2 docs/images/orange-peel.png
 
+printf 'coat-thickness.png\n' >&2
+tiles=()
+for spread in 0 3 6; do
+    tile="$scratch/coat-$spread"
+    "$nacre" render scenes/spray-out.toml --paint paints/candy-red.toml --model nacre \
+        --set "clearcoat.thickness_spread_um=$spread" --specimen 3 --size 240x200 --spp 64 \
+        --exposure -0.5 --quiet -o "$tile.exr"
+    tiles+=("$tile.png")
+done
+montage "${tiles[@]}" -tile 3x1 -geometry 240x200+2+2 docs/images/coat-thickness.png
+
 printf 'sparkle.png\n' >&2
 tiles=()
 for paint in metallic-silver ruby tio2-mica-110 glitter-100um; do

@@ -130,8 +130,8 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
     command
         .add_option("--specimen", options.specimen,
                     fmt::format("{}: which panel of the batch is seen, that is which flakes there "
-                                "are; in pictures also which waves an orange peel has; 0: the "
-                                "scene's, or the first",
+                                "are; in pictures also which waves an orange peel has, and where a "
+                                "tinted coat is thicker; 0: the scene's, or the first",
                                 fmt::join(sparkling_models(), ", ")))
         ->type_name("N")
         ->capture_default_str();

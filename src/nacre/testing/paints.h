@@ -70,7 +70,7 @@ inline paint::Recipe full_recipe() {
     Recipe recipe;
     recipe.binder = optics::Material(1.5);
     recipe.clearcoat = Clearcoat{40, spectra::Spectrum({400, 700}, {2.0, 8.0}), 0.1,
-                                 OrangePeel{0.001, 0.002, 0.003, 0.004, 0.005}, 6};
+                                 OrangePeel{0.001, 0.002, 0.003, 0.004, 0.005}, 0.25};
     FlakeSpecies pearl;
     pearl.amount = VolumeFraction{0.05};
     pearl.body =

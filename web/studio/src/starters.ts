@@ -51,6 +51,7 @@ const SINGLE: Readonly<Record<string, Value>> = {
     absorption_per_mm: 10,
     waviness: 0.02,
     edge_um: 0.5,
+    thickness_spread_um: 3,
     roughness: 0.1,
     spread_nm: 5,
     diameter_spread_um: 5,
