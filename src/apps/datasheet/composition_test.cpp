@@ -149,7 +149,8 @@ TEST(Composition, NumbersUnitsAndChoicesAreWrittenAsPeopleDo) {
     recipe.microfacet->distribution = paint::FacetDistribution::ggx;
     const std::string words = sheet(recipe);
     for (const char* part :
-         {"40 ± 0.25 µm with a matte surface (roughness 0.1), orange peel with slopes of 0.001 (0.1 to "
+         {"40 ± 0.25 µm with a matte surface (roughness 0.1), orange peel with slopes of 0.001 "
+          "(0.1 to "
           "0.3 "
           "mm), 0.002 (0.3 to 1 mm), 0.003 (1 to 3 mm), 0.004 (3 to 10 mm), 0.005 (10 to 30 mm): "
           "absorbs 2 to 8 /mm",

@@ -19,7 +19,7 @@
 namespace nacre::sparkle {
 class CoatThickness;
 class CoatWaves;
-}
+}  // namespace nacre::sparkle
 
 namespace nacre::bsdf {
 
@@ -132,7 +132,7 @@ struct Patch {
 
 /// What becomes of a BRDF f where the coat is thinner or thicker: factor f + added.
 struct CoatChange {
-    FloatLanes factor = splat(1.0f);  ///< of light that crosses the coat once on its way in and once out
+    FloatLanes factor = splat(1.0f);  ///< of light that crosses the coat once in and once out
     FloatLanes added{};               ///< for all other light
 };
 

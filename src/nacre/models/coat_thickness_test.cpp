@@ -58,8 +58,10 @@ std::vector<float> far_panel(const std::shared_ptr<const bsdf::Bsdf>& coat) {
     scene.camera = {.position_mm = {0, 0, kFar_mm},
                     .up = {0, 1, 0},
                     .vertical_fov_deg = 0.8 * kSide_mm / kFar_mm / kDegree};
-    scene.lights.push_back(render::RectangleLight{
-        .center_mm = {0, -kFar_mm, kFar_mm}, .width_mm = 3e4, .height_mm = 3e4, .radiance = {.scale = 1e3}});
+    scene.lights.push_back(render::RectangleLight{.center_mm = {0, -kFar_mm, kFar_mm},
+                                                  .width_mm = 3e4,
+                                                  .height_mm = 3e4,
+                                                  .radiance = {.scale = 1e3}});
     return green_of(render::render_with(
         render::Scene(scene, {{"paint", coat}}),
         {.width = 96, .height = 96, .samples_per_pixel = 1, .seed = 1, .max_depth = 1},

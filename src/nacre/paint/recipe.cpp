@@ -186,10 +186,10 @@ void check_spread(const Clearcoat& coat) {
     const double most_um = coat.thickness_um * limits::kMaxCoatSpread;
     // Rounded up, so that a third as a file spells it is allowed.
     if (coat.thickness_spread_um <= most_um * (1 + 1e-9)) return;
-    throw DomainError(
-        fmt::format("clearcoat.thickness_spread_um = {}: must be in [0, {:.6g}] um, at most a third "
-                    "of thickness_um = {}",
-                    coat.thickness_spread_um, most_um, coat.thickness_um));
+    throw DomainError(fmt::format(
+        "clearcoat.thickness_spread_um = {}: must be in [0, {:.6g}] um, at most a third "
+        "of thickness_um = {}",
+        coat.thickness_spread_um, most_um, coat.thickness_um));
 }
 
 Spectrum scaled(const Spectrum& spectrum, double factor) {

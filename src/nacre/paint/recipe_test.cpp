@@ -148,9 +148,7 @@ TEST(ValidateRecipe, NamesKeyValueAndRangeOfWhateverIsWrong) {
              std::get<optics::Platelet>(flakes(r).body).coats[0].spread.standard_deviation_nm = -1;
          },
          "layer[0].flakes[0].coats[0].spread_nm = -1", "nm"},
-        {[](Recipe& r) {
-             r.clearcoat = Clearcoat{.thickness_um = 45, .thickness_spread_um = 16};
-         },
+        {[](Recipe& r) { r.clearcoat = Clearcoat{.thickness_um = 45, .thickness_spread_um = 16}; },
          "clearcoat.thickness_spread_um = 16", "[0, 15] um, at most a third of thickness_um = 45"},
         {[](Recipe& r) { r.microfacet.emplace().alpha = 0; }, "microfacet.alpha = 0", "[0.001, 1]"},
         {[](Recipe& r) { r.microfacet.emplace().facets.emplace().count = 0; },

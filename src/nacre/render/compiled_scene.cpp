@@ -306,7 +306,8 @@ std::optional<Vec2f> CompiledScene::coat_slope(const Hit& hit) const {
 std::optional<float> CompiledScene::coat_deviation(const Hit& hit) const {
     const sparkle::CoatThickness* const thickness = materials[hit.material]->coat_thickness();
     if (!thickness) return std::nullopt;
-    return thickness->deviation(surfaces_[hit.surface].map.point_in_object_space_mm(hit.position_mm));
+    return thickness->deviation(
+        surfaces_[hit.surface].map.point_in_object_space_mm(hit.position_mm));
 }
 
 bool CompiledScene::occluded(const Ray& ray, float distance_mm) const {

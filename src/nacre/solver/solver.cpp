@@ -238,8 +238,8 @@ void solve_medium(SolvedPaint& paint, const Progress& progress) {
         require_memory(
             static_cast<double>(memory_of(paint.medium, groups, resolution)),
             fmt::format("solving {} wavelengths with {} + {} nodes and {} azimuthal orders",
-                        paint.wavelengths_nm().size(), resolution.exit_nodes, resolution.inner_nodes,
-                        resolution.orders),
+                        paint.wavelengths_nm().size(), resolution.exit_nodes,
+                        resolution.inner_nodes, resolution.orders),
             "solve fewer wavelengths at a time, or set fewer nodes and orders");
         double total = 0;
         for (const WavelengthGroup& group : groups) {
@@ -273,7 +273,7 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
     return paint;
 }
 
-SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor, const Progress& progress) {
+SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor) {
     SolvedPaint out;
     out.recipe = paint.recipe;
     out.settings = paint.settings;
@@ -283,7 +283,7 @@ SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor, const Progr
         out.recipe.clearcoat->thickness_spread_um = 0;
     }
     for (double& depth : out.medium.clearcoat_depth) depth *= factor;
-    solve_medium(out, progress);
+    solve_medium(out, {});
     return out;
 }
 

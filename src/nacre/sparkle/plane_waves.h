@@ -13,7 +13,7 @@
 namespace nacre::sparkle {
 
 struct PlaneWave {
-    Vec3d direction;  ///< unit
+    Vec3d direction;              ///< unit
     double wavelength_mm, phase;  ///< phase in turns
 };
 

@@ -27,7 +27,8 @@ inline Vec3f direction(double theta_deg, double phi_deg = 0) {
 
 /// Evenly over the sphere.
 inline Vec3f random_direction(Rng& rng) {
-    const double z = 2 * rng.uniform_double() - 1, phi = 2 * std::numbers::pi * rng.uniform_double();
+    const double z = 2 * rng.uniform_double() - 1,
+                 phi = 2 * std::numbers::pi * rng.uniform_double();
     const double s = std::sqrt(1 - z * z);
     return to_float(Vec3d{s * std::cos(phi), s * std::sin(phi), z});
 }

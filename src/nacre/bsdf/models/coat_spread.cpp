@@ -20,19 +20,18 @@ constexpr float kMostCrossings = 2;
 constexpr float kFlat = 1e-2f;
 constexpr float kDark = 1e-30f;
 
-solver::SolvedPaint at_deviation(const solver::SolvedPaint& paint, double deviation, bool hot_spot,
-                                 const Progress& progress) {
+solver::SolvedPaint at_deviation(const solver::SolvedPaint& paint, double deviation,
+                                 bool hot_spot) {
     const double factor = 1 + deviation * paint.recipe.coat_spread();
-    solver::SolvedPaint solved = solver::solve_with_coat(paint, factor, progress);
+    solver::SolvedPaint solved = solver::solve_with_coat(paint, factor);
     return hot_spot ? with_rough_hot_spot(solved) : solved;
 }
 
 }  // namespace
 
-CoatSpread::CoatSpread(const solver::SolvedPaint& mean, bool hot_spot, const Progress& progress)
+CoatSpread::CoatSpread(const solver::SolvedPaint& mean, bool hot_spot)
     : spread(mean.recipe.coat_spread()),
-      paint{at_deviation(mean, -kCoatNode, hot_spot, progress),
-            at_deviation(mean, kCoatNode, hot_spot, progress)},
+      paint{at_deviation(mean, -kCoatNode, hot_spot), at_deviation(mean, kCoatNode, hot_spot)},
       table{smooth_table(paint[0]), smooth_table(paint[1])} {}
 
 BoundCoatSpread::BoundCoatSpread(const CoatSpread& spread,

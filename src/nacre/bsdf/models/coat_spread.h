@@ -5,7 +5,6 @@
 
 #include "nacre/bsdf/smooth_table.h"
 #include "nacre/bsdf/wavelength_lanes.h"
-#include "nacre/core/progress.h"
 #include "nacre/solver/solved_paint.h"
 
 namespace nacre::bsdf {
@@ -22,7 +21,8 @@ namespace nacre::bsdf {
 // diffuse reflectance R, and r the fraction of its light that the interface sends back, 1/q would go as
 // 1 - r R exp(-D z): a constant and an exponential, laid through the values of the paint solved anew at
 // kCoatNode deviations below and above the mean. Where the three hold no such curve (a table has an error
-// of its own) each side takes the steepest or flattest that there is, and beyond the nodes q stays.
+// of its own) each side takes the steepest or flattest that there is. Beyond the nodes 1/q goes on at most
+// as a straight line, and not below half of its value there.
 
 /// In standard deviations: 1.2 % of a panel is beyond.
 inline constexpr double kCoatNode = 2.5;
@@ -32,9 +32,9 @@ static_assert(kCoatNode <= paint::limits::kMaxCoatDeviation);
 struct CoatSpread {
     /// @param hot_spot  tables under a rough clearcoat hold the hot spot (rough_hot_spot.h)
     /// @throws as solver::solve_with_coat() and with_rough_hot_spot()
-    CoatSpread(const solver::SolvedPaint& paint, bool hot_spot, const Progress& progress = {});
+    CoatSpread(const solver::SolvedPaint& paint, bool hot_spot);
 
-    double spread;  ///< standard deviation over the mean
+    double spread;                             ///< standard deviation over the mean
     std::array<solver::SolvedPaint, 2> paint;  ///< thinner, thicker
     std::array<SmoothTable, 2> table;
 };

@@ -27,7 +27,8 @@ paint::Recipe candy() {
     paint::Recipe recipe = paint_of({metal_flake(20, 0.88, 0.12)});
     recipe.substrate_reflectance = 0.1;
     recipe.clearcoat = paint::Clearcoat{
-        kThickness_um, spectra::Spectrum({400, 460, 530, 575, 605, 660}, {22, 25, 32, 20, 1.7, 0.1})};
+        kThickness_um,
+        spectra::Spectrum({400, 460, 530, 575, 605, 660}, {22, 25, 32, 20, 1.7, 0.1})};
     return recipe;
 }
 
@@ -103,7 +104,8 @@ Errors SpreadPaint<Surface>::errors(double deviation) const {
                     const double error = std::abs(found[k] / there[k] - 1);
                     out.rms += error * error;
                     out.worst = std::max(out.worst, error);
-                    out.change = std::max(out.change, std::abs(std::log(double{there[k]} / before[k])));
+                    out.change =
+                        std::max(out.change, std::abs(std::log(double{there[k]} / before[k])));
                     ++count;
                 }
             }
@@ -228,9 +230,9 @@ TEST(VariedCoat, LosesNoLightWhereTheDyeDoesNotAbsorb) {
         constexpr int kPoints = 4096;
         FloatLanes sum{};
         for (unsigned p = 0; p < kPoints; ++p) {
-            const auto sample = varied.sample(
-                direction(40), static_cast<float>((p * 0x9E3779B9u) >> 8) * 0x1p-24f,
-                {(p + 0.5f) / kPoints, static_cast<float>(radical_inverse(p, 2))});
+            const auto sample =
+                varied.sample(direction(40), static_cast<float>((p * 0x9E3779B9u) >> 8) * 0x1p-24f,
+                              {(p + 0.5f) / kPoints, static_cast<float>(radical_inverse(p, 2))});
             if (sample) sum += sample->weight;
         }
         for (int k = 0; k < kLanes; ++k) {

@@ -355,7 +355,8 @@ T BoundMicroflake::density(const SamplingProbabilities& probability, const Ray& 
 
 FloatLanes BoundMicroflake::coat_depth_of_deviation(const Ray& i, const Ray& o) const {
     const auto inverse_mu = [&](const Ray& ray) {
-        return 1.0f / sqrt_lanes(max_lanes(1.0f - ray.sine * ray.sine * inverse_ior2_, splat(1e-6f)));
+        return 1.0f /
+               sqrt_lanes(max_lanes(1.0f - ray.sine * ray.sine * inverse_ior2_, splat(1e-6f)));
     };
     return coat_spread_.spread() * clearcoat_depth_ * (inverse_mu(i) + inverse_mu(o));
 }

@@ -37,8 +37,8 @@ struct MicroflakeModel {
         svd     ///< its truncated singular value decomposition
     };
     Table table = Table::split;
-    std::uint64_t specimen = 0;         ///< which panel of the batch: the seed of its coat
-    BrdfTableSettings table_size = {};  ///< raw and svd
+    std::uint64_t specimen = 0;            ///< which panel of the batch: the seed of its coat
+    BrdfTableSettings table_size = {};     ///< raw and svd
     CompressionSettings compression = {};  ///< svd
 
     static const ModelInfo info;

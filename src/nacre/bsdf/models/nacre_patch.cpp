@@ -223,7 +223,8 @@ BoundNacre::BoundNacre(std::shared_ptr<const Nacre::Tables> tables, const Wavele
         films_.push_back(species.films ? species.films->bind(where()) : BoundFlakeFilms());
     }
     if (tables_->hot_spot) hot_spot_.emplace(*tables_->hot_spot, where());
-    for (const HotSpotTables& node : tables_->hot_spot_nodes) hot_spot_nodes_.emplace_back(node, where());
+    for (const HotSpotTables& node : tables_->hot_spot_nodes)
+        hot_spot_nodes_.emplace_back(node, where());
 }
 
 FloatLanes BoundNacre::mean_value(const Ray& i, const Ray& o) const {

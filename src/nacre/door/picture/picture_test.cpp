@@ -66,9 +66,10 @@ TEST(Picture, ModelsThatCannotShowWhereACoatVariesRefuseIt) {
     EXPECT_THAT(refusal({40, 0.0, 0, paint::OrangePeel{.wd = 0.002}}),
                 HasSubstr("orange_peel of the paint of the material paint; must be nacre or "
                           "microflake"));
-    EXPECT_THAT(refusal({40, 10.0, 0, {}, 4}),
-                HasSubstr("thickness_spread_um of the paint of the material paint; must be nacre or "
-                          "microflake"));
+    EXPECT_THAT(
+        refusal({40, 10.0, 0, {}, 4}),
+        HasSubstr("thickness_spread_um of the paint of the material paint; must be nacre or "
+                  "microflake"));
     // Of a coat without colour nothing is seen of it.
     EXPECT_EQ(refusal({40, 0.0, 0, {}, 4}), "accepted");
 }
