@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "nacre/bsdf/models/paint_table.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/bsdf/warp.h"
 #include "nacre/core/error.h"
