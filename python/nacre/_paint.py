@@ -561,9 +561,9 @@ class Paint:
 
         ``.toml``: the recipe. ``.h5``: the solved paint, or the table that ``model`` renders from,
         as ``Model("microflake", table="svd")``. ``.bsdf``: the BRDF as in the RGL database, and
-        ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf`` and
-        ``.mtlx``: glTF's material and OpenPBR, fitted; these return what they miss. ``.three.js``:
-        an ES module for three.js with ``nacre``, its mean, or ``microflake`` as a shader, of a
+        ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf``,
+        ``.mtlx`` and ``.blender.py``: glTF's material, OpenPBR and a script that makes Cycles' nodes in
+        Blender, fitted; these return what they miss. ``.three.js``: an ES module for three.js with ``nacre``, its mean, or ``microflake`` as a shader, of a
         recipe or a solved paint; returns how far it is from ``nacre``.
 
         Parameters
@@ -604,15 +604,17 @@ class Paint:
                 )
             if extension == ".binary":
                 return Export(*self._paint.write_merl(path, cells, nm, chosen, report))
-            if extension in (".gltf", ".mtlx"):
-                kind = "gltf" if extension == ".gltf" else "materialx"
+            kind = {".gltf": "gltf", ".mtlx": "materialx"}.get(extension)
+            if os.fspath(path).endswith(".blender.py"):
+                kind = "cycles"
+            if kind is not None:
                 values, seen, _, tested = self._paint.write_material(path, kind, nm, chosen, report)
                 return FittedMaterial(
                     dict(values), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
                 )
         raise SettingError(
             f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf, "
-            ".mtlx or .three.js"
+            ".mtlx, .blender.py or .three.js"
         )
 
     def __repr__(self) -> str:

@@ -230,7 +230,9 @@ Fitted write_material(const PaintHandle& handle, const std::filesystem::path& pa
                       const std::optional<Model>& model, const nb::object& progress) {
     return run(progress, [&](const Progress& ask) {
         const FittedMaterial made = handle.paint.export_material(
-            format == "gltf" ? MaterialFormat::gltf : MaterialFormat::materialx,
+            format == "gltf"        ? MaterialFormat::gltf
+            : format == "materialx" ? MaterialFormat::materialx
+                                    : MaterialFormat::cycles,
             export_settings(wavelengths_nm, model), ask);
         made.write(path);
         return Fitted{made.parameters, differences(made.fit.instrument),

@@ -225,7 +225,7 @@ struct FittedMaterial {
     /// Whole or not at all. @throws InputError, Error as core/file.h
     void write(const std::filesystem::path& path) const;
 };
-enum class MaterialFormat { gltf, materialx };
+enum class MaterialFormat { gltf, materialx, cycles };
 
 struct SparkleSettings {
     SparkleCamera camera = {};

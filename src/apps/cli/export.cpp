@@ -43,7 +43,9 @@ measure::MerlSettings parse_cells(const std::string& text) {
     return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2])};
 }
 
-enum class ExportFormat { rgl, merl, gltf, materialx };
+enum class ExportFormat { rgl, merl, gltf, materialx, cycles };
+
+constexpr const char* kFittedSuffixes = ".gltf, .mtlx or .blender.py";
 
 ExportFormat format_of(const std::string& output) {
     const std::string extension = std::filesystem::path(output).extension().string();
@@ -51,14 +53,39 @@ ExportFormat format_of(const std::string& output) {
     if (extension == ".binary") return ExportFormat::merl;
     if (extension == ".gltf") return ExportFormat::gltf;
     if (extension == ".mtlx") return ExportFormat::materialx;
+    if (output.ends_with(".blender.py")) return ExportFormat::cycles;
     throw UsageError(
-        fmt::format("--output = {}: must end in .bsdf (RGL), .binary (MERL), .gltf (glTF 2.0) or "
-                    ".mtlx (MaterialX)",
+        fmt::format("--output = {}: must end in .bsdf (RGL), .binary (MERL), .gltf (glTF 2.0), "
+                    ".mtlx (MaterialX) or .blender.py (Cycles)",
                     output));
 }
 
-bool is_fit(ExportFormat format) {
-    return format == ExportFormat::gltf || format == ExportFormat::materialx;
+/// The material that is fitted, or none for a table.
+std::optional<MaterialFormat> fitted_format(ExportFormat format) {
+    switch (format) {
+        case ExportFormat::rgl:
+        case ExportFormat::merl:
+            return std::nullopt;
+        case ExportFormat::gltf:
+            return MaterialFormat::gltf;
+        case ExportFormat::materialx:
+            return MaterialFormat::materialx;
+        case ExportFormat::cycles:
+            return MaterialFormat::cycles;
+    }
+    return std::nullopt;
+}
+
+const char* report_name(MaterialFormat format) {
+    switch (format) {
+        case MaterialFormat::gltf:
+            return "gltf";
+        case MaterialFormat::materialx:
+            return "materialx";
+        case MaterialFormat::cycles:
+            return "cycles";
+    }
+    return "";
 }
 
 void check_format_options(const ExportOptions& options, ExportFormat format) {
@@ -68,7 +95,7 @@ void check_format_options(const ExportOptions& options, ExportFormat format) {
     };
     if (format != ExportFormat::rgl) refuse(options.only_rgl, ".bsdf");
     if (format != ExportFormat::merl) refuse(options.only_merl, ".binary");
-    if (!is_fit(format)) refuse(options.only_fits, ".gltf or .mtlx");
+    if (!fitted_format(format)) refuse(options.only_fits, kFittedSuffixes);
 }
 
 /// The picture of the colours, beside the material unless it was named.
@@ -145,8 +172,7 @@ void write_material(const ExportOptions& options, const Paint& paint, const Brdf
                     fit.instrument.max_delta_e_2000, fit.tested.mean_delta_e_2000,
                     fit.tested.max_delta_e_2000, fit.tested.angles.size(), chips_name(options)));
     nlohmann::json report =
-        export_report(options, paint, format == MaterialFormat::gltf ? "gltf" : "materialx",
-                      made.bytes.size(), watch.seconds());
+        export_report(options, paint, report_name(format), made.bytes.size(), watch.seconds());
     report["chips"] = chips_name(options);
     for (const auto& [name, value] : made.parameters) report["parameters"][name] = value;
     report["differences"] = {{"byk_mac", difference_json(fit.instrument)},
@@ -161,15 +187,14 @@ ExitStatus run(const ExportOptions& options) {
     parse_cells(options.cells);
     require_values(parse_model_settings(options.model).info());
     BrdfSettings settings = brdf_settings(options);
-    if (is_fit(format) && options.chips.empty()) check_chips_beside(chips_name(options));
+    const std::optional<MaterialFormat> fitted = fitted_format(format);
+    if (fitted && options.chips.empty()) check_chips_beside(chips_name(options));
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Paint paint = open_paint(options, options.paint);
     settings.model = model_for({&paint}, options.model);
-    if (is_fit(format)) {
-        write_material(
-            options, paint, settings,
-            format == ExportFormat::gltf ? MaterialFormat::gltf : MaterialFormat::materialx);
+    if (fitted) {
+        write_material(options, paint, settings, *fitted);
     } else {
         write_table(options, paint, settings, format == ExportFormat::rgl);
     }
@@ -180,7 +205,7 @@ CommandFiles files_of_export(const ExportOptions& options) {
     CommandFiles files = files_of(options, {options.paint});
     // A name that is no format is refused by run().
     const std::string extension = std::filesystem::path(options.output).extension().string();
-    if (extension == ".gltf" || extension == ".mtlx") {
+    if (extension == ".gltf" || extension == ".mtlx" || options.output.ends_with(".blender.py")) {
         files.files.push_back({"--chips", chips_name(options)});
     }
     return files;
@@ -197,7 +222,7 @@ Command add_export(CLI::App& program) {
     command
         ->add_option("-o,--output", options->output,
                      "File to write: .bsdf (RGL, spectra or RGB), .binary (MERL, RGB), .gltf (glTF "
-                     "2.0) or .mtlx (MaterialX, OpenPBR)")
+                     "2.0), .mtlx (MaterialX, OpenPBR) or .blender.py (Blender's Cycles)")
         ->required()
         ->type_name("FILE");
     add_model_options(*command, options->model);
@@ -226,7 +251,7 @@ Command add_export(CLI::App& program) {
          options->only_merl)
         ->capture_default_str();
     only(command->add_option("--chips", options->chips,
-                             ".gltf, .mtlx: picture of the paint's colours and the fit's, side by "
+                             ".gltf, .mtlx, .blender.py: picture of the paint's colours and the fit's, side by "
                              "side [beside the output, .svg added]"),
          options->only_fits)
         ->type_name("FILE");
@@ -237,9 +262,9 @@ Command add_export(CLI::App& program) {
         "The specular reflection of a smooth interface is not part of a BRDF: add it in the other\n"
         "renderer as a coat of the binder's index. Says on stderr by how much the file misses the "
         "BRDF.\n"
-        "A .gltf or .mtlx is the format's own material fitted to the paint's colours, its "
-        "clearcoat "
-        "included;\nwhat it misses is written into it and shown in the picture of colours.\n\n"
+        "A .gltf, .mtlx or .blender.py is the format's own material fitted to the paint's "
+        "colours, its\nclearcoat included; what it misses is written into it and shown in the "
+        "picture of colours.\n\n"
         "Example: for Mitsuba's plugin \"measured\"\n"
         "  nacre export paints/red-gold.toml -o red-gold.bsdf");
     return {command, [options] { return files_of_export(*options); },

@@ -4,6 +4,7 @@
 #include "nacre/bsdf/measured/rgl.h"
 #include "nacre/core/file.h"
 #include "nacre/door/state.h"
+#include "nacre/exchange/cycles_material.h"
 #include "nacre/exchange/gltf_file.h"
 #include "nacre/exchange/gltf_material.h"
 #include "nacre/exchange/open_pbr.h"
@@ -21,6 +22,26 @@ BrdfSettings fast(BrdfSettings settings) {
     settings.part = Part::total;
     settings.as_rendered = true;
     return settings;
+}
+
+/// Where a coat's index is taken for renderers in RGB.
+constexpr double kCoatIndexWavelength_nm = 550;
+
+/// Of paints that do not say how large their flakes are.
+constexpr double kGuessedFlake_um = 30;
+
+/// Of the uppermost layer with flakes, weighted by their areas; none where there are no flakes.
+std::optional<double> mean_flake_um(const paint::Recipe& recipe) {
+    for (const paint::Layer& layer : recipe.layers) {
+        double areas = 0, diameters = 0;
+        for (const paint::FlakeSpecies& species : layer.flakes) {
+            const double area = species.area_density_per_um();
+            areas += area;
+            diameters += area * (species.quantiles ? species.quantiles->d50_um : species.diameter_um);
+        }
+        if (areas > 0) return diameters / areas;
+    }
+    return std::nullopt;
 }
 
 /// "Violet pearl, nacre", "brass.bsdf, measured".
@@ -91,10 +112,19 @@ FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings&
     }
     const bool coat = has_recipe() && !recipe().layers.empty();
     const bool rough = coat && recipe().clearcoat && recipe().clearcoat->roughness > 0;
-    const exchange::FormatModel model = format == MaterialFormat::gltf
-                                            ? exchange::gltf_model(coat, rough)
-                                            : exchange::open_pbr_model(coat, rough);
-    const exchange::FitGeometries& sets = exchange::fit_geometries();
+    const exchange::FormatModel model = [&] {
+        switch (format) {
+            case MaterialFormat::gltf:
+                return exchange::gltf_model(coat, rough);
+            case MaterialFormat::materialx:
+                return exchange::open_pbr_model(coat, rough);
+            case MaterialFormat::cycles:
+                break;
+        }
+        const double ior = coat ? recipe().binder.index(kCoatIndexWavelength_nm).real() : 1.5;
+        return exchange::cycles_model(coat, rough, ior);
+    }();
+    const exchange::FitGeometries& sets = exchange::fit_geometries(model.across);
     const MeasureSettings seen{.model = settings.model,
                                .illuminant = Illuminant::D65,
                                .observer = Observer::cie1931_2deg,
@@ -107,11 +137,25 @@ FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings&
     for (std::size_t i = 0; i < model.parameters.size(); ++i) {
         made.parameters.emplace_back(model.parameters[i].name, made.fit.values[i]);
     }
-    made.bytes =
-        format == MaterialFormat::gltf
-            ? exchange::gltf_text(exchange::gltf_material(model, made.fit.values), name(), made.fit)
-            : exchange::materialx_text(exchange::open_pbr(model, made.fit.values), name(),
-                                       made.fit);
+    switch (format) {
+        case MaterialFormat::gltf:
+            made.bytes = exchange::gltf_text(exchange::gltf_material(model, made.fit.values),
+                                             name(), made.fit);
+            break;
+        case MaterialFormat::materialx:
+            made.bytes = exchange::materialx_text(exchange::open_pbr(model, made.fit.values),
+                                                  name(), made.fit);
+            break;
+        case MaterialFormat::cycles: {
+            const auto material = exchange::cycles_material(model, made.fit.values);
+            made.parameters = exchange::cycles_parameters(material);
+            made.bytes = exchange::cycles_text(
+                material, name(), made.fit,
+                has_recipe() ? mean_flake_um(recipe()).value_or(kGuessedFlake_um)
+                             : kGuessedFlake_um);
+            break;
+        }
+    }
     return made;
 }
 

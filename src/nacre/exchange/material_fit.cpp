@@ -93,7 +93,7 @@ void improve(const ColourResiduals& residuals, std::vector<double>& x) {
 
 }  // namespace
 
-const FitGeometries& fit_geometries() {
+const FitGeometries& fit_geometries(bool across) {
     static const FitGeometries kSets = [] {
         FitGeometries sets;
         sets.fitted = measure::find_geometry_set("byk-mac")->geometries;
@@ -116,7 +116,18 @@ const FitGeometries& fit_geometries() {
         sets.tested.push_back(measure::off_plane(60, 25, 90));
         return sets;
     }();
-    return kSets;
+    static const FitGeometries kAcross = [] {
+        FitGeometries sets = kSets;
+        for (const double lamp : {15.0, 60.0, 75.0}) {
+            for (const auto& [aspecular, azimuth] :
+                 {std::pair{15.0, 90.0}, {30.0, 90.0}, {45.0, 110.0}, {60.0, 150.0}}) {
+                sets.fitted.push_back(measure::off_plane(lamp, aspecular, azimuth));
+            }
+        }
+        sets.fitted.push_back(measure::off_plane(45, 35, 60));
+        return sets;
+    }();
+    return across ? kAcross : kSets;
 }
 
 measure::Measurement read_material(const FormatModel& model, const std::vector<double>& values,
@@ -137,16 +148,22 @@ measure::Measurement read_material(const FormatModel& model, const std::vector<d
 
 MaterialFit fit_material(const FormatModel& model, const measure::Measurement& fitted,
                          const measure::Measurement& tested, const Progress& progress) {
-    constexpr std::size_t kScreened = 4096, kDescents = 24;
+    constexpr std::size_t kScreened = 4096;
     const ColourResiduals residuals{model, fitted};
     const std::size_t n = model.parameters.size();
-    std::vector<std::vector<double>> points = halton_points(kScreened, n, 1);
     std::vector<double> start(n);
+    std::vector<std::size_t> screened;
     for (std::size_t i = 0; i < n; ++i) {
         const FormatParameter& p = model.parameters[i];
         start[i] = std::pow((p.start - p.lo) / (p.hi - p.lo), 1 / p.power);
+        if (p.screened) screened.push_back(i);
     }
-    SharedProgress work(progress, static_cast<double>(kDescents + 2));
+    std::vector<std::vector<double>> points(kScreened, start);
+    const auto places = halton_points(kScreened, screened.size(), 1);
+    for (std::size_t k = 0; k < kScreened; ++k) {
+        for (std::size_t i = 0; i < screened.size(); ++i) points[k][screened[i]] = places[k][i];
+    }
+    SharedProgress work(progress, static_cast<double>(model.descents + 2));
     work.add(0);
     std::vector<std::pair<double, std::vector<double>>> candidates(points.size());
     parallel_for(0, points.size(), [&](std::size_t i) {
@@ -157,7 +174,7 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
     work.add(1);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    candidates.resize(kDescents);
+    candidates.resize(model.descents);
     candidates.push_back({0, start});
     parallel_for(0, candidates.size(), [&](std::size_t i) {
         if (work.stopped()) return;
@@ -173,7 +190,7 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
 
     MaterialFit fit;
     fit.values = values_at(model, best->second.data());
-    const FitGeometries& sets = fit_geometries();
+    const FitGeometries& sets = fit_geometries(model.across);
     fit.fitted = measure::difference(fitted, read_material(model, fit.values, sets.fitted));
     fit.tested = measure::difference(tested, read_material(model, fit.values, sets.tested));
     measure::Measurement few = fitted;

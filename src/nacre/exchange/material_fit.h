@@ -18,6 +18,7 @@ struct FormatParameter {
     std::string name;  ///< as the format spells it
     double lo = 0, hi = 1, start = 0.5;
     double power = 1;  ///< a fit steps evenly in ((x - lo) / (hi - lo))^(1/power)
+    bool screened = true;  ///< whether a fit seeks its starting point; else it begins at `start`
 };
 
 /// A material by its numbers, and their BRDF in 1/sr, linear Rec. 709, polar angles as
@@ -26,6 +27,9 @@ struct FormatModel {
     std::string format;  ///< for people
     std::vector<FormatParameter> parameters;
     bool coat = false;  ///< a smooth or rough clearcoat lies on top
+    double coat_ior = 1.5;
+    bool across = false;        ///< is fitted at more views off the plane of incidence
+    std::size_t descents = 24;  ///< of how many starting points
     std::function<Vec3d(const std::vector<double>& values, double theta_i, double theta_o,
                         double phi)>
         brdf;
@@ -36,7 +40,8 @@ struct FormatModel {
 struct FitGeometries {
     std::vector<measure::Geometry> fitted, tested;
 };
-const FitGeometries& fit_geometries();
+/// @param across  more views off the plane, for materials that are free to do anything there
+const FitGeometries& fit_geometries(bool across = false);
 /// How many of `fitted` are byk-mac's.
 inline constexpr std::size_t kBykMacAngles = 6;
 
