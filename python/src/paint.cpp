@@ -229,11 +229,11 @@ Fitted write_material(const PaintHandle& handle, const std::filesystem::path& pa
                       const std::string& format, const OptionalDoubles& wavelengths_nm,
                       const std::optional<Model>& model, const nb::object& progress) {
     return run(progress, [&](const Progress& ask) {
-        const FittedMaterial made = handle.paint.export_material(
-            format == "gltf"        ? MaterialFormat::gltf
-            : format == "materialx" ? MaterialFormat::materialx
-                                    : MaterialFormat::cycles,
-            export_settings(wavelengths_nm, model), ask);
+        const FittedMaterial made =
+            handle.paint.export_material(format == "gltf"        ? MaterialFormat::gltf
+                                         : format == "materialx" ? MaterialFormat::materialx
+                                                                 : MaterialFormat::cycles,
+                                         export_settings(wavelengths_nm, model), ask);
         made.write(path);
         return Fitted{made.parameters, differences(made.fit.instrument),
                       differences(made.fit.fitted), differences(made.fit.tested)};

@@ -250,9 +250,10 @@ Command add_export(CLI::App& program) {
                              "phi_difference; most programs read no others than the database's"),
          options->only_merl)
         ->capture_default_str();
-    only(command->add_option("--chips", options->chips,
-                             ".gltf, .mtlx, .blender.py: picture of the paint's colours and the fit's, side by "
-                             "side [beside the output, .svg added]"),
+    only(command->add_option(
+             "--chips", options->chips,
+             ".gltf, .mtlx, .blender.py: picture of the paint's colours and the fit's, side by "
+             "side [beside the output, .svg added]"),
          options->only_fits)
         ->type_name("FILE");
     add_input_options(*command, *options);

@@ -29,8 +29,7 @@ std::string by_angle(const measure::Difference& difference) {
 }
 
 std::string mean_and_greatest(const measure::Difference& difference) {
-    return fmt::format("{:.1f}, {:.1f}", difference.mean_delta_e_2000,
-                       difference.max_delta_e_2000);
+    return fmt::format("{:.1f}, {:.1f}", difference.mean_delta_e_2000, difference.max_delta_e_2000);
 }
 
 std::string paint_literal(const CyclesMaterial& m, const std::string& name, double flake_um) {

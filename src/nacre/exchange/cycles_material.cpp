@@ -60,8 +60,8 @@ Vec3d cycles_brdf(const CyclesMaterial& m, double theta_i, double theta_o, doubl
         const double alpha =
             std::min(1.0, lobe.roughness * lobe.roughness * std::pow(cosine, -lobe.widening));
         const double lean = lobe.lean * cosine;
-        f += glossy(normalize(Vec3d{lean * v.x, lean * v.y, 1}), l, v, alpha) *
-             lobe.color.at(place);
+        f +=
+            glossy(normalize(Vec3d{lean * v.x, lean * v.y, 1}), l, v, alpha) * lobe.color.at(place);
     }
     if (m.coat) {
         const double reflected = optics::dielectric_reflectance(1.0, m.coat_ior, v.z);
@@ -98,7 +98,7 @@ FormatModel cycles_model(bool coat, bool coat_is_rough, double coat_ior) {
     model.coat = coat;
     model.coat_ior = coat_ior;
     model.across = true;
-    model.descents = 8;
+    model.trial_steps = 30;
     model.brdf = [model](const std::vector<double>& values, double theta_i, double theta_o,
                          double phi) {
         return cycles_brdf(cycles_material(model, values), theta_i, theta_o, phi);

@@ -67,7 +67,7 @@ double sum_of_squares(const ColourResiduals& residuals, const std::vector<double
 }
 
 /// Levenberg and Marquardt within the cube, by differences.
-void improve(const ColourResiduals& residuals, std::vector<double>& x) {
+void improve(const ColourResiduals& residuals, std::vector<double>& x, int steps_at_most) {
     using Cost = ceres::DynamicNumericDiffCostFunction<ColourResiduals, ceres::CENTRAL>;
     ceres::NumericDiffOptions steps;
     steps.relative_step_size = 1e-4;
@@ -84,7 +84,7 @@ void improve(const ColourResiduals& residuals, std::vector<double>& x) {
     options.linear_solver_type = ceres::DENSE_QR;
     options.num_threads = 1;
     options.logging_type = ceres::SILENT;
-    options.max_num_iterations = 200;
+    options.max_num_iterations = steps_at_most;
     options.function_tolerance = 1e-7;
     ceres::Solver::Summary summary;
     const QuietCeres quiet;
@@ -148,7 +148,8 @@ measure::Measurement read_material(const FormatModel& model, const std::vector<d
 
 MaterialFit fit_material(const FormatModel& model, const measure::Measurement& fitted,
                          const measure::Measurement& tested, const Progress& progress) {
-    constexpr std::size_t kScreened = 4096;
+    constexpr std::size_t kScreened = 4096, kDescents = 24, kKept = 6;
+    constexpr int kSteps = 200;
     const ColourResiduals residuals{model, fitted};
     const std::size_t n = model.parameters.size();
     std::vector<double> start(n);
@@ -163,7 +164,8 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
     for (std::size_t k = 0; k < kScreened; ++k) {
         for (std::size_t i = 0; i < screened.size(); ++i) points[k][screened[i]] = places[k][i];
     }
-    SharedProgress work(progress, static_cast<double>(model.descents + 2));
+    const std::size_t tried = model.trial_steps > 0 ? kKept : 0;
+    SharedProgress work(progress, static_cast<double>(kDescents + 2 + tried));
     work.add(0);
     std::vector<std::pair<double, std::vector<double>>> candidates(points.size());
     parallel_for(0, points.size(), [&](std::size_t i) {
@@ -172,24 +174,33 @@ MaterialFit fit_material(const FormatModel& model, const measure::Measurement& f
     });
     work.require_going("fitting a material");
     work.add(1);
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    candidates.resize(model.descents);
-    candidates.push_back({0, start});
-    parallel_for(0, candidates.size(), [&](std::size_t i) {
-        if (work.stopped()) return;
-        improve(residuals, candidates[i].second);
-        candidates[i].first = sum_of_squares(residuals, candidates[i].second);
-        work.add(1);
-    });
-    work.require_going("fitting a material");
-    const auto best =
-        std::min_element(candidates.begin(), candidates.end(),
+    const auto keep_best = [&](std::size_t count) {
+        std::stable_sort(candidates.begin(), candidates.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
-    if (!std::isfinite(best->first)) throw Error("fitting a material: no start has finite colours");
+        candidates.resize(count);
+    };
+    keep_best(kDescents);
+    candidates.push_back({0, start});
+    const auto descend = [&](int steps) {
+        parallel_for(0, candidates.size(), [&](std::size_t i) {
+            if (work.stopped()) return;
+            improve(residuals, candidates[i].second, steps);
+            candidates[i].first = sum_of_squares(residuals, candidates[i].second);
+            work.add(1);
+        });
+        work.require_going("fitting a material");
+    };
+    if (model.trial_steps > 0) {
+        descend(model.trial_steps);
+        keep_best(kKept);
+    }
+    descend(kSteps);
+    keep_best(1);
+    const auto& [least, place] = candidates.front();
+    if (!std::isfinite(least)) throw Error("fitting a material: no start has finite colours");
 
     MaterialFit fit;
-    fit.values = values_at(model, best->second.data());
+    fit.values = values_at(model, place.data());
     const FitGeometries& sets = fit_geometries(model.across);
     fit.fitted = measure::difference(fitted, read_material(model, fit.values, sets.fitted));
     fit.tested = measure::difference(tested, read_material(model, fit.values, sets.tested));

@@ -17,7 +17,7 @@ namespace nacre::exchange {
 struct FormatParameter {
     std::string name;  ///< as the format spells it
     double lo = 0, hi = 1, start = 0.5;
-    double power = 1;  ///< a fit steps evenly in ((x - lo) / (hi - lo))^(1/power)
+    double power = 1;      ///< a fit steps evenly in ((x - lo) / (hi - lo))^(1/power)
     bool screened = true;  ///< whether a fit seeks its starting point; else it begins at `start`
 };
 
@@ -28,8 +28,8 @@ struct FormatModel {
     std::vector<FormatParameter> parameters;
     bool coat = false;  ///< a smooth or rough clearcoat lies on top
     double coat_ior = 1.5;
-    bool across = false;        ///< is fitted at more views off the plane of incidence
-    std::size_t descents = 24;  ///< of how many starting points
+    bool across = false;  ///< is fitted at more views off the plane of incidence
+    int trial_steps = 0;  ///< after so many, a fit gives up all but the best descents; 0: none
     std::function<Vec3d(const std::vector<double>& values, double theta_i, double theta_o,
                         double phi)>
         brdf;
