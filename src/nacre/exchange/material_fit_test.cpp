@@ -32,12 +32,15 @@ MaterialFit fit_to_itself(const FormatModel& model, const std::vector<double>& v
 }
 
 TEST(MaterialFit, TestsAtViewsThatItDoesNotFit) {
-    const FitGeometries& sets = fit_geometries();
-    EXPECT_EQ(sets.fitted[0].name, "45as-15");
-    EXPECT_EQ(sets.fitted[kBykMacAngles - 1].name, "45as110");
-    for (const auto& a : sets.tested) {
-        for (const auto& b : sets.fitted) EXPECT_GT(measure::separation_deg(a, b), 4);
+    for (const bool across : {false, true}) {
+        const FitGeometries& sets = fit_geometries(across);
+        EXPECT_EQ(sets.fitted[0].name, "45as-15");
+        EXPECT_EQ(sets.fitted[kBykMacAngles - 1].name, "45as110");
+        for (const auto& a : sets.tested) {
+            for (const auto& b : sets.fitted) EXPECT_GT(measure::separation_deg(a, b), 4);
+        }
     }
+    EXPECT_GT(fit_geometries(true).fitted.size(), fit_geometries().fitted.size());
 }
 
 // A material of the format itself is found again, to less than can be seen.
