@@ -16,6 +16,9 @@ namespace {
 /// Where nodes bound the view's cosine, which they divide by.
 constexpr double kMinViewCosine = 0.01;
 
+/// Beyond, Cycles turns normals that would mirror views of up to 87 deg into the surface.
+constexpr double kMinLean = -0.4, kMaxLean = 0.5;
+
 /// Of Beckmann's facets.                                                 [walter-2007, eq. 25]
 double beckmann_distribution(double nh, double alpha) {
     const double c2 = nh * nh, a2 = alpha * alpha;
@@ -82,7 +85,7 @@ FormatModel cycles_model(bool coat, bool coat_is_rough, double coat_ior) {
         const std::string lobe = fmt::format("lobe {} ", i + 1);
         model.parameters.push_back({lobe + "roughness", 0.1, 1, kRoughness[i]});
         model.parameters.push_back({lobe + "widening", 0, 1, 0.5});
-        model.parameters.push_back({lobe + "lean", -0.5, 0.5, 0});
+        model.parameters.push_back({lobe + "lean", kMinLean, kMaxLean, 0});
     }
     const auto add_shares = [&](const std::string& ramp, int stops) {
         for (int k = 0; k < 3 * stops; ++k) {

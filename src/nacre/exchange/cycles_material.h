@@ -26,7 +26,7 @@ struct CyclesRamp {
 struct CyclesLobe {
     double roughness = 0.4;  ///< (0, 1], of the view along the normal; its square is alpha
     double widening = 0;     ///< [0, 1]: alpha grows with cos(theta)^-widening, up to 1
-    double lean = 0;   ///< [-0.5, 0.5]: slope of its normal towards the view over sin cos(theta)
+    double lean = 0;   ///< [-0.4, 0.5]: slope of its normal towards the view over sin cos(theta)
     CyclesRamp color;  ///< by theta over 90 deg
 };
 

@@ -21,7 +21,7 @@ CyclesMaterial three_lobes() {
     m.lobes[0] = {
         0.3, 0.5, 0.2, {{{{0.5, 0.3, 0.1}, {0.1, 0.5, 0.2}, {0.3, 0.1, 0.4}, {0.2, 0.2, 0.05}}}}};
     m.lobes[1] = {
-        0.5, 0, -0.5, {{{{0.2, 0.2, 0.2}, {0.1, 0.1, 0.3}, {0.3, 0.1, 0.1}, {0.1, 0.4, 0.1}}}}};
+        0.5, 0, -0.4, {{{{0.2, 0.2, 0.2}, {0.1, 0.1, 0.3}, {0.3, 0.1, 0.1}, {0.1, 0.4, 0.1}}}}};
     m.lobes[2] = {
         0.8, 1, 0, {{{{0.1, 0.2, 0.1}, {0.2, 0.1, 0.1}, {0.1, 0.3, 0.1}, {0.1, 0.1, 0.1}}}}};
     m.coat = true;
@@ -30,21 +30,21 @@ CyclesMaterial three_lobes() {
 }
 
 // What Cycles of Blender 4.2.0 (PyPI's bpy 4.2.0) renders of cycles_text() of this material, by
-// `python python/tests/blender_patch.py SCRIPT` with these angles. Cycles is in single precision.
-// 4.5.4 and 5.0.1 give the same to 3e-6.
+// `python python/tests/blender_patch.py SCRIPT` with these angles. 4.5.4 and 5.0.1 give the
+// same to 3e-6. Cycles evaluates ramps by tables of 256 colours, in single precision.
 TEST(CyclesMaterial, AgreesWithCycles) {
-    constexpr double kSinglePrecision = 2e-5;
+    constexpr double kTableOfRamp = 1e-4;
     const struct {
         double theta_i, theta_o, phi;
         Vec3d f;
     } cases[] = {
-        {0, 20, 0, {0.71580200, 1.05578977, 0.57746297}},
-        {45, 30, 180, {0.49716322, 0.45327265, 0.74081507}},
-        {45, 60, 180, {3.10376794, 2.41245712, 3.62935336}},
-        {45, 10, 90, {0.06153863, 0.08295944, 0.10481635}},
-        {60, 70, 150, {0.05020339, 0.09846487, 0.08653768}},
-        {30, 75, 20, {0.03432744, 0.06682243, 0.06953306}},
-        {75, 85, 180, {58.7398365, 60.9848107, 57.2689545}},
+        {0, 20, 0, {0.7295083, 1.0685784, 0.60091826}},
+        {45, 30, 180, {0.50878942, 0.4623152, 0.76019124}},
+        {45, 60, 180, {3.1817103, 2.4625662, 3.6738945}},
+        {45, 10, 90, {0.06303311, 0.084442635, 0.10697628}},
+        {60, 70, 150, {0.051784194, 0.10003206, 0.087346262}},
+        {30, 75, 20, {0.034327441, 0.066822434, 0.069533059}},
+        {75, 85, 180, {58.713489, 60.929235, 57.251629}},
         {20, 0, 0, {0.33356087, 0.33890867, 0.33142838}},
     };
     const CyclesMaterial m = three_lobes();
@@ -52,7 +52,7 @@ TEST(CyclesMaterial, AgreesWithCycles) {
         const Vec3d f =
             cycles_brdf(m, at.theta_i * kDegree, at.theta_o * kDegree, at.phi * kDegree);
         for (int c = 0; c < 3; ++c) {
-            EXPECT_NEAR(f[c], at.f[c], kSinglePrecision * at.f[c])
+            EXPECT_NEAR(f[c], at.f[c], kTableOfRamp * at.f[c])
                 << at.theta_i << " " << at.theta_o << " " << c;
         }
     }
@@ -90,7 +90,7 @@ double reflected_of(const CyclesMaterial& m, double theta_o) {
 TEST(CyclesMaterial, MakesNoLight) {
     const FormatModel model = cycles_model(false, false, 1.5);
     int compared = 0;
-    for (const double lean : {-0.5, 0.0, 0.5}) {
+    for (const double lean : {-0.4, 0.0, 0.5}) {
         std::vector<double> values;
         for (const FormatParameter& p : model.parameters) {
             values.push_back(p.name.ends_with("lean")        ? lean
@@ -148,7 +148,7 @@ TEST(CyclesMaterial, NamesWhatTheScriptHolds) {
     };
     EXPECT_EQ(value("diffuse[2]"), 0.2);
     EXPECT_EQ(value("lobe 1 color[1][1]"), 0.5);
-    EXPECT_EQ(value("lobe 2 lean"), -0.5);
+    EXPECT_EQ(value("lobe 2 lean"), -0.4);
     EXPECT_EQ(value("coat roughness"), 0.4);
 }
 
