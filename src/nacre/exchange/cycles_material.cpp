@@ -101,7 +101,7 @@ FormatModel cycles_model(bool coat, bool coat_is_rough, double coat_ior) {
     model.coat = coat;
     model.coat_ior = coat_ior;
     model.across = true;
-    model.trial_steps = 30;
+    model.trial_steps = 20;
     model.brdf = [model](const std::vector<double>& values, double theta_i, double theta_o,
                          double phi) {
         return cycles_brdf(cycles_material(model, values), theta_i, theta_o, phi);

@@ -148,7 +148,7 @@ measure::Measurement read_material(const FormatModel& model, const std::vector<d
 
 MaterialFit fit_material(const FormatModel& model, const measure::Measurement& fitted,
                          const measure::Measurement& tested, const Progress& progress) {
-    constexpr std::size_t kScreened = 4096, kDescents = 24, kKept = 6;
+    constexpr std::size_t kScreened = 4096, kDescents = 24, kKept = 4;
     constexpr int kSteps = 200;
     const ColourResiduals residuals{model, fitted};
     const std::size_t n = model.parameters.size();
