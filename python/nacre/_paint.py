@@ -562,9 +562,10 @@ class Paint:
         ``.toml``: the recipe. ``.h5``: the solved paint, or the table that ``model`` renders from,
         as ``Model("microflake", table="svd")``. ``.bsdf``: the BRDF as in the RGL database, and
         ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf``,
-        ``.mtlx`` and ``.blender.py``: glTF's material, OpenPBR and a script that makes Cycles' nodes in
-        Blender, fitted; these return what they miss. ``.three.js``: an ES module for three.js with ``nacre``, its mean, or ``microflake`` as a shader, of a
-        recipe or a solved paint; returns how far it is from ``nacre``.
+        ``.mtlx`` and ``.blender.py``: glTF's material, OpenPBR, and Cycles' nodes as a script for
+        Blender, fitted; these return what they miss. ``.three.js``: an ES module for three.js with
+        ``nacre``, its mean, or ``microflake`` as a shader, of a recipe or a solved paint; returns
+        how far it is from ``nacre``.
 
         Parameters
         ----------

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from nacre._rgb import XYZ_TO_SRGB
 
 import nacre
 from nacre import _threejs
-from nacre._rgb import XYZ_TO_SRGB
 
 NM = [400.0, 430, 460, 490, 520, 550, 580, 610, 640, 670, 700]
 
