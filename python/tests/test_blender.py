@@ -21,8 +21,8 @@ NM = [400.0, 430, 460, 490, 520, 550, 580, 610, 640, 670, 700]
 
 
 def test_a_script_holds_what_was_fitted_and_what_it_misses(paints: Path, tmp_path: Path) -> None:
-    file = tmp_path / "red.blender.py"
-    fitted = nacre.Paint(paints / "solid-red.toml").write(file, wavelengths_nm=NM)
+    file = tmp_path / "ruby.blender.py"
+    fitted = nacre.Paint(paints / "ruby.toml").write(file, wavelengths_nm=NM)
     assert isinstance(fitted, nacre.FittedMaterial)
     text = file.read_text(encoding="utf-8")
     (paint,) = (
@@ -30,7 +30,8 @@ def test_a_script_holds_what_was_fitted_and_what_it_misses(paints: Path, tmp_pat
         for node in ast.parse(text).body
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "PAINT"
     )
-    assert paint["name"] == "Solid red"
+    assert paint["name"] == "Ruby"
+    assert 12e-6 < paint["flake_size"] < 25e-6  # between those of its two kinds of flakes
     for k, lobe in enumerate(paint["lobes"], start=1):
         for key in ("roughness", "widening", "lean"):
             assert lobe[key] == pytest.approx(fitted.parameters[f"lobe {k} {key}"], rel=1e-5)

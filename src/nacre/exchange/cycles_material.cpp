@@ -16,6 +16,9 @@ namespace {
 /// Where nodes bound the view's cosine, which they divide by.
 constexpr double kMinViewCosine = 0.01;
 
+/// Of a fit's lobes: narrower ones would hide between the views that it sees.
+constexpr double kMinRoughness = 0.25;
+
 /// Beyond, Cycles turns normals that would mirror views of up to 87 deg into the surface.
 constexpr double kMinLean = -0.4, kMaxLean = 0.5;
 
@@ -83,7 +86,7 @@ FormatModel cycles_model(bool coat, bool coat_is_rough, double coat_ior) {
     model.format = "Cycles (Blender)";
     for (std::size_t i = 0; i < kRoughness.size(); ++i) {
         const std::string lobe = fmt::format("lobe {} ", i + 1);
-        model.parameters.push_back({lobe + "roughness", 0.1, 1, kRoughness[i]});
+        model.parameters.push_back({lobe + "roughness", kMinRoughness, 1, kRoughness[i]});
         model.parameters.push_back({lobe + "widening", 0, 1, 0.5});
         model.parameters.push_back({lobe + "lean", kMinLean, kMaxLean, 0});
     }
@@ -101,7 +104,7 @@ FormatModel cycles_model(bool coat, bool coat_is_rough, double coat_ior) {
     model.coat = coat;
     model.coat_ior = coat_ior;
     model.across = true;
-    model.trial_steps = 20;
+    model.trial_steps = 30;
     model.brdf = [model](const std::vector<double>& values, double theta_i, double theta_o,
                          double phi) {
         return cycles_brdf(cycles_material(model, values), theta_i, theta_o, phi);

@@ -125,6 +125,13 @@ const FitGeometries& fit_geometries(bool across) {
             }
         }
         sets.fitted.push_back(measure::off_plane(45, 35, 60));
+        // Views at grazing angles, which the lobes above leave out.
+        for (const double phi : {180.0, 125.0, 50.0}) {
+            sets.fitted.push_back(measure::towards(15, 76, phi));
+            sets.fitted.push_back(measure::towards(45, 76, phi));
+        }
+        sets.fitted.push_back(measure::towards(60, 30, 110));
+        sets.fitted.push_back(measure::towards(60, 30, 50));
         return sets;
     }();
     return across ? kAcross : kSets;
