@@ -35,12 +35,17 @@ double beckmann_lambda(double cosine, double alpha) {
     return ((0.396 * a - 1.259) * a + 1) / ((2.181 * a + 3.535) * a);
 }
 
+/// Of lamp and view, and their half vector.
+struct CyclesDirections {
+    Vec3d l, v, h;
+};
+
 /// What is reflected about a normal, over the lamp's cosine with the surface.
-double glossy(const Vec3d& normal, const Vec3d& l, const Vec3d& v, double alpha) {
-    const double nl = dot(normal, l), nv = dot(normal, v);
+double glossy(const Vec3d& normal, const CyclesDirections& at, double alpha) {
+    const double nl = dot(normal, at.l), nv = dot(normal, at.v);
     if (nl <= 0 || nv <= 0) return 0;
     const double seen = 1 / (1 + beckmann_lambda(nl, alpha) + beckmann_lambda(nv, alpha));
-    return beckmann_distribution(dot(normal, normalize(l + v)), alpha) * seen / (4 * nv * l.z);
+    return beckmann_distribution(dot(normal, at.h), alpha) * seen / (4 * nv * at.l.z);
 }
 
 }  // namespace
@@ -59,6 +64,7 @@ Vec3d cycles_brdf(const CyclesMaterial& m, double theta_i, double theta_o, doubl
     const Vec3d l = {std::sin(theta_i), 0, std::cos(theta_i)};
     const Vec3d v = {std::sin(theta_o) * std::cos(phi), std::sin(theta_o) * std::sin(phi),
                      std::cos(theta_o)};
+    const CyclesDirections at{l, v, normalize(l + v)};
     const double cosine = std::max(v.z, kMinViewCosine);
     const double place = std::acos(cosine) / (0.5 * std::numbers::pi);
     Vec3d f = std::numbers::inv_pi * m.diffuse;
@@ -66,15 +72,14 @@ Vec3d cycles_brdf(const CyclesMaterial& m, double theta_i, double theta_o, doubl
         const double alpha =
             std::min(1.0, lobe.roughness * lobe.roughness * std::pow(cosine, -lobe.widening));
         const double lean = lobe.lean * cosine;
-        f +=
-            glossy(normalize(Vec3d{lean * v.x, lean * v.y, 1}), l, v, alpha) * lobe.color.at(place);
+        f += glossy(normalize(Vec3d{lean * v.x, lean * v.y, 1}), at, alpha) * lobe.color.at(place);
     }
     if (m.coat) {
         const double reflected = optics::dielectric_reflectance(1.0, m.coat_ior, v.z);
         f = (1 - reflected) * f;
         if (m.coat_roughness > 0) {
             const double alpha = m.coat_roughness * m.coat_roughness;
-            f += reflected * glossy({0, 0, 1}, l, v, alpha) * Vec3d{1, 1, 1};
+            f += reflected * glossy({0, 0, 1}, at, alpha) * Vec3d{1, 1, 1};
         }
     }
     return f;

@@ -102,9 +102,7 @@ def build_node_group() -> bpy.types.NodeTree:
     normal, view = geometry["Normal"], geometry["Incoming"]
     cosine = nodes.math("MAXIMUM", nodes.vector("DOT_PRODUCT", normal, view), 0.01)
     place = nodes.math("DIVIDE", nodes.math("ARCCOSINE", cosine), math.pi / 2)
-    towards_view = nodes.scale(
-        nodes.vector("SUBTRACT", view, nodes.scale(normal, cosine)), cosine
-    )
+    towards_view = nodes.scale(nodes.vector("SUBTRACT", view, nodes.scale(normal, cosine)), cosine)
     # The slopes of the flakes and those of each flake's own lobe add to the slopes of the lobe.
     sparkle = inputs["Sparkle"]
     kept = nodes.math("SUBTRACT", 1.0, nodes.math("MULTIPLY", sparkle, sparkle), clamp=True)
