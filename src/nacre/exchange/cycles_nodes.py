@@ -17,7 +17,7 @@ class Nodes:
         for name, value in settings.items():
             setattr(node, name, value)
         column = 0
-        for socket, value in zip(node.inputs, values):
+        for socket, value in zip(node.inputs, values, strict=False):
             if isinstance(value, Socket):
                 self.tree.links.new(value, socket)
                 column = max(column, self.column[value.node.name] + 1)
