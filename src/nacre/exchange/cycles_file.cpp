@@ -68,10 +68,10 @@ std::string cycles_text(const CyclesMaterial& material, const std::string& name,
         "Another script gets it by `runpy.run_path(file)[\"build_material\"]()`.\n\"\"\"\n\n"
         "# A fit, not the paint. CIEDE2000 from the paint, mean and greatest: {} at byk-mac's "
         "angles:{}"
-        "# {} at angles that the fit did not see:{}\n"
+        "# {} at all angles of the fit\n# {} at angles that the fit did not see:{}\n"
         "import math\n\nimport bpy\n\n{}\n{}",
         version(), mean_and_greatest(fit.instrument), by_angle(fit.instrument),
-        mean_and_greatest(fit.tested), by_angle(fit.tested),
+        mean_and_greatest(fit.fitted), mean_and_greatest(fit.tested), by_angle(fit.tested),
         paint_literal(material, name, flake_um), kCyclesNodes);
 }
 
