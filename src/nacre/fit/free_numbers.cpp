@@ -46,8 +46,13 @@ paint::ParameterBounds default_bounds(const paint::Recipe& recipe, const std::st
             key, key));
     }
     const double factor = key == "ior" ? kIndexFactor : kFactor;
-    return {key, std::max(range.lo, parameter.value / factor),
-            std::min(range.hi, parameter.value * factor)};
+    double lo = std::max(range.lo, parameter.value / factor);
+    if (key == "clearcoat.thickness_um") {
+        // Below, the stated spread over the panel would be more than a coat can have.
+        const double spread_um = recipe.clearcoat->thickness_spread_um;
+        lo = std::max(lo, std::min(spread_um / paint::limits::kMaxCoatSpread, parameter.value));
+    }
+    return {key, lo, std::min(range.hi, parameter.value * factor)};
 }
 
 double FreeNumber::size() const {

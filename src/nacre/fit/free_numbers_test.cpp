@@ -71,6 +71,9 @@ TEST(FreeNumbers, DefaultBoundsStayWithinWhatTheKeyMayBe) {
     paint::set_parameter(recipe, spread, 5e4);
     EXPECT_EQ(default_bounds(recipe, spread).hi, paint::find_parameter(recipe, spread).range.hi);
     EXPECT_NO_THROW(FreeNumbers(recipe, {spread}, {}));
+    // A coat is at least three times as thick as its spread.
+    recipe.clearcoat = paint::Clearcoat{.thickness_um = 40, .thickness_spread_um = 8};
+    EXPECT_NEAR(default_bounds(recipe, "clearcoat.thickness_um").lo, 24, 1e-9);
 }
 
 TEST(FreeNumbers, ASizeOfZeroHasNoDefaultBounds) {
