@@ -22,6 +22,7 @@ struct Directions {
     std::vector<double> weight;      ///< d mu
 
     int size() const { return static_cast<int>(mu.size()); }
+    friend bool operator==(const Directions&, const Directions&) = default;
 };
 
 /// @param ior          real index of the binder, >= 1; at 1 there is one panel

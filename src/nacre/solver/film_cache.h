@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <vector>
 
+#include "nacre/core/recent_results.h"
 #include "nacre/optics/thin_film.h"
 #include "nacre/paint/flake_table.h"
 
@@ -19,7 +18,7 @@ class FilmCache {
     /// @param max_cosines  see paint::FlakeTable::of_platelet()
     explicit FilmCache(std::size_t max_tables = 64,
                        int max_cosines = paint::FlakeTable::kMaxCosines)
-        : max_tables_(max_tables), max_cosines_(max_cosines) {}
+        : max_cosines_(max_cosines), tables_(max_tables) {}
 
     /// paint::FlakeTable::of_platelet(), computed or from the cache: the same bits.
     std::shared_ptr<const paint::FlakeTable> table(const optics::Platelet& platelet,
@@ -27,21 +26,18 @@ class FilmCache {
                                                    const std::vector<double>& wavelengths_nm,
                                                    SharedProgress* work = nullptr);
 
-    std::size_t computed() const;  ///< number of tables computed so far
+    std::size_t computed() const { return tables_.made(); }  ///< number of tables so far
 
  private:
-    struct Entry {
+    struct Film {
         optics::Platelet platelet;
         optics::Material binder;
         std::vector<double> wavelengths_nm;
-        std::shared_ptr<const paint::FlakeTable> table;
+        friend bool operator==(const Film&, const Film&) = default;
     };
 
-    std::size_t max_tables_;
     int max_cosines_;
-    mutable std::mutex mutex_;
-    std::list<Entry> entries_;  // the last used one first
-    std::size_t computed_ = 0;
+    RecentResults<Film, paint::FlakeTable> tables_;
 };
 
 }  // namespace nacre::solver

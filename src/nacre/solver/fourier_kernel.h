@@ -35,6 +35,7 @@ class ActiveNodes {
     /// First active node of order l; a multiple of kTile.
     int first(int l) const { return first_[l]; }
     int order_count(int node) const { return order_count_[node]; }
+    friend bool operator==(const ActiveNodes&, const ActiveNodes&) = default;
 
  private:
     std::vector<int> first_, order_count_;

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
-#include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/recent_results.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/solver/directions.h"
 #include "nacre/solver/rough_interface_operators.h"
@@ -117,24 +117,8 @@ double RoughInterface::brdf(double theta_i, double theta_o, double phi) const {
 }
 
 std::shared_ptr<const RoughInterface> rough_interface(double ior, double alpha) {
-    struct Entry {
-        double ior, alpha;
-        std::shared_ptr<const RoughInterface> interface;
-    };
-    constexpr std::size_t kKept = 256;
-    static std::mutex mutex;
-    static std::deque<Entry> entries;
-    {
-        const std::scoped_lock lock(mutex);
-        for (const Entry& e : entries) {
-            if (e.ior == ior && e.alpha == alpha) return e.interface;
-        }
-    }
-    auto made = std::make_shared<const RoughInterface>(ior, alpha);
-    const std::scoped_lock lock(mutex);
-    entries.push_back({ior, alpha, made});
-    if (entries.size() > kKept) entries.pop_front();
-    return made;
+    static RecentResults<std::pair<double, double>, RoughInterface> interfaces(256);
+    return interfaces.get({ior, alpha}, [&] { return RoughInterface(ior, alpha); });
 }
 
 double rough_interface_brdf(double ior, double alpha, double theta_i, double theta_o, double phi) {

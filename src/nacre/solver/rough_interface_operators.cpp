@@ -7,6 +7,7 @@
 #include "nacre/core/dense.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
+#include "nacre/core/recent_results.h"
 
 namespace nacre::solver {
 
@@ -223,6 +224,28 @@ RoughInterfaceOperators::RoughInterfaceOperators(const Directions& d, const Acti
         out.direct = elements(product_with_transposed(through, t));
         out.enter = elements(t.transpose());
     });
+}
+
+std::size_t RoughInterfaceOperators::bytes() const {
+    std::size_t numbers = 0;
+    for (const Order& o : orders_) {
+        numbers += o.impedance.size() + o.through.size() + o.direct.size() + o.enter.size();
+    }
+    return numbers * sizeof(double);
+}
+
+std::shared_ptr<const RoughInterfaceOperators> rough_interface_operators(
+    const Directions& directions, const ActiveNodes& active, double alpha) {
+    struct Nodes {
+        Directions directions;
+        ActiveNodes active;
+        double alpha;
+        bool operator==(const Nodes&) const = default;
+    };
+    static RecentResults<Nodes, RoughInterfaceOperators> operators(
+        std::size_t{64} << 20, [](const RoughInterfaceOperators& o) { return o.bytes(); });
+    return operators.get({directions, active, alpha},
+                         [&] { return RoughInterfaceOperators(directions, active, alpha); });
 }
 
 }  // namespace nacre::solver

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -221,10 +223,18 @@ class RoughInterfaceOperators {
     /// fraction m inside, found from inside and from what enters, rms over etendue.
     double asymmetry() const { return asymmetry_; }
 
+    std::size_t bytes() const;
+
  private:
     std::vector<Order> orders_;
     double asymmetry_ = 0;
 };
+
+/// Those of the interface of these nodes, the greater part of the time of a solve. The last few are kept,
+/// 64 MiB in all, for callers that solve many paints under coats of one index and roughness: fits,
+/// pages with sliders.
+std::shared_ptr<const RoughInterfaceOperators> rough_interface_operators(
+    const Directions& directions, const ActiveNodes& active, double alpha);
 
 /// T U T^T of one order into u (exits x exits), given the impedance y of all that lies below the
 /// interface (n x n, overwritten).

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
-#include <optional>
 
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
@@ -38,7 +38,7 @@ class GroupSolver {
           active_(directions_, resolution.lobe_alpha, resolution.orders),
           wavelengths_(medium.wavelength_count()) {
         const bool rough = medium.roughness > 0 && directions_.ior > 1;
-        if (rough) interface_.emplace(directions_, active_, medium.roughness);
+        if (rough) interface_ = rough_interface_operators(directions_, active_, medium.roughness);
         const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(paint::block_count(wavelengths_));
         std::vector<std::vector<Losses>> losses;  // [layer][node]
@@ -200,7 +200,7 @@ class GroupSolver {
     SharedProgress& work_;
     Directions directions_;
     ActiveNodes active_;
-    std::optional<RoughInterfaceOperators> interface_;  // if rough
+    std::shared_ptr<const RoughInterfaceOperators> interface_;  // if rough
     int wavelengths_;
     std::vector<PaintBlock> blocks_;
     LaneBuffer peak_;

@@ -1,0 +1,51 @@
+#include "nacre/core/recent_results.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace nacre {
+namespace {
+
+TEST(RecentResults, AreMadeOnceWhileTheyAreKept) {
+    RecentResults<int, std::string> squares(2);
+    const auto ask = [&](int x) { return *squares.get(x, [&] { return std::to_string(x * x); }); };
+    EXPECT_EQ(ask(3), "9");
+    EXPECT_EQ(ask(4), "16");
+    EXPECT_EQ(ask(3), "9");
+    EXPECT_EQ(squares.made(), 2u);
+    EXPECT_EQ(ask(5), "25");  // in place of 4, which was not asked for since
+    EXPECT_EQ(ask(3), "9");
+    EXPECT_EQ(squares.made(), 3u);
+    EXPECT_EQ(ask(4), "16");
+    EXPECT_EQ(squares.made(), 4u);
+}
+
+TEST(RecentResults, TakeNoMoreThanTheirCapacity) {
+    RecentResults<int, std::string> words(10, [](const std::string& s) { return s.size(); });
+    const auto ask = [&](int length) {
+        return words.get(length, [&] { return std::string(length, 'x'); })->size();
+    };
+    EXPECT_EQ(ask(6), 6u);
+    EXPECT_EQ(ask(4), 4u);
+    EXPECT_EQ(ask(6), 6u);
+    EXPECT_EQ(words.made(), 2u);
+    EXPECT_EQ(ask(11), 11u);  // is not kept, and drops nothing
+    EXPECT_EQ(ask(11), 11u);
+    EXPECT_EQ(ask(6) + ask(4), 10u);
+    EXPECT_EQ(words.made(), 4u);
+    EXPECT_EQ(ask(9), 9u);  // in place of both
+    EXPECT_EQ(ask(9) + ask(4), 13u);
+    EXPECT_EQ(words.made(), 6u);
+}
+
+TEST(RecentResults, KeepNothingOfWhatThrows) {
+    RecentResults<int, int> results(4);
+    EXPECT_THROW(results.get(1, []() -> int { throw std::runtime_error("no"); }),
+                 std::runtime_error);
+    EXPECT_EQ(*results.get(1, [] { return 7; }), 7);
+}
+
+}  // namespace
+}  // namespace nacre
