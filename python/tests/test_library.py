@@ -115,9 +115,10 @@ def test_numbers_set_by_key_are_those_of_paint() -> None:
         recipe = paint.to_dict()
         for key, number in paint.parameters.items():
             changed = paint.to_dict()
-            assert keys.all_values(recipe)[key] == pytest.approx(number.value, abs=1e-15)
-            if number.value == 0:
+            if number.value == 0:  # which may go without saying
+                assert keys.all_values(recipe).get(key, 0) == 0
                 continue
+            assert keys.all_values(recipe)[key] == pytest.approx(number.value, abs=1e-15)
             value = 0.875 * number.value if number.value > number.lo else number.value
             keys.put(changed, key, value)
             expected = paint.with_values({key: value})
