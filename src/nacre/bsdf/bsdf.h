@@ -209,9 +209,9 @@ class BoundBsdf {
     /// Of surfaces whose interface may be tilted (TiltedCoat).
     virtual BinderIndex binder_index() const { return {}; }
 
-    /// Of surfaces whose coat is thicker at some places than at others (VariedCoat): both directions
-    /// above the horizon.
-    /// @param deviation  of the thickness from its mean, in standard deviations
+    /// Of surfaces whose coat is thicker at some places than at others (VariedCoat): for directions
+    /// above the horizon, where the thickness deviates from its mean by so many standard
+    /// deviations.
     virtual CoatChange coat_change(Vec3f /*wi*/, Vec3f /*wo*/, float /*deviation*/) const {
         return {};
     }
