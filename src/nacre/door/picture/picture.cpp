@@ -190,8 +190,8 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
         const std::size_t found = painter.find(wanted->recipe, name, description.references);
         table[name] = painter.look(description, name, found);
         const Paint& paint = painter.paint(found);
-        const auto require_shown = [&](const char* key, bool wanted, bool shown) {
-            if (!wanted || shown) return;
+        const auto require_shown = [&, &name = name](const char* key, bool is_there, bool shown) {
+            if (!is_there || shown) return;
             throw SettingError(
                 "model",
                 fmt::format("does not show the clearcoat.{} of the paint of the material {}; must "
