@@ -21,9 +21,9 @@ namespace nacre::sparkle {
 ///
 /// with the waves of sparkle/plane_waves.h, so that each octave of the band has the same slopes. As the
 /// directions k_j come in triples at right angles, the slope of the tangent plane along any line, on a
-/// surface of any direction, has the band's root mean square exactly, over a surface that is large. A wave that runs at an angle to the surface looks longer there by
-/// the inverse of the cosine: an eighth of the squared slopes of a band lies above its upper end,
-/// nearly all of that within a factor of two.
+/// surface of any direction, has the band's root mean square exactly, over a surface that is large.
+/// Of waves that run at an angle to the surface, an eighth of the squared slopes of a band looks longer
+/// there than its upper end, nearly all of that within a factor of two.
 ///
 /// Slopes are small: the height moves no point of the surface, and what a wave hides is not hidden.
 class CoatWaves {
