@@ -66,6 +66,8 @@ class Match:
     """What a fit found."""
 
     paint: Paint
+    uncertain_paint: Paint
+    """the same, whose table [uncertainty] has the standard errors found and their correlations"""
     parameters: dict[str, FittedParameter]
     standard: Measurement
     colours: Measurement
@@ -219,6 +221,7 @@ def fit(
 def _match(found: dict[str, Any]) -> Match:
     return Match(
         paint=Paint._of(found["paint"]),
+        uncertain_paint=Paint._of(found["uncertain_paint"]),
         parameters={p["key"]: FittedParameter(**p) for p in found["parameters"]},
         standard=Measurement(found["standard"]),
         colours=Measurement(found["colours"]),

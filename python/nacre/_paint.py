@@ -452,6 +452,7 @@ class Paint:
         deviations: Mapping[str, float | str] | None = None,
         geometry: Geometries = None,
         *,
+        correlations: Mapping[tuple[str, ...], float] | None = None,
         model: ModelLike = None,
         illuminant: str | None = None,
         observer: str | int | None = None,
@@ -468,13 +469,17 @@ class Paint:
         deviations
             Standard deviations by key or the end of a key, in the number's own unit or as
             ``"5 %"``: besides those of the recipe's table [uncertainty], or in their place.
+        correlations
+            Coefficients in [-1, 1] by which numbers are wrong together, each two of a tuple of keys or
+            ends of keys: besides those of the recipe, or in their place. Others are independent.
         samples, seed
             So many recipes, 10 to 1e6, are drawn and read; 0: first order.
 
         Raises
         ------
         InputError, DomainError
-            As :meth:`measure`, or if nothing is uncertain, or a key or a deviation is wrong.
+            As :meth:`measure`, or if nothing is uncertain, a key, a deviation or a coefficient is
+            wrong, or coefficients cannot be together.
         """
         with reporter(progress, "uncertainty") as report:
             found = _nacre.uncertainty(
@@ -485,6 +490,7 @@ class Paint:
                 None if observer is None else str(observer),
                 wavelengths(wavelengths_nm),
                 {key: str(value) for key, value in (deviations or {}).items()},
+                [(list(keys), float(value)) for keys, value in (correlations or {}).items()],
                 samples,
                 seed,
                 report,

@@ -31,6 +31,8 @@ class Uncertainty:
     measurement: Measurement
     """of the recipe as it is"""
     numbers: list[UncertainNumber]
+    correlation: Array
+    """(N, N), of the numbers"""
     Lab_sd: Array
     """(G, 3)"""
     Lab_covariance: Array
@@ -53,11 +55,13 @@ class Uncertainty:
 
     @property
     def shares(self) -> Array:
-        """(G, N): which part of the variance of L*, a*, b* together each number makes."""
-        squares: Array = (self.change**2).sum(axis=2)
-        total = squares.sum(axis=1, keepdims=True)
-        parts: Array = np.divide(squares, total, out=np.zeros_like(squares), where=total > 0)
-        return parts
+        """(G, N): which part of the variance of L*, a*, b* together each number makes: its
+        covariance with them. They sum to 1; of correlated numbers one may be negative."""
+        together: Array = np.einsum("ij,gjc->gic", self.correlation, self.change)
+        parts: Array = (self.change * together).sum(axis=2)
+        total = parts.sum(axis=1, keepdims=True)
+        shares: Array = np.divide(parts, total, out=np.zeros_like(parts), where=total > 1e-18)
+        return shares
 
     def _repr_html_(self) -> str:
         rows = [

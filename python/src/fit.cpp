@@ -5,6 +5,7 @@
 
 #include "arrays.h"
 #include "bind.h"
+#include "nacre/fit/fitted_uncertainty.h"
 #include "nacre/library.h"
 #include "nacre/nacre.h"
 #include "paint_handle.h"
@@ -90,6 +91,9 @@ nb::dict other_lights_of(const Match& match) {
 nb::dict match_of(const Match& match) {
     nb::dict result;
     result["paint"] = PaintHandle{match.paint};
+    const fit::FittedUncertainty known = fit::fitted_uncertainty(match);
+    result["uncertain_paint"] =
+        PaintHandle{match.paint.with_uncertainty(known.deviations, known.correlations)};
     result["parameters"] = parameters_of(match);
     result["standard"] = Readings{match.standard};
     result["colours"] = Readings{match.colours};

@@ -165,6 +165,12 @@ nb::dict uncertainty_of(const Uncertainty& uncertainty) {
     nb::dict result;
     result["measurement"] = Readings{uncertainty.measurement};
     result["numbers"] = numbers_of(uncertainty);
+    std::vector<double> correlation;
+    for (std::size_t i = 0; i < k; ++i) {
+        const std::vector<double> row = uncertainty.correlation_of(i);
+        correlation.insert(correlation.end(), row.begin(), row.end());
+    }
+    result["correlation"] = to_numpy(std::move(correlation), Shape{k, k});
     result["Lab_sd"] = to_numpy(std::move(lab), Shape{n, 3});
     result["Lab_covariance"] = to_numpy(std::move(covariance), Shape{n, 3, 3});
     result["C_sd"] = to_numpy(std::move(chroma));
@@ -300,13 +306,17 @@ void bind_measurement(nb::module_& module) {
         [](const PaintHandle& handle, const std::string& geometry,
            const std::optional<Model>& model, const OptionalText& illuminant_name,
            const OptionalText& observer_name, const OptionalDoubles& wavelengths_nm,
-           const std::map<std::string, std::string>& deviations, int samples, std::uint64_t seed,
-           const nb::object& progress) {
+           const std::map<std::string, std::string>& deviations,
+           const std::vector<std::pair<std::vector<std::string>, double>>& correlations,
+           int samples, std::uint64_t seed, const nb::object& progress) {
             const MeasureSettings settings = settings_of(model, illuminant_name, observer_name,
                                                          std::nullopt, wavelengths_nm, 1 << 18, 0);
             UncertaintySettings uncertain{.samples = samples, .seed = seed};
             for (const auto& [key, text] : deviations) {
                 uncertain.deviations.push_back(paint::parse_deviation(key, text));
+            }
+            for (const auto& [keys, coefficient] : correlations) {
+                uncertain.correlations.push_back({keys, coefficient});
             }
             return uncertainty_of(run(progress, [&](const Progress& ask) {
                 return handle.paint.measure_uncertainty(
@@ -315,7 +325,8 @@ void bind_measurement(nb::module_& module) {
             }));
         },
         "paint"_a, "geometry"_a, "model"_a.none(), "illuminant"_a.none(), "observer"_a.none(),
-        "wavelengths_nm"_a.none(), "deviations"_a, "samples"_a, "seed"_a, "progress"_a.none());
+        "wavelengths_nm"_a.none(), "deviations"_a, "correlations"_a, "samples"_a, "seed"_a,
+        "progress"_a.none());
     module.def(
         "difference",
         [](const Readings& standard, const Readings& sample,

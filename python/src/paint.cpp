@@ -301,7 +301,8 @@ void bind_paint(nb::module_& module) {
         .def_prop_ro("sha256", [](const PaintHandle& p) { return p.paint.recipe_sha256(); })
         .def("toml",
              [](const PaintHandle& p) {
-                 return io::write_recipe(p.paint.recipe(), p.paint.bounds(), p.paint.deviations());
+                 return io::write_recipe(p.paint.recipe(), p.paint.bounds(), p.paint.deviations(),
+                                         p.paint.correlations());
              })
         .def("parameters", &parameters)
         .def("value", &value_of, "key"_a)

@@ -30,6 +30,7 @@
 #include "nacre/measure/sparkle_measurement.h"
 #include "nacre/montecarlo/plane_walk.h"
 #include "nacre/montecarlo/shell_walk.h"
+#include "nacre/paint/parameter_correlation.h"
 #include "nacre/paint/parameter_deviation.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
@@ -257,6 +258,10 @@ struct UncertaintySettings {
     std::vector<paint::ParameterDeviation> deviations = {};
     int samples = 0;         ///< recipes drawn and read besides (fit::UncertaintyOptions); 0: none
     std::uint64_t seed = 0;  ///< of these
+    /// Which numbers are wrong together, in addition to Paint::correlations(); of a pair, in place of
+    /// what these say. Keys as paint::matching_parameters(); one with `*` means those of its numbers
+    /// that have a standard deviation.
+    std::vector<paint::ParameterCorrelation> correlations = {};
 };
 /// Whether a model gives exact values, whose uncertainty differences can tell: not estimates, nor
 /// tables made of them, nor pictures alone.
@@ -271,9 +276,12 @@ class Paint {
     /// A paint that no file holds.
     /// @param bounds  between which a fit seeks its numbers, as the table [fit] of a recipe's file
     /// @param deviations  how well numbers are known, as its table [uncertainty]
-    /// @throws DomainError as paint::validate(), check_bounds() and check_deviation()
+    /// @param correlations  which of these are wrong together
+    /// @throws DomainError as paint::validate(), check_bounds(), check_deviation() and
+    ///         check_correlations()
     explicit Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds = {},
-                   std::vector<paint::ParameterDeviation> deviations = {});
+                   std::vector<paint::ParameterDeviation> deviations = {},
+                   std::vector<paint::ParameterCorrelation> correlations = {});
 
     Kind kind() const;
     /// The file as it was opened, or what a text was said to be; empty for a recipe alone.
@@ -297,6 +305,8 @@ class Paint {
     const std::vector<paint::ParameterBounds>& bounds() const;
     /// The table [uncertainty] of a recipe's file.
     const std::vector<paint::ParameterDeviation>& deviations() const;
+    /// Its tables [[uncertainty.correlation]].
+    const std::vector<paint::ParameterCorrelation>& correlations() const;
     /// The same paint with one number changed, to be solved anew.
     /// @param key  as paint::matching_parameters(), meaning one number: "coats[0].thickness_nm"
     /// @throws InputError as recipe(); DomainError naming key, value and range
@@ -305,6 +315,12 @@ class Paint {
     /// {{"coats[0].material", "SiO2"}, {"alpha", "0.2"}}. Keys and values: io::with_settings().
     /// @throws InputError as recipe(); DomainError "key=value: reason"
     Paint with_settings(const std::vector<std::pair<std::string, std::string>>& settings) const;
+    /// The same recipe that says how well these numbers are known, in place of what it said of them;
+    /// correlations of theirs with others are forgotten.
+    /// @throws InputError as recipe(); DomainError as paint::check_deviation() and
+    ///         check_correlations()
+    Paint with_uncertainty(const std::vector<paint::ParameterDeviation>& deviations,
+                           const std::vector<paint::ParameterCorrelation>& correlations = {}) const;
     /// The recipe as a file that keeps what a person wrote into the one that it was read from.
     /// @param there  the files that it may name where it will stand
     /// @throws InputError as recipe()

@@ -15,6 +15,7 @@
 #include "nacre/core/file.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/progress.h"
+#include "nacre/fit/fitted_uncertainty.h"
 #include "nacre/io/recipe_file.h"
 #include "nacre/io/recipe_text.h"
 #include "nacre/library.h"
@@ -33,7 +34,7 @@ struct FitOptions : CommonOptions {
     std::size_t constructions = 4;
     double equal_delta_e = 0.3, matched_delta_e = fit::FitOptions().matched_delta_e;
     int starts = 8;
-    bool overwrite = false;
+    bool overwrite = false, with_uncertainty = false;
     ModelOptions model;
     InstrumentOptions instrument;
 };
@@ -146,6 +147,18 @@ std::string write_found(const FitOptions& options, const Paint& paint) {
     return written.rewritten;
 }
 
+/// The match with what its fit says of its own errors as the table [uncertainty].
+Paint with_errors(const FitOptions& options, const Match& match) {
+    const fit::FittedUncertainty known = fit::fitted_uncertainty(match);
+    for (const std::string& key : known.not_determined) {
+        say(options,
+            fmt::format("--with-uncertainty: {} has no standard error: {}", key,
+                        match.certainty.noise_delta_e ? "the colours do not determine it"
+                                                      : "the noise is not known; give --noise"));
+    }
+    return match.paint.with_uncertainty(known.deviations, known.correlations);
+}
+
 /// The paint that --start names, and which of its numbers are free.
 struct Start {
     Paint paint;
@@ -233,7 +246,8 @@ ExitStatus run(const FitOptions& options) {
     document["hot_spot"] = how.target.hot_spot;
     document["recipe_sha256"] = io::recipe_hash(match.recipe);
     require_going();
-    document["rewritten"] = write_found(options, match.paint);
+    document["rewritten"] =
+        write_found(options, options.with_uncertainty ? with_errors(options, match) : match.paint);
     CommonOptions to_stdout = options;
     to_stdout.output.clear();
     emit(to_stdout,
@@ -248,6 +262,10 @@ ExitStatus run(const FitOptions& options) {
 CommandFiles files(const FitOptions& options) {
     CommandFiles files =
         files_of(options, {options.standard, options.start, options.instrument.geometry});
+    if (options.with_uncertainty && options.output.empty()) {
+        throw UsageError(
+            "--with-uncertainty belongs to --output: it adds to what is written there");
+    }
     if (options.overwrite && options.output.empty()) {
         throw UsageError("--overwrite belongs to --output: it lets that be the start recipe");
     }
@@ -314,6 +332,9 @@ Command add_fit(CLI::App& program) {
         ->type_name("FILE");
     command->add_flag("--overwrite", options->overwrite,
                       "Let -o replace the start recipe; without it, that is refused");
+    command->add_flag("--with-uncertainty", options->with_uncertainty,
+                      "Say in the table [uncertainty] of -o how well the found numbers are known: "
+                      "their standard errors and the correlations of these");
     add_model_options(*command, options->model);
     add_seed(*command, *options);
     add_input_options(*command, *options);

@@ -191,6 +191,34 @@ TEST_F(Program, FitKeepsTheCommentsOfTheStartAndReplacesItOnlyIfTold) {
     EXPECT_EQ(contents(folder_ / "start.toml"), fitted);
 }
 
+TEST_F(Program, FitWritesHowSureItsNumbersAre) {
+    write("start.toml", "# Trial 8\n" + std::string(kStart));
+    const std::string arguments = "fit gray.toml --start start.toml --starts 1 -q --noise 0.1 ";
+    ASSERT_EQ(nacre(arguments + "-o plain.toml").status, 0);
+    EXPECT_THAT(contents(folder_ / "plain.toml"), ::testing::Not(HasSubstr("uncertainty")));
+    const Outcome fit = nacre(arguments + "-o sure.toml --with-uncertainty --format json");
+    ASSERT_EQ(fit.status, 0) << fit.err;
+    const auto report = nlohmann::json::parse(fit.out);
+    EXPECT_EQ(report["rewritten"], "");
+    const std::string sure = contents(folder_ / "sure.toml");
+    EXPECT_THAT(sure, AllOf(::testing::StartsWith(contents(folder_ / "plain.toml")),
+                            HasSubstr("\n[uncertainty]\n")));
+    const Outcome read = nacre("measure sure.toml --format json");
+    ASSERT_EQ(read.status, 0) << read.err;
+    const auto known = nlohmann::json::parse(read.out)["uncertainty"];
+    ASSERT_EQ(known["numbers"].size(), report["numbers"].size());
+    for (std::size_t i = 0; i < known["numbers"].size(); ++i) {
+        const double error = report["numbers"][i]["standard_error"];
+        EXPECT_EQ(known["numbers"][i]["key"], report["numbers"][i]["key"]);
+        EXPECT_NEAR(known["numbers"][i]["sd"].get<double>() / error, 1, 1e-3);
+        for (std::size_t j = 0; j < known["numbers"].size(); ++j) {
+            EXPECT_NEAR(known["correlation"][i][j].get<double>(),
+                        report["correlation"][i][j].get<double>(), 1e-6);
+        }
+    }
+    EXPECT_EQ(nacre("fit gray.toml --start start.toml --with-uncertainty").status, 1);
+}
+
 TEST_F(Program, FitSaysWhereCommentsAreLost) {
     std::filesystem::create_directory(folder_ / "out");
     write("primer.csv", "wavelength_nm,r\n380,0.1\n780,0.1\n");

@@ -226,6 +226,30 @@ TEST_F(Program, MeasureSaysHowSureItIs) {
     EXPECT_NE(drawn, json("known.toml --uncertainty-samples 20 --seed 2"));
 }
 
+TEST_F(Program, MeasureCarriesCorrelations) {
+    const std::string pair = "layer[0].thickness_um,alpha";
+    write("known.toml", contents(folder_ / "gray.toml") + kKnown);
+    write("together.toml", contents(folder_ / "known.toml") +
+                               "\n[[uncertainty.correlation]]\nof = [\"layer[0].thickness_um\", "
+                               "\"layer[0].flakes[0].orientation.alpha\"]\ncoefficient = 0.8\n");
+    const auto json = [&](const std::string& arguments) {
+        const Outcome said = nacre("measure " + arguments + " --format json");
+        EXPECT_EQ(said.status, 0) << said.err;
+        return nlohmann::json::parse(said.out)["uncertainty"];
+    };
+    const auto of_file = json("together.toml"), independent = json("known.toml");
+    EXPECT_EQ(of_file["correlation"], (nlohmann::json{{1, 0.8}, {0.8, 1}}));
+    EXPECT_EQ(independent["correlation"], (nlohmann::json{{1, 0}, {0, 1}}));
+    EXPECT_EQ(json("known.toml --correlation " + pair + "=0.8"), of_file);
+    EXPECT_EQ(json("known.toml --correlation *=0.8"), of_file);  // of all that are uncertain
+    EXPECT_EQ(json("together.toml --correlation " + pair + "=0"), independent);
+    EXPECT_NE(of_file["readings"][0]["first_order"], independent["readings"][0]["first_order"]);
+    EXPECT_EQ(of_file["readings"][0]["change"], independent["readings"][0]["change"]);
+    const double first = of_file["flop_index"]["share"][0],
+                 second = of_file["flop_index"]["share"][1];
+    EXPECT_NEAR(first + second, 1, 1e-12);
+}
+
 TEST_F(Program, MeasureRefusesUncertaintyThatItCannotTell) {
     const auto refused = [&](const std::string& arguments, int status, const char* words) {
         const Outcome outcome = nacre("measure " + arguments);
@@ -239,6 +263,18 @@ TEST_F(Program, MeasureRefusesUncertaintyThatItCannotTell) {
     refused("gray.toml --uncertainty alpha=500%", 2, "[0 %, 100 %]");
     refused("gray.toml --uncertainty alpha=5% --no-uncertainty", 1, "exclude");
     refused("gray.toml --uncertainty alpha=5% --model walk", 2, "no exact values");
+    const std::string two =
+        "gray.toml --uncertainty alpha=5% --uncertainty layer[0].thickness_um=5% ";
+    refused(two + "--correlation alpha", 1, "is not A,B=COEFFICIENT");
+    refused(two + "--correlation alpha,layer[0].thickness_um=2", 2,
+            "coefficient = 2: must be a number in [-1, 1]");
+    refused(two + "--correlation alpha,substrate.reflectance=0.5", 2,
+            "correlation alpha,substrate.reflectance=0.5: of[1] = substrate.reflectance: has no "
+            "standard deviation");
+    refused(two + "--correlation alhpa,layer[0].thickness_um=0.5", 2,
+            "is not a number of this recipe");
+    refused(two + "--correlation alpha,alpha=0.5", 2, "is named twice");
+    refused(two + "--correlation alpha,layer[0].thickness_um=0.5 --no-uncertainty", 1, "exclude");
     refused("gray.toml --uncertainty alpha=5% --versus gray.toml", 1, "--versus");
     refused("gray.toml --contributions parts.csv", 1, "--contributions");
     refused("gray.toml --uncertainty-samples 20", 2, "[uncertainty]");

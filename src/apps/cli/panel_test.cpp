@@ -42,6 +42,11 @@ TEST_F(Panel, SaysHowSureItIsWhereTheRecipeDoes) {
     const std::string page = contents(folder_ / "a.html");
     EXPECT_THAT(page, HasSubstr("How sure this is"));
     EXPECT_THAT(page, HasSubstr("ellipses hold 95 %"));
+    EXPECT_THAT(page, HasSubstr("they are taken to be independent"));
+    ASSERT_EQ(nacre("panel known.toml --uncertainty alpha=5% --correlation *=0.5" + how).status, 0);
+    EXPECT_THAT(
+        contents(folder_ / "a.html"),
+        HasSubstr("layer[0].thickness_um and layer[0].flakes[0].orientation.alpha by 0.5."));
     ASSERT_EQ(nacre("panel known.toml --no-uncertainty" + how).status, 0);
     const std::string without = contents(folder_ / "a.html");
     EXPECT_THAT(without, Not(HasSubstr("How sure")));

@@ -39,6 +39,19 @@ std::vector<paint::ParameterDeviation> parse_deviations(const std::vector<std::s
     return deviations;
 }
 
+/// "layer[0].thickness_um,layer[1].thickness_um=0.8".
+std::vector<paint::ParameterCorrelation> parse_correlations(const std::vector<std::string>& texts) {
+    std::vector<paint::ParameterCorrelation> correlations;
+    for (const std::string& text : texts) {
+        try {
+            correlations.push_back(paint::parse_correlation(text));
+        } catch (const DomainError& error) {
+            throw UsageError(fmt::format("--correlation = {}", error.what()));
+        }
+    }
+    return correlations;
+}
+
 /// The number with the largest share of a variance; none where there is no variance.
 std::optional<std::size_t> greatest(const std::vector<double>& shares) {
     const auto found = std::max_element(shares.begin(), shares.end());
@@ -56,7 +69,7 @@ std::string main_cause(const Uncertainty& u, const std::vector<double>& shares) 
 void say_spread(const CommonOptions& options, const Uncertainty& u) {
     const auto metric = [&](const char* name, const std::optional<MetricUncertainty>& m) {
         if (!m) return;
-        const std::string cause = main_cause(u, fit::shares(m->change));
+        const std::string cause = main_cause(u, fit::shares(m->change, u.correlation));
         say(options, fmt::format("{} {:.2f} +- {:.2g}{}", name, m->value, m->best(),
                                  cause.empty() ? "" : ", " + cause));
     };
@@ -72,7 +85,7 @@ void say_spread(const CommonOptions& options, const Uncertainty& u) {
     if (widest == u.readings.end()) return;
     const Vec3d& lab = widest->reading.lab;
     const Vec3d sd = widest->best().lab();
-    const std::string cause = main_cause(u, fit::shares(widest->change));
+    const std::string cause = main_cause(u, fit::shares(widest->change, u.correlation));
     say(options, fmt::format("widest at {}: L* {:.1f} +- {:.2g}, a* {:.1f} +- {:.2g}, b* {:.1f} +- "
                              "{:.2g}{}",
                              widest->reading.geometry.name, lab[0], sd[0], lab[1], sd[1], lab[2],
@@ -155,14 +168,15 @@ nlohmann::json linearity_json(const fit::Linearity& linearity) {
             {"first_order_holds", !linearity.fails}};
 }
 
-nlohmann::json metric_json(const std::optional<MetricUncertainty>& metric) {
+nlohmann::json metric_json(const std::optional<MetricUncertainty>& metric,
+                           const std::vector<double>& correlation) {
     if (!metric) return nullptr;
     nlohmann::json json = {{"value", metric->value},
                            {"sd", metric->best()},
                            {"first_order_sd", metric->first_order},
                            {"mean_shift", metric->mean_shift},
                            {"change", metric->change},
-                           {"share", fit::shares(metric->change)}};
+                           {"share", fit::shares(metric->change, correlation)}};
     json.update(linearity_json(metric->linearity));
     return json;
 }
@@ -176,6 +190,16 @@ void add_uncertainty_options(CLI::App& command, UncertaintyRequest& request) {
                     "'layer[0].thickness_um=5%'; repeat it. Adds to the recipe's table "
                     "[uncertainty] or replaces it there")
         ->type_name("KEY=SD")
+        ->group("Uncertainty")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        .add_option("--correlation", request.correlations,
+                    "Coefficient in [-1, 1] by which numbers with a standard deviation are wrong "
+                    "together, each two of those named: "
+                    "'layer[0].thickness_um,layer[1].thickness_um=0.8'; repeat it. Adds to the "
+                    "recipe's [[uncertainty.correlation]] or replaces it there")
+        ->type_name("A,B=COEFFICIENT")
         ->group("Uncertainty")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -194,10 +218,14 @@ std::optional<Uncertainty> uncertainty_of(const CommonOptions& options,
                                           const std::vector<Geometry>& geometries,
                                           const MeasureSettings& settings) {
     if (request.none && request.asks()) {
-        throw UsageError("--no-uncertainty and --uncertainty exclude each other");
+        throw UsageError(
+            "--no-uncertainty and --uncertainty, --correlation or --uncertainty-samples exclude "
+            "each "
+            "other");
     }
     const UncertaintySettings wanted{parse_deviations(request.deviations),
-                                     request.samples.value_or(0), options.seed};
+                                     request.samples.value_or(0), options.seed,
+                                     parse_correlations(request.correlations)};
     if (request.none || (!request.asks() && paint.deviations().empty())) return std::nullopt;
     if (!paint.has_recipe()) {
         throw UsageError(
@@ -239,11 +267,11 @@ std::vector<io::MeasurementColumn> uncertainty_columns(const Uncertainty& u) {
     add("sd_by", [&](const auto&) { return u.samples > 0 ? "sampling" : "first order"; });
     add("first_order_fails", doubtful_text);
     add("most_from", [&](const auto& r) {
-        const auto most = greatest(fit::shares(r.change));
+        const auto most = greatest(fit::shares(r.change, u.correlation));
         return most ? u.numbers[*most].key : std::string();
     });
     add("most_share", [&](const auto& r) {
-        const std::vector<double> all = fit::shares(r.change);
+        const std::vector<double> all = fit::shares(r.change, u.correlation);
         const auto most = greatest(all);
         return most ? number(all[*most]) : std::string();
     });
@@ -260,7 +288,7 @@ std::string contributions_csv(const Uncertainty& u) {
     std::string csv = "geometry,quantity,number,value,sd,change,share\n";
     const auto add = [&](const std::string& geometry, const char* quantity,
                          const std::vector<double>& change) {
-        const std::vector<double> all = fit::shares(change);
+        const std::vector<double> all = fit::shares(change, u.correlation);
         for (std::size_t i = 0; i < u.numbers.size(); ++i) {
             fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{}\n", csv_cell(geometry),
                            quantity, csv_cell(u.numbers[i].key), u.numbers[i].value,
@@ -290,7 +318,7 @@ nlohmann::json uncertainty_json(const Uncertainty& u) {
         nlohmann::json reading = {{"geometry", r.reading.geometry.name},
                                   {"first_order", spread_json(r.first_order)},
                                   {"change", r.change},
-                                  {"share", fit::shares(r.change)},
+                                  {"share", fit::shares(r.change, u.correlation)},
                                   {"mean_shift", r.mean_shift}};
         if (r.sampled) reading["sampled"] = spread_json(*r.sampled);
         for (const fit::Quantity quantity : fit::kQuantities) {
@@ -299,10 +327,15 @@ nlohmann::json uncertainty_json(const Uncertainty& u) {
         }
         readings.push_back(std::move(reading));
     }
+    nlohmann::json correlation = nlohmann::json::array();
+    for (std::size_t i = 0; i < u.numbers.size(); ++i) {
+        correlation.push_back(u.correlation_of(i));
+    }
     return {{"numbers", std::move(numbers)},
+            {"correlation", std::move(correlation)},
             {"readings", std::move(readings)},
-            {"flop_index", metric_json(u.flop_index)},
-            {"colour_travel", metric_json(u.colour_travel)},
+            {"flop_index", metric_json(u.flop_index, u.correlation)},
+            {"colour_travel", metric_json(u.colour_travel, u.correlation)},
             {"samples", u.samples},
             {"redrawn", u.redrawn},
             {"first_order_holds", !u.first_order_fails()}};

@@ -17,11 +17,12 @@ namespace nacre::cli {
 
 /// As the command line has them.
 struct UncertaintyRequest {
-    std::vector<std::string> deviations;  ///< KEY=SD
+    std::vector<std::string> deviations;    ///< KEY=SD
+    std::vector<std::string> correlations;  ///< A,B=COEFFICIENT
     std::optional<int> samples;
     bool none = false;  ///< the recipe's own table [uncertainty] has no say
 
-    bool asks() const { return !deviations.empty() || samples; }
+    bool asks() const { return !deviations.empty() || !correlations.empty() || samples; }
 };
 
 void add_uncertainty_options(CLI::App& command, UncertaintyRequest& request);

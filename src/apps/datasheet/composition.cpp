@@ -1,6 +1,7 @@
 #include "apps/datasheet/composition.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -273,6 +274,33 @@ std::vector<std::string> facets_in_words(const paint::Microfacet& microfacet) {
         "A rough surface of mirror facets ({}) under {}, {}.", facets, film, told.rest())};
     if (microfacet.facets) sentences.push_back(Told(*microfacet.facets).rest() + ".");
     return sentences;
+}
+
+std::string correlations_in_words(const fit::Uncertainty& uncertainty) {
+    constexpr std::size_t kMostPairsNamed = 12;
+    std::vector<std::string> pairs;
+    for (std::size_t i = 0; i < uncertainty.numbers.size(); ++i) {
+        const std::vector<double> row = uncertainty.correlation_of(i);
+        for (std::size_t j = i + 1; j < row.size(); ++j) {
+            if (row[j] == 0) continue;
+            pairs.push_back(fmt::format("{} and {} by {:.3g}", uncertainty.numbers[i].key,
+                                        uncertainty.numbers[j].key, row[j]));
+        }
+    }
+    if (pairs.empty()) {
+        return "they are taken to be independent. By angle: which share of the variance of L*, a* "
+               "and "
+               "b* together is whose.";
+    }
+    const std::size_t named = std::min(pairs.size(), kMostPairsNamed);
+    const std::size_t more = pairs.size() - named;
+    pairs.resize(named);
+    return fmt::format(
+        "their errors are correlated: {}{}. By angle: which share of the variance of L*, a* and b* "
+        "together is whose, as the covariance of what a number changes with the colour; a negative "
+        "one "
+        "takes away from what the others make.",
+        fmt::join(pairs, ", "), more > 0 ? fmt::format(" and {} more", more) : std::string());
 }
 
 }  // namespace nacre::datasheet

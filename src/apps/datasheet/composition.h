@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "apps/report/report.h"
+#include "nacre/fit/uncertainty.h"
 #include "nacre/paint/recipe.h"
 
 // What a paint is made of, for people.
@@ -22,5 +23,8 @@ report::Table layers_table(const paint::Recipe& recipe);
 
 /// The film on facets that the microfacet models take instead of layers.
 std::vector<std::string> facets_in_words(const paint::Microfacet& microfacet);
+
+/// Which numbers of the recipe are wrong together, and what a share of the variance is then.
+std::string correlations_in_words(const fit::Uncertainty& uncertainty);
 
 }  // namespace nacre::datasheet

@@ -349,7 +349,7 @@ std::string uncertainty_html(const PanelReport& report) {
     }
     std::vector<std::vector<double>> by_reading;
     for (const Reading* reading : readings) {
-        by_reading.push_back(fit::shares(uncertainty_at(report, reading).change));
+        by_reading.push_back(fit::shares(uncertainty_at(report, reading).change, u.correlation));
     }
     for (std::size_t i = 0; i < u.numbers.size(); ++i) {
         const fit::UncertainNumber& number = u.numbers[i];
@@ -364,9 +364,9 @@ std::string uncertainty_html(const PanelReport& report) {
     }
     std::string html = heading("How sure this is") + report::table_html(table, 2);
     html += paragraph(
-        "± is one standard deviation, as that of these numbers makes it; they are taken to be "
-        "independent. By angle: which share of the variance of L*, a* and b* together is whose. "
-        "Ellipses in the plot of colour travel hold 95 %, bars are one standard deviation.",
+        "± is one standard deviation, as that of these numbers makes it; " +
+            correlations_in_words(u) +
+            " Ellipses in the plot of colour travel hold 95 %, bars are one standard deviation.",
         " class=\"small\"");
     std::string words;
     const auto say = [&](const std::string& sentence) {

@@ -39,6 +39,11 @@ Match Paint::fit(const Measurement& standard, const std::vector<std::string>& ke
     std::erase_if(made.deviations, [&](const paint::ParameterDeviation& d) {
         return d.relative && paint::find_parameter(found.recipe, d.key).value == 0;
     });
+    made.correlations =
+        paint::correlations_among(std::move(made.correlations), [&](const std::string& key) {
+            return std::ranges::any_of(made.deviations,
+                                       [&](const auto& d) { return d.key == key; });
+        });
     Paint paint(std::make_shared<const State>(std::move(made), file()));
     return {std::move(found), std::move(paint), std::move(free.skipped)};
 }

@@ -149,12 +149,16 @@ std::shared_ptr<Paint::State::Solution> Paint::State::solution(
 }
 
 Paint::Paint(paint::Recipe recipe, std::vector<paint::ParameterBounds> bounds,
-             std::vector<paint::ParameterDeviation> deviations) {
+             std::vector<paint::ParameterDeviation> deviations,
+             std::vector<paint::ParameterCorrelation> correlations) {
     paint::validate(recipe, {});
     for (const paint::ParameterBounds& b : bounds) paint::check_bounds(recipe, b);
     for (const paint::ParameterDeviation& d : deviations) paint::check_deviation(recipe, d);
+    paint::check_correlations(recipe, deviations, correlations);
     state_ = std::make_shared<const State>(
-        io::RecipeFile{std::move(recipe), std::move(bounds), std::move(deviations)}, "");
+        io::RecipeFile{std::move(recipe), std::move(bounds), std::move(deviations),
+                       std::move(correlations)},
+        "");
 }
 
 Paint open_text(std::string bytes, const std::string& name, const References& references,
@@ -254,6 +258,12 @@ const std::vector<paint::ParameterDeviation>& Paint::deviations() const {
     return file ? file->deviations : none;
 }
 
+const std::vector<paint::ParameterCorrelation>& Paint::correlations() const {
+    static const std::vector<paint::ParameterCorrelation> none;
+    const auto* file = std::get_if<io::RecipeFile>(&state_->contents);
+    return file ? file->correlations : none;
+}
+
 void Paint::State::refuse_without_recipe() const {
     throw InputError(fmt::format("{}: holds {}; a recipe is needed here", label(),
                                  name_of(static_cast<Kind>(contents.index()))));
@@ -265,6 +275,28 @@ io::RecipeFile Paint::State::recipe_file() const {
         return {(*solved)->recipe, {}};
     }
     refuse_without_recipe();
+}
+
+Paint Paint::with_uncertainty(const std::vector<paint::ParameterDeviation>& deviations,
+                              const std::vector<paint::ParameterCorrelation>& correlations) const {
+    io::RecipeFile made = state_->recipe_file();
+    const std::vector<paint::ParameterDeviation> all =
+        paint::with_deviations(std::move(made.deviations), deviations);
+    const auto called = [](const std::string& key) {
+        return [&key](const paint::ParameterDeviation& d) { return d.key == key; };
+    };
+    for (const paint::ParameterDeviation& d : all) paint::check_deviation(made.recipe, d);
+    made.deviations.clear();  // now in the order of a file
+    for (const paint::RecipeParameter& number : paint::recipe_parameters(made.recipe)) {
+        const auto found = std::ranges::find_if(all, called(number.key));
+        if (found != all.end()) made.deviations.push_back(*found);
+    }
+    made.correlations = paint::correlations_among(
+        std::move(made.correlations),
+        [&](const std::string& key) { return std::ranges::none_of(deviations, called(key)); });
+    made.correlations.insert(made.correlations.end(), correlations.begin(), correlations.end());
+    paint::check_correlations(made.recipe, made.deviations, made.correlations);
+    return Paint(std::make_shared<const State>(std::move(made), state_->file));
 }
 
 Paint Paint::with_settings(const std::vector<std::pair<std::string, std::string>>& settings) const {

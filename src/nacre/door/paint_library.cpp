@@ -102,7 +102,7 @@ Paint with_bounds(const NearestRecord& record, const Paint& paint) {
         bounds.push_back({number.key, std::max(std::min(usual.lo, range.lo), number.range.lo),
                           std::min(std::max(usual.hi, range.hi), number.range.hi)});
     }
-    return Paint(paint.recipe(), std::move(bounds), paint.deviations());
+    return Paint(paint.recipe(), std::move(bounds), paint.deviations(), paint.correlations());
 }
 
 /// Whether a number is one that painters turn: not an index, nor a size that colours hardly show.
@@ -295,8 +295,8 @@ std::vector<ConstructionMatch> fit_from_library(const fs::path& library,
         if (start.out_of_reach && !matches.empty()) {
             FitSettings once = alone;
             once.starts = 1;
-            const Paint narrow(start.paint.recipe(), start.rough_bounds(),
-                               start.paint.deviations());
+            const Paint narrow(start.paint.recipe(), start.rough_bounds(), start.paint.deviations(),
+                               start.paint.correlations());
             matches.push_back({start.record, narrow.fit(standard, start.keys, once, part)});
         } else {
             matches.push_back({start.record, start.paint.fit(standard, start.keys, alone, part)});

@@ -1,5 +1,9 @@
 #include "nacre/fit/uncertainty.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "nacre/door/state.h"
 #include "nacre/models/models.h"
 #include "nacre/spectra/spectrum.h"
@@ -22,6 +26,32 @@ std::vector<paint::ParameterDeviation> with_whole_keys(
     return whole;
 }
 
+/// Likewise; of those with `*` the numbers that have a standard deviation.
+std::vector<paint::ParameterCorrelation> with_whole_keys(
+    const paint::Recipe& recipe, const std::vector<paint::ParameterDeviation>& known,
+    const std::vector<paint::ParameterCorrelation>& correlations) {
+    std::vector<paint::ParameterCorrelation> whole;
+    for (const paint::ParameterCorrelation& c : correlations) {
+        paint::ParameterCorrelation meant{{}, c.coefficient};
+        for (const std::string& pattern : c.keys) {
+            const bool is_pattern = pattern.find('*') != std::string::npos;
+            for (const std::string& key : paint::matching_parameters(recipe, pattern)) {
+                const bool is_known = std::ranges::any_of(
+                    known, [&](const paint::ParameterDeviation& d) { return d.key == key; });
+                if (is_known || !is_pattern) meant.keys.push_back(key);
+            }
+        }
+        try {
+            paint::check_correlation(recipe, known, meant);
+        } catch (const DomainError& error) {
+            throw DomainError(
+                fmt::format("correlation {}: {}", paint::correlation_text(c), error.what()));
+        }
+        whole.push_back(std::move(meant));
+    }
+    return whole;
+}
+
 }  // namespace
 
 bool has_uncertainty(const Model& model) {
@@ -36,6 +66,8 @@ Uncertainty Paint::measure_uncertainty(const std::vector<Geometry>& geometries,
     const paint::Recipe& own = recipe();
     const std::vector<paint::ParameterDeviation> known =
         paint::with_deviations(deviations(), with_whole_keys(own, uncertainty.deviations));
+    const std::vector<paint::ParameterCorrelation> correlated = paint::with_correlations(
+        correlations(), with_whole_keys(own, known, uncertainty.correlations));
     if (known.empty()) {
         throw SettingError("uncertainty",
                            "say how well which numbers are known, or do so in a table "
@@ -75,8 +107,8 @@ Uncertainty Paint::measure_uncertainty(const std::vector<Geometry>& geometries,
                                  SharedProgress& work) {
         return state_->naming_file([&] { return reader(recipe, like, work); });
     };
-    fit::Uncertainty out = fit::uncertainty(own, known, naming_file,
-                                            {uncertainty.samples, uncertainty.seed}, progress);
+    fit::Uncertainty out = fit::uncertainty(
+        own, known, naming_file, {uncertainty.samples, uncertainty.seed, correlated}, progress);
     out.measurement.name = name();
     return out;
 }

@@ -36,9 +36,11 @@ struct NextTerms {
 
 /// The terms of the mean and of the variance that follow those of first order. With standard
 /// deviations s the mean's is the sum of f_ii s_i^2 / 2, the variance's are f_ii^2 s_i^4 / 2 and
-/// f_i f_iii s_i^4 of each number, and f_ij^2 s_i^2 s_j^2 of each pair; of the terms of that order
-/// f_i f_ijj s_i^2 s_j^2 is left out.
-/// @param first   f_i s_i
+/// f_i f_iii s_i^4 of each direction, and f_ij^2 s_i^2 s_j^2 of each pair; of the terms of that order
+/// f_i f_ijj s_i^2 s_j^2 is left out. Directions are independent, also where numbers are not: with
+/// the second derivatives F by numbers those by directions are G = L^T F L, and the sums over G those
+/// over numbers, tr(G) = tr(F R) and tr(G G) = tr(F R F R).
+/// @param first   f_i s_i by direction
 /// @param change  of the quantity from the centre to some values
 template <class Change>
 NextTerms next_terms(const std::vector<double>& first, const Moves& moves, const Change& change) {
@@ -74,6 +76,27 @@ NextTerms next_terms(const std::vector<double>& first, const Moves& moves, const
     return out;
 }
 
+/// The definition of shares(), from the products of the changes of two numbers.
+template <class Product>
+std::vector<double> covariances_over_variance(std::size_t numbers,
+                                              const std::vector<double>& correlation,
+                                              const Product& product) {
+    std::vector<double> out(numbers, 0.0);
+    for (std::size_t i = 0; i < numbers; ++i) {
+        if (correlation.empty()) {
+            out[i] = product(i, i);
+            continue;
+        }
+        for (std::size_t j = 0; j < numbers; ++j) {
+            out[i] += correlation[i * numbers + j] * product(i, j);
+        }
+    }
+    const double variance = sum_of(out);
+    if (!(variance > squared(kRounding))) return std::vector<double>(numbers, 0.0);
+    for (double& share : out) share /= variance;
+    return out;
+}
+
 }  // namespace
 
 double hue_between_deg(const Vec3d& from, const Vec3d& to) {
@@ -104,20 +127,21 @@ ReadingUncertainty reading_of(const measure::Reading& reading, std::size_t lab,
         const std::vector<double> row = moves.of(lab + static_cast<std::size_t>(c));
         for (std::size_t i = 0; i < moves.numbers; ++i) out.change[i][c] = row[i];
     }
-    for (const Vec3d& change : out.change) {
+    for (const Vec3d& change : moves.along(out.change)) {
         for (int r = 0; r < 3; ++r) {
             for (int c = 0; c < 3; ++c) out.first_order.covariance[r][c] += change[r] * change[c];
         }
     }
     for (std::size_t k = 0; k < reading.reflectance_factor.size(); ++k) {
         out.first_order.reflectance_factor.push_back(
-            std::sqrt(sum_of_squares(moves.of(spectrum + k))));
+            std::sqrt(sum_of_squares(moves.along(moves.of(spectrum + k)))));
     }
     add_chroma_and_hue(out.first_order, reading.lab);
     for (const Quantity quantity : kQuantities) {
         const auto q = static_cast<std::size_t>(quantity);
-        const std::vector<double> first = out.change_of(quantity);
-        if (first.empty()) continue;
+        const std::vector<double> by_number = out.change_of(quantity);
+        if (by_number.empty()) continue;
+        const std::vector<double> first = moves.along(by_number);
         const NextTerms next = next_terms(first, moves, [&](const Values& values) {
             const Vec3d to{values[lab], values[lab + 1], values[lab + 2]};
             if (quantity == Quantity::hue) return hue_between_deg(reading.lab, to);
@@ -136,9 +160,10 @@ std::optional<MetricUncertainty> metric_of(std::size_t position, const Moves& mo
     MetricUncertainty out;
     out.value = moves.centre[position];
     out.change = moves.of(position);
-    out.first_order = std::sqrt(sum_of_squares(out.change));
+    const std::vector<double> first = moves.along(out.change);
+    out.first_order = std::sqrt(sum_of_squares(first));
     if (!std::isfinite(out.value) || !std::isfinite(out.first_order)) return std::nullopt;
-    const NextTerms next = next_terms(out.change, moves, [&](const Values& values) {
+    const NextTerms next = next_terms(first, moves, [&](const Values& values) {
         return values[position] - moves.centre[position];
     });
     // Not finite where a number takes the metric to where it has no value.
@@ -174,18 +199,19 @@ Ellipse ab_ellipse(const Spread& spread, double probability) {
             {-minor * std::sin(angle), minor * std::cos(angle)}};
 }
 
-std::vector<double> shares(const std::vector<double>& change) {
-    const double variance = sum_of_squares(change);
-    std::vector<double> out(change.size(), 0.0);
-    if (!(variance > squared(kRounding))) return out;
-    for (std::size_t i = 0; i < change.size(); ++i) out[i] = squared(change[i]) / variance;
-    return out;
+std::vector<double> shares(const std::vector<double>& change,
+                           const std::vector<double>& correlation) {
+    return covariances_over_variance(change.size(), correlation, [&](std::size_t i, std::size_t j) {
+        return change[i] * change[j];
+    });
 }
 
-std::vector<double> shares(const std::vector<Vec3d>& change) {
-    std::vector<double> lengths;
-    for (const Vec3d& c : change) lengths.push_back(std::hypot(c[0], c[1], c[2]));
-    return shares(lengths);
+std::vector<double> shares(const std::vector<Vec3d>& change,
+                           const std::vector<double>& correlation) {
+    return covariances_over_variance(change.size(), correlation, [&](std::size_t i, std::size_t j) {
+        return i == j ? squared(std::hypot(change[i][0], change[i][1], change[i][2]))
+                      : dot(change[i], change[j]);
+    });
 }
 
 const char* name_of(Quantity quantity) {
@@ -222,6 +248,16 @@ std::vector<Quantity> ReadingUncertainty::doubtful() const {
         if (linearity[static_cast<std::size_t>(quantity)].fails) out.push_back(quantity);
     }
     return out;
+}
+
+std::vector<double> Uncertainty::correlation_of(std::size_t number) const {
+    std::vector<double> row(numbers.size(), 0.0);
+    if (correlation.empty()) {
+        row[number] = 1;
+        return row;
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = correlation[number * row.size() + i];
+    return row;
 }
 
 bool Uncertainty::first_order_fails() const {

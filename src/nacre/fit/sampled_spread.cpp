@@ -40,13 +40,14 @@ struct Draw {
 Draw draw_paint(UncertainPaint& paint, std::uint64_t seed, std::size_t sample) {
     Rng rng(seed, sample);
     Draw draw;
-    std::vector<double> point(paint.numbers().size());
+    std::vector<double> z(paint.numbers().size()), point;
     for (; draw.redrawn < kMaxRedraws; ++draw.redrawn) {
-        for (std::size_t i = 0; i < point.size(); i += 2) {
+        for (std::size_t i = 0; i < z.size(); i += 2) {
             const auto [first, second] = normal_pair(rng);
-            point[i] = first;
-            if (i + 1 < point.size()) point[i + 1] = second;
+            z[i] = first;
+            if (i + 1 < z.size()) z[i + 1] = second;
         }
+        point = paint.correlated(z);
         if (paint.is_valid(point)) break;
     }
     if (draw.redrawn == kMaxRedraws) return draw;

@@ -17,6 +17,25 @@ constexpr double kRelativeStep = 4e-3;
 
 }  // namespace
 
+std::vector<double> UncertainPaint::correlated(const std::vector<double>& z) const {
+    if (root_.empty()) return z;
+    std::vector<double> point(z.size(), 0.0);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+        for (std::size_t k = 0; k <= i; ++k) point[i] += root_[i * z.size() + k] * z[k];
+    }
+    return point;
+}
+
+bool UncertainPaint::moves_anything(std::size_t direction) const {
+    std::vector<double> z(numbers_.size(), 0.0);
+    z[direction] = 1;
+    const std::vector<double> point = correlated(z);
+    for (std::size_t i = 0; i < point.size(); ++i) {
+        if (point[i] != 0 && numbers_[i].standard_deviation > 0) return true;
+    }
+    return false;
+}
+
 paint::Recipe UncertainPaint::at(std::span<const double> point) const {
     paint::Recipe recipe = recipe_;
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -75,7 +94,7 @@ Moves UncertainPaint::moves(const Evaluation& centre) {
     if (!jacobian) {
         throw Error("a number can be moved to neither side: " + first_failure_);
     }
-    Moves moves{centre.values, std::move(*jacobian), {}, {}, numbers_.size()};
+    Moves moves{centre.values, std::move(*jacobian), {}, {}, numbers_.size(), root_};
     add_wide_steps(centre, moves);
     return moves;
 }
@@ -85,24 +104,24 @@ void UncertainPaint::require_going() const {
 }
 void UncertainPaint::add_wide_steps(const Evaluation& centre, Moves& moves) {
     const std::size_t count = numbers_.size();
-    std::vector<std::vector<std::size_t>> moved;  // at once
+    std::vector<std::vector<std::size_t>> moved;  // directions, at once
     for (std::size_t i = 0; i < count; ++i) moved.push_back({i});
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) moved.push_back({i, j});
     }
     std::vector<std::optional<Values>> values(2 * moved.size());
     parallel_for_ranges(0, values.size(), 1, [&](std::size_t k, std::size_t) {
-        std::vector<double> point(count, 0.0);
+        std::vector<double> z(count, 0.0);
         bool uncertain = true;
         for (const std::size_t i : moved[k / 2]) {
-            point[i] = k % 2 == 0 ? 1 : -1;
-            uncertain = uncertain && numbers_[i].standard_deviation > 0;
+            z[i] = k % 2 == 0 ? 1 : -1;
+            uncertain = uncertain && moves_anything(i);
         }
         if (!uncertain) {
             if (moved[k / 2].size() == 1) values[k] = centre.values;
             return;
         }
-        if (auto beside = evaluate(point, &centre.settings)) {
+        if (auto beside = evaluate(correlated(z), &centre.settings)) {
             values[k] = std::move(beside->values);
         }
     });

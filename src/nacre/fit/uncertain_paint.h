@@ -16,9 +16,11 @@ namespace nacre::fit {
 /// A paint read at recipes beside its own: points in standard deviations from the recipe's numbers.
 class UncertainPaint {
  public:
-    /// All must outlive it.
-    UncertainPaint(const paint::Recipe& recipe, const PaintReader& reader, SharedProgress& work)
-        : recipe_(recipe), reader_(reader), work_(work) {}
+    /// References must outlive it.
+    /// @param root  of the numbers' correlations, as Moves::root
+    UncertainPaint(const paint::Recipe& recipe, std::vector<double> root, const PaintReader& reader,
+                   SharedProgress& work)
+        : recipe_(recipe), root_(std::move(root)), reader_(reader), work_(work) {}
 
     void add(const UncertainNumber& number, const Range& range) {
         numbers_.push_back(number);
@@ -26,6 +28,8 @@ class UncertainPaint {
     }
     std::vector<UncertainNumber>& numbers() { return numbers_; }
 
+    /// The point of numbers that are made of independent ones: L z.
+    std::vector<double> correlated(const std::vector<double>& z) const;
     paint::Recipe at(std::span<const double> point) const;
     /// Whether there is such a recipe, solvable or not.
     bool is_valid(std::span<const double> point) const;
@@ -40,10 +44,13 @@ class UncertainPaint {
     std::string first_failure() const { return first_failure_; }
 
  private:
-    /// One standard deviation to either side of each number and of each pair.
+    /// One standard deviation to either side in each direction and in each pair of them.
     void add_wide_steps(const Evaluation& centre, Moves& moves);
+    /// Whether any number that is uncertain moves in a direction.
+    bool moves_anything(std::size_t direction) const;
 
     const paint::Recipe& recipe_;
+    std::vector<double> root_;
     const PaintReader& reader_;
     SharedProgress& work_;
     std::vector<UncertainNumber> numbers_;

@@ -54,12 +54,14 @@ Uncertainty uncertainty(const paint::Recipe& recipe,
                         const PaintReader& reader, const UncertaintyOptions& options,
                         const Progress& progress) {
     check(deviations, options);
+    paint::check_correlations(recipe, deviations, options.correlations);
     std::size_t active = 0;
     for (const paint::ParameterDeviation& deviation : deviations) {
         active += paint::standard_deviation(recipe, deviation) > 0;
     }
+    std::vector<double> correlation = paint::correlation_matrix(deviations, options.correlations);
     SharedProgress work(progress, static_cast<double>(1 + active * (3 + active)) + options.samples);
-    UncertainPaint paint(recipe, reader, work);
+    UncertainPaint paint(recipe, paint::correlation_root(correlation), reader, work);
     for (const paint::ParameterDeviation& deviation : deviations) {
         const paint::RecipeParameter parameter = paint::find_parameter(recipe, deviation.key);
         paint.add({parameter.key, parameter.value, paint::standard_deviation(recipe, deviation)},
@@ -85,6 +87,7 @@ Uncertainty uncertainty(const paint::Recipe& recipe,
     Uncertainty out;
     out.measurement = here.measurement;
     out.numbers = paint.numbers();
+    out.correlation = std::move(correlation);
     for (std::size_t r = 0; r < layout.readings; ++r) {
         out.readings.push_back(
             reading_of(here.measurement.readings[r], layout.lab(r), layout.spectrum(r), moves));

@@ -10,6 +10,7 @@
 #include "nacre/core/progress.h"
 #include "nacre/fit/differences.h"
 #include "nacre/measure/measurement.h"
+#include "nacre/paint/parameter_correlation.h"
 #include "nacre/paint/parameter_deviation.h"
 
 // From how well the numbers of a recipe are known to how well its colours are: docs/uncertainty.md.
@@ -77,8 +78,8 @@ struct ReadingUncertainty {
     measure::Reading reading;  ///< of the recipe as it is
     Spread first_order;
     std::optional<Spread> sampled;
-    /// By number: the change of L*, a*, b* with one standard deviation of it, to first order. Their
-    /// outer products sum to the covariance.
+    /// By number: the change of L*, a*, b* with one standard deviation of it, to first order. With
+    /// C of these rows and the numbers' correlations R the covariance is C^T R C.
     std::vector<Vec3d> change;
     /// The mean less the reading, to second order.
     Vec3d mean_shift{};
@@ -107,14 +108,24 @@ struct MetricUncertainty {
     double best() const { return sampled.value_or(first_order); }
 };
 
-/// Which part of a quantity's variance each number makes, in first order: fractions that sum to 1,
-/// or all 0 if there is no
-/// variance but that of rounding. Those of all of L*, a* and b* together for Vec3d.
-std::vector<double> shares(const std::vector<double>& change);
-std::vector<double> shares(const std::vector<Vec3d>& change);
+/// Which part of a quantity's variance each number makes, in first order: the covariance of what it
+/// changes with the quantity, c_i sum_j r_ij c_j, over the variance. They sum to 1, or are all 0 if
+/// there is no variance but that of rounding. Of independent numbers none is negative; of correlated
+/// ones each has half of what it and another make together, and is negative where it cancels more
+/// than it adds.                                                                  [li-2010]
+/// Those of all of L*, a* and b* together for Vec3d.
+/// @param change       by number, with one standard deviation of it
+/// @param correlation  of the numbers, row by row; empty: they are independent
+std::vector<double> shares(const std::vector<double>& change,
+                           const std::vector<double>& correlation = {});
+std::vector<double> shares(const std::vector<Vec3d>& change,
+                           const std::vector<double>& correlation = {});
+
 struct Uncertainty {
     measure::Measurement measurement;  ///< of the recipe as it is
     std::vector<UncertainNumber> numbers;
+    /// Of the numbers, row by row; empty where all are independent.
+    std::vector<double> correlation;
     std::vector<ReadingUncertainty> readings;  ///< in the order of the measurement's
     /// None where the measurement has no such number.
     std::optional<MetricUncertainty> flop_index, colour_travel;
@@ -122,6 +133,8 @@ struct Uncertainty {
     /// Draws that made no valid recipe and were drawn again: normal laws are cut off there.
     int redrawn = 0;
 
+    /// The coefficients of one number with all.
+    std::vector<double> correlation_of(std::size_t number) const;
     /// Whether first order is doubtful anywhere: a quantity's linearity fails, or a number meets the
     /// end of its range.
     bool first_order_fails() const;
@@ -146,27 +159,30 @@ struct UncertaintyOptions {
     /// 0: first order alone. Else so many recipes are drawn and read besides.
     int samples = 0;
     std::uint64_t seed = 0;  ///< of the draws
+    /// Which numbers are wrong together; others are independent.
+    std::vector<paint::ParameterCorrelation> correlations = {};
 
     static constexpr int kMinSamples = 10, kMaxSamples = 1'000'000;
 };
 
 /// Carries standard deviations of numbers of a recipe to its colours.
 ///
-/// First order: with the Jacobian J of the readings and the variances S of the numbers, which are
-/// taken to be independent, the covariance is J S J^T.      [jcgm-100-2008, eq. 10]
+/// First order: with the Jacobian J of the readings and the covariance S of the numbers,
+/// S_ij = s_i s_j r_ij, that of the readings is J S J^T.                  [jcgm-100-2008, eq. 13]
 /// J is that of central differences over 0.4 % of each number (or of its deviation, if that is
 /// more); a number at the end of its range has a one-sided one. The next terms, of all second
-/// derivatives and of the third ones by a single number, are those of readings one standard
+/// derivatives and of the third ones along a single direction, are those of readings one standard
 /// deviation to either side of each number and each pair.               [jcgm-100-2008, 5.1.2, note]
-/// For n numbers the paint is read 1 + 3 n + n^2 times.
+/// For n numbers the paint is read 1 + 3 n + n^2 times. Where numbers are correlated, numbers of the
+/// next terms are the independent ones of which they are made, x = L z with the Cholesky root L of R.
 ///
-/// Sampling: numbers are drawn from normal laws about the recipe's; draws that make no valid recipe
-/// are drawn again.                                                       [jcgm-101-2008, clause 7]
+/// Sampling: numbers are drawn from the joint normal law about the recipe's, as L z; draws that make
+/// no valid recipe are drawn again.                  [jcgm-101-2008, clause 7 and 6.4.8]
 ///
 /// The answer does not depend on the number of threads.
 /// @param deviations  each of another number; those of 0 are carried along as zeros
-/// @throws DomainError as paint::check_deviation(), if there are none, one is named twice, or the
-///         number of samples is out of range
+/// @throws DomainError as paint::check_deviation() and paint::check_correlations(), if there are no
+///         deviations, one is named twice, or the number of samples is out of range
 /// @throws Error as the reader throws for the recipe as it is; if a number can be moved to neither
 ///         side, or more draws make no recipe than do; Stopped if `progress` asks to stop
 Uncertainty uncertainty(const paint::Recipe& recipe,

@@ -1,6 +1,7 @@
 #include "nacre/io/recipe_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -19,6 +20,9 @@ namespace {
 
 constexpr std::size_t kMaxShownKeyLength = 200;
 constexpr std::size_t kMaxDeviationLength = 40;
+constexpr const char* kUncertaintyKey = "uncertainty";
+/// The key of [uncertainty] that is not the name of a number.
+constexpr const char* kCorrelationKey = "correlation";
 
 /// Whether a key of [fit] or [uncertainty] can stand in a message as it is.
 bool is_plain(const std::string& key) {
@@ -29,15 +33,17 @@ bool is_plain(const std::string& key) {
 /// A table whose keys are those of the recipe's numbers, in the order of those.
 /// @param read   from the table and a key, throwing DomainError "key = value: ..."
 /// @param wrong  what is said of a table that may not be quoted
+/// @param other  a key that names no number and is read elsewhere
 template <class Entry, class Read>
 std::vector<Entry> read_by_number(const TableReader& recipe_table, const char* name,
                                   const paint::Recipe& recipe, const std::string& wrong,
-                                  const Read& read) {
+                                  const Read& read, const char* other = "") {
     std::vector<Entry> entries;
     const auto table = recipe_table.table_if_present(name, {});
     if (!table) return entries;
     std::map<std::string, Entry> by_key;
     for (const std::string& key : table->keys()) {
+        if (key == other) continue;
         if (!is_plain(key)) {
             table->fail("has a key that is not the name of a number of this recipe");
         }
@@ -76,7 +82,7 @@ std::vector<paint::ParameterBounds> read_bounds(const TableReader& table,
 std::vector<paint::ParameterDeviation> read_deviations(const TableReader& table,
                                                        const paint::Recipe& recipe) {
     return read_by_number<paint::ParameterDeviation>(
-        table, "uncertainty", recipe,
+        table, kUncertaintyKey, recipe,
         "gives no number of this recipe a standard deviation in its range",
         [&](const TableReader& uncertainty, const std::string& key) {
             paint::ParameterDeviation deviation{key};
@@ -92,7 +98,49 @@ std::vector<paint::ParameterDeviation> read_deviations(const TableReader& table,
             }
             paint::check_deviation(recipe, deviation);
             return deviation;
-        });
+        },
+        kCorrelationKey);
+}
+
+/// [[uncertainty.correlation]]: numbers with a standard deviation, and a coefficient.
+std::vector<paint::ParameterCorrelation> read_correlations(
+    const TableReader& table, const paint::Recipe& recipe,
+    const std::vector<paint::ParameterDeviation>& deviations) {
+    using paint::ParameterCorrelation;
+    std::vector<ParameterCorrelation> correlations;
+    const auto uncertainty = table.table_if_present(kUncertaintyKey, {});
+    if (!uncertainty) return correlations;
+    const TomlDocument& document = uncertainty->document();
+    const std::string all = uncertainty->path_of(kCorrelationKey);
+    const auto refuse = [&](const std::string& place, const std::string& message) {
+        if (document.references().may_quote()) throw InputError(place + message);
+        throw InputError(place + all +
+                         ": correlates no two numbers that have a standard deviation by "
+                         "coefficients that can be together, each in " +
+                         ParameterCorrelation::kCoefficient.text());
+    };
+    for (const TableReader& entry : uncertainty->tables(
+             kCorrelationKey, ParameterCorrelation::kMostStated, {"of", "coefficient"})) {
+        ParameterCorrelation correlation;
+        correlation.keys =
+            entry.texts("of", kMaxShownKeyLength, 2, ParameterCorrelation::kMostKeys);
+        correlation.coefficient = entry.number("coefficient", ParameterCorrelation::kCoefficient);
+        for (const std::string& key : correlation.keys) {
+            if (!is_plain(key)) entry.fail("of", "has a text that is not the name of a number");
+        }
+        try {
+            paint::check_correlation(recipe, deviations, correlation);
+        } catch (const DomainError& error) {
+            refuse(document.location(entry.path_of("of")), entry.path_of(error.what()));
+        }
+        correlations.push_back(std::move(correlation));
+    }
+    try {
+        paint::check_correlations(recipe, deviations, correlations);
+    } catch (const DomainError& error) {
+        refuse(document.location(all), uncertainty->path_of(error.what()));
+    }
+    return correlations;
 }
 
 }  // namespace
@@ -115,9 +163,13 @@ RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
     } catch (const DomainError& error) {
         rethrow_with_location(document, error.what());
     }
-    return {recipe, read_bounds(table, recipe), read_deviations(table, recipe),
-            std::make_shared<const RecipeSource>(
-                RecipeSource{std::string(text), filename, references})};
+    RecipeFile file{std::move(recipe), {}};
+    file.bounds = read_bounds(table, file.recipe);
+    file.deviations = read_deviations(table, file.recipe);
+    file.correlations = read_correlations(table, file.recipe, file.deviations);
+    file.source =
+        std::make_shared<const RecipeSource>(RecipeSource{std::string(text), filename, references});
+    return file;
 }
 
 RecipeFile read_recipe_file(const std::filesystem::path& path) {
@@ -136,18 +188,37 @@ paint::Recipe read_recipe(const std::filesystem::path& path) {
 
 std::string write_recipe(const paint::Recipe& recipe,
                          const std::vector<paint::ParameterBounds>& bounds,
-                         const std::vector<paint::ParameterDeviation>& deviations) {
+                         const std::vector<paint::ParameterDeviation>& deviations,
+                         const std::vector<paint::ParameterCorrelation>& correlations) {
     std::string out = write_described(paint::Described::to_inspect(recipe));
     if (!bounds.empty()) out += "\n[fit]\n";
     for (const paint::ParameterBounds& b : bounds) {
         out += fmt::format("{} = {}\n", toml_text(b.key), toml_list({b.lo, b.hi}));
     }
-    if (!deviations.empty()) out += "\n[uncertainty]\n";
+    if (!deviations.empty()) out += fmt::format("\n[{}]\n", kUncertaintyKey);
     for (const paint::ParameterDeviation& d : deviations) {
-        const std::string text = paint::deviation_text(d);
-        out += fmt::format("{} = {}\n", toml_text(d.key), d.relative ? toml_text(text) : text);
+        out += fmt::format("{} = {}\n", toml_text(d.key), toml_deviation(d));
+    }
+    if (!correlations.empty()) {
+        out += fmt::format("{} = {}\n", kCorrelationKey, toml_correlations(correlations));
     }
     return out;
+}
+
+std::string toml_deviation(const paint::ParameterDeviation& deviation) {
+    const std::string text = paint::deviation_text(deviation);
+    return deviation.relative ? toml_text(text) : text;
+}
+
+std::string toml_correlations(const std::vector<paint::ParameterCorrelation>& correlations) {
+    std::string out = "[\n";
+    for (const paint::ParameterCorrelation& c : correlations) {
+        std::vector<std::string> keys;
+        for (const std::string& key : c.keys) keys.push_back(toml_text(key));
+        out += fmt::format("    {{ of = [{}], coefficient = {} }},\n", fmt::join(keys, ", "),
+                           toml_number(c.coefficient));
+    }
+    return out + "]";
 }
 
 std::string recipe_hash(const paint::Recipe& recipe) { return sha256_hex(write_recipe(recipe)); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nacre/core/references.h"
+#include "nacre/paint/parameter_correlation.h"
 #include "nacre/paint/parameter_deviation.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/paint/recipe_parameter.h"
@@ -35,18 +36,20 @@ struct RecipeSource {
 };
 
 /// A recipe, the bounds of its numbers in a fit, from the table [fit] of its file, and how well they
-/// are known, from its table [uncertainty], both in the order of paint::recipe_parameters(). They
-/// are not part of the paint.
+/// are known, from its table [uncertainty], both in the order of paint::recipe_parameters(), and
+/// which of them are wrong together, in the order of the file. They are not part of the paint.
 struct RecipeFile {
     paint::Recipe recipe;
     std::vector<paint::ParameterBounds> bounds;
     std::vector<paint::ParameterDeviation> deviations = {};
+    std::vector<paint::ParameterCorrelation> correlations = {};
     /// Null where no text holds it. The numbers above may have been changed since: io/recipe_text.h.
     std::shared_ptr<const RecipeSource> source = {};
 };
 
 /// As read_recipe(), which checks these tables too, but does not hand them over.
-/// @throws InputError as read_recipe(), as paint::check_bounds() and paint::check_deviation()
+/// @throws InputError as read_recipe(), as paint::check_bounds(), paint::check_deviation() and
+///         paint::check_correlations()
 RecipeFile read_recipe_file(const std::filesystem::path& path);
 RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
                              const References& references);
@@ -55,7 +58,12 @@ RecipeFile parse_recipe_file(std::string_view text, const std::string& filename,
 /// materials that are not among those shipped are written out sample by sample.
 std::string write_recipe(const paint::Recipe& recipe,
                          const std::vector<paint::ParameterBounds>& bounds = {},
-                         const std::vector<paint::ParameterDeviation>& deviations = {});
+                         const std::vector<paint::ParameterDeviation>& deviations = {},
+                         const std::vector<paint::ParameterCorrelation>& correlations = {});
+
+/// Values of the table [uncertainty], as write_recipe() has them: of a number, and of `correlation`.
+std::string toml_deviation(const paint::ParameterDeviation& deviation);
+std::string toml_correlations(const std::vector<paint::ParameterCorrelation>& correlations);
 
 /// SHA-256 of write_recipe() of the recipe alone, in hexadecimal: equal for recipes that differ only in
 /// layout, comments or the order of keys.

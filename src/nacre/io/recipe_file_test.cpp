@@ -171,6 +171,22 @@ TEST(RecipeFile, StandardDeviationsAreReadBesideTheRecipe) {
     EXPECT_EQ(parse_recipe_file(again, "again.toml", "").deviations, expected);
 }
 
+TEST(RecipeFile, CorrelationsAreReadBesideTheRecipe) {
+    const RecipeFile file = parse_recipe_file(kCorrelated, "paint.toml", "");
+    const std::vector<paint::ParameterCorrelation> expected = {
+        {{"layer[0].thickness_um", "clearcoat.thickness_um"}, 0.8},
+        {{"layer[0].thickness_um", "layer[0].flakes[0].coats[0].thickness_nm"}, -0.25}};
+    EXPECT_EQ(file.correlations, expected);
+    EXPECT_EQ(file.deviations.size(), 3u);
+    EXPECT_EQ(recipe_hash(file.recipe), recipe_hash(parse_recipe(kViolet, "paint.toml", "")));
+    const std::string again = write_recipe(file.recipe, {}, file.deviations, file.correlations);
+    const RecipeFile read = parse_recipe_file(again, "again.toml", "");
+    EXPECT_EQ(read.correlations, expected);
+    EXPECT_EQ(read.deviations, file.deviations);
+    EXPECT_EQ(write_recipe(read.recipe, {}, read.deviations, read.correlations), again);
+    EXPECT_TRUE(parse_recipe_file(kUncertain, "paint.toml", "").correlations.empty());
+}
+
 TEST(RecipeFile, FlakesHaveOtherKeysToo) {
     const std::string text = R"(ior = 1.5
 [[layer]]

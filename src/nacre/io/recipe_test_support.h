@@ -49,6 +49,17 @@ inline const std::string kUncertain = kViolet + R"([uncertainty]
 "layer[0].thickness_um" = "7 %"
 )";
 
+inline const std::string kCorrelated = kUncertain + R"("clearcoat.thickness_um" = 2
+
+[[uncertainty.correlation]]
+of = ["layer[0].thickness_um", "clearcoat.thickness_um"]
+coefficient = 0.8
+
+[[uncertainty.correlation]]
+of = ["layer[0].thickness_um", "layer[0].flakes[0].coats[0].thickness_nm"]
+coefficient = -0.25
+)";
+
 inline const std::string kGray = R"(ior = 1.5
 [[layer]]
 thickness_um = 15

@@ -25,7 +25,7 @@ constexpr std::string_view kScaled = ".max";
 bool is_scaled(std::string_view key) { return key.ends_with(kScaled); }
 
 std::string write_whole(const RecipeFile& file) {
-    return write_recipe(file.recipe, file.bounds, file.deviations);
+    return write_recipe(file.recipe, file.bounds, file.deviations, file.correlations);
 }
 
 /// The paths of all values that a recipe has, and a spectrum by its path.
@@ -167,6 +167,13 @@ RecipeText recipe_text(const RecipeFile& file, const References& there) {
             for (TomlEditor::Edit& edit : edits_of(editor, file.recipe, number)) {
                 edits.push_back(std::move(edit));
             }
+        }
+        for (const paint::ParameterDeviation& d : file.deviations) {
+            if (std::ranges::find(before.deviations, d) != before.deviations.end()) continue;
+            edits.push_back({{"uncertainty", d.key}, toml_deviation(d)});
+        }
+        if (file.correlations != before.correlations && !file.correlations.empty()) {
+            edits.push_back({{"uncertainty", "correlation"}, toml_correlations(file.correlations)});
         }
         editor.set(edits);
         if (write_whole(parse_recipe_file(editor.text(), source.filename, there)) == anew.text) {

@@ -187,6 +187,25 @@ std::vector<double> TableReader::numbers(std::string_view key, const Range& rang
     return values;
 }
 
+std::vector<std::string> TableReader::texts(std::string_view key, std::size_t max_length,
+                                            std::size_t min_size, std::size_t max_size) const {
+    const std::string what = fmt::format("a list of {} to {} texts of 1 to {} characters", min_size,
+                                         max_size, max_length);
+    const toml::array* array = require(key, what).as_array();
+    if (!array || array->size() < min_size || array->size() > max_size)
+        fail(key, "must be " + what);
+    std::vector<std::string> values;
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        const auto* text = (*array)[i].as_string();
+        if (!text || text->get().empty() || text->get().size() > max_length) {
+            fail_at(fmt::format("{}[{}]", path_of(key), i), (*array)[i],
+                    fmt::format("must be text of 1 to {} characters", max_length));
+        }
+        values.push_back(text->get());
+    }
+    return values;
+}
+
 std::size_t TableReader::choice(std::string_view key, const std::vector<std::string>& words) const {
     const std::string what = "one of: " + joined(words);
     const auto* text = require(key, what).as_string();

@@ -52,6 +52,9 @@ class TableReader {
     /// Numbers in the range, between `min_size` and `max_size` of them.
     std::vector<double> numbers(std::string_view key, const Range& range, std::size_t min_size,
                                 std::size_t max_size) const;
+    /// Texts of 1 to `max_length` characters, between `min_size` and `max_size` of them.
+    std::vector<std::string> texts(std::string_view key, std::size_t max_length,
+                                   std::size_t min_size, std::size_t max_size) const;
     /// One of the given words; returns which.
     std::size_t choice(std::string_view key, const std::vector<std::string>& words) const;
 

@@ -26,6 +26,9 @@ export function setLock(document: Document, path: Path, locked: boolean): Docume
     return { ...document, locks };
 }
 
+/** The key of [uncertainty] that is no path: which numbers are wrong together. */
+const CORRELATION = "correlation";
+
 function startsWith(path: Path, start: Path): boolean {
     return start.every((step, i) => path[i] === step);
 }
@@ -46,6 +49,10 @@ function renamed(document: Document, name: (path: Path) => Path | null): Documen
         const table = recipe[key];
         if (!isTable(table)) continue;
         const entries = Object.entries(table).flatMap(([path, value]): [string, Value][] => {
+            if (path === CORRELATION) {
+                const kept = isList(value) ? correlations(value, renamedText) : value;
+                return isList(kept) && kept.length === 0 ? [] : [[path, kept]];
+            }
             const text = renamedText(path);
             return text === null ? [] : [[text, value]];
         });
@@ -53,6 +60,22 @@ function renamed(document: Document, name: (path: Path) => Path | null): Documen
         recipe = set(recipe, [key], kept);
     }
     return { recipe, locks };
+}
+
+/** Those of which two numbers or more are left. */
+function correlations(
+    stated: readonly Value[],
+    renamedText: (text: string) => string | null,
+): readonly Value[] {
+    return stated.flatMap((entry): Value[] => {
+        const of = isTable(entry) ? entry.of : undefined;
+        if (!isTable(entry) || !isList(of)) return [entry];
+        const kept = of.flatMap((key): Value[] => {
+            const text = typeof key === "string" ? renamedText(key) : key;
+            return text === null ? [] : [text];
+        });
+        return kept.length < 2 ? [] : [{ ...entry, of: kept }];
+    });
 }
 
 function reindexed(document: Document, list: Path, place: (i: number) => number | null): Document {

@@ -71,6 +71,30 @@ test("locks and bounds follow their numbers when entries move or go", () => {
     ]);
 });
 
+test("correlations follow their numbers, and go with the last two of them", () => {
+    const of = (keys: string[]) => ({ of: keys, coefficient: 0.8 });
+    const upper = "layer[0].thickness_um";
+    const lower = "layer[1].thickness_um";
+    const correlation = [of([upper, lower]), of([upper, lower, "ior"])];
+    const recipe = { ...PAINT, uncertainty: { [upper]: 1, [lower]: 2, ior: 0.1, correlation } };
+    const start: Document = { recipe, locks: new Set() };
+    const moved = moveEntry(start, ["layer"], 1, -1).recipe.uncertainty;
+    assert.deepEqual(moved, {
+        [lower]: 1,
+        [upper]: 2,
+        ior: 0.1,
+        correlation: [of([lower, upper]), of([lower, upper, "ior"])],
+    });
+    const removed = removeEntry(start, ["layer"], 1).recipe.uncertainty;
+    assert.deepEqual(removed, { [upper]: 1, ior: 0.1, correlation: [of([upper, "ior"])] });
+    const alone = {
+        ...PAINT,
+        uncertainty: { [upper]: 1, [lower]: 2, correlation: [correlation[0]] },
+    };
+    const without = removeEntry({ recipe: alone as never, locks: new Set() }, ["layer"], 1);
+    assert.deepEqual(without.recipe.uncertainty, { [upper]: 1 });
+});
+
 test("undo and redo go back and forth, and a drag is one step", () => {
     const history = new History(0);
     history.push(1);
