@@ -8,8 +8,12 @@ import os
 import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
+
+if TYPE_CHECKING:  # it wants packages that not all tests have
+    from nacre.library import Plan
 
 ROOT = Path(__file__).resolve().parents[2]
 MARK = "skipped, for a reason: "  # src/nacre/testing/check_skips.py looks for it
@@ -43,6 +47,14 @@ def nacre_program(program_path: Path) -> Run:
         return process
 
     return run
+
+
+def plan_of(folder: Path, text: str) -> Plan:
+    """Of a library, from a file that is written there."""
+    from nacre.library import Plan
+
+    (folder / "plan.toml").write_text(text, encoding="utf-8")
+    return Plan(folder / "plan.toml")
 
 
 def rows(text: str) -> list[dict[str, str]]:

@@ -18,19 +18,9 @@ namespace nacre::render {
 namespace {
 
 using nacre::test::message_of;
+using testing::diffuse_sphere;
 using testing::Glossy;
-
-SceneDescription diffuse_sphere(double reflectance) {
-    SceneDescription scene;
-    scene.materials["wall"] = DiffuseMaterial{reflectance};
-    scene.shapes.push_back({Sphere{.radius_mm = 50}, "wall", {}});
-    scene.camera = {.position_mm = {0, -300, 0}, .vertical_fov_deg = 30};
-    return scene;
-}
-
-Scene glossy_scene(const char* name = "sphere") {
-    return Scene(builtin_scene(name), {{"paint", std::make_shared<Glossy>()}});
-}
+using testing::glossy_scene;
 
 // A convex white body in even light from everywhere cannot be told from the light. Sampling the
 // surface alone gives every path the value 1, so the bound is that of float rounding.
@@ -391,109 +381,6 @@ TEST(Render, AuxiliaryPicturesShowTheFirstSurface) {
     EXPECT_NEAR(r.normal[3 * middle + 1], -1, 0.02);  // towards the camera, a pixel's spread
     EXPECT_EQ(r.alpha[0], 0);
     EXPECT_EQ(r.albedo[0], 0);
-}
-
-// The estimate against the truth: the difference to a picture of 16 times the samples or more and
-// other random numbers, over all pixels, less the share of that picture, whose noise falls no slower
-// than with the root of its samples. Both hold some per cent by chance.
-TEST(Render, TheNoiseIsThatAgainstTheConvergedPicture) {
-    for (const char* name : {"sphere", "panel-sun"}) {
-        const Scene scene = glossy_scene(name);
-        constexpr int kMany = 256;
-        RenderOptions options{.width = 96, .height = 96, .samples_per_pixel = kMany, .seed = 1};
-        const RenderResult converged = render(scene, options);
-        EXPECT_FALSE(converged.noise);
-        options.seed = 0;
-        options.noise = true;
-        for (const int samples : {4, 16}) {
-            options.samples_per_pixel = samples;
-            const RenderResult picture = render(scene, options);
-            ASSERT_TRUE(picture.noise);
-            double squares = 0, sum = 0;
-            for (std::size_t p = 0; p < picture.rgb.size(); p += 3) {
-                double difference = 0;
-                const double weights[] = {0.2126, 0.7152, 0.0722};
-                for (int c = 0; c < 3; ++c) {
-                    difference += weights[c] * (picture.rgb[p + c] - converged.rgb[p + c]);
-                    sum += weights[c] * converged.rgb[p + c];
-                }
-                squares += difference * difference;
-            }
-            const double pixels = 96.0 * 96;
-            const double own = squares / (1 + 1.0 * samples / kMany);
-            const double truth = std::sqrt(own / pixels) / (sum / pixels);
-            EXPECT_NEAR(*picture.noise, truth, 0.35 * truth) << name << ", " << samples;
-        }
-    }
-}
-
-// A glossy ball among soft boxes: with one direction to a light each sample the noise was 21 %.
-TEST(Render, DirectionsToLightsAreChosenByWhatTheSurfaceReflects) {
-    const RenderOptions options{.width = 96, .height = 96, .samples_per_pixel = 16};
-    EXPECT_LT(noise_of(glossy_scene("sphere"), options), 0.16);
-}
-
-// A wide lobe under a clear coat: on the ball most of the noise is that of the soft boxes' mirror
-// images; the panel mirrors a backdrop, which samples follow by lot in either way.
-TEST(Render, WhatACoatMirrorsIsSeenByEverySample) {
-    for (const std::string_view name : {"sphere", "panel"}) {
-        SCOPED_TRACE(name);
-        const auto scene = [&](bool besides) {
-            return Scene(builtin_scene(std::string(name)),
-                         {{"paint", std::make_shared<Glossy>(2, 0.3f, besides)}});
-        };
-        const Scene besides = scene(true), by_lot = scene(false);
-        RenderOptions options{.width = 48, .height = 48, .samples_per_pixel = 16};
-        const double noise = noise_of(besides, options), before = noise_of(by_lot, options);
-        EXPECT_LT(noise, (name == "sphere" ? 0.5 : 1.05) * before);
-        const Estimate a = testing::estimate_luminance(besides, options, DirectLight::combined, 6);
-        const Estimate b = testing::estimate_luminance(by_lot, options, DirectLight::combined, 6);
-        const double error = std::hypot(a.standard_error, b.standard_error);
-        EXPECT_NEAR(a.value, b.value, 4.5 * error);
-        EXPECT_LT(error, 0.005 * b.value);
-    }
-}
-
-TEST(Render, ThePictureDoesNotDependOnAskingForItsNoise) {
-    const Scene scene = glossy_scene();
-    RenderOptions options{.width = 33, .height = 17, .samples_per_pixel = 8};
-    const std::vector<float> plain = render(scene, options).rgb;
-    options.noise = true;
-    EXPECT_EQ(render(scene, options).rgb, plain);
-    // Nor does the estimate on the number of threads.
-    std::optional<double> alone, together;
-    {
-        const ThreadLimit limit(1);
-        alone = render(scene, options).noise;
-    }
-    {
-        const ThreadLimit limit(3);
-        together = render(scene, options).noise;
-    }
-    EXPECT_EQ(alone, together);
-}
-
-TEST(Render, AnEvenlyLitWhiteBodyHasNoNoise) {
-    SceneDescription description = diffuse_sphere(1);
-    description.environment = ConstantEnvironment{};
-    RenderOptions options{.width = 24, .height = 24, .samples_per_pixel = 4};
-    options.noise = true;
-    const Scene scene(description, {});
-    EXPECT_LT(*render_with(scene, options, DirectLight::surface_sampling).noise, 1e-5);
-}
-
-TEST(Render, TakesAsManySamplesAsTheNoiseNeeds) {
-    const Scene scene = glossy_scene();
-    RenderOptions options{.width = 64, .height = 64};
-    const int few = samples_for_noise(scene, options, 0.1, 4096);
-    const int many = samples_for_noise(scene, options, 0.02, 4096);
-    EXPECT_LT(few, many);
-    EXPECT_LT(many, 4096);
-    options.samples_per_pixel = many;
-    EXPECT_LE(noise_of(scene, options), 0.02);
-    EXPECT_EQ(samples_for_noise(scene, options, 1e-4, 32), 32);  // not reached
-    EXPECT_THROW(samples_for_noise(scene, options, 0, 64), DomainError);
-    EXPECT_THROW(noise_of(scene, options, [](double) { return false; }), Stopped);
 }
 
 TEST(Render, OptionsOutOfRangeAreRefusedByName) {

@@ -10,6 +10,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/warp.h"
 #include "nacre/core/estimate.h"
+#include "nacre/render/builtin_scenes.h"
 #include "nacre/render/mesh.h"
 #include "nacre/render/render.h"
 #include "nacre/render/scene.h"
@@ -206,5 +207,18 @@ class Speckled final : public bsdf::Bsdf {
     Factor factor_;
     Glossy mean_;
 };
+
+inline SceneDescription diffuse_sphere(double reflectance) {
+    SceneDescription scene;
+    scene.materials["wall"] = DiffuseMaterial{reflectance};
+    scene.shapes.push_back({Sphere{.radius_mm = 50}, "wall", {}});
+    scene.camera = {.position_mm = {0, -300, 0}, .vertical_fov_deg = 30};
+    return scene;
+}
+
+/// A built-in scene with the surface of Glossy.
+inline Scene glossy_scene(const char* name = "sphere") {
+    return Scene(builtin_scene(name), {{"paint", std::make_shared<Glossy>()}});
+}
 
 }  // namespace nacre::render::testing

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/bound_microflake.h"
 #include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/lanes.h"
 #include "nacre/solver/solved_paint.h"

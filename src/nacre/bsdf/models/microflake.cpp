@@ -1,11 +1,10 @@
-#include "nacre/bsdf/models/microflake.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "nacre/bsdf/models/bound_microflake.h"
 #include "nacre/bsdf/models/paint_table.h"
 #include "nacre/bsdf/tabulated/tabulated.h"
 #include "nacre/bsdf/warp.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/bound_microflake.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/optics/fresnel.h"

@@ -9,8 +9,8 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/flake_films.h"
 #include "nacre/bsdf/model.h"
+#include "nacre/bsdf/models/bound_microflake.h"
 #include "nacre/bsdf/models/hot_spot.h"
-#include "nacre/bsdf/models/microflake.h"
 #include "nacre/solver/solved_paint.h"
 #include "nacre/sparkle/flake_field.h"
 
