@@ -94,11 +94,11 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
                     "names an .h5")
         ->type_name("I/N");
     add_tone_map(command, options.tone_map);
-    add_picture_output(command, *options);
-    add_seed(command, *options);
-    add_input_options(command, *options);
-    add_set(command, *options);
-    add_run_options(command, *options);
+    add_picture_output(command, options);
+    add_seed(command, options);
+    add_input_options(command, options);
+    add_set(command, options);
+    add_run_options(command, options);
     command.footer(
         "The EXR holds linear Rec. 709 (1 is the perfect diffuser in full light), albedo and "
         "normal\n"

@@ -1,5 +1,7 @@
 #include "nacre/bsdf/models/nacre_arrays.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

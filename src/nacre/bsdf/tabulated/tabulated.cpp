@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nacre/bsdf/flake_lobe.h"
-#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/bound_microflake.h"
 #include "nacre/bsdf/warp.h"
 #include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/error.h"
