@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "nacre/bsdf/models/microflake.h"
+#include "nacre/bsdf/models/bound_microflake.h"
 
 namespace nacre::bsdf {
 namespace {
