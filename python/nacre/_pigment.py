@@ -24,6 +24,10 @@ class DrawdownFit:
     """(W,)"""
     modelled: NDArray[np.float64]
     """(W,)"""
+    white_volume_fraction: float
+    """of a known white beside it, in a tint"""
+    opaque: bool
+    """so thick that nothing is seen of the ground; ``thickness_um`` says nothing then"""
     dE2000: float | None
     """under D65 for the observer of 10 deg; None where 400 to 700 nm are not covered"""
 
@@ -43,6 +47,10 @@ class Pigment:
     rms_residual: float
     hidden_nm: NDArray[np.float64]
     """where the paint hides its grounds, so that only the ratio of both is determined"""
+    absorption_only_nm: NDArray[np.float64]
+    """of tints: where scattering is known to no better than half of itself"""
+    scattering_assumed: bool
+    """all tints have one ratio of pigment to white: scattering was taken as 0"""
     drawdowns: list[DrawdownFit]
     toml: str
     """what a recipe names by `from`, once it is written to a file"""
@@ -66,16 +74,18 @@ def pigment(
     anisotropy: float = 0.0,
     matt_ground: bool = False,
     noise: float | None = None,
+    white: str | os.PathLike[str] | None = None,
     name: str = "pigment",
     progress: Progress = False,
 ) -> Pigment:
-    """A pigment's coefficients from drawdowns over black and white (docs/drawdown.md).
+    """A pigment's coefficients from drawdowns over black and white, or from tints in a known white
+    (docs/drawdown.md).
 
     Parameters
     ----------
     drawdown
         CSV with the columns ground, thickness_um (0: the bare ground), volume_fraction, and one for
-        each wavelength in nm.
+        each wavelength in nm; of tints white_volume_fraction. A thickness may be ``opaque``.
     geometry
         How it was read: ``d8-included`` (sphere, with gloss), ``d8-excluded``, ``45-0``.
     binder
@@ -86,6 +96,9 @@ def pigment(
         The bare grounds have no glossy surface.
     noise
         Standard deviation of a reading; None: from the residuals.
+    white
+        The white of tints: the name of a pigment that ships, such as ``rutile-white``, or the file of
+        one.
     name
         What people call the pigment.
 
@@ -106,6 +119,7 @@ def pigment(
             anisotropy,
             matt_ground,
             noise,
+            None if white is None else os.fspath(white),
             name,
             report,
         )

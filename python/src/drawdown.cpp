@@ -52,12 +52,16 @@ nb::dict estimate_of(const fit::PigmentEstimate& estimate, double anisotropy,
     result["noise"] = estimate.noise;
     result["rms_residual"] = estimate.rms_residual;
     result["hidden_nm"] = to_numpy(std::vector<double>(estimate.hidden_nm));
+    result["absorption_only_nm"] = to_numpy(std::vector<double>(estimate.absorption_only_nm));
+    result["scattering_assumed"] = estimate.scattering_assumed;
     nb::list drawdowns;
     for (const fit::DrawdownResidual& residual : estimate.residuals) {
         nb::dict one;
         one["ground"] = residual.ground;
         one["thickness_um"] = residual.thickness_um;
         one["volume_fraction"] = residual.volume_fraction;
+        one["white_volume_fraction"] = residual.white_volume_fraction;
+        one["opaque"] = residual.opaque;
         one["measured"] = to_numpy(std::vector<double>(residual.measured));
         one["modelled"] = to_numpy(std::vector<double>(residual.modelled));
         one["dE2000"] = residual.delta_e_2000;
@@ -75,7 +79,8 @@ void bind_drawdown(nb::module_& module) {
         "pigment",
         [](const std::string& path, const std::string& geometry, const optics::Material& binder,
            double anisotropy, bool matt_ground, const std::optional<double>& noise,
-           const std::string& name, const nb::object& progress) {
+           const std::optional<std::string>& white, const std::string& name,
+           const nb::object& progress) {
             const measure::Drawdown drawdown = io::read_drawdown(path);
             fit::DrawdownSettings settings;
             settings.geometry = geometry_of(geometry);
@@ -83,13 +88,15 @@ void bind_drawdown(nb::module_& module) {
             settings.anisotropy = anisotropy;
             settings.matt_ground = matt_ground;
             settings.noise = noise;
+            constexpr double kTrialVolume = 0.1;  // so much of it as there is in each tint
+            if (white) settings.white = io::find_pigment(*white, kTrialVolume).pigment;
             const fit::PigmentEstimate estimate = run(progress, [&](const Progress& ask) {
                 return fit::estimate_pigment(drawdown, settings, ask);
             });
             return estimate_of(estimate, anisotropy, name, "drawdown " + path);
         },
         "path"_a, "geometry"_a, "binder"_a, "anisotropy"_a, "matt_ground"_a, "noise"_a.none(),
-        "name"_a, "progress"_a.none());
+        "white"_a.none(), "name"_a, "progress"_a.none());
 }
 
 }  // namespace nacre::python

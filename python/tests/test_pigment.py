@@ -77,6 +77,47 @@ def test_a_drawdown_of_random_walks_gives_what_was_walked(
         assert (error < 0.15 * value).all()
 
 
+def test_tints_by_random_walks_give_what_was_walked(tmp_path: Path, nacre_program: Run) -> None:
+    # Layers that hide their ground, by a program that shares nothing with the solver.
+    white = {"scattering": 5000, "absorption": 5}
+    (tmp_path / "white.toml").write_text(
+        f'name = "w"\nscattering_per_mm = {white["scattering"]}\n'
+        f'absorption_per_mm = {white["absorption"]}\nsource = "invented"\n'
+    )
+    lines, noise = ["ground,thickness_um,volume_fraction,white_volume_fraction,450,650"], 0.0
+    for tint, base in ((0.01, 0.1), (0.05, 0.1), (0.1, 0.01)):
+        recipe = tmp_path / "walked.toml"
+        recipe.write_text(
+            "ior = 1.5\n[[layer]]\nthickness_um = 1000\n"
+            f"[[layer.pigment]]\nvolume_fraction = {tint}\nscattering_per_mm = 800\n"
+            "absorption_per_mm = { wavelengths_nm = [450, 650], values = [200, 4000] }\n"
+            f'[[layer.pigment]]\nfrom = "white.toml"\nvolume_fraction = {base}\n'
+        )
+        walked = rows(
+            nacre_program(
+                *("reference", recipe, "--incident", "45", "--outgoing", "0", "--quiet"),
+                *("--wavelength", "450,650", "--samples", 1 << 17, "--seed", 7),
+            ).stdout
+        )
+        factors = [np.pi * float(row["brdf"]) for row in walked]
+        noise = max(noise, *(np.pi * float(row["stderr"]) for row in walked))
+        lines.append(f",opaque,{tint},{base}," + ",".join(map(str, factors)))
+    (tmp_path / "t.csv").write_text("\n".join(lines) + "\n")
+    found = nacre.pigment(
+        tmp_path / "t.csv", geometry="45-0", noise=noise, white=tmp_path / "white.toml"
+    )
+    for value, error, truth in (
+        (found.scattering_per_mm, found.scattering_error, 800),
+        (found.absorption_per_mm, found.absorption_error, [200, 4000]),
+    ):
+        assert (np.abs(value - truth) < 4 * error).all()
+        assert (error < 0.3 * value).all()
+    assert not found.scattering_assumed
+    assert all(d.opaque for d in found.drawdowns)
+    with pytest.raises(nacre.InputError, match="none of the pigments that ship"):
+        nacre.pigment(tmp_path / "t.csv", geometry="45-0", white="rutil-white")
+
+
 def test_what_is_wrong_is_said(tmp_path: Path) -> None:
     path = tmp_path / "d.csv"
     path.write_text("ground,thickness_um,volume_fraction,450\nblack,20,0.1,45\n")

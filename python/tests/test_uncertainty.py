@@ -65,7 +65,7 @@ def test_correlations_are_those_of_the_command_line(paints: Path, nacre_program:
 def test_a_fit_knows_how_sure_it_is(paints: Path) -> None:
     start = nacre.Paint(paints / "tio2-mica-80.toml")
     free = ["coats[0].thickness_nm", "volume_fraction"]
-    standard = start.with_value("coats[0].thickness_nm", 84).measure()
+    standard = start.with_values({"coats[0].thickness_nm": 84}).measure()
     match = nacre.fit(standard, start, free, starts=1, noise_dE=0.2)
     known = match.uncertain_paint.uncertainty()
     errors = {key: p.standard_error for key, p in match.parameters.items()}

@@ -24,7 +24,7 @@ namespace nacre::cli {
 namespace {
 
 struct PigmentOptions : CommonOptions {
-    std::string drawdown, name, table, plots;
+    std::string drawdown, white, name, table, plots;
     std::string geometry = "d8-included", ior = "1.5";
     double anisotropy = 0;
     std::optional<double> noise;
@@ -41,8 +41,8 @@ std::string table_csv(const fit::PigmentEstimate& estimate, double anisotropy) {
         "wavelength_nm,scattering_per_mm,scattering_error,absorption_per_mm,absorption_error,"
         "K_per_mm,S_per_mm";
     for (const fit::DrawdownResidual& residual : estimate.residuals) {
-        csv += "," + csv_cell(fmt::format("residual {} um {} over {}", residual.thickness_um,
-                                          residual.volume_fraction, residual.ground));
+        csv += "," + csv_cell(fmt::format("residual {} {}{}", residual.thickness_text(),
+                                          residual.volume_fraction, residual.place_text()));
     }
     csv += '\n';
     for (std::size_t i = 0; i < estimate.wavelengths_nm.size(); ++i) {
@@ -63,10 +63,10 @@ std::string table_csv(const fit::PigmentEstimate& estimate, double anisotropy) {
 void say_outcome(const PigmentOptions& options, const fit::PigmentEstimate& estimate) {
     for (const fit::DrawdownResidual& residual : estimate.residuals) {
         if (!residual.delta_e_2000) continue;
-        say(options, fmt::format("{} um, {:.4g} % over {}: Delta E 2000 {:.2f} between the reading "
-                                 "and the pigment",
-                                 residual.thickness_um, 100 * residual.volume_fraction,
-                                 residual.ground, *residual.delta_e_2000));
+        say(options, fmt::format("{}, {:.4g} %{}: Delta E 2000 {:.2f} between the reading and the "
+                                 "pigment",
+                                 residual.thickness_text(), 100 * residual.volume_fraction,
+                                 residual.place_text(), *residual.delta_e_2000));
     }
     say(options,
         fmt::format(
@@ -79,6 +79,18 @@ void say_outcome(const PigmentOptions& options, const fit::PigmentEstimate& esti
                         "or one with less pigment, would tell them apart",
                         estimate.hidden_nm.size(), estimate.wavelengths_nm.size(),
                         estimate.hidden_nm.front(), estimate.hidden_nm.back()));
+    }
+    if (estimate.scattering_assumed) {
+        say(options,
+            "one ratio of pigment to white: only absorption can be told; scattering is taken as 0. "
+            "The masstone, or a tint of much more pigment, would tell it");
+    } else if (!estimate.absorption_only_nm.empty()) {
+        say(options,
+            fmt::format("at {} of {} wavelengths ({} to {} nm) only absorption shows, as the white "
+                        "scatters for both: scattering is known to no better than half of itself; "
+                        "the masstone, or a tint of much more pigment, would tell it",
+                        estimate.absorption_only_nm.size(), estimate.wavelengths_nm.size(),
+                        estimate.absorption_only_nm.front(), estimate.absorption_only_nm.back()));
     }
 }
 
@@ -94,6 +106,10 @@ ExitStatus run(const PigmentOptions& options) {
     settings.anisotropy = options.anisotropy;
     settings.matt_ground = options.matt_ground;
     settings.noise = options.noise;
+    constexpr double kTrialVolume = 0.1;  // so much of it as there is in each tint
+    if (!options.white.empty()) {
+        settings.white = io::find_pigment(options.white, kTrialVolume).pigment;
+    }
 
     fit::PigmentEstimate estimate;
     {
@@ -106,8 +122,10 @@ ExitStatus run(const PigmentOptions& options) {
     }
     const std::string name = options.name.empty() ? "pigment of " + options.drawdown : options.name;
     std::string source =
-        fmt::format("nacre pigment of {}, {}, binder {}, rms residual {:.2g}", options.drawdown,
-                    options.geometry, options.ior, estimate.rms_residual);
+        fmt::format("nacre pigment of {}, {}, binder {}, {}rms residual {:.2g}", options.drawdown,
+                    options.geometry, options.ior,
+                    options.white.empty() ? std::string() : "white " + options.white + ", ",
+                    estimate.rms_residual);
     std::vector<FileContents> beside;
     if (!options.plots.empty()) {
         beside = plot_files(options.plots, datasheet::drawdown_plots(estimate));
@@ -127,12 +145,17 @@ ExitStatus run(const PigmentOptions& options) {
 Command add_pigment(CLI::App& program) {
     auto options = std::make_shared<PigmentOptions>();
     CLI::App* pigment = program.add_subcommand(
-        "pigment", "A pigment's coefficients from drawdowns over black and white");
+        "pigment", "A pigment's coefficients from drawdowns over black and white, or from tints");
     pigment
         ->add_option("DRAWDOWN", options->drawdown,
-                     "CSV with the columns ground, thickness_um (0: the bare ground), "
-                     "volume_fraction, and one for each wavelength")
+                     "CSV with the columns ground, thickness_um (0: the bare ground; or opaque), "
+                     "volume_fraction, of tints white_volume_fraction, and one for each wavelength")
         ->required();
+    pigment
+        ->add_option("--white", options->white,
+                     "The white of tints: a pigment that ships, such as rutile-white, or a file of "
+                     "one")
+        ->type_name("NAME|FILE");
     pigment
         ->add_option("--geometry", options->geometry,
                      "How it was read: d8-included (sphere, with gloss), d8-excluded, 45-0")
@@ -162,10 +185,12 @@ Command add_pigment(CLI::App& program) {
         "exactly, surface and all orders of scattering, for the coefficients that read as "
         "measured.\n\n"
         "Example:\n"
-        "  nacre pigment blue.csv -o blue.toml --table blue-table.csv");
+        "  nacre pigment blue.csv -o blue.toml --table blue-table.csv\n"
+        "  nacre pigment tints.csv --white rutile-white -o blue.toml");
     return {pigment,
             [options] {
-                CommandFiles files = files_of(*options, {options->drawdown, options->ior});
+                CommandFiles files =
+                    files_of(*options, {options->drawdown, options->ior, options->white});
                 files.files.push_back({"--table", options->table, false, "CSV"});
                 files.folders = {
                     {"--plots", options->plots, plot_file_names(datasheet::kDrawdownPlots)}};

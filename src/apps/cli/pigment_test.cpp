@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 /// A recipe of one pigment over a ground, read at 45:0 as a row of a drawdown.
@@ -71,6 +72,63 @@ TEST_F(Program, PigmentFindsWhatADrawdownWasMadeFrom) {
     const Outcome difference =
         nacre("measure again.toml --versus first.toml --geometry 45as45 --wavelength 450:650:100");
     EXPECT_THAT(difference.err, HasSubstr("mean 0.00, greatest 0.0")) << difference.err;
+}
+
+TEST_F(Program, PigmentTakesTintsInAKnownWhite) {
+    write("white.toml",
+          "name = \"w\"\nkubelka_munk = { K = 4, S = 7500 }\nsource = \"invented\"\n");
+    const auto ladder = [&](const std::vector<std::pair<double, double>>& tints) {
+        std::string csv = "ground,thickness_um,volume_fraction,white_volume_fraction,550\n";
+        for (const auto& [pigment, white] : tints) {
+            std::string recipe = "ior = 1.5\n[[layer]]\nthickness_um = 100000\n";
+            recipe +=
+                "[[layer.pigment]]\nscattering_per_mm = 400\nabsorption_per_mm = 1500\n"
+                "volume_fraction = " +
+                std::to_string(pigment) + "\n";
+            if (white > 0) {
+                recipe += "[[layer.pigment]]\nfrom = \"white.toml\"\nvolume_fraction = " +
+                          std::to_string(white) + "\n";
+            }
+            write("tint.toml", recipe);
+            const Outcome read = nacre(
+                "measure tint.toml -q --geometry 45as45 --wavelength 450:650:100 --format csv");
+            const auto rows = parse_csv(read.out, "out");
+            csv += ",opaque," + std::to_string(pigment) + "," + std::to_string(white);
+            for (std::size_t i = 0; i < rows[0].size(); ++i) {
+                if (rows[0][i].text == "R550") csv += "," + rows[1][i].text + "\n";
+            }
+        }
+        return csv;
+    };
+    const std::string arguments =
+        " --white white.toml --geometry 45-0 --noise 0.001 -o found.toml --table t.csv";
+    const auto found = [&](int column) {
+        return std::stod(parse_csv(contents(folder_ / "t.csv"), "t.csv")[1][column].text);
+    };
+    write("both.csv", ladder({{0.002, 0.1}, {0.02, 0.1}, {0.1, 0}}));
+    const Outcome both = nacre("pigment both.csv --plots plots" + arguments);
+    EXPECT_EQ(both.status, 0) << both.err;
+    EXPECT_NEAR(found(1), 400, 2);
+    EXPECT_NEAR(found(3), 1500, 3);
+    EXPECT_THAT(both.err, Not(HasSubstr("only absorption")));
+    EXPECT_THAT(contents(folder_ / "found.toml"), HasSubstr("white white.toml"));
+    EXPECT_THAT(contents(folder_ / "t.csv"), HasSubstr("residual opaque 0.002 in 10 % white"));
+    EXPECT_TRUE(exists("plots/coefficients.svg"));
+
+    write("one.csv", ladder({{0.002, 0.1}}));
+    const Outcome one = nacre("pigment one.csv" + arguments);
+    EXPECT_EQ(one.status, 0) << one.err;
+    EXPECT_THAT(one.err, HasSubstr("only absorption can be told; scattering is taken as 0"));
+    EXPECT_NEAR(found(3), 1500, 5);
+
+    write("weak.csv", ladder({{0.0005, 0.1}, {0.001, 0.1}}));
+    EXPECT_THAT(nacre("pigment weak.csv" + arguments).err, HasSubstr("only absorption shows"));
+    const Outcome no_white = nacre("pigment one.csv -o x.toml");
+    EXPECT_EQ(no_white.status, 2);
+    EXPECT_THAT(no_white.err, HasSubstr("nothing says which white"));
+    const Outcome unknown = nacre("pigment one.csv --white rutil-white -o x.toml");
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("did you mean 'rutile-white'?"));
 }
 
 TEST_F(Program, PigmentSaysWhatIsWrongWithADrawdown) {

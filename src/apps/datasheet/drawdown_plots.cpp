@@ -39,12 +39,11 @@ std::vector<NamedPlot> drawdown_plots(const fit::PigmentEstimate& estimate) {
     for (std::size_t i = 0; i < estimate.residuals.size(); ++i) {
         const fit::DrawdownResidual& r = estimate.residuals[i];
         const std::string colour = report::look_of({}, i).colour;
-        reflectance.series.push_back(
-            {.name = fmt::format("{:.4g} µm, {:.4g} % over {}", r.thickness_um,
-                                 100 * r.volume_fraction, r.ground),
-             .x = estimate.wavelengths_nm,
-             .y = r.modelled,
-             .colour = colour});
+        reflectance.series.push_back({.name = fmt::format("{}, {:.4g} %{}", r.thickness_text("µm"),
+                                                          100 * r.volume_fraction, r.place_text()),
+                                      .x = estimate.wavelengths_nm,
+                                      .y = r.modelled,
+                                      .colour = colour});
         reflectance.series.push_back({.x = estimate.wavelengths_nm,
                                       .y = r.measured,
                                       .colour = colour,

@@ -7,16 +7,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
-#include "nacre/core/quadrature.h"
 #include "nacre/core/quiet_ceres.h"
 #include "nacre/core/text.h"
-#include "nacre/optics/fresnel.h"
-#include "nacre/solver/solver.h"
 #include "nacre/spectra/lab.h"
 #include "nacre/spectra/xyz.h"
 
@@ -26,72 +22,38 @@ namespace {
 
 using spectra::Spectrum;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kSphere_rad = 8 * kPi / 180;
-constexpr double kLamp_rad = 45 * kPi / 180;
-/// Nodes over the polar angle, and over half a turn: the error of a hemispherical reflectance is
-/// below 1e-6 (a test compares with twice as many).
-constexpr int kPolarNodes = 24;
-constexpr int kAzimuths = 8;
-
 void require_in(double value, const Range& range, const char* what) {
     if (!range.contains(value)) {
         throw DomainError(fmt::format("{} = {}: must be in {}", what, value, range.text()));
     }
 }
 
-double surface_reflectance(double ior, double theta) {
-    return optics::fresnel_dielectric(ior, std::cos(theta));
-}
-
-/// Fraction of diffuse light inside the binder that its surface sends back: Int R(mu) 2 mu dmu.
-double internal_reflectance(double ior) {
-    const double critical = ior > 1 ? std::sqrt(1 - 1 / (ior * ior)) : 0.0;
-    // Beyond the critical angle all of it; up to there an integral in the angle outside, where it
-    // is smooth: mu_i dmu_i = mu_o dmu_o / n^2.
-    const Quadrature rule = gauss_legendre(64, 0, kPi / 2);
-    double sum = critical * critical;
-    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-        const double theta = rule.nodes[k];
-        sum += rule.weights[k] * 2 * std::sin(theta) * std::cos(theta) *
-               surface_reflectance(ior, theta) / (ior * ior);
-    }
-    return sum;
-}
-
-/// Of a Lambertian ground of reflectance R under a smooth surface an instrument reads
-/// gloss + gain R / (1 - back R).
-struct SurfaceOverGround {
-    double gloss, gain, back;
-
-    SurfaceOverGround(double ior, DrawdownGeometry geometry) : back(internal_reflectance(ior)) {
-        const double lamp = geometry == DrawdownGeometry::angle_45_0 ? kLamp_rad : kSphere_rad;
-        const double in = 1 - surface_reflectance(ior, lamp);
-        gloss = geometry == DrawdownGeometry::diffuse_8_included ? 1 - in : 0;
-        gain = geometry == DrawdownGeometry::angle_45_0
-                   ? in * (1 - surface_reflectance(ior, 0)) / (ior * ior)
-                   : in * (1 - back);
-    }
-    double inside(double measured) const {
-        const double x = (measured - gloss) / gain;
-        return x / (1 + back * x);
-    }
-};
-
 Spectrum spectrum_of(const std::vector<double>& wavelengths_nm, const std::vector<double>& values) {
     return values.size() == 1 ? Spectrum(values[0]) : Spectrum(wavelengths_nm, values);
 }
 
-/// A paint of nothing but the pigment, and the ground.
+/// The pigment, so much of it.
+paint::Pigment of_volume(paint::Pigment pigment, double volume_fraction) {
+    std::visit([&](auto& body) { body.amount = paint::PigmentVolume{volume_fraction}; },
+               pigment.body);
+    return pigment;
+}
+
+/// A paint of nothing but the pigment and perhaps white, and the ground.
 paint::Recipe recipe_of(const DrawdownReading& reading, const DrawdownSettings& settings,
                         Spectrum scattering_per_mm, Spectrum absorption_per_mm, Spectrum ground) {
     paint::Recipe recipe;
     recipe.binder = settings.binder;
     paint::Layer& layer = recipe.layers.emplace_back();
-    layer.thickness_um = reading.thickness_um;
-    layer.pigments.push_back({paint::PigmentCoefficients{
-        std::move(scattering_per_mm), std::move(absorption_per_mm), settings.anisotropy,
-        paint::PigmentVolume{reading.volume_fraction}}});
+    layer.thickness_um = reading.opaque ? kOpaqueThickness_um : reading.thickness_um;
+    if (reading.volume_fraction > 0) {
+        layer.pigments.push_back({paint::PigmentCoefficients{
+            std::move(scattering_per_mm), std::move(absorption_per_mm), settings.anisotropy,
+            paint::PigmentVolume{reading.volume_fraction}}});
+    }
+    if (reading.white_volume_fraction > 0) {
+        layer.pigments.push_back(of_volume(*settings.white, reading.white_volume_fraction));
+    }
     recipe.substrate_reflectance = std::move(ground);
     return recipe;
 }
@@ -106,11 +68,16 @@ std::vector<Application> applications_of(const Drawdown& drawdown,
                                          const DrawdownSettings& settings) {
     std::vector<Application> applications;
     for (const DrawdownReading& reading : drawdown.readings) {
-        if (reading.thickness_um == 0) continue;
-        const auto bare = std::find_if(
-            drawdown.readings.begin(), drawdown.readings.end(), [&](const DrawdownReading& other) {
-                return other.thickness_um == 0 && other.ground == reading.ground;
-            });
+        if (reading.is_bare()) continue;
+        if (reading.opaque) {
+            applications.push_back(
+                {&reading, std::vector<double>(drawdown.wavelengths_nm.size(), 0.0)});
+            continue;
+        }
+        const auto bare = std::find_if(drawdown.readings.begin(), drawdown.readings.end(),
+                                       [&](const DrawdownReading& other) {
+                                           return other.is_bare() && other.ground == reading.ground;
+                                       });
         if (bare == drawdown.readings.end()) {
             throw DomainError(
                 fmt::format("ground = {}: there is no reading of it bare, with thickness_um = 0",
@@ -125,18 +92,35 @@ std::vector<Application> applications_of(const Drawdown& drawdown,
     return applications;
 }
 
-/// Whether two readings can tell scattering from absorption.
+/// Whether two readings can tell scattering from absorption. What hides its ground shows one ratio:
+/// (K_w w + K v)/(S_w w + S v) of the pigment's volume v in the white's w.
+bool tell_apart(const DrawdownReading& a, const DrawdownReading& b) {
+    // Compared to what rounding leaves of products.
+    const auto differ = [](double x, double y) {
+        return std::abs(x - y) > 1e-9 * std::max(std::abs(x), std::abs(y));
+    };
+    const double v = a.volume_fraction, w = a.white_volume_fraction;
+    if (a.opaque != b.opaque) return true;
+    if (differ(v * b.white_volume_fraction, b.volume_fraction * w)) return true;
+    if (a.opaque) return false;
+    return a.ground != b.ground || differ(a.thickness_um * v, b.thickness_um * b.volume_fraction);
+}
+
 bool tell_apart(const std::vector<Application>& applications) {
     for (const Application& a : applications) {
+        if (a.reading->volume_fraction == 0) continue;  // white alone says nothing of the pigment
         for (const Application& b : applications) {
-            if (a.reading->ground != b.reading->ground ||
-                a.reading->thickness_um * a.reading->volume_fraction !=
-                    b.reading->thickness_um * b.reading->volume_fraction) {
-                return true;
-            }
+            if (b.reading->volume_fraction > 0 && tell_apart(*a.reading, *b.reading)) return true;
         }
     }
     return false;
+}
+
+/// Whether absorption alone can be told: from tints.
+bool tell_absorption(const std::vector<Application>& applications) {
+    return std::any_of(applications.begin(), applications.end(), [](const Application& a) {
+        return a.reading->volume_fraction > 0 && a.reading->white_volume_fraction > 0;
+    });
 }
 
 void check(const Drawdown& drawdown, const DrawdownSettings& settings) {
@@ -145,9 +129,15 @@ void check(const Drawdown& drawdown, const DrawdownSettings& settings) {
         throw DomainError(fmt::format("drawdown: has {} readings; at most {} are allowed",
                                       drawdown.readings.size(), measure::kMaxDrawdownReadings));
     }
+    bool any_white = false;
     for (const DrawdownReading& reading : drawdown.readings) {
         require_in(reading.thickness_um, measure::kDrawdownThickness, "thickness_um");
-        if (reading.thickness_um > 0) {
+        const double white = reading.white_volume_fraction;
+        if (white != 0) {
+            require_in(white, optics::kParticleVolumeRange, "white_volume_fraction");
+            any_white = true;
+        }
+        if (!reading.is_bare() && (white == 0 || reading.volume_fraction != 0)) {
             require_in(reading.volume_fraction, optics::kParticleVolumeRange, "volume_fraction");
         }
         if (reading.reflectance.size() != drawdown.wavelengths_nm.size()) {
@@ -158,6 +148,17 @@ void check(const Drawdown& drawdown, const DrawdownSettings& settings) {
         for (const double value : reading.reflectance) {
             require_in(value, measure::kDrawdownReflectance, "reflectance");
         }
+    }
+    if (any_white && !settings.white) {
+        throw DomainError(
+            "white_volume_fraction: there are tints in white, but nothing says which white: its "
+            "coefficients must be known");
+    }
+    if (!any_white && settings.white) {
+        throw DomainError(
+            "white_volume_fraction: a white is given, but no reading is a tint: its volume "
+            "fraction "
+            "must be in (0, 0.5] in at least one");
     }
     require_in(settings.anisotropy, {-1, 1, "", true, true}, "anisotropy");
     if (settings.noise) require_in(*settings.noise, {0, 1, "", true}, "noise");
@@ -203,7 +204,10 @@ class OneWavelength {
                                                 const std::vector<double>& here) const {
         std::vector<std::array<double, 2>> out(size());
         for (int i = 0; i < 2; ++i) {
-            const double step = 1e-5 + 1e-4 * depth[i];
+            // Beside a white a little scattering changes so little that a small step drowns in the
+            // error of the solver.
+            const bool drowned = i == 0 && settings_.white;
+            const double step = drowned ? 1e-2 * (1 + depth[i]) : 1e-5 + 1e-4 * depth[i];
             std::array<double, 2> ahead = depth;
             ahead[i] += step;
             const std::vector<double> there = reflectances(ahead);
@@ -220,41 +224,49 @@ class OneWavelength {
     double scale_mm_;
 };
 
+/// Of both depths, or of that of absorption alone, without scattering.
 class DrawdownResiduals final : public ceres::CostFunction {
  public:
-    explicit DrawdownResiduals(const OneWavelength& readings) : readings_(readings) {
-        mutable_parameter_block_sizes()->push_back(2);
+    DrawdownResiduals(const OneWavelength& readings, int first)
+        : readings_(readings), first_(first) {
+        mutable_parameter_block_sizes()->push_back(2 - first);
         set_num_residuals(static_cast<int>(readings.size()));
     }
     bool Evaluate(double const* const* parameters, double* residuals,
                   double** jacobians) const override {
-        const std::array<double, 2> depth = {parameters[0][0], parameters[0][1]};
+        std::array<double, 2> depth{};
+        std::copy_n(parameters[0], 2 - first_, depth.begin() + first_);
         const std::vector<double> reflectances = readings_.reflectances(depth);
         const std::vector<double> r = readings_.residuals(reflectances);
         std::copy(r.begin(), r.end(), residuals);
         if (!jacobians || !jacobians[0]) return true;
         double* entry = jacobians[0];
         for (const std::array<double, 2>& row : readings_.jacobian(depth, reflectances)) {
-            for (const double value : row) *entry++ = value;
+            entry = std::copy(row.begin() + first_, row.end(), entry);
         }
         return true;
     }
 
  private:
     const OneWavelength& readings_;
+    int first_;
 };
 
 constexpr double kMaxDepth = 1e4;
+/// How far light goes in an opaque tint, about: some mean free paths in a tenth of rutile.
+constexpr double kPathInOpaque_um = 5;
 
 /// For each wavelength the best of a grid of depths, from clear to opaque, all wavelengths at once.
 std::vector<std::array<double, 2>> screened(const std::vector<Application>& applications,
                                             const DrawdownSettings& settings,
                                             const std::vector<double>& wavelengths_nm,
-                                            double scale_mm, SharedProgress& work) {
+                                            double scale_mm, int first, SharedProgress& work) {
     const std::size_t count = wavelengths_nm.size();
     std::vector<std::array<double, 2>> best(count);
     std::vector<double> least(count, std::numeric_limits<double>::infinity());
-    for (const double scattering : {0.03, 0.3, 1.0, 3.0, 15.0}) {
+    const std::vector<double> scatterings =
+        first == 0 ? std::vector<double>{0.03, 0.3, 1.0, 3.0, 15.0} : std::vector<double>{0.0};
+    for (const double scattering : scatterings) {
         for (const double absorption : {0.003, 0.03, 0.3, 1.0, 5.0}) {
             std::vector<double> error(count, 0.0);
             for (const Application& application : applications) {
@@ -285,16 +297,18 @@ struct FoundDepths {
     std::array<double, 2> variance{};
 };
 
-FoundDepths found_depths(const OneWavelength& readings, std::array<double, 2> start) {
+/// @param first  1: there is no scattering
+FoundDepths found_depths(const OneWavelength& readings, std::array<double, 2> start, int first) {
     FoundDepths found{start, {}, {}};
-    DrawdownResiduals function(readings);
+    DrawdownResiduals function(readings, first);
     ceres::Problem::Options ownership;
     ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::Problem problem(ownership);
-    problem.AddResidualBlock(&function, nullptr, found.depth.data());
-    for (int i = 0; i < 2; ++i) {
-        problem.SetParameterLowerBound(found.depth.data(), i, 0.0);
-        problem.SetParameterUpperBound(found.depth.data(), i, kMaxDepth);
+    double* const sought = found.depth.data() + first;
+    problem.AddResidualBlock(&function, nullptr, sought);
+    for (int i = 0; i < 2 - first; ++i) {
+        problem.SetParameterLowerBound(sought, i, 0.0);
+        problem.SetParameterUpperBound(sought, i, kMaxDepth);
     }
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
@@ -317,6 +331,10 @@ FoundDepths found_depths(const OneWavelength& readings, std::array<double, 2> st
     }
     const double determinant = aa * bb - ab * ab;
     const double infinity = std::numeric_limits<double>::infinity();
+    if (first == 1) {
+        found.variance = {infinity, bb > 0 ? 1 / bb : infinity};
+        return found;
+    }
     const bool determined = determinant > 1e-14 * aa * bb;
     found.variance = {determined ? bb / determinant : infinity,
                       determined ? aa / determinant : infinity};
@@ -337,98 +355,50 @@ std::vector<std::string> drawdown_geometry_words() {
     return {"d8-included", "d8-excluded", "45-0"};
 }
 
-std::vector<double> ground_inside(const std::vector<double>& measured,
-                                  const std::vector<double>& wavelengths_nm,
-                                  const optics::Material& binder, DrawdownGeometry geometry) {
-    std::vector<double> inside;
-    for (std::size_t i = 0; i < measured.size(); ++i) {
-        const SurfaceOverGround surface(binder.index(wavelengths_nm[i]).real(), geometry);
-        const double value = surface.inside(measured[i]);
-        // A glossy black below the gloss of its own surface by less than an instrument's error is
-        // black.
-        constexpr double kInstrumentError = 0.01;
-        if (value < -kInstrumentError || value > 1 + kInstrumentError) {
-            throw DomainError(fmt::format(
-                "reflectance = {} of the bare ground at {} nm: under a surface of the binder's "
-                "index {:.4g} it would take a ground of {:.4g}, which must be in [0, 1]; was the "
-                "ground read without a surface (matt), or by another geometry?",
-                measured[i], wavelengths_nm[i], binder.index(wavelengths_nm[i]).real(), value));
-        }
-        inside.push_back(std::clamp(value, 0.0, 1.0));
-    }
-    return inside;
-}
-
-std::vector<double> drawdown_reflectance(const paint::Recipe& recipe,
-                                         const std::vector<double>& wavelengths_nm,
-                                         DrawdownGeometry geometry, const Progress& progress) {
-    const solver::SolvedPaint paint = solver::solve(recipe, wavelengths_nm, {}, nullptr, progress);
-    std::vector<double> factor(wavelengths_nm.size(), 0.0);
-    if (geometry == DrawdownGeometry::angle_45_0) {
-        factor = paint.brdf(kLamp_rad, 0, kPi);
-        for (double& value : factor) value *= kPi;
-        return factor;
-    }
-    // What a lamp at 8 deg sends into all directions: by reciprocity what a sphere sends to 8 deg.
-    static const Quadrature rule = gauss_legendre(kPolarNodes, 0, kPi / 2);
-    const bool round = paint.report.orders <= 1;
-    const int azimuths = round ? 1 : kAzimuths;
-    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-        const double theta = rule.nodes[k];
-        const double weight =
-            rule.weights[k] * 2 * kPi * std::sin(theta) * std::cos(theta) / azimuths;
-        for (int j = 0; j < azimuths; ++j) {
-            const std::vector<double> f =
-                paint.brdf(kSphere_rad, theta, kPi * (j + 0.5) / azimuths);
-            for (std::size_t i = 0; i < factor.size(); ++i) factor[i] += weight * f[i];
-        }
-    }
-    if (geometry == DrawdownGeometry::diffuse_8_included) {
-        for (std::size_t i = 0; i < factor.size(); ++i) {
-            factor[i] +=
-                surface_reflectance(recipe.binder.index(wavelengths_nm[i]).real(), kSphere_rad);
-        }
-    }
-    return factor;
-}
-
 PigmentEstimate estimate_pigment(const Drawdown& drawdown, const DrawdownSettings& settings,
                                  const Progress& progress) {
     check(drawdown, settings);
     const std::vector<Application> applications = applications_of(drawdown, settings);
-    if (!tell_apart(applications)) {
+    const bool both = tell_apart(applications);
+    if (!both && !tell_absorption(applications)) {
         throw DomainError(
-            "drawdown: needs the paint over two grounds (such as black and white), or in two "
-            "thicknesses or amounts; what is there cannot tell scattering from absorption");
+            "drawdown: needs the paint over two grounds (such as black and white), in two "
+            "thicknesses or amounts, or in tints of white; what is there cannot tell scattering "
+            "from "
+            "absorption");
     }
+    const int first = both ? 0 : 1;
     double scale_mm = 0;
     for (const Application& a : applications) {
         constexpr double kMmPerUm = 1e-3;
-        scale_mm =
-            std::max(scale_mm, a.reading->volume_fraction * a.reading->thickness_um * kMmPerUm);
+        const double path_um = a.reading->opaque ? kPathInOpaque_um : a.reading->thickness_um;
+        scale_mm = std::max(scale_mm, a.reading->volume_fraction * path_um * kMmPerUm);
     }
 
     const std::size_t count = drawdown.wavelengths_nm.size();
     std::vector<FoundDepths> found(count);
     SharedProgress work(progress, static_cast<double>(count));
     const std::vector<std::array<double, 2>> start =
-        screened(applications, settings, drawdown.wavelengths_nm, scale_mm, work);
+        screened(applications, settings, drawdown.wavelengths_nm, scale_mm, first, work);
     parallel_for(0, count, [&](std::size_t i) {
         if (work.stopped()) return;
         found[i] = found_depths({applications, settings, i, drawdown.wavelengths_nm[i], scale_mm},
-                                start[i]);
+                                start[i], first);
         work.add();
     });
     work.require_going("the estimate of the pigment");
 
     PigmentEstimate out;
     out.wavelengths_nm = drawdown.wavelengths_nm;
+    out.scattering_assumed = !both;
     double squares = 0;
     for (const Application& a : applications) {
         DrawdownResidual& residual = out.residuals.emplace_back();
         residual.ground = a.reading->ground;
         residual.thickness_um = a.reading->thickness_um;
         residual.volume_fraction = a.reading->volume_fraction;
+        residual.white_volume_fraction = a.reading->white_volume_fraction;
+        residual.opaque = a.reading->opaque;
         residual.measured = a.reading->reflectance;
         const std::size_t k = out.residuals.size() - 1;
         for (std::size_t i = 0; i < count; ++i) {
@@ -442,12 +412,13 @@ PigmentEstimate estimate_pigment(const Drawdown& drawdown, const DrawdownSetting
         }
     }
     const double values = static_cast<double>(applications.size() * count);
-    const double freedom = values - 2 * static_cast<double>(count);
+    const double freedom = values - (2 - first) * static_cast<double>(count);
     out.rms_residual = std::sqrt(squares / values);
     out.noise = settings.noise;
     if (!out.noise && freedom > 0) out.noise = std::sqrt(squares / freedom);
     for (std::size_t i = 0; i < count; ++i) {
         const auto error = [&](int j) -> std::optional<double> {
+            if (!both && j == 0) return std::numeric_limits<double>::infinity();
             if (!out.noise) return std::nullopt;
             return *out.noise * std::sqrt(found[i].variance[j]) / scale_mm;
         };
@@ -458,11 +429,27 @@ PigmentEstimate estimate_pigment(const Drawdown& drawdown, const DrawdownSetting
         // Where the noise is unknown, a reading is taken to be repeatable to this.
         constexpr double kRepeatable = 1e-3;
         const double spread = out.noise.value_or(kRepeatable) * std::sqrt(found[i].variance[0]);
-        if (spread > found[i].depth[0] / 2 && spread > 0.1) {
+        if (!(spread > found[i].depth[0] / 2)) continue;
+        if (settings.white) {
+            out.absorption_only_nm.push_back(out.wavelengths_nm[i]);
+        } else if (spread > 0.1) {
             out.hidden_nm.push_back(out.wavelengths_nm[i]);
         }
     }
     return out;
+}
+
+std::string DrawdownResidual::thickness_text(const char* unit) const {
+    return opaque ? "opaque" : fmt::format("{} {}", thickness_um, unit);
+}
+
+std::string DrawdownResidual::place_text() const {
+    std::string text;
+    if (white_volume_fraction > 0) {
+        text += fmt::format(" in {:.4g} % white", 100 * white_volume_fraction);
+    }
+    if (!opaque) text += " over " + ground;
+    return text;
 }
 
 paint::Pigment PigmentEstimate::pigment(const std::string& name, double anisotropy) const {

@@ -10,9 +10,9 @@
 #include "nacre/paint/recipe.h"
 #include "nacre/spectra/spectrum.h"
 
-// A pigment's coefficients from a drawdown: a film of paint of known thickness and content over a
-// black and a white ground, whose reflectance is measured over both. The method and what it
-// determines: docs/drawdown.md.
+// A pigment's coefficients from drawdowns: films of paint of known thickness and content over a
+// black and a white ground, whose reflectance is measured over both; and from tints, in which it is
+// mixed with a white that is known. The method and what it determines: docs/drawdown.md.
 
 namespace nacre::fit {
 
@@ -35,15 +35,29 @@ struct DrawdownSettings {
     bool matt_ground = false;
     /// Standard deviation of a reading; none: from the residuals.
     std::optional<double> noise = {};
+    /// The white of tints, of whatever amount. Mixed pigments add their coefficients, each by its own
+    /// volume.                                                                  [duncan-1940]
+    std::optional<paint::Pigment> white = {};
 };
+
+/// So thick a layer is in the place of an opaque one. What shows of a black ground under rutile is
+/// then below 1e-5.
+inline constexpr double kOpaqueThickness_um = 1e5;
 
 /// What was found of one application.
 struct DrawdownResidual {
     std::string ground;
     double thickness_um = 0, volume_fraction = 0;
+    double white_volume_fraction = 0;
+    bool opaque = false;
     std::vector<double> measured, modelled;
     /// CIEDE2000 under D65 for the observer of 10 deg; none where 400 to 700 nm are not covered.
     std::optional<double> delta_e_2000;
+
+    /// "20 um", or "opaque".
+    std::string thickness_text(const char* unit = "um") const;
+    /// " in 15 % white", " over black", both or neither.
+    std::string place_text() const;
 };
 
 struct PigmentEstimate {
@@ -59,6 +73,12 @@ struct PigmentEstimate {
     /// Wavelengths at which scattering is determined to no better than half of itself: the paint
     /// hides its ground, and only the ratio of the coefficients shows.
     std::vector<double> hidden_nm;
+    /// Of tints: wavelengths at which scattering is determined to no better than half of itself, as
+    /// the white scatters for both. Absorption may be known well there.
+    std::vector<double> absorption_only_nm;
+    /// All tints have one ratio of pigment to white, which determines one number: scattering was
+    /// taken as 0 everywhere, and its errors are infinite.
+    bool scattering_assumed = false;
 
     /// To five digits.
     paint::Pigment pigment(const std::string& name, double anisotropy) const;
@@ -69,8 +89,12 @@ struct PigmentEstimate {
 /// coefficients held at 0 or above. Steps of Levenberg and Marquardt by Ceres Solver from the best
 /// point of a grid.                              [levenberg-1944; marquardt-1963; agarwal-2022]
 ///
-/// @throws DomainError if there are no bare readings of a ground, fewer than two applications, or
-///         only one ground with one thickness, or a number is out of range; Error, Stopped as
+/// Of tints in opaque layers only ratios to the white's coefficients show: an error of these goes into
+/// what is found as it is.                                          [berns-mohammadi-2007]
+///
+/// @throws DomainError if there are no bare readings of a ground that is not hidden, readings that
+///         cannot tell scattering from absorption (but for tints of one ratio), tints without a
+///         white or a white without tints, or a number is out of range; Error, Stopped as
 ///         solver::solve
 PigmentEstimate estimate_pigment(const Drawdown& drawdown, const DrawdownSettings& settings = {},
                                  const Progress& progress = {});

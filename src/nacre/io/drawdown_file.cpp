@@ -24,11 +24,19 @@ namespace {
 
 constexpr Range kDrawdownMass{0, 1, "", true, true};
 constexpr Range kDrawdownDensity{0.1, 25, "g/cm^3"};
+/// In the place of a thickness.
+constexpr const char* kOpaque = "opaque";
 
 const std::vector<std::string>& drawdown_columns() {
-    static const std::vector<std::string> names = {
-        "ground",        "thickness_um",      "volume_fraction",
-        "mass_fraction", "density_g_per_cm3", "binder_density_g_per_cm3"};
+    static const std::vector<std::string> names = {"ground",
+                                                   "thickness_um",
+                                                   "volume_fraction",
+                                                   "mass_fraction",
+                                                   "density_g_per_cm3",
+                                                   "binder_density_g_per_cm3",
+                                                   "white_volume_fraction",
+                                                   "white_mass_fraction",
+                                                   "white_density_g_per_cm3"};
     return names;
 }
 
@@ -107,6 +115,13 @@ class DrawdownTable {
                 fmt::format("{}needs the column volume_fraction or mass_fraction, one of them",
                             place(header[0])));
         }
+        if (columns_.contains(columns_.contains("mass_fraction") ? "white_volume_fraction"
+                                                                 : "white_mass_fraction")) {
+            throw InputError(place(header[0]) +
+                             "white and pigment must be given both by volume or both by mass: "
+                             "white_volume_fraction stands beside volume_fraction, "
+                             "white_mass_fraction beside mass_fraction");
+        }
         if (spectrum_.empty()) {
             throw InputError(
                 fmt::format("{}no column is called by a wavelength in nm, such as 400 or R400",
@@ -118,13 +133,14 @@ class DrawdownTable {
         return row[columns_.at(column)];
     }
 
-    double number(const CsvCell& cell, const std::string& what, const Range& range) const {
+    double number(const CsvCell& cell, const std::string& what, const Range& range,
+                  const char* or_else = "") const {
         const auto value = parse_number(cell.text);
         if (value && range.contains(*value)) return *value;
         const bool percent = value && *value > range.hi && *value <= 120 && range.hi < 2;
         throw InputError(fmt::format(
-            "{}{} = {}: must be a number in {}{}", place(cell), what, excerpt(cell.text),
-            range.text(),
+            "{}{} = {}: must be a number in {}{}{}", place(cell), what, excerpt(cell.text),
+            range.text(), or_else,
             percent ? fmt::format(" (in percent? {} % is {})", excerpt(cell.text), *value / 100)
                     : std::string()));
     }
@@ -132,38 +148,91 @@ class DrawdownTable {
         return number(cell(row, column), column, range);
     }
 
-    double volume_fraction(const CsvRow& row) const {
-        const Range& allowed = optics::kParticleVolumeRange;
-        if (columns_.contains("volume_fraction")) return number(row, "volume_fraction", allowed);
-        paint::PigmentMass mass;
-        mass.fraction = number(row, "mass_fraction", kDrawdownMass);
-        if (!columns_.contains("density_g_per_cm3")) {
-            throw InputError(place(rows_[0][0]) +
-                             "mass_fraction needs the column density_g_per_cm3");
+    bool is_empty(const CsvRow& row, const std::string& column) const {
+        return !columns_.contains(column) || trimmed(cell(row, column).text).empty();
+    }
+
+    /// A fraction of a pigment that may be absent from a row.
+    double fraction_or_none(const CsvRow& row, const std::string& column, Range allowed) const {
+        if (is_empty(row, column)) return 0;
+        allowed.lo_open = false;  // 0 says the same
+        return number(row, column, allowed);
+    }
+
+    double density(const CsvRow& row, const std::string& column, const char* needed_by) const {
+        if (!columns_.contains(column)) {
+            throw InputError(
+                fmt::format("{}{} needs the column {}", place(rows_[0][0]), needed_by, column));
         }
-        mass.density_g_per_cm3 = number(row, "density_g_per_cm3", kDrawdownDensity);
-        if (columns_.contains("binder_density_g_per_cm3")) {
-            mass.binder_density_g_per_cm3 =
-                number(row, "binder_density_g_per_cm3", kDrawdownDensity);
-        }
-        const double volume = mass.volume_fraction();
-        if (!allowed.contains(volume)) {
+        return number(row, column, kDrawdownDensity);
+    }
+
+    struct Fractions {
+        double pigment = 0, white = 0;
+    };
+
+    /// Volumes from masses over densities; what is neither pigment nor white is binder.
+    Fractions by_volume(const CsvRow& row, double pigment_mass, double white_mass) const {
+        if (pigment_mass + white_mass >= 1) {
             throw InputError(fmt::format(
-                "{}mass_fraction = {}: with these densities the pigment fills {:.4g} of the paint, "
-                "which must be in {}",
-                place(cell(row, "mass_fraction")), mass.fraction, volume, allowed.text()));
+                "{}white_mass_fraction = {}: with a mass_fraction of {} nothing is left "
+                "for the binder; the sum must be in [0, 1)",
+                place(cell(row, "white_mass_fraction")), white_mass, pigment_mass));
         }
-        return volume;
+        const double binder = columns_.contains("binder_density_g_per_cm3")
+                                  ? number(row, "binder_density_g_per_cm3", kDrawdownDensity)
+                                  : paint::PigmentMass{}.binder_density_g_per_cm3;
+        Fractions out;
+        if (pigment_mass > 0) {
+            out.pigment = pigment_mass / density(row, "density_g_per_cm3", "mass_fraction");
+        }
+        if (white_mass > 0) {
+            out.white = white_mass / density(row, "white_density_g_per_cm3", "white_mass_fraction");
+        }
+        const double all = out.pigment + out.white + (1 - pigment_mass - white_mass) / binder;
+        out.pigment /= all;
+        out.white /= all;
+        const Range& allowed = optics::kParticleVolumeRange;
+        for (const auto& [column, volume] : {std::pair{"mass_fraction", out.pigment},
+                                             std::pair{"white_mass_fraction", out.white}}) {
+            if (volume == 0 || allowed.contains(volume)) continue;
+            throw InputError(fmt::format(
+                "{}{} = {}: with these densities it fills {:.4g} of the paint, which must be in {}",
+                place(cell(row, column)), column, cell(row, column).text, volume, allowed.text()));
+        }
+        return out;
+    }
+
+    Fractions fractions(const CsvRow& row) const {
+        const Range& allowed = optics::kParticleVolumeRange;
+        const bool by_mass = columns_.contains("mass_fraction");
+        const char* pigment = by_mass ? "mass_fraction" : "volume_fraction";
+        const Range range = by_mass ? kDrawdownMass : allowed;
+        const double white = by_mass ? fraction_or_none(row, "white_mass_fraction", kDrawdownMass)
+                                     : fraction_or_none(row, "white_volume_fraction", allowed);
+        // White alone is a tint too, of none of the pigment.
+        const double amount =
+            white > 0 ? fraction_or_none(row, pigment, range) : number(row, pigment, range);
+        return by_mass ? by_volume(row, amount, white) : Fractions{amount, white};
     }
 
     measure::DrawdownReading reading(const CsvRow& row) const {
         measure::DrawdownReading out;
         out.ground = cell(row, "ground").text;
-        if (out.ground.empty()) {
-            throw InputError(place(cell(row, "ground")) + "ground: is missing");
+        out.opaque = lowercase(trimmed(cell(row, "thickness_um").text)) == kOpaque;
+        if (out.ground.empty() && !out.opaque) {
+            throw InputError(place(cell(row, "ground")) +
+                             "ground: is missing; only `opaque` paint needs none");
         }
-        out.thickness_um = number(row, "thickness_um", measure::kDrawdownThickness);
-        if (out.thickness_um > 0) out.volume_fraction = volume_fraction(row);
+        if (!out.opaque) {
+            out.thickness_um = number(cell(row, "thickness_um"), "thickness_um",
+                                      measure::kDrawdownThickness, ", or opaque");
+        }
+        if (!out.is_bare()) {
+            const Fractions filled = fractions(row);
+            out.volume_fraction = filled.pigment;
+            out.white_volume_fraction = filled.white;
+        }
         for (const auto& [wavelength, column] : spectrum_) {
             out.reflectance.push_back(
                 number(row[column], fmt::format("R{}", wavelength), measure::kDrawdownReflectance));
@@ -188,14 +257,21 @@ measure::Drawdown read_drawdown(const std::filesystem::path& path) {
 }
 
 std::string drawdown_csv(const measure::Drawdown& drawdown) {
+    const bool tints = std::any_of(drawdown.readings.begin(), drawdown.readings.end(),
+                                   [](const auto& r) { return r.white_volume_fraction > 0; });
     std::string csv = "ground,thickness_um,volume_fraction";
+    if (tints) csv += ",white_volume_fraction";
     const auto out = std::back_inserter(csv);
     for (const double wavelength : drawdown.wavelengths_nm) fmt::format_to(out, ",{}", wavelength);
     csv += '\n';
     for (const measure::DrawdownReading& reading : drawdown.readings) {
-        fmt::format_to(
-            out, "{},{},{}", csv_cell(reading.ground), reading.thickness_um,
-            reading.thickness_um > 0 ? fmt::format("{}", reading.volume_fraction) : std::string());
+        const auto fraction = [&](double value) {
+            return reading.is_bare() ? std::string() : fmt::format("{}", value);
+        };
+        fmt::format_to(out, "{},{},{}", csv_cell(reading.ground),
+                       reading.opaque ? kOpaque : fmt::format("{}", reading.thickness_um),
+                       fraction(reading.volume_fraction));
+        if (tints) csv += "," + fraction(reading.white_volume_fraction);
         for (const double value : reading.reflectance) fmt::format_to(out, ",{:.6g}", value);
         csv += '\n';
     }

@@ -8,7 +8,8 @@
 
 // Drawdowns as CSV, a row for each reading: `ground`, `thickness_um` (0: the bare ground),
 // `volume_fraction` (or `mass_fraction` and `density_g_per_cm3`, perhaps `binder_density_g_per_cm3`)
-// and a column for each wavelength ("400" or "R400"). docs/drawdown.md describes it.
+// and a column for each wavelength ("400" or "R400"). Tints have `white_volume_fraction` or
+// `white_mass_fraction` besides; `thickness_um` may be `opaque`. docs/drawdown.md describes it.
 
 namespace nacre::io {
 

@@ -38,13 +38,58 @@ TEST(DrawdownFile, MassBecomesVolumeByTheDensities) {
     EXPECT_NEAR(drawdown.readings[0].volume_fraction, 0.125 / (0.125 + 0.8 / 1.1), 1e-12);
 }
 
+TEST(DrawdownFile, TintsHaveWhiteAndMayBeOpaque) {
+    const measure::Drawdown drawdown = parse_drawdown(
+        "ground,thickness_um,volume_fraction,white_volume_fraction,550\n,opaque,0.01,0.2,0.5\n"
+        ",Opaque,,0.2,0.9\nblack,0,,,0.05\nblack,20,0.1,,0.04\n",
+        "tints.csv");
+    ASSERT_EQ(drawdown.readings.size(), 4u);
+    EXPECT_TRUE(drawdown.readings[0].opaque);
+    EXPECT_FALSE(drawdown.readings[0].is_bare());
+    EXPECT_EQ(drawdown.readings[0].white_volume_fraction, 0.2);
+    EXPECT_EQ(drawdown.readings[1].volume_fraction, 0);  // the white alone
+    EXPECT_TRUE(drawdown.readings[2].is_bare());
+    EXPECT_EQ(drawdown.readings[3].white_volume_fraction, 0);
+    const measure::Drawdown again = parse_drawdown(drawdown_csv(drawdown), "again.csv");
+    EXPECT_EQ(drawdown_csv(again), drawdown_csv(drawdown));
+    EXPECT_TRUE(again.readings[1].opaque);
+    // By mass: volumes of what is in 100 g.
+    const measure::DrawdownReading tint =
+        parse_drawdown(
+            "ground,thickness_um,mass_fraction,density_g_per_cm3,white_mass_fraction,"
+            "white_density_g_per_cm3,550\n,opaque,0.02,1.6,0.3,4.1,0.3\n",
+            "x.csv")
+            .readings[0];
+    const double all = 2 / 1.6 + 30 / 4.1 + 68 / 1.1;
+    EXPECT_NEAR(tint.volume_fraction, 2 / 1.6 / all, 1e-12);
+    EXPECT_NEAR(tint.white_volume_fraction, 30 / 4.1 / all, 1e-12);
+}
+
 TEST(DrawdownFile, ComplaintsNameLineColumnAndRange) {
     const std::string head = "ground,thickness_um,volume_fraction,550\n";
     EXPECT_THAT(drawdown_refusal(head + "black,20,0.2,45.2\n"),
                 HasSubstr("blue.csv:2:14: R550 = 45.2: must be a number in [0, 1.2] (in percent? "
                           "45.2 % is 0.452)"));
     EXPECT_THAT(drawdown_refusal(head + "black,-1,0.2,0.3\n"),
-                HasSubstr("thickness_um = -1: must be a number in [0, 100000] um"));
+                HasSubstr("thickness_um = -1: must be a number in [0, 100000] um, or opaque"));
+    const std::string tint = "ground,thickness_um,volume_fraction,white_volume_fraction,550\n";
+    EXPECT_THAT(
+        drawdown_refusal(tint + ",opaque,0.1,0.7,0.3\n"),
+        HasSubstr("blue.csv:2:13: white_volume_fraction = 0.7: must be a number in [0, 0.5]"));
+    EXPECT_THAT(drawdown_refusal(tint + ",20,0.1,0.2,0.3\n"),
+                HasSubstr("ground: is missing; only `opaque` paint needs none"));
+    EXPECT_THAT(drawdown_refusal(tint + ",opaque,,0,0.3\n"),
+                HasSubstr("volume_fraction = : must be a number in (0, 0.5]"));
+    EXPECT_THAT(drawdown_refusal("ground,thickness_um,volume_fraction,white_mass_fraction,550\n"
+                                 ",opaque,0.1,0.2,0.3\n"),
+                HasSubstr("both by volume or both by mass"));
+    const std::string mass =
+        "ground,thickness_um,mass_fraction,density_g_per_cm3,white_mass_fraction,550\n";
+    EXPECT_THAT(drawdown_refusal(mass + ",opaque,0.1,1.5,0.2,0.3\n"),
+                HasSubstr("white_mass_fraction needs the column white_density_g_per_cm3"));
+    EXPECT_THAT(
+        drawdown_refusal(mass + ",opaque,0.6,1.5,0.5,0.3\n"),
+        HasSubstr("white_mass_fraction = 0.5: with a mass_fraction of 0.6 nothing is left"));
     EXPECT_THAT(drawdown_refusal(head + "black,20,,0.3\n"),
                 HasSubstr("volume_fraction = : must be"));
     EXPECT_THAT(drawdown_refusal(head + ",20,0.1,0.3\n"), HasSubstr("ground: is missing"));

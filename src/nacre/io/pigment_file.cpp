@@ -101,6 +101,22 @@ PigmentFile parse_pigment_file(std::string_view text, const std::string& filenam
     return read_pigment(document, volume_fraction);
 }
 
+PigmentFile find_pigment(const std::string& name, double volume_fraction) {
+    for (const ShippedPigment& pigment : shipped_pigments()) {
+        if (pigment.name == name) {
+            return parse_pigment_file(pigment.toml, name + ".toml", volume_fraction);
+        }
+    }
+    if (!name.ends_with(".toml")) {
+        const std::vector<std::string> names = pigment_names();
+        throw InputError(
+            fmt::format("{}: is none of the pigments that ship, {}, nor a .toml file{}",
+                        excerpt(name), fmt::join(names, ", "), did_you_mean(name, names)));
+    }
+    TomlDocument document(read_file(name, kMaxTextBytes), name, References::of_file(name));
+    return read_pigment(document, volume_fraction);
+}
+
 bool looks_like_pigment(const TomlDocument& document) {
     const std::vector<std::string> keys = keys_of_file();
     bool more_than_a_name = false;

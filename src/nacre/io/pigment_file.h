@@ -37,6 +37,10 @@ struct PigmentFile {
 PigmentFile parse_pigment_file(std::string_view text, const std::string& filename,
                                double volume_fraction);
 
+/// A pigment that ships, by its name, or the file of one: what ends in .toml.
+/// @throws InputError as parse_pigment_file(), naming those that ship if it is neither
+PigmentFile find_pigment(const std::string& name, double volume_fraction);
+
 /// Whether a text has keys of a pigment and no others.
 bool looks_like_pigment(const TomlDocument& document);
 

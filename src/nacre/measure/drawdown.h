@@ -20,10 +20,15 @@ enum class DrawdownGeometry {
 
 /// The reflectance of one application of the paint, or of a bare ground.
 struct DrawdownReading {
-    std::string ground;               ///< its name, such as "black"
-    double thickness_um = 0;          ///< of the dry paint; 0: the bare ground
-    double volume_fraction = 0;       ///< of the pigment in the dry paint
-    std::vector<double> reflectance;  ///< factor at each wavelength, 1 being the perfect diffuser
+    std::string ground;                ///< its name, such as "black"; of opaque paint perhaps empty
+    double thickness_um = 0;           ///< of the dry paint; 0: the bare ground
+    double volume_fraction = 0;        ///< of the pigment in the dry paint
+    std::vector<double> reflectance;   ///< factor at each wavelength, 1 being the perfect diffuser
+    double white_volume_fraction = 0;  ///< of a known white beside it: a tint
+    bool opaque =
+        false;  ///< so thick that nothing is seen of the ground; thickness_um says nothing
+
+    bool is_bare() const { return !opaque && thickness_um == 0; }
 };
 
 struct Drawdown {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
+#include "nacre/core/recent_results.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/paint/expansion.h"
 
@@ -33,13 +35,34 @@ paint::FlakeTable make_table(const paint::FlakeSpecies& species, const optics::M
 
 constexpr double kUmPerMm = 1000.0;
 
+/// optics::particle_optics(), kept for the next solve with the same particles: whoever seeks another
+/// number of the paint solves it hundreds of times, of which the series would take two thirds.
+std::shared_ptr<const optics::ParticleOptics> recent_particle_optics(
+    const optics::Spheres& spheres, double volume_fraction, const optics::Material& binder,
+    const std::vector<double>& wavelengths) {
+    struct Particles {
+        optics::Spheres spheres;
+        double volume_fraction;
+        optics::Material binder;
+        std::vector<double> wavelengths;
+        bool operator==(const Particles&) const = default;
+    };
+    // Of one wavelength there are some 10 kB.
+    constexpr std::size_t kMostWavelengths = 4096;
+    static RecentResults<Particles, optics::ParticleOptics> recent(
+        kMostWavelengths,
+        [](const optics::ParticleOptics& optics) { return optics.scattering_per_um.size(); });
+    return recent.get({spheres, volume_fraction, binder, wavelengths}, [&] {
+        return optics::particle_optics(spheres, volume_fraction, binder, wavelengths);
+    });
+}
+
 PigmentMedium make_pigment(const paint::Pigment& pigment, const optics::Material& binder,
                            const std::vector<double>& wavelengths) {
     if (const auto* particles = std::get_if<paint::PigmentParticles>(&pigment.body)) {
-        optics::ParticleOptics optics = optics::particle_optics(
+        const auto optics = recent_particle_optics(
             particles->spheres, volume_fraction(particles->amount), binder, wavelengths);
-        return {std::move(optics.scattering_per_um), std::move(optics.absorption_per_um), 0,
-                std::move(optics.phase)};
+        return {optics->scattering_per_um, optics->absorption_per_um, 0, optics->phase};
     }
     const paint::PigmentCoefficients given = *pigment.layer_coefficients();
     return {sampled(given.scattering_per_mm, wavelengths, 1 / kUmPerMm),
