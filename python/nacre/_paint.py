@@ -470,8 +470,9 @@ class Paint:
             Standard deviations by key or the end of a key, in the number's own unit or as
             ``"5 %"``: besides those of the recipe's table [uncertainty], or in their place.
         correlations
-            Coefficients in [-1, 1] by which numbers are wrong together, each two of a tuple of keys or
-            ends of keys: besides those of the recipe, or in their place. Others are independent.
+            Coefficients in [-1, 1] by which numbers are wrong together, each two of a tuple of
+            keys or ends of keys: besides those of the recipe, or in their place. Others are
+            independent.
         samples, seed
             So many recipes, 10 to 1e6, are drawn and read; 0: first order.
 

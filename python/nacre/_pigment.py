@@ -97,8 +97,8 @@ def pigment(
     noise
         Standard deviation of a reading; None: from the residuals.
     white
-        The white of tints: the name of a pigment that ships, such as ``rutile-white``, or the file of
-        one.
+        The white of tints: the name of a pigment that ships, such as ``rutile-white``, or the file
+        of one.
     name
         What people call the pigment.
 

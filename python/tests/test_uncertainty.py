@@ -84,7 +84,7 @@ def test_what_is_wrong_is_said(paints: Path) -> None:
         paint.uncertainty({"coats[0].thickness_nm": "x"})
     with pytest.raises(nacre.Error):
         paint.uncertainty()
-    known = {"coats[0].thickness_nm": 1, "volume_fraction": "3 %"}
+    known: dict[str, float | str] = {"coats[0].thickness_nm": 1, "volume_fraction": "3 %"}
     pair = ("coats[0].thickness_nm", "volume_fraction")
     with pytest.raises(nacre.Error, match=r"coefficient = 1.5: must be a number in \[-1, 1\]"):
         paint.uncertainty(known, correlations={pair: 1.5})
