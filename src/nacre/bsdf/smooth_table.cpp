@@ -19,19 +19,6 @@ SmoothGrid choose_grid(double alpha) {
     return grid;
 }
 
-// Products w_i(theta_1) w_j(theta_2) + w_j(theta_1) w_i(theta_2) over the node pairs i >= j >=
-// first, in the order in which MultipleScattering stores them.
-void pair_weights(const std::vector<double>& w1, const std::vector<double>& w2, int first,
-                  std::vector<float>& out) {
-    out.clear();
-    for (int i = first; i < static_cast<int>(w1.size()); ++i) {
-        for (int j = first; j < i; ++j) {
-            out.push_back(static_cast<float>(w1[i] * w2[j] + w1[j] * w2[i]));
-        }
-        out.push_back(static_cast<float>(w1[i] * w2[i]));
-    }
-}
-
 }  // namespace
 
 SmoothTable::SmoothTable(std::span<const solver::MultipleScattering* const> tensors, double alpha,
@@ -47,57 +34,36 @@ SmoothTable::SmoothTable(std::span<const solver::MultipleScattering* const> tens
 }
 
 void SmoothTable::tabulate(const solver::MultipleScattering& r, double ior, int first_rank) {
-    const int orders = r.orders(), nodes = static_cast<int>(r.exit_angle.size());
-    const int rank = r.rank();
-    const solver::ExitInterpolation interpolation(r.exit_angle);
-    std::vector<float> cosine(static_cast<std::size_t>(grid_.q) * orders);
-    for (int c = 0; c < grid_.q; ++c) {
-        const double root = static_cast<double>(c) / (grid_.q - 1);
-        const double phi = 2 * std::asin(root * root);
-        for (int l = 0; l < orders; ++l) {
-            cosine[c * orders + l] = static_cast<float>((l ? 2.0 : 1.0) * std::cos(l * phi));
+    const int orders = r.orders(), rank = r.rank();
+    std::vector<float> cosine(static_cast<std::size_t>(grid_.q) * orders);  // [order][q]
+    for (int l = 0; l < orders; ++l) {
+        for (int c = 0; c < grid_.q; ++c) {
+            const double root = static_cast<double>(c) / (grid_.q - 1);
+            const double phi = 2 * std::asin(root * root);
+            cosine[l * grid_.q + c] = static_cast<float>((l ? 2.0 : 1.0) * std::cos(l * phi));
         }
     }
-    const std::size_t pairs = r.pair_count();
-    parallel_for(0, static_cast<std::size_t>(grid_.a) * grid_.b, [&](std::size_t ab) {
-        const double root_a = static_cast<double>(ab / grid_.b) / (grid_.a - 1);
-        const double root_b = static_cast<double>(ab % grid_.b) / (grid_.b - 1);
-        const double a = root_a * root_a, smaller = a * (1 - root_b * root_b);
-        std::vector<double> w1(nodes), w2(nodes);
-        const double theta_1 = 2 * std::atan(a), theta_2 = 2 * std::atan(smaller);
-        interpolation.weights_at(theta_1, w1.data());
-        interpolation.weights_at(theta_2, w2.data());
-        const double scale =
-            solver::inside_cosine(ior, theta_1) + solver::inside_cosine(ior, theta_2);
-        std::vector<float> weight, by_order(static_cast<std::size_t>(rank) * orders);
-        std::size_t at = 0;
-        for (int l = 0; l < orders; ++l) {
-            if (l == 0 || r.first[l] != r.first[l - 1]) pair_weights(w1, w2, r.first[l], weight);
-            if (!r.takes_part(l, theta_2)) {  // theta_2 <= theta_1
-                at += weight.size();
-                continue;
-            }
+    parallel_for(0, grid_.a, [&](std::size_t ia) {
+        const double root_a = static_cast<double>(ia) / (grid_.a - 1), a = root_a * root_a;
+        const double theta_1 = 2 * std::atan(a), mu_1 = solver::inside_cosine(ior, theta_1);
+        const solver::MultipleScatteringSlice slice(r, theta_1);
+        std::vector<double> by_order(static_cast<std::size_t>(rank) * orders);
+        std::vector<float> line(grid_.q);
+        for (int ib = 0; ib < grid_.b; ++ib) {
+            const double root_b = static_cast<double>(ib) / (grid_.b - 1);
+            const double theta_2 = 2 * std::atan(a * (1 - root_b * root_b));  // <= theta_1
+            slice.by_order(theta_2, by_order);
+            const auto scale = static_cast<float>(mu_1 + solver::inside_cosine(ior, theta_2));
+            float* const out =
+                coefficient_.data() + (ia * grid_.b + ib) * grid_.q * rank_ + first_rank;
             for (int k = 0; k < rank; ++k) {
-                const float* value = r.coefficient.data() + k * pairs + at;
-                FloatLanes sum{};
-                std::size_t p = 0;
-                for (; p + kLanes <= weight.size(); p += kLanes) {
-                    sum += load_lanes(value + p) * load_lanes(weight.data() + p);
-                }
-                float total = lane_sum(sum);
-                for (; p < weight.size(); ++p) total += value[p] * weight[p];
-                by_order[k * orders + l] = total;
-            }
-            at += weight.size();
-        }
-        for (int c = 0; c < grid_.q; ++c) {
-            float* out = coefficient_.data() + (ab * grid_.q + c) * rank_ + first_rank;
-            for (int k = 0; k < rank; ++k) {
-                float sum = 0;
+                std::fill(line.begin(), line.end(), 0.0f);
                 for (int l = 0; l < orders; ++l) {
-                    sum += cosine[c * orders + l] * by_order[k * orders + l];
+                    const auto value = static_cast<float>(by_order[k * orders + l]);
+                    const float* const from = cosine.data() + l * grid_.q;
+                    for (int c = 0; c < grid_.q; ++c) line[c] += from[c] * value;
                 }
-                out[k] = static_cast<float>(scale) * sum;
+                for (int c = 0; c < grid_.q; ++c) out[c * rank_ + k] = scale * line[c];
             }
         }
     });

@@ -8,6 +8,7 @@
 #include "nacre/core/quadrature.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/solver/lane_matrix.h"
+#include "nacre/solver/lane_registers.h"
 
 namespace nacre::solver {
 
@@ -60,13 +61,16 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
         scratch.twice_cos[k] = 2 * scratch.before[k];
     }
     for (int l = 0; l < orders; l += kOrdersAtOnce) {
-        DoubleLanes sum[kOrdersAtOnce] = {};
+        Register sum[kOrdersAtOnce][kRegisters] = {};
         for (int k = 0; k < count; ++k) {
-            const DoubleLanes value = scratch.value[k];
+            Register value[kRegisters];
+            for (int part = 0; part < kRegisters; ++part) {
+                value[part] = load(&scratch.value[k], part);
+            }
             double now = scratch.now[k], before = scratch.before[k];
 #pragma GCC unroll 4
-            for (DoubleLanes& of_order : sum) {
-                of_order += now * value;
+            for (auto& of_order : sum) {
+                for (int part = 0; part < kRegisters; ++part) of_order[part] += now * value[part];
                 const double next = scratch.twice_cos[k] * now - before;
                 before = now;
                 now = next;
@@ -74,7 +78,11 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
             scratch.now[k] = now;
             scratch.before[k] = before;
         }
-        for (int i = 0; i < std::min(kOrdersAtOnce, orders - l); ++i) out(l + i, sum[i]);
+        for (int i = 0; i < std::min(kOrdersAtOnce, orders - l); ++i) {
+            DoubleLanes of_order;
+            for (int part = 0; part < kRegisters; ++part) store(sum[i][part], &of_order, part);
+            out(l + i, of_order);
+        }
     }
 }
 

@@ -2,37 +2,28 @@
 
 #include <cstring>
 
+#include "nacre/solver/lane_registers.h"
+
 namespace nacre::solver {
 
 namespace {
 
 using Tile = DoubleLanes[kTile][kTile];
 
-// A register of the machine, and how many columns of a tile have their sums in registers at the same
-// time: AVX-512 has 32 of them, others 16.
-#if defined(__AVX512F__)
-constexpr int kRegisterLanes = 8, kColumns = 4;
-#elif defined(__AVX__)
-constexpr int kRegisterLanes = 4, kColumns = 2;
-#else
-constexpr int kRegisterLanes = 2, kColumns = 2;
-#endif
-using Register = double __attribute__((vector_size(kRegisterLanes * sizeof(double))));
-
-inline Register load(const DoubleLanes* from, int part) {
-    Register r;
-    std::memcpy(&r, reinterpret_cast<const char*>(from) + part * sizeof r, sizeof r);
-    return r;
-}
+// How many columns of a tile have their sums in registers at the same time: AVX-512 has 32 of them,
+// others 16.
+constexpr int kColumns = kRegisterLanes == 8 ? 4 : 2;
 
 // A tile of a matrix product, its factors read along k by steps of their own:
 // t[i][j] = sum over k of a[i * a_row + k * a_step] b[j * b_column + k * b_step].
-inline void multiply(Tile& t, const DoubleLanes* a, int a_row, int a_step, const DoubleLanes* b,
-                     int b_column, int b_step, int count) {
-    for (int part = 0; part < kLanes / kRegisterLanes; ++part) {
+template <class B>
+inline void multiply(Tile& t, const DoubleLanes* a, int a_row, int a_step, const B* b, int b_column,
+                     int b_step, int count) {
+    for (int part = 0; part < kRegisters; ++part) {
         for (int j = 0; j < kTile; j += kColumns) {
             Register sum[kTile][kColumns] = {};
-            const DoubleLanes *ak = a, *bk = b + j * b_column;
+            const DoubleLanes* ak = a;
+            const B* bk = b + j * b_column;
             for (int k = 0; k < count; ++k, ak += a_step, bk += b_step) {
                 Register column[kColumns];
 #pragma GCC unroll 4
@@ -46,8 +37,7 @@ inline void multiply(Tile& t, const DoubleLanes* a, int a_row, int a_step, const
             }
             for (int i = 0; i < kTile; ++i) {
                 for (int c = 0; c < kColumns; ++c) {
-                    std::memcpy(reinterpret_cast<char*>(&t[i][j + c]) + part * sizeof(Register),
-                                &sum[i][c], sizeof(Register));
+                    store(sum[i][c], &t[i][j + c], part);
                 }
             }
         }
@@ -151,6 +141,30 @@ void forward_solve(const DoubleLanes* l, DoubleLanes* b, int n, int m) {
 
 void add_gram(double a, DoubleLanes* c, double g, const DoubleLanes* w, int n, int m) {
     add_gram_from(a, c, g, w, n, m, [](int) { return 0; });
+}
+
+void multiply(const DoubleLanes* a, const double* b, DoubleLanes* c, int n, int m) {
+    Tile t;
+    for (int I = 0; I < n; I += kTile) {
+        for (int J = 0; J < m; J += kTile) {
+            multiply(t, a + I * n, n, 1, b + J, 1, m, n);
+            for (int i = 0; i < kTile; ++i) {
+                std::memcpy(c + (I + i) * m + J, t[i], sizeof t[i]);
+            }
+        }
+    }
+}
+
+void multiply_transposed(const double* b, const DoubleLanes* a, DoubleLanes* c, int n, int m) {
+    Tile t;
+    for (int I = 0; I < m; I += kTile) {
+        for (int J = 0; J <= I; J += kTile) {
+            multiply(t, a + J, 1, m, b + I, 1, m, n);
+            for (int i = 0; i < kTile; ++i) {
+                for (int j = 0; j < kTile; ++j) c[(I + i) * m + J + j] = t[j][i];
+            }
+        }
+    }
 }
 
 void invert_spd(DoubleLanes* a, DoubleLanes* work, int n) {

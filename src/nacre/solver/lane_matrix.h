@@ -27,6 +27,11 @@ void forward_solve(const DoubleLanes* l, DoubleLanes* b, int n, int m);
 /// C := a C + g W^T W for an n x m matrix W and a symmetric m x m matrix C, both triangles written.
 void add_gram(double a, DoubleLanes* c, double g, const DoubleLanes* w, int n, int m);
 
+/// C := A B for an n x n matrix A and an n x m matrix B of numbers that all wavelengths share.
+void multiply(const DoubleLanes* a, const double* b, DoubleLanes* c, int n, int m);
+/// C := B^T A, where that is symmetric: the tiles on and below its diagonal. A and B are n x m.
+void multiply_transposed(const double* b, const DoubleLanes* a, DoubleLanes* c, int n, int m);
+
 /// A := A^-1 for a symmetric positive definite matrix; `work` holds n * n elements.
 void invert_spd(DoubleLanes* a, DoubleLanes* work, int n);
 

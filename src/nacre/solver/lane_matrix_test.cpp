@@ -70,6 +70,29 @@ TEST_P(LaneMatrix, GramProductAddsBothTriangles) {
     }
 }
 
+TEST_P(LaneMatrix, ProductsWithNumbersOfAllLanes) {
+    const int n = GetParam(), m = n + 2 * kTile;
+    const Matrices s = random_spd(n, 7);
+    const Eigen::MatrixXd b = test::random_matrices(n, m, 8)[0];
+    std::vector<double> numbers;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < m; ++j) numbers.push_back(b(i, j));
+    }
+    LaneBuffer half(static_cast<std::size_t>(n) * m), both(static_cast<std::size_t>(m) * m);
+    multiply(test::to_lanes(s).data(), numbers.data(), half.data(), n, m);
+    multiply_transposed(numbers.data(), half.data(), both.data(), n, m);
+    const Matrices found_half = test::from_lanes(half, n, m),
+                   found_both = test::from_lanes(both, m, m);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const Eigen::MatrixXd expected = test::product(s[lane], b);
+        EXPECT_LT((found_half[lane] - expected).norm(), 1e-14 * n * (1 + expected.norm()));
+        const Eigen::MatrixXd whole = test::product(b.transpose(), expected),
+                              lower = whole.triangularView<Eigen::Lower>(),
+                              found = found_both[lane].triangularView<Eigen::Lower>();
+        EXPECT_LT((found - lower).norm(), 1e-14 * n * (1 + lower.norm()));
+    }
+}
+
 TEST_P(LaneMatrix, InverseOfPositiveDefinite) {
     const int n = GetParam();
     const Matrices a = random_spd(n, 6);

@@ -124,14 +124,15 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
     const int n = static_cast<int>(r.exit_angle.size());
     std::vector<double> weight(n);
     interpolation_.weights_at(theta_i, weight.data());
-    by_node_.assign(static_cast<std::size_t>(r.rank()) * r.orders() * n, 0.0);
+    const std::size_t terms = static_cast<std::size_t>(r.rank()) * r.orders();
+    by_node_.assign(terms * n, 0.0);
     const float* value = r.coefficient.data();
     // The triangle of pairs as the square that it stands for, column by column times the weights:
     // vectors, where rows would be added up one number after the other.
     std::vector<float> square(static_cast<std::size_t>(n) * n);
+    std::vector<double> out(n);
     for (int k = 0; k < r.rank(); ++k) {
         for (int l = 0; l < r.orders(); ++l) {
-            double* out = by_node_.data() + (static_cast<std::size_t>(k) * r.orders() + l) * n;
             const int first = r.first[l], rows = n - first;
             if (!r.takes_part(l, theta_i)) {
                 value += rows * (rows + 1) / 2;
@@ -141,11 +142,14 @@ MultipleScatteringSlice::MultipleScatteringSlice(const MultipleScattering& r, do
                 std::copy(value, value + (i + 1 - first), square.data() + i * n + first);
                 for (int j = first; j < i; ++j) square[j * n + i] = value[j - first];
             }
+            std::fill(out.begin(), out.end(), 0.0);
             for (int j = first; j < n; ++j) {
                 const float* column = square.data() + j * n;
                 const double w = weight[j];
                 for (int i = first; i < n; ++i) out[i] += column[i] * w;
             }
+            double* to = by_node_.data() + static_cast<std::size_t>(k) * r.orders() + l;
+            for (int i = first; i < n; ++i) to[i * terms] = out[i];
         }
     }
 }
@@ -154,14 +158,18 @@ void MultipleScatteringSlice::by_order(double theta_o, std::span<double> out) co
     const int n = static_cast<int>(multiple_scattering_.exit_angle.size());
     std::vector<double> weight(n);
     interpolation_.weights_at(theta_o, weight.data());
-    std::size_t at = 0;
-    for (int k = 0; k < multiple_scattering_.rank(); ++k) {
-        for (int l = 0; l < multiple_scattering_.orders(); ++l, ++at) {
-            out[at] = 0;
-            if (!multiple_scattering_.takes_part(l, theta_o)) continue;
-            const double* row = by_node_.data() + at * n;
-            for (int j = multiple_scattering_.first[l]; j < n; ++j) out[at] += row[j] * weight[j];
-        }
+    const int rank = multiple_scattering_.rank(), orders = multiple_scattering_.orders();
+    const std::size_t terms = static_cast<std::size_t>(rank) * orders;
+    std::fill_n(out.begin(), terms, 0.0);
+    double* const sum = out.data();
+    for (int j = 0; j < n; ++j) {
+        const double* from = by_node_.data() + j * terms;
+        const double w = weight[j];
+        for (std::size_t t = 0; t < terms; ++t) sum[t] += from[t] * w;
+    }
+    for (int l = 0; l < orders; ++l) {
+        if (multiple_scattering_.takes_part(l, theta_o)) continue;
+        for (int k = 0; k < rank; ++k) sum[k * orders + l] = 0;
     }
 }
 

@@ -65,7 +65,7 @@ class MultipleScatteringSlice {
  private:
     const MultipleScattering& multiple_scattering_;
     ExitInterpolation interpolation_;
-    std::vector<double> by_node_;  // [k][l][j]: contracted with the incident direction's weights
+    std::vector<double> by_node_;  // [j][k][l]: contracted with the incident direction's weights
 };
 
 }  // namespace nacre::solver

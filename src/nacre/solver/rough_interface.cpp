@@ -142,28 +142,9 @@ void reflect_once_under_rough_interface(const RoughInterfaceOperators::Order& in
                                         const DoubleLanes* s, DoubleLanes* u,
                                         ImpedanceWorkspace& work) {
     const int n = interface.n, exits = interface.exits;
-    const double* enter = interface.enter.data();
     DoubleLanes* half = work.b.data();  // S T^T, n x exits
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < exits; j += kTile) {
-            DoubleLanes sum[kTile] = {};
-            for (int k = 0; k < n; ++k) {
-                for (int t = 0; t < kTile; ++t) sum[t] += s[i * n + k] * enter[k * exits + j + t];
-            }
-            for (int t = 0; t < kTile; ++t) half[i * exits + j + t] = sum[t];
-        }
-    }
-    for (int i = 0; i < exits; ++i) {
-        for (int j = 0; j < exits; j += kTile) {
-            DoubleLanes sum[kTile] = {};
-            for (int k = 0; k < n; ++k) {
-                for (int t = 0; t < kTile; ++t) {
-                    sum[t] += enter[k * exits + i] * half[k * exits + j + t];
-                }
-            }
-            for (int t = 0; t < kTile; ++t) u[i * exits + j + t] = sum[t];
-        }
-    }
+    multiply(s, interface.enter.data(), half, n, exits);
+    multiply_transposed(interface.enter.data(), half, u, n, exits);
 }
 
 }  // namespace nacre::solver

@@ -242,7 +242,8 @@ void reflect_under_rough_interface(const RoughInterfaceOperators::Order& interfa
                                    DoubleLanes* u, ImpedanceWorkspace& work);
 
 /// T S T^T of one order into u (exits x exits), for a symmetric S (n x n): light transmitted in and
-/// out by the interface, with one reflection S between.
+/// out by the interface, with one reflection S between. The tiles on and below the diagonal are
+/// written.
 void reflect_once_under_rough_interface(const RoughInterfaceOperators::Order& interface,
                                         const DoubleLanes* s, DoubleLanes* u,
                                         ImpedanceWorkspace& work);
