@@ -6,12 +6,11 @@
 #include "nacre/core/error.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
+#include "nacre/core/recent_results.h"
 #include "nacre/optics/thickness_rule.h"
 
 namespace nacre::bsdf {
 namespace {
-
-constexpr int kRow = FlakeFilms::kCosineIntervals + 1;
 
 /// Which of `count` (a power of two) equally probable ranges of thickness each flake of the set
 /// takes for the film number `film` among those that vary.
@@ -69,16 +68,17 @@ bool FlakeFilms::vary(const optics::Platelet& platelet) {
 
 FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
                        std::span<const double> wavelengths_nm, double min_cosine,
-                       SharedProgress* work)
-    : stride_(wavelengths_nm.size() + 1), min_cosine_(min_cosine) {
+                       SharedProgress* work, int cosine_intervals)
+    : intervals_(cosine_intervals), stride_(wavelengths_nm.size() + 1), min_cosine_(min_cosine) {
     require_in_range(min_cosine, 0, 1 - 1e-6, "least cosine of the incidence on a flake");
     const std::vector<optics::Platelet> set = representative_platelets(platelet);
     sets_ = set.size();
-    std::vector<double> cosines(kRow);
-    for (int c = 0; c < kRow; ++c) {
-        cosines[c] = std::min(1.0, std::lerp(min_cosine, 1.0, c / (kRow - 1.0)));
+    std::vector<double> cosines;
+    for (int c = 0; c <= intervals_; ++c) {
+        cosines.push_back(
+            std::min(1.0, std::lerp(min_cosine, 1.0, c / static_cast<double>(intervals_))));
     }
-    const std::size_t values = kRow * stride_;
+    const std::size_t values = cosines.size() * stride_;
     ratio_.resize(sets_ * values);
     parallel_for(0, sets_, [&](std::size_t i) {
         const auto table = optics::platelet_table(set[i], binder, cosines, wavelengths_nm, work);
@@ -99,12 +99,40 @@ FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material&
     });
 }
 
+std::shared_ptr<const FlakeFilms> flake_films(const optics::Platelet& platelet,
+                                              const optics::Material& binder,
+                                              std::span<const double> wavelengths_nm,
+                                              double min_cosine, SharedProgress* work,
+                                              int cosine_intervals) {
+    struct Films {
+        optics::Platelet platelet;
+        optics::Material binder;
+        std::vector<double> wavelengths_nm;
+        double min_cosine;
+        int cosine_intervals;
+        bool operator==(const Films&) const = default;
+    };
+    static RecentResults<Films, FlakeFilms> films(std::size_t{64} << 20, [](const FlakeFilms& f) {
+        return f.ratios().size() * sizeof(float);
+    });
+    return films.get({platelet,
+                      binder,
+                      {wavelengths_nm.begin(), wavelengths_nm.end()},
+                      min_cosine,
+                      cosine_intervals},
+                     [&] {
+                         return FlakeFilms(platelet, binder, wavelengths_nm, min_cosine, work,
+                                           cosine_intervals);
+                     });
+}
+
 BoundFlakeFilms FlakeFilms::bind(const std::array<WavelengthPosition, kLanes>& where) const {
     BoundFlakeFilms out;
     out.sets_ = sets_;
     out.min_cosine_ = static_cast<float>(min_cosine_);
-    out.per_cosine_ = static_cast<float>(kCosineIntervals / (1 - min_cosine_));
-    out.ratio_.resize(sets_ * kRow);
+    out.intervals_ = intervals_;
+    out.per_cosine_ = static_cast<float>(intervals_ / (1 - min_cosine_));
+    out.ratio_.resize(sets_ * static_cast<std::size_t>(intervals_ + 1));
     const FloatLanes fraction = make_lanes([&](int i) { return where[i].fraction; });
     for (std::size_t i = 0; i < out.ratio_.size(); ++i) {
         const float* row = ratio_.data() + i * stride_;

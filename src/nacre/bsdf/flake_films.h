@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,7 @@ class BoundFlakeFilms {
  private:
     friend class FlakeFilms;
     std::uint64_t sets_ = 0;
+    int intervals_ = 0;
     float min_cosine_ = 0, per_cosine_ = 0;
     std::vector<FloatLanes> ratio_;  // [set][cosine]
 };
@@ -52,35 +54,45 @@ class FlakeFilms {
     static bool vary(const optics::Platelet& platelet);
 
     /// @param min_cosine  of w_i . h that will be asked for, in [0, 1)
+    /// @param cosine_intervals  fewer are less exact where the mean of a fringe is next to nothing
     /// @throws DomainError, Stopped as optics::platelet_table()
     FlakeFilms(const optics::Platelet& platelet, const optics::Material& binder,
                std::span<const double> wavelengths_nm, double min_cosine,
-               SharedProgress* work = nullptr);
+               SharedProgress* work = nullptr, int cosine_intervals = kCosineIntervals);
 
     /// [set][cosine][wavelength], the last wavelength twice; cosines even from min_cosine() to 1.
     std::span<const float> ratios() const { return ratio_; }
     std::size_t sets() const { return sets_; }
     double min_cosine() const { return min_cosine_; }
+    int cosine_intervals() const { return intervals_; }
 
     BoundFlakeFilms bind(const std::array<WavelengthPosition, kLanes>& where) const;
 
  private:
     std::size_t sets_;
+    int intervals_;
     std::size_t stride_;  // of a row by wavelength, whose last value is stored twice
     double min_cosine_;
     std::vector<float> ratio_;  // [set][cosine][wavelength]
 };
 
+/// FlakeFilms of these. The last few are kept, 64 MiB in all, for callers that show one paint in several
+/// ways, or change its other numbers. @throws as its constructor
+std::shared_ptr<const FlakeFilms> flake_films(const optics::Platelet& platelet,
+                                              const optics::Material& binder,
+                                              std::span<const double> wavelengths_nm,
+                                              double min_cosine, SharedProgress* work = nullptr,
+                                              int cosine_intervals = FlakeFilms::kCosineIntervals);
+
 /// The platelets of the set, none of whose films varies; one where none varies in the first place.
 std::vector<optics::Platelet> representative_platelets(const optics::Platelet& platelet);
 
 inline FloatLanes BoundFlakeFilms::ratio(float cosine, std::uint32_t film) const {
-    constexpr int kRow = FlakeFilms::kCosineIntervals + 1;
     const std::uint64_t set = (film * sets_) >> 32;
-    const float x = std::clamp((cosine - min_cosine_) * per_cosine_, 0.0f,
-                               static_cast<float>(FlakeFilms::kCosineIntervals));
-    const int at = std::min(static_cast<int>(x), FlakeFilms::kCosineIntervals - 1);
-    const FloatLanes* p = ratio_.data() + set * kRow + at;
+    const float x =
+        std::clamp((cosine - min_cosine_) * per_cosine_, 0.0f, static_cast<float>(intervals_));
+    const int at = std::min(static_cast<int>(x), intervals_ - 1);
+    const FloatLanes* p = ratio_.data() + set * static_cast<std::size_t>(intervals_ + 1) + at;
     return p[0] + (x - at) * (p[1] - p[0]);
 }
 

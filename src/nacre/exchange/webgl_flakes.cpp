@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "nacre/core/error.h"
 #include "nacre/core/half.h"
 #include "nacre/exchange/webgl_layout.h"
 #include "nacre/sparkle/diffraction_lobe.h"
@@ -50,7 +51,9 @@ std::string flake_layers_text(const WebglShader::Layout& layout) {
             lines.add("    for (int g = 0; g < 4; ++g) {{");
             lines.add("        vec4 left = exp({} - depth[g] - here[g] * place);", gain);
             lines.add(
-                "        sum += nacreRgb(nacreRow(NACRE_REFLECTANCES[s], g, p.cosine) * left, g);");
+                "        vec4 own = nacreRow(NACRE_REFLECTANCES[s], g, p.cosine) * nacreFilm(s, g, "
+                "p.cosine, body.y);");
+            lines.add("        sum += nacreRgb(own * left, g);");
             lines.add("    }}");
             lines.add("    sum *= nacreLayer[{}].x;", n);
             lines.add("}}");
@@ -83,6 +86,7 @@ std::string webgl_flakes_glsl(const WebglShader::Layout& layout) {
     put("EXTINCTIONS", glsl_array("int", layout.species, [&](const Species& species) {
             return fmt::format("{}", layout.layers[species.layer].extinction);
         }));
+    put("FILM_INTERVALS", fmt::format("{}", kWebglFilmIntervals));
     put("LOBE_POWER", number(DiffractionLobe::kLobePower));
     put("MAX_EXPONENT", number(DiffractionLobe::kMaxExponent));
     put("MAX_WIDTH", number(DiffractionLobe::kMaxWidth));
@@ -119,6 +123,56 @@ std::vector<WebglUniform> webgl_flake_uniforms(
         }
     }
     return {field, levels, size, key};
+}
+
+WebglFilms webgl_films(const std::vector<bsdf::NacreArrays::Species>& species) {
+    constexpr int kRows = kWebglFilmIntervals + 1;
+    WebglFilms out{{"nacreFilms", {1, 1}, {}}, {"nacreFieldFilms", 4, true, {}}};
+    std::vector<const bsdf::NacreArrays::Species*> kinds;
+    int most_sets = 0;
+    for (const bsdf::NacreArrays::Species& s : species) {
+        std::size_t kind = 0;
+        if (s.film_sets > 0) {
+            // Sizes of one kind of flakes are species of their own.
+            const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const auto* other) {
+                return other->film_ratio == s.film_ratio;
+            });
+            kind = static_cast<std::size_t>(same - kinds.begin());
+            if (same == kinds.end()) kinds.push_back(&s);
+        }
+        most_sets = std::max(most_sets, s.film_sets);
+        for (const double x : {static_cast<double>(s.film_sets), static_cast<double>(kRows * kind),
+                               s.film_min_cosine, kWebglFilmIntervals / (1 - s.film_min_cosine)}) {
+            out.uniform.values.push_back(static_cast<float>(x));
+        }
+    }
+    std::vector<std::uint16_t>& rgba = out.texture.rgba;
+    if (kinds.empty()) {
+        rgba.assign(4, half_bits(1));
+        return out;
+    }
+    const std::size_t width = std::size_t{4} * static_cast<std::size_t>(most_sets);
+    if (kRows * kinds.size() > kMaxTextureSize) {
+        throw DomainError(fmt::format(
+            "paint: its {} kinds of flakes with films that vary need a texture {} high; "
+            "must be at most {}",
+            kinds.size(), kRows * kinds.size(), kMaxTextureSize));
+    }
+    out.texture.size = {static_cast<int>(width), static_cast<int>(kRows * kinds.size())};
+    rgba.assign(4 * width * kRows * kinds.size(), half_bits(1));
+    std::uint16_t* to = rgba.data();
+    for (const auto* kind : kinds) {
+        const auto sets = static_cast<std::size_t>(kind->film_sets);
+        for (std::size_t row = 0; row < kRows; ++row, to += 4 * width) {
+            for (std::size_t set = 0; set < sets; ++set) {
+                const float* from = kind->film_ratio.data() + (set * kRows + row) * kWebglBands;
+                for (std::size_t b = 0; b < kWebglBands; ++b) {
+                    to[kWebglBands * set + b] = checked_half(from[b]);
+                }
+            }
+        }
+    }
+    return out;
 }
 
 WebglTexture webgl_lobe_shapes() {

@@ -12,6 +12,7 @@ const int NACRE_REFLECTANCES[NACRE_FLAKES] = @REFLECTANCES@;  // channels by the
 const int NACRE_EXTINCTIONS[NACRE_FLAKES] = @EXTINCTIONS@;  // channels, of their layers
 const float NACRE_LOBE_POWER = @LOBE_POWER@;
 uniform sampler2D nacreLobeShapes;
+uniform sampler2D nacreFilms;
 
 // ------------------------------------------------------------------------------------------ bits
 
@@ -274,9 +275,22 @@ float nacreTilted(NacreOutline o, vec2 at, float radius) {
 
 // ------------------------------------------------------------------------- what the flakes reflect
 
-/// What a flake at the fraction `depth` of its layer reflects, where in nacreColour() stands the mean
-/// of its species.
-vec3 nacreFlakeColour(int s, float place, vec3 wi, vec3 wo, NacrePair p) {
+/// FlakeFilms: what a flake reflects over the mean of its species.
+vec4 nacreFilm(int s, int g, float cosine, uint film) {
+    vec4 kind = nacreFieldFilms[s];
+    if (kind.x == 0.) return vec4(1.);
+    float y = clamp((cosine - kind.z) * kind.w, 0., float(@FILM_INTERVALS@));
+    int low = min(int(y), @FILM_INTERVALS@ - 1);
+    ivec2 at = ivec2(4 * int(nacreHighProduct(film, uint(kind.x))) + g, int(kind.y) + low);
+    return mix(texelFetch(nacreFilms, at, 0), texelFetch(nacreFilms, at + ivec2(0, 1), 0), y - float(low));
+}
+
+/// FlakeView::body(): where a flake lies in its layer, from 0 to 1 downwards.
+float nacrePlace(uvec2 body) { return nacreUnit(body.x); }
+
+/// What one flake reflects, where in nacreColour() stands the mean of its species. body: its hash.
+vec3 nacreFlakeColour(int s, uvec2 body, vec3 wi, vec3 wo, NacrePair p) {
+    float place = nacrePlace(body);
     vec4 depth[4], here[4];
     for (int g = 0; g < 4; ++g) depth[g] = nacreDepth[g] * (1. / p.i.z + 1. / p.o.z);
     vec3 sum = vec3(0.);
@@ -353,8 +367,9 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
     parts /= parts.x + parts.y + parts.z;
 
     // The one that is chosen.
-    float brightness = 0., chosenBrightness = 0., chosenWeight, chosenDepth, chosenWidth;
+    float brightness = 0., chosenBrightness = 0., chosenWeight, chosenWidth;
     int chosen = 0;
+    uvec2 chosenBody;
     vec3 chosenWo, chosenLight;
 
     for (int s = 0; s < NACRE_FLAKES; ++s) {
@@ -426,11 +441,11 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
                         float weight = field.w * nacreCoverage(outline, at, radius) *
                                        nacreTilted(outline, at, radius);
                         if (weight <= 0.) continue;
-                        float depth = nacreUnit(nacreHash(flake.x, flake.y).x);
+                        uvec2 body = nacreHash(flake.x, flake.y);
                         if (sunlit) {
                             float t = 1. - dot(apart, apart) / sunWidth2;
                             float lobe = 3. / (PI * sunWidth2) * t * t;
-                            sum += nacreFlakeColour(s, depth, wi, sun, sunPair) * sunLight *
+                            sum += nacreFlakeColour(s, body, wi, sun, sunPair) * sunLight *
                                    (sunWeight * weight * lobe * sun.z *
                                     nacreFlakeFactor(s, sunPair, sqrt(sunWidth2), narrow.resolved, narrow.widening));
                         }
@@ -454,14 +469,14 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
                         vec3 wo = vec3(xy, sqrt(z2));
                         vec3 light = nacreRadiance(wo);
                         float answer = max(light.r, max(light.g, light.b)) * sizes.w *
-                                       wideWeight * weight * exp(-depth * typicalDepth);
+                                       wideWeight * weight * exp(-nacrePlace(body) * typicalDepth);
                         if (answer <= 0.) continue;
                         brightness += answer;
                         if (nacreFraction(nacreShortMix(b ^ random)) * brightness < answer) {
                             chosen = s;
                             chosenBrightness = answer;
                             chosenWeight = wideWeight * weight;
-                            chosenDepth = depth;
+                            chosenBody = body;
                             chosenWidth = width;
                             chosenWo = wo;
                             chosenLight = light;
@@ -475,7 +490,7 @@ vec3 nacreFlakes(NacrePatch seen, bool asked, vec3 wi, vec3 sun, vec3 sunLight, 
         NacrePair p = nacrePair(wi, chosenWo);
         // Solid angle outside per area of slopes; K is what the direction was drawn by.
         float angle = 2. * (p.i.z + p.o.z) / p.sec2 * nacreIor * nacreIor * p.o.z;
-        sum += nacreFlakeColour(chosen, chosenDepth, wi, chosenWo, p) * chosenLight *
+        sum += nacreFlakeColour(chosen, chosenBody, wi, chosenWo, p) * chosenLight *
                (angle * chosenWeight * brightness / chosenBrightness *
                 nacreFlakeFactor(chosen, p, chosenWidth, nacreResolved[chosen], 1.));
     }

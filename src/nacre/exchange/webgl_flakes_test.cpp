@@ -1,13 +1,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "nacre/bsdf/models/nacre.h"
+#include "nacre/core/file.h"
+#include "nacre/core/half.h"
+#include "nacre/core/random.h"
 #include "nacre/exchange/webgl_shader.h"
+#include "nacre/io/recipe_file.h"
 #include "nacre/solver/solver.h"
+#include "nacre/spectra/rgb.h"
 #include "nacre/spectra/spectrum.h"
 #include "nacre/testing/paints.h"
 
@@ -87,6 +93,146 @@ TEST(WebglFlakes, UniformsAreTheFieldsOfTheSpecimen) {
     EXPECT_EQ(other.program, shader.program);
     EXPECT_NE(values(other, "nacreFieldKey"), key);
     EXPECT_EQ(values(other, "nacreField"), field);
+}
+
+/// Three kinds of flakes: alike, of one film that varies, and of two.
+std::shared_ptr<const solver::SolvedPaint> three_kinds() {
+    const auto pearl = [](double core_spread_nm) {
+        optics::Platelet platelet;
+        platelet.core = {optics::find_material("mica"), 500, {core_spread_nm}};
+        platelet.coats = {{optics::find_material("TiO2_anatase"), 110, {12}}};
+        paint::FlakeSpecies species = test::flakes(0.03, 0.15, 0.0);
+        species.body = platelet;
+        return species;
+    };
+    return std::make_shared<const solver::SolvedPaint>(
+        solver::solve(test::paint_of(1.5, {{12, {test::flakes(0.05, 0.1, 0.5), pearl(0)}, {}},
+                                           {10, {pearl(60), pearl(0)}, {}}}),
+                      spectra::default_wavelengths_nm()));
+}
+
+// By half floats, whose steps are 1/2048 or less, and every other of the cosines.
+TEST(WebglFlakes, FilmsAreThoseOfThePathTracer) {
+    const auto paint = three_kinds();
+    const WebglShader shader = make_live_webgl_shader(paint);
+    const auto films =
+        bsdf::nacre_species(bsdf::Microflake::Tables(paint), 0, {paint->wavelengths_nm()});
+    const std::vector<float> found = values(shader, "nacreFieldFilms");
+    ASSERT_EQ(found.size(), 4 * films.size());
+    EXPECT_EQ(found[0], 0);
+    EXPECT_EQ(found[4], bsdf::FlakeFilms::kOneFilmSet);
+    EXPECT_EQ(found[8], bsdf::FlakeFilms::kManyFilmsSet);
+    EXPECT_EQ(found[13], found[5]) << "flakes of one kind share their films";
+    const auto texture = std::find_if(shader.textures.begin(), shader.textures.end(),
+                                      [](const auto& t) { return t.name == "nacreFilms"; });
+    ASSERT_NE(texture, shader.textures.end());
+    const std::vector<double> nm = paint->wavelengths_nm();
+    double worst = 0, farthest = 0;
+    Rng rng(5);
+    for (const std::size_t s : {1u, 2u, 3u}) {
+        const float* const kind = &found[4 * s];
+        for (int half = 0; half < 2; ++half) {
+            bsdf::Wavelengths bands;
+            for (int b = 0; b < kLanes; ++b) {
+                bands[b] = static_cast<float>(nm.front() + (nm.back() - nm.front()) *
+                                                               (8 * half + b) / (kWebglBands - 1));
+            }
+            const bsdf::BoundFlakeFilms own =
+                films[s].films->bind(bsdf::locate_wavelengths(nm, bands));
+            for (int n = 0; n < 2000; ++n) {
+                const std::uint32_t bits = rng.next_u32();
+                const float cosine = std::lerp(kind[2], 1.0f, rng.uniform_float());
+                const FloatLanes want = own.ratio(cosine, bits);
+                const float y = (cosine - kind[2]) * kind[3];
+                const int low = std::min(static_cast<int>(y), 31);
+                const auto set = static_cast<std::size_t>(
+                    (std::uint64_t{bits} * static_cast<std::uint64_t>(kind[0])) >> 32);
+                const auto at = [&](int row, int b) {
+                    const std::size_t texel =
+                        (static_cast<std::size_t>(kind[1]) + row) * texture->size[0] + 4 * set;
+                    return half_value(texture->rgba[4 * texel + 8 * half + b]);
+                };
+                for (int b = 0; b < kLanes; ++b) {
+                    const float got = at(low, b) + (y - low) * (at(low + 1, b) - at(low, b));
+                    worst = std::max(worst, std::abs(got - double{want[b]}));
+                    farthest = std::max(farthest, std::abs(want[b] - 1.0));
+                }
+            }
+        }
+    }
+    EXPECT_GT(farthest, 0.5);
+    EXPECT_LT(worst, 0.01 * farthest);
+}
+
+// Flakes of a shipped paint, one by one, as the path tracer's class has them. The shader is held to the
+// same file in a browser. WRITE_FLAKE_COLOURS=1 in the environment writes it anew.
+TEST(WebglFlakes, ColoursAreThoseThatTheShaderIsHeldTo) {
+    const auto paint = std::make_shared<const solver::SolvedPaint>(solver::solve(
+        io::read_recipe(shipped_file("paints/red-gold.toml")), spectra::default_wavelengths_nm()));
+    const bsdf::Nacre nacre(paint);
+    const std::vector<double> nm = paint->wavelengths_nm();
+    const std::vector<Vec3d> weights = spectra::rec709_weights(nm);
+    std::vector<std::unique_ptr<const bsdf::BoundBsdf>> bound;
+    for (std::size_t w = 0; w < nm.size(); w += kLanes) {
+        bsdf::Wavelengths eight;
+        for (std::size_t l = 0; l < kLanes; ++l) {
+            eight[l] = static_cast<float>(nm[std::min(w + l, nm.size() - 1)]);
+        }
+        bound.push_back(nacre.bind(eight));
+    }
+    const sparkle::FlakeField& field = nacre.tables().species[0].field;
+    nlohmann::json all = nlohmann::json::array();
+    std::vector<bsdf::AskedFlake> asked;
+    Rng rng(11);
+    while (all.size() < 32) {
+        // A square of 5 um.
+        const float side = 0.005f;
+        bsdf::Patch patch;
+        patch.footprint = {{100 * rng.uniform_float(), 100 * rng.uniform_float(), 0},
+                           {0, 0, 1},
+                           {1, 0, 0},
+                           {Vec3f{side, 0, 0}, Vec3f{0, side, 0}}};
+        patch.flakes = bsdf::Patch::Flakes::apart;
+        const float sine = 0.9f * rng.uniform_float();
+        const Vec3f wi = {sine, 0, std::sqrt(1 - sine * sine)};
+        bound[0]->ask_flakes(patch, wi, rng.next_u32(), asked);
+        sparkle::FlakeView view;
+        field.look(patch.footprint, view, {1, true});
+        if (asked.empty()) continue;
+        bsdf::AskedFlake& flake = asked.front();
+        flake.pdf = flake.wo.z;  // what is asked for times the cosine over this
+        const auto inside = [](Vec3f w) {
+            return Vec3f{w.x / 1.5f, w.y / 1.5f, std::sqrt(1 - (w.x * w.x + w.y * w.y) / 2.25f)};
+        };
+        const Vec3f h = inside(wi) + inside(flake.wo);
+        const Vec2f slope = {h.x / h.z, h.y / h.z};
+        const float fraction = view.fraction(field.lobe(), slope, 0.5f * length(h), flake.flake, 0);
+        if (fraction < 1e-3f) continue;
+        Vec3d rgb;
+        for (std::size_t w = 0; w < nm.size(); ++w) {
+            rgb += bound[w / kLanes]->flake_weight(patch, wi, flake)[w % kLanes] / fraction *
+                   weights[w];
+        }
+        all.push_back({{"place", view.place[flake.flake]},
+                       {"kind", view.kind[flake.flake]},
+                       {"wi", {wi.x, wi.y, wi.z}},
+                       {"wo", {flake.wo.x, flake.wo.y, flake.wo.z}},
+                       {"rgb", {rgb.x, rgb.y, rgb.z}}});
+    }
+    if (std::getenv("WRITE_FLAKE_COLOURS")) {
+        std::ofstream(NACRE_FLAKE_COLOURS) << all.dump(4) << "\n";
+    }
+    std::ifstream file(NACRE_FLAKE_COLOURS);
+    const nlohmann::json known = nlohmann::json::parse(file);
+    ASSERT_EQ(known.size(), all.size());
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        EXPECT_EQ(known[n]["place"], all[n]["place"]);
+        EXPECT_EQ(known[n]["kind"], all[n]["kind"]);
+        const std::vector<double> want = known[n]["rgb"], got = all[n]["rgb"];
+        const double largest = *std::max_element(want.begin(), want.end());
+        // Single precision, summed on processors of all kinds.
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(got[c], want[c], 1e-4 * largest);
+    }
 }
 
 TEST(WebglFlakes, AreLeftOutOfFilesOfOnePaint) {

@@ -17,6 +17,27 @@ namespace nacre::exchange {
 
 using Bands = std::array<float, kWebglBands>;
 
+/// Of a band among the wavelengths of a paint, for linear interpolation.
+struct WebglBand {
+    double nm;
+    std::size_t low;
+    double part;
+
+    /// @param values  by wavelength
+    template <class T>
+    double of(const T* values) const {
+        return values[low] * (1 - part) + values[low + 1] * part;
+    }
+};
+/// Evenly from the first wavelength to the last. @throws DomainError if there are fewer than two
+std::array<WebglBand, kWebglBands> webgl_bands(const std::vector<double>& wavelengths_nm);
+
+/// @throws DomainError if no half float holds it
+std::uint16_t checked_half(double value);
+
+/// The widest texture of every WebGL 2 (MAX_TEXTURE_SIZE).
+inline constexpr std::size_t kMaxTextureSize = 2048;
+
 /// A channel is a function of a place in [0, 1] at all bands: four texels beside each other in every row
 /// of the table.
 struct WebglShader::Layout {
@@ -94,6 +115,20 @@ std::string webgl_flakes_glsl(const WebglShader::Layout& layout);
 std::vector<WebglUniform> webgl_flake_uniforms(
     const std::vector<bsdf::NacreArrays::Species>& species);
 WebglTexture webgl_lobe_shapes();
+
+/// FlakeFilms, of each kind of flakes once: sets of flakes to the right, each with four texels of its
+/// bands, cosines downwards. And where a species finds its own: how many sets, 0 if all its flakes are
+/// alike, the first row, the least cosine, and rows per cosine.
+struct WebglFilms {
+    WebglTexture texture;
+    WebglUniform uniform;
+};
+/// Between the cosines of films: half as many as the path tracer has, at half as many wavelengths, so that
+/// a film's slider waits for a quarter of the work.
+inline constexpr int kWebglFilmIntervals = 32;
+/// @param species  their films by bands and kWebglFilmIntervals
+/// @throws DomainError if no texture is high enough
+WebglFilms webgl_films(const std::vector<bsdf::NacreArrays::Species>& species);
 
 /// Declares share0, share1, ..., lengths by which the gaps of each species help light from the fraction
 /// `u` of a layer's thickness, and returns ln of what they let through of the group g.

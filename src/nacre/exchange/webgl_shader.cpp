@@ -16,9 +16,6 @@ namespace nacre::exchange {
 
 namespace {
 
-/// The widest texture of every WebGL 2 (MAX_TEXTURE_SIZE).
-constexpr std::size_t kMaxTextureSize = 2048;
-
 /// Where n even places from 0 to 1 fall among m even ones: linear interpolation.
 struct EvenPlaces {
     std::size_t low, high;
@@ -66,34 +63,17 @@ std::vector<Vec3d> film_weights(const std::vector<double>& wavelengths_nm, Illum
     return weights;
 }
 
-std::uint16_t checked_half(double value) {
-    const std::uint16_t bits = half_bits(static_cast<float>(value));
-    if (!is_finite_half(bits)) {
-        throw DomainError(fmt::format(
-            "paint: its value {:.4g} is beyond the half floats of textures, 65504", value));
-    }
-    return bits;
-}
-
 /// Fills the layout, and with it the table.
 class Tabulator {
  public:
     /// @param flakes  one by one too: arrays.species
     Tabulator(const bsdf::NacreArrays& arrays, bool flakes, Illuminant lamp)
-        : arrays_(arrays), flakes_(flakes), lamp_(lamp) {
-        const std::vector<double>& nm = arrays.wavelengths_nm;
-        if (nm.size() < 2) {
-            throw DomainError(
-                fmt::format("wavelengths_nm: {}; a material in RGB needs two or more", nm.size()));
-        }
-        std::vector<double> bands_nm(kWebglBands);
-        for (int b = 0; b < kWebglBands; ++b) {
-            bands_nm[b] = nm.front() + (nm.back() - nm.front()) * b / (kWebglBands - 1);
-            const auto above = std::upper_bound(nm.begin() + 1, nm.end() - 1, bands_nm[b]);
-            Band& band = bands_[b];
-            band.low = static_cast<std::size_t>(above - nm.begin()) - 1;
-            band.part = (bands_nm[b] - nm[band.low]) / (nm[band.low + 1] - nm[band.low]);
-        }
+        : arrays_(arrays),
+          flakes_(flakes),
+          lamp_(lamp),
+          bands_(webgl_bands(arrays.wavelengths_nm)) {
+        std::vector<double> bands_nm;
+        for (const WebglBand& band : bands_) bands_nm.push_back(band.nm);
         const std::vector<Vec3d> weights = film_weights(bands_nm, lamp);
         for (int b = 0; b < kWebglBands; ++b) {
             for (int c = 0; c < 3; ++c) layout_.rgb[c][b] = static_cast<float>(weights[b][c]);
@@ -123,21 +103,11 @@ class Tabulator {
     }
 
  private:
-    struct Band {
-        std::size_t low;
-        double part;
-    };
-
-    template <class T>
-    double at_band(const T* values, int b) const {
-        const Band& band = bands_[b];
-        return values[band.low] * (1 - band.part) + values[band.low + 1] * band.part;
-    }
     template <class T>
     Bands at_bands(const std::vector<T>& values) const {
         Bands out;
         for (int b = 0; b < kWebglBands; ++b) {
-            out[b] = static_cast<float>(at_band(values.data(), b));
+            out[b] = static_cast<float>(bands_[b].of(values.data()));
         }
         return out;
     }
@@ -163,7 +133,7 @@ class Tabulator {
         std::vector<double> bands, row(count);
         for (std::size_t first = 0; first < values.size(); first += count) {
             for (std::size_t w = 0; w < count; ++w) row[w] = values[first + w] * factor(w);
-            for (int b = 0; b < kWebglBands; ++b) bands.push_back(at_band(row.data(), b));
+            for (const WebglBand& band : bands_) bands.push_back(band.of(row.data()));
         }
         return add(bands);
     }
@@ -274,7 +244,7 @@ class Tabulator {
     const bsdf::NacreArrays& arrays_;
     const bool flakes_;
     const Illuminant lamp_;
-    std::array<Band, kWebglBands> bands_;
+    const std::array<WebglBand, kWebglBands> bands_;
     WebglShader::Layout layout_;
     std::vector<std::vector<double>> channels_;  // [row][band]
 };
@@ -308,8 +278,7 @@ WebglTexture smooth_texture(const bsdf::NacreArrays& arrays, Illuminant lamp) {
 }
 
 /// In the order in which they are declared, without empty arrays, which GLSL does not know.
-std::vector<WebglUniform> uniforms_of(const WebglShader::Layout& layout,
-                                      const bsdf::NacreArrays& arrays) {
+std::vector<WebglUniform> uniforms_of(const WebglShader::Layout& layout) {
     const auto number = [](const char* name, double value) {
         return WebglUniform{name, 1, false, {static_cast<float>(value)}};
     };
@@ -352,9 +321,6 @@ std::vector<WebglUniform> uniforms_of(const WebglShader::Layout& layout,
         gaps,
         lobes,
         number("nacreLobeCount", static_cast<double>(layout.lobes.size()))};
-    if (!layout.species.empty()) {
-        for (WebglUniform& u : webgl_flake_uniforms(arrays.species)) all.push_back(std::move(u));
-    }
     std::erase_if(all, [](const WebglUniform& u) { return u.values.empty(); });
     return all;
 }
@@ -377,8 +343,16 @@ WebglShader make_shader(const bsdf::NacreArrays& arrays, bool flakes, Illuminant
     shader.textures = {tabulator.table(), smooth_texture(arrays, lamp)};
     const auto layout = std::make_shared<const WebglShader::Layout>(std::move(tabulator).layout());
     shader.layout = layout;
-    if (!layout->species.empty()) shader.textures.push_back(webgl_lobe_shapes());
-    shader.uniforms = uniforms_of(*layout, arrays);
+    shader.uniforms = uniforms_of(*layout);
+    if (!layout->species.empty()) {
+        for (WebglUniform& u : webgl_flake_uniforms(arrays.species)) {
+            shader.uniforms.push_back(std::move(u));
+        }
+        WebglFilms films = webgl_films(arrays.species);
+        shader.uniforms.push_back(std::move(films.uniform));
+        shader.textures.push_back(webgl_lobe_shapes());
+        shader.textures.push_back(std::move(films.texture));
+    }
     shader.glsl = webgl_glsl(*layout, declarations(shader.uniforms));
     shader.program = sha256_hex(shader.glsl);
     shader.smooth_coat = layout->roughness == 0;
@@ -387,13 +361,41 @@ WebglShader make_shader(const bsdf::NacreArrays& arrays, bool flakes, Illuminant
 
 }  // namespace
 
+std::array<WebglBand, kWebglBands> webgl_bands(const std::vector<double>& nm) {
+    if (nm.size() < 2) {
+        throw DomainError(
+            fmt::format("wavelengths_nm: {}; a material in RGB needs two or more", nm.size()));
+    }
+    std::array<WebglBand, kWebglBands> bands;
+    for (int b = 0; b < kWebglBands; ++b) {
+        const double at = nm.front() + (nm.back() - nm.front()) * b / (kWebglBands - 1);
+        const auto above = std::upper_bound(nm.begin() + 1, nm.end() - 1, at);
+        const std::size_t low = static_cast<std::size_t>(above - nm.begin()) - 1;
+        bands[b] = {at, low, (at - nm[low]) / (nm[low + 1] - nm[low])};
+    }
+    return bands;
+}
+
+std::uint16_t checked_half(double value) {
+    const std::uint16_t bits = half_bits(static_cast<float>(value));
+    if (!is_finite_half(bits)) {
+        throw DomainError(fmt::format(
+            "paint: its value {:.4g} is beyond the half floats of textures, 65504", value));
+    }
+    return bits;
+}
+
 WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays, Illuminant lamp) {
     return make_shader(arrays, false, lamp);
 }
 
 WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
                                    std::uint64_t specimen, Illuminant lamp) {
-    return make_shader(bsdf::nacre_live_arrays(paint, specimen), true, lamp);
+    bsdf::FlakeFilmGrid films{{}, kWebglFilmIntervals};
+    for (const WebglBand& band : webgl_bands(paint->wavelengths_nm())) {
+        films.wavelengths_nm.push_back(band.nm);
+    }
+    return make_shader(bsdf::nacre_live_arrays(paint, specimen, films), true, lamp);
 }
 
 }  // namespace nacre::exchange

@@ -72,10 +72,10 @@ WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays,
                               spectra::Illuminant lamp = spectra::Illuminant::D65);
 
 /// The same for a picture that follows a slider: of a solved paint, by bsdf::nacre_live_arrays(), and
-/// hence without nacreAlbedo(); with the flakes of a specimen, unless the coat is rough or there are
-/// none (webgl_flakes.glsl).
+/// hence without nacreAlbedo(); with the flakes of a specimen and their films, where there are any
+/// (webgl_flakes.glsl).
 /// @param lamp  as above
-/// @throws DomainError as above; Error as bsdf::HotSpotTables
+/// @throws DomainError as above and bsdf::FlakeFilms; Error as bsdf::HotSpotTables
 WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
                                    std::uint64_t specimen = 0,
                                    spectra::Illuminant lamp = spectra::Illuminant::D65);

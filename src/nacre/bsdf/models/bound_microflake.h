@@ -40,6 +40,9 @@ struct SamplingProbabilities {
 
 struct Microflake::Tables {
     explicit Tables(std::shared_ptr<const solver::SolvedPaint> solved);
+    /// @param extinction_per_um  extinction_by_direction() of its medium, where that is known
+    Tables(std::shared_ptr<const solver::SolvedPaint> solved,
+           std::vector<std::vector<float>> extinction_per_um);
 
     std::shared_ptr<const solver::SolvedPaint> paint;
     float mean_ior;  ///< of the binder over the paint's wavelengths

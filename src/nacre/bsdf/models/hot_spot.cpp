@@ -16,26 +16,40 @@
 namespace nacre::bsdf {
 namespace {
 
-// A function of the binder's index and the block, at all wavelengths of a row.
-template <class F>
-void fill_row(const solver::PaintMedium& medium, float* row, F&& f) {
-    DoubleLanes value{};
-    for (int w = 0; w < medium.wavelength_count(); ++w) {
-        if (w % kLanes == 0 || medium.ior[w] != medium.ior[w - 1])
-            value = f(medium.ior[w], w / kLanes);
-        row[w] = static_cast<float>(value[w % kLanes]);
+// c Int (1-T)^2 |w.m| D(m) dm / mu of `count` blocks of wavelengths from `first` on.
+std::vector<DoubleLanes> shared_blocking(const solver::FlakeMedium& flake, double mu, int first,
+                                         int count) {
+    std::vector<DoubleLanes> sum(count);
+    if (flake.table.is_opaque()) {
+        std::fill(sum.begin(), sum.end(), splat(paint::projected_area(mu, flake.alpha)));
+    } else {
+        paint::for_each_normal(
+            mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
+                for (int b = 0; b < count; ++b) {
+                    const DoubleLanes blocked = 1.0 - flake.table.transmittance(cosine, first + b);
+                    sum[b] += weight * blocked * blocked;
+                }
+            });
     }
+    for (DoubleLanes& of_block : sum) of_block = flake.area_density_per_um / mu * of_block;
+    return sum;
 }
 
-// c Int (1-T)^2 |w.m| D(m) dm / mu at the wavelengths of one block.
-DoubleLanes shared_blocking(const solver::FlakeMedium& flake, double mu, int block) {
-    DoubleLanes sum{};
-    paint::for_each_normal(
-        mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
-            const DoubleLanes blocked = 1.0 - flake.table.transmittance(cosine, block);
-            sum += weight * blocked * blocked;
-        });
-    return flake.area_density_per_um / mu * sum;
+// Its root at all wavelengths, for a direction outside.
+void set_coupling(const solver::PaintMedium& medium, const solver::FlakeMedium& flake, double theta,
+                  float* row) {
+    const int count = medium.wavelength_count();
+    for (int w = 0; w < count;) {
+        // Wavelengths of one index together.
+        int end = w + 1;
+        while (end < count && medium.ior[end] == medium.ior[w]) ++end;
+        const int first = w / kLanes;
+        const auto blocking = shared_blocking(flake, solver::inside_cosine(medium.ior[w], theta),
+                                              first, (end - 1) / kLanes - first + 1);
+        for (; w < end; ++w) {
+            row[w] = static_cast<float>(std::sqrt(blocking[w / kLanes - first][w % kLanes]));
+        }
+    }
 }
 
 }  // namespace
@@ -60,12 +74,8 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
             species.coupling.resize(static_cast<std::size_t>(kDirectionIntervals + 1) *
                                     wavelength_count_);
             parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {
-                const double theta = direction_angle(static_cast<int>(row));
-                fill_row(medium, &species.coupling[row * wavelength_count_],
-                         [&](double ior, int block) {
-                             const double mu = solver::inside_cosine(ior, theta);
-                             return sqrt_lanes(shared_blocking(flake, mu, block));
-                         });
+                set_coupling(medium, flake, direction_angle(static_cast<int>(row)),
+                             &species.coupling[row * wavelength_count_]);
             });
         }
     }

@@ -99,11 +99,16 @@ FloatLanes HotSpotBlock::scattered_once(const Ray& i) const {
     return sum + exp_lanes(-depth) * ground_reflectance_;
 }
 
-FloatLanes HotSpotBlock::single_gain(const Ray& i, const Ray& o) const {
+FloatLanes HotSpotBlock::single_gain(const Ray& i, const Ray& o, double phi,
+                                     const HotSpot::Pair& both) const {
     constexpr float kDark = 1e-30f;
-    const HotSpot::Pair both = pair(i, o);
     const double spread2 = coat_.spread2(i.inside.z, o.inside.z);
-    const double phi = std::atan2(o.outside.y, o.outside.x) - std::atan2(i.outside.y, i.outside.x);
+    // Of one layer what it scatters cancels.
+    if (medium_.layers.size() == 1) {
+        return both.mean(
+            0, max_lanes(static_cast<float>(medium_.layers[0].thickness_um) * rate(0, i, o),
+                         splat(1e-20f)));
+    }
     FloatLanes plain{}, hot{}, depth{};
     for (std::size_t l = 0; l < medium_.layers.size(); ++l) {
         const solver::LayerMedium& layer = medium_.layers[l];

@@ -54,7 +54,9 @@ class HotSpotBlock {
     FloatLanes lost(const Ray& o) const;
     /// Single scattering in the layers with the hot spot over that without it; 1 where there is
     /// none. Under a rough clearcoat half vectors are spread as sparkle::CoatTilt says.
-    FloatLanes single_gain(const Ray& i, const Ray& o) const;
+    /// @param phi   azimuth of o from that of i
+    /// @param both  pair(i, o)
+    FloatLanes single_gain(const Ray& i, const Ray& o, double phi, const HotSpot::Pair& both) const;
 
  private:
     FloatLanes lanes(const std::vector<double>& values) const;

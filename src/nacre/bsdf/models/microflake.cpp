@@ -160,11 +160,15 @@ double direction_angle(int row) {
 }
 
 Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
+    : Tables(solved, extinction_by_direction(solved->medium)) {}
+
+Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved,
+                           std::vector<std::vector<float>> extinction_per_um)
     : paint(std::move(solved)),
       mean_ior(bsdf::mean_ior(paint->medium)),
       rough(has_rough_interface(*paint)),
       smooth(smooth_table(*paint)),
-      extinction(extinction_by_direction(paint->medium)) {}
+      extinction(std::move(extinction_per_um)) {}
 
 std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium) {
     const int count = medium.wavelength_count();

@@ -84,37 +84,47 @@ std::vector<sparkle::FlakeField> flake_fields(const Microflake::Tables& tables,
     return fields;
 }
 
-Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
-                      SharedProgress& work)
-    : smooth(std::make_shared<Microflake::Tables>(settings.hot_spot ? with_rough_hot_spot(paint)
-                                                                    : paint)) {
-    const paint::Recipe recipe = paint::expanded(paint->recipe);
-    const std::vector<float> fractions = flake_fractions(*smooth);
-    std::vector<sparkle::FlakeField> fields = flake_fields(*smooth, settings.specimen);
+std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::uint64_t specimen,
+                                        const FlakeFilmGrid& grid, SharedProgress* work) {
+    const paint::Recipe recipe = paint::expanded(tables.paint->recipe);
+    const std::vector<float> fractions = flake_fractions(tables);
+    std::vector<sparkle::FlakeField> fields = flake_fields(tables, specimen);
+    std::vector<NacreSpecies> species;
     std::vector<const paint::FlakeSpecies*> known;  // of one kind, which share their films
-    for (std::size_t l = 0; l < recipe.layers.size(); ++l) {
-        first_species.push_back(species.size());
-        for (std::size_t f = 0; f < recipe.layers[l].flakes.size(); ++f) {
-            const paint::FlakeSpecies& flake = recipe.layers[l].flakes[f];
-            std::optional<FlakeFilms> films;
+    for (const paint::Layer& layer : recipe.layers) {
+        for (const paint::FlakeSpecies& flake : layer.flakes) {
+            std::shared_ptr<const FlakeFilms> films;
             if (const auto* platelet = std::get_if<optics::Platelet>(&flake.body);
                 platelet && FlakeFilms::vary(*platelet)) {
                 const auto same = std::find_if(known.begin(), known.end(), [&](const auto* other) {
                     return other->body == flake.body;
                 });
-                if (same != known.end()) {
-                    films = species[static_cast<std::size_t>(same - known.begin())].films;
-                } else {
-                    films.emplace(*platelet, recipe.binder, paint->wavelengths_nm(),
-                                  min_half_cosine(smooth->mean_ior), &work);
-                }
+                films = same != known.end()
+                            ? species[static_cast<std::size_t>(same - known.begin())].films
+                            : flake_films(*platelet, recipe.binder, grid.wavelengths_nm,
+                                          min_half_cosine(tables.mean_ior), work,
+                                          grid.cosine_intervals);
             }
             known.push_back(&flake);
             const std::size_t s = species.size();
             species.push_back({std::move(fields[s]), std::move(films), fractions[s]});
         }
     }
-    if (settings.hot_spot) hot_spot.emplace(*paint);
+    return species;
+}
+
+Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
+                      SharedProgress& work)
+    : hot_spot(settings.hot_spot ? std::optional(HotSpotTables(*paint)) : std::nullopt),
+      smooth(hot_spot ? std::make_shared<Microflake::Tables>(with_rough_hot_spot(paint, *hot_spot),
+                                                             hot_spot->extinction())
+                      : std::make_shared<Microflake::Tables>(paint)) {
+    species = nacre_species(*smooth, settings.specimen, {paint->wavelengths_nm()}, &work);
+    std::size_t before = 0;
+    for (const solver::LayerMedium& layer : paint->medium.layers) {
+        first_species.push_back(before);
+        before += layer.flakes.size();
+    }
     if (paint->recipe.coat_spread() > 0) {
         const CoatSpread& spread = smooth->coat_spread.emplace(*paint, settings.hot_spot);
         if (settings.hot_spot && !smooth->rough) {

@@ -74,9 +74,19 @@ class Nacre final : public Bsdf, public SingleFlakes {
 /// One kind of flakes in one layer.
 struct NacreSpecies {
     sparkle::FlakeField field;
-    std::optional<FlakeFilms> films;  ///< empty: all alike
+    std::shared_ptr<const FlakeFilms> films;  ///< null: all alike
     float fraction;  ///< flake_fractions(): the probability with which its flakes are sampled
 };
+/// How finely to tabulate the films of single flakes.
+struct FlakeFilmGrid {
+    std::vector<double> wavelengths_nm;
+    int cosine_intervals = FlakeFilms::kCosineIntervals;
+};
+/// Of all layers of a panel, layer by layer.
+/// @param work  asked while films are computed, where it is not null
+/// @throws DomainError, Stopped as flake_fields() and FlakeFilms
+std::vector<NacreSpecies> nacre_species(const Microflake::Tables& tables, std::uint64_t specimen,
+                                        const FlakeFilmGrid& grid, SharedProgress* work = nullptr);
 
 /// The flakes of all layers of a panel, layer by layer.
 /// @throws DomainError if they are outside the range of FlakeField
@@ -90,10 +100,10 @@ struct Nacre::Tables {
     Tables(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
            SharedProgress& work);
 
+    std::optional<HotSpotTables> hot_spot;
     std::shared_ptr<Microflake::Tables> smooth;  ///< under a rough clearcoat with the hot spot
     std::vector<NacreSpecies> species;           ///< layer by layer
     std::vector<std::size_t> first_species;      ///< of each layer
-    std::optional<HotSpotTables> hot_spot;
     /// Of a smooth coat whose thickness varies, at the nodes of CoatSpread.
     std::vector<HotSpotTables> hot_spot_nodes;
 };

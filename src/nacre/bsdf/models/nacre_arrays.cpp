@@ -123,9 +123,10 @@ NacreArrays::HotSpotArrays hot_spot_arrays(const HotSpotTables& tables) {
     return out;
 }
 
-NacreArrays::Species field_arrays(const sparkle::FlakeField& field, float fraction) {
+NacreArrays::Species species_arrays(const NacreSpecies& species) {
+    const sparkle::FlakeField& field = species.field;
     NacreArrays::Species out;
-    out.fraction = fraction;
+    out.fraction = species.fraction;
     out.field = field.constants();
     out.density_per_mm2 = field.population().density_per_mm2;
     out.alpha = field.population().alpha;
@@ -133,20 +134,17 @@ NacreArrays::Species field_arrays(const sparkle::FlakeField& field, float fracti
     out.radius_um = field.lobe().radius(1.0);
     const float* sizes = field.sizes().diameters_um();
     out.diameter_um.assign(sizes, sizes + paint::FlakeSizes::kSizes);
-    return out;
-}
-
-NacreArrays::Species species_arrays(const NacreSpecies& species, std::size_t wavelengths) {
-    NacreArrays::Species out = field_arrays(species.field, species.fraction);
     if (species.films) {
         const FlakeFilms& films = *species.films;
         out.film_sets = static_cast<int>(films.sets());
         out.film_min_cosine = films.min_cosine();
-        const std::size_t rows = films.sets() * (FlakeFilms::kCosineIntervals + 1);
+        const std::size_t rows =
+            films.sets() * static_cast<std::size_t>(films.cosine_intervals() + 1);
         const std::size_t stride = films.ratios().size() / rows;
+        out.film_ratio.reserve(rows * (stride - 1));
         for (std::size_t row = 0; row < rows; ++row) {
             const float* from = films.ratios().data() + row * stride;
-            out.film_ratio.insert(out.film_ratio.end(), from, from + wavelengths);
+            out.film_ratio.insert(out.film_ratio.end(), from, from + stride - 1);
         }
     }
     return out;
@@ -160,14 +158,13 @@ NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& 
 }
 
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                              std::uint64_t specimen) {
-    const Microflake::Tables tables(with_rough_hot_spot(paint));
+                              std::uint64_t specimen, const FlakeFilmGrid& films) {
+    const HotSpotTables hot_spot(*paint);
+    const Microflake::Tables tables(with_rough_hot_spot(paint, hot_spot), hot_spot.extinction());
     NacreArrays out = arrays_of(tables);
-    out.hot_spot = hot_spot_arrays(HotSpotTables(*paint));
-    const std::vector<float> fractions = flake_fractions(tables);
-    const std::vector<sparkle::FlakeField> fields = flake_fields(tables, specimen);
-    for (std::size_t s = 0; s < fields.size(); ++s) {
-        out.species.push_back(field_arrays(fields[s], fractions[s]));
+    out.hot_spot = hot_spot_arrays(hot_spot);
+    for (const NacreSpecies& species : nacre_species(tables, specimen, films)) {
+        out.species.push_back(species_arrays(species));
     }
     return out;
 }
@@ -180,7 +177,7 @@ NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint
     NacreArrays out = arrays_of(*tables.smooth);
     if (tables.hot_spot) out.hot_spot = hot_spot_arrays(*tables.hot_spot);
     for (const NacreSpecies& species : tables.species) {
-        out.species.push_back(species_arrays(species, out.wavelengths_nm.size()));
+        out.species.push_back(species_arrays(species));
     }
     return out;
 }

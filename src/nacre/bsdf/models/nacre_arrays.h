@@ -79,7 +79,8 @@ struct NacreArrays {
         std::vector<float> diameter_um;  ///< by the last 8 bits of a flake
         int film_sets = 0;               ///< 0: all flakes alike
         double film_min_cosine = 0;
-        std::vector<float> film_ratio;  ///< (sets, FlakeFilms::kCosineIntervals + 1, W)
+        /// (sets, FlakeFilms::kCosineIntervals + 1, W), or by the grid of nacre_live_arrays()
+        std::vector<float> film_ratio;
     };
     std::vector<Species> species;  ///< of `nacre`: those of all layers, one after the other
 };
@@ -89,11 +90,12 @@ struct NacreArrays {
 NacreArrays nacre_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
                          const NacreModel& settings, const Progress& progress = {});
 /// Those of `nacre` for pictures that follow a slider, in a fraction of the time: without
-/// `probability`, `albedo` and the films of single flakes. Waves of the coat (orange_peel) and the
-/// spread of its thickness are left out.
-/// @throws Error as HotSpotTables; DomainError as FlakeField
+/// `probability` and `albedo`. Waves of the coat (orange_peel) and the spread of its thickness are left
+/// out.
+/// @param films  of single flakes
+/// @throws Error as HotSpotTables; DomainError as FlakeField and FlakeFilms
 NacreArrays nacre_live_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint,
-                              std::uint64_t specimen);
+                              std::uint64_t specimen, const FlakeFilmGrid& films);
 /// Without hot spot and species. @throws Error as Microflake's constructor; DomainError as above
 NacreArrays microflake_arrays(const std::shared_ptr<const solver::SolvedPaint>& paint);
 

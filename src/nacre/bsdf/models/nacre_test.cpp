@@ -63,10 +63,18 @@ TEST(Nacre, TakesTheSmallestAndTheLargestFlakes) {
 }
 
 TEST(Nacre, StopsWhileFilmsAreComputed) {
-    const auto paint = std::make_shared<const solver::SolvedPaint>(
-        solver::solve(paint_of({pearl_flake(12)}), {500, 600}));
-    EXPECT_NO_THROW(Nacre(paint, {}, [](double) { return true; }));
-    EXPECT_THROW(Nacre(paint, {}, [](double) { return false; }), Stopped);
+    const auto coated = [](double coat_nm) {
+        paint::FlakeSpecies flake = pearl_flake(12);
+        std::get<optics::Platelet>(flake.body).coats[0].thickness_nm = coat_nm;
+        return std::make_shared<const solver::SolvedPaint>(
+            solver::solve(paint_of({flake}), {500, 600}));
+    };
+    const auto stop = [](double) { return false; };
+    EXPECT_NO_THROW(Nacre(coated(101), {}, [](double) { return true; }));
+    EXPECT_THROW(Nacre(coated(102), {}, stop), Stopped);
+    // What was computed is kept, and what was stopped is not.
+    EXPECT_NO_THROW(Nacre(coated(101), {}, stop));
+    EXPECT_THROW(Nacre(coated(102), {}, stop), Stopped);
 }
 
 }  // namespace

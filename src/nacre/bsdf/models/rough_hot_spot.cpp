@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "nacre/bsdf/models/hot_spot_closing.h"
 #include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
+#include "nacre/solver/lane_registers.h"
 #include "nacre/solver/rough_interface.h"
 
 namespace nacre::bsdf {
@@ -71,53 +73,93 @@ class NodeValues {
 class Azimuths {
  public:
     /// Half a turn, so finely that a product with a factor of some 30 orders is exact.
-    explicit Azimuths(int orders) : count_(orders + 16) {
+    explicit Azimuths(int orders)
+        : count_((orders + 16 + 3) / 4 * 4), stride_((orders + 1) / 2 * 2) {
         for (int m = 0; m < count_; ++m) {
             // From the mirror side, as the orders' cosines are.
-            const double turn = std::numbers::pi * (m + 0.5) / count_;
-            phi_.push_back(std::numbers::pi + turn);
-            for (int l = 0; l < orders; ++l) cosine_.push_back(std::cos(l * turn));
+            phi_.push_back(std::numbers::pi + turn(m));
         }
-        orders_ = orders;
+        for (int m = 0; m < count_ / 2; ++m) {
+            for (int l = 0; l < stride_; ++l) cosine_.push_back(std::cos(l * turn(m)));
+        }
     }
     const std::vector<double>& phi() const { return phi_; }
 
     /// @param rows    by order, of `width` values each; null: 0, and stays 0
-    /// @param factor  [azimuth][width]
-    void multiply(const std::vector<double*>& rows, const std::vector<double>& factor,
+    /// @param factor  [azimuth][block of eight values]
+    void multiply(const std::vector<double*>& rows, const std::vector<FloatLanes>& factor,
                   std::size_t width) const {
-        std::vector<double> product(rows.size() * width, 0.0), value(width);
-        for (int m = 0; m < count_; ++m) {
-            const double* const cosine = &cosine_[static_cast<std::size_t>(m) * orders_];
-            std::fill(value.begin(), value.end(), 0.0);
+        const std::size_t blocks = factor.size() / phi_.size();
+        thread_local std::vector<DoubleLanes> in, out;
+        for (std::size_t b = 0; b < blocks; ++b) {
+            const std::size_t bytes =
+                std::min<std::size_t>(width - b * kLanes, kLanes) * sizeof(double);
+            in.assign(stride_, DoubleLanes{});
             for (std::size_t l = 0; l < rows.size(); ++l) {
-                if (!rows[l]) continue;
-                const double c = (l ? 2 : 1) * cosine[l];
-                for (std::size_t w = 0; w < width; ++w) value[w] += c * rows[l][w];
+                if (rows[l]) std::memcpy(&in[l], rows[l] + b * kLanes, bytes);
+                if (l > 0) in[l] += in[l];
             }
-            for (std::size_t w = 0; w < width; ++w) value[w] *= factor[m * width + w] / count_;
+            out.assign(stride_, DoubleLanes{});
+            multiply(in.data(), factor.data() + b, blocks, out.data(),
+                     static_cast<int>(rows.size() + 1) / 2 * 2);
             for (std::size_t l = 0; l < rows.size(); ++l) {
-                if (!rows[l]) continue;
-                for (std::size_t w = 0; w < width; ++w) {
-                    product[l * width + w] += cosine[l] * value[w];
-                }
+                if (rows[l]) std::memcpy(rows[l] + b * kLanes, &out[l], bytes);
             }
-        }
-        for (std::size_t l = 0; l < rows.size(); ++l) {
-            if (rows[l]) std::copy_n(&product[l * width], width, rows[l]);
         }
     }
 
  private:
-    int count_, orders_;
+    double turn(int m) const { return std::numbers::pi * (m + 0.5) / count_; }
+
+    /// By turns about a quarter that mirror each other: even orders are the same at both, odd ones the
+    /// opposite. Two pairs at once, whose sums do not wait for each other.
+    void multiply(const DoubleLanes* in, const FloatLanes* factor, std::size_t blocks,
+                  DoubleLanes* out, int orders) const {
+        using solver::load, solver::store;
+        const double part_of_turn = 1.0 / count_;
+        for (int m = 0; m < count_ / 2; m += 2) {
+            const double *c = &cosine_[static_cast<std::size_t>(m) * stride_], *d = c + stride_;
+            const auto at = [&](int azimuth) {
+                return part_of_turn *
+                       __builtin_convertvector(factor[azimuth * blocks], DoubleLanes);
+            };
+            const DoubleLanes c1 = at(m), c2 = at(count_ - 1 - m), d1 = at(m + 1),
+                              d2 = at(count_ - 2 - m);
+            for (int part = 0; part < solver::kRegisters; ++part) {
+                solver::Register even_c{}, odd_c{}, even_d{}, odd_d{};
+                for (int l = 0; l < orders; l += 2) {
+                    const solver::Register even = load(in + l, part), odd = load(in + l + 1, part);
+                    even_c += c[l] * even;
+                    odd_c += c[l + 1] * odd;
+                    even_d += d[l] * even;
+                    odd_d += d[l + 1] * odd;
+                }
+                const solver::Register near_c = load(&c1, part) * (even_c + odd_c),
+                                       far_c = load(&c2, part) * (even_c - odd_c),
+                                       near_d = load(&d1, part) * (even_d + odd_d),
+                                       far_d = load(&d2, part) * (even_d - odd_d);
+                even_c = near_c + far_c;
+                odd_c = near_c - far_c;
+                even_d = near_d + far_d;
+                odd_d = near_d - far_d;
+                for (int l = 0; l < orders; l += 2) {
+                    store(load(out + l, part) + c[l] * even_c + d[l] * even_d, out + l, part);
+                    store(load(out + l + 1, part) + c[l + 1] * odd_c + d[l + 1] * odd_d,
+                          out + l + 1, part);
+                }
+            }
+        }
+    }
+
+    int count_, stride_;  // azimuths; orders, even
     std::vector<double> phi_, cosine_;
 };
 
 class RoughHotSpot {
  public:
-    explicit RoughHotSpot(const solver::SolvedPaint& paint)
+    RoughHotSpot(const solver::SolvedPaint& paint, const HotSpotTables& tables)
         : paint_(paint),
-          tables_(paint),
+          tables_(tables),
           wavelengths_(static_cast<std::size_t>(paint.medium.wavelength_count())),
           nodes_(static_cast<int>(paint.multiple_scattering.exit_angle.size())),
           single_(paint.rough_single),
@@ -186,20 +228,19 @@ class RoughHotSpot {
     // Single scattering with the hot spot; the ground's own reflection, with it, taken out of
     // multiple scattering.
     void add_gain(int i, int j) {
-        std::vector<double> single_gain, ground_gain;
+        thread_local std::vector<FloatLanes> single_gain, ground_gain;  // [azimuth][block]
+        single_gain.clear();
+        ground_gain.clear();
         for (const double phi : azimuths_.phi()) {
             const Ray o = blocks_[0].ray(paint_.multiple_scattering.exit_angle[j], phi);
-            const auto append = [&](std::vector<double>& to, auto&& of_block) {
-                const std::vector<double> values = at_all_wavelengths(of_block);
-                to.insert(to.end(), values.begin(), values.end());
-            };
-            append(single_gain, [&](const HotSpotBlock& b) { return b.single_gain(rays_[i], o); });
-            if (!ground_alone_) continue;
-            append(ground_gain,
-                   [&](const HotSpotBlock& b) { return b.pair(rays_[i], o).ground_gain(); });
+            for (const HotSpotBlock& block : blocks_) {
+                const HotSpot::Pair pair = block.pair(rays_[i], o);
+                single_gain.push_back(block.single_gain(rays_[i], o, phi, pair));
+                if (ground_alone_) ground_gain.push_back(pair.ground_gain());
+            }
         }
         std::vector<double> once(wavelengths_), with_hot_spot(wavelengths_);
-        const auto multiply = [&](NodeValues& values, const std::vector<double>& gain) {
+        const auto multiply = [&](NodeValues& values, const std::vector<FloatLanes>& gain) {
             const double* const order_0 = values.at(0, i, j);
             for (std::size_t w = 0; order_0 && w < wavelengths_; ++w) once[w] += order_0[w];
             azimuths_.multiply(values.rows(i, j), gain, wavelengths_);
@@ -279,7 +320,7 @@ class RoughHotSpot {
     }
 
     const solver::SolvedPaint& paint_;
-    HotSpotTables tables_;
+    const HotSpotTables& tables_;
     std::size_t wavelengths_;
     int nodes_;
     NodeValues single_, multiple_;
@@ -295,13 +336,13 @@ class RoughHotSpot {
 }  // namespace
 
 solver::SolvedPaint with_rough_hot_spot(const solver::SolvedPaint& paint) {
-    return has_rough_interface(paint) ? RoughHotSpot(paint).run() : paint;
+    return has_rough_interface(paint) ? RoughHotSpot(paint, HotSpotTables(paint)).run() : paint;
 }
 
 std::shared_ptr<const solver::SolvedPaint> with_rough_hot_spot(
-    std::shared_ptr<const solver::SolvedPaint> paint) {
+    std::shared_ptr<const solver::SolvedPaint> paint, const HotSpotTables& tables) {
     if (!has_rough_interface(*paint)) return paint;
-    return std::make_shared<const solver::SolvedPaint>(with_rough_hot_spot(*paint));
+    return std::make_shared<const solver::SolvedPaint>(RoughHotSpot(*paint, tables).run());
 }
 
 }  // namespace nacre::bsdf

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "nacre/bsdf/models/hot_spot.h"
 #include "nacre/solver/solved_paint.h"
 
 namespace nacre::bsdf {
@@ -28,7 +29,8 @@ namespace nacre::bsdf {
 /// @throws Error as balance(), has_rough_interface()
 solver::SolvedPaint with_rough_hot_spot(const solver::SolvedPaint& paint);
 /// Under a smooth clearcoat `paint` itself.
+/// @param tables  those of `paint`, for callers that need them as well
 std::shared_ptr<const solver::SolvedPaint> with_rough_hot_spot(
-    std::shared_ptr<const solver::SolvedPaint> paint);
+    std::shared_ptr<const solver::SolvedPaint> paint, const HotSpotTables& tables);
 
 }  // namespace nacre::bsdf
