@@ -4,6 +4,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import COLOURS from "./flake_colours.json";
 import HASHES from "./flake_hash.json";
 import { LiveBrowser } from "./live_browser";
 import type { LivePicture, Scene } from "./live_page";
@@ -28,6 +29,29 @@ test("the shader hashes flakes to the program's integers", async () => {
         got,
         HASHES.map(({ cell, place, kind, body }) => [cell, place, kind, body]),
     );
+});
+
+test("the shader gives single flakes the path tracer's colours", async () => {
+    const got = await browser.page.evaluate(
+        (cases) => window.flakeColours("red-gold", cases),
+        COLOURS,
+    );
+    assert.ok(COLOURS.length > 16);
+    const of = (rgb: readonly number[]) => rgb.map((x) => x / rgb.reduce((sum, y) => sum + y, 0));
+    let [worst, farthest] = [0, 0];
+    COLOURS.forEach(({ rgb }, k) => {
+        const mine = got[k] as number[];
+        const largest = Math.max(...rgb);
+        rgb.forEach((want, c) => {
+            worst = Math.max(worst, Math.abs((mine[c] as number) - want) / largest);
+            const other = of((COLOURS[0] as { rgb: number[] }).rgb)[c] as number;
+            farthest = Math.max(farthest, Math.abs((of(rgb)[c] as number) - other));
+        });
+    });
+    console.log(`single flakes: within ${(100 * worst).toFixed(2)} % of their brightest component`);
+    // By sixteen wavelengths in place of 31, and half floats (kShaderError of webgl_shader_test.cpp).
+    assert.ok(worst < 0.02);
+    assert.ok(farthest > 0.1);
 });
 
 /** ln of the luminance, less its mean over the neighbourhood: what glitters. */
@@ -143,3 +167,66 @@ for (const { name, scene, samples, ...least } of EXPECTED) {
         assert.ok(other.shared < 0.5 * same.shared);
     });
 }
+
+/**
+ * What a colour is beside its brightness, less its mean over the neighbourhood: red over green and blue over
+ * both, of bright pixels alone, where it is no noise.
+ */
+function hues({ data, width, height }: LivePicture, bright: readonly boolean[]): number[] {
+    const channels = data.length / (width * height);
+    return [0, 1].flatMap((which) => {
+        const values = Array.from({ length: width * height }, (_, pixel) => {
+            const [r = 0, g = 0, b = 0] = data
+                .slice(channels * pixel, channels * pixel + 3)
+                .map((x) => Math.max(x, 0));
+            const sum = r + g + b + 1e-6;
+            return which === 0 ? (r - g) / sum : (b - 0.5 * (r + g)) / sum;
+        });
+        const kept = values.filter((_, pixel) => bright[pixel]);
+        const mean = kept.reduce((sum, x) => sum + x, 0) / kept.length;
+        return kept.map((x) => x - mean);
+    });
+}
+
+/** The pixels above the median of a picture. */
+function brightOf({ data, width, height }: LivePicture): boolean[] {
+    const channels = data.length / (width * height);
+    const light = Array.from({ length: width * height }, (_, pixel) =>
+        data.slice(channels * pixel, channels * pixel + 3).reduce((sum, x) => sum + x, 0),
+    );
+    const median = [...light].sort((a, b) => a - b)[Math.floor(light.length / 2)] as number;
+    return light.map((x) => x > median);
+}
+
+test("single flakes have the path tracer's hues", async () => {
+    const scene = { paint: "red-gold", shape: "macro", light: "microscope", size: 64 };
+    const live = await browser.page.evaluate((where) => window.live(where, 64, true), scene);
+    const traced = await Promise.all(
+        [0, 1].map((specimen) =>
+            browser.page.evaluate(([where, which]) => window.traced(where, 256, which), [
+                scene,
+                specimen,
+            ] as const),
+        ),
+    );
+    const bright = brightOf(live);
+    const own = hues(live, bright);
+    const [same = 0, other = 0] = traced.map((picture) => correlation(own, hues(picture, bright)));
+    console.log(`hues: correlation ${same.toFixed(3)}, of another specimen ${other.toFixed(3)}`);
+    assert.ok(same > 0.8);
+    assert.ok(other < 0.3);
+});
+
+test("flakes stay in sight while a slider moves what lies around them", async () => {
+    const scene = { paint: "red-gold", shape: "macro", light: "microscope", size: 96 };
+    const key = ["substrate", "reflectance"];
+    const { coarseness, first, whole } = await browser.page.evaluate(
+        ([where, path]) => window.moved(where, 16, path, 0.5),
+        [scene, key] as const,
+    );
+    const found = correlation(glitter(first), glitter(whole));
+    console.log(
+        `a slider's first picture, ${String(coarseness)} times coarser: glitter correlates by ${found.toFixed(3)}`,
+    );
+    assert.ok(found > 0.5);
+});

@@ -6,20 +6,14 @@
  * of the shape to another.
  */
 
+import { Display } from "./display";
 import type { Part } from "./flakes";
 import { restMatrix, sampleOf, setFlakes } from "./flakes";
 import type { Target } from "./gl";
 import { fill, fillMesh, Program, sumOfMeans } from "./gl";
 import { setLight } from "./lights";
 import type { Light, Mesh, PaintShader, Transform } from "./paint";
-import {
-    DISPLAY,
-    EVERYWHERE,
-    MOST_RECTANGLES,
-    SHAPE_FRAGMENT,
-    SHAPE_VERTEX,
-    shading,
-} from "./passes";
+import { EVERYWHERE, MOST_RECTANGLES, SHAPE_FRAGMENT, SHAPE_VERTEX, shading } from "./passes";
 import type { Camera, Eye } from "./space";
 import { eyeOf, screenMatrix, shapeMatrix } from "./space";
 import { Sums } from "./sums";
@@ -49,8 +43,6 @@ const FRAME_MS = 30;
 /** Samples of pixels that are worth a frame on any machine. */
 const LEAST_WORK = 4096;
 const COARSE_SAMPLES = 24;
-/** From here on the whole picture is better than the coarse one. */
-const ENOUGH = 4;
 const MOST_COARSE = 8;
 /** Of a sample that asks flakes, over one that does not, where processors draw. */
 const ASKING_COST = 6;
@@ -62,7 +54,7 @@ export class LiveView {
     private readonly sumFormat: GLenum;
     private readonly mostSamples: number;
     private readonly shapeProgram: Program;
-    private readonly displayProgram: Program;
+    private readonly shown: Display;
     private readonly programs = new Map<string, Program>();
     private readonly arrays: WebGLVertexArrayObject;
     private readonly nothing: WebGLVertexArrayObject;
@@ -117,8 +109,8 @@ export class LiveView {
         this.sumFormat = precise ? gl.RGBA32F : gl.RGBA16F;
         this.mostSamples = Math.min(options.samples ?? MOST_SAMPLES, precise ? 1e6 : 128);
         this.shapeProgram = Program.begin(gl, SHAPE_VERTEX, SHAPE_FRAGMENT);
-        this.displayProgram = Program.begin(gl, EVERYWHERE, DISPLAY);
         this.nothing = gl.createVertexArray();
+        this.shown = new Display(gl, this.nothing);
         this.arrays = gl.createVertexArray();
         this.buffers = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
         this.lightTextures = [gl.createTexture(), gl.createTexture(), gl.createTexture()];
@@ -252,6 +244,7 @@ export class LiveView {
     };
 
     private restart(): void {
+        this.shown.forget();
         if (this.whole) this.whole.samples = this.whole.rows = 0;
         if (this.coarse) this.coarse.samples = this.coarse.rows = 0;
         this.dirty = true;
@@ -312,6 +305,9 @@ export class LiveView {
         if (paint === null || this.programs.get(paint.program)?.ready() !== true) return;
         const { gl } = this;
         this.nextPaint = null;
+        if (this.whole) {
+            this.whole = this.shown.changePaint(this.whole, this.paint, paint, () => this.make(1));
+        }
         this.paint = paint;
         const program = (this.programs.get(paint.program) as Program).use();
         for (const { name, components, array, values } of paint.uniforms) {
@@ -333,7 +329,7 @@ export class LiveView {
     private draw(): number {
         const { whole } = this;
         if (!whole || !this.transform || !this.light || !this.camera || !this.paint) return 0;
-        if (!this.shapeProgram.ready() || !this.displayProgram.ready()) return 0;
+        if (!this.shapeProgram.ready() || !this.shown.ready()) return 0;
         const pixels = whole.target.width * whole.target.height;
         const budget = Math.max(FRAME_MS * this.speed, LEAST_WORK);
         // A picture that a frame can hold is never coarse.
@@ -348,7 +344,7 @@ export class LiveView {
         if (
             coarse &&
             coarse.samples > 0 &&
-            coarse.samples < COARSE_SAMPLES &&
+            coarse.samples < Math.min(COARSE_SAMPLES, this.mostSamples) &&
             whole.samples === 0
         ) {
             return this.add(coarse, budget);
@@ -465,25 +461,6 @@ export class LiveView {
     }
 
     private display(): void {
-        const { gl, whole } = this;
-        if (!whole || !this.displayProgram.ready()) return;
-        const program = this.displayProgram.use();
-        const [sum, flakes] = whole.target.textures;
-        const coarse = (this.coarse ?? whole).target.textures[0];
-        Object.entries({ whole: sum, wholeFlakes: flakes, coarse }).forEach(
-            ([name, texture], unit) => {
-                gl.activeTexture(gl.TEXTURE0 + unit);
-                gl.bindTexture(gl.TEXTURE_2D, texture as WebGLTexture);
-                program.int(name, unit);
-            },
-        );
-        const hasCoarse = (this.coarse?.samples ?? 0) > 0;
-        program.floats("size", 2, [this.canvas.width, this.canvas.height]);
-        program.floats("enough", 1, [hasCoarse ? ENOUGH : 0]);
-        program.int("warn", this.warn ? 1 : 0);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-        gl.viewport(0, 0, this.canvas.width, this.canvas.height);
-        gl.bindVertexArray(this.nothing);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        if (this.whole && this.shown.ready()) this.shown.draw(this.whole, this.coarse, this.warn);
     }
 }

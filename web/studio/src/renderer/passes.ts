@@ -235,34 +235,72 @@ void main() {
 }`.replaceAll("0x1p-24_", "5.9604644775390625e-8");
 }
 
+const MEANS = `
+vec4 mean(vec4 sum) { return sum.a > 0. ? vec4(sum.rgb / sum.a, 1.) : vec4(0.); }
+float brightness(vec3 light) { return max(dot(light, vec3(.2126, .7152, .0722)), 0.); }
+vec3 lightOf(sampler2D sums, sampler2D flakes, ivec2 pixel) {
+    return mean(texelFetch(sums, pixel, 0)).rgb + mean(texelFetch(flakes, pixel, 0)).rgb;
+}
+`;
+
+/** Of a picture, around the pixels of a coarser one. */
+export const AVERAGE = `${HEAD}${MEANS}
+uniform sampler2D before;
+uniform sampler2D beforeFlakes;
+uniform vec2 size;
+out vec4 around;
+void main() {
+    vec2 step = vec2(textureSize(before, 0)) / size;
+    ivec2 begin = ivec2(floor((gl_FragCoord.xy - .5) * step)), end = ivec2(ceil((gl_FragCoord.xy + .5) * step));
+    end = min(end, textureSize(before, 0));
+    vec4 sum = vec4(0.);
+    for (int y = begin.y; y < end.y; ++y) for (int x = begin.x; x < end.x; ++x) {
+        sum += vec4(lightOf(before, beforeFlakes, ivec2(x, y)), 1.);
+    }
+    around = mean(sum);
+}`;
+
 /**
  * To the screen, as the program writes PNGs: clipped, sRGB. Where the whole picture has few samples yet,
  * the coarse one is seen.
  */
-export const DISPLAY = `${HEAD}
+export const DISPLAY = `${HEAD}${MEANS}
 uniform sampler2D whole;
 uniform sampler2D wholeFlakes;
 uniform sampler2D coarse;
+uniform sampler2D before;
+uniform sampler2D beforeFlakes;
+uniform sampler2D beforeMeans;
 uniform vec2 size;
 uniform float enough;   // samples
+uniform bool glitters;  // as the picture before
 uniform bool warn;      // of colours outside the gamut
 out vec4 seen;
 
-vec4 mean(vec4 sum) { return sum.a > 0. ? vec4(sum.rgb / sum.a, 1.) : vec4(0.); }
+vec4 between(sampler2D pixels) {
+    ivec2 last = textureSize(pixels, 0) - 1;
+    vec2 at = gl_FragCoord.xy / size * vec2(last + 1) - .5, low = floor(at), part = at - low;
+    vec4 sum = vec4(0.);
+    for (int k = 0; k < 4; ++k) {
+        ivec2 step = ivec2(k & 1, k >> 1);
+        vec2 weight = mix(1. - part, part, vec2(step));
+        sum += weight.x * weight.y * mean(texelFetch(pixels, clamp(ivec2(low) + step, ivec2(0), last), 0));
+    }
+    return mean(sum);
+}
 
 void main() {
-    vec4 value = texelFetch(whole, ivec2(gl_FragCoord.xy), 0);
-    vec3 linear = mean(value).rgb + mean(texelFetch(wholeFlakes, ivec2(gl_FragCoord.xy), 0)).rgb;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 value = texelFetch(whole, pixel, 0);
+    vec3 linear = mean(value).rgb + mean(texelFetch(wholeFlakes, pixel, 0)).rgb;
     if (value.a < enough) {
-        ivec2 last = textureSize(coarse, 0) - 1;
-        vec2 at = gl_FragCoord.xy / size * vec2(last + 1) - .5, low = floor(at), part = at - low;
-        vec4 sum = vec4(0.);
-        for (int k = 0; k < 4; ++k) {
-            ivec2 step = ivec2(k & 1, k >> 1);
-            vec2 weight = mix(1. - part, part, vec2(step));
-            sum += weight.x * weight.y * mean(texelFetch(coarse, clamp(ivec2(low) + step, ivec2(0), last), 0));
+        vec4 around = between(coarse);
+        if (around.a > 0.) linear = around.rgb;
+        if (glitters) {
+            float was = brightness(between(beforeMeans).rgb);
+            float is = brightness(lightOf(before, beforeFlakes, pixel));
+            if (was > 1e-4) linear *= is / was;
         }
-        if (sum.a > 0.) linear = mean(sum).rgb;
     }
     vec3 clipped = clamp(linear, 0., 1.);
     vec3 encoded = mix(12.92 * clipped, 1.055 * pow(max(clipped, 1e-6), vec3(1. / 2.4)) - .055,
