@@ -273,7 +273,7 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
     return paint;
 }
 
-SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor) {
+SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor, const Progress& progress) {
     SolvedPaint out;
     out.recipe = paint.recipe;
     out.settings = paint.settings;
@@ -283,7 +283,7 @@ SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor) {
         out.recipe.clearcoat->thickness_spread_um = 0;
     }
     for (double& depth : out.medium.clearcoat_depth) depth *= factor;
-    solve_medium(out, {});
+    solve_medium(out, progress);
     return out;
 }
 

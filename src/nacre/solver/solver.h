@@ -25,7 +25,7 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
 /// The same paint under a clear coat `factor` times as thick, solved anew from the medium of `paint`.
 /// @param factor  >= 0
 /// @throws as solve()
-SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor);
+SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor, const Progress& progress = {});
 
 /// The memory in bytes that solve() allocates at its peak with the nodes and orders that it starts
 /// with; more where it finds that they do not resolve the paint.

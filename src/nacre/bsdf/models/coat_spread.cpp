@@ -20,18 +20,20 @@ constexpr float kMostCrossings = 2;
 constexpr float kFlat = 1e-2f;
 constexpr float kDark = 1e-30f;
 
-solver::SolvedPaint at_deviation(const solver::SolvedPaint& paint, double deviation,
-                                 bool hot_spot) {
+solver::SolvedPaint at_deviation(const solver::SolvedPaint& paint, double deviation, bool hot_spot,
+                                 SharedProgress& work) {
     const double factor = 1 + deviation * paint.recipe.coat_spread();
-    solver::SolvedPaint solved = solver::solve_with_coat(paint, factor);
+    const Progress asking = [&](double) { return work.ask(); };
+    solver::SolvedPaint solved = solver::solve_with_coat(paint, factor, asking);
     return hot_spot ? with_rough_hot_spot(solved) : solved;
 }
 
 }  // namespace
 
-CoatSpread::CoatSpread(const solver::SolvedPaint& mean, bool hot_spot)
+CoatSpread::CoatSpread(const solver::SolvedPaint& mean, bool hot_spot, SharedProgress& work)
     : spread(mean.recipe.coat_spread()),
-      paint{at_deviation(mean, -kCoatNode, hot_spot), at_deviation(mean, kCoatNode, hot_spot)},
+      paint{at_deviation(mean, -kCoatNode, hot_spot, work),
+            at_deviation(mean, kCoatNode, hot_spot, work)},
       table{smooth_table(paint[0]), smooth_table(paint[1])} {}
 
 BoundCoatSpread::BoundCoatSpread(const CoatSpread& spread,

@@ -5,6 +5,7 @@
 
 #include "nacre/bsdf/smooth_table.h"
 #include "nacre/bsdf/wavelength_lanes.h"
+#include "nacre/core/progress.h"
 #include "nacre/solver/solved_paint.h"
 
 namespace nacre::bsdf {
@@ -31,8 +32,9 @@ static_assert(kCoatNode <= paint::limits::kMaxCoatDeviation);
 /// The tables at the two other thicknesses.
 struct CoatSpread {
     /// @param hot_spot  tables under a rough clearcoat hold the hot spot (rough_hot_spot.h)
+    /// @param work      asked whether to go on
     /// @throws as solver::solve_with_coat() and with_rough_hot_spot()
-    CoatSpread(const solver::SolvedPaint& paint, bool hot_spot);
+    CoatSpread(const solver::SolvedPaint& paint, bool hot_spot, SharedProgress& work);
 
     double spread;                             ///< standard deviation over the mean
     std::array<solver::SolvedPaint, 2> paint;  ///< thinner, thicker

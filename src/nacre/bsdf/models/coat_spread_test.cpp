@@ -255,5 +255,11 @@ TEST(VariedCoat, AnEvenCoatChangesNothing) {
     for (int k = 0; k < kLanes; ++k) EXPECT_EQ(varied[k], f[k]);
 }
 
+TEST(CoatSpread, IsGivenUpWhenAskedTo) {
+    const auto solved = solved_on_grid(with_spread(candy(), kTypicalSpread));
+    EXPECT_THROW(Microflake(solved, 0, [](double) { return false; }), Stopped);
+    EXPECT_NO_THROW(Microflake(solved, 0, [](double) { return true; }));
+}
+
 }  // namespace
 }  // namespace nacre::bsdf

@@ -59,7 +59,7 @@ std::shared_ptr<const Bsdf> MicroflakeModel::make(const ModelInput& input,
     if (makes_table()) {
         return std::make_shared<const Tabulated>(*make_table(*input.solved, progress));
     }
-    return std::make_shared<const Microflake>(input.solved, specimen);
+    return std::make_shared<const Microflake>(input.solved, specimen, progress);
 }
 
 std::optional<BrdfTable> MicroflakeModel::make_table(const solver::SolvedPaint& paint,
@@ -114,11 +114,15 @@ std::optional<sparkle::CoatThickness> coat_thickness(const solver::SolvedPaint& 
     return sparkle::CoatThickness(specimen);
 }
 
-Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t specimen)
+Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t specimen,
+                       const Progress& progress)
     : waves_(bsdf::coat_waves(*paint, specimen)),
       thickness_(bsdf::coat_thickness(*paint, specimen)) {
     auto tables = std::make_shared<Tables>(std::move(paint));
-    if (thickness_) tables->coat_spread.emplace(*tables->paint, false);
+    if (thickness_) {
+        SharedProgress work(progress, 1);
+        tables->coat_spread.emplace(*tables->paint, false, work);
+    }
     tabulate_sampling(*tables, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundMicroflake>(tables, wavelengths_nm);
     });

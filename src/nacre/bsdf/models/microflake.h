@@ -8,6 +8,7 @@
 #include "nacre/bsdf/bsdf.h"
 #include "nacre/bsdf/model.h"
 #include "nacre/bsdf/tabulated/compression.h"
+#include "nacre/core/progress.h"
 #include "nacre/solver/solved_paint.h"
 #include "nacre/sparkle/coat_thickness.h"
 #include "nacre/sparkle/coat_waves.h"
@@ -53,8 +54,9 @@ class Microflake final : public Bsdf {
  public:
     /// @param specimen  of the waves of its coat, if the recipe has an orange_peel, and of its thickness,
     ///                  if that has a spread
+    /// @param progress  is asked whether to go on while a coat of uneven thickness is solved
     explicit Microflake(std::shared_ptr<const solver::SolvedPaint> paint,
-                        std::uint64_t specimen = 0);
+                        std::uint64_t specimen = 0, const Progress& progress = {});
     ~Microflake() override;
 
     std::unique_ptr<const BoundBsdf> bind(const Wavelengths& wavelengths_nm) const override;

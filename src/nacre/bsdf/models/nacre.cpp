@@ -126,7 +126,7 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
         before += layer.flakes.size();
     }
     if (paint->recipe.coat_spread() > 0) {
-        const CoatSpread& spread = smooth->coat_spread.emplace(*paint, settings.hot_spot);
+        const CoatSpread& spread = smooth->coat_spread.emplace(*paint, settings.hot_spot, work);
         if (settings.hot_spot && !smooth->rough) {
             for (const solver::SolvedPaint& node : spread.paint) hot_spot_nodes.emplace_back(node);
         }
