@@ -1,7 +1,7 @@
 """The micro-flake model in Dr.Jit: single scattering in closed form, the rest from a table.
 
-What stands here is src/nacre/bsdf/models/bound_microflake.h, for arrays of samples instead of lanes of
-wavelengths; docs/microflake.md has the formulas. Local frame: z is the normal, both directions
+What stands here is src/nacre/bsdf/models/bound_microflake.h, for arrays of samples instead of lanes
+of wavelengths; docs/microflake.md has the formulas. Local frame: z is the normal, both directions
 point away from the surface.
 """
 
