@@ -1,5 +1,6 @@
 #include "nacre/core/file.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -426,7 +427,14 @@ fs::path data_directory() {
         if (fs::is_directory(chosen, ec)) return chosen;
         throw InputError(fmt::format("NACRE_DATA_DIR = '{}' is not a folder", chosen));
     }
-    std::vector<fs::path> candidates = {NACRE_SOURCE_DATA_DIR};
+    std::vector<fs::path> candidates;
+    Dl_info library;
+    if (dladdr(reinterpret_cast<const void*>(&data_directory), &library) && library.dli_fname) {
+        // Of a program it is the name by which it was called, which says nothing of its folder.
+        const fs::path file = library.dli_fname;
+        if (file.is_absolute()) candidates.push_back(file.parent_path() / "share" / "data");
+    }
+    candidates.push_back(NACRE_SOURCE_DATA_DIR);
     const fs::path program = fs::read_symlink("/proc/self/exe", ec);
     if (!ec) {
         candidates.push_back(program.parent_path().parent_path() / NACRE_INSTALL_DATA_DIR / "data");

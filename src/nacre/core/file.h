@@ -103,8 +103,8 @@ struct FileContents {
 void write_together(const std::vector<FileContents>& files);
 
 /// The folder with optical constants and other data: the environment variable NACRE_DATA_DIR if it
-/// is set; else data/ in the source tree that this was built from; else share/nacre/data beside the
-/// folder of the running program, where `cmake --install` puts it.
+/// is set; else share/data beside this library, as in a Python wheel; data/ in the source tree of
+/// which it was built; share/nacre/data beside the folder of the program, as `cmake --install` has it.
 /// @throws InputError naming the folders that were tried
 std::filesystem::path data_directory();
 
