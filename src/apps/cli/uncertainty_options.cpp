@@ -220,8 +220,7 @@ std::optional<Uncertainty> uncertainty_of(const CommonOptions& options,
     if (request.none && request.asks()) {
         throw UsageError(
             "--no-uncertainty and --uncertainty, --correlation or --uncertainty-samples exclude "
-            "each "
-            "other");
+            "each other");
     }
     const UncertaintySettings wanted{parse_deviations(request.deviations),
                                      request.samples.value_or(0), options.seed,

@@ -157,8 +157,7 @@ void check(const Drawdown& drawdown, const DrawdownSettings& settings) {
     if (!any_white && settings.white) {
         throw DomainError(
             "white_volume_fraction: a white is given, but no reading is a tint: its volume "
-            "fraction "
-            "must be in (0, 0.5] in at least one");
+            "fraction must be in (0, 0.5] in at least one");
     }
     require_in(settings.anisotropy, {-1, 1, "", true, true}, "anisotropy");
     if (settings.noise) require_in(*settings.noise, {0, 1, "", true}, "noise");
@@ -364,8 +363,7 @@ PigmentEstimate estimate_pigment(const Drawdown& drawdown, const DrawdownSetting
         throw DomainError(
             "drawdown: needs the paint over two grounds (such as black and white), in two "
             "thicknesses or amounts, or in tints of white; what is there cannot tell scattering "
-            "from "
-            "absorption");
+            "from absorption");
     }
     const int first = both ? 0 : 1;
     double scale_mm = 0;

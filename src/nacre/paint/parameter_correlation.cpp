@@ -16,7 +16,7 @@
 namespace nacre::paint {
 namespace {
 
-/// Eigenvalues of a matrix of coefficients down to less this are 0 but for rounding.
+/// Eigenvalues of a matrix of coefficients above minus this are 0 or more but for rounding.
 constexpr double kRoundingOfEigenvalues = 1e-12;
 /// Pairs are named if their part of a negative variance is so much of the largest part.
 constexpr double kPartNamed = 0.01;
