@@ -17,6 +17,7 @@ pytest.importorskip("mitsuba", reason="Mitsuba is not installed here")
 
 import mitsuba as mi
 import nacre.mitsuba as plugin
+from mitsuba_backends import BACKENDS
 from nacre.mitsuba import _library
 from nacre.mitsuba._bands import single
 from nacre.mitsuba._flakes import Sparkle
@@ -25,15 +26,15 @@ from nacre.mitsuba._patch import Footprint
 dr = pytest.importorskip("drjit")
 
 Array = NDArray[np.float64]
-LLVM = "llvm_ad_spectral"
 NODES = [410.0, 490.0, 560.0, 630.0]
 
 
-@pytest.fixture(autouse=True)
-def _variant() -> Iterator[None]:
-    mi.set_variant(LLVM)
-    yield
-    mi.set_variant(LLVM)
+@pytest.fixture(autouse=True, params=BACKENDS)
+def backend(request: pytest.FixtureRequest) -> Iterator[str]:
+    backend = str(request.param)
+    mi.set_variant(f"{backend}_ad_spectral")
+    yield backend
+    mi.set_variant(f"{backend}_ad_spectral")
 
 
 def directions(count: int) -> tuple[Array, Array]:
@@ -88,8 +89,8 @@ def test_values_are_those_of_nacre(paints: Path, name: str, model: str) -> None:
     assert disagreement(np.array(value).T, want) < (5e-4 if model == "nacre" else 5e-3)
 
 
-def test_rgb_is_the_integral_over_the_spectrum(paints: Path) -> None:
-    mi.set_variant("llvm_ad_rgb")
+def test_rgb_is_the_integral_over_the_spectrum(paints: Path, backend: str) -> None:
+    mi.set_variant(f"{backend}_ad_rgb")
     wi, wo = directions(200)
     nm = np.linspace(400, 700, 31)
     paint = nacre.Paint(paints / "red-gold.toml")

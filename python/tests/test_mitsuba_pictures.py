@@ -21,6 +21,7 @@ pytest.importorskip("mitsuba", reason="Mitsuba is not installed here")
 
 import mitsuba as mi
 import nacre.mitsuba as plugin
+from mitsuba_backends import BACKENDS
 
 Array = NDArray[np.float64]
 
@@ -53,9 +54,9 @@ reflectance = 1.0
 """
 
 
-@pytest.fixture(autouse=True)
-def _variant() -> None:
-    mi.set_variant("llvm_ad_spectral")
+@pytest.fixture(autouse=True, params=BACKENDS)
+def _backend(request: pytest.FixtureRequest) -> None:
+    mi.set_variant(f"{request.param}_ad_spectral")
 
 
 @dataclass(frozen=True)
