@@ -102,4 +102,13 @@ const Quadrature& unit_gauss_legendre(int count) {
     return rules.at(count, [](int n) { return gauss_legendre(n, 0.0, 1.0); });
 }
 
+const Quadrature& half_turn_cosines(int count) {
+    static RuleCache rules;
+    return rules.at(count, [](int n) {
+        Quadrature rule = unit_gauss_legendre(n);
+        for (double& x : rule.nodes) x = std::cos(std::numbers::pi * x);
+        return rule;
+    });
+}
+
 }  // namespace nacre

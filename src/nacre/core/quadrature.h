@@ -21,6 +21,10 @@ Quadrature gauss_legendre(int n, double a, double b);
 /// The n-point rule on [0, 1], computed once per process.
 const Quadrature& unit_gauss_legendre(int n);
 
+/// The same with cos(pi x) in place of each node x: for means of functions of cos(phi) over phi from
+/// 0 to pi, which would spend most of their time on cosines.
+const Quadrature& half_turn_cosines(int n);
+
 inline constexpr double kGaussLegendreError = 1e-14;
 
 }  // namespace nacre

@@ -92,5 +92,19 @@ TEST(GaussLegendre, RefusesEmptyAndReversedIntervals) {
     EXPECT_THROW(gauss_legendre(4, 0, std::numeric_limits<double>::infinity()), DomainError);
 }
 
+// [abramowitz-stegun-1964, eq. 9.1.18]: the mean of cos(z cos phi) is J_0(z).
+TEST(Quadrature, CosinesOfAHalfTurnGiveMeansOverIt) {
+    for (const int n : {16, 24}) {
+        const Quadrature& rule = half_turn_cosines(n);
+        double mean_square = 0, bessel = 0;
+        for (int k = 0; k < n; ++k) {
+            mean_square += rule.weights[k] * rule.nodes[k] * rule.nodes[k];
+            bessel += rule.weights[k] * std::cos(3.0 * rule.nodes[k]);
+        }
+        EXPECT_NEAR(mean_square, 0.5, 1e-12);
+        EXPECT_NEAR(bessel, std::cyl_bessel_j(0, 3.0), 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace nacre

@@ -57,7 +57,8 @@ void for_each_normal(double mu, double alpha, int nodes, Visit&& visit) {
     const double t_edge = s > 0 ? mu / s : INFINITY;
     const double t_max = alpha * std::sqrt(detail::kTail);
     const double t0 = std::min(t_edge, t_max);
-    const Quadrature &radial = unit_gauss_legendre(nodes), &azimuth = radial;
+    const Quadrature &radial = unit_gauss_legendre(nodes), &azimuth = radial,
+                     &half_turn = half_turn_cosines(nodes);
 
     // Mean over the azimuth of |mu - s t cos phi| g(|mu - s t cos phi| cos theta_m).
     const auto ring = [&](double t, double weight) {
@@ -68,17 +69,25 @@ void for_each_normal(double mu, double alpha, int nodes, Visit&& visit) {
             visit(std::min(1.0, mu * cos_m), weight * mu);
             return;
         }
+        const auto see = [&](double cos_phi, double fraction) {
+            const double projected = std::abs(mu - b * cos_phi);
+            visit(std::min(1.0, projected * cos_m), weight * projected * fraction);
+        };
+        if (mu >= b) {
+            for (std::size_t k = 0; k < half_turn.nodes.size(); ++k) {
+                see(half_turn.nodes[k], half_turn.weights[k]);
+            }
+            return;
+        }
         // Split where mu = b cos phi, so that each part is smooth.
-        const double phi_edge = mu < b ? std::acos(mu / b) : 0.0;
+        const double phi_edge = std::acos(mu / b);
         const auto arc = [&](double from, double to) {
+            const double part = (to - from) * std::numbers::inv_pi;
             for (std::size_t k = 0; k < azimuth.nodes.size(); ++k) {
-                const double phi = from + (to - from) * azimuth.nodes[k];
-                const double projected = std::abs(mu - b * std::cos(phi));
-                visit(std::min(1.0, projected * cos_m),
-                      weight * projected * azimuth.weights[k] * (to - from) * std::numbers::inv_pi);
+                see(std::cos(from + (to - from) * azimuth.nodes[k]), azimuth.weights[k] * part);
             }
         };
-        if (phi_edge > 0) arc(0.0, phi_edge);
+        arc(0.0, phi_edge);
         arc(phi_edge, std::numbers::pi);
     };
     for (std::size_t k = 0; k < radial.nodes.size(); ++k) {

@@ -127,24 +127,47 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
     return medium;
 }
 
-DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
-    DoubleLanes sum{};
+namespace {
+
+/// @param cross_section  as many blocks as `sum`; overwritten
+void add_extinction(const LayerMedium& layer, double mu, int first, std::span<DoubleLanes> sum,
+                    std::span<DoubleLanes> cross_section) {
+    const int count = static_cast<int>(sum.size());
     for (const FlakeMedium& flake : layer.flakes) {
-        DoubleLanes cross_section{};
         if (flake.table.is_opaque()) {
-            cross_section += paint::projected_area(mu, flake.alpha);
+            std::fill(cross_section.begin(), cross_section.end(),
+                      splat(paint::projected_area(mu, flake.alpha)));
         } else {
+            std::fill(cross_section.begin(), cross_section.end(), DoubleLanes{});
             paint::for_each_normal(
                 mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
-                    cross_section += weight * (1.0 - flake.table.transmittance(cosine, block));
+                    for (int b = 0; b < count; ++b) {
+                        cross_section[b] +=
+                            weight * (1.0 - flake.table.transmittance(cosine, first + b));
+                    }
                 });
         }
-        sum += flake.area_density_per_um * cross_section;
+        for (int b = 0; b < count; ++b) sum[b] += flake.area_density_per_um * cross_section[b];
     }
     for (const PigmentMedium& pigment : layer.pigments) {
-        sum += block_lanes(pigment.scattering_per_um, block) +
-               block_lanes(pigment.absorption_per_um, block);
+        for (int b = 0; b < count; ++b) {
+            sum[b] += block_lanes(pigment.scattering_per_um, first + b) +
+                      block_lanes(pigment.absorption_per_um, first + b);
+        }
     }
+}
+
+}  // namespace
+
+DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
+    DoubleLanes sum{}, cross_section;
+    add_extinction(layer, mu, block, {&sum, 1}, {&cross_section, 1});
+    return sum;
+}
+
+std::vector<DoubleLanes> extinctions(const LayerMedium& layer, double mu, int first, int count) {
+    std::vector<DoubleLanes> sum(count, DoubleLanes{}), cross_section(count);
+    add_extinction(layer, mu, first, sum, cross_section);
     return sum;
 }
 

@@ -59,6 +59,17 @@ struct PaintMedium {
     friend bool operator==(const PaintMedium&, const PaintMedium&) = default;
 };
 
+/// Calls body(w, end) for each run of wavelengths [w, end) that have one index of the binder.
+template <class Body>
+void for_each_index(const PaintMedium& medium, Body&& body) {
+    const int count = medium.wavelength_count();
+    for (int w = 0, end; w < count; w = end) {
+        end = w + 1;
+        while (end < count && medium.ior[end] == medium.ior[w]) ++end;
+        body(w, end);
+    }
+}
+
 /// @param films  cache of the flakes' tables; null: none
 /// @throws DomainError as validate() and optics::platelet_table() do
 /// @throws Stopped if `work`, which is asked where it is not null, says so
@@ -67,6 +78,10 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
 
 /// Extinction sigma_t(mu), in 1/um, of the eight wavelengths of `block`.
 DoubleLanes extinction(const LayerMedium& layer, double mu, int block);
+
+/// The same of `count` blocks from `first` on, for all of which the flakes' normals are gone through
+/// once.
+std::vector<DoubleLanes> extinctions(const LayerMedium& layer, double mu, int first, int count);
 
 /// What a layer takes from light, in 1/um, by block.
 struct Losses {

@@ -38,18 +38,14 @@ std::vector<DoubleLanes> shared_blocking(const solver::FlakeMedium& flake, doubl
 // Its root at all wavelengths, for a direction outside.
 void set_coupling(const solver::PaintMedium& medium, const solver::FlakeMedium& flake, double theta,
                   float* row) {
-    const int count = medium.wavelength_count();
-    for (int w = 0; w < count;) {
-        // Wavelengths of one index together.
-        int end = w + 1;
-        while (end < count && medium.ior[end] == medium.ior[w]) ++end;
+    solver::for_each_index(medium, [&](int w, int end) {
         const int first = w / kLanes;
         const auto blocking = shared_blocking(flake, solver::inside_cosine(medium.ior[w], theta),
                                               first, (end - 1) / kLanes - first + 1);
         for (; w < end; ++w) {
             row[w] = static_cast<float>(std::sqrt(blocking[w / kLanes - first][w % kLanes]));
         }
-    }
+    });
 }
 
 }  // namespace

@@ -181,18 +181,16 @@ std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMediu
         auto& table = extinction.emplace_back((kDirectionIntervals + 1) * count);
         parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {
             const double theta = direction_angle(static_cast<int>(row));
-            for (int block = 0; block < paint::block_count(count); ++block) {
-                const int end = std::min(kLanes, count - block * kLanes);
-                DoubleLanes value{};
-                for (int lane = 0; lane < end; ++lane) {
-                    const int w = block * kLanes + lane;
-                    if (lane == 0 || medium.ior[w] != medium.ior[w - 1]) {
-                        value = solver::extinction(
-                            layer, solver::inside_cosine(medium.ior[w], theta), block);
-                    }
-                    table[row * count + w] = static_cast<float>(value[lane]);
+            solver::for_each_index(medium, [&](int w, int end) {
+                const int first = w / kLanes;
+                const auto value =
+                    solver::extinctions(layer, solver::inside_cosine(medium.ior[w], theta), first,
+                                        (end - 1) / kLanes - first + 1);
+                for (; w < end; ++w) {
+                    table[row * count + w] =
+                        static_cast<float>(value[w / kLanes - first][w % kLanes]);
                 }
-            }
+            });
         });
     }
     return extinction;
