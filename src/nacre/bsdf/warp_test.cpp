@@ -38,6 +38,33 @@ TEST(SquareWarp, SampleAndInvertUndoEachOther) {
     }
 }
 
+// Tables are searched eight nodes at a time.
+TEST(SquareWarp, TablesOfAnySizeAreSearchedToTheirEnds) {
+    Rng rng(7, 1);
+    for (const int nodes : {2, 3, 8, 9, 10, 63, 64, 65, 66, 128, 129, 130, 521}) {
+        SCOPED_TRACE(nodes);
+        const SquareWarp across = random_warp(2, 4, nodes, 0.3f);
+        const SquareWarp down = random_warp(2, nodes, 3);
+        for (const int slices : {1, 2}) {
+            const SliceMix mix{{0, 1}, {slices == 1 ? 1.0f : 0.4f, 0.6f}, slices};
+            for (int i = 0; i < 4 * nodes; ++i) {
+                const float u = (static_cast<float>(i) + rng.uniform_float()) / (4 * nodes);
+                const float v = rng.uniform_float();
+                ASSERT_NEAR(across.invert(mix, across.sample(mix, {u, v}).at).at.x, u, 2e-5);
+                ASSERT_NEAR(down.invert(mix, down.sample(mix, {v, u}).at).at.y, u, 2e-5);
+            }
+            for (const SquareWarp* warp : {&across, &down}) {
+                const Vec2f first = warp->sample(mix, {0, 0}).at;
+                const Vec2f last = warp->sample(mix, {1, 1}).at;
+                EXPECT_GE(std::min(first.x, first.y), 0);
+                EXPECT_LE(std::max(last.x, last.y), 1);
+                EXPECT_LT(first.x, last.x);
+                EXPECT_LT(first.y, last.y);
+            }
+        }
+    }
+}
+
 // The density is the Jacobian of the inverse: areas of small squares, by finite differences.
 TEST(SquareWarp, DensityIsTheJacobianOfTheInverse) {
     const SquareWarp warp = random_warp(2, 5, 4);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "nacre/core/lane_count.h"
+
 namespace nacre::render {
 namespace {
 
@@ -65,13 +67,14 @@ IntLanes order_of(const LightDirections& lights, const PathSampler::Threes& u) {
 int choose(const FloatLanes& weight, const IntLanes& order, float target) {
     FloatLanes running{};
     for (int k = 0; k < kLanes; ++k) running += order >= order[k] ? weight[k] : FloatLanes{};
-    int chosen = -1, last = -1;  // the last, where rounding puts all running sums below the target
-    for (int k = 0; k < kLanes; ++k) {
-        if (!(weight[k] > 0)) continue;
-        if (last < 0 || running[k] > running[last]) last = k;
-        if (running[k] > target && (chosen < 0 || running[k] < running[chosen])) chosen = k;
-    }
-    return chosen < 0 ? last : chosen;
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const IntLanes possible = weight > 0;
+    const FloatLanes beyond = (possible & (running > target)) ? running : splat(kInfinity);
+    const float nearest = -lane_max(-beyond);
+    if (nearest < kInfinity) return first_lane(beyond == nearest);
+    // The last, where rounding puts all running sums below the target.
+    const FloatLanes up_to = possible ? running : splat(-1.0f);
+    return first_lane(up_to == lane_max(up_to));
 }
 
 std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass, const Meeting& at,

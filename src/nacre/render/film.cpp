@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "nacre/core/lane_count.h"
 #include "nacre/spectra/colour.h"
 
 namespace nacre::render {
@@ -20,11 +21,15 @@ float estimate(const XyzWeights& weights, int channel, FloatLanes radiance) {
 /// it and of differences stay below what LightSum takes.
 constexpr float kMaxLight = 0x1p53f;
 
-bool can_be_summed(FloatLanes light) {
-    for (int i = 0; i < kLanes; ++i) {
-        if (!(std::abs(light[i]) < kMaxLight)) return false;
-    }
-    return true;
+bool can_be_summed(const FloatLanes& light) {
+    return count_lanes(max_lanes(light, -light) < kMaxLight) == kLanes;
+}
+
+template <class T>
+void prefetch_one(const T& of) {
+    // The first and the last byte: it may lie across two lines of the cache.
+    __builtin_prefetch(&of, 1);
+    __builtin_prefetch(reinterpret_cast<const char*>(&of + 1) - 1, 1);
 }
 
 }  // namespace
@@ -55,6 +60,14 @@ void Film::begin_pass(const Pass& pass, bool with_albedo) {
         with_current_.bin_weights[bin].add(splats_[i].weight);
         if (bin + 1 < bins_) with_current_.bin_weights[bin + 1].add(splats_[i].next_weight);
     }
+}
+
+void Film::prefetch(std::size_t pixel) const {
+    prefetch_one(sums_.xyz[pixel]);
+    prefetch_one(sums_.normal[pixel]);
+    __builtin_prefetch(&sums_.met[pixel], 1);
+    if (with_albedo_) prefetch_one(sums_.albedo[pixel]);
+    if (!sums_.sparkle.empty()) prefetch_one(sums_.sparkle[pixel]);
 }
 
 void Film::add(std::size_t pixel, const Pass& pass, const PathLight& path) {

@@ -18,6 +18,8 @@ class Film {
 
     /// Prepares for the paths of one pass; called once before its add().
     void begin_pass(const Pass& pass, bool with_albedo);
+    /// Has the sums of a pixel brought into the cache, for an add() that comes later.
+    void prefetch(std::size_t pixel) const;
     void add(std::size_t pixel, const Pass& pass, const PathLight& path);
     /// Counts the pass as done by every pixel. A last pass may lack it: it counts for the pixels
     /// that it got to.

@@ -128,15 +128,16 @@ class PathTracer {
           memory_(memory) {}
 
     PathLight trace() {
-        follow({.ray = {camera_ray_.origin_mm, camera_ray_.direction},
-                .differential = camera_ray_.differential});
+        Branch camera{.ray = {camera_ray_.origin_mm, camera_ray_.direction},
+                      .differential = camera_ray_.differential};
+        follow(camera);
         if (flake_) follow(*flake_);
         if (specular_) follow(*specular_);
         return path_;
     }
 
  private:
-    void follow(Branch branch);
+    void follow(Branch& branch);
     /// @param here  the surface with what its coat is like there; must outlive what is returned
     LocalSurface surface_at(const Hit& hit, Vec3f wi, const Branch& branch,
                             const bsdf::BoundBsdf& here);
@@ -303,7 +304,7 @@ void PathTracer::ask_flakes(const Hit& hit, const Frame& frame, Vec3f wi,
                     .lobe = lobe_of(flake.pdf)};
 }
 
-void PathTracer::follow(Branch branch) {
+void PathTracer::follow(Branch& branch) {
     const FloatLanes* emission = pass_.emission.data();
     const auto light_weight = [&](const LightPdf& pdf) { return weight(branch, pdf); };
     for (;; ++branch.depth) {
@@ -358,15 +359,16 @@ void PathTracer::follow(Branch branch) {
         }
         if (surface.asked_weight > 0) ask_flakes(*hit, frame, wi, surface);
         if (surface.specular > 0) {
-            Branch mirrored = branch;
             const auto sample = surface.sample_specular(wi);
+            Branch& mirrored = specular_.emplace(branch);
             if (sample && go_on(mirrored, *hit, frame, wi, surface, *sample, u.roulette)) {
                 ++mirrored.depth;
                 mirrored.first_vertex = kSpecularVertex;
                 // Lights are seen in it by every sample, other surfaces by as many as if it had
                 // been drawn by lot: following those costs much, and it reflects little.
                 mirrored.followed = surface.specular;
-                specular_ = mirrored;
+            } else {
+                specular_.reset();
             }
         }
         const auto sample = surface.sample(wi, u.which_lobe, u.surface);

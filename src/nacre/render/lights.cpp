@@ -197,6 +197,12 @@ LightDirections LightSet::directions(Vec3f point_mm, FloatLanes u_light, Vec2<Fl
     LightDirections found;
     const Choice& choice = this->choice(alone);
     if (choice.entries.empty()) return found;
+    if (choice.entries.size() == 1) {
+        const Entry& only = choice.entries[0];
+        static_cast<LightDirection<FloatLanes>&>(found) = draw(choice, only, point_mm, u);
+        found.brightness *= sum_per_luminance(only, found.direction, basis);
+        return found;
+    }
     for (int k = 0; k < kLanes; ++k) found.light[k] = choice.entry_at(u_light[k]);
     for (int entry = 0; entry < static_cast<int>(choice.entries.size()); ++entry) {
         const IntLanes here = found.light == entry;

@@ -199,6 +199,7 @@ class Renderer {
                 const int x = pixel_of(column, stride_), y = pixel_of(row, stride_);
                 const auto pixel = static_cast<std::uint32_t>(y) * options_.width + x;
                 const auto taken = static_cast<std::size_t>(row) * columns_ + column;
+                film_.prefetch(taken);
                 const PathSampler sampler(options_.seed, pixel, pass.sample_index);
                 const auto u = sampler.draw(0);
                 const Vec2f place = {tent(u[0]), tent(u[1])};

@@ -8,6 +8,7 @@
 #include "nacre/bsdf/wavelength_lanes.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/lane_angle.h"
 #include "nacre/core/parallel.h"
 
 namespace nacre::bsdf {
@@ -137,6 +138,28 @@ RglMap::RglMap(const RglTable& table, SharedProgress* work)
       vndf_(table.vndf, static_cast<int>(table.slices()), table.vndf_rows, table.vndf_columns,
             work) {}
 
+namespace {
+
+/// sin and cos of half the angle from the normal. As in polar_angle(), by the chord: the normal itself
+/// is a pole, where rounding decides.
+template <class T>
+CosineSine<T> half_polar_angle(const Vec3<T>& w) {
+    const T sine = 0.5f * sqrt_lanes(w.x * w.x + w.y * w.y + (w.z - 1) * (w.z - 1));
+    return {sqrt_lanes(max_lanes(1 - sine * sine, T{})), sine};
+}
+
+struct Angles {
+    float polar, azimuth;
+};
+/// Both at once, of a unit vector.
+Angles angles_of(Vec3f w) {
+    const CosineSine<float> half = half_polar_angle(w);
+    const FloatLanes angle = atan2_lanes(FloatLanes{half.sine, w.y}, FloatLanes{half.cosine, w.x});
+    return {2 * angle[0], angle[1]};
+}
+
+}  // namespace
+
 // Half the circle was measured where the surface looks the same after half a turn, from -180 to
 // 0 deg; a quarter where it has two mirror planes, from -180 to -90 deg.
 RglIncident RglMap::incident(Vec3f wi) const {
@@ -147,8 +170,8 @@ RglIncident RglMap::incident(Vec3f wi) const {
         i.flip_x = parts_ == 4 ? -std::copysign(1.0f, wi.x) : i.flip_y;
     }
     i.direction = {i.flip_x * wi.x, i.flip_y * wi.y, wi.z};
-    const float theta = polar_angle(i.direction);
-    i.phi = std::atan2(i.direction.y, i.direction.x);
+    const auto [theta, phi] = angles_of(i.direction);
+    i.phi = phi;
     i.mix = grid_.locate(i.phi, theta);
     i.inverse_sigma = 1 / read_square(sigma_, square_point(theta, i.phi));
     return i;
@@ -157,9 +180,28 @@ RglIncident RglMap::incident(Vec3f wi) const {
 RglPoint RglMap::towards(const RglIncident& i, Vec3f wo) const {
     RglPoint point;
     point.normal = normalize(i.direction + wo);
-    const float phi = std::atan2(point.normal.y, point.normal.x);
-    point.half = square_point(polar_angle(point.normal), isotropic_ ? phi - i.phi : phi);
+    const auto [polar, azimuth] = angles_of(point.normal);
+    point.half = square_point(polar, isotropic_ ? azimuth - i.phi : azimuth);
     const SquareWarp::Point found = vndf_.invert(i.mix, point.half);
+    point.sample = found.at;
+    point.density = found.density;
+    return point;
+}
+
+RglPointOf<FloatLanes> RglMap::towards(const RglIncident& i, const Vec3Lanes& wo) const {
+    const Vec3Lanes sum = splat(i.direction) + wo;
+    const FloatLanes inverse = 1 / sqrt_lanes(dot(sum, sum));
+    RglPointOf<FloatLanes> point;
+    point.normal = inverse * sum;
+    const CosineSine<FloatLanes> half = half_polar_angle(point.normal);
+    const FloatLanes polar = 2 * atan2_lanes(half.sine, half.cosine);
+    const FloatLanes azimuth =
+        atan2_lanes(point.normal.y, point.normal.x) - (isotropic_ ? i.phi : 0.0f);
+    const FloatLanes turns = (azimuth + kPiF) * (0.5f / kPiF);
+    // Above -1 and below 2.
+    const FloatLanes below_one = turns < 1 ? turns : turns - 1;
+    point.half = {sqrt_lanes(polar * (2 / kPiF)), turns < 0 ? turns + 1 : below_one};
+    const SquareWarp::Inverse<FloatLanes> found = vndf_.invert_at(i.mix, point.half);
     point.sample = found.at;
     point.density = found.density;
     return point;
@@ -171,10 +213,9 @@ RglPoint RglMap::at(const RglIncident& i, Vec2f sample) const {
     point.sample = sample;
     point.half = found.at;
     point.density = found.density;
-    const float theta = 0.5f * kPiF * found.at.x * found.at.x;
-    const float phi = (2 * found.at.y - 1) * kPiF + (isotropic_ ? i.phi : 0.0f);
-    const float sine = std::sin(theta);
-    point.normal = {sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)};
+    const float azimuth = found.at.y - 0.5f + (isotropic_ ? i.phi * (0.5f / kPiF) : 0.0f);
+    const auto [cosine, sine] = cos_sin_turns(FloatLanes{0.25f * found.at.x * found.at.x, azimuth});
+    point.normal = {sine[0] * cosine[1], sine[0] * sine[1], cosine[0]};
     return point;
 }
 
@@ -185,12 +226,17 @@ float RglMap::scale(const RglIncident& i, const RglPoint& point) const {
 // Steps of the half vector in the square are 2 pi^2 x dx dy of its angles, those of wo 4 w_i.m of
 // its solid angle. At the normal itself, where x and the sine vanish and the interpolated density
 // need not, the density has a pole that still can be integrated.
-float RglMap::solid_angle_density(const RglIncident& i, const RglPoint& point) const {
+template <class T>
+T RglMap::solid_angle_density(const RglIncident& i, const RglPointOf<T>& point) const {
     constexpr float kMin = 1e-12f;
-    const float sine = std::sqrt(point.normal.x * point.normal.x + point.normal.y * point.normal.y);
-    const float area = 2 * kPiF * kPiF * point.half.x * sine;
-    return point.density / std::max(area * 4 * dot(i.direction, point.normal), kMin);
+    const auto& [x, y, z] = point.normal;
+    const T area = 2 * kPiF * kPiF * point.half.x * sqrt_lanes(x * x + y * y);
+    const T cosine = x * i.direction.x + y * i.direction.y + z * i.direction.z;
+    return point.density / max_lanes(area * 4 * cosine, T{} + kMin);
 }
+template float RglMap::solid_angle_density(const RglIncident&, const RglPoint&) const;
+template FloatLanes RglMap::solid_angle_density(const RglIncident&,
+                                                const RglPointOf<FloatLanes>&) const;
 
 struct MeasuredRgl::Tables {
     Tables(const RglTable& table, SharedProgress* work);
@@ -204,7 +250,8 @@ struct MeasuredRgl::Tables {
     SliceGrid albedo_grid;               ///< azimuths and polar angles of wi
     std::vector<float> albedo;           ///< [slice of albedo_grid][channel]
 
-    /// Calls visit(weight, values of the channels) for the corners of an interpolation.
+    /// Calls visit(weight, cell) for the corners of an interpolation, whose channels begin at
+    /// values[cell * channels].
     template <class Visit>
     void for_each_corner(const SliceMix& mix, Vec2f sample, Visit&& visit) const {
         const SquareCell<float> cell = locate_in_square(sample, resolution, resolution);
@@ -217,7 +264,7 @@ struct MeasuredRgl::Tables {
                                        cell.column + right;
                 visit(mix.weight[k] * (up ? cell.row_fraction : 1 - cell.row_fraction) *
                           (right ? cell.column_fraction : 1 - cell.column_fraction),
-                      values.data() + at * channels);
+                      at);
             }
         }
     }
@@ -249,7 +296,14 @@ class BoundMeasuredRgl final : public BoundBsdf {
     BoundMeasuredRgl(std::shared_ptr<const MeasuredRgl::Tables> tables,
                      const Wavelengths& wavelengths)
         : tables_(std::move(tables)), spectrum_(wavelengths) {
-        if (!is_rgb()) where_ = locate_wavelengths(tables_->wavelengths_nm, wavelengths);
+        if (is_rgb()) return;
+        where_ = locate_wavelengths(tables_->wavelengths_nm, wavelengths);
+        // What is read for each direction lies side by side, in fewer lines of the cache.
+        const std::size_t cells = tables_->values.size() / tables_->channels;
+        values_.resize(cells);
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            values_[cell] = lanes(tables_->values.data() + cell * tables_->channels);
+        }
     }
 
     FloatLanes eval(Vec3f wi, Vec3f wo) const override {
@@ -266,10 +320,8 @@ class BoundMeasuredRgl final : public BoundBsdf {
     FloatLanes pdf_lanes(Vec3f wi, const Vec3Lanes& wo) const override {
         if (wi.z <= 0) return FloatLanes{};
         const RglIncident i = tables_->map.incident(wi);
-        return make_lanes([&](int k) {
-            const Vec3f one = lane(wo, k);
-            return one.z > 0 ? density(i, tables_->map.towards(i, turned(i, one))) : 0.0f;
-        });
+        const Vec3Lanes there = {i.flip_x * wo.x, i.flip_y * wo.y, wo.z};
+        return wo.z > 0 ? density(i, tables_->map.towards(i, there)) : FloatLanes{};
     }
 
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override {
@@ -282,7 +334,13 @@ class BoundMeasuredRgl final : public BoundBsdf {
     std::optional<BsdfSample> sample(Vec3f wi, float /*u_select*/, Vec2f u) const override {
         if (wi.z <= 0) return std::nullopt;
         const RglIncident i = tables_->map.incident(wi);
-        const RglPoint point = tables_->map.at(i, tables_->luminance.sample(i.mix, u).at);
+        const Vec2f at = tables_->luminance.sample(i.mix, u).at;
+        // The values come while the half vector is found.
+        if (!is_rgb()) {
+            tables_->for_each_corner(
+                i.mix, at, [&](float, std::size_t cell) { __builtin_prefetch(&values_[cell]); });
+        }
+        const RglPoint point = tables_->map.at(i, at);
         const float cosine = dot(i.direction, point.normal);
         const Vec3f wo = 2 * cosine * point.normal - i.direction;
         if (cosine <= 0 || wo.z <= 0) return std::nullopt;
@@ -320,18 +378,21 @@ class BoundMeasuredRgl final : public BoundBsdf {
         const float factor = tables_->map.scale(i, point) / std::max(cosine, kMinCosine);
         if (is_rgb()) {
             spectra::Rgb rgb;
-            tables_->for_each_corner(i.mix, point.sample, [&](float weight, const float* at) {
+            tables_->for_each_corner(i.mix, point.sample, [&](float weight, std::size_t cell) {
+                const float* const at = tables_->values.data() + 3 * cell;
                 for (int c = 0; c < 3; ++c) rgb[c] += weight * at[c];
             });
             return factor * spectrum_(rgb);
         }
         FloatLanes sum{};
-        tables_->for_each_corner(i.mix, point.sample,
-                                 [&](float weight, const float* at) { sum += weight * lanes(at); });
+        tables_->for_each_corner(i.mix, point.sample, [&](float weight, std::size_t cell) {
+            sum += weight * values_[cell];
+        });
         return factor * max_lanes(sum, FloatLanes{});
     }
 
-    float density(const RglIncident& i, const RglPoint& point) const {
+    template <class T>
+    T density(const RglIncident& i, const RglPointOf<T>& point) const {
         return tables_->luminance.density(i.mix, point.sample) *
                tables_->map.solid_angle_density(i, point);
     }
@@ -339,6 +400,7 @@ class BoundMeasuredRgl final : public BoundBsdf {
     std::shared_ptr<const MeasuredRgl::Tables> tables_;
     RgbLanes spectrum_;
     std::array<WavelengthPosition, kLanes> where_;
+    std::vector<FloatLanes> values_;  ///< of spectra, by cell
 };
 
 }  // namespace
@@ -386,7 +448,8 @@ void MeasuredRgl::Tables::tabulate_albedo() {
                 continue;
             }
             const float factor = map.scale(i, point) / density;
-            for_each_corner(i.mix, u, [&](float weight, const float* at) {
+            for_each_corner(i.mix, u, [&](float weight, std::size_t cell) {
+                const float* const at = values.data() + cell * channels;
                 for (int c = 0; c < channels; ++c) sum[c] += weight * factor * at[c];
             });
         }

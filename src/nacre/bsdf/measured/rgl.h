@@ -91,13 +91,15 @@ struct RglIncident {
     SliceMix mix;
 };
 
-/// A half vector and the point of the square that corresponds to it.
-struct RglPoint {
-    Vec2f sample;   ///< where the measurement is read
-    Vec2f half;     ///< theta and phi of the half vector in the square of ndf and vndf
-    Vec3f normal;   ///< the half vector
-    float density;  ///< of `half` by vndf
+/// A half vector and the point of the square that corresponds to it; or eight.
+template <class T>
+struct RglPointOf {
+    Vec2<T> sample;  ///< where the measurement is read
+    Vec2<T> half;    ///< theta and phi of the half vector in the square of ndf and vndf
+    Vec3<T> normal;  ///< the half vector
+    T density;       ///< of `half` by vndf
 };
+using RglPoint = RglPointOf<float>;
 
 class RglMap {
  public:
@@ -106,12 +108,14 @@ class RglMap {
     RglIncident incident(Vec3f wi) const;
     /// The point for a pair of directions; wo in the same frame as i.direction.
     RglPoint towards(const RglIncident& i, Vec3f wo) const;
+    RglPointOf<FloatLanes> towards(const RglIncident& i, const Vec3Lanes& wo) const;
     /// The half vector for a point at which the measurement is read.
     RglPoint at(const RglIncident& i, Vec2f sample) const;
     /// Factor from a value of the table to f cos(theta_o).
     float scale(const RglIncident& i, const RglPoint& point) const;
     /// Density per solid angle of wo, if `sample` is uniform.
-    float solid_angle_density(const RglIncident& i, const RglPoint& point) const;
+    template <class T>
+    T solid_angle_density(const RglIncident& i, const RglPointOf<T>& point) const;
 
     const SliceGrid& grid() const { return grid_; }
 

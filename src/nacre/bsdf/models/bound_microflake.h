@@ -263,9 +263,15 @@ class BoundMicroflake : public BoundBsdf {
     /// Values of a table that is bound to the wavelengths; a truncated Fourier series may dip below
     /// zero by its own error.
     FloatLanes tabulated(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o) const {
-        const SmoothCell cell = locate(grid_, i.outside, o.outside, i.sine, o.sine, i.x, o.x);
+        return tabulated(table, i, o, cell_of(i, o));
+    }
+    FloatLanes tabulated(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o,
+                         const SmoothCell& cell) const {
         return max_lanes(interpolate(grid_, table.data(), cell), FloatLanes{}) *
                (1 / (i.inside.z + o.inside.z));
+    }
+    SmoothCell cell_of(const Ray& i, const Ray& o) const {
+        return locate(grid_, i.outside, o.outside, i.sine, o.sine, i.x, o.x);
     }
     /// Of the coat, along both directions together, of one standard deviation of its thickness.
     FloatLanes coat_depth_of_deviation(const Ray& i, const Ray& o) const;
@@ -314,6 +320,8 @@ std::optional<BsdfSample> BoundMicroflake::sample_by(const Ray& i, float u_selec
     s.wo = draw(probability, i, u_select, u);
     if (s.wo.z <= 0) return std::nullopt;
     const Ray o = make_ray(s.wo);
+    // The table is larger than the caches near the processor: it comes while the density is found.
+    prefetch(grid_, smooth_.data(), cell_of(i, o));
     s.pdf = density(probability, i, o);
     if (!(s.pdf > 0)) return std::nullopt;
     s.weight = value_to(o) * (s.wo.z / s.pdf);
@@ -392,18 +400,23 @@ FloatLanes BoundMicroflake::single(Vec3f inside_i, Vec3f inside_o, const Ray& i,
 
 template <class Flakes>
 FloatLanes BoundMicroflake::value(const Ray& i, const Ray& o, const Flakes& flakes) const {
-    FloatLanes smooth = tabulated(smooth_, i, o);
+    const SmoothCell cell = cell_of(i, o);
     if (rough_) {
+        const FloatLanes smooth = tabulated(smooth_, i, o, cell);
         const FloatLanes mean = smooth + rough_lobe(i, o);
         if constexpr (std::is_same_v<Flakes, MeanFlakes>) {
             return mean;
         } else {
-            const FloatLanes single = min_lanes(tabulated(rough_->single, i, o), smooth);
+            const FloatLanes single = min_lanes(tabulated(rough_->single, i, o, cell), smooth);
             return mean + single * (rough_ratio(i, o, flakes) - 1.0f);
         }
     }
+    // The table comes while single scattering is worked out.
+    prefetch(grid_, smooth_.data(), cell);
+    const FloatLanes single = once(i, o, flakes);
+    FloatLanes smooth = tabulated(smooth_, i, o, cell);
     if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
-    return (once(i, o, flakes) + smooth) * interface_factor(i, o);
+    return (single + smooth) * interface_factor(i, o);
 }
 
 template <class Flakes>
