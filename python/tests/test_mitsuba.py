@@ -284,19 +284,33 @@ def test_pictures_with_and_without_flakes_have_one_mean(
     assert b.std() > grainier * a.std()
 
 
-def test_gradients_are_those_of_finite_differences(paints: Path) -> None:
-    key = "coats[0].thickness_nm"
-    recipe = paints / "tio2-mica-80.toml"
+THICKNESS, AMOUNT, ALPHA = "coats[0].thickness_nm", "volume_fraction", "orientation.alpha"
+
+
+@pytest.mark.parametrize(
+    ("name", "model", "key"),
+    [
+        ("tio2-mica-80", "microflake", THICKNESS),
+        ("tio2-mica-80", "microflake", AMOUNT),
+        ("tio2-mica-80", "microflake", ALPHA),
+        ("tio2-mica-80", "nacre", AMOUNT),
+        ("satin-silver", "nacre", ALPHA),
+    ],
+)
+def test_gradients_are_those_of_finite_differences(
+    paints: Path, name: str, model: str, key: str
+) -> None:
+    recipe = paints / f"{name}.toml"
     wi, wo = directions(50)
     paint = nacre.Paint(recipe)
     step = 0.02 * paint[key]
 
     def values(at: float) -> Array:
         changed = paint.with_values({key: at})
-        return np.asarray(changed.brdf(wi, wo, NODES, as_rendered=True) * wo[:, 2:])
+        return np.asarray(changed.brdf(wi, wo, NODES, model=model, as_rendered=True) * wo[:, 2:])
 
     want = (values(paint[key] + step) - values(paint[key] - step)) / (2 * step)
-    surface = bsdf(recipe, model="microflake", differentiate=key)
+    surface = bsdf(recipe, model=model, differentiate=key)
     params = mi.traverse(surface)
     assert key in params
     dr.enable_grad(params[key])
@@ -309,6 +323,59 @@ def test_gradients_are_those_of_finite_differences(paints: Path) -> None:
     assert np.median(np.abs(got - want)) < 0.01 * np.median(np.abs(want))
 
 
+def test_gradients_flow_from_a_picture_to_the_recipe(paints: Path) -> None:
+    """Of the mean of a picture by three keys at once; differences of pictures of the same random
+    numbers have no noise of their own."""
+    keys = (THICKNESS, AMOUNT, ALPHA)
+    scene = mi.load_dict(
+        {
+            "type": "scene",
+            "integrator": {"type": "direct", "emitter_samples": 1, "bsdf_samples": 0},
+            "sensor": {
+                "type": "perspective",
+                "fov": 12,
+                "to_world": mi.ScalarTransform4f().look_at([0, -400, 0], [0, 0, 0], [0, 0, 1]),
+                "film": {"type": "hdrfilm", "width": 8, "height": 8},
+            },
+            "ball": {
+                "type": "sphere",
+                "radius": 40.0,
+                "bsdf": {
+                    "type": "nacre",
+                    "recipe": str(paints / "tio2-mica-80.toml"),
+                    "model": "microflake",
+                    "differentiate": ", ".join(keys),
+                },
+            },
+            "sky": {"type": "constant", "radiance": {"type": "d65"}},
+        }
+    )
+    params = mi.traverse(scene)
+    known = list(params.keys())
+    names = {key: next(n for n in known if n.endswith(key)) for key in keys}
+    seed = 3
+
+    def mean_at(name: str, value: Any) -> float:
+        params[name] = mi.Float(value)
+        params.update()
+        return float(np.array(mi.render(scene, spp=64, seed=seed)).mean())
+
+    want = {}
+    for key, name in names.items():
+        was = float(dr.slice(params[name]))
+        low, high = 0.99 * was, 1.01 * was
+        want[key] = (mean_at(name, high) - mean_at(name, low)) / (high - low)
+        params[name] = mi.Float(was)
+    for name in names.values():
+        dr.enable_grad(params[name])
+    params.update()
+    picture = mi.render(scene, params, spp=64, seed=seed + 1, seed_grad=seed)
+    dr.backward(dr.mean(picture, axis=None))
+    for key, name in names.items():
+        got = float(dr.slice(dr.grad(params[name])))
+        assert got == pytest.approx(want[key], rel=5e-3), key
+
+
 @pytest.mark.parametrize("size", [1, 7, 16, 1000])
 def test_kernels_do_not_depend_on_where_tables_lie(size: int) -> None:
     """Which they would by the alignment of memory, and every process would compile its own."""
@@ -319,6 +386,28 @@ def test_kernels_do_not_depend_on_where_tables_lie(size: int) -> None:
         assert table.dtype == np.float32
         assert table.flags.c_contiguous
         np.testing.assert_array_equal(table, values[:, ::2].astype(np.float32))
+
+
+def test_scenes_in_xml_find_the_recipe_beside_them(paints: Path, tmp_path: Path) -> None:
+    (tmp_path / "ruby.toml").write_bytes((paints / "ruby.toml").read_bytes())
+    (tmp_path / "scene.xml").write_text(
+        """<scene version="3.0.0">
+             <bsdf type="nacre" id="paint">
+               <string name="recipe" value="ruby.toml"/>
+               <string name="model" value="nacre"/>
+               <integer name="specimen" value="1"/>
+             </bsdf>
+             <shape type="sphere"><ref id="paint"/></shape>
+           </scene>"""
+    )
+    surface = mi.load_file(str(tmp_path / "scene.xml")).shapes()[0].bsdf()
+    assert surface.model == nacre.Model("nacre", specimen=1, hot_spot=True)
+    wi, wo = directions(20)
+    si = interaction(wi, NODES)
+    value = surface.eval(mi.BSDFContext(), si, vectors(wo))
+    same = bsdf(paints / "ruby.toml", specimen=1).eval(mi.BSDFContext(), si, vectors(wo))
+    assert np.max(np.array(same)) > 0
+    np.testing.assert_array_equal(np.array(value), np.array(same))
 
 
 def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:
