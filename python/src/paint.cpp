@@ -76,11 +76,21 @@ std::shared_ptr<const PaintBrdf> brdf_of(const PaintHandle& handle, const BrdfSe
     return brdf;
 }
 
+/// Squares and products between these are neither rounded to nothing nor infinite. Beyond them angles
+/// are found by what takes three times as long.
+constexpr Range kSafeSquares{1e-280, 1e280};
+
 /// The polar angle of a direction, which need not be of length 1.
-double polar_angle(const double* w) { return std::atan2(std::hypot(w[0], w[1]), w[2]); }
+double polar_angle(const double* w) {
+    const double square = w[0] * w[0] + w[1] * w[1];
+    const bool safe = kSafeSquares.contains(square);
+    return std::atan2(safe ? std::sqrt(square) : std::hypot(w[0], w[1]), w[2]);
+}
 
 /// phi_o - phi_i; 0 where one of them is the normal, which has no azimuth.
 double azimuth_between(const double* wi, const double* wo) {
+    const double across = wi[0] * wo[1] - wi[1] * wo[0], along = wi[0] * wo[0] + wi[1] * wo[1];
+    if (kSafeSquares.contains(std::abs(across) + std::abs(along))) return std::atan2(across, along);
     const auto is_normal = [](const double* w) { return w[0] == 0 && w[1] == 0; };
     if (is_normal(wi) || is_normal(wo)) return 0;
     return std::atan2(wo[1], wo[0]) - std::atan2(wi[1], wi[0]);

@@ -105,7 +105,10 @@ def test_directions_are_the_angles(paints: Path) -> None:
     theta_o, phi = np.array([0.0, 20, 20, 70]), np.array([0.0, 180, 90, 45])
     by_angles = paint.brdf_at(40, theta_o, phi, [500, 600])
     wi, wo = nacre.direction(40, 13), nacre.direction(theta_o, phi + 13)
-    np.testing.assert_allclose(paint.brdf(wi, 7 * wo, [500, 600]), by_angles, rtol=1e-12)
+    # Whatever their lengths, also where squares would underflow or overflow.
+    for long_i, long_o in ((1, 7), (1e-160, 1e-160), (1e153, 1e153), (1e-150, 1e150)):
+        by_directions = paint.brdf(long_i * wi, long_o * wo, [500, 600])
+        np.testing.assert_allclose(by_directions, by_angles, rtol=1e-12)
 
 
 def test_film(nacre_program: Run) -> None:
