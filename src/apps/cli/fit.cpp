@@ -27,7 +27,7 @@ namespace {
 
 constexpr Range kNoise{1e-6, 100, "Delta E"}, kEqual{1e-3, 100, "Delta E"};
 /// Numbers passed over whose reasons are printed, at most.
-constexpr std::size_t kMostSkippedShown = 12;
+constexpr std::size_t kMaxSkippedShown = 12;
 
 struct FitOptions : CommonOptions {
     std::string standard, start, library, free, weights, also, noise, format = "text";
@@ -61,11 +61,11 @@ fit::FreeKeys free_keys(const FitOptions& options, const Paint& start,
 }
 
 void say_skipped(const FitOptions& options, const std::vector<fit::SkippedNumber>& skipped) {
-    for (std::size_t i = 0; i < skipped.size() && i < kMostSkippedShown; ++i) {
+    for (std::size_t i = 0; i < skipped.size() && i < kMaxSkippedShown; ++i) {
         say(options, fmt::format("--free passes over {}: {}", skipped[i].key, skipped[i].why));
     }
-    if (skipped.size() > kMostSkippedShown) {
-        say(options, fmt::format("--free passes over {} more", skipped.size() - kMostSkippedShown));
+    if (skipped.size() > kMaxSkippedShown) {
+        say(options, fmt::format("--free passes over {} more", skipped.size() - kMaxSkippedShown));
     }
 }
 

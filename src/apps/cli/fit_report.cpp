@@ -18,7 +18,7 @@ namespace {
 using fit::FittedParameter;
 
 /// Angles that are named for one attribute of a colour, at most.
-constexpr std::size_t kMostAnglesNamed = 3;
+constexpr std::size_t kMaxAnglesNamed = 3;
 /// The correlation of the errors of two numbers above which it is printed.
 constexpr double kMinShownCorrelation = 0.9;
 
@@ -149,11 +149,11 @@ void add_verdict(Text& text, const fit::Fit& fit) {
               fit.matched_delta_e);
     for (const fit::Shortfall& shortfall : fit::shortfalls(fit.difference)) {
         std::string angles;
-        for (std::size_t i = 0; i < std::min(shortfall.angles.size(), kMostAnglesNamed); ++i) {
+        for (std::size_t i = 0; i < std::min(shortfall.angles.size(), kMaxAnglesNamed); ++i) {
             angles += (i > 0 ? ", " : "") + shortfall_at(shortfall.attribute, shortfall.angles[i]);
         }
-        if (shortfall.angles.size() > kMostAnglesNamed) {
-            angles += fmt::format(" and at {} more", shortfall.angles.size() - kMostAnglesNamed);
+        if (shortfall.angles.size() > kMaxAnglesNamed) {
+            angles += fmt::format(" and at {} more", shortfall.angles.size() - kMaxAnglesNamed);
         }
         text.line("  {} ({:.0f} %): {}", name_of(shortfall.attribute), 100 * shortfall.share,
                   angles);

@@ -26,7 +26,7 @@ namespace nacre::cli {
 
 namespace {
 
-constexpr std::size_t kMostListed = 20;
+constexpr std::size_t kMaxListed = 20;
 
 void add_wavelengths(Facts& facts, const std::vector<double>& nm) {
     if (nm.empty()) {
@@ -38,12 +38,12 @@ void add_wavelengths(Facts& facts, const std::vector<double>& nm) {
 
 void describe_sample(Facts& facts, const std::string& title, const measure::Measurement& sample) {
     std::string readings;
-    for (std::size_t i = 0; i < std::min(sample.readings.size(), kMostListed); ++i) {
+    for (std::size_t i = 0; i < std::min(sample.readings.size(), kMaxListed); ++i) {
         const measure::Reading& r = sample.readings[i];
         readings += fmt::format("{}{} ({:.1f}, {:.1f}, {:.1f})", i == 0 ? "" : ", ",
                                 r.geometry.name, r.lab[0], r.lab[1], r.lab[2]);
     }
-    if (sample.readings.size() > kMostListed) readings += ", ...";
+    if (sample.readings.size() > kMaxListed) readings += ", ...";
     const auto flop = measure::flop_index(sample);
     facts.add(title, "{}, {} readings, L*a*b* {}{}", sample.name.empty() ? "unnamed" : sample.name,
               sample.readings.size(), readings,

@@ -115,7 +115,7 @@ int samples_for(const RenderCommandOptions& options, const Scene& scene) {
     if (!options.noise) return options.render.samples_per_pixel;
     ProgressBar bar("noise", options.quiet);
     return scene.samples_for_noise(options.render, *options.noise,
-                                   options.spp.value_or(kMostSamplesForNoise), bar.callback());
+                                   options.spp.value_or(kMaxSamplesForNoise), bar.callback());
 }
 
 /// Of a picture and a share.
@@ -176,7 +176,7 @@ nlohmann::json render_picture_to(const RenderCommandOptions& options, const Scen
 
     say(options, (result.complete ? "" : "stopped early; partial picture in ") +
                      summary(result, exr) + clipped);
-    const bool capped = how.samples_per_pixel == options.spp.value_or(kMostSamplesForNoise);
+    const bool capped = how.samples_per_pixel == options.spp.value_or(kMaxSamplesForNoise);
     if (options.noise && capped && result.complete && result.noise > options.noise) {
         say(options,
             fmt::format("nacre: the noise is {}, not {}: {} samples were the most that "

@@ -15,7 +15,7 @@ namespace nacre::cli {
 
 namespace {
 
-constexpr long kMostFrames = 100'000;
+constexpr long kMaxFrames = 100'000;
 
 std::string joined_scene_names() {
     std::string names;
@@ -54,7 +54,7 @@ void add_render_options(CLI::App& command, RenderCommandOptions& options) {
     command
         .add_option("--spp", options.spp,
                     fmt::format("Samples per pixel [{}]; with --noise at most [{}]",
-                                options.render.samples_per_pixel, kMostSamplesForNoise))
+                                options.render.samples_per_pixel, kMaxSamplesForNoise))
         ->check(CLI::Range(1, 1 << 24));
     command
         .add_option("--noise", options.noise,
@@ -164,14 +164,14 @@ Frames parse_frames(const std::string& text) {
         const Frames frames{static_cast<long>(first), static_cast<long>(last)};
         if (static_cast<double>(frames.first) == first &&
             static_cast<double>(frames.last) == last && first <= last &&
-            frames.count() <= kMostFrames) {
+            frames.count() <= kMaxFrames) {
             return frames;
         }
     }
     throw UsageError(
         fmt::format("--frames = {}: must be FIRST:LAST in whole numbers, at most {} "
                     "frames, as in 0:35",
-                    text, kMostFrames));
+                    text, kMaxFrames));
 }
 
 Share parse_share(const std::string& text, int samples_per_pixel) {

@@ -32,7 +32,7 @@ struct RenderCommandOptions : CommonOptions {
 };
 
 /// More samples are taken only where --spp says so.
-inline constexpr int kMostSamplesForNoise = 1 << 16;
+inline constexpr int kMaxSamplesForNoise = 1 << 16;
 
 void add_render_options(CLI::App& command, RenderCommandOptions& options);
 

@@ -277,7 +277,7 @@ std::vector<std::string> facets_in_words(const paint::Microfacet& microfacet) {
 }
 
 std::string correlations_in_words(const fit::Uncertainty& uncertainty) {
-    constexpr std::size_t kMostPairsNamed = 12;
+    constexpr std::size_t kMaxPairsNamed = 12;
     std::vector<std::string> pairs;
     for (std::size_t i = 0; i < uncertainty.numbers.size(); ++i) {
         const std::vector<double> row = uncertainty.correlation_of(i);
@@ -292,7 +292,7 @@ std::string correlations_in_words(const fit::Uncertainty& uncertainty) {
                "and "
                "b* together is whose.";
     }
-    const std::size_t named = std::min(pairs.size(), kMostPairsNamed);
+    const std::size_t named = std::min(pairs.size(), kMaxPairsNamed);
     const std::size_t more = pairs.size() - named;
     pairs.resize(named);
     return fmt::format(

@@ -254,7 +254,7 @@ void SolvedPaints::add(const std::string& toml, const Paint& paint) {
     const std::lock_guard lock(mutex_);
     std::erase_if(paints_, [&](const auto& entry) { return entry.first == toml; });
     paints_.emplace_back(toml, paint);
-    if (paints_.size() > kMost) paints_.erase(paints_.begin());
+    if (paints_.size() > kMax) paints_.erase(paints_.begin());
 }
 
 // --------------------------------------------------------------------------------- answers

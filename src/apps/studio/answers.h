@@ -53,7 +53,7 @@ class SolvedPaints {
     void add(const std::string& toml, const Paint& paint);
 
  private:
-    static constexpr std::size_t kMost = 8;
+    static constexpr std::size_t kMax = 8;
     mutable std::mutex mutex_;
     std::vector<std::pair<std::string, Paint>> paints_;  // the newest last
 };

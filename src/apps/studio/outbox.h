@@ -37,7 +37,7 @@ class Outbox {
         Answer answer = std::move(waiting_.front());
         waiting_.pop_front();
         for (Frame& frame : answer.frames) {
-            if (known_.size() >= kMostKnown) known_.clear();
+            if (known_.size() >= kMaxKnown) known_.clear();
             const bool is_new = !frame.program.empty() && known_.insert(frame.program).second;
             if (is_new) frame.text = std::move(frame.text_when_new);
         }
@@ -46,7 +46,7 @@ class Outbox {
     std::size_t size() const { return waiting_.size(); }
 
  private:
-    static constexpr std::size_t kMostKnown = 1000;
+    static constexpr std::size_t kMaxKnown = 1000;
 
     std::deque<Answer> waiting_;
     std::set<std::string> known_;  // programs that were taken

@@ -210,13 +210,13 @@ class TemporaryNames {
     std::string begin_, end_;
 };
 
-constexpr int kMostAttempts = 1000;  // to find a name that nobody has
+constexpr int kMaxAttempts = 1000;  // to find a name that nobody has
 
 // Creates a file under a name that did not exist, with the permissions of the user's umask.
 std::pair<int, fs::path> create_named(const fs::path& target, const fs::path& path) {
     TemporaryNames names(target);
     names.remove_abandoned();
-    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
         fs::path name = names.next();
         const int fd = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
         if (fd >= 0) return {fd, std::move(name)};
@@ -374,7 +374,7 @@ void AtomicFile::commit() {
         temporary_name_ = names.next();
         const int error_number = link_to(temporary_, temporary_name_);
         named_ = error_number == 0;
-        if (!named_ && (error_number != EEXIST || attempt == kMostAttempts)) {
+        if (!named_ && (error_number != EEXIST || attempt == kMaxAttempts)) {
             fail(path_, error_number);
         }
     }

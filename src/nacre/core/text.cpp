@@ -201,13 +201,13 @@ std::optional<std::string> closest_match(std::string_view name,
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates) {
-    constexpr std::size_t kMost = 6;
+    constexpr std::size_t kMax = 6;
     std::vector<std::string> meant;
     const std::string stem = lowercase(name.substr(0, kMaxNameLength)) + "_";
     for (const std::string& candidate : candidates) {
         if (lowercase(candidate).starts_with(stem)) meant.push_back(candidate);
     }
-    if (name.empty() || meant.size() > kMost) meant.clear();
+    if (name.empty() || meant.size() > kMax) meant.clear();
     if (const auto match = closest_match(name, candidates); match && meant.empty()) {
         meant.push_back(*match);
     }

@@ -17,7 +17,7 @@ namespace {
 
 /// Places at which a number is tried alone: hues turn over a tenth of the cube.
 constexpr std::size_t kPlaces = 10;
-constexpr std::size_t kMostRemedies = 3;
+constexpr std::size_t kMaxRemedies = 3;
 /// A remedy must leave this part of the difference or less.
 constexpr double kWorthSaying = 0.9;
 constexpr double kWider = 3;
@@ -133,7 +133,7 @@ std::vector<Remedy> find_remedies(const Target& target, const paint::Recipe& fou
     for (const auto& trial : trials) {
         solves += trial->model.solves();
         const std::string& key = trial->number().bounds.key;
-        if (tried.size() == kMostRemedies || trial->least_rms() >= rms_now ||
+        if (tried.size() == kMaxRemedies || trial->least_rms() >= rms_now ||
             std::ranges::find(tried, key) != tried.end()) {
             continue;
         }

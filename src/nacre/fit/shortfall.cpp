@@ -10,8 +10,8 @@ namespace nacre::fit {
 
 namespace {
 
-constexpr double kLeastShare = 0.1;
-constexpr double kLeastDelta_e = 0.5;
+constexpr double kMinShare = 0.1;
+constexpr double kMinDelta_e = 0.5;
 
 /// A colour of another chroma; grey stays grey.
 Vec3d with_chroma(const Vec3d& lab, double wanted) {
@@ -51,7 +51,7 @@ std::vector<Shortfall> shortfalls(const measure::Difference& difference) {
         for (const measure::AngleDifference& angle : difference.angles) {
             const double alone = delta_e_alone(angle.lab_standard, angle.lab_sample, attribute);
             one.share += angle.weight * alone * alone;
-            if (alone >= kLeastDelta_e && angle.weight > 0) {
+            if (alone >= kMinDelta_e && angle.weight > 0) {
                 one.angles.push_back({&angle, delta_of(angle, attribute), alone});
             }
         }
@@ -61,8 +61,8 @@ std::vector<Shortfall> shortfalls(const measure::Difference& difference) {
         all.push_back(std::move(one));
     }
     for (Shortfall& one : all) one.share = sum > 0 ? one.share / sum : 0;
-    std::erase_if(
-        all, [](const Shortfall& one) { return one.angles.empty() || one.share < kLeastShare; });
+    std::erase_if(all,
+                  [](const Shortfall& one) { return one.angles.empty() || one.share < kMinShare; });
     std::ranges::stable_sort(all, std::ranges::greater(), &Shortfall::share);
     return all;
 }

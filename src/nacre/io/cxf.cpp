@@ -208,11 +208,11 @@ class CxfReader {
                           const CxfSpecification& spec, std::size_t count) {
         const int first = value.attribute("StartWL").as_int(spec.first_nm.value_or(0));
         const int step = spec.step_nm.value_or(0);
-        constexpr int kMost_nm = 10'000;
-        if (first <= 0 || step <= 0 || first > kMost_nm || step > kMost_nm) {
+        constexpr int kMax_nm = 10'000;
+        if (first <= 0 || step <= 0 || first > kMax_nm || step > kMax_nm) {
             fail(object, "its specification states no WavelengthRange with StartWL and Increment");
         }
-        if (count > static_cast<std::size_t>(kMost_nm / step)) {
+        if (count > static_cast<std::size_t>(kMax_nm / step)) {
             fail(object, fmt::format("has {} values {} nm apart", count, step));
         }
         std::vector<std::string> columns;

@@ -73,10 +73,10 @@ MeasurementScale measurement_scale(const std::vector<MeasurementRow>& rows,
         }
         return {};
     }
-    if (most_far > kMostFarFromGloss || most > kMostOfAll) {
+    if (most_far > kMaxFactorFarFromGloss || most > kMaxFactor) {
         return {true, percent + "; write R400 [1] in the header where they are factors"};
     }
-    if (most <= kMostFarFromGloss || least < kLeastInPercent) return {};
+    if (most <= kMaxFactorFarFromGloss || least < kMinPercent) return {};
     throw InputError(
         fmt::format("{}: reflectances from {:.4g} to {:.4g} may be factors, of which 1 is the "
                     "perfect diffuser, "

@@ -19,8 +19,8 @@ struct MeasurementScale {
 
 /// Decides by the colours beside the spectra, where there are any: both scales are tried. Else by
 /// the values of the whole file. Far from the gloss, at aspecular angles of 45 deg and more, no paint
-/// has a reflectance factor above kMostFarFromGloss; near it metallic paints reach a few, but not
-/// kMostOfAll. Between the two, values below kLeastInPercent tell a factor: a dark paint still
+/// has a reflectance factor above kMaxFactorFarFromGloss; near it metallic paints reach a few, but not
+/// kMaxFactor. Between the two, values below kMinPercent tell a factor: a dark paint still
 /// reflects more than so many percent.
 /// @param rows  with the values as they stand
 /// @throws InputError if neither tells, saying how to write what is meant
@@ -29,6 +29,6 @@ MeasurementScale measurement_scale(const std::vector<MeasurementRow>& rows,
                                    const measure::Conditions& conditions,
                                    const std::string& filename);
 
-inline constexpr double kMostFarFromGloss = 2, kMostOfAll = 20, kLeastInPercent = 0.05;
+inline constexpr double kMaxFactorFarFromGloss = 2, kMaxFactor = 20, kMinPercent = 0.05;
 
 }  // namespace nacre::io

@@ -120,10 +120,9 @@ std::vector<paint::ParameterCorrelation> read_correlations(
                          ParameterCorrelation::kCoefficient.text());
     };
     for (const TableReader& entry : uncertainty->tables(
-             kCorrelationKey, ParameterCorrelation::kMostStated, {"of", "coefficient"})) {
+             kCorrelationKey, ParameterCorrelation::kMaxStated, {"of", "coefficient"})) {
         ParameterCorrelation correlation;
-        correlation.keys =
-            entry.texts("of", kMaxShownKeyLength, 2, ParameterCorrelation::kMostKeys);
+        correlation.keys = entry.texts("of", kMaxShownKeyLength, 2, ParameterCorrelation::kMaxKeys);
         correlation.coefficient = entry.number("coefficient", ParameterCorrelation::kCoefficient);
         for (const std::string& key : correlation.keys) {
             if (!is_plain(key)) entry.fail("of", "has a text that is not the name of a number");

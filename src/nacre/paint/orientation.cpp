@@ -31,8 +31,8 @@ struct CumulativeTilts {
     std::vector<double> tilt_deg, within;
 
     explicit CumulativeTilts(const std::vector<TiltDensity>& tilts) {
-        constexpr int kBins = 400, kMostFiner = 8;
-        const int finer = std::clamp(kBins / static_cast<int>(tilts.size()), 1, kMostFiner);
+        constexpr int kBins = 400, kMaxRefinement = 8;
+        const int finer = std::clamp(kBins / static_cast<int>(tilts.size()), 1, kMaxRefinement);
         double sum = 0;
         add(tilts.front().tilt_deg, 0);
         for (std::size_t i = 1; i < tilts.size(); ++i) {

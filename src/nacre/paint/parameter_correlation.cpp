@@ -20,7 +20,7 @@ namespace {
 constexpr double kRoundingOfEigenvalues = 1e-12;
 /// Pairs are named if their part of a negative variance is so much of the largest part.
 constexpr double kPartNamed = 0.01;
-constexpr std::size_t kMostPairsNamed = 8;
+constexpr std::size_t kMaxPairsNamed = 8;
 
 using Pair = std::pair<std::string, std::string>;
 
@@ -67,8 +67,7 @@ void check_variances(const std::vector<ParameterDeviation>& deviations,
                      [](const Part& a, const Part& b) { return a.variance < b.variance; });
     std::vector<std::string> pairs;
     for (const Part& part : parts) {
-        if (part.variance > kPartNamed * parts[0].variance || pairs.size() == kMostPairsNamed)
-            break;
+        if (part.variance > kPartNamed * parts[0].variance || pairs.size() == kMaxPairsNamed) break;
         pairs.push_back(fmt::format("{} of {} and {}", r(part.i, part.j),
                                     deviations[static_cast<std::size_t>(part.i)].key,
                                     deviations[static_cast<std::size_t>(part.j)].key));
@@ -106,10 +105,10 @@ std::string correlation_text(const ParameterCorrelation& correlation) {
 void check_correlation(const Recipe& recipe, const std::vector<ParameterDeviation>& deviations,
                        const ParameterCorrelation& correlation) {
     const std::vector<std::string>& keys = correlation.keys;
-    if (keys.size() < 2 || keys.size() > ParameterCorrelation::kMostKeys) {
+    if (keys.size() < 2 || keys.size() > ParameterCorrelation::kMaxKeys) {
         throw DomainError(fmt::format("of = {}: must be 2 to {} numbers",
                                       keys.empty() ? "nothing" : excerpt(keys[0]),
-                                      ParameterCorrelation::kMostKeys));
+                                      ParameterCorrelation::kMaxKeys));
     }
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const std::string what = fmt::format("of[{}] = ", i);

@@ -20,8 +20,8 @@ struct ParameterCorrelation {
     double coefficient = 0;         ///< in kCoefficient
 
     static constexpr Range kCoefficient{-1, 1};
-    static constexpr std::size_t kMostKeys = 64;
-    static constexpr std::size_t kMostStated = 4096;  ///< of a recipe
+    static constexpr std::size_t kMaxKeys = 64;
+    static constexpr std::size_t kMaxStated = 4096;  ///< of a recipe
 
     friend bool operator==(const ParameterCorrelation&, const ParameterCorrelation&) = default;
 };
@@ -34,7 +34,7 @@ ParameterCorrelation parse_correlation(std::string_view text);
 std::string correlation_text(const ParameterCorrelation& correlation);
 
 /// @throws DomainError if the recipe has no such number, one is named twice or has no standard
-///         deviation, there are not two to kMostKeys of them, or the coefficient is out of range; the
+///         deviation, there are not two to kMaxKeys of them, or the coefficient is out of range; the
 ///         message starts with "of" or "coefficient", as in the recipe's table
 void check_correlation(const Recipe& recipe, const std::vector<ParameterDeviation>& deviations,
                        const ParameterCorrelation& correlation);

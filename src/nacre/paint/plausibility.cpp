@@ -66,7 +66,7 @@ void check_flakes(Findings& found, const std::string& key, const FlakeSpecies& f
     if (diameter_um > kLargestFlake_um) {
         found.add(diameter_key, " = {:.6g} um: wider than {} um; are these nm?", diameter_um,
                   kLargestFlake_um);
-    } else if (diameter_um < kLeastAspectRatio * thickness_um) {
+    } else if (diameter_um < kMinAspectRatio * thickness_um) {
         found.add(diameter_key,
                   " = {:.6g} um: flakes {:.3g} um thick are hardly flat; their diameter is usually "
                   "20 times their thickness or more",
@@ -127,11 +127,11 @@ std::vector<std::string> implausible_numbers(const Recipe& recipe) {
             check_flakes(found, fmt::format("{}.flakes[{}]", key, j), layer.flakes[j],
                          layer.thickness_um);
         }
-        if (const double solids = solids_fraction(layer); solids > kMostSolids) {
+        if (const double solids = solids_fraction(layer); solids > kMaxSolids) {
             found.add(key,
                       ": {:.3g} % of its volume is flakes and pigments; paints have less than "
                       "{:.0f} %",
-                      100 * solids, 100 * kMostSolids);
+                      100 * solids, 100 * kMaxSolids);
         }
     }
     if (recipe.microfacet && recipe.microfacet->film_thickness_nm > 0) {

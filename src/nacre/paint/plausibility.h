@@ -14,10 +14,10 @@ inline constexpr double kThinnestFilm_nm = 1;      ///< a few atoms: thinner one
 inline constexpr double kThickestLayer_um = 1000;  ///< also of the clearcoat
 inline constexpr double kLargestFlake_um = 2000;   ///< glitter is cut up to this
 /// Diameter over thickness: the models take flakes for discs that are wide and flat.
-inline constexpr double kLeastAspectRatio = 3;
+inline constexpr double kMinAspectRatio = 3;
 /// By volume, of flakes and pigments together in the dry layer. Beyond the critical concentration,
 /// 0.3 to 0.6, the binder does not fill the gaps and the layer holds air.   [asbeck-1949]
-inline constexpr double kMostSolids = 0.4;
+inline constexpr double kMaxSolids = 0.4;
 /// Half of the area of sprayed flakes is tilted by less, and by more: 1.2 to 17 deg.
 inline constexpr double kFlattest_deg = 1, kSteepest_deg = 20;
 

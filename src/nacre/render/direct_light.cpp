@@ -16,7 +16,7 @@ constexpr std::uint32_t kCandidateVertex = 1u << 17;
 
 /// What is added to a surface's density, per cosine, where it guesses what the surface reflects: so
 /// that nothing is left out that the density does not know of.
-constexpr float kLeastGuess = 0.01f;
+constexpr float kMinGuess = 0.01f;
 
 /// How light samples are weighed against those of the surface.
 struct Weighing {
@@ -90,7 +90,7 @@ std::optional<Chosen> best_of_eight(const CompiledScene& scene, const Pass& pass
     if (!any(possible)) return std::nullopt;
 
     const FloatLanes pdf = surface.pdf_lanes(at.wi, wo);
-    FloatLanes target = lights.brightness * (pdf + kLeastGuess * slant);
+    FloatLanes target = lights.brightness * (pdf + kMinGuess * slant);
     if (weighing.combined) {
         const FloatLanes ratio = pdf / (weighing.many * lights.pdf);
         const IntLanes alone_there = lights.delta | (lights.density > weighing.narrow_light);

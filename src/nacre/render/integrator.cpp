@@ -365,7 +365,7 @@ void PathTracer::follow(Branch& branch) {
                 ++mirrored.depth;
                 mirrored.first_vertex = kSpecularVertex;
                 // Lights are seen in it by every sample, other surfaces by as many as if it had
-                // been drawn by lot: following those costs much, and it reflects little.
+                // been drawn at random: following those costs much, and it reflects little.
                 mirrored.followed = surface.specular;
             } else {
                 specular_.reset();

@@ -62,8 +62,8 @@ std::vector<EnvironmentRadiance::Coefficients> colours_of(const EnvironmentRadia
     for (Coefficients& cell : sums) {
         cell = per_luminance(cell);
         // A little of the mean's, so that no wavelength is left out that a detail may have.
-        constexpr float kLeast = 0.05f;
-        for (std::size_t k = 0; k < cell.size(); ++k) cell[k] += kLeast * (mean[k] - cell[k]);
+        constexpr float kMin = 0.05f;
+        for (std::size_t k = 0; k < cell.size(); ++k) cell[k] += kMin * (mean[k] - cell[k]);
     }
     const bool even = std::all_of(sums.begin(), sums.end(), [&](const Coefficients& cell) {
         constexpr float kRounding = 1e-4f;
@@ -97,8 +97,8 @@ LightSet::LightSet(const std::vector<Light>& lights, const std::optional<Environ
             compiled.table_columns, compiled.table_rows,
             [&](Vec3f d) { return std::max(0.0f, luminance(d) - mean); });
         // What is left of an even sky is rounding.
-        constexpr float kLeast = 1e-4f;
-        if (peaks.mean_brightness() > kLeast * mean) {
+        constexpr float kMin = 1e-4f;
+        if (peaks.mean_brightness() > kMin * mean) {
             peaks_estimate = std::numbers::pi * peaks.mean_brightness();
             beside_.dimmest = mean;
             beside_.luminance_per_density = kSphere * peaks.mean_brightness();

@@ -61,7 +61,7 @@ TEST(RenderNoise, DirectionsToLightsAreChosenByWhatTheSurfaceReflects) {
 }
 
 // A wide lobe under a clear coat: on the ball most of the noise is that of the soft boxes' mirror
-// images; the panel mirrors a backdrop, which samples follow by lot in either way.
+// images; the panel mirrors a backdrop, which samples draw at random in either way.
 TEST(RenderNoise, WhatACoatMirrorsIsSeenByEverySample) {
     for (const std::string_view name : {"sphere", "panel"}) {
         SCOPED_TRACE(name);

@@ -16,7 +16,7 @@ namespace {
 
 /// Colours that a display does not have are negative in its primaries: so little light that it may
 /// be left out, unlike that of a difference of pictures.
-constexpr double kMostNegativeLight = 0.01;
+constexpr double kMaxNegativeLight = 0.01;
 
 /// 16384 x 8192 pixels: what an environment, or a material's picture, may have.
 constexpr std::size_t kMaxPictureValues = std::size_t{3} << 27;
@@ -63,7 +63,7 @@ std::string without_negative_light(std::vector<float>& rgb, const std::string& n
         (value < 0 ? negative : light) += std::abs(value);
         count += value < 0;
     }
-    if (count == 0 || !(negative <= kMostNegativeLight * light)) return {};
+    if (count == 0 || !(negative <= kMaxNegativeLight * light)) return {};
     for (float& value : rgb) value = value < 0 ? 0 : value;
     return fmt::format(
         "{}: {} of {} values are negative, colours that Rec. 709 does not have; they "

@@ -48,9 +48,9 @@ std::shared_ptr<const optics::ParticleOptics> recent_particle_optics(
         bool operator==(const Particles&) const = default;
     };
     // Of one wavelength there are some 10 kB.
-    constexpr std::size_t kMostWavelengths = 4096;
+    constexpr std::size_t kMaxWavelengths = 4096;
     static RecentResults<Particles, optics::ParticleOptics> recent(
-        kMostWavelengths,
+        kMaxWavelengths,
         [](const optics::ParticleOptics& optics) { return optics.scattering_per_um.size(); });
     return recent.get({spheres, volume_fraction, binder, wavelengths}, [&] {
         return optics::particle_optics(spheres, volume_fraction, binder, wavelengths);

@@ -29,8 +29,8 @@ float CoatThickness::deviation(Vec3f position_mm) const {
         const FloatLanes turns = __builtin_convertvector(group.waves.turns_at(x), FloatLanes);
         sum += group.amplitude * cos_sin_turns(turns).cosine;
     }
-    constexpr auto kMost = static_cast<float>(paint::limits::kMaxCoatDeviation);
-    return std::clamp(lane_sum(sum), -kMost, kMost);
+    constexpr auto kMax = static_cast<float>(paint::limits::kMaxCoatDeviation);
+    return std::clamp(lane_sum(sum), -kMax, kMax);
 }
 
 }  // namespace nacre::sparkle

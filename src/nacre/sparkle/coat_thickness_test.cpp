@@ -27,10 +27,10 @@ double tails(double x) { return std::erfc(x / std::sqrt(2.0)); }
 // that moves the fraction beyond one deviation by 0.002.
 TEST(CoatThickness, IsNearlyNormalWithMeanZeroAndVarianceOneOnAnyShape) {
     constexpr int kPoints = 60'000;
-    constexpr double kSize_mm = 3e4, kMost = paint::limits::kMaxCoatDeviation;
+    constexpr double kSize_mm = 3e4, kMax = paint::limits::kMaxCoatDeviation;
     // What cutting the law off at +-3 takes from its variance: E[(z^2 - 9)+].
-    const double density = std::exp(-kMost * kMost / 2) / std::sqrt(2 * pi);
-    const double cut = 2 * kMost * density + tails(kMost) * (1 - kMost * kMost);
+    const double density = std::exp(-kMax * kMax / 2) / std::sqrt(2 * pi);
+    const double cut = 2 * kMax * density + tails(kMax) * (1 - kMax * kMax);
     EXPECT_NEAR(cut, 0.005, 2e-4);
     Rng rng(5);
     const Vec3f plane = random_direction(rng);
@@ -47,14 +47,14 @@ TEST(CoatThickness, IsNearlyNormalWithMeanZeroAndVarianceOneOnAnyShape) {
                                        : side() * frame.s + side() * frame.t;
             z.push_back(field.deviation(place));
             beyond_one.push_back(std::abs(z.back()) > 1);
-            cut_off += std::abs(z.back()) >= kMost;
+            cut_off += std::abs(z.back()) >= kMax;
         }
         const test::Moments found(z), beyond(beyond_one);
         EXPECT_NEAR(found.mean, 0, test::kWorstZ * found.mean_error) << sphere;
         EXPECT_NEAR(found.variance, 1 - cut, test::kWorstZ * found.variance_error + 1e-3) << sphere;
         EXPECT_NEAR(beyond.mean, tails(1), test::kWorstZ * beyond.mean_error + 2e-3) << sphere;
-        EXPECT_NEAR(cut_off, kPoints * tails(kMost), 0.3 * kPoints * tails(kMost)) << sphere;
-        EXPECT_LE(*std::max_element(z.begin(), z.end()), kMost);
+        EXPECT_NEAR(cut_off, kPoints * tails(kMax), 0.3 * kPoints * tails(kMax)) << sphere;
+        EXPECT_LE(*std::max_element(z.begin(), z.end()), kMax);
     }
 }
 

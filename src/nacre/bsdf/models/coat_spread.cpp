@@ -12,10 +12,10 @@ namespace nacre::bsdf {
 namespace {
 
 /// Bounds of q: where a coat is nearly opaque a table holds little but its own error.
-constexpr float kMostRemainder = 8;
+constexpr float kMaxRemainder = 8;
 /// D over the depth of C, at most: light that the interface sends back crosses the coat twice more, at
 /// angles that are flatter than those at which light leaves.
-constexpr float kMostCrossings = 2;
+constexpr float kMaxCrossings = 2;
 /// Below, e^x is taken for a straight line.
 constexpr float kFlat = 1e-2f;
 constexpr float kDark = 1e-30f;
@@ -47,7 +47,7 @@ BoundCoatSpread::BoundCoatSpread(const CoatSpread& spread,
 FloatLanes relative_remainder(const CoatNodes& table, const FloatLanes& depth, float deviation) {
     constexpr auto kNode = static_cast<float>(kCoatNode);
     const auto bounded = [](const FloatLanes& x) {
-        return min_lanes(max_lanes(x, splat(1 / kMostRemainder)), splat(kMostRemainder));
+        return min_lanes(max_lanes(x, splat(1 / kMaxRemainder)), splat(kMaxRemainder));
     };
     // 1/q at a node, whose C is e^exponent.
     const auto inverse = [&](const FloatLanes& there, const FloatLanes& exponent) {
@@ -57,7 +57,7 @@ FloatLanes relative_remainder(const CoatNodes& table, const FloatLanes& depth, f
     const FloatLanes thicker = inverse(table.thicker, -kNode * depth);
     // B (e^(-D n) - 1) and B (e^(D n) - 1): minus their ratio is e^(D n).
     const FloatLanes rise = max_lanes(thicker - 1.0f, splat(kDark));
-    const FloatLanes steepest = exp_lanes(max_lanes(kMostCrossings * kNode * depth, splat(kFlat)));
+    const FloatLanes steepest = exp_lanes(max_lanes(kMaxCrossings * kNode * depth, splat(kFlat)));
     const FloatLanes steepness =
         log_lanes(min_lanes(max_lanes((1.0f - thinner) / rise, splat(1 + kFlat)), steepest));
     // Of the way from the mean to the node on this side.

@@ -84,10 +84,10 @@ namespace {
 
 // Clenshaw's recurrence for sum_l a_l cos(l phi) of several series at once.   [clenshaw-1955]
 // `coefficients(l)` points to the l-th of each.
-template <std::size_t kMost, class Coefficients>
+template <std::size_t kMax, class Coefficients>
 void sum_orders(int orders, int series, float cos_phi, const Coefficients& coefficients,
-                std::array<float, kMost>& sum) {
-    std::array<float, kMost> next{}, after{};
+                std::array<float, kMax>& sum) {
+    std::array<float, kMax> next{}, after{};
     const float twice = 2 * cos_phi;
     for (int l = orders - 1; l > 0; --l) {
         const float* a = coefficients(l);
