@@ -88,8 +88,7 @@ void bind_drawdown(nb::module_& module) {
             settings.anisotropy = anisotropy;
             settings.matt_ground = matt_ground;
             settings.noise = noise;
-            constexpr double kTrialVolume = 0.1;  // so much of it as there is in each tint
-            if (white) settings.white = io::find_pigment(*white, kTrialVolume).pigment;
+            if (white) settings.white = io::find_white(*white);
             const fit::PigmentEstimate estimate = run(progress, [&](const Progress& ask) {
                 return fit::estimate_pigment(drawdown, settings, ask);
             });

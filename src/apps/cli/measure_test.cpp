@@ -269,8 +269,8 @@ TEST_F(Program, MeasureRefusesUncertaintyThatItCannotTell) {
     refused(two + "--correlation alpha,layer[0].thickness_um=2", 2,
             "coefficient = 2: must be a number in [-1, 1]");
     refused(two + "--correlation alpha,substrate.reflectance=0.5", 2,
-            "correlation alpha,substrate.reflectance=0.5: of[1] = substrate.reflectance: has no "
-            "standard deviation");
+            "gray.toml: --correlation = alpha,substrate.reflectance=0.5: of[1] = "
+            "substrate.reflectance: has no standard deviation");
     refused(two + "--correlation alhpa,layer[0].thickness_um=0.5", 2,
             "is not a number of this recipe");
     refused(two + "--correlation alpha,alpha=0.5", 2, "is named twice");

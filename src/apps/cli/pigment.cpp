@@ -106,10 +106,7 @@ ExitStatus run(const PigmentOptions& options) {
     settings.anisotropy = options.anisotropy;
     settings.matt_ground = options.matt_ground;
     settings.noise = options.noise;
-    constexpr double kTrialVolume = 0.1;  // so much of it as there is in each tint
-    if (!options.white.empty()) {
-        settings.white = io::find_pigment(options.white, kTrialVolume).pigment;
-    }
+    if (!options.white.empty()) settings.white = io::find_white(options.white);
 
     fit::PigmentEstimate estimate;
     {

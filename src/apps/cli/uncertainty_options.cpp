@@ -242,6 +242,11 @@ std::optional<Uncertainty> uncertainty_of(const CommonOptions& options,
     std::optional<Uncertainty> found;
     try {
         found = paint.measure_uncertainty(geometries, settings, wanted, bar.callback());
+    } catch (const SettingError& error) {
+        // Other settings were understood before.
+        const bool own = error.setting() == "correlation";
+        throw InputError(
+            fmt::format("{}: {}--{}", paint.file(), own ? "" : "--uncertainty: ", error.what()));
     } catch (const DomainError& error) {
         throw InputError(fmt::format("--uncertainty: {}: {}", paint.file(), error.what()));
     }

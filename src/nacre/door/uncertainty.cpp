@@ -33,19 +33,18 @@ std::vector<paint::ParameterCorrelation> with_whole_keys(
     std::vector<paint::ParameterCorrelation> whole;
     for (const paint::ParameterCorrelation& c : correlations) {
         paint::ParameterCorrelation meant{{}, c.coefficient};
-        for (const std::string& pattern : c.keys) {
-            const bool is_pattern = pattern.find('*') != std::string::npos;
-            for (const std::string& key : paint::matching_parameters(recipe, pattern)) {
-                const bool is_known = std::ranges::any_of(
-                    known, [&](const paint::ParameterDeviation& d) { return d.key == key; });
-                if (is_known || !is_pattern) meant.keys.push_back(key);
-            }
-        }
         try {
+            for (const std::string& pattern : c.keys) {
+                const bool is_pattern = pattern.find('*') != std::string::npos;
+                for (const std::string& key : paint::matching_parameters(recipe, pattern)) {
+                    const bool is_known = std::ranges::any_of(
+                        known, [&](const paint::ParameterDeviation& d) { return d.key == key; });
+                    if (is_known || !is_pattern) meant.keys.push_back(key);
+                }
+            }
             paint::check_correlation(recipe, known, meant);
         } catch (const DomainError& error) {
-            throw DomainError(
-                fmt::format("correlation {}: {}", paint::correlation_text(c), error.what()));
+            throw SettingError("correlation", error.what(), paint::correlation_text(c));
         }
         whole.push_back(std::move(meant));
     }
@@ -68,6 +67,13 @@ Uncertainty Paint::measure_uncertainty(const std::vector<Geometry>& geometries,
         paint::with_deviations(deviations(), with_whole_keys(own, uncertainty.deviations));
     const std::vector<paint::ParameterCorrelation> correlated = paint::with_correlations(
         correlations(), with_whole_keys(own, known, uncertainty.correlations));
+    if (!uncertainty.correlations.empty()) {
+        try {
+            paint::check_correlations(own, known, correlated);
+        } catch (const DomainError& error) {  // "correlation: ..."
+            throw SettingError(error.what());
+        }
+    }
     if (known.empty()) {
         throw SettingError("uncertainty",
                            "say how well which numbers are known, or do so in a table "

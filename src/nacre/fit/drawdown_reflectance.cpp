@@ -44,7 +44,7 @@ double internal_reflectance(double ior) {
 }
 
 /// Whether all that scatters does so alike in all directions.
-bool is_round(const paint::Recipe& recipe) {
+bool scatters_isotropically(const paint::Recipe& recipe) {
     return std::all_of(recipe.layers.begin(), recipe.layers.end(), [](const paint::Layer& layer) {
         return layer.flakes.empty() &&
                std::all_of(layer.pigments.begin(), layer.pigments.end(), [](const auto& pigment) {
@@ -114,7 +114,7 @@ std::vector<double> drawdown_reflectance(const paint::Recipe& recipe,
     }
     // What a lamp at 8 deg sends into all directions: by reciprocity what a sphere sends to 8 deg.
     static const Quadrature rule = gauss_legendre(kPolarNodes, 0, kPi / 2);
-    const int azimuths = is_round(recipe) ? 1 : kAzimuths;
+    const int azimuths = scatters_isotropically(recipe) ? 1 : kAzimuths;
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
         const double theta = rule.nodes[k];
         const double weight =

@@ -117,6 +117,11 @@ PigmentFile find_pigment(const std::string& name, double volume_fraction) {
     return read_pigment(document, volume_fraction);
 }
 
+paint::Pigment find_white(const std::string& name) {
+    constexpr double kSomeVolume = 0.1;  // about as much as there is in a tint
+    return find_pigment(name, kSomeVolume).pigment;
+}
+
 bool looks_like_pigment(const TomlDocument& document) {
     const std::vector<std::string> keys = keys_of_file();
     bool more_than_a_name = false;

@@ -41,6 +41,11 @@ PigmentFile parse_pigment_file(std::string_view text, const std::string& filenam
 /// @throws InputError as parse_pigment_file(), naming those that ship if it is neither
 PigmentFile find_pigment(const std::string& name, double volume_fraction);
 
+/// The white of tints, named as find_pigment() takes it: of some amount, in whose place each tint puts
+/// its own.
+/// @throws InputError as find_pigment()
+paint::Pigment find_white(const std::string& name);
+
 /// Whether a text has keys of a pigment and no others.
 bool looks_like_pigment(const TomlDocument& document);
 
