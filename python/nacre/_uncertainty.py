@@ -45,6 +45,9 @@ class Uncertainty:
     """(G, W), of reflectance factors"""
     change: Array
     """(G, N, 3): of L*, a*, b* with one standard deviation of each number, to first order"""
+    shares: Array
+    """(G, N): which part of the variance of L*, a*, b* together each number makes: its
+    covariance with them. They sum to 1; of correlated numbers one may be negative."""
     first_order_fails: list[list[str]]
     """by geometry, which of L, a, b, C, h"""
     flop_index: tuple[float, float] | None
@@ -52,16 +55,6 @@ class Uncertainty:
     colour_travel: tuple[float, float] | None
     samples: int
     """recipes drawn; 0: first order"""
-
-    @property
-    def shares(self) -> Array:
-        """(G, N): which part of the variance of L*, a*, b* together each number makes: its
-        covariance with them. They sum to 1; of correlated numbers one may be negative."""
-        together: Array = np.einsum("ij,gjc->gic", self.correlation, self.change)
-        parts: Array = (self.change * together).sum(axis=2)
-        total = parts.sum(axis=1, keepdims=True)
-        shares: Array = np.divide(parts, total, out=np.zeros_like(parts), where=total > 1e-18)
-        return shares
 
     def _repr_html_(self) -> str:
         rows = [

@@ -142,7 +142,7 @@ nb::list numbers_of(const Uncertainty& uncertainty) {
 
 nb::dict uncertainty_of(const Uncertainty& uncertainty) {
     const std::size_t n = uncertainty.readings.size(), k = uncertainty.numbers.size();
-    std::vector<double> lab, covariance, chroma, hue, change, factor;
+    std::vector<double> lab, covariance, chroma, hue, change, shares, factor;
     std::vector<std::vector<std::string>> fails;
     for (const fit::ReadingUncertainty& reading : uncertainty.readings) {
         const fit::Spread& spread = reading.best();
@@ -154,6 +154,8 @@ nb::dict uncertainty_of(const Uncertainty& uncertainty) {
         chroma.push_back(number_or_nan(spread.chroma));
         hue.push_back(number_or_nan(spread.hue_deg));
         for (const Vec3d& by : reading.change) change.insert(change.end(), {by[0], by[1], by[2]});
+        const std::vector<double> share = fit::shares(reading.change, uncertainty.correlation);
+        shares.insert(shares.end(), share.begin(), share.end());
         factor.insert(factor.end(), spread.reflectance_factor.begin(),
                       spread.reflectance_factor.end());
         std::vector<std::string>& names = fails.emplace_back();
@@ -177,6 +179,7 @@ nb::dict uncertainty_of(const Uncertainty& uncertainty) {
     result["h_sd"] = to_numpy(std::move(hue));
     result["R_sd"] = to_numpy(std::move(factor), Shape{n, width});
     result["change"] = to_numpy(std::move(change), Shape{n, k, 3});
+    result["shares"] = to_numpy(std::move(shares), Shape{n, k});
     result["first_order_fails"] = fails;
     result["flop_index"] = metric_of(uncertainty.flop_index);
     result["colour_travel"] = metric_of(uncertainty.colour_travel);

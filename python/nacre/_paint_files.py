@@ -1,0 +1,98 @@
+"""Files that are written of a paint."""
+
+from __future__ import annotations
+
+import os
+
+from numpy.typing import ArrayLike
+
+from . import _nacre, _threejs
+from ._arrays import wavelengths
+from ._errors import SettingError
+from ._model import ModelLike, settings_of
+from ._paint_readings import PaintReadings
+from ._progress import Progress, reporter
+from ._values import Export, FittedMaterial, ShaderMaterial
+
+Path = str | os.PathLike[str]
+
+
+class PaintFiles(PaintReadings):
+    """How a paint is written."""
+
+    def to_toml(self) -> str:
+        """The recipe as a file. Raises InputError if there is none."""
+        return str(self._paint.toml())
+
+    def write(
+        self,
+        path: Path,
+        *,
+        model: ModelLike = None,
+        wavelengths_nm: ArrayLike | None = None,
+        resolution: int = 64,
+        incidences: int = 64,
+        rgb: bool = False,
+        cells: tuple[int, int, int] = (90, 90, 180),
+        progress: Progress = False,
+    ) -> Export | FittedMaterial | ShaderMaterial | None:
+        """Writes a file by its extension, whole or not at all.
+
+        ``.toml``: the recipe. ``.h5``: the solved paint, or the table that ``model`` renders from,
+        as ``Model("microflake", table="svd")``. ``.bsdf``: the BRDF as in the RGL database, and
+        ``.binary``: as in MERL's, for other renderers; these return their error. ``.gltf``,
+        ``.mtlx`` and ``.blender.py``: glTF's material, OpenPBR, and Cycles' nodes as a script for
+        Blender, fitted; these return what they miss. ``.three.js``: an ES module for three.js with
+        ``nacre``, its mean, or ``microflake`` as a shader, of a recipe or a solved paint; returns
+        how far it is from ``nacre``.
+
+        Parameters
+        ----------
+        resolution, incidences, rgb
+            ``.bsdf``: points per side for each incidence, incidences, RGB instead of spectra.
+        cells
+            ``.binary``: along theta_half, theta_difference and phi_difference.
+
+        Raises
+        ------
+        SettingError
+            If the extension is none of these.
+        InputError, DomainError, Error
+            If the paint has no such values, or the file cannot be written.
+        """
+        extension = os.path.splitext(os.fspath(path))[1]
+        if os.fspath(path).endswith(".three.js"):
+            if wavelengths_nm is not None:
+                raise SettingError("wavelengths_nm: a .three.js file has its own sixteen")
+            standard = self.measure(
+                _threejs.geometries(), model="nacre", illuminant="D65", observer=2
+            )
+            with reporter(progress, "write") as report:
+                shown = settings_of("nacre" if model is None else model)
+                return _threejs.write(self._paint, path, shown, standard, report)
+        nm, chosen = wavelengths(wavelengths_nm), settings_of(model)
+        with reporter(progress, "write") as report:
+            if extension == ".toml":
+                _nacre.write_text(path, self.to_toml())
+                return None
+            if extension == ".h5":
+                self._paint.write_solved(path, nm, chosen, report)
+                return None
+            if extension == ".bsdf":
+                return Export(
+                    *self._paint.write_rgl(path, resolution, incidences, rgb, nm, chosen, report)
+                )
+            if extension == ".binary":
+                return Export(*self._paint.write_merl(path, cells, nm, chosen, report))
+            kind = {".gltf": "gltf", ".mtlx": "materialx"}.get(extension)
+            if os.fspath(path).endswith(".blender.py"):
+                kind = "cycles"
+            if kind is not None:
+                values, seen, _, tested = self._paint.write_material(path, kind, nm, chosen, report)
+                return FittedMaterial(
+                    dict(values), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
+                )
+        raise SettingError(
+            f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf, "
+            ".mtlx, .blender.py or .three.js"
+        )
