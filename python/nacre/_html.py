@@ -27,6 +27,21 @@ def chips(srgb: Floats, labels: Sequence[str]) -> str:
     return f"<div>{cells}</div>"
 
 
+def chip_pairs(srgb: Floats, labels: Sequence[str], notes: Sequence[str]) -> str:
+    """Two colours (N, 2, 3) each that touch, with a label above and a note below."""
+    cells = "".join(
+        '<div style="display:inline-block;margin:2px;text-align:center;font:11px sans-serif">'
+        f"{escape(label)}"
+        + "".join(
+            f'<div style="width:56px;height:28px;margin:auto;background:{css(colour)}"></div>'
+            for colour in pair
+        )
+        + f"{escape(note)}</div>"
+        for pair, label, note in zip(srgb, labels, notes, strict=True)
+    )
+    return f"<div>{cells}</div>"
+
+
 def table(header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
     def cell(value: object) -> str:
         return f"{value:.4g}" if isinstance(value, float) else escape(str(value))

@@ -12,7 +12,7 @@ from ._errors import SettingError
 from ._model import ModelLike, settings_of
 from ._paint_readings import PaintReadings
 from ._progress import Progress, reporter
-from ._values import Export, FittedMaterial, ShaderMaterial
+from ._values import Export, FittedMaterial, ShaderMaterial, fitted_material
 
 Path = str | os.PathLike[str]
 
@@ -89,9 +89,7 @@ class PaintFiles(PaintReadings):
                 kind = "cycles"
             if kind is not None:
                 values, seen, _, tested = self._paint.write_material(path, kind, nm, chosen, report)
-                return FittedMaterial(
-                    dict(values), dict(seen[0]), *seen[1:], dict(tested[0]), *tested[1:]
-                )
+                return fitted_material(values, seen, tested)
         raise SettingError(
             f"path = {os.fspath(path)}: must end in .toml, .h5, .bsdf, .binary, .gltf, "
             ".mtlx, .blender.py or .three.js"

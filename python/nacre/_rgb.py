@@ -20,6 +20,22 @@ XYZ_TO_SRGB = np.array(
 """From XYZ under D65 to linear Rec. 709 (IEC 61966-2-1)."""
 
 
+def shown_alike(lab: Floats) -> Floats:
+    """Encoded sRGB (N, C, 3) of CIELAB relative to D65, for colours that are shown side by side:
+    those of a row are dimmed alike where one is brighter than the display. Clipped to the gamut."""
+    f = np.empty_like(lab)
+    f[..., 1] = (lab[..., 0] + 16) / 116
+    f[..., 0] = f[..., 1] + lab[..., 1] / 500
+    f[..., 2] = f[..., 1] - lab[..., 2] / 200
+    white = np.linalg.inv(XYZ_TO_SRGB).sum(axis=1)
+    xyz = white * np.where(f > 6 / 29, f**3, 3 * (6 / 29) ** 2 * (f - 4 / 29))
+    linear = xyz @ XYZ_TO_SRGB.T
+    brightest = np.maximum(linear.max(axis=(1, 2), keepdims=True), 1)
+    linear = np.clip(linear / brightest, 0, 1)
+    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    return np.asarray(encoded)
+
+
 def weights(nm: Floats) -> Floats:
     """(3, bands): linear Rec. 709 under D65 of what is linear between these wavelengths."""
     if len(nm) == 1:

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _nacre, _rgb
+from . import _html, _nacre, _rgb
 from ._arrays import Floats, direction
 from ._measurement import Measurement
 from ._values import ShaderMaterial
@@ -65,9 +65,11 @@ def differences(shader: _nacre.WebglShader, standard: Measurement) -> ShaderMate
     wo = direction(standard.theta_o_deg, standard.phi_deg)
     rgb = np.maximum(shader.brdf(wi, wo), 0)
     xyz = np.pi * rgb @ np.linalg.inv(_rgb.XYZ_TO_SRGB).T
-    delta = _nacre.delta_e_2000(standard.Lab, lab(xyz))
+    shown = lab(xyz)
+    delta = _nacre.delta_e_2000(standard.Lab, shown)
     by_angle = dict(zip(standard.geometries, map(float, delta), strict=True))
-    return ShaderMaterial(by_angle, float(delta.mean()), float(delta.max()))
+    both = np.stack([standard.Lab, shown], axis=1)
+    return ShaderMaterial(by_angle, float(delta.mean()), float(delta.max()), both)
 
 
 def write(
@@ -83,6 +85,10 @@ def write(
         "colour_differences": {
             "from": "the paint by the model nacre, in CIEDE2000 under D65 for 2 degrees",
             "by_angle": {name: round(de, 2) for name, de in error.delta_e_2000.items()},
+            "chips": {  # of CSS: the paint's, the material's
+                name: [_html.css(colour) for colour in pair]
+                for name, pair in zip(error.delta_e_2000, _rgb.shown_alike(error.Lab), strict=True)
+            },
             "mean": round(error.mean_delta_e_2000, 2),
             "greatest": round(error.max_delta_e_2000, 2),
         },

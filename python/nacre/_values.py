@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _html, _rgb
 from ._arrays import Floats, Floats32
 
 
@@ -81,19 +82,33 @@ class Export:
     error_over_peak: float
 
 
+def _side_by_side(title: str, lab: Floats, delta_e_2000: dict[str, float]) -> str:
+    """Colours of the paint, and below them the material's."""
+    notes = [f"ΔE {delta_e:.1f}" for delta_e in delta_e_2000.values()]
+    chips = _html.chip_pairs(_rgb.shown_alike(lab), list(delta_e_2000), notes)
+    return f"<div>{title}: paint above, material below</div>{chips}"
+
+
 @dataclass(frozen=True)
 class ShaderMaterial:
-    """How far a shader made of a paint is from the paint, under D65 for 2 degrees."""
+    """How far a shader made of a paint is from the paint, under D65 for 2 degrees. A notebook shows
+    the colours of both, one above the other."""
 
     delta_e_2000: dict[str, float]
     """By geometry: byk-mac's, and lamps at 15, 30, 60 and 75 degrees."""
     mean_delta_e_2000: float
     max_delta_e_2000: float
+    Lab: Floats
+    """(geometries, 2, 3): CIELAB of the paint and of the shader"""
+
+    def _repr_html_(self) -> str:
+        return _side_by_side("Shader", self.Lab, self.delta_e_2000)
 
 
 @dataclass(frozen=True)
 class FittedMaterial:
-    """A material of another renderer, and its CIEDE2000 from the paint (docs/export.md)."""
+    """A material of another renderer, and its CIEDE2000 from the paint (docs/export.md). A notebook
+    shows the colours of both, one above the other."""
 
     parameters: dict[str, float]
     """By the format's names."""
@@ -105,3 +120,36 @@ class FittedMaterial:
     """At angles that the fit did not see."""
     tested_mean_delta_e_2000: float
     tested_max_delta_e_2000: float
+    Lab: Floats
+    """(6, 2, 3): CIELAB of the paint and of the material at byk-mac's angles, under D65 for 2
+    degrees"""
+    tested_Lab: Floats
+    """(geometries, 2, 3): the same at angles that the fit did not see"""
+
+    def _repr_html_(self) -> str:
+        return (
+            _side_by_side("byk-mac's angles", self.Lab, self.delta_e_2000)
+            + _side_by_side(
+                "Angles that the fit did not see", self.tested_Lab, self.tested_delta_e_2000
+            )
+            + _html.table(["parameter", ""], list(self.parameters.items()))
+        )
+
+
+def fitted_material(
+    parameters: list[tuple[str, float]], seen: _Differences, tested: _Differences
+) -> FittedMaterial:
+    """Of what the extension gives."""
+
+    def by_angle(differences: _Differences) -> tuple[dict[str, float], float, float]:
+        return {angle[0]: angle[1] for angle in differences[0]}, *differences[1:]
+
+    def lab(differences: _Differences) -> Floats:
+        return np.array([angle[2:] for angle in differences[0]])
+
+    return FittedMaterial(
+        dict(parameters), *by_angle(seen), *by_angle(tested), lab(seen), lab(tested)
+    )
+
+
+_Differences = tuple[list[tuple[str, float, list[float], list[float]]], float, float]

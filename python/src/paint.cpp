@@ -1,3 +1,4 @@
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
@@ -6,6 +7,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -221,13 +223,17 @@ Error2 write_merl(const PaintHandle& handle, const std::filesystem::path& path,
     });
 }
 
-/// Delta E 2000 by geometry, and mean and greatest.
-using Differences = std::tuple<std::vector<std::pair<std::string, double>>, double, double>;
+/// A geometry, Delta E 2000, and CIELAB of the paint and of the material.
+using Angle = std::tuple<std::string, double, std::array<double, 3>, std::array<double, 3>>;
+/// Of all geometries, and mean and greatest Delta E 2000.
+using Differences = std::tuple<std::vector<Angle>, double, double>;
 
 Differences differences(const measure::Difference& difference) {
-    std::vector<std::pair<std::string, double>> angles;
+    const auto numbers = [](const Vec3d& lab) { return std::array{lab[0], lab[1], lab[2]}; };
+    std::vector<Angle> angles;
     for (const measure::AngleDifference& angle : difference.angles) {
-        angles.emplace_back(angle.geometry.name, angle.delta_e_2000);
+        angles.emplace_back(angle.geometry.name, angle.delta_e_2000, numbers(angle.lab_standard),
+                            numbers(angle.lab_sample));
     }
     return {angles, difference.mean_delta_e_2000, difference.max_delta_e_2000};
 }

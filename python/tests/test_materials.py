@@ -7,6 +7,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 from conftest import ROOT
 
@@ -90,3 +91,14 @@ def test_a_fit_says_what_it_misses(paints: Path, tmp_path: Path) -> None:
     assert len(fitted.tested_delta_e_2000) == 17
     assert fitted.tested_max_delta_e_2000 == max(fitted.tested_delta_e_2000.values())
     assert 0 <= fitted.parameters["roughnessFactor"] <= 1
+    # The colours themselves, and as a notebook shows them.
+    for lab, delta_e in (
+        (fitted.Lab, fitted.delta_e_2000),
+        (fitted.tested_Lab, fitted.tested_delta_e_2000),
+    ):
+        again = nacre.delta_e_2000(lab[:, 0], lab[:, 1])
+        np.testing.assert_allclose(again, list(delta_e.values()), rtol=1e-12)
+    shown = fitted._repr_html_()
+    assert shown.count("background:#") == 2 * (6 + 17)
+    assert "45as-15" in shown
+    assert f"ΔE {fitted.delta_e_2000['45as15']:.1f}" in shown

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nacre
-from nacre import _html
+from nacre import _html, _rgb
 
 
 @pytest.fixture(scope="module")
@@ -102,6 +102,17 @@ def test_html_of_materials() -> None:
         shown = ElementTree.fromstring(f"<p>{nacre.Material(name)._repr_html_()}</p>")
         assert [e.text for e in shown.iter("title")] == ["n", "k"]
         assert next(shown.iter("text")).text == first_nm
+
+
+def test_colours_side_by_side_are_dimmed_alike() -> None:
+    lab = np.array([[[50.0, 20, -10], [40, 0, 0]], [[150, 0, 0], [75, 0, 0]]])
+    shown = _rgb.shown_alike(lab)
+    np.testing.assert_allclose(shown[0], nacre.srgb(lab[0]), atol=1e-4)
+    # Of the second pair the brighter one is white, and light keeps its ratio.
+    np.testing.assert_allclose(shown[1, 0], 1, atol=1e-6)
+    luminance = ((lab[1, :, 0] + 16) / 116) ** 3
+    linear = ((shown[1, 1] + 0.055) / 1.055) ** 2.4
+    np.testing.assert_allclose(linear, luminance[1] / luminance[0], rtol=1e-6)
 
 
 def test_ticks_are_round_and_within() -> None:

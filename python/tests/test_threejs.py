@@ -74,6 +74,12 @@ def test_the_file_says_how_far_it_is(paints: Path, tmp_path: Path) -> None:
     assert about
     said = json.loads(about[1])["colour_differences"]
     assert said["by_angle"] == {k: round(v, 2) for k, v in error.delta_e_2000.items()}
+    assert list(said["chips"]) == list(said["by_angle"])
+    again = nacre.delta_e_2000(error.Lab[:, 0], error.Lab[:, 1])
+    np.testing.assert_allclose(again, list(error.delta_e_2000.values()), rtol=1e-12)
+    for chips in said["chips"].values():
+        for chip in chips:
+            assert f"background:{chip}" in error._repr_html_()
     # The hot spot is most of what it would miss.
     without = paint.write(file, model="microflake")
     assert isinstance(without, nacre.ShaderMaterial)
