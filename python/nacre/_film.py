@@ -56,6 +56,7 @@ class Material:
 
     @property
     def name(self) -> str:
+        """As it was asked for."""
         return str(self._material.name)
 
     @property

@@ -199,6 +199,7 @@ class Measurement:
 
     @property
     def illuminant(self) -> str:
+        """A, D50, D65, FL2, FL11 or E: under which colours are stated."""
         return str(self._readings.illuminant)
 
     @property

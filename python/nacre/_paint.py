@@ -82,6 +82,7 @@ class Paint(PaintLight, PaintFiles):
 
     @property
     def file(self) -> str:
+        """Its path; "recipe" where it was a text or a dictionary."""
         return str(self._paint.file)
 
     @property

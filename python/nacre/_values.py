@@ -65,11 +65,13 @@ class Sample:
 
     @property
     def valid(self) -> NDArray[np.bool_]:
+        """(...) whether light leaves"""
         valid: NDArray[np.bool_] = self.kind >= 0
         return valid
 
     @property
     def specular(self) -> NDArray[np.bool_]:
+        """(...) whether it does in the specular direction of a smooth interface"""
         specular: NDArray[np.bool_] = self.kind == 1
         return specular
 
