@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import inspect
 import json
 import re
 import shutil
@@ -129,6 +130,26 @@ def test_notebook(notebook: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_there_are_notebooks() -> None:
     assert len(NOTEBOOKS) == 3
+
+
+def test_everything_public_says_what_it_is() -> None:
+    silent, asked = [], 0
+    for name in nacre.__all__:
+        thing = getattr(nacre, name)
+        if not callable(thing):
+            continue
+        members = vars(thing).items() if inspect.isclass(thing) else ()
+        parts = {name: thing} | {
+            f"{name}.{key}": value for key, value in members if not key.startswith("_")
+        }
+        for path, part in parts.items():
+            function = part.fget if isinstance(part, property) else getattr(part, "__func__", part)
+            if callable(function):
+                asked += 1
+                if not (function.__doc__ or "").strip():
+                    silent.append(path)
+    assert asked > 100
+    assert silent == []
 
 
 def test_types_of_what_is_shown(tmp_path: Path) -> None:
