@@ -37,6 +37,10 @@ if(NACRE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(nacre_options INTERFACE $<BUILD_INTERFACE:-Wno-subobject-linkage
     --param=ggc-min-heapsize=524288>)
 endif()
+# Assertions of tests name their file: from the clone's root, so that ccache knows what another clone
+# compiled.
+target_compile_options(nacre_options INTERFACE
+  $<BUILD_INTERFACE:-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=>)
 target_include_directories(nacre_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

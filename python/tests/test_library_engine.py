@@ -21,10 +21,10 @@ PLAN = """
 [library]
 name = "Kills"
 [[sweep]]
-name = "satin"
-base = "satin-silver"
+name = "silver"
+base = "metallic-silver"
 [sweep.vary]
-"orientation.alpha" = { from = 0.1, to = 0.2, steps = 16 }
+"orientation.alpha" = { from = 0.1, to = 0.2, steps = 46 }
 [[sweep]]
 name = "prescribed"
 base = "metallic-gray"
@@ -33,7 +33,7 @@ base = "metallic-gray"
 "flakes[0].transmittance" = { from = 0.05, to = 0.6, steps = 2 }
 """
 # Many, as some are made between a look into the folder and the kill. And one that is refused.
-RECORDS = 19
+RECORDS = 49
 INCOMPLETE = 4
 
 

@@ -59,17 +59,6 @@ struct PaintMedium {
     friend bool operator==(const PaintMedium&, const PaintMedium&) = default;
 };
 
-/// Calls body(w, end) for each run of wavelengths [w, end) that have one index of the binder.
-template <class Body>
-void for_each_index(const PaintMedium& medium, Body&& body) {
-    const int count = medium.wavelength_count();
-    for (int w = 0, end; w < count; w = end) {
-        end = w + 1;
-        while (end < count && medium.ior[end] == medium.ior[w]) ++end;
-        body(w, end);
-    }
-}
-
 /// @param films  cache of the flakes' tables; null: none
 /// @throws DomainError as validate() and optics::platelet_table() do
 /// @throws Stopped if `work`, which is asked where it is not null, says so

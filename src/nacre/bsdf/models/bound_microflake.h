@@ -63,6 +63,13 @@ void tabulate_sampling(
     Microflake::Tables& tables,
     const std::function<std::unique_ptr<const BoundMicroflake>(const Wavelengths&)>& bind);
 
+/// [direction][wavelength] of a function of the direction refracted into the coat. value(mu, first, count)
+/// gives that of `count` blocks of wavelengths from `first` on, in the direction of cosine mu; it is asked
+/// once for all wavelengths at which the binder has one index, by several threads.
+std::vector<float> tabulate_inside(
+    const solver::PaintMedium& medium,
+    const std::function<std::vector<DoubleLanes>(double mu, int first, int count)>& value);
+
 /// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
 std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium);
 

@@ -7,7 +7,6 @@
 
 #include "nacre/bsdf/models/hot_spot_closing.h"
 #include "nacre/core/lane_math.h"
-#include "nacre/core/parallel.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/paint/expansion.h"
@@ -16,36 +15,27 @@
 namespace nacre::bsdf {
 namespace {
 
-// c Int (1-T)^2 |w.m| D(m) dm / mu of `count` blocks of wavelengths from `first` on.
-std::vector<DoubleLanes> shared_blocking(const solver::FlakeMedium& flake, double mu, int first,
-                                         int count) {
-    std::vector<DoubleLanes> sum(count);
+// Root of c Int (1-T)^2 |w.m| D(m) dm / mu, of `count` blocks of wavelengths from `first` on.
+std::vector<DoubleLanes> coupling(const solver::FlakeMedium& flake, double mu, int first,
+                                  int count) {
+    std::vector<DoubleLanes> value(count);
     if (flake.table.is_opaque()) {
-        std::fill(sum.begin(), sum.end(), splat(paint::projected_area(mu, flake.alpha)));
+        std::fill(value.begin(), value.end(), splat(paint::projected_area(mu, flake.alpha)));
     } else {
         paint::for_each_normal(
             mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
                 for (int b = 0; b < count; ++b) {
                     const DoubleLanes blocked = 1.0 - flake.table.transmittance(cosine, first + b);
-                    sum[b] += weight * blocked * blocked;
+                    value[b] += weight * blocked * blocked;
                 }
             });
     }
-    for (DoubleLanes& of_block : sum) of_block = flake.area_density_per_um / mu * of_block;
-    return sum;
-}
-
-// Its root at all wavelengths, for a direction outside.
-void set_coupling(const solver::PaintMedium& medium, const solver::FlakeMedium& flake, double theta,
-                  float* row) {
-    solver::for_each_index(medium, [&](int w, int end) {
-        const int first = w / kLanes;
-        const auto blocking = shared_blocking(flake, solver::inside_cosine(medium.ior[w], theta),
-                                              first, (end - 1) / kLanes - first + 1);
-        for (; w < end; ++w) {
-            row[w] = static_cast<float>(std::sqrt(blocking[w / kLanes - first][w % kLanes]));
+    for (DoubleLanes& of_block : value) {
+        for (int i = 0; i < kLanes; ++i) {
+            of_block[i] = std::sqrt(flake.area_density_per_um / mu * of_block[i]);
         }
-    });
+    }
+    return value;
 }
 
 }  // namespace
@@ -67,11 +57,8 @@ HotSpotTables::HotSpotTables(const solver::SolvedPaint& paint)
             // Int O dz of a flake goes with area times d.
             species.diameter_um =
                 static_cast<float>(recipe.layers[l].flakes[f].sizes().area_weighted_mean_um());
-            species.coupling.resize(static_cast<std::size_t>(kDirectionIntervals + 1) *
-                                    wavelength_count_);
-            parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {
-                set_coupling(medium, flake, direction_angle(static_cast<int>(row)),
-                             &species.coupling[row * wavelength_count_]);
+            species.coupling = tabulate_inside(medium, [&](double mu, int first, int count) {
+                return coupling(flake, mu, first, count);
             });
         }
     }

@@ -174,24 +174,35 @@ Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved,
       smooth(smooth_table(*paint)),
       extinction(std::move(extinction_per_um)) {}
 
+std::vector<float> tabulate_inside(
+    const solver::PaintMedium& medium,
+    const std::function<std::vector<DoubleLanes>(double mu, int first, int count)>& value) {
+    const int wavelengths = medium.wavelength_count();
+    const auto at = [&](int row, int w) { return static_cast<std::size_t>(row) * wavelengths + w; };
+    std::vector<float> table(at(kDirectionIntervals + 1, 0));
+    parallel_for(0, kDirectionIntervals + 1, [&](std::size_t index) {
+        const int row = static_cast<int>(index);
+        const double theta = direction_angle(row);
+        for (int w = 0; w < wavelengths;) {
+            int end = w + 1;
+            while (end < wavelengths && medium.ior[end] == medium.ior[w]) ++end;
+            const int first = w / kLanes;
+            const auto blocks = value(solver::inside_cosine(medium.ior[w], theta), first,
+                                      (end - 1) / kLanes - first + 1);
+            for (; w < end; ++w) {
+                table[at(row, w)] = static_cast<float>(blocks[w / kLanes - first][w % kLanes]);
+            }
+        }
+    });
+    return table;
+}
+
 std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium) {
-    const int count = medium.wavelength_count();
     std::vector<std::vector<float>> extinction;
     for (const auto& layer : medium.layers) {
-        auto& table = extinction.emplace_back((kDirectionIntervals + 1) * count);
-        parallel_for(0, kDirectionIntervals + 1, [&](std::size_t row) {
-            const double theta = direction_angle(static_cast<int>(row));
-            solver::for_each_index(medium, [&](int w, int end) {
-                const int first = w / kLanes;
-                const auto value =
-                    solver::extinctions(layer, solver::inside_cosine(medium.ior[w], theta), first,
-                                        (end - 1) / kLanes - first + 1);
-                for (; w < end; ++w) {
-                    table[row * count + w] =
-                        static_cast<float>(value[w / kLanes - first][w % kLanes]);
-                }
-            });
-        });
+        extinction.push_back(tabulate_inside(medium, [&](double mu, int first, int count) {
+            return solver::extinctions(layer, mu, first, count);
+        }));
     }
     return extinction;
 }
