@@ -84,8 +84,8 @@ def test_it_is_searched(nacre_program: Run, tmp_path: Path) -> None:
     assert match.name == nacre.Paint("ruby").name
     assert match.mean_dE2000 < 1e-3
     standard = tmp_path / "standard.csv"
-    nacre.Paint("candy-red").measure(wavelengths_nm=range(400, 701, 50)).write(standard)
+    nacre.Paint("glitter-100um").measure(wavelengths_nm=range(400, 701, 50)).write(standard)
     text = nacre_program(
         *("fit", standard, "--library", LIBRARY, "--constructions", "1", "--starts", "1")
     ).stdout
-    assert "matches  tinted clear / Al2O3|Al" in text
+    assert "matches  clear / Al (from " in text
