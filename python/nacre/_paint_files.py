@@ -6,13 +6,13 @@ import os
 
 from numpy.typing import ArrayLike
 
-from . import _nacre, _threejs
+from . import _nacre
 from ._arrays import wavelengths
 from ._errors import SettingError
 from ._model import ModelLike, settings_of
 from ._paint_readings import PaintReadings
 from ._progress import Progress, reporter
-from ._values import Export, FittedMaterial, ShaderMaterial, fitted_material
+from ._values import Export, FittedMaterial, ShaderMaterial, fitted_material, shader_material
 
 Path = str | os.PathLike[str]
 
@@ -64,12 +64,8 @@ class PaintFiles(PaintReadings):
         if os.fspath(path).endswith(".three.js"):
             if wavelengths_nm is not None:
                 raise SettingError("wavelengths_nm: a .three.js file has its own sixteen")
-            standard = self.measure(
-                _threejs.geometries(), model="nacre", illuminant="D65", observer=2
-            )
             with reporter(progress, "write") as report:
-                shown = settings_of("nacre" if model is None else model)
-                return _threejs.write(self._paint, path, shown, standard, report)
+                return shader_material(self._paint.write_shader(path, settings_of(model), report))
         nm, chosen = wavelengths(wavelengths_nm), settings_of(model)
         with reporter(progress, "write") as report:
             if extension == ".toml":

@@ -138,19 +138,25 @@ class FittedMaterial:
         )
 
 
+def _by_angle(differences: _Differences) -> tuple[dict[str, float], float, float]:
+    return {angle[0]: angle[1] for angle in differences[0]}, *differences[1:]
+
+
+def _lab(differences: _Differences) -> Floats:
+    return np.array([angle[2:] for angle in differences[0]])
+
+
+def shader_material(differences: _Differences) -> ShaderMaterial:
+    """Of what the extension gives."""
+    return ShaderMaterial(*_by_angle(differences), _lab(differences))
+
+
 def fitted_material(
     parameters: list[tuple[str, float]], seen: _Differences, tested: _Differences
 ) -> FittedMaterial:
     """Of what the extension gives."""
-
-    def by_angle(differences: _Differences) -> tuple[dict[str, float], float, float]:
-        return {angle[0]: angle[1] for angle in differences[0]}, *differences[1:]
-
-    def lab(differences: _Differences) -> Floats:
-        return np.array([angle[2:] for angle in differences[0]])
-
     return FittedMaterial(
-        dict(parameters), *by_angle(seen), *by_angle(tested), lab(seen), lab(tested)
+        dict(parameters), *_by_angle(seen), *_by_angle(tested), _lab(seen), _lab(tested)
     )
 
 

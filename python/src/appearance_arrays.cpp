@@ -142,18 +142,7 @@ nb::dict to_dict(NacreArrays&& a) {
 }
 
 NacreArrays arrays_of(const PaintHandle& handle, const Model& model, const nb::object& progress) {
-    return run(progress, [&](const Progress& ask) {
-        const auto solved = handle.paint.solved({}, ask);
-        if (const auto* nacre = model.get<NacreModel>()) {
-            return bsdf::nacre_arrays(solved, *nacre, ask);
-        }
-        const auto* microflake = model.get<MicroflakeModel>();
-        if (!microflake || microflake->makes_table()) {
-            throw SettingError("model", "must be nacre, or microflake without tables",
-                               model.text());
-        }
-        return bsdf::microflake_arrays(solved);
-    });
+    return run(progress, [&](const Progress& ask) { return handle.paint.arrays(model, ask); });
 }
 
 nb::dict appearance_arrays(const PaintHandle& handle, const Model& model,
@@ -164,17 +153,6 @@ nb::dict appearance_arrays(const PaintHandle& handle, const Model& model,
 exchange::WebglShader webgl_shader(const PaintHandle& handle, const Model& model,
                                    const nb::object& progress) {
     return exchange::make_webgl_shader(arrays_of(handle, model, progress));
-}
-
-/// By name: the size, and the bytes of half floats.
-nb::dict textures_of(const exchange::WebglShader& shader) {
-    nb::dict d;
-    for (const exchange::WebglTexture& texture : shader.textures) {
-        const auto* bytes = reinterpret_cast<const char*>(texture.rgba.data());
-        d[texture.name.c_str()] = nb::make_tuple(
-            texture.size, nb::bytes(bytes, texture.rgba.size() * sizeof texture.rgba[0]));
-    }
-    return d;
 }
 
 /// (N, 3) of two directions each, unit vectors above the surface.
@@ -194,9 +172,6 @@ NumpyArray<double> webgl_brdf(const exchange::WebglShader& shader, const Doubles
 
 void bind_appearance_arrays(nb::module_& module) {
     nb::class_<exchange::WebglShader>(module, "WebglShader")
-        .def_prop_ro("glsl", &exchange::WebglShader::glsl_with_constants)
-        .def_ro("smooth_coat", &exchange::WebglShader::smooth_coat)
-        .def_prop_ro("textures", &textures_of)
         .def("brdf", &webgl_brdf, "wi"_a, "wo"_a);
     module.def("webgl_shader", &webgl_shader, "paint"_a, "model"_a, "progress"_a.none());
     module.def("appearance_arrays", &appearance_arrays, "paint"_a, "model"_a, "progress"_a.none());

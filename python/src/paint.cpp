@@ -256,6 +256,15 @@ Fitted write_material(const PaintHandle& handle, const std::filesystem::path& pa
     });
 }
 
+Differences write_shader(const PaintHandle& handle, const std::filesystem::path& path,
+                         const std::optional<Model>& model, const nb::object& progress) {
+    return run(progress, [&](const Progress& ask) {
+        const ShaderMaterial made = handle.paint.export_threejs(model, ask);
+        made.write(path);
+        return differences(made.difference);
+    });
+}
+
 /// The solution, or the table that the model makes of it.
 std::size_t write_solved(const PaintHandle& handle, const std::filesystem::path& path,
                          const OptionalDoubles& wavelengths_nm, const std::optional<Model>& model,
@@ -356,6 +365,7 @@ void bind_paint(nb::module_& module) {
              wavelengths, model, "progress"_a.none())
         .def("write_material", &write_material, "path"_a, "format"_a, wavelengths, model,
              "progress"_a.none())
+        .def("write_shader", &write_shader, "path"_a, model, "progress"_a.none())
         .def("write_merl", &write_merl, "path"_a, "cells"_a, wavelengths, model,
              "progress"_a.none())
         .def("write_solved", &write_solved, "path"_a, wavelengths, model, "progress"_a.none());

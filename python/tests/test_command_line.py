@@ -207,6 +207,10 @@ def test_files_of_paints(nacre_program: Run, paints: Path, tmp_path: Path) -> No
         paint.write(tmp_path / "python.gltf", wavelengths_nm=nm), nacre.FittedMaterial
     )
     assert (tmp_path / "python.gltf").read_bytes() == (tmp_path / "program.gltf").read_bytes()
+    nacre_program("export", paint.file, "-o", tmp_path / "program.three.js")
+    assert isinstance(paint.write(tmp_path / "python.three.js"), nacre.ShaderMaterial)
+    modules = [tmp_path / f"{by}.three.js" for by in ("python", "program")]
+    assert modules[0].read_bytes() == modules[1].read_bytes()
     with pytest.raises(nacre.SettingError, match=r"must end in \.toml, \.h5"):
         paint.write(tmp_path / "python.xml")
 

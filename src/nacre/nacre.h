@@ -56,6 +56,10 @@
 // header of their own: nacre/render.h. Measuring and fitting are members of Paint, as
 // nacre::measure, nacre::fit and nacre::render are namespaces.
 
+namespace nacre::bsdf {
+struct NacreArrays;  // bsdf/models/nacre_arrays.h
+}
+
 namespace nacre {
 
 using measure::Aperture;
@@ -228,6 +232,16 @@ struct FittedMaterial {
 };
 enum class MaterialFormat { gltf, materialx, cycles };
 
+/// The paint's own model as a shader, for a program that takes one.
+struct ShaderMaterial {
+    std::string bytes;  ///< of the file
+    /// From the paint by `nacre`, at exchange::shader_geometries() under D65 for 2 degrees.
+    measure::Difference difference;
+
+    /// Whole or not at all. @throws InputError, Error as core/file.h
+    void write(const std::filesystem::path& path) const;
+};
+
 struct SparkleSettings {
     SparkleCamera camera = {};
     Viewing viewing = {};
@@ -393,6 +407,16 @@ class Paint {
     /// @throws InputError, DomainError, Error as measure(); Error as exchange::fit_material()
     FittedMaterial export_material(MaterialFormat format, const BrdfSettings& settings = {},
                                    const Progress& progress = {}) const;
+    /// An ES module with a material of three.js that shows the mean of `nacre`, or `microflake`, by a
+    /// shader.
+    /// @param model  none: nacre
+    /// @throws InputError as recipe(); SettingError if it is another model, or renders from tables;
+    ///         DomainError as bsdf::nacre_arrays() and exchange::make_webgl_shader()
+    ShaderMaterial export_threejs(const std::optional<Model>& model = {},
+                                  const Progress& progress = {}) const;
+    /// What such shaders, and renderers with programs of their own, compute the paint from.
+    /// @throws as export_threejs()
+    bsdf::NacreArrays arrays(const Model& model, const Progress& progress = {}) const;
     /// The bytes of a file of the solved paint. @throws as solved() and io::solved_paint_bytes()
     std::string export_solved(const SolveSettings& settings = {},
                               const Progress& progress = {}) const;

@@ -29,7 +29,7 @@ struct ExportOptions : CommonOptions {
     std::string cells = "90,90,180";
     std::string chips;
     /// Given options that only one kind of formats has; the last of each.
-    std::string only_rgl, only_merl, only_fits;
+    std::string only_rgl, only_merl, only_materials;
 };
 
 measure::MerlSettings parse_cells(const std::string& text) {
@@ -43,9 +43,9 @@ measure::MerlSettings parse_cells(const std::string& text) {
     return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2])};
 }
 
-enum class ExportFormat { rgl, merl, gltf, materialx, cycles };
+enum class ExportFormat { rgl, merl, gltf, materialx, cycles, threejs };
 
-constexpr const char* kFittedSuffixes = ".gltf, .mtlx or .blender.py";
+constexpr const char* kMaterialSuffixes = ".gltf, .mtlx, .blender.py or .three.js";
 
 ExportFormat format_of(const std::string& output) {
     const std::string extension = std::filesystem::path(output).extension().string();
@@ -54,17 +54,19 @@ ExportFormat format_of(const std::string& output) {
     if (extension == ".gltf") return ExportFormat::gltf;
     if (extension == ".mtlx") return ExportFormat::materialx;
     if (output.ends_with(".blender.py")) return ExportFormat::cycles;
+    if (output.ends_with(".three.js")) return ExportFormat::threejs;
     throw UsageError(
         fmt::format("--output = {}: must end in .bsdf (RGL), .binary (MERL), .gltf (glTF 2.0), "
-                    ".mtlx (MaterialX) or .blender.py (Cycles)",
+                    ".mtlx (MaterialX), .blender.py (Cycles) or .three.js (three.js)",
                     output));
 }
 
-/// The material that is fitted, or none for a table.
+/// The material that is fitted, or none for a table or a shader.
 std::optional<MaterialFormat> fitted_format(ExportFormat format) {
     switch (format) {
         case ExportFormat::rgl:
         case ExportFormat::merl:
+        case ExportFormat::threejs:
             return std::nullopt;
         case ExportFormat::gltf:
             return MaterialFormat::gltf;
@@ -74,6 +76,11 @@ std::optional<MaterialFormat> fitted_format(ExportFormat format) {
             return MaterialFormat::cycles;
     }
     return std::nullopt;
+}
+
+/// Whether a picture of colours lies beside it.
+bool is_material(ExportFormat format) {
+    return format != ExportFormat::rgl && format != ExportFormat::merl;
 }
 
 const char* report_name(MaterialFormat format) {
@@ -95,7 +102,10 @@ void check_format_options(const ExportOptions& options, ExportFormat format) {
     };
     if (format != ExportFormat::rgl) refuse(options.only_rgl, ".bsdf");
     if (format != ExportFormat::merl) refuse(options.only_merl, ".binary");
-    if (!fitted_format(format)) refuse(options.only_fits, kFittedSuffixes);
+    if (!is_material(format)) refuse(options.only_materials, kMaterialSuffixes);
+    if (format == ExportFormat::threejs && !options.wavelengths.empty()) {
+        throw UsageError("--wavelength: a .three.js file has its own sixteen");
+    }
 }
 
 /// The picture of the colours, beside the material unless it was named.
@@ -148,6 +158,13 @@ void write_table(const ExportOptions& options, const Paint& paint, const BrdfSet
     write_report(options, "export", report);
 }
 
+void say_by_angle(const ExportOptions& options, const measure::Difference& difference) {
+    for (const measure::AngleDifference& angle : difference.angles) {
+        say(options,
+            fmt::format("  {:<8} Delta E 2000 {:5.2f}", angle.geometry.name, angle.delta_e_2000));
+    }
+}
+
 /// A material of another renderer, whose error is that of its own BRDF.
 void write_material(const ExportOptions& options, const Paint& paint, const BrdfSettings& settings,
                     MaterialFormat format) {
@@ -160,10 +177,7 @@ void write_material(const ExportOptions& options, const Paint& paint, const Brdf
     write_file_atomically(chips_name(options), material_chips(paint.name(), made));
     emit(options, made.bytes);
     const exchange::MaterialFit& fit = made.fit;
-    for (const measure::AngleDifference& angle : fit.instrument.angles) {
-        say(options,
-            fmt::format("  {:<8} Delta E 2000 {:5.2f}", angle.geometry.name, angle.delta_e_2000));
-    }
+    say_by_angle(options, fit.instrument);
     say(options,
         fmt::format("{}: a fit, not the paint. Delta E 2000, mean and greatest: {:.1f}, {:.1f} at "
                     "byk-mac's angles; {:.1f}, {:.1f} at {} angles that the fit did not see. "
@@ -181,6 +195,31 @@ void write_material(const ExportOptions& options, const Paint& paint, const Brdf
     write_report(options, "export", report);
 }
 
+/// The paint's own model, whose error is that of its textures and wavelengths.
+void write_shader(const ExportOptions& options, const Paint& paint,
+                  const std::optional<Model>& model) {
+    const Stopwatch watch;
+    const ShaderMaterial made = [&] {
+        ProgressBar bar("tabulate", options.quiet);
+        return paint.export_threejs(model, bar.callback());
+    }();
+    say_warnings(options, paint);
+    write_file_atomically(chips_name(options), shader_chips(paint.name(), made));
+    emit(options, made.bytes);
+    say_by_angle(options, made.difference);
+    say(options,
+        fmt::format("{}: {} bytes; the model's own shader. Delta E 2000 from nacre, mean and "
+                    "greatest: {:.1f}, {:.1f}. Side by side: {}",
+                    options.output, made.bytes.size(), made.difference.mean_delta_e_2000,
+                    made.difference.max_delta_e_2000, chips_name(options)));
+    nlohmann::json report =
+        export_report(options, paint, "three.js", made.bytes.size(), watch.seconds());
+    report["model"] = model.value_or(NacreModel{}).info().name;
+    report["chips"] = chips_name(options);
+    report["differences"] = {{"all", difference_json(made.difference)}};
+    write_report(options, "export", report);
+}
+
 ExitStatus run(const ExportOptions& options) {
     const ExportFormat format = format_of(options.output);
     check_format_options(options, format);
@@ -188,13 +227,18 @@ ExitStatus run(const ExportOptions& options) {
     require_values(parse_model_settings(options.model).info());
     BrdfSettings settings = brdf_settings(options);
     const std::optional<MaterialFormat> fitted = fitted_format(format);
-    if (fitted && options.chips.empty()) check_chips_beside(chips_name(options));
+    if (is_material(format) && options.chips.empty()) check_chips_beside(chips_name(options));
     const ThreadLimit threads(options.threads);
     const InterruptHandler interrupt;
     const Paint paint = open_paint(options, options.paint);
     settings.model = model_for({&paint}, options.model);
     if (fitted) {
         write_material(options, paint, settings, *fitted);
+    } else if (format == ExportFormat::threejs) {
+        // Not the default for values, but that of pictures.
+        const bool chosen =
+            options.model.model_given || (settings.model && settings.model->makes_table());
+        write_shader(options, paint, chosen ? settings.model : std::nullopt);
     } else {
         write_table(options, paint, settings, format == ExportFormat::rgl);
     }
@@ -205,7 +249,8 @@ CommandFiles files_of_export(const ExportOptions& options) {
     CommandFiles files = files_of(options, {options.paint});
     // A name that is no format is refused by run().
     const std::string extension = std::filesystem::path(options.output).extension().string();
-    if (extension == ".gltf" || extension == ".mtlx" || options.output.ends_with(".blender.py")) {
+    if (extension == ".gltf" || extension == ".mtlx" || options.output.ends_with(".blender.py") ||
+        options.output.ends_with(".three.js")) {
         files.files.push_back({"--chips", chips_name(options)});
     }
     return files;
@@ -222,7 +267,8 @@ Command add_export(CLI::App& program) {
     command
         ->add_option("-o,--output", options->output,
                      "File to write: .bsdf (RGL, spectra or RGB), .binary (MERL, RGB), .gltf (glTF "
-                     "2.0), .mtlx (MaterialX, OpenPBR) or .blender.py (Blender's Cycles)")
+                     "2.0), .mtlx (MaterialX, OpenPBR), .blender.py (Blender's Cycles) or "
+                     ".three.js (shader)")
         ->required()
         ->type_name("FILE");
     add_model_options(*command, options->model);
@@ -252,9 +298,9 @@ Command add_export(CLI::App& program) {
         ->capture_default_str();
     only(command->add_option(
              "--chips", options->chips,
-             ".gltf, .mtlx, .blender.py: picture of the paint's colours and the fit's, side by "
-             "side [beside the output, .svg added]"),
-         options->only_fits)
+             ".gltf, .mtlx, .blender.py, .three.js: picture of the paint's colours and the "
+             "material's, side by side [beside the output, .svg added]"),
+         options->only_materials)
         ->type_name("FILE");
     add_input_options(*command, *options);
     add_set(*command, *options);
@@ -265,7 +311,8 @@ Command add_export(CLI::App& program) {
         "BRDF.\n"
         "A .gltf, .mtlx or .blender.py is the format's own material fitted to the paint's "
         "colours, its\nclearcoat included; what it misses is written into it and shown in the "
-        "picture of colours.\n\n"
+        "picture of colours.\n"
+        "A .three.js is an ES module with nacre's mean, or microflake, as a shader.\n\n"
         "Example: for Mitsuba's plugin \"measured\"\n"
         "  nacre export paints/red-gold.toml -o red-gold.bsdf");
     return {command, [options] { return files_of_export(*options); },

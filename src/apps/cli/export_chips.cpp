@@ -3,67 +3,66 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
 #include "apps/report/colour_chips.h"
 #include "nacre/core/error.h"
-#include "nacre/spectra/colour.h"
 
 namespace nacre::cli {
 
 namespace {
 
-Vec3d linear_rgb(const Vec3d& lab) {
-    return spectra::xyz_to_linear_rec709(
-        spectra::lab_to_xyz(lab, spectra::linear_rec709_to_xyz({1, 1, 1})));
-}
-
-std::string display_colour(Vec3d rgb, double scale) {
-    for (int c = 0; c < 3; ++c) {
-        rgb[c] = spectra::srgb_encode(std::clamp(scale * rgb[c], 0.0, 1.0));
-    }
-    return spectra::css_colour(rgb);
-}
-
 report::ChipPair pair_of(const measure::AngleDifference& angle) {
-    const Vec3d paint = linear_rgb(angle.lab_standard), fit = linear_rgb(angle.lab_sample);
-    double brightest = 1;
-    for (int c = 0; c < 3; ++c) brightest = std::max({brightest, paint[c], fit[c]});
+    const measure::DisplayPair shown = measure::display_pair(angle);
     const std::string dimmed =
-        brightest > 1.005 ? fmt::format(" (shown at 1/{:.1f})", brightest) : "";
-    return {angle.geometry.name, display_colour(paint, 1 / brightest),
-            display_colour(fit, 1 / brightest),
+        shown.dimmed > 1.005 ? fmt::format(" (shown at 1/{:.1f})", shown.dimmed) : "";
+    return {angle.geometry.name, shown.standard, shown.sample,
             fmt::format("\u0394E {:.1f}, L* {:.0f} and {:.0f}{}", angle.delta_e_2000,
                         angle.lab_standard[0], angle.lab_sample[0], dimmed)};
 }
 
 report::ChipGroup group_of(const std::string& title, const measure::Difference& difference,
-                           std::size_t from = 0) {
+                           std::size_t from = 0, std::size_t to = SIZE_MAX) {
     report::ChipGroup group{title, {}};
-    for (std::size_t i = from; i < difference.angles.size(); ++i) {
+    for (std::size_t i = from; i < std::min(to, difference.angles.size()); ++i) {
         group.pairs.push_back(pair_of(difference.angles[i]));
     }
     return group;
+}
+
+constexpr const char* kBykMac = "byk-mac's angles";
+
+std::string line(const char* what, const measure::Difference& d) {
+    return fmt::format("{}: mean \u0394E 2000 {:.1f}, greatest {:.1f}", what, d.mean_delta_e_2000,
+                       d.max_delta_e_2000);
 }
 
 }  // namespace
 
 std::string material_chips(const std::string& paint, const FittedMaterial& material) {
     const exchange::MaterialFit& fit = material.fit;
-    const auto line = [](const char* what, const measure::Difference& d) {
-        return fmt::format("{}: mean \u0394E 2000 {:.1f}, greatest {:.1f}", what,
-                           d.mean_delta_e_2000, d.max_delta_e_2000);
-    };
     return report::chips_svg(
         fmt::format("{} as {}", paint, material.format),
         {"A fit of the format's own BRDF under D65, 2\u00b0, without the mirror image of the coat.",
          line("byk-mac's angles", fit.instrument), line("All angles of the fit", fit.fitted),
          line("Angles that the fit did not see", fit.tested)},
         "paint", "fit",
-        {group_of("byk-mac's angles", fit.instrument),
+        {group_of(kBykMac, fit.instrument),
          group_of("Other angles of the fit", fit.fitted, exchange::kBykMacAngles),
          group_of("Angles that the fit did not see", fit.tested)});
+}
+
+std::string shader_chips(const std::string& paint, const ShaderMaterial& material) {
+    const measure::Difference& all = material.difference;
+    return report::chips_svg(
+        fmt::format("{} in three.js", paint),
+        {"The shader's BRDF under D65, 2\u00b0, without the mirror image of the coat.",
+         line("All angles", all)},
+        "paint", "shader",
+        {group_of(kBykMac, all, 0, exchange::kBykMacAngles),
+         group_of("Other angles", all, exchange::kBykMacAngles)});
 }
 
 void check_chips_beside(const std::string& file) {

@@ -4,7 +4,7 @@
 
 #include "nacre/nacre.h"
 
-// A fitted material beside its paint, as a picture of colours.
+// A material beside its paint, as a picture of colours.
 
 namespace nacre::cli {
 
@@ -12,6 +12,9 @@ namespace nacre::cli {
 /// that the fit did not see. Both colours of a pair are scaled alike where one is brighter than the
 /// display, so that a difference of brightness shows.
 std::string material_chips(const std::string& paint, const FittedMaterial& material);
+
+/// The same of a shader, which is no fit.
+std::string shader_chips(const std::string& paint, const ShaderMaterial& material);
 
 /// Nobody named the picture: only one of Nacre's own may be replaced.
 /// @throws InputError naming the file if it is of another origin

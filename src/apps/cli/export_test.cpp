@@ -153,6 +153,32 @@ TEST_F(Program, ExportFitsMaterialsAndSaysByHowMuchTheyMiss) {
     EXPECT_FALSE(exists("a.gltf"));
 }
 
+TEST_F(Program, ExportWritesAShaderForThreejs) {
+    // A name that looks like a place of the module's to be filled is a name.
+    write("named.toml", "name = \"'@TABLE@' </script>\"\n" + contents(folder_ / "gray.toml"));
+    const Outcome run = nacre("export named.toml -o gray.three.js --report r.json");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("  75as75   Delta E 2000  0.0"));
+    EXPECT_THAT(run.err, HasSubstr("the model's own shader. Delta E 2000 from nacre"));
+    const std::string module = contents(folder_ / "gray.three.js");
+    EXPECT_THAT(module,
+                AllOf(HasSubstr("\"name\": \"'@TABLE@' </script>\""),
+                      HasSubstr("export function createMaterial"), Not(HasSubstr("'@SMOOTH@'"))));
+    EXPECT_THAT(contents(folder_ / "gray.three.js.svg"), HasSubstr("<svg"));
+    EXPECT_THAT(contents(folder_ / "r.json"),
+                AllOf(HasSubstr("\"format\": \"three.js\""), HasSubstr("\"model\": \"nacre\"")));
+
+    EXPECT_EQ(nacre("export gray.toml -q -o m.three.js --model microflake --report r.json").status,
+              0);
+    EXPECT_THAT(contents(folder_ / "r.json"), HasSubstr("\"model\": \"microflake\""));
+    for (const char* arguments :
+         {" --wavelength 400:700:30", " --rgb", " --model thin-film", " --table svd"}) {
+        EXPECT_NE(nacre(std::string("export gray.toml -q -o a.three.js") + arguments).status, 0)
+            << arguments;
+    }
+    EXPECT_FALSE(exists("a.three.js"));
+}
+
 TEST_F(Program, ExportRefusesAnisotropicSurfaces) {
     constexpr float kPi = std::numbers::pi_v<float>;
     bsdf::RglTable table;

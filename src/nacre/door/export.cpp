@@ -2,12 +2,14 @@
 
 #include "nacre/bsdf/measured/merl.h"
 #include "nacre/bsdf/measured/rgl.h"
+#include "nacre/bsdf/models/nacre_arrays.h"
 #include "nacre/core/file.h"
 #include "nacre/door/state.h"
 #include "nacre/exchange/cycles_material.h"
 #include "nacre/exchange/gltf_file.h"
 #include "nacre/exchange/gltf_material.h"
 #include "nacre/exchange/open_pbr.h"
+#include "nacre/exchange/threejs_file.h"
 #include "nacre/io/brdf_table_file.h"
 #include "nacre/io/measured_brdf_file.h"
 #include "nacre/io/solved_paint_file.h"
@@ -62,6 +64,10 @@ void Exported::write(const std::filesystem::path& path) const {
 }
 
 void FittedMaterial::write(const std::filesystem::path& path) const {
+    write_file_atomically(path, bytes);
+}
+
+void ShaderMaterial::write(const std::filesystem::path& path) const {
     write_file_atomically(path, bytes);
 }
 
@@ -157,6 +163,30 @@ FittedMaterial Paint::export_material(MaterialFormat format, const BrdfSettings&
             break;
         }
     }
+    return made;
+}
+
+bsdf::NacreArrays Paint::arrays(const Model& model, const Progress& progress) const {
+    if (const auto* nacre = model.get<NacreModel>()) {
+        return bsdf::nacre_arrays(solved({}, progress), *nacre, progress);
+    }
+    const auto* microflake = model.get<MicroflakeModel>();
+    if (!microflake || microflake->makes_table()) {
+        throw SettingError("model", "must be nacre, or microflake without tables", model.text());
+    }
+    return bsdf::microflake_arrays(solved({}, progress));
+}
+
+ShaderMaterial Paint::export_threejs(const std::optional<Model>& model,
+                                     const Progress& progress) const {
+    const auto shader = exchange::make_webgl_shader(arrays(model.value_or(NacreModel{}), progress));
+    const Readings paint = measure(
+        exchange::shader_geometries(),
+        {.model = NacreModel{}, .illuminant = Illuminant::D65, .observer = Observer::cie1931_2deg},
+        only_asking(progress, 1));
+    ShaderMaterial made;
+    made.difference = exchange::shader_difference(shader, paint.measurement);
+    made.bytes = exchange::threejs_text(shader, name(), recipe_sha256(), made.difference);
     return made;
 }
 

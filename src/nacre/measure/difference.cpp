@@ -8,6 +8,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/spectra/lab.h"
+#include "nacre/spectra/rgb.h"
 
 namespace nacre::measure {
 
@@ -104,7 +105,26 @@ void check_weights(const std::vector<Pair>& pairs, const std::map<std::string, d
     }
 }
 
+Vec3d linear_rgb(const Vec3d& lab) {
+    return spectra::xyz_to_linear_rec709(
+        spectra::lab_to_xyz(lab, spectra::linear_rec709_to_xyz({1, 1, 1})));
+}
+
+std::string display_colour(Vec3d rgb, double dimmed) {
+    for (int c = 0; c < 3; ++c) {
+        rgb[c] = spectra::srgb_encode(std::clamp(rgb[c] / dimmed, 0.0, 1.0));
+    }
+    return spectra::css_colour(rgb);
+}
+
 }  // namespace
+
+DisplayPair display_pair(const AngleDifference& angle) {
+    const Vec3d standard = linear_rgb(angle.lab_standard), sample = linear_rgb(angle.lab_sample);
+    double brightest = 1;
+    for (int c = 0; c < 3; ++c) brightest = std::max({brightest, standard[c], sample[c]});
+    return {display_colour(standard, brightest), display_colour(sample, brightest), brightest};
+}
 
 double AngleDifference::delta_chroma() const { return chroma(lab_sample) - chroma(lab_standard); }
 

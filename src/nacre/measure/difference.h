@@ -29,6 +29,16 @@ struct Difference {
     Conditions conditions;  ///< of the comparison: the standard's if possible
 };
 
+/// Both colours of a pair on a display, "#rrggbb" of encoded sRGB, what is outside its gamut clipped.
+struct DisplayPair {
+    std::string standard, sample;
+    /// By which both were divided, so that the brighter one fits and a difference of brightness shows:
+    /// 1 where none is brighter than the display.
+    double dimmed = 1;
+};
+/// Of colours under D65 for the 2 degree observer.
+DisplayPair display_pair(const AngleDifference& angle);
+
 /// Where illuminants or observers differ, the sample is converted to those of the standard if it
 /// has spectra, else the standard to those of the sample.
 ///
