@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "nacre/core/error.h"
-#include "nacre/core/parallel.h"
 #include "nacre/core/random.h"
 #include "nacre/core/recent_results.h"
 #include "nacre/optics/thickness_rule.h"
@@ -33,30 +32,39 @@ std::vector<int> strata(int film, int count) {
 
 bool varies(const optics::FilmPopulation& film) { return film.spread.standard_deviation_nm > 0; }
 
-}  // namespace
-
-std::vector<optics::Platelet> representative_platelets(const optics::Platelet& platelet) {
-    int varying = varies(platelet.core);
-    for (const optics::FilmPopulation& coat : platelet.coats) varying += varies(coat);
+/// Of the set: [platelet][film], core first.
+std::vector<std::vector<double>> representative_thicknesses_nm(const optics::Platelet& platelet) {
+    std::vector<const optics::FilmPopulation*> films = {&platelet.core};
+    for (const optics::FilmPopulation& coat : platelet.coats) films.push_back(&coat);
+    const auto varying =
+        std::ranges::count_if(films, [](const auto* film) { return varies(*film); });
     const int count = varying == 0   ? 1
                       : varying == 1 ? FlakeFilms::kOneFilmSet
                                      : FlakeFilms::kManyFilmsSet;
-    std::vector<optics::Platelet> set(count, platelet);
+    std::vector<std::vector<double>> set(count);
     int film = 0;
-    const auto fix = [&](const optics::FilmPopulation& law, auto&& film_of) {
-        if (!varies(law)) return;
-        const std::vector<int> order = strata(film++, count);
+    for (const optics::FilmPopulation* law : films) {
+        const std::vector<int> order = varies(*law) ? strata(film++, count) : std::vector<int>{};
         for (int i = 0; i < count; ++i) {
-            film_of(set[i]) = {
-                law.material,
-                optics::thickness_quantile(law.thickness_nm, law.spread, (order[i] + 0.5) / count),
-                {}};
+            set[i].push_back(varies(*law)
+                                 ? optics::thickness_quantile(law->thickness_nm, law->spread,
+                                                              (order[i] + 0.5) / count)
+                                 : law->thickness_nm);
         }
-    };
-    fix(platelet.core, [](optics::Platelet& p) -> optics::FilmPopulation& { return p.core; });
-    for (std::size_t c = 0; c < platelet.coats.size(); ++c) {
-        fix(platelet.coats[c],
-            [c](optics::Platelet& p) -> optics::FilmPopulation& { return p.coats[c]; });
+    }
+    return set;
+}
+
+}  // namespace
+
+std::vector<optics::Platelet> representative_platelets(const optics::Platelet& platelet) {
+    std::vector<optics::Platelet> set;
+    for (const std::vector<double>& films : representative_thicknesses_nm(platelet)) {
+        optics::Platelet& one = set.emplace_back(platelet);
+        one.core = {platelet.core.material, films[0], {}};
+        for (std::size_t c = 0; c < platelet.coats.size(); ++c) {
+            one.coats[c] = {platelet.coats[c].material, films[c + 1], {}};
+        }
     }
     return set;
 }
@@ -71,32 +79,34 @@ FlakeFilms::FlakeFilms(const optics::Platelet& platelet, const optics::Material&
                        SharedProgress* work, int cosine_intervals)
     : intervals_(cosine_intervals), stride_(wavelengths_nm.size() + 1), min_cosine_(min_cosine) {
     require_in_range(min_cosine, 0, 1 - 1e-6, "least cosine of the incidence on a flake");
-    const std::vector<optics::Platelet> set = representative_platelets(platelet);
+    const std::vector<std::vector<double>> set = representative_thicknesses_nm(platelet);
     sets_ = set.size();
     std::vector<double> cosines;
     for (int c = 0; c <= intervals_; ++c) {
         cosines.push_back(
             std::min(1.0, std::lerp(min_cosine, 1.0, c / static_cast<double>(intervals_))));
     }
+    const auto reflectance =
+        optics::platelet_reflectances(platelet, set, binder, cosines, wavelengths_nm, work);
     const std::size_t values = cosines.size() * stride_;
-    ratio_.resize(sets_ * values);
-    parallel_for(0, sets_, [&](std::size_t i) {
-        const auto table = optics::platelet_table(set[i], binder, cosines, wavelengths_nm, work);
+    ratio_.reserve(sets_ * values);
+    for (auto row = reflectance.begin(); row != reflectance.end();) {
+        const auto end = row + static_cast<std::ptrdiff_t>(stride_ - 1);
+        for (; row != end; ++row) ratio_.push_back(static_cast<float>(*row));
+        ratio_.push_back(ratio_.back());
+    }
+    std::vector<double> mean(values, 0.0);
+    for (std::size_t i = 0; i < sets_; ++i) {
+        for (std::size_t v = 0; v < values; ++v) mean[v] += ratio_[i * values + v];
+    }
+    for (double& m : mean) m /= static_cast<double>(sets_);
+    for (std::size_t i = 0; i < sets_; ++i) {
         for (std::size_t v = 0; v < values; ++v) {
-            const std::size_t row = v / stride_, w = std::min(v % stride_, stride_ - 2);
-            ratio_[i * values + v] = static_cast<float>(table.reflectance[row * (stride_ - 1) + w]);
-        }
-    });
-    parallel_for(0, values, [&](std::size_t v) {
-        double mean = 0;
-        for (std::size_t i = 0; i < sets_; ++i) mean += ratio_[i * values + v];
-        mean /= static_cast<double>(sets_);
-        for (std::size_t i = 0; i < sets_; ++i) {
             float& r = ratio_[i * values + v];
             // At grazing incidence, or where indices match, all may be 0.
-            r = mean > 0 ? static_cast<float>(r / mean) : 1.0f;
+            r = mean[v] > 0 ? static_cast<float>(r / mean[v]) : 1.0f;
         }
-    });
+    }
 }
 
 std::shared_ptr<const FlakeFilms> flake_films(const optics::Platelet& platelet,

@@ -279,5 +279,52 @@ TEST(Platelet, StopsAmongTheCombinationsOfThicknesses) {
     EXPECT_THROW(table(&stopped), Stopped);
 }
 
+// The arithmetic is the same, but for the interfaces, which are found once.
+TEST(Platelet, SingleOnesReflectAsTheirOwnTables) {
+    Platelet kinds[] = {{film("mica", 500, 100), {film("Fe2O3", 70, 5)}},
+                        {film("Al", 350, 40), {film("SiO2", 208, 6), film("Fe2O3", 20, 2)}},
+                        {film("Al", 350, 40), {film("SiO2", 208, 6)}},
+                        {film("SiO2", 400, 20), {}}};
+    kinds[2].coated_sides = Platelet::CoatedSides::one;
+    kinds[2].face = Platelet::Face::bare;
+    const std::size_t size = kTableCosines.size() * kWavelengths.size();
+    int cases = 0;
+    for (const Platelet& kind : kinds) {
+        std::vector<std::vector<double>> thicknesses;
+        for (const double factor : {0.02, 0.8, 1.0, 1.3}) {  // aluminium of 7 nm lets light through
+            std::vector<double>& films = thicknesses.emplace_back();
+            films.push_back(factor * kind.core.thickness_nm);
+            for (const FilmPopulation& coat : kind.coats) {
+                films.push_back(coat.thickness_nm / factor);
+            }
+        }
+        const auto all = platelet_reflectances(kind, thicknesses, 1.5, kTableCosines, kWavelengths);
+        ASSERT_EQ(all.size(), thicknesses.size() * size);
+        for (std::size_t i = 0; i < thicknesses.size(); ++i) {
+            Platelet one = kind;
+            one.core = {kind.core.material, thicknesses[i][0], {}};
+            for (std::size_t c = 0; c < kind.coats.size(); ++c) {
+                one.coats[c] = {kind.coats[c].material, thicknesses[i][c + 1], {}};
+            }
+            const auto expected = platelet_table(one, 1.5, kTableCosines, kWavelengths).reflectance;
+            for (std::size_t k = 0; k < size; ++k, ++cases) {
+                EXPECT_EQ(all[i * size + k], expected[k]);
+            }
+        }
+    }
+    EXPECT_EQ(cases, static_cast<int>(4 * 4 * size));
+}
+
+TEST(Platelet, SingleOnesNeedAThicknessOfEachFilm) {
+    const Platelet coated{film("mica", 500, 100), {film("Fe2O3", 70, 5)}};
+    for (const std::vector<double>& films :
+         {std::vector<double>{500}, std::vector<double>{500, 70, 20},
+          std::vector<double>{500, -1}}) {
+        const std::vector<std::vector<double>> one = {films};
+        EXPECT_THROW(platelet_reflectances(coated, one, 1.5, kTableCosines, kWavelengths),
+                     DomainError);
+    }
+}
+
 }  // namespace
 }  // namespace nacre::optics

@@ -107,4 +107,17 @@ PlateletTable platelet_table(const Platelet& platelet, const Material& binder,
                              std::span<const double> wavelengths_nm,
                              SharedProgress* work = nullptr);
 
+/// R of single platelets of these materials and sides, each with films of its own thickness: arrays
+/// [platelet][cosine][wavelength]. The bits are those of platelet_table() for each of them; interfaces,
+/// which all share, are computed once.
+/// @param platelet        of its films the materials count
+/// @param thicknesses_nm  [platelet][film], core first
+/// @param binder, cosines, wavelengths_nm, work  as of platelet_table()
+/// @throws DomainError, Stopped  as platelet_table(); if a platelet has another number of films
+std::vector<double> platelet_reflectances(const Platelet& platelet,
+                                          std::span<const std::vector<double>> thicknesses_nm,
+                                          const Material& binder, std::span<const double> cosines,
+                                          std::span<const double> wavelengths_nm,
+                                          SharedProgress* work = nullptr);
+
 }  // namespace nacre::optics
