@@ -50,6 +50,10 @@ class FlakeTable {
         return lookup(fine_t_, cosine, block);
     }
 
+    /// R and T at the cosine node/kFineIntervals of the fine grid, between whose nodes they are linear.
+    DoubleLanes reflectance_at(int node, int block) const { return at(fine_r_, node, block); }
+    DoubleLanes transmittance_at(int node, int block) const { return at(fine_t_, node, block); }
+
     /// Reflectance by wavelength at the cosine node/kFineIntervals of the fine grid (node 0 alone
     /// where nothing depends on angle).
     const double* fine_reflectance(int node) const { return fine_r_.data() + node * stride_; }
@@ -63,6 +67,9 @@ class FlakeTable {
     }
 
  private:
+    DoubleLanes at(const std::vector<double>& fine, int node, int block) const {
+        return load_lanes(fine.data() + (intervals_ == 0 ? 0 : node) * stride_ + kLanes * block);
+    }
     DoubleLanes lookup(const std::vector<double>& fine, double cosine, int block) const {
         const double x = cosine * intervals_;
         const int i = std::min(static_cast<int>(x), std::max(intervals_ - 1, 0));

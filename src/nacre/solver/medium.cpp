@@ -8,6 +8,7 @@
 #include "nacre/core/recent_results.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/paint/expansion.h"
+#include "nacre/paint/normal_weights.h"
 
 namespace nacre::solver {
 
@@ -129,25 +130,21 @@ PaintMedium make_medium(const paint::Recipe& recipe, const std::vector<double>& 
 
 namespace {
 
-/// @param cross_section  as many blocks as `sum`; overwritten
-void add_extinction(const LayerMedium& layer, double mu, int first, std::span<DoubleLanes> sum,
-                    std::span<DoubleLanes> cross_section) {
+void add_extinction(const LayerMedium& layer, double mu, int first, std::span<DoubleLanes> sum) {
     const int count = static_cast<int>(sum.size());
     for (const FlakeMedium& flake : layer.flakes) {
+        const double density = flake.area_density_per_um;
         if (flake.table.is_opaque()) {
-            std::fill(cross_section.begin(), cross_section.end(),
-                      splat(paint::projected_area(mu, flake.alpha)));
+            const DoubleLanes area = splat(paint::projected_area(mu, flake.alpha));
+            for (int b = 0; b < count; ++b) sum[b] += density * area;
         } else {
-            std::fill(cross_section.begin(), cross_section.end(), DoubleLanes{});
-            paint::for_each_normal(
-                mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
-                    for (int b = 0; b < count; ++b) {
-                        cross_section[b] +=
-                            weight * (1.0 - flake.table.transmittance(cosine, first + b));
-                    }
+            const paint::NormalWeights normals = flake.normals(mu);
+            for (int b = 0; b < count; ++b) {
+                sum[b] += density * normals.sum([&](int node) {
+                    return 1.0 - flake.table.transmittance_at(node, first + b);
                 });
+            }
         }
-        for (int b = 0; b < count; ++b) sum[b] += flake.area_density_per_um * cross_section[b];
     }
     for (const PigmentMedium& pigment : layer.pigments) {
         for (int b = 0; b < count; ++b) {
@@ -160,14 +157,14 @@ void add_extinction(const LayerMedium& layer, double mu, int first, std::span<Do
 }  // namespace
 
 DoubleLanes extinction(const LayerMedium& layer, double mu, int block) {
-    DoubleLanes sum{}, cross_section;
-    add_extinction(layer, mu, block, {&sum, 1}, {&cross_section, 1});
+    DoubleLanes sum{};
+    add_extinction(layer, mu, block, {&sum, 1});
     return sum;
 }
 
 std::vector<DoubleLanes> extinctions(const LayerMedium& layer, double mu, int first, int count) {
-    std::vector<DoubleLanes> sum(count, DoubleLanes{}), cross_section(count);
-    add_extinction(layer, mu, first, sum, cross_section);
+    std::vector<DoubleLanes> sum(count, DoubleLanes{});
+    add_extinction(layer, mu, first, sum);
     return sum;
 }
 
@@ -175,24 +172,20 @@ Losses losses(const LayerMedium& layer, double mu, int first, int count) {
     const std::vector<DoubleLanes> zero(count, DoubleLanes{});
     Losses out{zero, zero};
     for (const FlakeMedium& flake : layer.flakes) {
-        Losses flakes{zero, zero};
-        const int nodes = flake.normal_nodes();
-        paint::for_each_normal(mu, flake.alpha, nodes, [&](double cosine, double weight) {
-            for (int b = 0; b < count; ++b) {
-                const DoubleLanes taken = 1.0 - flake.table.transmittance(cosine, first + b);
-                flakes.extinction[b] += weight * taken;
-                flakes.absorption[b] +=
-                    weight * (taken - flake.table.reflectance(cosine, first + b));
-            }
-        });
-        const double area = paint::projected_area(mu, flake.alpha);
+        const paint::NormalWeights normals = flake.normals(mu);
+        const bool opaque = flake.table.is_opaque();
+        const DoubleLanes area = splat(opaque ? paint::projected_area(mu, flake.alpha) : 0.0);
         for (int b = 0; b < count; ++b) {
-            const bool opaque = flake.table.is_opaque();
+            const auto taken_at = [&](int node) {
+                return 1.0 - flake.table.transmittance_at(node, first + b);
+            };
+            const DoubleLanes absorbed = normals.sum([&](int node) {
+                return taken_at(node) - flake.table.reflectance_at(node, first + b);
+            });
             out.extinction[b] +=
-                flake.area_density_per_um * (opaque ? splat(area) : flakes.extinction[b]);
+                flake.area_density_per_um * (opaque ? area : normals.sum(taken_at));
             // R + T = 1 leaves rounding of either sign.
-            out.absorption[b] +=
-                flake.area_density_per_um * max_lanes(flakes.absorption[b], DoubleLanes{});
+            out.absorption[b] += flake.area_density_per_um * max_lanes(absorbed, DoubleLanes{});
         }
     }
     for (const PigmentMedium& pigment : layer.pigments) {

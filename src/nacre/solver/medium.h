@@ -7,6 +7,7 @@
 #include "nacre/optics/phase_function.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/paint/flake_table.h"
+#include "nacre/paint/normal_weights.h"
 #include "nacre/paint/recipe.h"
 #include "nacre/solver/film_cache.h"
 
@@ -20,8 +21,10 @@ struct FlakeMedium {
     double alpha = 0.1;
     paint::FlakeTable table;
 
-    /// Of averages over the flakes' normals (paint::for_each_normal).
-    int normal_nodes() const { return paint::normal_nodes(alpha, table.cosine_count()); }
+    /// For averages over the flakes' normals, seen under the cosine mu.
+    paint::NormalWeights normals(double mu) const {
+        return {mu, alpha, paint::normal_nodes(alpha, table.cosine_count())};
+    }
 
     friend bool operator==(const FlakeMedium&, const FlakeMedium&) = default;
 };

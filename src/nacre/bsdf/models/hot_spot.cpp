@@ -22,13 +22,11 @@ std::vector<DoubleLanes> coupling(const solver::FlakeMedium& flake, double mu, i
     if (flake.table.is_opaque()) {
         std::fill(value.begin(), value.end(), splat(paint::projected_area(mu, flake.alpha)));
     } else {
-        paint::for_each_normal(
-            mu, flake.alpha, flake.normal_nodes(), [&](double cosine, double weight) {
-                for (int b = 0; b < count; ++b) {
-                    const DoubleLanes blocked = 1.0 - flake.table.transmittance(cosine, first + b);
-                    value[b] += weight * blocked * blocked;
-                }
-            });
+        const paint::NormalWeights normals = flake.normals(mu);
+        for (int b = 0; b < count; ++b) {
+            value[b] = normals.sum_of_square(
+                [&](int node) { return 1.0 - flake.table.transmittance_at(node, first + b); });
+        }
     }
     for (DoubleLanes& of_block : value) {
         for (int i = 0; i < kLanes; ++i) {
@@ -114,7 +112,7 @@ std::span<const float> overlap_table() {
 
 }  // namespace
 
-float HotSpot::overlap(float x) const {
+inline float HotSpot::overlap(float x) const {
     const float at = x * kOverlapIntervals;
     if (!(at < kOverlapIntervals)) return overlap_[kOverlapIntervals];
     const int n = static_cast<int>(at);
@@ -193,14 +191,16 @@ FloatLanes HotSpot::Pair::mean(std::size_t layer, const FloatLanes& depth) const
                             &many = unit_gauss_legendre(kMaxNodes);
     const Quadrature& rule = deepest < 2 ? few : deepest < 8 ? some : many;
     const std::size_t count = rule.nodes.size();
+    std::array<float, kMaxNodes> fraction, shared_um;
     std::array<FloatLanes, kMaxNodes> exponent;
     for (std::size_t n = 0; n < count; ++n) {
-        exponent[n] = -safe * (reach * static_cast<float>(rule.nodes[n]));
+        fraction[n] = reach * static_cast<float>(rule.nodes[n]);
+        exponent[n] = -safe * fraction[n];
     }
     for_each_species(layer, [&](const FloatLanes& coupling, auto&& length_um) {
-        for (std::size_t n = 0; n < count; ++n) {
-            exponent[n] += coupling * length_um(reach * static_cast<float>(rule.nodes[n]));
-        }
+        // Apart: look-ups between products of lanes would send these to memory and back.
+        for (std::size_t n = 0; n < count; ++n) shared_um[n] = length_um(fraction[n]);
+        for (std::size_t n = 0; n < count; ++n) exponent[n] += coupling * shared_um[n];
     });
     FloatLanes sum{};
     for (std::size_t n = 0; n < count; ++n) {
