@@ -4,6 +4,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/half.h"
+#include "nacre/core/parallel.h"
 #include "nacre/exchange/webgl_layout.h"
 #include "nacre/sparkle/diffraction_lobe.h"
 #include "nacre/sparkle/flake_plane.h"
@@ -163,14 +164,15 @@ WebglFilms webgl_films(const std::vector<bsdf::NacreArrays::Species>& species) {
     std::uint16_t* to = rgba.data();
     for (const auto* kind : kinds) {
         const auto sets = static_cast<std::size_t>(kind->film_sets);
-        for (std::size_t row = 0; row < kRows; ++row, to += 4 * width) {
+        parallel_for(std::size_t{0}, std::size_t{kRows}, [&](std::size_t row) {
             for (std::size_t set = 0; set < sets; ++set) {
                 const float* from = kind->film_ratio.data() + (set * kRows + row) * kWebglBands;
                 for (std::size_t b = 0; b < kWebglBands; ++b) {
-                    to[kWebglBands * set + b] = checked_half(from[b]);
+                    to[4 * width * row + kWebglBands * set + b] = checked_half(from[b]);
                 }
             }
-        }
+        });
+        to += 4 * width * kRows;
     }
     return out;
 }

@@ -8,6 +8,7 @@
 
 #include "nacre/core/error.h"
 #include "nacre/core/half.h"
+#include "nacre/core/parallel.h"
 #include "nacre/core/sha256.h"
 #include "nacre/exchange/webgl_layout.h"
 #include "nacre/spectra/colour.h"
@@ -263,17 +264,21 @@ WebglTexture smooth_texture(const bsdf::NacreArrays& arrays, Illuminant lamp) {
                     static_cast<float>(rgb.z)};
     }
     WebglTexture out{"nacreSmooth", {arrays.grid.q, arrays.grid.b, arrays.grid.a}, {}};
-    out.rgba.reserve(4 * arrays.grid.cells());
-    const float* coefficient = arrays.smooth.data();
-    for (std::size_t cell = 0; cell < arrays.grid.cells(); ++cell, coefficient += rank) {
-        Vec3f rgb, single;
-        for (std::size_t k = 0; k < rank; ++k) {
-            rgb += coefficient[k] * basis[k];
-            if (k >= first_single) single += coefficient[k] * basis[k];
+    out.rgba.resize(4 * arrays.grid.cells());
+    constexpr std::size_t kGrain = 4096;
+    parallel_for_ranges(0, arrays.grid.cells(), kGrain, [&](std::size_t first, std::size_t last) {
+        const float* coefficient = arrays.smooth.data() + first * rank;
+        std::uint16_t* to = out.rgba.data() + 4 * first;
+        for (std::size_t cell = first; cell < last; ++cell, coefficient += rank) {
+            Vec3f rgb, single;
+            for (std::size_t k = 0; k < rank; ++k) {
+                rgb += coefficient[k] * basis[k];
+                if (k >= first_single) single += coefficient[k] * basis[k];
+            }
+            for (int c = 0; c < 3; ++c) *to++ = checked_half(rgb[c]);
+            *to++ = checked_half(spectra::rec709_luminance(single.x, single.y, single.z));
         }
-        for (int c = 0; c < 3; ++c) out.rgba.push_back(checked_half(rgb[c]));
-        out.rgba.push_back(checked_half(spectra::rec709_luminance(single.x, single.y, single.z)));
-    }
+    });
     return out;
 }
 

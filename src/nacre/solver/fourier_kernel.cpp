@@ -57,7 +57,7 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
                               rule.weights[k] * paint::flake_density(tan2, flake.alpha);
         scratch.value[k] = weight * flake.table.reflectance(cosine, block);
         scratch.now[k] = 1.0;
-        scratch.before[k] = std::cos(phi);
+        scratch.before[k] = 1 - 2 * half * half;  // cos phi
         scratch.twice_cos[k] = 2 * scratch.before[k];
     }
     for (int l = 0; l < orders; l += kOrdersAtOnce) {

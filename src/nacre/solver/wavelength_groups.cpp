@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "nacre/core/parallel.h"
 #include "nacre/solver/fourier_kernel.h"
 
 namespace nacre::solver {
@@ -152,8 +153,10 @@ void merge_groups(const WavelengthGroups& groups, const std::vector<GroupSolutio
         return compress(solutions[0].exit_angle, first, paint.medium.wavelength_count(),
                         collect(groups, solutions, first, values), tolerance);
     };
-    paint.multiple_scattering = merge(&GroupSolution::values);
-    if (paint.medium.roughness > 0) paint.rough_single = merge(&GroupSolution::single_values);
+    parallel_for(0, paint.medium.roughness > 0 ? 2 : 1, [&](int k) {
+        if (k == 0) paint.multiple_scattering = merge(&GroupSolution::values);
+        if (k == 1) paint.rough_single = merge(&GroupSolution::single_values);
+    });
 }
 
 }  // namespace nacre::solver

@@ -69,33 +69,36 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
         }
     });
     const solver::ExitInterpolation interpolation(multiple.exit_angle);
-    for (int block = 0; block < paint::block_count(count); ++block) {
+    const auto pair = [n](int a, int b) { return static_cast<std::size_t>(a) * n + b; };
+    parallel_for(0, paint::block_count(count), [&](int block) {
         const HotSpotBlock paint_block(paint, tables, block);
         std::vector<Ray> rays;
         for (const double theta : polar.nodes) rays.push_back(paint_block.ray(theta));
-        std::vector<FloatLanes> kept(n);  // 1 - dQ / Q
+        std::vector<FloatLanes> kept(n), entering(n), ground(pair(n, 0));  // kept: 1 - dQ / Q
         parallel_for(0, n, [&](std::size_t a) {
             const HotSpotBlock::Budget budget = paint_block.budget(rays[a], polar);
             const FloatLanes again = max_lanes(budget.again, splat(1e-20f));
             kept[a] = max_lanes(1.0f - budget.gained / again, FloatLanes{});
+            entering[a] = paint_block.transmittance(rays[a]);
+            for (int b = 0; b < n; ++b) {
+                ground[pair(a, b)] = paint_block.pair(rays[a], rays[b]).ground();
+            }
         });
         for (int lane = 0; lane < std::min(kLanes, count - block * kLanes); ++lane) {
             const int w = block * kLanes + lane;
-            std::vector<double> matrix(static_cast<std::size_t>(n) * n), sum(n);
+            std::vector<double> matrix(pair(n, 0)), sum(n);
             for (int a = 0; a < n; ++a) {
                 for (int b = 0; b < n; ++b) {
-                    double f = -paint_block.pair(rays[a], rays[b]).ground()[lane];
+                    double f = -ground[pair(a, b)][lane];
                     for (int k = 0; k < rank; ++k) {
-                        f += order_0[(static_cast<std::size_t>(a) * n + b) * rank + k] *
-                             multiple.basis[k * count + w];
+                        f += order_0[pair(a, b) * rank + k] * multiple.basis[k * count + w];
                     }
-                    const double in_out = paint_block.transmittance(rays[a])[lane] *
-                                          paint_block.transmittance(rays[b])[lane] *
-                                          paint_block.inverse_ior2()[lane];
+                    const double in_out =
+                        entering[a][lane] * entering[b][lane] * paint_block.inverse_ior2()[lane];
                     const double flux = 2 * std::numbers::pi * polar.weights[b] *
                                         std::sin(polar.nodes[b]) * std::cos(polar.nodes[b]);
-                    matrix[a * n + b] = std::max(0.0, f) * in_out * flux;
-                    sum[a] += matrix[a * n + b];
+                    matrix[pair(a, b)] = std::max(0.0, f) * in_out * flux;
+                    sum[a] += matrix[pair(a, b)];
                 }
                 sum[a] *= kept[a][lane];
             }
@@ -108,7 +111,7 @@ std::vector<float> closing_factors(const solver::SolvedPaint& paint, const HotSp
                     static_cast<float>(std::max(0.0, at));
             }
         }
-    }
+    });
     return factors;
 }
 

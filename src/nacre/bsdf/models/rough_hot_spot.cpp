@@ -190,8 +190,10 @@ class RoughHotSpot {
         });
         take_from_multiple();
         solver::SolvedPaint out = paint_;
-        out.rough_single = single_.compressed(paint_.settings.tolerance);
-        out.multiple_scattering = multiple_.compressed(paint_.settings.tolerance);
+        const NodeValues* const values[] = {&single_, &multiple_};
+        solver::MultipleScattering* const tensors[] = {&out.rough_single, &out.multiple_scattering};
+        parallel_for(
+            0, 2, [&](int k) { *tensors[k] = values[k]->compressed(paint_.settings.tolerance); });
         return out;
     }
 
