@@ -43,8 +43,8 @@ class NormalWeights {
     static constexpr int kNodes = FlakeTable::kFineIntervals + 1;
     int first_ = kNodes - 1, last_ = 0;  // of those that have a weight
     std::array<double, kNodes> linear_{};
-    std::array<double, kNodes> square_{},
-        product_{};  // of f^2, and of f times that of the next node
+    std::array<double, kNodes> square_{};   // of f^2
+    std::array<double, kNodes> product_{};  // of f times that of the next node
 };
 
 }  // namespace nacre::paint
