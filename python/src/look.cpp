@@ -9,6 +9,7 @@
 
 #include "arrays.h"
 #include "bind.h"
+#include "nacre/bsdf/leaning_flakes.h"
 #include "nacre/nacre.h"
 #include "paint_handle.h"
 #include "work.h"
@@ -45,7 +46,7 @@ std::shared_ptr<const BoundBsdf> bind(const Look& look, const double* nm, std::s
         require_in_range(lanes[i], paint::limits::kWavelength.lo, paint::limits::kWavelength.hi,
                          "wavelength in nm");
     }
-    std::shared_ptr<const BoundBsdf> bound = look.surface->bind(lanes);
+    std::shared_ptr<const BoundBsdf> bound = bsdf::bind_with_lean(*look.surface, lanes);
     constexpr std::size_t kKept = 8;
     if (look.bound.size() == kKept) look.bound.erase(look.bound.begin());
     look.bound.emplace_back(key, bound);

@@ -98,6 +98,16 @@ double azimuth_between(const double* wi, const double* wo) {
     return std::atan2(wo[1], wo[0]) - std::atan2(wi[1], wi[0]);
 }
 
+/// Of a paint whose flakes lean, from the lamp's azimuth: phi_o, if phi_i is 0.
+double azimuth_from_lean(const double* wi, const double* wo) {
+    if (wi[1] != 0 || wi[0] < 0) {
+        throw DomainError(
+            "wi: must have the azimuth 0 (y = 0, x >= 0), as flakes that lean do so from the "
+            "lamp's; turn the paint by lean.azimuth_deg");
+    }
+    return std::atan2(wo[1], wo[0]);
+}
+
 void require_direction(const char* name, const double* w) {
     const double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
     if (!(square > 0) || !std::isfinite(square)) {
@@ -114,6 +124,7 @@ NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& 
     const auto brdf =
         brdf_of(handle, settings_of(wavelengths_nm, model, part, as_rendered), patch, progress);
     const std::size_t width = brdf->wavelengths_nm().size();
+    const bool leans = handle.paint.has_recipe() && handle.paint.recipe().flake_lean().has_value();
     Unwritten<double> values(places.size() * width);
     for_each(places.size(), [&](std::size_t place) {
         const double *i = places.at(0, place), *o = places.at(1, place);
@@ -125,7 +136,8 @@ NumpyArray<double> brdf_by_directions(const PaintHandle& handle, const Doubles& 
             return;
         }
         const std::vector<double> f =
-            (*brdf)(polar_angle(i), polar_angle(o), azimuth_between(i, o));
+            (*brdf)(polar_angle(i), polar_angle(o),
+                    leans ? azimuth_from_lean(i, o) : azimuth_between(i, o));
         std::copy(f.begin(), f.end(), to);
     });
     return std::move(values).to_numpy(places.shape_with(width));

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -78,6 +79,13 @@ ExitStatus run(const EvalOptions& options) {
     }
     const Paint paint = open_paint(options, options.recipe);
     settings.model = model_for({&paint}, options.model);
+    if (paint.has_recipe() && paint.recipe().flake_lean() &&
+        std::any_of(incident.begin(), incident.end(),
+                    [](const Direction& in) { return in.phi_deg != 0; })) {
+        throw UsageError(
+            "--incident: must have the azimuth 0, as flakes that lean do so from the lamp's; "
+            "turn the paint by lean.azimuth_deg");
+    }
     ProgressBar bar("prepare", options.quiet || !settings.model || !settings.model->makes_table());
     const PaintBrdf values = on_patch(paint.brdf(settings, bar.callback()), options);
     say_warnings(options, paint);

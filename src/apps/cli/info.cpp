@@ -112,6 +112,10 @@ void describe_recipe(Facts& facts, const paint::Recipe& recipe) {
     facts.add("name", "{}", recipe.name);
     facts.add("recipe SHA-256", "{}", io::recipe_hash(recipe));
     facts.add("binder", "{}", recipe.binder.name());
+    if (const auto lean = recipe.flake_lean()) {
+        facts.add("lean of the flakes", "{} deg towards the azimuth {} deg", lean->tilt_deg,
+                  lean->azimuth_deg);
+    }
     if (recipe.clearcoat) {
         facts.add("clearcoat", "{} um, roughness {}", recipe.clearcoat->thickness_um,
                   recipe.clearcoat->roughness);

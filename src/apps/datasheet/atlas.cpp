@@ -190,6 +190,7 @@ Atlas recipe_atlas(const paint::Recipe& recipe, const std::string& key,
         paint::Recipe changed = recipe;
         paint::set_parameter(changed, key, value);
         paint::validate(changed, wavelengths_nm);
+        paint::require_no_lean(changed, "an atlas is of paints that are");
     }
     Atlas atlas{
         .title = recipe.name.empty() ? "Paint" : recipe.name,

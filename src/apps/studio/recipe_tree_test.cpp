@@ -112,6 +112,7 @@ std::vector<std::string> described_keys() {
 TEST(StudioSchema, HasEveryKeyOfTheDescription) {
     const Tree schema = recipe_schema();
     EXPECT_EQ(keys_in(table_of(schema, "")), described_keys<paint::Recipe>());
+    EXPECT_EQ(keys_in(table_of(schema, "lean")), described_keys<paint::FlakeLean>());
     EXPECT_EQ(keys_in(table_of(schema, "clearcoat")), described_keys<paint::Clearcoat>());
     EXPECT_EQ(keys_in(table_of(schema, "clearcoat.orange_peel")),
               described_keys<paint::OrangePeel>());

@@ -208,6 +208,12 @@ class BoundBsdf {
 
     /// Of surfaces whose interface may be tilted (TiltedCoat).
     virtual BinderIndex binder_index() const { return {}; }
+    // Of surfaces whose flakes may lean (LeaningFlakes).
+
+    /// Optical depth of the clear coat along its normal.
+    virtual FloatLanes coat_depth() const { return FloatLanes{}; }
+    /// What of eval() was scattered more than once, or by the ground, above the horizon.
+    virtual FloatLanes scattered_again(Vec3f /*wi*/, Vec3f /*wo*/) const { return FloatLanes{}; }
 
     /// Of surfaces whose coat is thicker at some places than at others (VariedCoat): for directions
     /// above the horizon, where the thickness deviates from its mean by so many standard
@@ -249,6 +255,12 @@ class Bsdf {
     /// the mean thickness. Null: it is even, or nothing is seen of it. Not of surfaces whose samples have
     /// an unknown density.
     virtual const sparkle::CoatThickness* coat_thickness() const { return nullptr; }
+    /// Tangents of the mean normal of its flakes, along x and y, by which whoever asks lets them lean
+    /// (LeaningFlakes): the calls of BoundBsdf are of flakes that lie flat. Empty: they do, or the surface
+    /// lets them lean itself.
+    virtual std::optional<Vec2f> flake_lean() const { return std::nullopt; }
+    /// Whether its flakes lean by themselves, in object space.
+    virtual bool leans_by_itself() const { return false; }
 };
 
 /// What surfaces have in common that show single flakes on small patches and, on larger ones, some

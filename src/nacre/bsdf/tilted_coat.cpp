@@ -30,9 +30,12 @@ TiltedCoat::TiltedCoat(const BoundBsdf& flat, Vec2f slope, Vec3f seen_from)
     }
 }
 
+TiltedCoat::TiltedCoat(const BoundBsdf& flat, Vec3f normal)
+    : flat_(flat), index_(flat.binder_index()), normal_(normal), mean_(normal) {}
+
 std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
-    const float cosine = dot(w, normal_);
-    if (w.z <= 0 || cosine <= 0) return std::nullopt;
+    const float cosine = dot(w, normal_), to_mean = dot(w, mean_);
+    if (to_mean <= 0 || cosine <= 0) return std::nullopt;
     const float n = index_.mean;
     const float sine2 = std::max(0.0f, 1 - cosine * cosine);
     const float cosine_inside = std::sqrt(std::max(0.0f, 1 - sine2 / (n * n)));
@@ -43,7 +46,7 @@ std::optional<TiltedCoat::Ray> TiltedCoat::ray_of(Vec3f w) const {
     Ray ray;
     ray.cosine = cosine;
     const float through = inside.z / n * cosine / cosine_inside;
-    ray.irradiance = through / w.z;
+    ray.irradiance = through / to_mean;
     const float flat_sine2 = inside.x * inside.x + inside.y * inside.y;
     const float flat_cosine2 = 1 - flat_sine2;
     if (flat_cosine2 > kMinFlatCosine * kMinFlatCosine) {
@@ -76,7 +79,7 @@ std::optional<Vec3f> TiltedCoat::leave(Vec3f flat) const {
     const float cosine2 = 1 - dot(across, across), along = dot(inside, normal_);
     if (!(cosine2 > 0) || along <= 0) return std::nullopt;
     const Vec3f w = normalize(inside - (along - std::sqrt(cosine2)) * normal_);
-    if (w.z <= 0) return std::nullopt;
+    if (dot(w, mean_) <= 0) return std::nullopt;
     return w;
 }
 
@@ -105,7 +108,7 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
         const BsdfValue value = evaluate_by(wi, out.wo, evaluate);
         if (!(value.pdf > 0)) return std::nullopt;
         out.pdf = value.pdf;
-        out.weight = value.f * (out.wo.z / value.pdf);
+        out.weight = value.f * (dot(out.wo, mean_) / value.pdf);
         return out;
     }
     const float rest = std::min(u_select / (1 - kAround), 0x1.fffffep-1f);
@@ -114,7 +117,8 @@ std::optional<BsdfSample> TiltedCoat::sample_by(Vec3f wi, float u_select, Vec2f 
     if (out->kind == SampleKind::specular) {
         out->pdf *= 1 - kAround;
         out->wo = 2 * i->cosine * normal_ - wi;
-        out->wo.z = std::max(std::abs(out->wo.z), 1e-6f);
+        const float to_mean = dot(out->wo, mean_);
+        out->wo += (std::max(std::abs(to_mean), 1e-6f) - to_mean) * mean_;
         out->weight = optics::dielectric_reflectance(splat(1.0f), index_.each, splat(i->cosine)) *
                       (1 / out->pdf);
         return out;

@@ -40,6 +40,10 @@ class VariedCoat final : public BoundBsdf {
     }
     std::size_t patch_memory_bytes() const override { return mean_.patch_memory_bytes(); }
     BinderIndex binder_index() const override { return mean_.binder_index(); }
+    FloatLanes coat_depth() const override { return mean_.coat_depth(); }
+    FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override {
+        return changed(mean_.scattered_again(wi, wo), wi, wo);
+    }
     /// Of the mean thickness.
     FloatLanes albedo(Vec3f wi) const override { return mean_.albedo(wi); }
 

@@ -137,10 +137,14 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
     }
     // The values are those of the solved paint where the model is no more than its solution.
     const bool has_exact_values = !measured && !has_table && info.can.parts && !model.makes_table();
-    if (settings.part != Part::total && (!has_exact_values || settings.as_rendered)) {
+    // Their lean is a matter of the surface, not of the solution.
+    const bool leans = has_recipe() && recipe().flake_lean();
+    const bool as_rendered = settings.as_rendered || leans;
+    if (settings.part != Part::total && (!has_exact_values || as_rendered)) {
         throw SettingError("part",
                            fmt::format("{} {}", state_->label(),
                                        measured ? "holds a measured BRDF, which has no parts"
+                                       : leans  ? "has flakes that lean, whose parts are not told"
                                        : info.can.parts ? "holds a table, which does not know parts"
                                                         : "is shown by a model without parts"));
     }
@@ -151,7 +155,7 @@ PaintBrdf Paint::brdf(const BrdfSettings& settings, const Progress& progress) co
         solve.wavelengths_nm = settings.wavelengths_nm;
         const auto paint = solved(solve, only_asking(progress));
         if (brdf.wavelengths_nm_.empty()) brdf.wavelengths_nm_ = paint->wavelengths_nm();
-        if (!settings.as_rendered) {
+        if (!as_rendered) {
             std::vector<std::size_t> positions;
             for (double wavelength_nm : brdf.wavelengths_nm_) {
                 positions.push_back(wavelength_position(*paint, wavelength_nm, state_->label()));

@@ -74,6 +74,13 @@ void ShaderMaterial::write(const std::filesystem::path& path) const {
 /// A written file holds one azimuth of incidence; an anisotropic surface must not lose the others
 /// silently.
 void Paint::State::require_isotropic() const {
+    const paint::Recipe* recipe = nullptr;
+    if (const auto* file = std::get_if<io::RecipeFile>(&contents)) recipe = &file->recipe;
+    if (const auto* solved = std::get_if<std::shared_ptr<const solver::SolvedPaint>>(&contents)) {
+        recipe = &(*solved)->recipe;
+    }
+    if (recipe)
+        naming_file([&] { paint::require_no_lean(*recipe, "files are of paints that are"); });
     const auto* measured = std::get_if<MeasuredBrdf>(&contents);
     if (!measured || measured->isotropic) return;
     throw InputError(fmt::format(

@@ -59,7 +59,7 @@ struct Paint::State {
     [[noreturn]] void refuse_without_recipe() const;
     /// How messages name the paint.
     std::string label() const;
-    /// @throws InputError naming the file if it holds an anisotropic BRDF
+    /// @throws InputError naming the file if it holds an anisotropic BRDF or a paint whose flakes lean
     void require_isotropic() const;
     /// Rethrows what `work` throws about a setting or a recipe as an error of this file.
     template <class Work>

@@ -396,6 +396,7 @@ WebglShader make_webgl_shader(const bsdf::NacreArrays& arrays, Illuminant lamp) 
 
 WebglShader make_live_webgl_shader(const std::shared_ptr<const solver::SolvedPaint>& paint,
                                    std::uint64_t specimen, Illuminant lamp) {
+    paint::require_no_lean(paint->recipe, "the live picture is of paints that are");
     bsdf::FlakeFilmGrid films{{}, kWebglFilmIntervals};
     for (const WebglBand& band : webgl_bands(paint->wavelengths_nm())) {
         films.wavelengths_nm.push_back(band.nm);

@@ -74,6 +74,7 @@ Fit fit(const measure::Measurement& standard, const FreeNumbers& numbers, const 
     check(options);
     const Target target(standard, options.target);
     paint::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
+    paint::require_no_lean(numbers.start(), "fits are of paints that are");
     SharedProgress work(progress, 1);
     require_effect(numbers, target.hot_spot(), work);
     ColourModel model(numbers, target, work);
@@ -151,6 +152,7 @@ RoughFit screened(const measure::Measurement& standard, const FreeNumbers& numbe
     check(options);
     const Target target(standard, options.target);
     paint::validate(numbers.start(), target.wavelengths_nm(Detail::fine));
+    paint::require_no_lean(numbers.start(), "fits are of paints that are");
     SharedProgress work(progress, 1);
     const ColourModel model(numbers, target, work);
     const Descent best =

@@ -54,6 +54,7 @@ Uncertainty uncertainty(const paint::Recipe& recipe,
                         const PaintReader& reader, const UncertaintyOptions& options,
                         const Progress& progress) {
     check(deviations, options);
+    paint::require_no_lean(recipe, "uncertainties are carried to the colours of paints that are");
     paint::check_correlations(recipe, deviations, options.correlations);
     std::size_t active = 0;
     for (const paint::ParameterDeviation& deviation : deviations) {

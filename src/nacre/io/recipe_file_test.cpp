@@ -259,9 +259,9 @@ TEST(RecipeFile, EveryDescribedKeyIsWrittenAndRead) {
     paint::FlakeSpecies& flakes = recipe.layers[0].flakes[0];
     auto& film = std::get<optics::Platelet>(flakes.body).core;
     for (const paint::Described& object :
-         {paint::Described(*recipe.clearcoat), paint::Described(*recipe.clearcoat->orange_peel),
-          paint::Described(recipe.layers[0]), paint::Described(flakes),
-          paint::Described(flakes.orientation), paint::Described(film),
+         {paint::Described(*recipe.lean), paint::Described(*recipe.clearcoat),
+          paint::Described(*recipe.clearcoat->orange_peel), paint::Described(recipe.layers[0]),
+          paint::Described(flakes), paint::Described(flakes.orientation), paint::Described(film),
           paint::Described(recipe.layers[0].pigments[0]), paint::Described(substrate),
           paint::Described(*recipe.microfacet), paint::Described(*recipe.microfacet->facets)}) {
         const std::vector<std::string> keys = keys_of(object);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "nacre/bsdf/bsdf.h"
+#include "nacre/bsdf/leaning_flakes.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/core/memory.h"
@@ -121,7 +122,7 @@ class Photographer {
         for (int o = 0; o < kOctets; ++o) {
             bsdf::Wavelengths wavelengths;
             for (int i = 0; i < kLanes; ++i) wavelengths[i] = wavelength_nm(o, i);
-            bound_[o] = surface.bind(wavelengths);
+            bound_[o] = bsdf::bind_with_lean(surface, wavelengths);
         }
         for (double lamp : camera.lamps_deg) {
             lamps_.push_back(lamp_directions(lamp, camera.lamp_half_angle_deg));

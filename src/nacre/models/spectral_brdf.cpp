@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nacre/bsdf/leaning_flakes.h"
+
 namespace nacre::models {
 
 SpectralBrdf::SpectralBrdf(const bsdf::Bsdf& surface, std::vector<double> wavelengths_nm)
@@ -12,7 +14,7 @@ SpectralBrdf::SpectralBrdf(const bsdf::Bsdf& surface, std::vector<double> wavele
         for (int i = 0; i < kLanes; ++i) {
             eight[i] = wavelengths_nm_[std::min(first + i, wavelengths_nm_.size() - 1)];
         }
-        bound_.push_back(surface.bind(eight));
+        bound_.push_back(bsdf::bind_with_lean(surface, eight));
     }
 }
 

@@ -82,7 +82,7 @@ Connection::Connection(const AirInterface::Weighted& inner, const Medium& medium
     Lanes depth{};
     for (const Slab& slab : medium.slabs) {
         depth_above_.push_back(depth);
-        depth_per_um_.push_back(slab.extinction(mu) / mu);
+        depth_per_um_.push_back(slab.extinction(travel_) / mu);
         depth += slab.thickness_um * depth_per_um_.back();
     }
     depth_above_.push_back(depth);

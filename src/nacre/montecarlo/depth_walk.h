@@ -76,7 +76,7 @@ class DepthWalk : private Walker {
     }
 
     void collide_with_candidate(const Flakes& species) {
-        const Vec3d normal = sample_beckmann_normal(species.alpha, random_);
+        const Vec3d normal = sample_beckmann_normal(species.alpha, species.lean, random_);
         const double projection = dot(state_.travel, normal);
         const double cosine = std::abs(projection);
         if (random_.uniform() >= cosine) return;  // not a real flake

@@ -105,10 +105,13 @@ inline Lanes attenuation(const Lanes& depth, int lane_count) {
 }
 
 /// Upward normal of a flake, z being the normal of the layer.
-inline Vec3d sample_beckmann_normal(double alpha, RandomStream& random) {
+/// @param lean  of the flakes, if they do
+inline Vec3d sample_beckmann_normal(double alpha, const std::optional<FlakeFrame>& lean,
+                                    RandomStream& random) {
     const auto [radius, c, s] = random.slope();
     const double slope = alpha * radius;
-    return normalize(Vec3d{-slope * c, -slope * s, 1});
+    const Vec3d normal = normalize(Vec3d{-slope * c, -slope * s, 1});
+    return lean ? lean->from_flakes(normal) : normal;
 }
 
 /// The inversion of Henyey and Greenstein's phase function, without its cancellation at small g.

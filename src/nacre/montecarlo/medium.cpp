@@ -92,8 +92,16 @@ Lanes FlakeOptics::transmittance(double cosine) const {
     return interpolate(transmittance_, cosine);
 }
 
+FlakeFrame::FlakeFrame(const std::array<double, 2>& tangents)
+    : n(normalize(Vec3d{tangents[0], tangents[1], 1})) {
+    // What the shortest turn of z into n makes of x and y.
+    const double along = 1 / (1 + n.z);
+    s = {1 - n.x * n.x * along, -n.x * n.y * along, -n.x};
+    t = {-n.x * n.y * along, 1 - n.y * n.y * along, -n.y};
+}
+
 Lanes Flakes::scattering(const Vec3d& in, const Vec3d& out) const {
-    const Vec3d along_normal = out - in;
+    const Vec3d along_normal = lean ? lean->to_flakes(out - in) : out - in;
     const double vertical_sq = along_normal.z * along_normal.z;
     const double length_sq = dot(along_normal, along_normal);
     const double slope_sq = (length_sq - vertical_sq) / vertical_sq;  // inf or NaN if vertical = 0
@@ -105,6 +113,10 @@ Lanes Flakes::scattering(const Vec3d& in, const Vec3d& out) const {
     const double cosine = std::sqrt(length_sq) / 2;  // |in.m|, as |out - in|^2 = 2 - 2 in.out
     return (area_density_per_um * density * secant_sq * std::sqrt(secant_sq) / 4) *
            optics.reflectance(cosine);
+}
+
+Lanes Flakes::extinction(const Vec3d& w) const {
+    return extinction(lean ? std::min(1.0, std::abs(dot(w, lean->n))) : w.z);
 }
 
 Lanes Flakes::extinction(double mu) const {
@@ -197,9 +209,13 @@ Lanes Slab::scattering(const Vec3d& in, const Vec3d& out) const {
 }
 
 Lanes Slab::extinction(double mu) const {
-    if (!extinction_table.empty()) return interpolate(extinction_table, mu);
+    return extinction(Vec3d{std::sqrt(std::max(0.0, 1 - mu * mu)), 0, mu});
+}
+
+Lanes Slab::extinction(const Vec3d& w) const {
+    if (!extinction_table.empty()) return interpolate(extinction_table, w.z);
     Lanes sum = absorption_per_um + pigment_scattering_per_um;
-    for (const Flakes& species : flakes) sum += species.extinction(mu);
+    for (const Flakes& species : flakes) sum += species.extinction(w);
     return sum;
 }
 
@@ -229,6 +245,8 @@ Medium::Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_
         slabs.push_back(std::move(slab));
     }
     const paint::Recipe whole = paint::expanded(recipe);
+    const auto tilted = recipe.flake_lean();
+    const auto lean = tilted ? std::optional<FlakeFrame>(tilted->tangents()) : std::nullopt;
     // Species of one kind of flake share their tables, which take longer than all else.
     std::vector<std::pair<const paint::FlakeSpecies*, FlakeOptics>> known;
     const auto optics_of = [&](const paint::FlakeSpecies& species) {
@@ -243,7 +261,7 @@ Medium::Medium(const paint::Recipe& recipe, std::span<const double> wavelengths_
         slab.thickness_um = layer.thickness_um;
         for (const paint::FlakeSpecies& species : layer.flakes) {
             slab.flakes.push_back(
-                {species.area_density_per_um(), species.surface_alpha(), optics_of(species)});
+                {species.area_density_per_um(), species.surface_alpha(), optics_of(species), lean});
             slab.flake_rate_per_um += slab.flakes.back().area_density_per_um;
         }
         for (const paint::Pigment& pigment : layer.pigments) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -48,12 +50,25 @@ class FlakeOptics {
     std::vector<Lanes> reflectance_, transmittance_;  // one node: the same at every angle
 };
 
+/// The mean normal of flakes that lean, and the frame about it in which they lie as others do about z:
+/// the shortest turn of z into it.
+struct FlakeFrame {
+    /// @param tangents  n_x/n_z and n_y/n_z of the mean normal n
+    explicit FlakeFrame(const std::array<double, 2>& tangents);
+
+    Vec3d to_flakes(const Vec3d& w) const { return {dot(w, s), dot(w, t), dot(w, n)}; }
+    Vec3d from_flakes(const Vec3d& w) const { return w.x * s + w.y * t + w.z * n; }
+
+    Vec3d n, s, t;
+};
+
 /// Flakes of one kind. Their normals have Gaussian slopes s with density
-/// exp(-|s|^2 / alpha^2) / (pi alpha^2).
+/// exp(-|s|^2 / alpha^2) / (pi alpha^2), in the frame of the mean normal where they lean.
 struct Flakes {
     double area_density_per_um;  ///< c: candidate flakes per um of path, before projection
     double alpha;
     FlakeOptics optics;
+    std::optional<FlakeFrame> lean = {};
 
     /// Scattered power per um of path and sr, from travel direction `in` to `out`, of unit power.
     ///
@@ -64,10 +79,12 @@ struct Flakes {
     /// alone: it is reciprocal.
     Lanes scattering(const Vec3d& in, const Vec3d& out) const;
 
-    /// Extinction of a ray along a direction of cosine mu, by reflection and absorption, in 1/um:
-    /// c E[(1 - T(|w.m|)) |w.m|] over the slopes, by quadrature in the two slope components.
-    /// Relative error for constant T: kExtinctionRelativeError.
+    /// Extinction of a ray along a direction of cosine mu to the mean normal, by reflection and
+    /// absorption, in 1/um: c E[(1 - T(|w.m|)) |w.m|] over the slopes, by quadrature in the two slope
+    /// components. Relative error for constant T: kExtinctionRelativeError.
     Lanes extinction(double mu) const;
+    /// The same along w, w_z > 0.
+    Lanes extinction(const Vec3d& w) const;
 };
 inline constexpr double kExtinctionRelativeError = 2e-8;
 
@@ -116,11 +133,13 @@ struct Slab {
     double candidate_rate_per_um() const { return flake_rate_per_um + pigment_rate_per_um; }
     /// Scattered power per um of path and sr of flakes and pigments.
     Lanes scattering(const Vec3d& in, const Vec3d& out) const;
-    /// Total extinction along a direction of cosine mu > 0: by quadrature, or from the table.
+    /// Total extinction along a direction w, w_z > 0: by quadrature, or from the table.
+    Lanes extinction(const Vec3d& w) const;
+    /// The same of flakes that do not lean, at the cosine to the normal.
     Lanes extinction(double mu) const;
     /// Makes extinction() cheap, for many directions: linear between kExtinctionTableIntervals
     /// equal steps of mu, which is right to kExtinctionTableError of the extinction along the
-    /// normal.
+    /// normal. Of flakes that do not lean.
     void tabulate_extinction();
     /// Fills in pigment_scattering_per_um and pigment_rate_per_um.
     void sum_pigments();

@@ -11,6 +11,7 @@
 #include "nacre/core/quadrature.h"
 #include "nacre/montecarlo/events.h"
 #include "nacre/testing/montecarlo.h"
+#include "nacre/testing/statistics.h"
 
 namespace nacre::montecarlo {
 namespace {
@@ -102,6 +103,43 @@ TEST(Flakes, ScatteringIntegratesToTheExtinctionOfPerfectMirrors) {
                 << "alpha " << alpha << ", mu " << mu;
         }
     }
+}
+
+TEST(Flakes, LeaningOnesScatterWhatTheyTakeFromTheLight) {
+    for (const std::array<double, 2> lean : {std::array{0.1, 0.0}, std::array{-0.12, 0.2}}) {
+        Flakes species = flakes_of(0.2, 1, 0);
+        species.lean = FlakeFrame(lean);
+        for (double mu : {0.2, 0.5, 0.97}) {
+            const Vec3d in = at_cosine(-mu, 0.3);
+            const double integral = integrate_sphere(
+                in, [&](const Vec3d& out) { return species.scattering(in, out)[0]; });
+            EXPECT_NEAR(integral / species.extinction(-1.0 * in)[0], 1,
+                        10 * kExtinctionRelativeError)
+                << "lean " << lean[0] << ", mu " << mu;
+        }
+    }
+}
+
+// Two ways to one number: the quadrature, and the normals that walks draw.
+TEST(Flakes, ExtinctionOfLeaningOnesIsTheMeanOverTheNormalsThatAreDrawn) {
+    Flakes species = flakes_of(0.25, 0.2, 0.4);
+    species.lean = FlakeFrame({0.15, -0.1});
+    RandomStream random(3, 1, 4);
+    for (const Vec3d& w : {at_cosine(0.9, 0.2), at_cosine(0.4, 2.8), at_cosine(0.1, 3.6)}) {
+        test::Sample area;
+        for (int i = 0; i < 400'000; ++i) {
+            const Vec3d m = sample_beckmann_normal(species.alpha, species.lean, random);
+            area.add(0.6 * std::abs(dot(w, m)));
+        }
+        EXPECT_NEAR(species.extinction(w)[0], area.mean(), test::kWorstZ * area.error());
+    }
+    // Turned together nothing changes, and leaning along w is not leaning away.
+    Flakes turned = species;
+    turned.lean = FlakeFrame({0.1, 0.15});  // by 90 deg
+    EXPECT_NEAR(turned.extinction(at_cosine(0.4, 2.8 + std::numbers::pi / 2))[0],
+                species.extinction(at_cosine(0.4, 2.8))[0], 1e-9);
+    EXPECT_GT(species.extinction(at_cosine(0.4, 0))[0],
+              1.3 * species.extinction(at_cosine(0.4, std::numbers::pi))[0]);
 }
 
 TEST(Flakes, ScatteringIsReciprocal) {

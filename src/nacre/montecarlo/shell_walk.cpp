@@ -50,6 +50,7 @@ void check(const paint::Recipe& recipe, const VolumeModel& settings) {
                         "interfaces only; the position-free walk knows rough ones",
                         recipe.clearcoat->roughness));
     }
+    paint::require_no_lean(recipe, "the walk through a shell is");
     const double thickness_um = recipe.thickness_um();
     // The substrate's radius must be above 0: a millionth of the outer one keeps its digits.
     constexpr double kMaxFraction = 1 - 1e-6;

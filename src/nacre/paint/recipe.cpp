@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "nacre/core/angles.h"
 #include "nacre/core/error.h"
 #include "nacre/paint/orientation.h"
 #include "nacre/paint/recipe_description.h"
@@ -301,6 +302,17 @@ double OrangePeel::slope() const {
     return std::sqrt(squares);
 }
 
+std::array<double, 2> FlakeLean::tangents() const {
+    const double tangent = std::tan(tilt_deg * kDegree);
+    return {tangent * std::cos(azimuth_deg * kDegree), tangent * std::sin(azimuth_deg * kDegree)};
+}
+
+std::optional<FlakeLean> Recipe::flake_lean() const {
+    const bool has_flakes = std::any_of(layers.begin(), layers.end(),
+                                        [](const Layer& layer) { return !layer.flakes.empty(); });
+    return lean && lean->tilt_deg > 0 && has_flakes ? lean : std::nullopt;
+}
+
 std::optional<OrangePeel> Recipe::orange_peel() const {
     if (!clearcoat || !clearcoat->orange_peel || clearcoat->orange_peel->slope() == 0) {
         return std::nullopt;
@@ -332,6 +344,14 @@ void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm) {
         check_flakes(key, recipe.layers[i]);
         check_pigments(key, recipe.layers[i]);
     }
+}
+
+void require_no_lean(const Recipe& recipe, std::string_view what) {
+    if (!recipe.flake_lean()) return;
+    throw DomainError(fmt::format(
+        "lean.tilt_deg = {}: {} the same in all azimuths, which a paint whose flakes lean is not; "
+        "must be 0",
+        recipe.lean->tilt_deg, what));
 }
 
 }  // namespace nacre::paint

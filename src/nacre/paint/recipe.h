@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -211,6 +212,18 @@ struct Clearcoat {
     friend bool operator==(const Clearcoat&, const Clearcoat&) = default;
 };
 
+/// The mean of all flakes' normals, where it is not the normal of the paint: flakes lean as spraying from
+/// one side, or wet paint that ran, leaves them. Their law is that of others, in the frame of that mean (the
+/// shortest turn of the paint's normal into it). The paint is not the same in all azimuths. [docs/flakes.md]
+struct FlakeLean {
+    double tilt_deg = 0;     ///< of the mean normal
+    double azimuth_deg = 0;  ///< of the side towards which the flakes' upper faces look
+
+    /// Tangents m_x/m_z and m_y/m_z of the mean normal m.
+    std::array<double, 2> tangents() const;
+    friend bool operator==(const FlakeLean&, const FlakeLean&) = default;
+};
+
 /// The facets of the model of Guo et al.: the table [microfacet.facets] of docs/recipe.md.
 struct MicrofacetFacets {
     double count = 0;                ///< K, over the whole object
@@ -245,10 +258,13 @@ struct Recipe {
     std::vector<Layer> layers;
     spectra::Spectrum substrate_reflectance;
     std::optional<Microfacet> microfacet;
+    std::optional<FlakeLean> lean = {};
 
     double thickness_um() const;  ///< of clearcoat and layers
     /// Of the coat, if it is not flat.
     std::optional<OrangePeel> orange_peel() const;
+    /// Of the flakes, if there are any and their mean is tilted.
+    std::optional<FlakeLean> flake_lean() const;
     /// Of the coat's thickness over the panel, over its mean; 0 also where the coat absorbs nothing, as
     /// nothing is seen of it.
     double coat_spread() const;
@@ -259,6 +275,10 @@ struct Recipe {
 /// Checks every range, R + T <= 1, and that the data of each material cover `wavelengths_nm`.
 /// @throws DomainError naming the key as a recipe file spells it, its value and the allowed range
 void validate(const Recipe& recipe, const std::vector<double>& wavelengths_nm);
+
+/// @param what  is the same in all azimuths and takes no paint whose flakes lean: "tables are"
+/// @throws DomainError naming the key, its value and what is allowed, if they lean
+void require_no_lean(const Recipe& recipe, std::string_view what);
 
 }  // namespace nacre::paint
 
@@ -272,6 +292,8 @@ inline constexpr Range kBinderIndex{1, 3};
 inline constexpr Range kFilmThickness{0, 1e5, "nm", true};
 inline constexpr Range kFilmSpread{0, 1e5, "nm"};
 inline constexpr Range kMicrofacetAlpha{0.001, 1};
+/// Of the flakes' mean. Beyond, what is first order in it would be off by more than some percent.
+inline constexpr Range kLeanTilt{0, 15, "deg"};
 inline constexpr Range kOrientationAlpha{0.005, 1};
 /// Of GGX: below, its core of slopes is narrower than what is solved; above, more than a fifth of
 /// the flakes would be steeper than what Beckmann's laws of kOrientationAlpha can be.

@@ -32,6 +32,13 @@ void describe(Visitor& visit, Recipe& recipe) {
            .words = "The binder has {}",
            .real = true},
           recipe.binder);
+    visit({.key = "lean",
+           .meaning = "mean normal of all flakes, where they lean towards one side "
+                      "([flakes.md](flakes.md#leaning-flakes)); without it, or with a tilt of 0, "
+                      "that of the paint",
+           .words = "All flakes lean {}",
+           .in_line = true},
+          recipe.lean);
     visit({.key = "clearcoat", .meaning = "a clear layer on top; without it the air meets layer 1"},
           recipe.clearcoat);
     visit({.key = "layer",
@@ -119,6 +126,24 @@ void describe(Visitor& visit, OrangePeel& peel) {
            .words = "{} (10 to 30 mm)",
            .zero_words = ""},
           peel.we);
+}
+
+void describe(Visitor& visit, FlakeLean& lean) {
+    visit(
+        {.key = "tilt_deg",
+         .range = limits::kLeanTilt,
+         .meaning = "between the mean normal of the flakes and the normal of the paint; only with "
+                    "`roughness` 0",
+         .required = true,
+         .words = "by {}"},
+        lean.tilt_deg);
+    visit({.key = "azimuth_deg",
+           .range = {-360, 360, "deg"},
+           .meaning = "of the side towards which the flakes' upper faces look: 0 is the lamp's in "
+                      "readings, x of the shape in pictures",
+           .words = "towards {}",
+           .zero_words = "towards the lamp of readings"},
+          lean.azimuth_deg);
 }
 
 void describe(Visitor& visit, Layer& layer) {

@@ -14,6 +14,7 @@ namespace nacre::paint {
 void describe(Visitor& visit, Recipe& recipe);
 void describe(Visitor& visit, Clearcoat& coat);
 void describe(Visitor& visit, OrangePeel& peel);
+void describe(Visitor& visit, FlakeLean& lean);
 void describe(Visitor& visit, Layer& layer);
 void describe(Visitor& visit, FlakeSpecies& species);
 void describe(Visitor& visit, VolumeFraction& amount);

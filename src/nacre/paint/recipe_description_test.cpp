@@ -45,6 +45,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
     Substrate substrate{recipe.substrate_reflectance};
     Clearcoat clearcoat;
     OrangePeel orange_peel;
+    FlakeLean lean;
     Layer layer;
     FlakeSpecies flakes;
     Orientation orientation;
@@ -54,6 +55,7 @@ TEST(RecipeDescription, TheDocumentationHasItsTables) {
     Microfacet microfacet;
     MicrofacetFacets facets;
     const std::pair<const char*, Described> tables[] = {{"paint", Described(recipe)},
+                                                        {"lean", Described(lean)},
                                                         {"clearcoat", Described(clearcoat)},
                                                         {"orange_peel", Described(orange_peel)},
                                                         {"layer", Described(layer)},

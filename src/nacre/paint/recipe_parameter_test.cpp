@@ -34,33 +34,33 @@ TEST(RecipeParameter, EveryNumberOfARecipeIsListedInItsOrder) {
     EXPECT_THAT(
         keys(full_recipe()),
         ElementsAre(
-            "ior", "clearcoat.thickness_um", "clearcoat.thickness_spread_um",
-            "clearcoat.absorption_per_mm.max", "clearcoat.roughness", "clearcoat.orange_peel.wa",
-            "clearcoat.orange_peel.wb", "clearcoat.orange_peel.wc", "clearcoat.orange_peel.wd",
-            "clearcoat.orange_peel.we", "layer[0].thickness_um",
-            "layer[0].flakes[0].volume_fraction", "layer[0].flakes[0].diameter_um",
-            "layer[0].flakes[0].diameter_spread_um", "layer[0].flakes[0].orientation.alpha",
-            "layer[0].flakes[0].core.thickness_nm", "layer[0].flakes[0].core.spread_nm",
-            "layer[0].flakes[0].coats[0].thickness_nm", "layer[0].flakes[0].coats[0].spread_nm",
-            "layer[0].flakes[1].area_density_per_um", "layer[0].flakes[1].diameter_um",
-            "layer[0].flakes[1].diameter_spread_um", "layer[0].flakes[1].edge_um",
-            "layer[0].flakes[1].waviness", "layer[0].flakes[1].orientation.alpha",
-            "layer[0].flakes[1].orientation.alpha_bottom", "layer[0].flakes[1].reflectance",
-            "layer[0].flakes[1].transmittance", "layer[0].flakes[1].thickness_um",
-            "layer[0].pigment[0].scattering_per_mm", "layer[0].pigment[0].absorption_per_mm",
-            "layer[0].pigment[0].anisotropy", "layer[0].pigment[1].volume_fraction",
-            "layer[0].pigment[1].diameter_nm", "layer[0].pigment[1].spread",
-            "layer[0].pigment[2].mass_fraction", "layer[0].pigment[2].density_g_per_cm3",
-            "layer[0].pigment[2].binder_density_g_per_cm3", "layer[0].pigment[2].diameter_nm",
-            "layer[0].pigment[2].spread", "layer[0].pigment[3].scattering_per_mm",
-            "layer[0].pigment[3].absorption_per_mm", "layer[0].pigment[3].anisotropy",
-            "layer[0].pigment[3].volume_fraction", "layer[0].pigment[4].kubelka_munk.K",
-            "layer[0].pigment[4].kubelka_munk.S", "layer[0].pigment[4].anisotropy",
-            "layer[0].pigment[4].mass_fraction", "layer[0].pigment[4].density_g_per_cm3",
-            "layer[0].pigment[4].binder_density_g_per_cm3", "layer[1].thickness_um",
-            "substrate.reflectance", "microfacet.alpha", "microfacet.film_ior",
-            "microfacet.film_thickness_nm", "microfacet.base_ior", "microfacet.base_extinction",
-            "microfacet.facets.count", "microfacet.facets.cone_deg",
+            "ior", "lean.tilt_deg", "lean.azimuth_deg", "clearcoat.thickness_um",
+            "clearcoat.thickness_spread_um", "clearcoat.absorption_per_mm.max",
+            "clearcoat.roughness", "clearcoat.orange_peel.wa", "clearcoat.orange_peel.wb",
+            "clearcoat.orange_peel.wc", "clearcoat.orange_peel.wd", "clearcoat.orange_peel.we",
+            "layer[0].thickness_um", "layer[0].flakes[0].volume_fraction",
+            "layer[0].flakes[0].diameter_um", "layer[0].flakes[0].diameter_spread_um",
+            "layer[0].flakes[0].orientation.alpha", "layer[0].flakes[0].core.thickness_nm",
+            "layer[0].flakes[0].core.spread_nm", "layer[0].flakes[0].coats[0].thickness_nm",
+            "layer[0].flakes[0].coats[0].spread_nm", "layer[0].flakes[1].area_density_per_um",
+            "layer[0].flakes[1].diameter_um", "layer[0].flakes[1].diameter_spread_um",
+            "layer[0].flakes[1].edge_um", "layer[0].flakes[1].waviness",
+            "layer[0].flakes[1].orientation.alpha", "layer[0].flakes[1].orientation.alpha_bottom",
+            "layer[0].flakes[1].reflectance", "layer[0].flakes[1].transmittance",
+            "layer[0].flakes[1].thickness_um", "layer[0].pigment[0].scattering_per_mm",
+            "layer[0].pigment[0].absorption_per_mm", "layer[0].pigment[0].anisotropy",
+            "layer[0].pigment[1].volume_fraction", "layer[0].pigment[1].diameter_nm",
+            "layer[0].pigment[1].spread", "layer[0].pigment[2].mass_fraction",
+            "layer[0].pigment[2].density_g_per_cm3", "layer[0].pigment[2].binder_density_g_per_cm3",
+            "layer[0].pigment[2].diameter_nm", "layer[0].pigment[2].spread",
+            "layer[0].pigment[3].scattering_per_mm", "layer[0].pigment[3].absorption_per_mm",
+            "layer[0].pigment[3].anisotropy", "layer[0].pigment[3].volume_fraction",
+            "layer[0].pigment[4].kubelka_munk.K", "layer[0].pigment[4].kubelka_munk.S",
+            "layer[0].pigment[4].anisotropy", "layer[0].pigment[4].mass_fraction",
+            "layer[0].pigment[4].density_g_per_cm3", "layer[0].pigment[4].binder_density_g_per_cm3",
+            "layer[1].thickness_um", "substrate.reflectance", "microfacet.alpha",
+            "microfacet.film_ior", "microfacet.film_thickness_nm", "microfacet.base_ior",
+            "microfacet.base_extinction", "microfacet.facets.count", "microfacet.facets.cone_deg",
             "microfacet.facets.thickness_spread_nm"));
 }
 
@@ -119,7 +119,7 @@ TEST(RecipeParameter, AnUnknownKeyIsRefusedWithTheNearestOne) {
         "layer[0].thickness_nm: is not a number of this recipe (did you mean "
         "'layer[0].thickness_um'?)");
     EXPECT_THAT(message_of<DomainError>([] { find_parameter(full_recipe(), "x"); }),
-                HasSubstr("its numbers are ior, clearcoat.thickness_um, "));
+                HasSubstr("its numbers are ior, lean.tilt_deg, lean.azimuth_deg, "));
 }
 
 TEST(RecipeParameter, APatternMeansEndsOfKeysAndStarsAnyText) {

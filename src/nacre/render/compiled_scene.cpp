@@ -303,6 +303,21 @@ std::optional<Vec2f> CompiledScene::coat_slope(const Hit& hit) const {
                         map.direction_in_object_space(frame.s));
 }
 
+std::optional<Vec2f> CompiledScene::flake_lean(const Hit& hit) const {
+    const auto lean = materials[hit.material]->flake_lean();
+    if (!lean) return std::nullopt;
+    const AffineMap& map = surfaces_[hit.surface].map;
+    const Frame frame = Frame::around(hit.shading_normal);
+    const Vec3f n = map.direction_in_object_space(frame.n);
+    const Vec3f x = Vec3f{1, 0, 0} - n.x * n;
+    constexpr float kNoDirection = 1e-6f;
+    if (dot(x, x) < kNoDirection) return std::nullopt;
+    const Vec3f along = normalize(x), across = cross(n, along);
+    const Vec3f leaning = lean->x * along + lean->y * across;
+    return Vec2f{dot(leaning, map.direction_in_object_space(frame.s)),
+                 dot(leaning, map.direction_in_object_space(frame.t))};
+}
+
 std::optional<float> CompiledScene::coat_deviation(const Hit& hit) const {
     const sparkle::CoatThickness* const thickness = materials[hit.material]->coat_thickness();
     if (!thickness) return std::nullopt;

@@ -74,6 +74,10 @@ struct CompiledScene {
     /// The slope of the coat's waves there (Bsdf::coat_waves), along x and y of the frame around the
     /// shading normal; none where it is flat.
     std::optional<Vec2f> coat_slope(const Hit& hit) const;
+    /// The tangents of the mean normal of its flakes (Bsdf::flake_lean), along x and y of the frame around
+    /// the shading normal; none where they lie flat. In object space they are along the projection of x
+    /// on the surface and, to its left, seen from above, y; where the surface faces along x none is.
+    std::optional<Vec2f> flake_lean(const Hit& hit) const;
     /// How thick the coat is there (Bsdf::coat_thickness), in standard deviations above its mean; none
     /// where it is even.
     std::optional<float> coat_deviation(const Hit& hit) const;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "nacre/bsdf/leaning_flakes.h"
 #include "nacre/bsdf/tilted_coat.h"
 #include "nacre/bsdf/varied_coat.h"
 #include "nacre/render/direct_light.h"
@@ -99,6 +100,9 @@ class CoatHere {
         if (const auto deviation = scene.coat_deviation(hit)) {
             surface_ = &varied_.emplace(*surface_, *deviation);
         }
+        if (const auto lean = scene.flake_lean(hit)) {
+            surface_ = &leaning_.emplace(*surface_, bsdf::LeaningFlakes::Lean(*lean));
+        }
         if (const auto slope = scene.coat_slope(hit)) {
             surface_ = &tilted_.emplace(*surface_, *slope, wi);
         }
@@ -111,6 +115,7 @@ class CoatHere {
  private:
     const bsdf::BoundBsdf* surface_;
     std::optional<bsdf::VariedCoat> varied_;
+    std::optional<bsdf::LeaningFlakes> leaning_;
     std::optional<bsdf::TiltedCoat> tilted_;
 };
 

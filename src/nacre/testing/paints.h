@@ -96,6 +96,7 @@ inline paint::Recipe full_recipe() {
     recipe.substrate_reflectance = 0.2;
     recipe.microfacet = Microfacet{};
     recipe.microfacet->facets = MicrofacetFacets{1e6, 3, 10};
+    recipe.lean = FlakeLean{4, 30};
     return recipe;
 }
 

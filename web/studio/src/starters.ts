@@ -7,6 +7,7 @@ import type { Path, Table, Value } from "./tree";
 /** Entries of lists and tables, by generic path. */
 const WHOLE: Readonly<Record<string, Value>> = {
     clearcoat: { thickness_um: 45 },
+    lean: { tilt_deg: 5, azimuth_deg: 0 },
     substrate: { reflectance: 0.05 },
     "layer[]": { thickness_um: 15 },
     "layer[].flakes[]": {

@@ -79,6 +79,7 @@ std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen);
 
 /// Of a specimen of the paint; none where its coat is even, or where nothing is seen of its thickness.
+std::optional<Vec2f> flake_lean(const solver::SolvedPaint& paint);
 std::optional<sparkle::CoatThickness> coat_thickness(const solver::SolvedPaint& paint,
                                                      std::uint64_t specimen);
 
@@ -181,6 +182,8 @@ class BoundMicroflake : public BoundBsdf {
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
     FloatLanes albedo(Vec3f wi) const override;
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
+    FloatLanes coat_depth() const override { return clearcoat_depth_; }
+    FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override;
     /// The lobe of a rough interface, part of eval(); 0 of a smooth one.
@@ -196,6 +199,14 @@ class BoundMicroflake : public BoundBsdf {
     /// Of it, the single scattering alone.
     template <class Flakes>
     FloatLanes single_value(const Ray& i, const Ray& o, const Flakes& flakes) const;
+
+    /// Of value() under a smooth interface, all but the single scattering.
+    template <class Flakes>
+    FloatLanes multiple_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
+        FloatLanes smooth = tabulated(smooth_, i, o);
+        if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
+        return smooth * interface_factor(i, o);
+    }
 
     const SamplingProbabilities& probabilities_at(const Ray& i) const;
     /// Per solid angle outside, of draw() with these probabilities.

@@ -78,6 +78,8 @@ std::optional<BrdfTable> MicroflakeModel::make_table(const solver::SolvedPaint& 
             "clearcoat.thickness_spread_um of {}; must be split",
             kTableNames[static_cast<int>(table)], paint.recipe.clearcoat->thickness_spread_um));
     }
+    paint::require_no_lean(
+        paint.recipe, fmt::format("table = {}: tables are", kTableNames[static_cast<int>(table)]));
     RawBrdfTable raw = make_raw_table(paint, table_size, progress);
     if (table == Table::svd) {
         return std::make_shared<const CompressedBrdfTable>(compress(raw, compression));
@@ -108,6 +110,19 @@ std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
     return sparkle::CoatWaves(*peel, specimen);
 }
 
+std::optional<Vec2f> flake_lean(const solver::SolvedPaint& paint) {
+    const auto lean = paint.recipe.flake_lean();
+    if (!lean) return std::nullopt;
+    if (paint.recipe.clearcoat && paint.recipe.clearcoat->roughness > 0) {
+        throw DomainError(
+            fmt::format("lean.tilt_deg = {}: must be 0 under a rough interface, of "
+                        "clearcoat.roughness = {}",
+                        lean->tilt_deg, paint.recipe.clearcoat->roughness));
+    }
+    const auto [x, y] = lean->tangents();
+    return Vec2f{static_cast<float>(x), static_cast<float>(y)};
+}
+
 std::optional<sparkle::CoatThickness> coat_thickness(const solver::SolvedPaint& paint,
                                                      std::uint64_t specimen) {
     if (paint.recipe.coat_spread() == 0) return std::nullopt;
@@ -117,7 +132,8 @@ std::optional<sparkle::CoatThickness> coat_thickness(const solver::SolvedPaint& 
 Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint, std::uint64_t specimen,
                        const Progress& progress)
     : waves_(bsdf::coat_waves(*paint, specimen)),
-      thickness_(bsdf::coat_thickness(*paint, specimen)) {
+      thickness_(bsdf::coat_thickness(*paint, specimen)),
+      lean_(bsdf::flake_lean(*paint)) {
     auto tables = std::make_shared<Tables>(std::move(paint));
     if (thickness_) {
         SharedProgress work(progress, 1);
@@ -416,6 +432,10 @@ FloatLanes BoundMicroflake::interface_lobe(Vec3f wi, Vec3f wo) const {
 FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return FloatLanes{};
     return value(make_ray(wi), make_ray(wo), MeanFlakes{});
+}
+
+FloatLanes BoundMicroflake::scattered_again(Vec3f wi, Vec3f wo) const {
+    return multiple_value(make_ray(wi), make_ray(wo), MeanFlakes{});
 }
 
 float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {

@@ -65,6 +65,8 @@ class Microflake final : public Bsdf {
         return thickness_ ? &*thickness_ : nullptr;
     }
 
+    std::optional<Vec2f> flake_lean() const override { return lean_; }
+
     struct Tables;
     const Tables& tables() const { return *tables_; }
 
@@ -72,6 +74,7 @@ class Microflake final : public Bsdf {
     std::shared_ptr<const Tables> tables_;
     std::optional<sparkle::CoatWaves> waves_;
     std::optional<sparkle::CoatThickness> thickness_;
+    std::optional<Vec2f> lean_;
 };
 
 inline constexpr double kMicroflakeError = 2e-3;

@@ -136,7 +136,8 @@ Nacre::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> paint, const Na
 Nacre::Nacre(std::shared_ptr<const solver::SolvedPaint> paint, const NacreModel& settings,
              const Progress& progress)
     : waves_(bsdf::coat_waves(*paint, settings.specimen)),
-      thickness_(bsdf::coat_thickness(*paint, settings.specimen)) {
+      thickness_(bsdf::coat_thickness(*paint, settings.specimen)),
+      lean_(bsdf::flake_lean(*paint)) {
     SharedProgress work(progress, 1);
     work.add(0);
     auto tables = std::make_shared<Tables>(std::move(paint), settings, work);

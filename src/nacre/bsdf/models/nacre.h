@@ -59,6 +59,7 @@ class Nacre final : public Bsdf, public SingleFlakes {
     const sparkle::CoatThickness* coat_thickness() const override {
         return thickness_ ? &*thickness_ : nullptr;
     }
+    std::optional<Vec2f> flake_lean() const override { return lean_; }
 
     struct Tables;
     const Tables& tables() const { return *tables_; }
@@ -67,6 +68,7 @@ class Nacre final : public Bsdf, public SingleFlakes {
     std::shared_ptr<const Tables> tables_;
     std::optional<sparkle::CoatWaves> waves_;
     std::optional<sparkle::CoatThickness> thickness_;
+    std::optional<Vec2f> lean_;
 };
 
 // What the nacre model works out once a paint.
@@ -116,6 +118,7 @@ class BoundNacre final : public BoundMicroflake {
 
     // The mean over all patches: that of BoundMicroflake, but for a hot spot.
     FloatLanes eval(Vec3f wi, Vec3f wo) const override;
+    FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override;
     std::optional<BsdfSample> sample(Vec3f wi, float u_select, Vec2f u) const override;
     BsdfValue evaluate(Vec3f wi, Vec3f wo) const override;
 

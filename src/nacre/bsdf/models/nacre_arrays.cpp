@@ -100,6 +100,7 @@ NacreArrays arrays_of(const Microflake::Tables& tables) {
 }
 
 void require_even_coat(const solver::SolvedPaint& paint) {
+    paint::require_no_lean(paint.recipe, "these arrays are");
     if (paint.recipe.orange_peel()) {
         throw DomainError(
             "clearcoat.orange_peel: these arrays describe a flat coat; only Nacre's own renderer "

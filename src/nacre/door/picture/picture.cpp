@@ -194,15 +194,17 @@ Scene::Scene(render::SceneDescription description, const ScenePaints& paints,
             if (!is_there || shown) return;
             throw SettingError(
                 "model",
-                fmt::format("does not show the clearcoat.{} of the paint of the material {}; must "
+                fmt::format("does not show the {} of the paint of the material {}; must "
                             "be nacre or microflake",
                             key, name),
                 std::string(painter.model().info().name));
         };
         if (paint.has_recipe()) {
-            require_shown("orange_peel", paint.recipe().orange_peel().has_value(),
+            require_shown("lean", paint.recipe().flake_lean().has_value(),
+                          table[name]->flake_lean() || table[name]->leans_by_itself());
+            require_shown("clearcoat.orange_peel", paint.recipe().orange_peel().has_value(),
                           table[name]->coat_waves());
-            require_shown("thickness_spread_um", paint.recipe().coat_spread() > 0,
+            require_shown("clearcoat.thickness_spread_um", paint.recipe().coat_spread() > 0,
                           table[name]->coat_thickness());
         }
         shows_model_ |= paint.kind() != Kind::measured_brdf;

@@ -95,6 +95,8 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
     std::vector<Disc> discs;
     discs.reserve(static_cast<std::size_t>(expected + 6 * std::sqrt(expected) + 16));
     const double paint_um = recipe.thickness_um();
+    const auto tilted = recipe.flake_lean();
+    const auto lean = tilted ? std::optional<FlakeFrame>(tilted->tangents()) : std::nullopt;
     std::uint16_t index = 0;
     for_each_species(recipe, [&](const auto& layer, const auto& species, double z_top_um) {
         const paint::FlakeSizes sizes = species.sizes();
@@ -110,10 +112,15 @@ std::vector<Disc> draw_discs(const paint::Recipe& recipe, const Tile& tile,
             const double y = tile.height_um * random.uniform();
             const double z = z_top_um - layer.thickness_um * random.uniform();
             const auto [radius, c, s] = random.slope();
-            const double slope = species.orientation.beckmann_alpha * radius;
-            const double upright = 1 / std::sqrt(1 + slope * slope);
-            disc.normal = {static_cast<float>(-slope * c * upright),
-                           static_cast<float>(-slope * s * upright), static_cast<float>(upright)};
+            double slope = species.orientation.beckmann_alpha * radius;
+            double upright = 1 / std::sqrt(1 + slope * slope);
+            Vec3d normal{-slope * c * upright, -slope * s * upright, upright};
+            if (lean) {
+                normal = lean->from_flakes(normal);
+                upright = normal.z;
+                slope = std::hypot(normal.x, normal.y) / upright;
+            }
+            disc.normal = to_float(normal);
             disc.radius_um = 0.5f * sizes.diameter_um(static_cast<std::uint32_t>(
                                         paint::FlakeSizes::kSizes * random.uniform()));
             disc.centre_um = {

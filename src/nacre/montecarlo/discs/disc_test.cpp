@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nacre/core/error.h"
+#include "nacre/montecarlo/medium.h"
 #include "nacre/testing/discs.h"
 #include "nacre/testing/errors.h"
 
@@ -62,6 +63,29 @@ TEST(Disc, NumberAreaPlaceAndNormalFollowTheRecipe) {
     expect_mean(discs, 0, "covariance", [&](const Disc& d) { return p(d) * q(d); });
     expect_mean(discs, 0, "slope against size", [&](const Disc& d) { return p(d) * d.radius_um; });
     expect_mean(discs, 3, "film", [](const Disc& d) { return d.film; });
+    for (const Disc& d : discs) ASSERT_NEAR(length(d.normal), 1, 1e-6);
+}
+
+TEST(Disc, LeaningFlakesSpreadAboutTheirMeanNormal) {
+    paint::Recipe recipe = test::opaque(1.5, 15, 18, 0.2);
+    recipe.layers.emplace_back().thickness_um = 50;  // room below
+    recipe.lean = paint::FlakeLean{8, 30};
+    const auto discs = draw_discs(recipe, {3000, 2000}, {7}, 11);
+    EXPECT_GT(discs.size(), 20000u);
+    const FlakeFrame frame(recipe.lean->tangents());
+    EXPECT_NEAR(frame.n.z, std::cos(8 * M_PI / 180), 1e-12);
+    EXPECT_NEAR(std::atan2(frame.n.y, frame.n.x), M_PI / 6, 1e-12);
+    const auto in_frame = [&](const Disc& d) {
+        const Vec3d m = frame.to_flakes({d.normal.x, d.normal.y, d.normal.z});
+        return std::array{m.x / m.z, m.y / m.z};
+    };
+    const auto p = [&](const Disc& d) { return in_frame(d)[0]; };
+    const auto q = [&](const Disc& d) { return in_frame(d)[1]; };
+    expect_mean(discs, 0, "slope", p);
+    expect_mean(discs, 0, "slope", q);
+    expect_mean(discs, 0.02, "variance", [&](const Disc& d) { return p(d) * p(d); });
+    expect_mean(discs, 0.02, "variance", [&](const Disc& d) { return q(d) * q(d); });
+    expect_mean(discs, 0, "covariance", [&](const Disc& d) { return p(d) * q(d); });
     for (const Disc& d : discs) ASSERT_NEAR(length(d.normal), 1, 1e-6);
 }
 

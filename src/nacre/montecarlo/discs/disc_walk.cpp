@@ -257,6 +257,7 @@ struct DiscWalkTables {
     std::vector<DiscFilms> films;
     DiscScene scene;
     bool diffraction;
+    bool leans;
     std::vector<double> waviness;
 
     /// @param recipe  expanded
@@ -267,7 +268,8 @@ struct DiscWalkTables {
           wavelengths_nm(grid_nm),
           films(make_films(recipe, grid_nm, settings.specimen, work)),
           scene(draw_discs(recipe, tile, counts(films), settings.specimen, &work), tile, &work),
-          diffraction(settings.diffraction) {
+          diffraction(settings.diffraction),
+          leans(recipe.flake_lean().has_value()) {
         for (const paint::Layer& layer : recipe.layers) {
             for (const paint::FlakeSpecies& species : layer.flakes) {
                 waviness.push_back(species.waviness);
@@ -338,6 +340,8 @@ std::unique_ptr<const bsdf::BoundBsdf> DiscWalk::bind(
     const bsdf::Wavelengths& wavelengths_nm) const {
     return std::make_unique<BoundDiscWalk>(tables_, wavelengths_nm);
 }
+
+bool DiscWalk::leans_by_itself() const { return tables_->leans; }
 
 const DiscScene& DiscWalk::scene() const { return tables_->scene; }
 

@@ -109,6 +109,7 @@ class DiscWalk final : public bsdf::Bsdf {
              const Progress& progress = {});
     ~DiscWalk() override;
 
+    bool leans_by_itself() const override;
     std::unique_ptr<const bsdf::BoundBsdf> bind(
         const bsdf::Wavelengths& wavelengths_nm) const override;
     bsdf::SurfaceCoordinates surface_coordinates() const override {

@@ -1,0 +1,236 @@
+#include "nacre/bsdf/leaning_flakes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "nacre/bsdf/models/microflake.h"
+#include "nacre/core/angles.h"
+#include "nacre/core/random.h"
+#include "nacre/optics/fresnel.h"
+#include "nacre/solver/solver.h"
+#include "nacre/testing/bsdf.h"
+#include "nacre/testing/nacre_model.h"
+#include "nacre/testing/paints.h"
+#include "nacre/testing/statistics.h"
+
+namespace nacre::bsdf {
+namespace {
+
+using Lean = LeaningFlakes::Lean;
+constexpr Vec2f kTangents[] = {{0.02f, 0}, {-0.05f, 0.06f}, {0.1f, -0.14f}};
+
+struct LeaningPaint {
+    std::shared_ptr<const solver::SolvedPaint> solved;
+    std::unique_ptr<const BoundBsdf> bound;
+    explicit LeaningPaint(const paint::Recipe& recipe)
+        : solved(std::make_shared<const solver::SolvedPaint>(
+              solver::solve(recipe, spectra::default_wavelengths_nm()))),
+          bound(Microflake(solved).bind(kOnGrid)) {}
+};
+
+/// Under a clear coat that absorbs.
+const BoundBsdf& tinted_metallic() {
+    static const LeaningPaint paint([] {
+        paint::Recipe recipe = test::metallic(0.3, 0.6);
+        recipe.clearcoat = paint::Clearcoat{40, 3.0, 0};
+        return recipe;
+    }());
+    return *paint.bound;
+}
+
+TEST(LeaningFlakes, TheirFrameIsTheShortestTurn) {
+    for (const Vec2f tangents : kTangents) {
+        const Lean lean(tangents);
+        EXPECT_NEAR(lean.n.x / lean.n.z, tangents.x, 1e-6);
+        EXPECT_NEAR(lean.n.y / lean.n.z, tangents.y, 1e-6);
+        EXPECT_NEAR(length(lean.to_flakes(lean.n) - Vec3f{0, 0, 1}), 0, 1e-6);
+        // What is perpendicular to both normals stays.
+        const Vec3f axis = normalize(cross(Vec3f{0, 0, 1}, lean.n));
+        EXPECT_NEAR(length(lean.to_flakes(axis) - axis), 0, 1e-6);
+        const Vec3f w = direction(40, 70);
+        EXPECT_NEAR(length(lean.from_flakes(lean.to_flakes(w)) - w), 0, 1e-6);
+    }
+}
+
+TEST(LeaningFlakes, WithoutATiltTheyAreThePaintItself) {
+    const BoundBsdf& flat = tinted_metallic();
+    const LeaningFlakes upright(flat, Lean({0, 0}));
+    Rng rng(4);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3f wi = direction(88 * rng.uniform_double(), 360 * rng.uniform_double());
+        const Vec3f wo = direction(88 * rng.uniform_double(), 360 * rng.uniform_double());
+        const FloatLanes f = flat.eval(wi, wo), leaning = upright.eval(wi, wo);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            ASSERT_NEAR(leaning[lane], f[lane], 2e-4f * f[lane]);
+        }
+    }
+}
+
+/// Answers 1 and remembers with what it was asked, as a paint of this index under a coat of this depth.
+class Asked final : public BoundBsdf {
+ public:
+    static constexpr float kIndex = 1.5f, kDepth = 0.3f;
+    FloatLanes eval(Vec3f i, Vec3f o) const override {
+        wi = i;
+        wo = o;
+        return splat(1.0f);
+    }
+    float pdf(Vec3f, Vec3f) const override { return 1; }
+    std::optional<BsdfSample> sample(Vec3f, float, Vec2f) const override { return std::nullopt; }
+    FloatLanes albedo(Vec3f) const override { return splat(1.0f); }
+    BinderIndex binder_index() const override { return {kIndex, splat(kIndex)}; }
+    FloatLanes coat_depth() const override { return splat(kDepth); }
+
+    mutable Vec3f wi, wo;
+};
+
+// In double precision, by the formula of the header: the flakes see inside what they would see lying
+// flat, interface and coat are crossed along the true directions.
+TEST(LeaningFlakes, AreAskedInTheirOwnFrameUnderTheCoatAsItLies) {
+    const Asked flat;
+    const auto inside = [](Vec3d w) {
+        const double s2 = (w.x * w.x + w.y * w.y) / (Asked::kIndex * Asked::kIndex);
+        return Vec3d{w.x / Asked::kIndex, w.y / Asked::kIndex, std::sqrt(1 - s2)};
+    };
+    const auto passed = [](double cosine) {
+        return 1 - optics::dielectric_reflectance(1.0, double{Asked::kIndex}, cosine);
+    };
+    Rng rng(3);
+    int compared = 0;
+    for (const Vec2f tangents : kTangents) {
+        const Lean lean(tangents);
+        const LeaningFlakes leaning(flat, lean);
+        for (int k = 0; k < 300; ++k) {
+            const Vec3f a = direction(45 * rng.uniform_double(), 360 * rng.uniform_double());
+            const Vec3f b = direction(45 * rng.uniform_double(), 360 * rng.uniform_double());
+            const double f = leaning.eval(a, b)[0];
+            double expected = 1, ratio[2], longer = 0;
+            for (const auto& [w, asked, r] :
+                 {std::tuple{a, flat.wi, &ratio[0]}, std::tuple{b, flat.wo, &ratio[1]}}) {
+                const Vec3d in = inside(to_double(w)), of_flat = inside(to_double(asked));
+                const Vec3d turned{dot(in, to_double(lean.s)), dot(in, to_double(lean.t)),
+                                   dot(in, to_double(lean.n))};
+                EXPECT_NEAR(length(turned - of_flat), 0, 2e-6);
+                expected *= passed(w.z) / passed(asked.z);
+                *r = in.z / turned.z;
+                longer += 1 / in.z - 1 / turned.z;
+            }
+            expected *= 2 / (ratio[0] + ratio[1]) * std::exp(-longer * Asked::kDepth);
+            EXPECT_NEAR(f, expected, 2e-5 * expected);
+            ++compared;
+        }
+    }
+    EXPECT_EQ(compared, 900);
+}
+
+TEST(LeaningFlakes, TurnWithTheirAzimuth) {
+    constexpr double kTurn = 65 * kDegree;
+    const auto turned = [](Vec3f w) {
+        const auto c = static_cast<float>(std::cos(kTurn)), s = static_cast<float>(std::sin(kTurn));
+        return Vec3f{c * w.x - s * w.y, s * w.x + c * w.y, w.z};
+    };
+    Rng rng(8);
+    for (const Vec2f t : kTangents) {
+        const Vec3f there = turned({t.x, t.y, 0});
+        const LeaningFlakes one(tinted_metallic(), Lean(t));
+        const LeaningFlakes other(tinted_metallic(), Lean({there.x, there.y}));
+        for (int i = 0; i < 200; ++i) {
+            const Vec3f wi = direction(75 * rng.uniform_double(), 360 * rng.uniform_double());
+            const Vec3f wo = direction(75 * rng.uniform_double(), 360 * rng.uniform_double());
+            const double f = one.eval(wi, wo)[3];
+            ASSERT_NEAR(other.eval(turned(wi), turned(wo))[3], f, 1e-5 + 1e-3 * f);
+        }
+    }
+}
+
+TEST(LeaningFlakes, AreReciprocal) {
+    Rng rng(9);
+    for (const Vec2f t : kTangents) {
+        const LeaningFlakes leaning(tinted_metallic(), Lean(t));
+        for (int i = 0; i < 200; ++i) {
+            const Vec3f a = direction(80 * rng.uniform_double(), 360 * rng.uniform_double());
+            const Vec3f b = direction(80 * rng.uniform_double(), 360 * rng.uniform_double());
+            const double forth = leaning.eval(a, b)[0], back = leaning.eval(b, a)[0];
+            ASSERT_NEAR(forth, back, 1e-5 + 1e-3 * forth);
+        }
+    }
+}
+
+TEST(LeaningFlakes, SamplesHaveTheDensityThatPdfGives) {
+    int cases = 0;
+    for (const Vec2f t : kTangents) {
+        for (const double theta : {10.0, 50.0, 80.0}) {
+            const LeaningFlakes leaning(tinted_metallic(), Lean(t));
+            EXPECT_LT(std::abs(chi_square_z_score(leaning, direction(theta, 30), 17, 200'000)),
+                      test::kWorstZ)
+                << t.x << " " << theta;
+            ++cases;
+        }
+    }
+    EXPECT_EQ(cases, 9);
+}
+
+TEST(LeaningFlakes, SamplesAreWorthTheirValueOverTheirDensity) {
+    Rng rng(6);
+    int specular = 0, others = 0;
+    for (int i = 0; i < 6000; ++i) {
+        const LeaningFlakes leaning(tinted_metallic(), Lean(kTangents[i % std::size(kTangents)]));
+        const Vec3f wi = direction(89 * rng.uniform_double(), 360 * rng.uniform_double());
+        const auto s =
+            leaning.sample(wi, rng.uniform_float(), {rng.uniform_float(), rng.uniform_float()});
+        if (!s) continue;
+        EXPECT_GT(s->wo.z, 0);
+        if (s->kind == SampleKind::specular) {  // of the interface, which lies as ever
+            EXPECT_EQ(length(s->wo - Vec3f{-wi.x, -wi.y, wi.z}), 0);
+            const double reflectance = optics::dielectric_reflectance(
+                1.0, double{leaning.binder_index().mean}, double{wi.z});
+            EXPECT_NEAR(s->weight[0] * s->pdf, reflectance, 1e-4);
+            ++specular;
+            continue;
+        }
+        ++others;
+        const BsdfValue value = leaning.evaluate(wi, s->wo);
+        EXPECT_NEAR(s->pdf, value.pdf, 2e-3f * value.pdf);
+        for (int lane = 0; lane < kLanes; ++lane) {
+            EXPECT_NEAR(s->weight[lane] * s->pdf, value.f[lane] * s->wo.z,
+                        5e-3f * value.f[lane] * s->wo.z);
+        }
+    }
+    EXPECT_GT(specular, 300);
+    EXPECT_GT(others, 3000);
+}
+
+// Light that is scattered again is not dimmed by what single flakes that face the light take more of it,
+// which no reciprocal factor can do: up to the tilt, in rad, of all light is made or lost.
+TEST(LeaningFlakes, GiveBackTheLightButForTheirTilt) {
+    static const LeaningPaint lossless(
+        test::paint_of(1.5, {test::flake_layer(1.5, 0.15, 0.7, 0.3)}, 1.0));
+    for (const double tilt : {0.05, 0.1}) {
+        for (const double azimuth : {0.0, 90.0, 180.0}) {
+            const auto t = static_cast<float>(tilt);
+            const LeaningFlakes leaning(
+                *lossless.bound, Lean({t * static_cast<float>(std::cos(azimuth * kDegree)),
+                                       t * static_cast<float>(std::sin(azimuth * kDegree))}));
+            const Vec3f wi = direction(45, 0);
+            Rng rng(12);
+            double sum = 0, squares = 0;
+            constexpr int kCount = 100'000;
+            for (int i = 0; i < kCount; ++i) {
+                const auto s = leaning.sample(wi, rng.uniform_float(),
+                                              {rng.uniform_float(), rng.uniform_float()});
+                const double weight = s ? s->weight[0] : 0;
+                sum += weight;
+                squares += weight * weight;
+            }
+            const double mean = sum / kCount,
+                         error = std::sqrt((squares / kCount - mean * mean) / kCount);
+            EXPECT_NEAR(mean, 1, 1.1 * tilt + 4 * error) << tilt << " " << azimuth;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nacre::bsdf
