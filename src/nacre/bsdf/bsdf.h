@@ -214,6 +214,8 @@ class BoundBsdf {
     virtual FloatLanes coat_depth() const { return FloatLanes{}; }
     /// What of eval() was scattered more than once, or by the ground, above the horizon.
     virtual FloatLanes scattered_again(Vec3f /*wi*/, Vec3f /*wo*/) const { return FloatLanes{}; }
+    /// Of it, what left the coat when it first met the interface from inside.
+    virtual FloatLanes unreturned(Vec3f wi, Vec3f wo) const { return scattered_again(wi, wo); }
 
     /// Of surfaces whose coat is thicker at some places than at others (VariedCoat): for directions
     /// above the horizon, where the thickness deviates from its mean by so many standard

@@ -2,16 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "nacre/core/lane_math.h"
+#include "nacre/optics/fresnel.h"
 
 namespace nacre::bsdf {
+namespace {
+
+/// Cosine outside of the flattest direction with which a flat paint is asked.
+constexpr float kMinFlatCosine = 1e-3f;
+
+Vec3f refracted(Vec3f w, float n) {
+    const float sine2 = (w.x * w.x + w.y * w.y) / (n * n);
+    return {w.x / n, w.y / n, std::sqrt(std::max(0.0f, 1 - sine2))};
+}
+
+}  // namespace
 
 LeaningFlakes::Lean::Lean(Vec2f tangents) : n(normalize(Vec3f{tangents.x, tangents.y, 1})) {
     // Of the upper half, as n always is, this is the shortest turn of z into n.
     const Frame frame = Frame::around(n);
     s = frame.s;
     t = frame.t;
+}
+
+LeaningFlakes::Lean LeaningFlakes::Lean::twice() const {
+    // n stays far from 45 deg (paint::limits::kLeanTilt).
+    const float longer = 2 * n.z / (2 * n.z * n.z - 1);
+    return Lean({n.x * longer, n.y * longer});
+}
+
+FloatLanes LeaningFlakes::Returned::eval(Vec3f wi, Vec3f wo) const {
+    return max_lanes(flat_.scattered_again(wi, wo) - flat_.unreturned(wi, wo), FloatLanes{});
 }
 
 std::unique_ptr<const BoundBsdf> bind_with_lean(const Bsdf& surface,
@@ -22,13 +45,11 @@ std::unique_ptr<const BoundBsdf> bind_with_lean(const Bsdf& surface,
     return std::make_unique<const LeaningFlakes>(std::move(bound), LeaningFlakes::Lean(*lean));
 }
 
-LeaningFlakes::Factors LeaningFlakes::factors(Vec3f wi, Vec3f wo) const {
-    const float n = index_.mean;
+LeaningFlakes::Factors LeaningFlakes::factors(const Lean& lean, Vec3f wi, Vec3f wo) const {
     // The cosine to the layer's normal, and the tilted coat's own.
     const auto inside = [&](Vec3f w) {
-        const float sine2 = w.x * w.x + w.y * w.y;
-        const Vec3f refracted = {w.x / n, w.y / n, std::sqrt(std::max(0.0f, 1 - sine2 / (n * n)))};
-        return Vec2f{refracted.z, dot(refracted, lean_.n)};
+        const Vec3f in = refracted(w, index_.mean);
+        return Vec2f{in.z, dot(in, lean.n)};
     };
     const Vec2f i = inside(wi), o = inside(wo);
     if (!(i.x > 0) || !(i.y > 0) || !(o.x > 0) || !(o.y > 0)) return {};
@@ -38,11 +59,56 @@ LeaningFlakes::Factors LeaningFlakes::factors(Vec3f wi, Vec3f wo) const {
     return {again * (2 / (ratio_i + ratio_o)), again};
 }
 
-FloatLanes LeaningFlakes::righted(const FloatLanes& tilted, Vec3f wi, Vec3f wo) const {
-    const Factors by = factors(wi, wo);
-    const FloatLanes again =
-        min_lanes(coat_again_.eval(lean_.to_flakes(wi), lean_.to_flakes(wo)), tilted);
-    return (tilted - again) * by.once + again * by.again;
+std::optional<LeaningFlakes::Nearest> LeaningFlakes::nearest(Vec3f wi, Vec3f wo) const {
+    const float n = index_.mean;
+    // The cosine inside at which the flat paint's light just leaves.
+    const float least = std::sqrt(1 - (1 - kMinFlatCosine * kMinFlatCosine) / (n * n));
+    const Vec3f in_i = refracted(wi, n), in_o = refracted(wo, n);
+    const Vec3f i = lean_.to_flakes(in_i), o = lean_.to_flakes(in_o);
+    if (i.z >= least && o.z >= least) return std::nullopt;
+    Nearest pair{{0, 0, 1}, {0, 0, 1}, {}};
+    const Vec3f sum = i + o, apart = i - o;
+    if (!(i.z > 0) || !(o.z > 0) || !(dot(apart, apart) > 0)) return pair;
+    const Vec3f h = normalize(sum), e = normalize(apart);
+    if (h.z <= least) return pair;  // of steep flakes, of which there are none
+    // cos d h.z - sin d |e.z| = least, d half the angle between the two.
+    const float d = std::acos(least / std::hypot(h.z, e.z)) - std::atan2(std::abs(e.z), h.z);
+    if (!(d > 0)) return pair;
+    const Vec3f there_i = std::cos(d) * h + std::sin(d) * e;
+    const Vec3f there_o = std::cos(d) * h - std::sin(d) * e;
+    const auto leave = [&](Vec3f in) {
+        const float sine2 = n * n * (in.x * in.x + in.y * in.y);
+        return normalize(Vec3f{n * in.x, n * in.y, std::sqrt(std::max(1e-8f, 1 - sine2))});
+    };
+    pair.wi = leave(there_i);
+    pair.wo = leave(there_o);
+    const auto passed = [&](float cosine) {
+        return 1.0f - optics::dielectric_reflectance(splat(1.0f), index_.each, splat(cosine));
+    };
+    // Of flakes that lie flat f goes as 1 / (c_i c_o).
+    const float paths = there_i.z * there_o.z / (i.z * o.z) * 2 / (in_i.z / i.z + in_o.z / o.z);
+    const float longer = 1 / in_i.z - 1 / there_i.z + 1 / in_o.z - 1 / there_o.z;
+    pair.factor = passed(wi.z) / passed(pair.wi.z) * (passed(wo.z) / passed(pair.wo.z)) * paths *
+                  exp_lanes(-longer * coat_depth_);
+    return pair;
+}
+
+template <class Flat>
+FloatLanes LeaningFlakes::righted(const FloatLanes& tilted, Vec3f wi, Vec3f wo,
+                                  const Flat& flat) const {
+    const Vec3f i = lean_.to_flakes(wi), o = lean_.to_flakes(wo);
+    const Factors by = factors(lean_, wi, wo);
+    FloatLanes once{};
+    if (const auto pair = nearest(wi, wo)) {
+        const FloatLanes all = flat(pair->wi, pair->wo);
+        once =
+            max_lanes(all - flat_.scattered_again(pair->wi, pair->wo), FloatLanes{}) * pair->factor;
+    } else {
+        once = (tilted - min_lanes(coat_again_.eval(i, o), tilted)) * by.once;
+    }
+    const FloatLanes unreturned = coat_unreturned_.eval(i, o);
+    const FloatLanes returned = coat_returned_.eval(twice_.to_flakes(wi), twice_.to_flakes(wo));
+    return once + unreturned * by.again + returned * factors(twice_, wi, wo).again;
 }
 
 float LeaningFlakes::pdf(Vec3f wi, Vec3f wo) const {
@@ -67,18 +133,21 @@ float LeaningFlakes::specular_probability(Vec3f wi) const {
 BsdfValue LeaningFlakes::evaluate(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     BsdfValue value = coat_.evaluate(lean_.to_flakes(wi), lean_.to_flakes(wo));
-    value.f = righted(value.f, wi, wo);
+    value.f = righted(value.f, wi, wo, [&](Vec3f i, Vec3f o) { return flat_.eval(i, o); });
     return value;
 }
 
 BsdfValue LeaningFlakes::evaluate_on(const Patch& patch, Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     BsdfValue value = coat_.evaluate_on(patch, lean_.to_flakes(wi), lean_.to_flakes(wo));
-    value.f = righted(value.f, wi, wo);
+    value.f = righted(value.f, wi, wo,
+                      [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o).f; });
     return value;
 }
 
-std::optional<BsdfSample> LeaningFlakes::turned(std::optional<BsdfSample> sample, Vec3f wi) const {
+template <class Flat>
+std::optional<BsdfSample> LeaningFlakes::turned(std::optional<BsdfSample> sample, Vec3f wi,
+                                                const Flat& flat) const {
     if (!sample) return sample;
     if (sample->kind == SampleKind::specular) {
         sample->wo = {-wi.x, -wi.y, wi.z};  // whatever the flakes do
@@ -88,17 +157,19 @@ std::optional<BsdfSample> LeaningFlakes::turned(std::optional<BsdfSample> sample
     if (!(sample->wo.z > 0)) return std::nullopt;
     const float cosine_over_pdf = sample->wo.z / sample->pdf;
     sample->weight =
-        righted(sample->weight * (1 / cosine_over_pdf), wi, sample->wo) * cosine_over_pdf;
+        righted(sample->weight * (1 / cosine_over_pdf), wi, sample->wo, flat) * cosine_over_pdf;
     return sample;
 }
 
 std::optional<BsdfSample> LeaningFlakes::sample(Vec3f wi, float u_select, Vec2f u) const {
-    return turned(coat_.sample(lean_.to_flakes(wi), u_select, u), wi);
+    return turned(coat_.sample(lean_.to_flakes(wi), u_select, u), wi,
+                  [&](Vec3f i, Vec3f o) { return flat_.eval(i, o); });
 }
 
 std::optional<BsdfSample> LeaningFlakes::sample_on(const Patch& patch, Vec3f wi, float u_select,
                                                    Vec2f u) const {
-    return turned(coat_.sample_on(patch, lean_.to_flakes(wi), u_select, u), wi);
+    return turned(coat_.sample_on(patch, lean_.to_flakes(wi), u_select, u), wi,
+                  [&](Vec3f i, Vec3f o) { return flat_.evaluate_on(patch, i, o).f; });
 }
 
 float LeaningFlakes::narrow_light(Vec3f wi) const {
@@ -109,19 +180,27 @@ void LeaningFlakes::ask_flakes(const Patch& patch, Vec3f wi, std::uint32_t rando
                                std::vector<AskedFlake>& list) const {
     coat_.ask_flakes(patch, lean_.to_flakes(wi), random, list);
     for (AskedFlake& flake : list) flake.wo = lean_.from_flakes(flake.wo);
-    std::erase_if(list, [](const AskedFlake& flake) { return !(flake.wo.z > 0); });
+    // Where a pair stands for another nothing is asked: flakes_at() has it all.
+    std::erase_if(list, [&](const AskedFlake& flake) {
+        return !(flake.wo.z > 0) || nearest(wi, flake.wo).has_value();
+    });
 }
 
 FloatLanes LeaningFlakes::flake_weight(const Patch& patch, Vec3f wi,
                                        const AskedFlake& flake) const {
     AskedFlake asked = flake;
     asked.wo = lean_.to_flakes(flake.wo);
-    return coat_.flake_weight(patch, lean_.to_flakes(wi), asked) * factors(wi, flake.wo).once;
+    return coat_.flake_weight(patch, lean_.to_flakes(wi), asked) *
+           factors(lean_, wi, flake.wo).once;
 }
 
 FloatLanes LeaningFlakes::flakes_at(const Patch& patch, Vec3f wi, Vec3f wo, float pdf) const {
+    if (const auto pair = nearest(wi, wo)) {
+        return flat_.flakes_at(patch, pair->wi, pair->wo, std::numeric_limits<float>::infinity()) *
+               pair->factor;
+    }
     return coat_.flakes_at(patch, lean_.to_flakes(wi), lean_.to_flakes(wo), pdf) *
-           factors(wi, wo).once;
+           factors(lean_, wi, wo).once;
 }
 
 }  // namespace nacre::bsdf

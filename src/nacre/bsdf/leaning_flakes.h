@@ -23,8 +23,15 @@ namespace nacre::bsdf {
 ///
 /// with wi', wo' outside a flat coat over flat flakes, and what the clear coat absorbs along mu in place
 /// of c'. Light that was scattered again, by flakes in turn, pigments or the ground, is the flat paint's
-/// in the same directions, without the last factor. f is as reciprocal as the paint that is asked, and
-/// holds to first order in the tilt.
+/// in the same directions, without the last factor, if it left when it first met the interface. What the
+/// interface had sent back met flakes on both sides of that mirror: mirrored at the flakes' mean m, the
+/// coat's n and m again it comes from a normal 2 m - n, and is the flat paint's in the frame of flakes that
+/// lean twice as much.
+///
+/// Inside, directions beyond the critical angle of flakes that lie flat leave where the flakes lean. The flat
+/// paint has no such direction and is asked, for what met one flake, with the pair of the same half vector
+/// that is just as far apart as it can leave: the same flakes, lit and seen less obliquely. f is as reciprocal as the paint that is asked, and holds to first order in the tilt
+/// but for how much light was scattered again, which is of the flat paint.
 class LeaningFlakes final : public BoundBsdf {
  public:
     /// The flakes' mean normal and the frame around it, into which it is the shortest turn.
@@ -34,18 +41,26 @@ class LeaningFlakes final : public BoundBsdf {
 
         Vec3f to_flakes(Vec3f w) const { return {dot(w, s), dot(w, t), dot(w, n)}; }
         Vec3f from_flakes(Vec3f w) const { return w.x * s + w.y * t + w.z * n; }
+        /// Towards the same side by twice the angle.
+        Lean twice() const;
 
         Vec3f s, t, n;  ///< of the flakes, in the frame of the surface
     };
 
     /// @param flat  whose flakes lie flat; must outlive this
     LeaningFlakes(const BoundBsdf& flat, const Lean& lean)
-        : lean_(lean),
+        : flat_(flat),
+          lean_(lean),
           index_(flat.binder_index()),
           coat_depth_(flat.coat_depth()),
-          again_(flat),
+          twice_(lean.twice()),
+          again_{flat},
+          unreturned_{flat},
+          returned_{flat},
           coat_(flat, lean.to_flakes({0, 0, 1})),
-          coat_again_(again_, lean.to_flakes({0, 0, 1})) {}
+          coat_again_(again_, lean.to_flakes({0, 0, 1})),
+          coat_unreturned_(unreturned_, lean.to_flakes({0, 0, 1})),
+          coat_returned_(returned_, twice_.to_flakes({0, 0, 1})) {}
     LeaningFlakes(const LeaningFlakes&) = delete;
     LeaningFlakes& operator=(const LeaningFlakes&) = delete;
     /// The same, which keeps `flat`.
@@ -77,11 +92,10 @@ class LeaningFlakes final : public BoundBsdf {
     BinderIndex binder_index() const override { return index_; }
 
  private:
-    /// Of flat_, the light that was scattered again, as a surface.
-    class Again final : public BoundBsdf {
+    /// A part of the flat paint's light, as a surface.
+    class PartOf : public BoundBsdf {
      public:
-        explicit Again(const BoundBsdf& flat) : flat_(flat) {}
-        FloatLanes eval(Vec3f wi, Vec3f wo) const override { return flat_.scattered_again(wi, wo); }
+        explicit PartOf(const BoundBsdf& flat) : flat_(flat) {}
         float pdf(Vec3f, Vec3f) const override { return 0; }
         std::optional<BsdfSample> sample(Vec3f, float, Vec2f) const override {
             return std::nullopt;
@@ -89,25 +103,56 @@ class LeaningFlakes final : public BoundBsdf {
         FloatLanes albedo(Vec3f) const override { return FloatLanes{}; }
         BinderIndex binder_index() const override { return flat_.binder_index(); }
 
-     private:
+     protected:
         const BoundBsdf& flat_;
     };
+    struct Again final : PartOf {
+        using PartOf::PartOf;
+        FloatLanes eval(Vec3f wi, Vec3f wo) const override { return flat_.scattered_again(wi, wo); }
+    };
+    struct Unreturned final : PartOf {
+        using PartOf::PartOf;
+        FloatLanes eval(Vec3f wi, Vec3f wo) const override { return flat_.unreturned(wi, wo); }
+    };
+    struct Returned final : PartOf {
+        using PartOf::PartOf;
+        FloatLanes eval(Vec3f wi, Vec3f wo) const override;
+    };
 
-    /// f here, of that of the tilted coat.
-    FloatLanes righted(const FloatLanes& tilted, Vec3f wi, Vec3f wo) const;
-    /// By which light differs from that of the tilted coat: what met one flake, and the rest.
+    /// A pair of directions outside the flat paint that stands for one beyond its critical angle, and by
+    /// which what met one flake differs from it.
+    struct Nearest {
+        Vec3f wi, wo;
+        FloatLanes factor{};
+    };
+    /// None where the flat paint has the pair itself.
+    std::optional<Nearest> nearest(Vec3f wi, Vec3f wo) const;
+
+    /// f here.
+    /// @param tilted  that of the tilted coat
+    /// @param flat    (wi, wo): f of the flat paint
+    template <class Flat>
+    FloatLanes righted(const FloatLanes& tilted, Vec3f wi, Vec3f wo, const Flat& flat) const;
+    /// By which light differs from that of the coat in the frame of a lean: what met one flake, and the
+    /// rest.
     struct Factors {
         FloatLanes once{}, again{};
     };
-    Factors factors(Vec3f wi, Vec3f wo) const;
-    std::optional<BsdfSample> turned(std::optional<BsdfSample> sample, Vec3f wi) const;
+    Factors factors(const Lean& lean, Vec3f wi, Vec3f wo) const;
+    template <class Flat>
+    std::optional<BsdfSample> turned(std::optional<BsdfSample> sample, Vec3f wi,
+                                     const Flat& flat) const;
 
     std::unique_ptr<const BoundBsdf> owned_;
+    const BoundBsdf& flat_;
     Lean lean_;
     BinderIndex index_;
     FloatLanes coat_depth_;
+    Lean twice_;
     Again again_;
-    TiltedCoat coat_, coat_again_;
+    Unreturned unreturned_;
+    Returned returned_;
+    TiltedCoat coat_, coat_again_, coat_unreturned_, coat_returned_;
 };
 
 /// A surface as its values are told: flakes that lean do so along x and y of the frame.

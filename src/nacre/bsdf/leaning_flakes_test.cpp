@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <numbers>
 
@@ -25,10 +26,12 @@ constexpr Vec2f kTangents[] = {{0.02f, 0}, {-0.05f, 0.06f}, {0.1f, -0.14f}};
 struct LeaningPaint {
     std::shared_ptr<const solver::SolvedPaint> solved;
     std::unique_ptr<const BoundBsdf> bound;
-    explicit LeaningPaint(const paint::Recipe& recipe)
-        : solved(std::make_shared<const solver::SolvedPaint>(
-              solver::solve(recipe, spectra::default_wavelengths_nm()))),
-          bound(Microflake(solved).bind(kOnGrid)) {}
+    explicit LeaningPaint(paint::Recipe recipe) {
+        recipe.lean = paint::FlakeLean{5, 0};  // whichever: for the tables of paints that lean
+        solved = std::make_shared<const solver::SolvedPaint>(
+            solver::solve(recipe, spectra::default_wavelengths_nm()));
+        bound = Microflake(solved).bind(kOnGrid);
+    }
 };
 
 /// Under a clear coat that absorbs.
@@ -203,8 +206,8 @@ TEST(LeaningFlakes, SamplesAreWorthTheirValueOverTheirDensity) {
     EXPECT_GT(others, 3000);
 }
 
-// Light that is scattered again is not dimmed by what single flakes that face the light take more of it,
-// which no reciprocal factor can do: up to the tilt, in rad, of all light is made or lost.
+// What single flakes that face the light take more of it does not reach the ground, which is left out: so
+// much of all light is made or lost, and no more where flakes lean across.
 TEST(LeaningFlakes, GiveBackTheLightButForTheirTilt) {
     static const LeaningPaint lossless(
         test::paint_of(1.5, {test::flake_layer(1.5, 0.15, 0.7, 0.3)}, 1.0));
@@ -227,7 +230,9 @@ TEST(LeaningFlakes, GiveBackTheLightButForTheirTilt) {
             }
             const double mean = sum / kCount,
                          error = std::sqrt((squares / kCount - mean * mean) / kCount);
-            EXPECT_NEAR(mean, 1, 1.1 * tilt + 4 * error) << tilt << " " << azimuth;
+            std::printf("[ measured ] tilt %g, azimuth %g: furnace %.4f +- %.4f\n", tilt, azimuth,
+                        mean, error);
+            EXPECT_NEAR(mean, 1, 0.6 * tilt + 4 * error) << tilt << " " << azimuth;
         }
     }
 }

@@ -44,6 +44,10 @@ class VariedCoat final : public BoundBsdf {
     FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override {
         return changed(mean_.scattered_again(wi, wo), wi, wo);
     }
+    /// Crosses the coat once in and once out.
+    FloatLanes unreturned(Vec3f wi, Vec3f wo) const override {
+        return mean_.unreturned(wi, wo) * mean_.coat_factor(wi, wo, deviation_);
+    }
     /// Of the mean thickness.
     FloatLanes albedo(Vec3f wi) const override { return mean_.albedo(wi); }
 

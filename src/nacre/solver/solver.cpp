@@ -28,10 +28,14 @@ std::size_t exit_pairs(const Directions& d, const ActiveNodes& active) {
     return pairs;
 }
 
+// What becomes of the light that a smooth interface sends back into the coat.
+enum class InternalReflection { scattered, lost };
+
 // Solves wavelengths that share one index of the binder.
 class GroupSolver {
  public:
-    GroupSolver(const PaintMedium& medium, const Resolution& resolution, SharedProgress& work)
+    GroupSolver(const PaintMedium& medium, const Resolution& resolution,
+                InternalReflection internal, SharedProgress& work)
         : work_(work),
           directions_(
               make_directions(medium.ior[0], resolution.exit_nodes, resolution.inner_nodes)),
@@ -53,6 +57,10 @@ class GroupSolver {
         parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
             blocks_[b] =
                 make_block(medium, directions_, active_, losses, lit, static_cast<int>(b), &work_);
+            if (internal == InternalReflection::lost) {
+                std::fill(blocks_[b].interface_reflectance.begin(),
+                          blocks_[b].interface_reflectance.end(), DoubleLanes{});
+            }
             work_.add(kBlockWork);
         });
         set_peaks(medium);
@@ -228,7 +236,8 @@ std::size_t memory_of(const PaintMedium& medium, const WavelengthGroups& groups,
 }
 
 // Of the medium, with the settings.
-void solve_medium(SolvedPaint& paint, const Progress& progress) {
+void solve_medium(SolvedPaint& paint, const Progress& progress,
+                  InternalReflection internal = InternalReflection::scattered) {
     const SolverSettings& settings = paint.settings;
     Resolution resolution = choose_resolution(paint.medium, settings);
     const WavelengthGroups groups = group_wavelengths(paint.medium);
@@ -249,7 +258,8 @@ void solve_medium(SolvedPaint& paint, const Progress& progress) {
         solutions.clear();
         unresolved = tail = 0;
         for (const WavelengthGroup& group : groups) {
-            GroupSolver solver(select_wavelengths(paint.medium, group.distinct), resolution, work);
+            GroupSolver solver(select_wavelengths(paint.medium, group.distinct), resolution,
+                               internal, work);
             solutions.push_back(solver.run(settings.tolerance));
             unresolved = std::max(unresolved, solutions.back().unresolved_scattering);
             tail = std::max(tail, solutions.back().azimuthal_tail);
@@ -284,6 +294,21 @@ SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor, const Progr
     }
     for (double& depth : out.medium.clearcoat_depth) depth *= factor;
     solve_medium(out, progress);
+    return out;
+}
+
+SolvedPaint solve_without_internal_reflection(const SolvedPaint& paint, const Progress& progress) {
+    if (paint.medium.roughness > 0) {
+        throw DomainError(fmt::format(
+            "clearcoat.roughness = {}: must be 0 to leave out what the interface reflects "
+            "from inside",
+            paint.medium.roughness));
+    }
+    SolvedPaint out;
+    out.recipe = paint.recipe;
+    out.settings = paint.settings;
+    out.medium = paint.medium;
+    solve_medium(out, progress, InternalReflection::lost);
     return out;
 }
 

@@ -27,6 +27,12 @@ SolvedPaint solve(const paint::Recipe& recipe, const std::vector<double>& wavele
 /// @throws as solve()
 SolvedPaint solve_with_coat(const SolvedPaint& paint, double factor, const Progress& progress = {});
 
+/// The same paint under a smooth interface that reflects nothing from inside: of the light in `paint`, that
+/// which left the coat when it first met the interface. Solved anew from the medium of `paint`.
+/// @throws as solve(); DomainError under a rough interface
+SolvedPaint solve_without_internal_reflection(const SolvedPaint& paint,
+                                              const Progress& progress = {});
+
 /// The memory in bytes that solve() allocates at its peak with the nodes and orders that it starts
 /// with; more where it finds that they do not resolve the paint.
 /// @throws as solve()

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
+#include <string>
 
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
@@ -183,6 +185,31 @@ TEST(Solver, RefusesWhatTheMemoryCannotHold) {
     };
     EXPECT_EXIT(solve_in_little_memory(), testing::ExitedWithCode(7),
                 "solving 301 wavelengths with .* GB of memory");
+}
+
+// Over a Lambertian ground under clear binder all that left at once is T T r / (pi n^2), and the rest of
+// the geometric series is what the interface had returned.
+TEST(Solver, WithoutInternalReflectionLightLeavesWhenItFirstMeetsTheInterface) {
+    constexpr double kGround = 0.6;
+    paint::Recipe recipe = flake_paint(0.1, 0.6, 0, 1, 1.5);
+    recipe.layers[0].flakes.clear();
+    recipe.substrate_reflectance = kGround;
+    const SolvedPaint whole = solve(recipe, kOneWavelength);
+    const SolvedPaint once = solve_without_internal_reflection(whole);
+    for (const double theta_i : {0.0, 0.7, 1.3}) {
+        for (const double theta_o : {0.2, 1.0}) {
+            const double expected =
+                interface_factor(1.5, theta_i, theta_o) * kGround / std::numbers::pi;
+            EXPECT_NEAR(once.brdf(theta_i, theta_o, 2, Part::total)[0], expected, 1e-6);
+            EXPECT_GT(whole.brdf(theta_i, theta_o, 2, Part::total)[0], 1.3 * expected);
+        }
+    }
+    recipe.clearcoat = paint::Clearcoat{40, 0.0, 0.3};
+    const SolvedPaint rough = solve(recipe, kOneWavelength);
+    EXPECT_NE(message_of<DomainError>([&] {
+                  solve_without_internal_reflection(rough);
+              }).find("clearcoat.roughness = 0.3: must be 0"),
+              std::string::npos);
 }
 
 TEST(Solver, StopsWhileFilmsAreComputed) {

@@ -38,6 +38,15 @@ struct SamplingProbabilities {
     float single = 0;
 };
 
+/// Of a paint whose flakes lean: what left the coat when it first met the interface from inside.
+struct Unreturned {
+    /// @throws as solver::solve_without_internal_reflection()
+    Unreturned(const solver::SolvedPaint& paint, SharedProgress& work);
+
+    solver::SolvedPaint paint;
+    SmoothTable table;
+};
+
 struct Microflake::Tables {
     explicit Tables(std::shared_ptr<const solver::SolvedPaint> solved);
     /// @param extinction_per_um  extinction_by_direction() of its medium, where that is known
@@ -50,6 +59,7 @@ struct Microflake::Tables {
     SmoothTable smooth;
     std::vector<std::vector<float>> extinction;  ///< extinction_by_direction()
     std::optional<CoatSpread> coat_spread;       ///< none where the coat is even
+    std::optional<Unreturned> unreturned;        ///< none where no flakes lean
     // Filled by tabulate_sampling(), which needs the model itself.
     std::shared_ptr<const ReflectionWarp> warp;      ///< all but the interface
     std::vector<SamplingProbabilities> probability;  ///< by direction
@@ -184,6 +194,7 @@ class BoundMicroflake : public BoundBsdf {
     BinderIndex binder_index() const override { return {mean_ior_, ior_}; }
     FloatLanes coat_depth() const override { return clearcoat_depth_; }
     FloatLanes scattered_again(Vec3f wi, Vec3f wo) const override;
+    FloatLanes unreturned(Vec3f wi, Vec3f wo) const override;
     CoatChange coat_change(Vec3f wi, Vec3f wo, float deviation) const override;
     FloatLanes coat_factor(Vec3f wi, Vec3f wo, float deviation) const override;
     /// The lobe of a rough interface, part of eval(); 0 of a smooth one.
@@ -203,9 +214,12 @@ class BoundMicroflake : public BoundBsdf {
     /// Of value() under a smooth interface, all but the single scattering.
     template <class Flakes>
     FloatLanes multiple_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
-        FloatLanes smooth = tabulated(smooth_, i, o);
-        if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
-        return smooth * interface_factor(i, o);
+        return multiple_value(smooth_, i, o, flakes);
+    }
+    /// Of that, unreturned().
+    template <class Flakes>
+    FloatLanes unreturned_value(const Ray& i, const Ray& o, const Flakes& flakes) const {
+        return multiple_value(unreturned_.empty() ? smooth_ : unreturned_, i, o, flakes);
     }
 
     const SamplingProbabilities& probabilities_at(const Ray& i) const;
@@ -272,6 +286,13 @@ class BoundMicroflake : public BoundBsdf {
     void bind_layers();
 
     template <class Flakes>
+    FloatLanes multiple_value(const std::vector<FloatLanes>& table, const Ray& i, const Ray& o,
+                              const Flakes& flakes) const {
+        FloatLanes smooth = tabulated(table, i, o);
+        if constexpr (requires { flakes.multiple(smooth); }) smooth = flakes.multiple(smooth);
+        return smooth * interface_factor(i, o);
+    }
+    template <class Flakes>
     FloatLanes once(const Ray& i, const Ray& o, const Flakes& flakes) const;
     /// Of the single scattering under a rough clearcoat, which a table holds as a whole, that of
     /// some flakes over that of all: by the closed form under a smooth one, with the slopes of all
@@ -306,6 +327,7 @@ class BoundMicroflake : public BoundBsdf {
     std::array<WavelengthPosition, kLanes> where_;
     SmoothGrid grid_;
     std::vector<FloatLanes> smooth_;
+    std::vector<FloatLanes> unreturned_;  // empty where no flakes lean
     BoundCoatSpread coat_spread_;
     std::vector<BoundLayer> layers_;
     FloatLanes clearcoat_depth_, ior_, inverse_ior2_;

@@ -16,6 +16,7 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/paint/beckmann.h"
 #include "nacre/solver/rough_interface.h"
+#include "nacre/solver/solver.h"
 
 namespace nacre::bsdf {
 
@@ -135,9 +136,10 @@ Microflake::Microflake(std::shared_ptr<const solver::SolvedPaint> paint, std::ui
       thickness_(bsdf::coat_thickness(*paint, specimen)),
       lean_(bsdf::flake_lean(*paint)) {
     auto tables = std::make_shared<Tables>(std::move(paint));
-    if (thickness_) {
+    if (thickness_ || lean_) {
         SharedProgress work(progress, 1);
-        tables->coat_spread.emplace(*tables->paint, false, work);
+        if (thickness_) tables->coat_spread.emplace(*tables->paint, false, work);
+        if (lean_) tables->unreturned.emplace(*tables->paint, work);
     }
     tabulate_sampling(*tables, [&](const Wavelengths& wavelengths_nm) {
         return std::make_unique<const BoundMicroflake>(tables, wavelengths_nm);
@@ -178,6 +180,10 @@ double direction_angle(int row) {
     const double x = static_cast<double>(row) / kDirectionIntervals;
     return std::min(2 * std::atan(x), std::numbers::pi / 2 - 1e-4);
 }
+
+Unreturned::Unreturned(const solver::SolvedPaint& whole, SharedProgress& work)
+    : paint(solver::solve_without_internal_reflection(whole, [&](double) { return work.ask(); })),
+      table(smooth_table(paint)) {}
 
 Microflake::Tables::Tables(std::shared_ptr<const solver::SolvedPaint> solved)
     : Tables(solved, extinction_by_direction(solved->medium)) {}
@@ -230,6 +236,9 @@ BoundMicroflake::BoundMicroflake(std::shared_ptr<const Microflake::Tables> table
       grid_(tables_->smooth.grid()) {
     const solver::SolvedPaint& paint = *tables_->paint;
     smooth_ = bind_table(tables_->smooth, paint, where_);
+    if (tables_->unreturned) {
+        unreturned_ = bind_table(tables_->unreturned->table, tables_->unreturned->paint, where_);
+    }
     if (tables_->coat_spread) coat_spread_ = BoundCoatSpread(*tables_->coat_spread, where_);
     clearcoat_depth_ =
         at_wavelengths(where_, [&](int w) { return paint.medium.clearcoat_depth[w]; });
@@ -436,6 +445,10 @@ FloatLanes BoundMicroflake::eval(Vec3f wi, Vec3f wo) const {
 
 FloatLanes BoundMicroflake::scattered_again(Vec3f wi, Vec3f wo) const {
     return multiple_value(make_ray(wi), make_ray(wo), MeanFlakes{});
+}
+
+FloatLanes BoundMicroflake::unreturned(Vec3f wi, Vec3f wo) const {
+    return unreturned_value(make_ray(wi), make_ray(wo), MeanFlakes{});
 }
 
 float BoundMicroflake::pdf(Vec3f wi, Vec3f wo) const {

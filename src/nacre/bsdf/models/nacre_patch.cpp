@@ -454,6 +454,12 @@ FloatLanes BoundNacre::scattered_again(Vec3f wi, Vec3f wo) const {
     return multiple_value(i, o, WithHotSpot(*this, i, o));
 }
 
+FloatLanes BoundNacre::unreturned(Vec3f wi, Vec3f wo) const {
+    const Ray i = make_ray(wi), o = make_ray(wo);
+    if (!hot_spot_) return unreturned_value(i, o, MeanFlakes{});
+    return unreturned_value(i, o, WithHotSpot(*this, i, o));
+}
+
 BsdfValue BoundNacre::evaluate(Vec3f wi, Vec3f wo) const {
     if (wi.z <= 0 || wo.z <= 0) return {};
     const Ray i = make_ray(wi), o = make_ray(wo);
