@@ -416,6 +416,8 @@ def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:
     mottled = tmp_path / "mottled.toml"
     text = (paints / "ruby.toml").read_text()
     wavy.write_text(text.replace("[clearcoat]", "[clearcoat]\norange_peel = { wd = 0.002 }"))
+    leaning = tmp_path / "leaning.toml"
+    leaning.write_text("lean = { tilt_deg = 4 }\n" + text)
     tint = "[clearcoat]\nthickness_spread_um = 3\nabsorption_per_mm = 5"
     mottled.write_text(text.replace("[clearcoat]", tint))
     for settings, text in (
@@ -424,6 +426,7 @@ def test_wrong_settings_are_named(paints: Path, tmp_path: Path) -> None:
         ({"recipe": recipe, "footprint": -1.0}, "footprint"),
         ({"recipe": "no-such-file.toml"}, "no-such-file.toml"),
         ({"recipe": str(wavy)}, "orange_peel"),
+        ({"recipe": str(leaning)}, "lean.tilt_deg = 4"),
         ({"recipe": str(mottled)}, "thickness_spread_um"),
     ):
         with pytest.raises(Exception, match=text):

@@ -121,6 +121,17 @@ def test_reciprocal_and_black_below_the_horizon(pearl: nacre.Paint) -> None:
     assert not pearl.brdf([1, 0, 0], wo, NM).any()
 
 
+def test_leaning_flakes_are_lit_from_the_azimuth_zero(paints: Path) -> None:
+    text = "lean = { tilt_deg = 4 }\n" + (paints / "ruby.toml").read_text()
+    leaning = nacre.Paint.from_toml(text)
+    with pytest.raises(nacre.DomainError, match="wi: must have the azimuth 0"):
+        leaning.brdf(nacre.direction(25, 10), nacre.direction(60, 150), NM)
+    left, right = [
+        leaning.brdf(nacre.direction(25), nacre.direction(40, phi), NM) for phi in (170, -170)
+    ]
+    np.testing.assert_allclose(left, right, rtol=1e-3)  # mirrored at the plane in which they lean
+
+
 @pytest.mark.parametrize(
     ("wi", "message"),
     [

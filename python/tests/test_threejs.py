@@ -95,6 +95,9 @@ def test_what_a_shader_cannot_show_is_refused(paints: Path, tmp_path: Path) -> N
     )
     with pytest.raises(nacre.DomainError, match="orange_peel"):
         nacre.Paint.from_toml(peel).write(file)
+    lean = "lean = { tilt_deg = 4 }\n" + (paints / "ruby.toml").read_text()
+    with pytest.raises(nacre.DomainError, match=r"lean\.tilt_deg = 4: .* must be 0"):
+        nacre.Paint.from_toml(lean).write(file)
     with pytest.raises(nacre.SettingError, match="wavelengths_nm"):
         nacre.Paint(paints / "ruby.toml").write(file, wavelengths_nm=[450, 550])
     assert not file.exists()
