@@ -208,6 +208,7 @@ class BoundBsdf {
 
     /// Of surfaces whose interface may be tilted (TiltedCoat).
     virtual BinderIndex binder_index() const { return {}; }
+
     // Of surfaces whose flakes may lean (LeaningFlakes).
 
     /// Optical depth of the clear coat along its normal.

@@ -88,8 +88,10 @@ std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMediu
 std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
                                              std::uint64_t specimen);
 
-/// Of a specimen of the paint; none where its coat is even, or where nothing is seen of its thickness.
+/// Tangents of the flakes' mean normal; none where they do not lean.
 std::optional<Vec2f> flake_lean(const solver::SolvedPaint& paint);
+
+/// Of a specimen of the paint; none where its coat is even, or where nothing is seen of its thickness.
 std::optional<sparkle::CoatThickness> coat_thickness(const solver::SolvedPaint& paint,
                                                      std::uint64_t specimen);
 
