@@ -262,6 +262,7 @@ report::Table layers_table(const paint::Recipe& recipe) {
         }
         if (!name.empty()) add(named(), "binder alone", "", "", material_text(recipe.binder));
     }
+    if (recipe.lean) add("All layers", "", "", Told(recipe).take({"lean"}), "");
     add("Ground", Told(recipe).take({"substrate"}), "", "", "");
     return table;
 }
