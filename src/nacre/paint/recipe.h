@@ -293,7 +293,7 @@ inline constexpr Range kFilmThickness{0, 1e5, "nm", true};
 inline constexpr Range kFilmSpread{0, 1e5, "nm"};
 inline constexpr Range kMicrofacetAlpha{0.001, 1};
 /// Of the flakes' mean. Beyond, what is first order in it would be off by more than some percent.
-inline constexpr Range kLeanTilt{0, 15, "deg"};
+inline constexpr Range kLeanTilt{0, 10, "deg"};
 inline constexpr Range kOrientationAlpha{0.005, 1};
 /// Of GGX: below, its core of slopes is narrower than what is solved; above, more than a fifth of
 /// the flakes would be steeper than what Beckmann's laws of kOrientationAlpha can be.
