@@ -181,9 +181,9 @@ def main():
         *sorted((ROOT / "docs").rglob("*.md")),
     ]
     ci_steps = {
-        line.removeprefix("step").split("#")[0].strip()
+        line.strip().removeprefix("step").split("#")[0].strip()
         for line in (ROOT / ".ci/run").read_text(encoding="utf-8").splitlines()
-        if line.startswith("step ")
+        if line.strip().startswith("step ")
     }
     environment = dict(os.environ)
     environment["PATH"] = f"{arguments.program.resolve().parent}:{environment['PATH']}"

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/program_test_support.h"
@@ -328,6 +329,24 @@ coats = [{ material = "TiO2_anatase", thickness_nm = 80, spread_nm = 80 }, { mat
     for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
         EXPECT_THAT(entry.path().string(), Not(HasSubstr(".partial")));
     }
+}
+
+TEST_F(Program, FlakesThatLeanAreRefusedWhereAllAzimuthsAreOne) {
+    write("leaning.toml", "lean = { tilt_deg = 4 }\n" + contents(folder_ / "gray.toml"));
+    EXPECT_EQ(nacre("eval leaning.toml --incident 45 --outgoing 30,180").status, 0);
+    const std::vector<std::pair<std::string, std::string>> refused = {
+        {"eval leaning.toml --incident 45,10 --outgoing 30,180",
+         "--incident: must have the azimuth 0"},
+        {"atlas --recipe leaning.toml --key alpha --values 0.2,0.4 --aspecular 15",
+         "lean.tilt_deg = 4: an atlas is of paints"},
+        {"render sphere --paint leaning.toml --model special-effect --size 8x8 --spp 1 -o a.exr",
+         "does not show the lean of the paint"}};
+    for (const auto& [arguments, why] : refused) {
+        const Outcome outcome = nacre(arguments);
+        EXPECT_NE(outcome.status, 0) << arguments;
+        EXPECT_THAT(outcome.err, HasSubstr(why)) << arguments;
+    }
+    EXPECT_FALSE(exists("a.exr"));
 }
 
 }  // namespace

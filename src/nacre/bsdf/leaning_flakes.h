@@ -30,8 +30,10 @@ namespace nacre::bsdf {
 ///
 /// Inside, directions beyond the critical angle of flakes that lie flat leave where the flakes lean. The flat
 /// paint has no such direction and is asked, for what met one flake, with the pair of the same half vector
-/// that is just as far apart as it can leave: the same flakes, lit and seen less obliquely. f is as reciprocal as the paint that is asked, and holds to first order in the tilt
-/// but for how much light was scattered again, which is of the flat paint.
+/// that is just as far apart as it can leave: the same flakes, lit and seen less obliquely.
+///
+/// f is as reciprocal as the paint that is asked, and holds to first order in the tilt but for how much
+/// light was scattered again, which is of the flat paint.
 class LeaningFlakes final : public BoundBsdf {
  public:
     /// The flakes' mean normal and the frame around it, into which it is the shortest turn.

@@ -79,8 +79,9 @@ void Paint::State::require_isotropic() const {
     if (const auto* solved = std::get_if<std::shared_ptr<const solver::SolvedPaint>>(&contents)) {
         recipe = &(*solved)->recipe;
     }
-    if (recipe)
+    if (recipe) {
         naming_file([&] { paint::require_no_lean(*recipe, "files are of paints that are"); });
+    }
     const auto* measured = std::get_if<MeasuredBrdf>(&contents);
     if (!measured || measured->isotropic) return;
     throw InputError(fmt::format(
