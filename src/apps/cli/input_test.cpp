@@ -332,7 +332,9 @@ coats = [{ material = "TiO2_anatase", thickness_nm = 80, spread_nm = 80 }, { mat
 }
 
 TEST_F(Program, FlakesThatLeanAreRefusedWhereAllAzimuthsAreOne) {
-    write("leaning.toml", "lean = { tilt_deg = 4 }\n" + contents(folder_ / "gray.toml"));
+    write("leaning.toml", "lean = { tilt_deg = 4 }\n" + contents(folder_ / "gray.toml") +
+                              "[microfacet]\nalpha = 0.2\nfilm_ior = 1.8\n"
+                              "film_thickness_nm = 158\nbase_ior = 1.08\n");
     EXPECT_EQ(nacre("eval leaning.toml --incident 45 --outgoing 30,180").status, 0);
     const std::vector<std::pair<std::string, std::string>> refused = {
         {"eval leaning.toml --incident 45,10 --outgoing 30,180",
