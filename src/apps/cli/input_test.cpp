@@ -339,9 +339,9 @@ TEST_F(Program, FlakesThatLeanAreRefusedWhereAllAzimuthsAreOne) {
     const std::vector<std::pair<std::string, std::string>> refused = {
         {"eval leaning.toml --incident 45,10 --outgoing 30,180",
          "--incident: must have the azimuth 0"},
-        {"atlas --recipe leaning.toml --key alpha --values 0.2,0.4 --aspecular 15",
+        {"atlas --recipe leaning.toml --key orientation.alpha --values 0.2,0.4 --aspecular 15",
          "lean.tilt_deg = 4: an atlas is of paints"},
-        {"render sphere --paint leaning.toml --model special-effect --size 8x8 --spp 1 -o a.exr",
+        {"render sphere --paint leaning.toml --model thin-film --size 8x8 --spp 1 -o a.exr",
          "does not show the lean of the paint"}};
     for (const auto& [arguments, why] : refused) {
         const Outcome outcome = nacre(arguments);
