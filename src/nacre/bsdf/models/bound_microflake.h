@@ -13,6 +13,7 @@
 
 #include "nacre/bsdf/flake_lobe.h"
 #include "nacre/bsdf/models/coat_spread.h"
+#include "nacre/bsdf/models/direction_tables.h"
 #include "nacre/bsdf/models/microflake.h"
 #include "nacre/bsdf/reflection_warp.h"
 #include "nacre/bsdf/smooth_table.h"
@@ -25,9 +26,6 @@ namespace nacre::bsdf {
 class BoundMicroflake;
 
 // What the micro-flake model works out once a paint, before any wavelength is chosen.
-
-/// Functions of one direction are tabulated over x = tan(theta/2), even in x.
-inline constexpr int kDirectionIntervals = 128;
 
 /// Probability of the ways to draw a direction, by incident direction; they sum to 1.
 struct SamplingProbabilities {
@@ -73,16 +71,6 @@ void tabulate_sampling(
     Microflake::Tables& tables,
     const std::function<std::unique_ptr<const BoundMicroflake>(const Wavelengths&)>& bind);
 
-/// [direction][wavelength] of a function of the direction refracted into the coat. value(mu, first, count)
-/// gives that of `count` blocks of wavelengths from `first` on, in the direction of cosine mu; it is asked
-/// once for all wavelengths at which the binder has one index, by several threads.
-std::vector<float> tabulate_inside(
-    const solver::PaintMedium& medium,
-    const std::function<std::vector<DoubleLanes>(double mu, int first, int count)>& value);
-
-/// [layer][direction][wavelength]: extinction in 1/um of the direction refracted into the coat.
-std::vector<std::vector<float>> extinction_by_direction(const solver::PaintMedium& medium);
-
 /// Of a specimen of the paint; none where its coat is flat.
 /// @throws DomainError if it is rough as well
 std::optional<sparkle::CoatWaves> coat_waves(const solver::SolvedPaint& paint,
@@ -101,9 +89,6 @@ bool has_rough_interface(const solver::SolvedPaint& paint);
 
 /// Of the binder, over the paint's wavelengths.
 float mean_ior(const solver::PaintMedium& medium);
-
-/// Angle outside the coat of a row of the direction tables, just short of the horizon at the last.
-double direction_angle(int row);
 
 // The micro-flake model at eight wavelengths: what depends on wavelength is gathered once, what a
 // renderer calls depends on direction alone, and the templates below serve models whose flakes are
