@@ -1,5 +1,6 @@
 #include "nacre/solver/lane_matrix.h"
 
+#include <cmath>
 #include <cstring>
 
 #include "nacre/solver/lane_registers.h"
@@ -14,27 +15,40 @@ using Tile = DoubleLanes[kTile][kTile];
 // others 16.
 constexpr int kColumns = kRegisterLanes == 8 ? 4 : 2;
 
-// A tile of a matrix product, its factors read along k by steps of their own:
-// t[i][j] = sum over k of a[i * a_row + k * a_step] b[j * b_column + k * b_step].
+using Sums = Register[kTile][kColumns];
+
+// Columns of a tile of a matrix product, its factors read along k by steps of their own:
+// sum[i][c] = sum over k of a[i * a_row + k * a_step] b[c * b_column + k * b_step].
+template <class B>
+[[gnu::always_inline]] inline void multiply(Sums& sum, const DoubleLanes* a, int a_row, int a_step,
+                                            const B* b, int b_column, int b_step, int count,
+                                            int part) {
+#pragma GCC unroll 4
+    for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+        for (int c = 0; c < kColumns; ++c) sum[i][c] = Register{};
+    }
+    for (int k = 0; k < count; ++k, a += a_step, b += b_step) {
+        Register column[kColumns];
+#pragma GCC unroll 4
+        for (int c = 0; c < kColumns; ++c) column[c] = load(b + c * b_column, part);
+#pragma GCC unroll 4
+        for (int i = 0; i < kTile; ++i) {
+            const Register row = load(a + i * a_row, part);
+#pragma GCC unroll 4
+            for (int c = 0; c < kColumns; ++c) sum[i][c] += row * column[c];
+        }
+    }
+}
+
+// The whole tile.
 template <class B>
 inline void multiply(Tile& t, const DoubleLanes* a, int a_row, int a_step, const B* b, int b_column,
                      int b_step, int count) {
     for (int part = 0; part < kRegisters; ++part) {
         for (int j = 0; j < kTile; j += kColumns) {
-            Register sum[kTile][kColumns] = {};
-            const DoubleLanes* ak = a;
-            const B* bk = b + j * b_column;
-            for (int k = 0; k < count; ++k, ak += a_step, bk += b_step) {
-                Register column[kColumns];
-#pragma GCC unroll 4
-                for (int c = 0; c < kColumns; ++c) column[c] = load(bk + c * b_column, part);
-#pragma GCC unroll 4
-                for (int i = 0; i < kTile; ++i) {
-                    const Register row = load(ak + i * a_row, part);
-#pragma GCC unroll 4
-                    for (int c = 0; c < kColumns; ++c) sum[i][c] += row * column[c];
-                }
-            }
+            Sums sum;
+            multiply(sum, a, a_row, a_step, b + j * b_column, b_column, b_step, count, part);
             for (int i = 0; i < kTile; ++i) {
                 for (int c = 0; c < kColumns; ++c) {
                     store(sum[i][c], &t[i][j + c], part);
@@ -44,45 +58,79 @@ inline void multiply(Tile& t, const DoubleLanes* a, int a_row, int a_step, const
     }
 }
 
+// Where elements of a matrix stand, that is read as it is or transposed.
+struct Strides {
+    int row, column;
+};
+
+// A tile of X = L^-1 B in place of B: `l` are its rows of L and `solved` its columns of X, both from
+// the first of `count` rows of X that are known; `diagonal` is the tile of L to solve with.
+inline void substitute(const DoubleLanes* l, const DoubleLanes* diagonal, int n,
+                       const DoubleLanes* solved, int count, DoubleLanes* b, Strides at) {
+    for (int part = 0; part < kRegisters; ++part) {
+        for (int j = 0; j < kTile; j += kColumns) {
+            Sums x;
+            multiply(x, l, n, 1, solved + j * at.column, at.column, at.row, count, part);
+            DoubleLanes* const to = b + j * at.column;
+#pragma GCC unroll 4
+            for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+                for (int c = 0; c < kColumns; ++c) {
+                    DoubleLanes* const element = to + i * at.row + c * at.column;
+                    x[i][c] = load(element, part) - x[i][c];
+#pragma GCC unroll 4
+                    for (int k = 0; k < i; ++k) {
+                        x[i][c] -= load(diagonal + i * n + k, part) * x[k][c];
+                    }
+                    x[i][c] *= load(diagonal + i * n + i, part);
+                    store(x[i][c], element, part);
+                }
+            }
+        }
+    }
+}
+
+Register sqrt_register(Register a) {
+    for (int i = 0; i < kRegisterLanes; ++i) a[i] = std::sqrt(a[i]);
+    return a;
+}
+
+// A tile on the diagonal of a Cholesky factor, whose rows are known in the `count` columns from `l`.
+inline void factor(const DoubleLanes* l, int n, int count, DoubleLanes* diagonal) {
+    for (int part = 0; part < kRegisters; ++part) {
+        Register t[kTile][kTile] = {};
+        for (int k = 0; k < count; ++k) {
+            Register row[kTile];
+#pragma GCC unroll 4
+            for (int i = 0; i < kTile; ++i) {
+                row[i] = load(l + i * n + k, part);
+#pragma GCC unroll 4
+                for (int j = 0; j <= i; ++j) t[i][j] += row[i] * row[j];
+            }
+        }
+#pragma GCC unroll 4
+        for (int j = 0; j < kTile; ++j) {
+#pragma GCC unroll 4
+            for (int i = j; i < kTile; ++i) {
+                t[i][j] = load(diagonal + i * n + j, part) - t[i][j];
+#pragma GCC unroll 4
+                for (int k = 0; k < j; ++k) t[i][j] -= t[i][k] * t[j][k];
+                t[i][j] = i == j ? 1 / sqrt_register(t[i][j]) : t[i][j] * t[j][j];
+                store(t[i][j], diagonal + i * n + j, part);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 void cholesky(DoubleLanes* a, int n) {
-    Tile t;
     for (int J = 0; J < n; J += kTile) {
-        for (int I = J; I < n; I += kTile) {
-            multiply(t, a + I * n, n, 1, a + J * n, n, 1, J);
-            for (int i = 0; i < kTile; ++i) {
-                DoubleLanes* row = a + (I + i) * n + J;
-                for (int j = 0; j < kTile; ++j) t[i][j] = row[j] - t[i][j];
-            }
-            if (I == J) {
-                for (int j = 0; j < kTile; ++j) {
-                    DoubleLanes d = t[j][j];
-                    for (int k = 0; k < j; ++k) d -= t[j][k] * t[j][k];
-                    const DoubleLanes inverse = splat(1.0) / sqrt_lanes(d);
-                    t[j][j] = inverse;
-                    for (int i = j + 1; i < kTile; ++i) {
-                        DoubleLanes x = t[i][j];
-                        for (int k = 0; k < j; ++k) x -= t[i][k] * t[j][k];
-                        t[i][j] = x * inverse;
-                    }
-                }
-                for (int i = 0; i < kTile; ++i) {
-                    for (int j = 0; j <= i; ++j) a[(I + i) * n + J + j] = t[i][j];
-                }
-            } else {
-                const DoubleLanes* diagonal = a + J * n + J;
-                for (int j = 0; j < kTile; ++j) {
-                    for (int i = 0; i < kTile; ++i) {
-                        DoubleLanes x = t[i][j];
-                        for (int k = 0; k < j; ++k) x -= t[i][k] * diagonal[j * n + k];
-                        t[i][j] = x * diagonal[j * n + j];
-                    }
-                }
-                for (int i = 0; i < kTile; ++i) {
-                    std::memcpy(a + (I + i) * n + J, t[i], sizeof t[i]);
-                }
-            }
+        const DoubleLanes* const rows = a + J * n;
+        factor(rows, n, J, a + J * n + J);
+        // Below, L_IJ^T = L_JJ^-1 (A_IJ^T - sum of L_JK L_IK^T).
+        for (int I = J + kTile; I < n; I += kTile) {
+            substitute(rows, rows + J, n, a + I * n, J, a + I * n + J, {.row = 1, .column = n});
         }
     }
 }
@@ -92,21 +140,11 @@ namespace {
 // The rows of L^-1 B from block column `first_row(J)` on; B is zero above it there.
 template <class FirstRow>
 void forward_solve_from(const DoubleLanes* l, DoubleLanes* b, int n, int m, FirstRow first_row) {
-    Tile t;
     for (int J = 0; J < m; J += kTile) {
         const int start = first_row(J);
         for (int I = start; I < n; I += kTile) {
-            multiply(t, l + I * n + start, n, 1, b + start * m + J, 1, m, I - start);
-            const DoubleLanes* diagonal = l + I * n + I;
-            for (int i = 0; i < kTile; ++i) {
-                DoubleLanes* row = b + (I + i) * m + J;
-                for (int j = 0; j < kTile; ++j) {
-                    DoubleLanes x = row[j] - t[i][j];
-                    for (int k = 0; k < i; ++k) x -= diagonal[i * n + k] * t[k][j];
-                    t[i][j] = x * diagonal[i * n + i];
-                }
-                std::memcpy(row, t[i], sizeof t[i]);
-            }
+            substitute(l + I * n + start, l + I * n + I, n, b + start * m + J, I - start,
+                       b + I * m + J, {.row = m, .column = 1});
         }
     }
 }
@@ -115,18 +153,29 @@ void forward_solve_from(const DoubleLanes* l, DoubleLanes* b, int n, int m, Firs
 template <class FirstRow>
 void add_gram_from(double a, DoubleLanes* c, double g, const DoubleLanes* w, int n, int m,
                    FirstRow first_row) {
-    Tile t;
     for (int I = 0; I < m; I += kTile) {
         const int start = first_row(I);  // I >= J, so block I starts no earlier than block J
+        const DoubleLanes* const rows = w + start * m;
         for (int J = 0; J <= I; J += kTile) {
-            multiply(t, w + start * m + I, 1, m, w + start * m + J, 1, m, n - start);
+            for (int part = 0; part < kRegisters; ++part) {
+                for (int j = J; j < J + kTile; j += kColumns) {
+                    Sums sum;
+                    multiply(sum, rows + I, 1, m, rows + j, 1, m, n - start, part);
+#pragma GCC unroll 4
+                    for (int i = 0; i < kTile; ++i) {
+#pragma GCC unroll 4
+                        for (int k = 0; k < kColumns; ++k) {
+                            DoubleLanes* const at = c + (I + i) * m + j + k;
+                            Register x = g * sum[i][k];
+                            if (a != 0) x += a * load(at, part);
+                            store(x, at, part);
+                        }
+                    }
+                }
+            }
             for (int i = 0; i < kTile; ++i) {
                 for (int j = 0; j < kTile; ++j) {
-                    if (I == J && j > i) continue;
-                    DoubleLanes x = g * t[i][j];
-                    if (a != 0) x += a * c[(I + i) * m + J + j];
-                    c[(I + i) * m + J + j] = x;
-                    c[(J + j) * m + I + i] = x;
+                    if (J + j < I + i) c[(J + j) * m + I + i] = c[(I + i) * m + J + j];
                 }
             }
         }
