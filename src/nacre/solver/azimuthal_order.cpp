@@ -19,9 +19,10 @@ LaneBuffer balanced_extinction(const std::vector<Losses>& losses, const FourierK
             const std::size_t at = triangle(i) + j;
             // Widened before they are added, as in set_operators: a sum rounded to single precision
             // would be flux lost or gained, 1e-8 of it per unit of optical depth.
-            const DoubleLanes both = 2 * std::numbers::pi *
-                                     (__builtin_convertvector(kernel.same(0)[at], DoubleLanes) +
-                                      __builtin_convertvector(kernel.opposite(0)[at], DoubleLanes));
+            const DoubleLanes both =
+                2 * std::numbers::pi *
+                (__builtin_convertvector(kernel.same(block, 0)[at], DoubleLanes) +
+                 __builtin_convertvector(kernel.opposite(block, 0)[at], DoubleLanes));
             scattering[i] += d.weight[j] * both;
             if (j != i) scattering[j] += d.weight[i] * both;
         }
@@ -41,9 +42,9 @@ LaneBuffer balanced_extinction(const std::vector<Losses>& losses, const FourierK
 
 }  // namespace
 
-PaintBlock make_block(const PaintMedium& medium, const Directions& d, const ActiveNodes& active,
-                      std::span<const std::vector<Losses>> losses, int lit, int block,
-                      SharedProgress* work) {
+PaintBlock make_block(const PaintMedium& medium, const Directions& d,
+                      std::span<const FourierKernel> kernels,
+                      std::span<const std::vector<Losses>> losses, int lit, int block) {
     const int n = d.size();
     PaintBlock out;
     out.substrate = block_lanes(medium.substrate_reflectance, block);
@@ -58,8 +59,7 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d, const Acti
     LaneBuffer depth(lit, DoubleLanes{});  // above the layer, one way
     for (std::size_t k = 0; k < medium.layers.size(); ++k) {
         const LayerMedium& layer = medium.layers[k];
-        FourierKernel kernel(layer, d, active, block, work);
-        LaneBuffer total = balanced_extinction(losses[k], kernel, d, block, out.unresolved);
+        LaneBuffer total = balanced_extinction(losses[k], kernels[k], d, block, out.unresolved);
         DoubleLanes deepest{};
         for (int i = 0; i < n; ++i) {
             deepest = max_lanes(deepest, layer.thickness_um * total[i] * (1 / d.mu[i]));
@@ -78,7 +78,7 @@ PaintBlock make_block(const PaintMedium& medium, const Directions& d, const Acti
             }
         }
         for (int i = 0; i < lit; ++i) depth[i] += layer.thickness_um * total[i] / d.mu[i];
-        out.layers.push_back({layer.thickness_um, std::move(kernel), std::move(total),
+        out.layers.push_back({&kernels[k], block, layer.thickness_um, std::move(total),
                               std::move(factor), doublings_for(lane_max(deepest))});
     }
     return out;
@@ -106,7 +106,7 @@ void set_substrate(DoubleLanes* y, const PaintBlock& block, const Directions& d,
 // E = A - B and F = A + B of impedance.h for one order of one layer.
 void set_operators(DoubleLanes* e, DoubleLanes* f, const LayerBlock& layer, const Directions& d,
                    int order, int first, int m, const double* scale) {
-    const FloatLanes *same = layer.kernel.same(order), *opposite = layer.kernel.opposite(order);
+    const FloatLanes *same = layer.same(order), *opposite = layer.opposite(order);
     for (int i = 0; i < m; ++i) {
         for (int j = 0; j <= i; ++j) {
             const std::size_t at = triangle(i) + j;
@@ -126,9 +126,8 @@ void set_operators(DoubleLanes* e, DoubleLanes* f, const LayerBlock& layer, cons
 DoubleLanes single_scattering(const PaintBlock& block, int order, int first, int i, int j) {
     DoubleLanes once{};
     for (const LayerBlock& layer : block.layers) {
-        once +=
-            __builtin_convertvector(layer.kernel.opposite(order)[triangle(i) + j], DoubleLanes) *
-            layer.single_factor[triangle(first + i) + first + j];
+        once += __builtin_convertvector(layer.opposite(order)[triangle(i) + j], DoubleLanes) *
+                layer.single_factor[triangle(first + i) + first + j];
     }
     return once;
 }

@@ -14,11 +14,15 @@ namespace nacre::solver {
 
 /// One layer.
 struct LayerBlock {
-    double thickness_um = 0;
-    FourierKernel kernel;
+    const FourierKernel* kernel;
+    int block;
+    double thickness_um;
     LaneBuffer extinction;     ///< by node; agrees with the kernel's own sum, see make_block
     LaneBuffer single_factor;  ///< by pair of lit nodes: depth integral of single scattering
-    int doublings = 0;
+    int doublings;
+
+    const FloatLanes* same(int order) const { return kernel->same(block, order); }
+    const FloatLanes* opposite(int order) const { return kernel->opposite(block, order); }
 };
 
 /// All layers, and what lies above and below.
@@ -33,14 +37,15 @@ struct PaintBlock {
 
 /// Single scattering is computed between the first `lit` nodes, those that light from outside
 /// reaches.
-/// @param losses  by layer and node
+/// @param kernels  by layer; outlive the block
+/// @param losses   by layer and node
 ///
 /// The block keeps sigma_t = (discrete sum of the kernel) + (exact absorption): what the quadrature
 /// misses of the scattering cross section is taken from extinction too, so that a flake that
 /// absorbs nothing loses nothing. Rescaling the kernel instead would break its symmetry.
 PaintBlock make_block(const PaintMedium& medium, const Directions& directions,
-                      const ActiveNodes& active, std::span<const std::vector<Losses>> losses,
-                      int lit, int block, SharedProgress* work = nullptr);
+                      std::span<const FourierKernel> kernels,
+                      std::span<const std::vector<Losses>> losses, int lit, int block);
 
 // One azimuthal order of a paint at eight wavelengths: layers stacked as impedances (impedance.h),
 // the interface on top, single scattering subtracted.

@@ -1,6 +1,7 @@
 #include "nacre/solver/fourier_kernel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -21,21 +22,22 @@ constexpr int kOrdersAtOnce = 4;
 
 // Scratch memory of the azimuthal transform of one pair of nodes; reused from pair to pair.
 struct PairScratch {
-    std::vector<DoubleLanes> value;
-    std::vector<double> twice_cos, now, before;
+    std::vector<DoubleLanes> value;  // [block][node]
+    std::vector<double> weight, cosine, twice_cos, now, before;
+    std::array<std::vector<double>, kOrdersAtOnce> harmonic;  // cos l phi of the orders at hand
 
-    void resize(std::size_t count) {
-        value.resize(count);
-        twice_cos.resize(count);
-        now.resize(count);
-        before.resize(count);
+    void resize(std::size_t count, int blocks) {
+        value.resize(count * blocks);
+        for (auto* numbers : {&weight, &cosine, &twice_cos, &now, &before}) numbers->resize(count);
+        for (auto& numbers : harmonic) numbers.resize(count);
     }
 };
 
-// kappa_l, l < orders, of flakes for the travel cosines mu_i and sign * mu_j, added to out(l).
+// kappa_l, l < orders, of flakes for the travel cosines mu_i and sign * mu_j, added to
+// out(block, l).
 template <class Out>
 void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu_j, double s_j,
-                    bool opposite, int orders, int block, PairScratch& scratch, Out&& out) {
+                    bool opposite, int orders, int blocks, PairScratch& scratch, Out&& out) {
     const double delta = opposite ? mu_i + mu_j : std::abs(mu_i - mu_j);
     if (delta == 0.0) return;  // kappa_l -> 0 with |delta|
     const double across = (opposite ? mu_i - mu_j : mu_i + mu_j) / (s_i + s_j);
@@ -47,41 +49,51 @@ void transform_pair(const FlakeMedium& flake, double mu_i, double s_i, double mu
     const double phi_max = reach < 1 ? 2 * std::asin(reach) : std::numbers::pi;
     const int count = 8 * ((16 + static_cast<int>(0.6 * orders * phi_max) + 7) / 8);
     const Quadrature& rule = unit_gauss_legendre(count);
-    scratch.resize(count);
+    scratch.resize(count, blocks);
     for (int k = 0; k < count; ++k) {
         const double phi = phi_max * rule.nodes[k];
         const double half = std::sin(0.5 * phi);
         const double tan2 = across * across + along2 * half * half;
-        const double cosine = std::min(1.0, 0.5 * delta * std::sqrt(1 + tan2));
-        const double weight = 0.5 * flake.area_density_per_um * std::numbers::inv_pi * phi_max *
-                              rule.weights[k] * paint::flake_density(tan2, flake.alpha);
-        scratch.value[k] = weight * flake.table.reflectance(cosine, block);
+        scratch.cosine[k] = std::min(1.0, 0.5 * delta * std::sqrt(1 + tan2));
+        scratch.weight[k] = 0.5 * flake.area_density_per_um * std::numbers::inv_pi * phi_max *
+                            rule.weights[k] * paint::flake_density(tan2, flake.alpha);
         scratch.now[k] = 1.0;
         scratch.before[k] = 1 - 2 * half * half;  // cos phi
         scratch.twice_cos[k] = 2 * scratch.before[k];
     }
-    for (int l = 0; l < orders; l += kOrdersAtOnce) {
-        Register sum[kOrdersAtOnce][kRegisters] = {};
+    for (int b = 0; b < blocks; ++b) {
+        DoubleLanes* const value = scratch.value.data() + static_cast<std::size_t>(b) * count;
         for (int k = 0; k < count; ++k) {
-            Register value[kRegisters];
-            for (int part = 0; part < kRegisters; ++part) {
-                value[part] = load(&scratch.value[k], part);
-            }
-            double now = scratch.now[k], before = scratch.before[k];
-#pragma GCC unroll 4
-            for (auto& of_order : sum) {
-                for (int part = 0; part < kRegisters; ++part) of_order[part] += now * value[part];
-                const double next = scratch.twice_cos[k] * now - before;
-                before = now;
-                now = next;
-            }
-            scratch.now[k] = now;
-            scratch.before[k] = before;
+            value[k] = scratch.weight[k] * flake.table.reflectance(scratch.cosine[k], b);
         }
-        for (int i = 0; i < std::min(kOrdersAtOnce, orders - l); ++i) {
-            DoubleLanes of_order;
-            for (int part = 0; part < kRegisters; ++part) store(sum[i][part], &of_order, part);
-            out(l + i, of_order);
+    }
+    for (int l = 0; l < orders; l += kOrdersAtOnce) {
+        for (std::vector<double>& harmonic : scratch.harmonic) {
+            for (int k = 0; k < count; ++k) {
+                harmonic[k] = scratch.now[k];
+                const double next = scratch.twice_cos[k] * scratch.now[k] - scratch.before[k];
+                scratch.before[k] = scratch.now[k];
+                scratch.now[k] = next;
+            }
+        }
+        for (int b = 0; b < blocks; ++b) {
+            const DoubleLanes* const value =
+                scratch.value.data() + static_cast<std::size_t>(b) * count;
+            Register sum[kOrdersAtOnce][kRegisters] = {};
+            for (int k = 0; k < count; ++k) {
+                for (int part = 0; part < kRegisters; ++part) {
+                    const Register of_part = load(value + k, part);
+#pragma GCC unroll 4
+                    for (int i = 0; i < kOrdersAtOnce; ++i) {
+                        sum[i][part] += scratch.harmonic[i][k] * of_part;
+                    }
+                }
+            }
+            for (int i = 0; i < std::min(kOrdersAtOnce, orders - l); ++i) {
+                DoubleLanes of_order;
+                for (int part = 0; part < kRegisters; ++part) store(sum[i][part], &of_order, part);
+                out(b, l + i, of_order);
+            }
         }
     }
 }
@@ -113,18 +125,16 @@ ActiveNodes::ActiveNodes(const Directions& d, double alpha, int orders) {
 }
 
 FourierKernel::FourierKernel(const LayerMedium& layer, const Directions& d,
-                             const ActiveNodes& active, int block, SharedProgress* work) {
+                             const ActiveNodes& active, int blocks, SharedProgress* work) {
     std::size_t total = 0;
     for (int l = 0; l < active.orders(); ++l) {
         offset_.push_back(total);
         total += triangle(d.size() - active.first(l));
     }
-    same_.assign(total, FloatLanes{});
-    opposite_.assign(total, FloatLanes{});
-    for (const FlakeMedium& flake : layer.flakes) add_flakes(flake, d, active, block, work);
-    for (const PigmentMedium& pigment : layer.pigments) {
-        add_pigment(pigment, d, active, block, work);
-    }
+    same_.assign(blocks, std::vector<FloatLanes>(total, FloatLanes{}));
+    opposite_ = same_;
+    for (const FlakeMedium& flake : layer.flakes) add_flakes(flake, d, active, work);
+    for (const PigmentMedium& pigment : layer.pigments) add_pigment(pigment, d, active, work);
 }
 
 std::size_t FourierKernel::bytes(const Directions& d, const ActiveNodes& active) {
@@ -134,7 +144,8 @@ std::size_t FourierKernel::bytes(const Directions& d, const ActiveNodes& active)
 }
 
 void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
-                               const ActiveNodes& active, int block, SharedProgress* work) {
+                               const ActiveNodes& active, SharedProgress* work) {
+    const int blocks = static_cast<int>(same_.size());
     parallel_for(0, d.size(), [&](int i) {
         if (work) work->require_going(kSolving);
         thread_local PairScratch scratch;
@@ -143,11 +154,11 @@ void FourierKernel::add_flakes(const FlakeMedium& flake, const Directions& d,
             const double s_j = std::sqrt((1 - d.mu[j]) * (1 + d.mu[j]));
             const int orders = std::min(active.order_count(i), active.order_count(j));
             for (const bool opposite : {false, true}) {
-                std::vector<FloatLanes>& kernel = opposite ? opposite_ : same_;
-                transform_pair(flake, d.mu[i], s_i, d.mu[j], s_j, opposite, orders, block, scratch,
-                               [&](int l, const DoubleLanes& value) {
+                auto& kernel = opposite ? opposite_ : same_;  // [block]
+                transform_pair(flake, d.mu[i], s_i, d.mu[j], s_j, opposite, orders, blocks, scratch,
+                               [&](int block, int l, const DoubleLanes& value) {
                                    const int first = active.first(l);
-                                   kernel[offset_[l] + triangle(i - first) + j - first] +=
+                                   kernel[block][offset_[l] + triangle(i - first) + j - first] +=
                                        narrow(value);
                                });
             }
@@ -183,18 +194,21 @@ std::vector<DoubleLanes> series_of(const optics::PhaseFunction& phase, int block
 }  // namespace
 
 void FourierKernel::add_pigment(const PigmentMedium& pigment, const Directions& d,
-                                const ActiveNodes& active, int block, SharedProgress* work) {
-    const DoubleLanes scattering = block_lanes(pigment.scattering_per_um, block);
-    if (pigment.phase) {
-        add_legendre(series_of(*pigment.phase, block), scattering, d, active, work);
-    } else {
-        add_legendre(series_of(pigment.anisotropy), scattering, d, active, work);
-    }
+                                const ActiveNodes& active, SharedProgress* work) {
+    parallel_for(std::size_t{0}, same_.size(), [&](std::size_t at) {
+        const int block = static_cast<int>(at);
+        const DoubleLanes scattering = block_lanes(pigment.scattering_per_um, block);
+        if (pigment.phase) {
+            add_legendre(series_of(*pigment.phase, block), scattering, d, active, block, work);
+        } else {
+            add_legendre(series_of(pigment.anisotropy), scattering, d, active, block, work);
+        }
+    });
 }
 
 template <class T>
 void FourierKernel::add_legendre(const std::vector<T>& series, const DoubleLanes& scattering,
-                                 const Directions& d, const ActiveNodes& active,
+                                 const Directions& d, const ActiveNodes& active, int block,
                                  SharedProgress* work) {
     // sum over n >= l of the terms times Lambda_n^l(mu_i) Lambda_n^l(mu_j), Lambda the Legendre
     // functions normalised by sqrt((n - l)!/(n + l)!).        [chandrasekhar-1960, sec. 48]
@@ -226,8 +240,8 @@ void FourierKernel::add_legendre(const std::vector<T>& series, const DoubleLanes
                 for (int k = 0; k < terms; k += 2) even += series[l + k] * (a[k] * b[k]);
                 for (int k = 1; k < terms; k += 2) odd += series[l + k] * (a[k] * b[k]);
                 const std::size_t at = offset_[l] + triangle(i) + j;
-                same_[at] += narrow((even + odd) * scattering);
-                opposite_[at] += narrow((even - odd) * scattering);
+                same_[block][at] += narrow((even + odd) * scattering);
+                opposite_[block][at] += narrow((even - odd) * scattering);
             }
         }
     });

@@ -41,34 +41,38 @@ class ActiveNodes {
     std::vector<int> first_, order_count_;
 };
 
-/// kappa_l of one layer at the eight wavelengths of one block, in 1/(um sr). Single precision: the
+/// kappa_l of one layer by block of eight wavelengths, in 1/(um sr). Single precision: the
 /// solver takes extinction from the sums of these very numbers, so that rounding costs no energy.
 class FourierKernel {
  public:
+    /// Of the first `blocks` blocks.
     /// @throws Error if `work`, where given, is stopped
     FourierKernel(const LayerMedium& layer, const Directions& directions, const ActiveNodes& active,
-                  int block, SharedProgress* work = nullptr);
+                  int blocks, SharedProgress* work = nullptr);
 
-    /// Memory that one takes, in bytes.
+    /// Memory that one block takes, in bytes.
     static std::size_t bytes(const Directions& directions, const ActiveNodes& active);
 
     /// Rows i >= j of order l, both counted from active.first(l): element i (i + 1)/2 + j.
-    const FloatLanes* same(int l) const { return same_.data() + offset_[l]; }
-    const FloatLanes* opposite(int l) const { return opposite_.data() + offset_[l]; }
+    const FloatLanes* same(int block, int l) const { return same_[block].data() + offset_[l]; }
+    const FloatLanes* opposite(int block, int l) const {
+        return opposite_[block].data() + offset_[l];
+    }
 
  private:
     void add_flakes(const FlakeMedium& flake, const Directions& d, const ActiveNodes& active,
-                    int block, SharedProgress* work);
+                    SharedProgress* work);
     void add_pigment(const PigmentMedium& pigment, const Directions& d, const ActiveNodes& active,
-                     int block, SharedProgress* work);
+                     SharedProgress* work);
     /// @param series  terms of the phase function's Legendre series, each for all wavelengths of the
     ///                block or for each of them
     template <class T>
     void add_legendre(const std::vector<T>& series, const DoubleLanes& scattering,
-                      const Directions& d, const ActiveNodes& active, SharedProgress* work);
+                      const Directions& d, const ActiveNodes& active, int block,
+                      SharedProgress* work);
 
     std::vector<std::size_t> offset_;
-    std::vector<FloatLanes> same_, opposite_;
+    std::vector<std::vector<FloatLanes>> same_, opposite_;  // [block]
 };
 
 }  // namespace nacre::solver

@@ -87,7 +87,7 @@ class BruteForce {
 void expect_brute_force(const LayerMedium& layer, double alpha, double ior, int orders) {
     const Directions d = make_directions(ior, 12, 8);
     const ActiveNodes active(d, alpha, orders);
-    const FourierKernel fourier(layer, d, active, 0);
+    const FourierKernel fourier(layer, d, active, 1);
     int compared = 0;
     for (int i = 0; i < d.size(); i += 3) {
         for (int j = 0; j <= i; j += 2) {
@@ -97,8 +97,8 @@ void expect_brute_force(const LayerMedium& layer, double alpha, double ior, int 
                 if (j < first) continue;
                 SCOPED_TRACE(testing::Message() << i << ' ' << j << " order " << l);
                 const std::size_t at = triangle(i - first) + j - first;
-                EXPECT_NEAR(fourier.same(l)[at][0], same(l), kKernelError * same(0) + 1e-12);
-                EXPECT_NEAR(fourier.opposite(l)[at][0], opposite(l),
+                EXPECT_NEAR(fourier.same(0, l)[at][0], same(l), kKernelError * same(0) + 1e-12);
+                EXPECT_NEAR(fourier.opposite(0, l)[at][0], opposite(l),
                             kKernelError * opposite(0) + 1e-12);
                 ++compared;
             }
@@ -120,17 +120,46 @@ TEST(FourierKernel, PigmentsMatchTheAzimuthalIntegral) {
     expect_brute_force(particle_layer(), 0.5, 1.5, 120);
 }
 
+TEST(FourierKernel, WavelengthsAreThoseOfEachAlone) {
+    const int count = kLanes + 2;
+    const auto layer_of = [](int first, int wavelengths) {
+        std::vector<double> reflectance, scattering;
+        for (int w = first; w < first + wavelengths; ++w) {
+            reflectance.push_back(0.1 + 0.05 * w);
+            scattering.push_back(0.01 + 0.002 * w);
+        }
+        const std::vector<double> none(wavelengths, 0.0);
+        return LayerMedium{
+            10,
+            {{0.1, 0.2, paint::FlakeTable::constant(reflectance, none)},
+             {0.05, 0.4, paint::FlakeTable::constant(none, none)}},
+            {{scattering, none, 0.3}, {scattering, none, 0, optics::PhaseFunction({kSeries})}}};
+    };
+    const Directions d = make_directions(1.5, 8, 4);
+    const ActiveNodes active(d, 0.2, 40);
+    const FourierKernel all(layer_of(0, count), d, active, 2);
+    for (int w = 0; w < count; ++w) {
+        const FourierKernel alone(layer_of(w, 1), d, active, 1);
+        for (int l = 0; l < active.orders(); ++l) {
+            for (std::size_t at = 0; at < triangle(d.size() - active.first(l)); ++at) {
+                EXPECT_EQ(all.same(w / kLanes, l)[at][w % kLanes], alone.same(0, l)[at][0]);
+                EXPECT_EQ(all.opposite(w / kLanes, l)[at][w % kLanes], alone.opposite(0, l)[at][0]);
+            }
+        }
+    }
+}
+
 TEST(FourierKernel, OrderZeroSumsToTheScatteringCrossSection) {
     // 2 pi sum_j w_j (same + opposite) = sigma_s for smooth kernels.
     const Directions d = make_directions(1.5, 24, 20);
     for (const LayerMedium& layer : {pigment_layer(0.5), flake_layer(0.5)}) {
-        const FourierKernel fourier(layer, d, ActiveNodes(d, 0.3, 1), 0);
+        const FourierKernel fourier(layer, d, ActiveNodes(d, 0.3, 1), 1);
         for (int i = 0; i < d.exit_count; ++i) {
             double sum = 0;
             for (int j = 0; j < d.size(); ++j) {
                 const std::size_t at = triangle(std::max(i, j)) + std::min(i, j);
                 sum += 2 * std::numbers::pi * d.weight[j] *
-                       (fourier.same(0)[at][0] + fourier.opposite(0)[at][0]);
+                       (fourier.same(0, 0)[at][0] + fourier.opposite(0, 0)[at][0]);
             }
             const double exact =
                 extinction(layer, d.mu[i], 0)[0] - losses(layer, d.mu[i], 0, 1).absorption[0][0];

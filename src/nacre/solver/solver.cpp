@@ -46,7 +46,10 @@ class GroupSolver {
         const int lit = rough ? directions_.size() : directions_.exit_count;
         blocks_.resize(paint::block_count(wavelengths_));
         std::vector<std::vector<Losses>> losses;  // [layer][node]
+        kernels_.reserve(medium.layers.size());
         for (const LayerMedium& layer : medium.layers) {
+            kernels_.emplace_back(layer, directions_, active_, static_cast<int>(blocks_.size()),
+                                  &work_);
             std::vector<Losses>& by_node = losses.emplace_back(directions_.size());
             parallel_for(0, directions_.size(), [&](int i) {
                 work_.require_going(kSolving);
@@ -56,7 +59,7 @@ class GroupSolver {
         }
         parallel_for(std::size_t{0}, blocks_.size(), [&](std::size_t b) {
             blocks_[b] =
-                make_block(medium, directions_, active_, losses, lit, static_cast<int>(b), &work_);
+                make_block(medium, directions_, kernels_, losses, lit, static_cast<int>(b));
             if (internal == InternalReflection::lost) {
                 std::fill(blocks_[b].interface_reflectance.begin(),
                           blocks_[b].interface_reflectance.end(), DoubleLanes{});
@@ -210,6 +213,7 @@ class GroupSolver {
     ActiveNodes active_;
     std::shared_ptr<const RoughInterfaceOperators> interface_;  // if rough
     int wavelengths_;
+    std::vector<FourierKernel> kernels_;  // by layer
     std::vector<PaintBlock> blocks_;
     LaneBuffer peak_;
 };

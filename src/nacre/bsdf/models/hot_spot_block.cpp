@@ -10,7 +10,7 @@
 namespace nacre::bsdf {
 namespace {
 
-constexpr int kRadii = 24, kAzimuths = 24;
+constexpr int kRadii = 16, kAzimuths = 24;
 
 FloatLanes to_float(const DoubleLanes& x) { return __builtin_convertvector(x, FloatLanes); }
 
