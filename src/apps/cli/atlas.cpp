@@ -116,9 +116,15 @@ datasheet::Atlas atlas_of_recipe(const AtlasOptions& options, const Progress& pr
         throw UsageError(fmt::format("--key = {}: means {} numbers, such as {}; must mean one",
                                      options.key, keys.size(), keys[0]));
     }
-    return datasheet::recipe_atlas(
-        recipe, keys[0], parse_numbers("--values", options.values, Range{}), parse_angles(options),
-        spectra::default_wavelengths_nm(), parse_conditions(options.instrument), progress);
+    const std::vector<double> values = parse_numbers("--values", options.values, Range{});
+    const std::vector<measure::Geometry> geometries = parse_angles(options);
+    const measure::Conditions conditions = parse_conditions(options.instrument);
+    try {
+        return datasheet::recipe_atlas(recipe, keys[0], values, geometries,
+                                       spectra::default_wavelengths_nm(), conditions, progress);
+    } catch (const DomainError& error) {
+        throw InputError(options.recipe + ": " + error.what());
+    }
 }
 
 void check_choice(const AtlasOptions& options, const CLI::App& command) {

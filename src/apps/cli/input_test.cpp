@@ -340,7 +340,9 @@ TEST_F(Program, FlakesThatLeanAreRefusedWhereAllAzimuthsAreOne) {
         {"eval leaning.toml --incident 45,10 --outgoing 30,180",
          "--incident: must have the azimuth 0"},
         {"atlas --recipe leaning.toml --key orientation.alpha --values 0.2,0.4 --aspecular 15",
-         "lean.tilt_deg = 4: an atlas is of paints"},
+         "leaning.toml: lean.tilt_deg = 4: an atlas is of paints"},
+        {"atlas --recipe gray.toml --key orientation.alpha --values 0.2,1.7 --aspecular 15",
+         "gray.toml: layer[0].flakes[0].orientation.alpha = 1.7: must be"},
         {"render sphere --paint leaning.toml --model thin-film --size 8x8 --spp 1 -o a.exr",
          "does not show the lean of the paint"}};
     for (const auto& [arguments, why] : refused) {
