@@ -10,6 +10,7 @@
 #include "nacre/bsdf/models/hot_spot_closing.h"
 #include "nacre/core/angles.h"
 #include "nacre/core/error.h"
+#include "nacre/core/lane_math.h"
 #include "nacre/core/quadrature.h"
 #include "nacre/optics/fresnel.h"
 #include "nacre/testing/nacre_model.h"
@@ -85,6 +86,38 @@ TEST(HotSpot, LargeFlakesAreSeenWhereTheyAreLit) {
     const double once = 2 * 0.995073;
     EXPECT_NEAR(lit_and_seen(20, 1e-3), -std::expm1(-once) / once, 0.002);
     EXPECT_NEAR(lit_and_seen(9000, 20), -std::expm1(-once) / once, 0.005);
+}
+
+TEST(HotSpot, MeanOverDepthIsTheIntegralOfItsGain) {
+    for (const double covered : {0.05, 0.5, 3.0, 20.0}) {
+        paint::Recipe recipe = paint_of({metal_flake(20, 1e-3)});
+        recipe.layers[0].flakes[0].amount = paint::AreaDensity{covered / 15};
+        const solver::SolvedPaint paint = solver::solve(recipe, {550});
+        const HotSpotTables tables(paint);
+        const HotSpot hot_spot(tables, wavelengths_of_block(1, 0));
+        for (const double theta_deg : {5.0, 30.0, 75.0}) {
+            const Ray i = make_ray(20 * kDegree, 0, 1 / 1.5f);
+            const Ray o = make_ray(theta_deg * kDegree, std::numbers::pi, 1 / 1.5f);
+            const HotSpot::Pair pair(hot_spot, i, o);
+            // Of each lane a depth of its own, as of wavelengths that films let through.
+            FloatLanes depth;
+            for (int lane = 0; lane < kLanes; ++lane) {
+                depth[lane] = static_cast<float>(
+                    covered * (1 / i.inside.z + 1 / o.inside.z) * (1 + 0.1 * lane));
+            }
+            constexpr int kSteps = 4000;
+            FloatLanes sum{};
+            for (int step = 0; step < kSteps; ++step) {
+                const float u = (step + 0.5f) / kSteps;
+                sum += exp_lanes(pair.gain(0, u) - depth * u) / kSteps;
+            }
+            const FloatLanes mean = pair.mean(0, depth);
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const float exact = sum[lane] * depth[lane] / -std::expm1(-depth[lane]);
+                EXPECT_NEAR(mean[lane], exact, 1e-3 * exact) << covered << ' ' << theta_deg;
+            }
+        }
+    }
 }
 
 TEST(HotSpot, MeanOverPatchesIsItsOwnMean) {
