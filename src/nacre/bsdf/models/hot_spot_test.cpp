@@ -102,8 +102,8 @@ TEST(HotSpot, MeanOverDepthIsTheIntegralOfItsGain) {
             // Of each lane a depth of its own, as of wavelengths that films let through.
             FloatLanes depth;
             for (int lane = 0; lane < kLanes; ++lane) {
-                depth[lane] = static_cast<float>(
-                    covered * (1 / i.inside.z + 1 / o.inside.z) * (1 + 0.1 * lane));
+                depth[lane] = static_cast<float>(covered * (1 / i.inside.z + 1 / o.inside.z) *
+                                                 (1 + 0.1 * lane));
             }
             constexpr int kSteps = 4000;
             FloatLanes sum{};
