@@ -173,39 +173,48 @@ class GroupSolver {
         const int rows = directions_.exit_count - first;
         out.first.push_back(first);
         if (interface_) add_to_peaks(order, first, by_block);
-        double size = 0;
+        DoubleLanes size{}, broken{};  // broken: 0, not a number where a result is not finite
         std::size_t pair = 0;
         const std::size_t pairs = triangle(rows);
+        const auto append = [&](std::vector<double>& values, const DoubleLanes& lanes,
+                                std::size_t b) {
+            const double* const from = reinterpret_cast<const double*>(&lanes);
+            const int left = wavelengths_ - static_cast<int>(b) * kLanes;
+            values.insert(values.end(), from, from + std::min<int>(kLanes, left));
+        };
         for (int i = 0; i < rows; ++i) {
             for (int j = 0; j <= i; ++j, ++pair) {
                 for (std::size_t b = 0; b < blocks_.size(); ++b) {
                     DoubleLanes value = by_block[b][pair];
-                    DoubleLanes single{};
-                    if (interface_) value += single = by_block[b][pairs + pair];
+                    if (interface_) {
+                        const DoubleLanes& single = by_block[b][pairs + pair];
+                        append(out.single_values, single, b);
+                        append(out.values, value, b);
+                        value += single;
+                    } else {
+                        append(out.values, value, b);
+                    }
+                    broken += value - value;
                     DoubleLanes* peak = peak_.data() + b * directions_.exit_count + first;
                     // Order 0 of what is diffuse counts as peak too.
                     if (order == 0) {
                         peak[i] = max_lanes(peak[i], value);
                         peak[j] = max_lanes(peak[j], value);
                     }
-                    const int lanes =
-                        std::min<int>(kLanes, wavelengths_ - static_cast<int>(b) * kLanes);
-                    for (int lane = 0; lane < lanes; ++lane) {
-                        if (!std::isfinite(value[lane])) {
-                            throw Error(fmt::format(
-                                "the solver broke down in azimuthal order {}: a result is not "
-                                "finite; please report the recipe",
-                                order));
-                        }
-                        out.values.push_back(value[lane] - single[lane]);
-                        if (interface_) out.single_values.push_back(single[lane]);
-                        const double scale = std::min(peak[i][lane], peak[j][lane]);
-                        size = std::max(size, std::abs(value[lane]) / std::max(scale, kBlackBrdf));
-                    }
+                    const DoubleLanes scale = min_lanes(peak[i], peak[j]);
+                    // Beyond the last wavelength lanes repeat it.
+                    size = max_lanes(
+                        size, max_lanes(value, -value) / max_lanes(scale, splat(kBlackBrdf)));
                 }
             }
         }
-        return size;
+        if (!(lane_sum(broken) == 0)) {
+            throw Error(
+                fmt::format("the solver broke down in azimuthal order {}: a result is not finite; "
+                            "please report the recipe",
+                            order));
+        }
+        return lane_max(size);
     }
 
     SharedProgress& work_;
