@@ -42,6 +42,7 @@ async function buildTests() {
     const files = [
         "unit.test",
         "studio.test",
+        "viewer.test",
         "browser.test",
         "tools.test",
         "picture.test",

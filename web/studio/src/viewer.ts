@@ -51,11 +51,21 @@ export function isCurrent({ picture, recipe, view }: ViewerState): boolean {
     return picture !== null && picture.recipe === recipe && picture.view === view;
 }
 
-/** Whether it hides the live picture. */
+/** Whether it hides the live picture, which alone can mark colours. */
 export function covers(state: ViewerState): boolean {
     const { picture, liveSamples } = state;
     if (picture === null || liveSamples === null) return picture !== null;
-    return isCurrent(state) && picture.samples >= ENOUGH;
+    return !state.gamutWarning && isCurrent(state) && picture.samples >= ENOUGH;
+}
+
+/** Whether A's picture is of the view that is asked for, and no draft nor a coarse live one. */
+function isKeptWhole({ kept, keptRecipe, view }: ViewerState): boolean {
+    return (
+        kept !== null &&
+        kept.recipe === keptRecipe &&
+        kept.view === view &&
+        kept.samples >= KEPT_SAMPLES
+    );
 }
 
 /** What pictures wait for. */
@@ -203,6 +213,8 @@ export class Viewer {
     setGamutWarning(gamutWarning: boolean): void {
         this.store.set({ gamutWarning });
         this.live?.setGamutWarning(gamutWarning);
+        if (gamutWarning) this.live?.pause(false);
+        else this.pauseWhenCovered();
     }
 
     /** What is seen now is what is seen beside it from now on; again: nothing is. */
@@ -308,8 +320,8 @@ export class Viewer {
         if (this.quickWanted) this.refresh();
         else if (job.quick) this.startLater();
         else if (!job.kept) {
-            const { kept, keptRecipe, view } = this.store.get();
-            if (keptRecipe !== null && kept?.view !== view) this.start(false, true);
+            const state = this.store.get();
+            if (state.keptRecipe !== null && !isKeptWhole(state)) this.start(false, true);
         }
     }
 }

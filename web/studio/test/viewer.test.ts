@@ -1,0 +1,71 @@
+/** Which pictures are asked for and shown, against a server that says what a test wants. */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Schema, ShapeInfo } from "../src/schema";
+import { Session } from "../src/session";
+import type { Table } from "../src/tree";
+import type { ViewerState } from "../src/viewer";
+import { covers, Viewer } from "../src/viewer";
+import { FakeServer, PAINT, SCHEMA } from "./fake_server";
+
+const BALL: ShapeInfo = {
+    name: "ball",
+    title: "Ball",
+    light: "studio",
+    transform: { scale: 1, rotation_deg: [0, 0, 0], translation_mm: [0, 0, 0] },
+    camera: {
+        position_mm: [0, -300, 100],
+        target_mm: [0, 0, 0],
+        fov_deg: 20,
+        aspect: 1,
+    },
+};
+const WITH_BALL: Schema = { ...SCHEMA, shapes: [BALL] };
+const OTHER: Table = { ...PAINT, ior: 1.6 };
+
+/** The picture that was asked for last, finished. @return what was asked */
+async function answerRender(server: FakeServer, before: number) {
+    for (let i = 0; i < 100 && server.received("render").length === before; ++i) {
+        await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+    const asked = server.received("render").at(-1);
+    assert.equal(server.received("render").length, before + 1, "a picture is asked for");
+    const { id, width, height, samples } = asked as Record<string, number>;
+    const shape = [height, width, 3];
+    const binary = [{ name: "rgb", dtype: "u8", shape }];
+    server.answer({ type: "picture", id, samples, of: samples, width, height, binary });
+    server.answerBytes(new ArrayBuffer(Math.ceil((3 * (width ?? 0) * (height ?? 0)) / 4) * 4));
+    return { recipe: asked?.recipe, samples };
+}
+
+test("A is made whole where a draft of it was kept", async () => {
+    const server = new FakeServer();
+    const session = new Session(server.connect, () => undefined);
+    server.open();
+    const viewer = new Viewer(session);
+    viewer.resize(48, 48);
+    viewer.begin(WITH_BALL);
+    viewer.paint(PAINT);
+    assert.deepEqual(await answerRender(server, 0), { recipe: PAINT, samples: 1 });
+    viewer.keep(PAINT);
+    assert.equal(viewer.store.get().kept?.samples, 1);
+    await answerRender(server, 1); // B, which is the same as yet
+    viewer.paint(OTHER);
+    assert.deepEqual(await answerRender(server, 2), { recipe: OTHER, samples: 1 });
+    assert.deepEqual(await answerRender(server, 3), { recipe: OTHER, samples: 64 });
+    assert.deepEqual(await answerRender(server, 4), { recipe: PAINT, samples: 16 });
+    assert.equal(viewer.store.get().kept?.samples, 16);
+    session.close();
+});
+
+test("the path tracer's picture covers the live one when it is of use, but not its marks", () => {
+    const view = { shape: "ball" } as unknown as ViewerState["view"];
+    const picture = { samples: 16, of: 64, recipe: PAINT, view } as ViewerState["picture"];
+    const state = { picture, recipe: PAINT, view, liveSamples: 3, gamutWarning: false };
+    const all = state as unknown as ViewerState;
+    assert.ok(covers(all));
+    assert.ok(!covers({ ...all, recipe: OTHER }), "of another paint");
+    assert.ok(!covers({ ...all, gamutWarning: true }), "marks are in the live picture");
+    assert.ok(covers({ ...all, gamutWarning: true, liveSamples: null }), "there is no other");
+});
