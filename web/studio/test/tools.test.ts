@@ -70,6 +70,48 @@ test("a thickness that is clicked in the atlas has the colours that it showed th
     assert.equal(await page.inputValue(field(FILM)), "160");
 });
 
+test("the atlas has the standard in the colours of its chips", async () => {
+    await open();
+    await page.click("text=Take this paint");
+    await page.waitForFunction(() => document.querySelectorAll(".chip .delta").length === 6);
+    await page.getByRole("tab", { name: "Atlas" }).click();
+    await atlasReady();
+    const colours = (selector: string) =>
+        page.$$eval(selector, (found) => found.map((i) => getComputedStyle(i).backgroundColor));
+    const chips = await colours(".chips .chip .faces i:first-child");
+    assert.equal(new Set(chips).size, 6);
+    assert.deepEqual(await colours(".atlas-standard i"), chips);
+    await page.click("[aria-label='Remove the standard']");
+});
+
+test("chips of every set of angles lie within their place", async () => {
+    await open();
+    const sets = await page.$$eval("[aria-label='Angles'] option", (found) =>
+        found.map((option) => (option as HTMLOptionElement).value),
+    );
+    assert.ok(sets.includes("ma-t12"));
+    for (const set of sets) {
+        await page.selectOption("[aria-label='Angles']", set);
+        await settled();
+        const outside = await page.$eval(".chips", (place) => {
+            const right = place.getBoundingClientRect().right;
+            return [...place.querySelectorAll(".faces, .chip b, .chip > span")]
+                .filter((part) => {
+                    const range = document.createRange();
+                    range.selectNodeContents(part);
+                    return (
+                        Math.max(
+                            part.getBoundingClientRect().right,
+                            range.getBoundingClientRect().right,
+                        ) > right
+                    );
+                })
+                .map((part) => part.textContent);
+        });
+        assert.deepEqual(outside, [], set);
+    }
+});
+
 const ROOF = "v 0 0 0\nv 40 0 0\nv 40 30 20\nv 0 30 20\nf 1 2 3\nf 1 3 4\n";
 
 /** Even light from above, in flat scan lines of Radiance HDR. */

@@ -3,7 +3,7 @@
 import type { VNode } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { Lab } from "../../../common/colour";
-import { deltaE2000 } from "../../../common/colour";
+import { chip, deltaE2000 } from "../../../common/colour";
 import { angleName, number } from "../../../common/dom";
 import { ticks } from "../../../common/plots";
 import { atlasValues } from "../atlas";
@@ -335,11 +335,10 @@ function lampOf(title: string): string {
     return lamp === undefined ? "" : `${lamp} / `;
 }
 
+/** As in the chips: brighter than the display is dimmed, and its hue kept. */
 function StandardChip(props: { readonly readings: Readings; readonly geometry: number }): VNode {
-    const { readings, geometry } = props;
-    const place = readings.standard?.geometries.indexOf(readings.geometries[geometry] ?? "") ?? -1;
-    const rgb = readings.standard?.rgb[place];
-    return <i style={rgb === undefined ? {} : { background: cssOf(rgb) }} />;
+    const standard = standardAt(props.readings, props.geometry);
+    return <i style={standard === null ? {} : { background: chip(standard).css }} />;
 }
 
 function Reading(props: {

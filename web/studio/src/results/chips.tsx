@@ -1,6 +1,7 @@
 /** A chip an angle, its upper half the standard where there is one, on the grey of a light booth. */
 
 import type { VNode } from "preact";
+import { Fragment } from "preact";
 import type { Lab } from "../../../common/colour";
 import { chip } from "../../../common/colour";
 import { angleName, number } from "../../../common/dom";
@@ -90,7 +91,14 @@ function Chip({ readings, i, label }: { readings: Readings; i: number; label: st
                 <i style={{ background: chip(lab).css }} />
                 {caveats.length > 0 && <abbr aria-label={caveats.join(", ")}>!</abbr>}
             </div>
-            <b>{label}</b>
+            <b>
+                {label.split(/(?=az)/).map((part) => (
+                    <Fragment key={part}>
+                        {part}
+                        <wbr />
+                    </Fragment>
+                ))}
+            </b>
             <span class="lightness">
                 <span class="hidden">L* </span>
                 {number(lab[0], 1)}
