@@ -195,6 +195,32 @@ test("layers, films and pigments are added, moved, copied and removed by name", 
     assert.match((await saved("Save recipe")).text, /TiO2_anatase/);
 });
 
+test("lists to choose from are seen whole, wherever their button is", async () => {
+    await open();
+    for (const label of ["Add a pigment", "Start from a paint that ships"]) {
+        const button = page.getByRole("button", { name: label });
+        await button.scrollIntoViewIfNeeded();
+        await button.click();
+        const list = page.getByRole("listbox", { name: label });
+        const box = await list.boundingBox();
+        assert.ok(box && box.height >= 200, `${label}: ${String(box?.height)}`);
+        assert.ok(box.y >= 0 && box.y + box.height <= 800);
+        // What is at its corners is the list itself, and not what it lies over.
+        const covered = await list.evaluate((element) => {
+            const { left, right, top, bottom } = element.getBoundingClientRect();
+            const inset = 3;
+            return [left + inset, right - inset].some((x) =>
+                [top + inset, bottom - inset].some(
+                    (y) => document.elementFromPoint(x, y)?.closest(".choices") !== element,
+                ),
+            );
+        });
+        assert.ok(!covered, label);
+        await page.keyboard.press("Escape");
+        assert.equal(await list.count(), 0);
+    }
+});
+
 test("the address holds the paint and its locks", async () => {
     await open();
     await type(FILM, "250");

@@ -23,6 +23,26 @@ export function Swatch({ rgb }: { readonly rgb: Rgb | null | undefined }): VNode
     return <i class="swatch" style={{ background: cssOf(rgb) }} />;
 }
 
+/** Between a list and its button, and at least to the window's edge, in pixels. */
+const GAP = 2;
+const MARGIN = 8;
+const MOST_HEIGHT = 380;
+
+/** Where a list has room: what scrolls around the button does not cut it off. */
+function place(list: HTMLElement, button: HTMLElement): void {
+    const { top, bottom, left, width } = button.getBoundingClientRect();
+    const below = innerHeight - bottom - GAP - MARGIN;
+    const above = top - GAP - MARGIN;
+    const wanted = Math.min(MOST_HEIGHT, list.scrollHeight);
+    const up = below < wanted && above > below;
+    const { style } = list;
+    style.minWidth = `${String(width)}px`;
+    style.maxHeight = `${String(Math.min(MOST_HEIGHT, up ? above : below))}px`;
+    style.left = `${String(Math.max(MARGIN, Math.min(left, innerWidth - list.offsetWidth - MARGIN)))}px`;
+    style.top = up ? "auto" : `${String(bottom + GAP)}px`;
+    style.bottom = up ? `${String(innerHeight - top + GAP)}px` : "auto";
+}
+
 /** How long typed letters count as one word. */
 const WORD_MS = 800;
 
@@ -49,14 +69,22 @@ export function Picker(props: {
 
     // At once, so that keys that follow are the list's.
     useLayoutEffect(() => {
-        if (!open) return;
-        list.current?.focus({ preventScroll: true });
-        const outside = (event: PointerEvent) => {
+        if (!open || list.current === null || button.current === null) return;
+        place(list.current, button.current);
+        list.current.focus({ preventScroll: true });
+        const outside = (event: Event) => {
             if (root.current?.contains(event.target as Node) !== true) setOpen(false);
         };
+        const moved = () => {
+            setOpen(false);
+        };
         document.addEventListener("pointerdown", outside);
+        document.addEventListener("scroll", outside, true);
+        addEventListener("resize", moved);
         return () => {
             document.removeEventListener("pointerdown", outside);
+            document.removeEventListener("scroll", outside, true);
+            removeEventListener("resize", moved);
         };
     }, [open]);
     useEffect(() => {
