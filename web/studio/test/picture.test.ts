@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { begin, field, FILM, open, page, settled, slider, type } from "./harness";
+import { begin, field, FILM, newPage, open, page, settled, slider, studio, type } from "./harness";
 
 begin(true);
 
@@ -19,6 +19,35 @@ test("from slider to chips", async () => {
     const at = (share: number) => String(times[Math.floor(share * (times.length - 1))]);
     console.log(`slider to chips: median ${at(0.5)} ms, 9 of 10 within ${at(0.9)} ms`);
     assert.ok(times.every((ms) => ms > 0));
+});
+
+test("before there is a picture its place has the grey behind it", async () => {
+    const tab = await newPage();
+    await tab.routeWebSocket(/\/api\/session/, (socket) => {
+        const server = socket.connectToServer();
+        let bytesFollow = false;
+        server.onMessage((message) => {
+            const kept =
+                typeof message === "string"
+                    ? /"type":"(shader|picture)"/.test(message)
+                    : bytesFollow;
+            bytesFollow = kept;
+            if (!kept) socket.send(message);
+        });
+    });
+    await tab.goto(studio.url);
+    await tab.waitForSelector(".chips[data-current=true]");
+    const opaque = await tab.$$eval(".picture canvas", (found) =>
+        found.map((element) => {
+            const copy = document.createElement("canvas");
+            copy.width = copy.height = 8;
+            const context = copy.getContext("2d");
+            context?.drawImage(element as HTMLCanvasElement, 0, 0, 8, 8);
+            return context?.getImageData(0, 0, 8, 8).data.some((x, i) => i % 4 === 3 && x > 0);
+        }),
+    );
+    assert.deepEqual(opaque, [false, false]);
+    await tab.close();
 });
 
 test("the picture gets better, follows turning, and A is held beside B", async () => {

@@ -94,7 +94,7 @@ export class LiveView {
         private readonly options: LiveOptions = {},
     ) {
         const gl = canvas.getContext("webgl2", {
-            alpha: false,
+            alpha: true, // until the first frame what lies behind is seen
             antialias: false,
             depth: false,
             preserveDrawingBuffer: true,

@@ -293,9 +293,13 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 value = texelFetch(whole, pixel, 0);
     vec3 linear = mean(value).rgb + mean(texelFetch(wholeFlakes, pixel, 0)).rgb;
+    bool known = value.a > 0.; // else what lies behind the canvas is seen
     if (value.a < enough) {
         vec4 around = between(coarse);
-        if (around.a > 0.) linear = around.rgb;
+        if (around.a > 0.) {
+            linear = around.rgb;
+            known = true;
+        }
         if (glitters) {
             float was = brightness(between(beforeMeans).rgb);
             float is = brightness(lightOf(before, beforeFlakes, pixel));
@@ -309,5 +313,5 @@ void main() {
     float lowest = min(linear.r, min(linear.g, linear.b)), scale = max(linear.r, max(linear.g, linear.b));
     bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.) < 4.;
     if (warn && stripe && lowest < -.002 - .01 * scale) encoded = vec3(.5);
-    seen = vec4(encoded, 1.);
+    seen = known ? vec4(encoded, 1.) : vec4(0.);
 }`;
