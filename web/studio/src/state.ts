@@ -45,6 +45,8 @@ export interface State {
     /** Of which the readings are. */
     readonly readingsOf: Document | null;
     readonly fault: ErrorMessage | null;
+    /** Why the last text that was pasted, dropped or chosen did not become the paint. */
+    readonly notOpened: string | null;
     /** From the change to chips on the screen. */
     readonly latency_ms: number | null;
     readonly settings: Settings;

@@ -78,6 +78,7 @@ export class Studio {
             readings: null,
             readingsOf: null,
             fault: null,
+            notOpened: null,
             latency_ms: null,
             settings: { geometries: "byk-mac", illuminant: "D65", observer: "10", tolerance: 1 },
             standard: null,
@@ -194,6 +195,7 @@ export class Studio {
             document: this.history.now,
             canUndo: this.history.canUndo,
             canRedo: this.history.canRedo,
+            notOpened: null,
         });
         this.measure();
         clearTimeout(this.linkTimer);
@@ -207,7 +209,7 @@ export class Studio {
         const id = this.session.send("open", { toml }, (message) => {
             this.session.forget(id);
             if (message.type === "error") {
-                this.store.set({ fault: message as unknown as ErrorMessage });
+                this.store.set({ notOpened: String(message.message) });
                 return;
             }
             const recipe = (message as unknown as RecipeMessage).tree;

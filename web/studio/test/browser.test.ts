@@ -111,6 +111,13 @@ test("an error is shown at the field that it names, and the colours stay", async
         await page.inputValue("[aria-label='Name of the paint']"),
         "Red-gold interference",
     );
+    // All of it is seen, and nothing is said of the paint, whose colours these are.
+    const hidden = await page.$eval(".said", (said) => said.scrollHeight - said.clientHeight);
+    assert.equal(hidden, 0);
+    assert.equal(await page.locator(".composition [role=alert], .chips.old").count(), 0);
+    await type("layer[0].thickness_um", "17");
+    await settled();
+    assert.equal(await page.textContent(".said"), "");
 });
 
 test("a standard is compared with, and a fit finds it", async () => {

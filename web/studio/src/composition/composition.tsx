@@ -9,11 +9,10 @@ export function Composition(): VNode {
     const studio = useStudio();
     const name = useStudioState((state) => state.document.recipe.name);
     const fault = useStudioState((state) => state.fault);
+    const notOpened = useStudioState((state) => state.notOpened);
     const warnings = useStudioState((state) => state.paint?.warnings);
-    const said =
-        fault === null
-            ? (warnings ?? []).map((text) => <p key={text}>{text}</p>)
-            : [<p key="fault">{fault.message}</p>];
+    const wrong = notOpened === null ? fault?.message : `Not opened: ${notOpened}`;
+    const said = wrong === undefined ? (warnings ?? []) : [wrong];
     return (
         <section class="composition" aria-label="Composition">
             <div class="paint-name">
@@ -35,12 +34,16 @@ export function Composition(): VNode {
             <div class="form">
                 <TableForm path={[]} />
             </div>
-            <div
-                class={fault === null ? "said" : "said wrong"}
-                role="status"
-                aria-label="What the server says of the recipe"
-            >
-                {said}
+            <div class="said-place">
+                <div
+                    class={wrong === undefined ? "said" : "said wrong"}
+                    role="status"
+                    aria-label="What the server says of the recipe"
+                >
+                    {said.map((text) => (
+                        <p key={text}>{text}</p>
+                    ))}
+                </div>
             </div>
         </section>
     );
