@@ -202,6 +202,46 @@ test("layers, films and pigments are added, moved, copied and removed by name", 
     assert.match((await saved("Save recipe")).text, /TiO2_anatase/);
 });
 
+test("names and sliders of numbers are seen whole, on tablets too", async () => {
+    await open();
+    for (const [width, height] of [
+        [1280, 800],
+        [1024, 768],
+        [820, 1180],
+    ] as const) {
+        await page.setViewportSize({ width, height });
+        const rows = await page.$$eval(".row.number", (found) =>
+            found.map((row) => {
+                const label = row.querySelector("label") as Element;
+                const slider = row.querySelector("input[type=range]") as Element;
+                return {
+                    cut: label.scrollWidth > label.clientWidth ? label.textContent : "",
+                    slider: slider.getBoundingClientRect().width,
+                };
+            }),
+        );
+        assert.ok(rows.length > 8);
+        for (const { cut, slider } of rows) {
+            assert.equal(cut, "", `at ${String(width)} x ${String(height)}`);
+            assert.ok(slider >= 90, `${String(slider)} at ${String(width)} x ${String(height)}`);
+        }
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.equal(wide, width);
+        // Who moves the last slider sees the picture and the chips.
+        await page.locator(".row.number").last().scrollIntoViewIfNeeded();
+        for (const selector of [".picture", ".chips"]) {
+            const box = await page.locator(selector).boundingBox();
+            assert.ok(box && box.y >= 0 && box.y + box.height <= height, selector);
+        }
+    }
+    await page.setViewportSize({ width: 1280, height: 800 });
+    // As light meets them.
+    const headings = await page.$$eval("section.flakes .part", (found) =>
+        found.map((part) => part.querySelector("h3")?.textContent),
+    );
+    assert.deepEqual(headings, ["Orientation", "Coat 2", "Coat 1", "Core"]);
+});
+
 test("lists to choose from are seen whole, wherever their button is", async () => {
     await open();
     for (const label of ["Add a pigment", "Start from a paint that ships"]) {

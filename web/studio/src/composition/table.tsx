@@ -27,6 +27,9 @@ const BESIDE_PRESET = new Set([
 /** Films are stated from the core outwards, and met from the outside inwards. */
 const REVERSED = new Set(["coats"]);
 
+/** What they cover, and light meets last. */
+const INNERMOST = "core";
+
 /** Not shown as rows: a name is its section's title. */
 const IN_TITLE = "name";
 
@@ -51,7 +54,11 @@ export const TableForm = steady(({ path }: { readonly path: Path }): VNode | nul
     if (schema === null || info === undefined || !isTable(table)) return null;
     const rows: ComponentChildren[] = [];
     const inner: ComponentChildren[] = [];
-    for (const key of info.keys) {
+    const isInnermost = ({ key }: KeyInfo) => key === INNERMOST;
+    for (const key of [
+        ...info.keys.filter((key) => !isInnermost(key)),
+        ...info.keys.filter(isInnermost),
+    ]) {
         const value = table[key.key];
         const at = [...path, key.key];
         if (key.kind === "list") {
