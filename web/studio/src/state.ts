@@ -52,7 +52,8 @@ export interface State {
     readonly settings: Settings;
     readonly standard: Standard | null;
     readonly sparkle: { readonly of: Document; readonly value: Sparkle } | null;
-    readonly sparkleBusy: boolean;
+    /** How far its measurement is, in [0, 1]; null: none is under way. */
+    readonly sparkleFraction: number | null;
     readonly fit: FitState;
     /** That the reader brought along. */
     readonly ownShape: OwnFile | null;

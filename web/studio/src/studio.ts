@@ -6,16 +6,9 @@ import { messageOf } from "./errors";
 import { History } from "./history";
 import { Latest } from "./latest";
 import { fromFragment, toFragment } from "./link";
-import type {
-    ErrorMessage,
-    Match,
-    Message,
-    Readings,
-    RecipeMessage,
-    Sparkle,
-    Standard,
-} from "./protocol";
+import type { ErrorMessage, Match, Message, Readings, RecipeMessage, Standard } from "./protocol";
 import { kindOf, OwnFiles } from "./own_files";
+import { SparkleMeter } from "./sparkle";
 import type { Schema } from "./schema";
 import type { Answer, Socket } from "./session";
 import { Session } from "./session";
@@ -58,6 +51,7 @@ export class Studio {
     readonly store: Store<State>;
     readonly viewer: Viewer;
     readonly atlas: Atlas;
+    readonly sparkle: SparkleMeter;
     readonly ownFiles: OwnFiles;
     private readonly history = new History<Document>(EMPTY);
     private readonly session: Session;
@@ -83,7 +77,7 @@ export class Studio {
             settings: { geometries: "byk-mac", illuminant: "D65", observer: "10", tolerance: 1 },
             standard: null,
             sparkle: null,
-            sparkleBusy: false,
+            sparkleFraction: null,
             fit: NO_FIT,
             ownShape: null,
             ownLight: null,
@@ -106,6 +100,7 @@ export class Studio {
         this.atlas = new Atlas(this.session, (busy) => {
             this.viewer.hold("atlas", busy);
         });
+        this.sparkle = new SparkleMeter(this.store, this.session);
         this.ownFiles = new OwnFiles(this.store, this.viewer, this.ask.bind(this));
     }
 
@@ -141,10 +136,8 @@ export class Studio {
         this.ownFiles.abandon();
         this.fitId = null;
         const { connection } = this.store.get();
-        this.store.set({
-            connection: connection === "refused" ? "refused" : "gone",
-            sparkleBusy: false,
-        });
+        this.store.set({ connection: connection === "refused" ? "refused" : "gone" });
+        this.sparkle.abandon();
         const { fit } = this.store.get();
         if (fit.running) {
             const fault = "The server went away before the fit had ended.";
@@ -395,19 +388,6 @@ export class Studio {
             const standard = csv === null ? null : (message as unknown as Standard);
             this.store.set({ standard, notice: standard?.notes.join(" ") ?? "" });
             this.measure();
-        });
-    }
-
-    // ---- sparkle ----
-
-    measureSparkle(): void {
-        const { document } = this.store.get();
-        this.store.set({ sparkleBusy: true });
-        this.ask("sparkle", { recipe: document.recipe }, (message) => {
-            const value = message as unknown as Sparkle;
-            const sparkle = message.type === "error" ? null : { of: document, value };
-            if (message.type === "error") this.say(String(message.message));
-            this.store.set({ sparkleBusy: false, sparkle });
         });
     }
 

@@ -80,6 +80,36 @@ test("what is saved is of the paint as it is now, and a paint with a fault is no
     assert.deepEqual(saved, [20, 21], "what was refused is forgotten");
 });
 
+test("a measurement of sparkle says how far it is, can be stopped, and is not begun with nobody there", async () => {
+    const server = new FakeServer();
+    const { studio } = await studioWith(server);
+    server.answerOpen(PAINT);
+    server.answerPaint();
+    const fraction = () => studio.store.get().sparkleFraction;
+    studio.sparkle.measure();
+    const first = server.received("sparkle").at(-1)?.id;
+    assert.equal(fraction(), 0);
+    server.answer({ type: "progress", id: first, about: "sparkle", fraction: 0.4 });
+    assert.equal(fraction(), 0.4);
+    studio.sparkle.stop();
+    assert.equal(server.received("stop").at(-1)?.what, "sparkle");
+    assert.equal(fraction(), null);
+    server.answer({ type: "progress", id: first, about: "sparkle", fraction: 0.5 });
+    assert.equal(fraction(), null, "what was stopped says nothing");
+
+    studio.sparkle.measure();
+    const id = server.received("sparkle").at(-1)?.id;
+    assert.notEqual(id, first);
+    server.answer({ type: "sparkle", id, readings: [], graininess: null, flakes_resolved: true });
+    assert.equal(fraction(), null);
+    assert.equal(studio.store.get().sparkle?.of, studio.store.get().document);
+
+    server.drop();
+    await settle();
+    studio.sparkle.measure();
+    assert.equal(fraction(), null);
+});
+
 test("in a light of another lamp the paint is asked for in that lamp", async () => {
     const server = new FakeServer();
     const { studio } = await studioWith(server);

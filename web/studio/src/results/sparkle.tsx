@@ -8,21 +8,27 @@ import { useStudio, useStudioState } from "../ui/context";
 export function SparklePanel(): VNode {
     const studio = useStudio();
     const sparkle = useStudioState((state) => state.sparkle);
-    const busy = useStudioState((state) => state.sparkleBusy);
+    const fraction = useStudioState((state) => state.sparkleFraction);
     const document = useStudioState((state) => state.document);
     const old = sparkle !== null && sparkle.of.recipe !== document.recipe;
     return (
         <div class="sparkle">
-            <p>
+            <p class="sparkle-start">
                 <button
                     type="button"
-                    disabled={busy}
                     onClick={() => {
-                        studio.measureSparkle();
+                        if (fraction === null) studio.sparkle.measure();
+                        else studio.sparkle.stop();
                     }}
                 >
-                    {busy ? "Measuring …" : "Measure sparkle and graininess"}
+                    {fraction === null ? "Measure sparkle and graininess" : "Stop"}
                 </button>
+                <progress
+                    max="1"
+                    value={fraction ?? 0}
+                    aria-label="Progress of the measurement"
+                    class={fraction === null ? "idle" : ""}
+                />
             </p>
             {sparkle !== null && (
                 <div class={old ? "old" : ""}>
